@@ -1,0 +1,103 @@
+r"""The dissipative chain in its variables, its boundaries, and its balance laws.
+
+James (2021), eqs. (24)-(32), dimensionless (m = k = 1):
+
+.. math::
+
+    \dot x_n = w_n + \gamma\,(u_{n-1,+}^\beta - u_{n,+}^\beta), \qquad
+    \dot w_n = u_{n-1,+}^\alpha - u_{n,+}^\alpha, \qquad u_n = x_n - x_{n+1} .
+
+Three sets of variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
+:math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
+arrays of states; the last axis is the bead n = 1 … N.
+
+Balance laws, summed over the chain with pressure at the ends:
+
+.. math::
+
+    \frac{d}{dt}\sum_n \dot x_n = \delta^\alpha - \tilde\delta^\alpha, \qquad
+    \frac{d}{dt} H = \delta^\alpha \dot x_1 - \tilde\delta^\alpha \dot x_N
+      - \sum_{n=1}^{N-1} \beta\gamma\, u_{n,+}^{\beta-1}\, \dot u_n^2, \qquad
+    H = \sum_{n=1}^N \tfrac12 \dot x_n^2 + \sum_{n=1}^{N-1} \frac{u_{n,+}^{\alpha+1}}{\alpha+1} .
+
+The first holds since the damping forces of the held contacts vanish (:math:`\dot u_0 = \dot u_N =
+0`).  The second is eq. (6) summed by parts: contact n transmits
+:math:`T_n = u_{n,+}^\alpha + \gamma\,\frac{d}{dt}u_{n,+}^\beta`, bead n receives
+:math:`T_{n-1} - T_n`, and the flux :math:`q_n = T_n \dot x_{n+1}` telescopes.  On a ring both
+boundary terms are absent and the sums run over all N contacts.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Boundary(NamedTuple):
+    """Held relative displacements at the ends, eq. (25), or a ring, eq. (26).
+
+    Attributes
+    ----------
+    ring : bool
+    left, right : float
+        δ and δ̃, the relative displacements held at the ends; 0 is a free end, unused on a ring.
+    """
+
+    ring: bool
+    left: float = 0.0
+    right: float = 0.0
+
+
+def force(u, exponent):
+    """The contact force u₊^exponent, elementwise."""
+    return np.maximum(u, 0.0) ** exponent
+
+
+def forces_on_both_sides(u, boundary, exponent):
+    """Forces of the contacts n − 1 and n of every bead, each of the shape of `u`.
+
+    Parameters
+    ----------
+    u : ndarray, shape (..., N)
+        Relative displacements; with pressure at the ends u_N is the held value.
+    """
+    ahead = force(u, exponent)
+    behind = np.roll(ahead, 1, axis=-1)
+    if not boundary.ring:
+        behind[..., 0] = force(boundary.left, exponent)
+    return behind, ahead
+
+
+def velocity_correction(u, boundary, beta, gamma):
+    """ẋ − w of every bead, eq. (31)."""
+    behind, ahead = forces_on_both_sides(u, boundary, beta)
+    return gamma * (behind - ahead)
+
+
+def strain_rates(velocity, u, boundary, beta, gamma):
+    """d_n = w_n − w_{n+1} from velocities; with pressure at the ends d_N = w_N."""
+    w = velocity - velocity_correction(u, boundary, beta, gamma)
+    ahead = np.roll(w, -1, axis=-1)
+    if not boundary.ring:
+        ahead[..., -1] = 0.0
+    return w - ahead
+
+
+def velocities(d, u, boundary, beta, gamma, momentum=0.0):
+    """Velocities ẋ_n from the strain form: a suffix sum.
+
+    Parameters
+    ----------
+    momentum : float
+        Σẋ_n on a ring, where d leaves a common velocity free; not used otherwise.
+    """
+    w = np.flip(np.cumsum(np.flip(d, axis=-1), axis=-1), axis=-1)
+    if boundary.ring:
+        w = w + (momentum - w.sum(axis=-1, keepdims=True)) / w.shape[-1]
+    return w + velocity_correction(u, boundary, beta, gamma)
+
+
+def energy(u, velocity, boundary, alpha):
+    """Kinetic plus elastic energy H of the moving contacts."""
+    moving = u if boundary.ring else u[..., :-1]
+    kinetic = 0.5 * np.sum(velocity**2, axis=-1)
+    return kinetic + np.sum(force(moving, alpha + 1.0), axis=-1) / (alpha + 1.0)

@@ -1,0 +1,371 @@
+r"""Adaptive integration of a chain in strain form, with output and reductions on the way.
+
+Step control: the eighth-order pair of `runge_kutta` with error per step, in the maximum norm over
+beads (`strain.error_norm`), and steps that respect contact events (`contact_events`).  A step size
+is rounded to the difference of two representable times, so that the clock carries no error.
+
+Output.  Steps land on the `stops` (snapshots and the end); everything else is read from the
+continuous extension of order 7, whose three further stages are computed only in steps that need
+them.  With weights :math:`b_j(\theta)`,
+
+.. math::
+
+    u(\theta) = u + \theta h\,d + \sum_j \Bigl( h\gamma\, b_j g_j
+        + h^2 \sum_l b_l a_{lj}\, k_j \Bigr), \qquad d(\theta) = d + h\sum_j b_j k_j .
+
+Reductions are located on the same polynomials: first arrival of a level at each bead, largest and
+smallest relative displacement over all beads and times, first opening of a contact.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from granular_fronts.chain import runge_kutta as rk
+from granular_fronts.chain.contact_events import changes_sign, step_at_contact
+from granular_fronts.chain.strain import (
+    PAIR,
+    accept,
+    dissipated_energy,
+    error_norm,
+    evaluate_slopes,
+    reach_of,
+    stages_for_output,
+    try_step,
+)
+
+RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
+
+# Steps shorter than this many spacings of representable times mean that the solve has collapsed.
+SHORTEST_STEP_IN_SPACINGS = 8.0
+
+
+class Clock(NamedTuple):
+    """Time and work so far; one-element arrays, since compiled code updates them in place."""
+
+    t: np.ndarray
+    h: np.ndarray
+    reach: np.ndarray
+    counts: np.ndarray
+    dissipated: np.ndarray
+
+
+ACCEPTED, REJECTED, REJECTED_AT_CONTACT, STAGE_COUNT = range(4)
+
+
+class Recording(NamedTuple):
+    """What to record, and the arrays to record it in.
+
+    Attributes
+    ----------
+    stops : ndarray
+        Increasing times on which a step must end; the last one is the end of the run.
+    profile_times, profile_u, profile_d : ndarray, shape (times,) and (times, columns)
+        Whole states.
+    sample_times, sample_beads, samples : ndarray, shape (samples,)
+        Relative displacements of single contacts, ordered by time.
+    cursor : ndarray of int
+        Next stop, next profile, next sample.
+    level, arrival : float and ndarray, shape (columns,)
+        Level whose first upward crossing is timed at each contact; NaN for none.
+    first_peak, first_peak_time : ndarray, shape (columns,)
+        First maximum of each contact above the level, the overshoot as the front passes.
+    extremes : ndarray, shape (8,)
+        Largest u, its time and bead; smallest u, its time and bead; time and bead of first opening.
+    track_extremes, track_energy : bool
+    """
+
+    stops: np.ndarray
+    profile_times: np.ndarray
+    profile_u: np.ndarray
+    profile_d: np.ndarray
+    sample_times: np.ndarray
+    sample_beads: np.ndarray
+    samples: np.ndarray
+    cursor: np.ndarray
+    level: float
+    arrival: np.ndarray
+    first_peak: np.ndarray
+    first_peak_time: np.ndarray
+    extremes: np.ndarray
+    track_extremes: bool
+    track_energy: bool
+
+
+STOP, PROFILE, SAMPLE = range(3)
+LARGEST, SMALLEST, OPENING = 0, 3, 6
+
+
+@njit(cache=True)
+def polynomial_weights(law, h, theta, weights_d, weights_g, weights_k):
+    """Weights of the slopes in d(θ), and of g and k in u(θ)."""
+    for j in range(rk.SLOPES):
+        b = b_a = 0.0
+        for power in range(rk.DEGREE, -1, -1):
+            b = b * theta + rk.CONTINUOUS[power, j]
+            b_a = b_a * theta + rk.CONTINUOUS_A[power, j]
+        weights_d[j] = h * b
+        weights_g[j] = h * law.gamma * b
+        weights_k[j] = h * h * b_a
+
+
+@njit(cache=True)
+def contact_polynomial(law, state, h, n, coefficients):
+    """Coefficients of u_n(θ) in powers of θ, constant term first."""
+    g = state.g if law.kind == PAIR else state.k
+    for power in range(rk.DEGREE + 1):
+        total = 0.0
+        for j in range(rk.SLOPES):
+            total += h * law.gamma * rk.CONTINUOUS[power, j] * g[j, n]
+            total += h * h * rk.CONTINUOUS_A[power, j] * state.k[j, n]
+        coefficients[power] = total
+    coefficients[0] += state.u[n]
+    coefficients[1] += h * state.d[n]
+
+
+@njit(cache=True)
+def polynomial(coefficients, theta):
+    value = 0.0
+    for power in range(coefficients.size - 1, -1, -1):
+        value = value * theta + coefficients[power]
+    return value
+
+
+@njit(cache=True)
+def crossing(coefficients, level):
+    """A θ in [0, 1] where the polynomial meets `level`, by bisection to the last bit.
+
+    The ends must lie on different sides of the level, up to rounding.
+    """
+    low, high = 0.0, 1.0
+    rising = polynomial(coefficients, 1.0) > level
+    while True:
+        middle = 0.5 * (low + high)
+        if middle <= low or middle >= high or high - low < 1e-16:
+            return middle
+        if (polynomial(coefficients, middle) > level) == rising:
+            high = middle
+        else:
+            low = middle
+
+
+@njit(cache=True)
+def derivative(coefficients):
+    result = np.empty(coefficients.size - 1)
+    for power in range(1, coefficients.size):
+        result[power - 1] = power * coefficients[power]
+    return result
+
+
+@njit(cache=True)
+def output_is_due(recording, t_new):
+    cursor = recording.cursor
+    return (
+        cursor[PROFILE] < recording.profile_times.size
+        and recording.profile_times[cursor[PROFILE]] <= t_new
+    ) or (
+        cursor[SAMPLE] < recording.sample_times.size
+        and recording.sample_times[cursor[SAMPLE]] <= t_new
+    )
+
+
+@njit(cache=True)
+def write_profile(law, state, h, theta, reach, row_u, row_d):
+    """u(θ) and d(θ) of all beads of the active window."""
+    if theta == 1.0:
+        row_u[1 : reach + 1] = state.new_u[1 : reach + 1]
+        row_d[1 : reach + 1] = state.new_d[1 : reach + 1]
+        return
+    weights_d, weights_g, weights_k = np.empty((3, rk.SLOPES))
+    polynomial_weights(law, h, theta, weights_d, weights_g, weights_k)
+    g = state.g if law.kind == PAIR else state.k
+    for n in range(1, reach + 1):
+        row_u[n] = state.u[n] + theta * h * state.d[n]
+        row_d[n] = state.d[n]
+    for j in range(rk.SLOPES):
+        for n in range(1, reach + 1):
+            row_u[n] += weights_g[j] * g[j, n] + weights_k[j] * state.k[j, n]
+            row_d[n] += weights_d[j] * state.k[j, n]
+
+
+@njit(cache=True)
+def write_output(law, state, t, h, t_new, reach, recording):
+    """Profiles and samples that fall into (t, t_new]."""
+    cursor = recording.cursor
+    while (
+        cursor[PROFILE] < recording.profile_times.size
+        and recording.profile_times[cursor[PROFILE]] <= t_new
+    ):
+        row = cursor[PROFILE]
+        theta = 1.0 if recording.profile_times[row] == t_new else (
+            (recording.profile_times[row] - t) / h
+        )
+        write_profile(
+            law, state, h, theta, reach, recording.profile_u[row], recording.profile_d[row]
+        )
+        cursor[PROFILE] += 1
+    coefficients = np.empty(rk.DEGREE + 1)
+    while (
+        cursor[SAMPLE] < recording.sample_times.size
+        and recording.sample_times[cursor[SAMPLE]] <= t_new
+    ):
+        index = cursor[SAMPLE]
+        contact_polynomial(law, state, h, recording.sample_beads[index], coefficients)
+        theta = (recording.sample_times[index] - t) / h
+        recording.samples[index] = polynomial(coefficients, theta)
+        cursor[SAMPLE] += 1
+
+
+@njit(cache=True)
+def write_arrivals(law, state, t, h, last, recording):
+    """First upward crossings of the level within the step."""
+    coefficients = np.empty(rk.DEGREE + 1)
+    for n in range(1, last + 1):
+        if state.u[n] < recording.level <= state.new_u[n] and math.isnan(recording.arrival[n]):
+            contact_polynomial(law, state, h, n, coefficients)
+            recording.arrival[n] = t + h * crossing(coefficients, recording.level)
+
+
+@njit(cache=True)
+def level_is_crossed(state, last, recording):
+    for n in range(last, 0, -1):
+        if state.u[n] < recording.level <= state.new_u[n] and math.isnan(recording.arrival[n]):
+            return True
+    return False
+
+
+@njit(cache=True)
+def record_extremum(kind, sign, value, t, n, recording):
+    if sign * value > sign * recording.extremes[kind]:
+        recording.extremes[kind] = value
+        recording.extremes[kind + 1] = t
+        recording.extremes[kind + 2] = n
+
+
+@njit(cache=True)
+def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
+    """Extremes of u over the step, and the first opening; True if the output stages are computed."""
+    g = state.g if law.kind == PAIR else state.k
+    extremes, first_peak = recording.extremes, recording.first_peak
+    coefficients = np.empty(rk.DEGREE + 1)
+    for n in range(1, min(reach, size.contacts) + 1):
+        u, new_u = state.u[n], state.new_u[n]
+        record_extremum(LARGEST, 1.0, new_u, t + h, n, recording)
+        record_extremum(SMALLEST, -1.0, new_u, t + h, n, recording)
+        rate = state.d[n] + law.gamma * g[0, n]
+        new_rate = state.new_d[n] + law.gamma * g[rk.NEW_SLOPE, n]
+        margin = 0.5 * h * abs(rate - new_rate)
+        first = u > recording.level and math.isnan(first_peak[n])
+        peak = rate > 0.0 >= new_rate and (first or max(u, new_u) + margin > extremes[LARGEST])
+        trough = rate < 0.0 <= new_rate and min(u, new_u) - margin < extremes[SMALLEST]
+        opens = u > 0.0 > new_u and math.isnan(extremes[OPENING])
+        if not (peak or trough or opens):
+            continue
+        if not have_polynomials:
+            stages_for_output(law, size, state, h, reach)
+            have_polynomials = True
+        contact_polynomial(law, state, h, n, coefficients)
+        if opens:
+            extremes[OPENING] = t + h * crossing(coefficients, 0.0)
+            extremes[OPENING + 1] = n
+        if not (peak or trough):
+            continue
+        theta = crossing(derivative(coefficients), 0.0)
+        value, time = polynomial(coefficients, theta), t + h * theta
+        if trough:
+            record_extremum(SMALLEST, -1.0, value, time, n, recording)
+            continue
+        record_extremum(LARGEST, 1.0, value, time, n, recording)
+        if first:
+            first_peak[n], recording.first_peak_time[n] = value, time
+    return have_polynomials
+
+
+@njit(cache=True)
+def record_step(law, size, state, t, h, t_new, reach, recording):
+    """Everything to be recorded of an accepted step; returns whether output stages were computed."""
+    last = min(reach, size.contacts)
+    due = output_is_due(recording, t_new)
+    arrives = not math.isnan(recording.level) and level_is_crossed(state, last, recording)
+    have_polynomials = due or arrives
+    if have_polynomials:
+        stages_for_output(law, size, state, h, reach)
+    if due:
+        write_output(law, state, t, h, t_new, reach, recording)
+    if arrives:
+        write_arrivals(law, state, t, h, last, recording)
+    if recording.track_extremes:
+        return write_extremes(law, size, state, t, h, reach, have_polynomials, recording)
+    return have_polynomials
+
+
+@njit(cache=True)
+def factor_of(error):
+    """Change of step size that brings the next error to the tolerance."""
+    if error == 0.0:
+        return rk.LARGEST_FACTOR
+    return min(rk.LARGEST_FACTOR, max(rk.SMALLEST_FACTOR, rk.SAFETY * error**rk.ERROR_EXPONENT))
+
+
+@njit(cache=True)
+def advance(law, size, state, clock, relative, absolute, recording, most_steps):
+    """Integrate until the last stop, or until `most_steps` further steps are accepted.
+
+    Returns
+    -------
+    int
+        RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE, OPENED.
+    """
+    counts, cursor, stops = clock.counts, recording.cursor, recording.stops
+    after_rejection = False
+    steps = 0
+    while steps < most_steps:
+        if cursor[STOP] == stops.size:
+            return FINISHED
+        t, stop = clock.t[0], stops[cursor[STOP]]
+        landing = t + clock.h[0] >= stop
+        t_new = stop if landing else t + clock.h[0]
+        h = t_new - t
+        if h < SHORTEST_STEP_IN_SPACINGS * np.spacing(t) and not landing:
+            return COLLAPSED
+        reach = clock.reach[0]
+        last = min(reach, size.contacts)
+        largest = try_step(law, size, state, h, reach)
+        counts[STAGE_COUNT] += rk.STAGES
+        error = error_norm(largest, relative, absolute)
+        if not error <= 1.0:
+            counts[REJECTED] += 1
+            after_rejection = True
+            if math.isnan(error) and h < 1e3 * SHORTEST_STEP_IN_SPACINGS * np.spacing(t):
+                return NOT_FINITE
+            clock.h[0] = h * (0.1 if math.isnan(error) else min(1.0, factor_of(error)))
+            continue
+        if changes_sign(state, last):
+            if law.alpha < 1.0:
+                return OPENED
+            allowed = absolute + relative * largest.compression
+            at_contact = step_at_contact(law, state, h, last, allowed)
+            if at_contact < h and at_contact > SHORTEST_STEP_IN_SPACINGS * np.spacing(t):
+                counts[REJECTED_AT_CONTACT] += 1
+                clock.h[0] = at_contact
+                continue
+        evaluate_slopes(law, size, state, state.new_u, rk.NEW_SLOPE, reach)
+        if record_step(law, size, state, t, h, t_new, reach, recording):
+            counts[STAGE_COUNT] += rk.SLOPES - rk.NEW_SLOPE - 1
+        if recording.track_energy:
+            clock.dissipated[0] += dissipated_energy(law, size, state, h, reach)
+        accept(state, reach)
+        clock.t[0] = t_new
+        clock.reach[0] = max(reach, reach_of(size, state.u, state.d, reach))
+        counts[ACCEPTED] += 1
+        steps += 1
+        if landing:
+            cursor[STOP] += 1
+            clock.h[0] = max(clock.h[0], h)
+        growth = factor_of(error)
+        if not landing or growth < 1.0:
+            clock.h[0] = h * (min(1.0, growth) if after_rejection else growth)
+        after_rejection = False
+    return RUNNING

@@ -1,0 +1,177 @@
+"""From what a scene asks to record to the arrays of the integrator, and back to a dataset.
+
+Variables of the dataset (names and units are given once, in `granular_fronts.datasets`):
+
+- snapshots, on which steps land: `relative_displacement`, `velocity` on (t, bead);
+- each probe set, by its name S: `relative_displacement_S` on (t_S, bead_S);
+- the space-time grid: `relative_displacement_grid`, `velocity_grid` on (t_grid, bead), and the
+  reductions `mean_relative_displacement`, `total_velocity` on (t_grid);
+- located events: `arrival_time`, `first_peak`, `first_peak_time` on (bead), `front_speed`;
+  `largest_relative_displacement`, `smallest_relative_displacement`, `first_gap`, with time and bead.
+
+The last bead's entry of a relative displacement is the held value at the right end, or on a ring the
+contact that closes it.
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.chain import equations
+from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST, Recording
+
+# The front's speed is fitted over these fractions of the chain: past the transient of the start,
+# before the far end.
+SPEED_RANGE = (0.5, 0.9)
+
+
+def regular_times(start, stop, step):
+    """start, start + step, … up to and including stop."""
+    return start + step * np.arange(int(np.floor((stop - start) / step * (1 + 1e-12))) + 1)
+
+
+def grid_times(scene):
+    """Times of the space-time grid, empty if the scene records none."""
+    if "grid" not in scene["record"]:
+        return np.empty(0)
+    return regular_times(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+
+
+def probe_samples(scene):
+    """All samples of all probe sets: times and beads, each flat, set after set."""
+    times, beads = [np.empty(0)], [np.empty(0, dtype=np.int64)]
+    for probe in scene["record"].get("probes", {}).values():
+        moments = regular_times(probe["start"], probe["stop"], probe["step"])
+        times.append(np.repeat(moments, len(probe["beads"])))
+        beads.append(np.tile(np.asarray(probe["beads"], dtype=np.int64), moments.size))
+    return np.concatenate(times), np.concatenate(beads)
+
+
+def make_recording(scene, columns):
+    """Empty arrays for everything the scene asks for.
+
+    Parameters
+    ----------
+    scene : mapping
+        A checked chain scene.
+    columns : int
+        Row length of the integrator's arrays.
+    """
+    record = scene["record"]
+    snapshots = np.asarray(record["snapshots"], dtype=float)
+    profile_times = np.union1d(snapshots, grid_times(scene))
+    times, beads = probe_samples(scene)
+    order = np.argsort(times, kind="stable")
+    extremes = np.full(8, np.nan)
+    extremes[[LARGEST, SMALLEST]] = -np.inf, np.inf
+    return Recording(
+        stops=np.union1d(snapshots[snapshots > 0.0], float(scene["end_time"])),
+        profile_times=profile_times,
+        profile_u=np.zeros((profile_times.size, columns)),
+        profile_d=np.zeros((profile_times.size, columns)),
+        sample_times=times[order],
+        sample_beads=beads[order],
+        samples=np.zeros(times.size),
+        cursor=np.zeros(3, dtype=np.int64),
+        level=float(record.get("arrival_level", np.nan)),
+        arrival=np.full(columns, np.nan),
+        first_peak=np.full(columns, np.nan),
+        first_peak_time=np.full(columns, np.nan),
+        extremes=extremes,
+        track_extremes=bool(record.get("extremes", False)),
+        track_energy=bool(record.get("balances", False)),
+    )
+
+
+def collect(scene, recording, boundary, momentum):
+    """The dataset of everything recorded.
+
+    Parameters
+    ----------
+    boundary : equations.Boundary
+    momentum : float
+        Σẋ_n of the start, which fixes the mean velocity of a ring.
+    """
+    beads = np.arange(1, scene["beads"] + 1)
+    dataset = xr.Dataset(coords={"bead": beads})
+    dataset = dataset.merge(_profiles(scene, recording, boundary, momentum))
+    dataset = dataset.merge(_probes(scene, recording))
+    if not np.isnan(recording.level):
+        dataset = dataset.merge(_arrivals(scene, recording))
+    if recording.track_extremes:
+        dataset = dataset.merge(_extremes(recording))
+    return dataset
+
+
+def _profiles(scene, recording, boundary, momentum):
+    beads = scene["beads"]
+    law = scene["law"]
+    u = recording.profile_u[:, 1 : beads + 1]
+    d = recording.profile_d[:, 1 : beads + 1]
+    if not boundary.ring:
+        u[:, -1] = boundary.right
+    velocity = equations.velocities(d, u, boundary, law["beta"], law["gamma"], momentum)
+    snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
+    rows = np.searchsorted(recording.profile_times, snapshots)
+    variables = {
+        "relative_displacement": (("t", "bead"), u[rows]),
+        "velocity": (("t", "bead"), velocity[rows]),
+    }
+    coordinates = {"t": snapshots}
+    grid = grid_times(scene)
+    if grid.size:
+        rows = np.searchsorted(recording.profile_times, grid)
+        moving = u if boundary.ring else u[:, :-1]
+        variables |= {
+            "relative_displacement_grid": (("t_grid", "bead"), u[rows]),
+            "velocity_grid": (("t_grid", "bead"), velocity[rows]),
+            "mean_relative_displacement": ("t_grid", moving[rows].sum(axis=1) / beads),
+            "total_velocity": ("t_grid", velocity[rows].sum(axis=1)),
+        }
+        coordinates["t_grid"] = grid
+    return xr.Dataset(variables, coordinates)
+
+
+def _probes(scene, recording):
+    times, _ = probe_samples(scene)
+    samples = np.empty(times.size)
+    samples[np.argsort(times, kind="stable")] = recording.samples
+    dataset, first = xr.Dataset(), 0
+    for name, probe in scene["record"].get("probes", {}).items():
+        moments = regular_times(probe["start"], probe["stop"], probe["step"])
+        shape = (moments.size, len(probe["beads"]))
+        last = first + moments.size * len(probe["beads"])
+        dataset[f"relative_displacement_{name}"] = xr.DataArray(
+            samples[first:last].reshape(shape),
+            coords={f"t_{name}": moments, f"bead_{name}": probe["beads"]},
+        )
+        first = last
+    return dataset
+
+
+def _arrivals(scene, recording):
+    beads = scene["beads"]
+    arrival = recording.arrival[1 : beads + 1]
+    first, last = (int(fraction * beads) for fraction in SPEED_RANGE)
+    passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
+    speed = np.nan
+    if passed.size > 1:
+        speed = 1.0 / np.polynomial.Polynomial.fit(passed, arrival[passed], 1).convert().coef[1]
+    variables = {"arrival_time": ("bead", arrival), "front_speed": speed}
+    if recording.track_extremes:
+        variables["first_peak"] = ("bead", recording.first_peak[1 : beads + 1])
+        variables["first_peak_time"] = ("bead", recording.first_peak_time[1 : beads + 1])
+    return xr.Dataset(variables)
+
+
+def _extremes(recording):
+    values = recording.extremes
+    names = {
+        LARGEST: "largest_relative_displacement",
+        SMALLEST: "smallest_relative_displacement",
+    }
+    variables = {"first_gap_time": values[OPENING], "first_gap_bead": values[OPENING + 1]}
+    for start, name in names.items():
+        variables[name] = values[start]
+        variables[f"{name}_time"] = values[start + 1]
+        variables[f"{name}_bead"] = values[start + 2]
+    return xr.Dataset(variables)

@@ -1,0 +1,453 @@
+r"""Strain form of the dissipative chain, and one compiled Runge-Kutta step of it.
+
+Equations.  With :math:`u_n = x_n - x_{n+1}` (compression > 0), the generalised velocity
+:math:`w_n` of James (2021), eqs. (31)-(32), and :math:`d_n = w_n - w_{n+1}`,
+
+.. math::
+
+    \dot u_n = d_n + \gamma\,(\Delta_d u_+^\beta)_n, \qquad
+    \dot d_n = (\Delta_d u_+^\alpha)_n, \qquad
+    (\Delta_d f)_n = f_{n-1} - 2 f_n + f_{n+1} .
+
+There is no difference :math:`x_{n-1} - x_n` of large numbers to cancel, and beads which the wave
+has not reached stay zero.
+
+Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's bead number.
+
+- Pressure, eq. (25): the contacts 1 … N − 1 move, :math:`u_0 = \delta` and
+  :math:`u_N = \tilde\delta` are held.  Entry N of the state carries the last bead itself,
+  :math:`u_N := x_N` and :math:`d_N := w_N`; it obeys the same equations if the forces beyond it are
+  continued as a constant, :math:`F_{N+1} = F_N = \tilde\delta^\alpha`.  Then
+  :math:`x_n = \sum_{k\ge n} u_k`, :math:`w_n = \sum_{k\ge n} d_k`, and
+  :math:`\sum_n w_n = \sum_n n\,d_n` grows by exactly
+  :math:`(\delta^\alpha - \tilde\delta^\alpha)\,h` in every step: a linear law that a Runge-Kutta
+  method keeps to round-off.
+- Ring, eq. (26): all contacts 1 … N move, indices are taken modulo N.
+
+Active window.  Entries beyond the `reach` of the wave are exactly zero and are not visited.
+
+Kernels.  One nonlinearity is evaluated per contact and stage when β = α or γ = 0 (kinds `HERTZ`, α
+= 3/2, and `POWER`), two otherwise (`PAIR`).  The slopes of bead n are
+`k[:, n]` :math:`= \Delta_d u_+^\alpha` and, for `PAIR` only, `g[:, n]`
+:math:`= \Delta_d u_+^\beta`; the other kinds read g from k.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from llvmlite import ir
+from numba import int64, njit, types, uint64
+from numba.extending import intrinsic
+
+from granular_fronts.chain import runge_kutta as rk
+
+HERTZ, POWER, PAIR = 0, 1, 2
+
+# A smaller compression exerts no force: it could not influence another bead in double precision,
+# and arithmetic on the subnormal numbers that its powers lead to is a hundred times slower.
+NEGLIGIBLE = 1.0e-60
+WINDOW_MARGIN = 4
+# Loops run over whole blocks of vector registers; a remainder costs as much as a block.
+WINDOW_BLOCK = 32
+
+# A multiply and an add may fuse; sums over beads may be reordered where nothing but a norm or an
+# energy comes out of them.
+_CONTRACT = {"contract"}
+_REDUCE = {"contract", "nsz", "reassoc"}
+
+
+class Law(NamedTuple):
+    """Contact law (28): kernel kind, exponents α and β, damping γ, all dimensionless."""
+
+    kind: int
+    alpha: float
+    beta: float
+    gamma: float
+
+
+class State(NamedTuple):
+    """Arrays of one chain; index n = 0 … N + 1 is the bead number, stages come first.
+
+    Attributes
+    ----------
+    u, d : ndarray, shape (columns,)
+        State at the start of the step.
+    new_u, new_d : ndarray, shape (columns,)
+        State at its end.
+    force, damping : ndarray, shape (columns,)
+        :math:`u_+^\\alpha` and :math:`u_+^\\beta` of the last stage, boundary values included.
+    k, g : ndarray, shape (16, columns)
+        Slopes of the stages.
+    """
+
+    u: np.ndarray
+    d: np.ndarray
+    new_u: np.ndarray
+    new_d: np.ndarray
+    force: np.ndarray
+    damping: np.ndarray
+    k: np.ndarray
+    g: np.ndarray
+
+
+class Size(NamedTuple):
+    """Number of beads N, of moving contacts (N − 1, or N on a ring)."""
+
+    beads: int
+    contacts: int
+
+
+def make_law(alpha, beta, gamma):
+    """Choose the cheapest kernel that is exact for the exponents.
+
+    Parameters
+    ----------
+    alpha, beta, gamma : float
+        Exponents and damping of the contact law, James (2021), eq. (28).
+
+    Returns
+    -------
+    Law
+    """
+    one_nonlinearity = beta == alpha or gamma == 0.0
+    kind = PAIR if not one_nonlinearity else HERTZ if alpha == 1.5 else POWER
+    return Law(kind, float(alpha), float(beta), float(gamma))
+
+
+def make_state(beads):
+    """Allocate the arrays of a chain of `beads` beads, all zero."""
+    columns = _columns(beads)
+    vectors = _aligned_zeros((6, columns))
+    return State(*vectors, _aligned_zeros((rk.SLOPES, columns)), _aligned_zeros((rk.SLOPES, columns)))
+
+
+def _columns(beads):
+    """Row length: whole cache lines, never a multiple of 4096 bytes (rows would evict each other)."""
+    columns = 8 * math.ceil((beads + 2) / 8)
+    return columns + 8 if columns % 512 == 0 else columns
+
+
+def _aligned_zeros(shape):
+    """Zeros whose column 1, the first bead, starts a 64-byte cache line."""
+    size = math.prod(shape)
+    buffer = np.zeros(size + 16)
+    offset = next(i for i in range(8) if (buffer.ctypes.data + 8 * (i + 1)) % 64 == 0)
+    return buffer[offset : offset + size].reshape(shape)
+
+
+@njit(forceinline=True, cache=True)
+def touching(u):
+    """The compression u₊ of a contact."""
+    return u if u > NEGLIGIBLE else 0.0
+
+
+@njit(fastmath=_CONTRACT, cache=True)
+def stage_value(state, a, a_squared, c, h, h_gamma, n):
+    """U_i of bead n when one nonlinearity drives both equations."""
+    value = state.u[n] + c * h * state.d[n]
+    for j in range(len(a)):
+        value += (h_gamma * a[j] + h * h * a_squared[j]) * state.k[j, n]
+    return value
+
+
+@njit(fastmath=_CONTRACT, cache=True)
+def stage_value_pair(state, a, a_squared, c, h, h_gamma, n):
+    """U_i of bead n when the damping has an exponent of its own."""
+    value = state.u[n] + c * h * state.d[n]
+    for j in range(len(a)):
+        value += h_gamma * a[j] * state.g[j, n] + h * h * a_squared[j] * state.k[j, n]
+    return value
+
+
+@njit(fastmath=_CONTRACT, cache=True)
+def laplacian(force, slopes, size, reach):
+    """Write f_{n-1} − 2 f_n + f_{n+1} for the beads 1 … reach, closing a ring first."""
+    if size.contacts == size.beads:
+        force[0] = force[size.beads]
+        force[size.beads + 1] = force[1]
+    for n in range(uint64(1), uint64(reach + 1)):
+        slopes[n] = force[n - uint64(1)] - 2.0 * force[n] + force[n + uint64(1)]
+
+
+@njit(fastmath=_CONTRACT, cache=True)
+def evaluate_slopes(law, size, state, u, row, reach):
+    """Slopes of the state `u` into row `row` of k (and g)."""
+    force, damping = state.force, state.damping
+    last = min(reach, size.contacts)
+    if law.kind == HERTZ:
+        for n in range(uint64(1), uint64(last + 1)):
+            compression = u[n] if u[n] > NEGLIGIBLE else 0.0
+            force[n] = compression * math.sqrt(compression)
+    else:
+        for n in range(uint64(1), uint64(last + 1)):
+            compression = u[n] if u[n] > NEGLIGIBLE else 0.0
+            force[n] = compression**law.alpha
+            if law.kind == PAIR:
+                damping[n] = compression**law.beta
+    laplacian(force, state.k[row], size, reach)
+    if law.kind == PAIR:
+        laplacian(damping, state.g[row], size, reach)
+
+
+@njit(fastmath=_CONTRACT, forceinline=True, cache=True)
+def stage(law, size, state, a, a_squared, c, h, reach):
+    """One stage: the slopes of :math:`U_i` into row i = len(a)."""
+    row = len(a)
+    force, damping = state.force, state.damping
+    h_gamma = h * law.gamma
+    last = min(reach, size.contacts)
+    if law.kind == HERTZ:
+        for n in range(uint64(1), uint64(last + 1)):
+            value = stage_value(state, a, a_squared, c, h, h_gamma, n)
+            compression = value if value > NEGLIGIBLE else 0.0
+            force[n] = compression * math.sqrt(compression)
+    elif law.kind == POWER:
+        for n in range(uint64(1), uint64(last + 1)):
+            value = stage_value(state, a, a_squared, c, h, h_gamma, n)
+            compression = value if value > NEGLIGIBLE else 0.0
+            force[n] = compression**law.alpha
+    else:
+        for n in range(uint64(1), uint64(last + 1)):
+            value = stage_value_pair(state, a, a_squared, c, h, h_gamma, n)
+            compression = value if value > NEGLIGIBLE else 0.0
+            force[n] = compression**law.alpha
+            damping[n] = compression**law.beta
+    laplacian(force, state.k[row], size, reach)
+    if law.kind == PAIR:
+        laplacian(damping, state.g[row], size, reach)
+
+
+@njit(cache=True)
+def stages(law, size, state, h, reach):
+    """The eleven stages after the first, whose slopes stand in row 0."""
+    a, q, c = rk.A_ROWS, rk.A_SQUARED_ROWS, rk.C
+    stage(law, size, state, a[1], q[1], c[1], h, reach)
+    stage(law, size, state, a[2], q[2], c[2], h, reach)
+    stage(law, size, state, a[3], q[3], c[3], h, reach)
+    stage(law, size, state, a[4], q[4], c[4], h, reach)
+    stage(law, size, state, a[5], q[5], c[5], h, reach)
+    stage(law, size, state, a[6], q[6], c[6], h, reach)
+    stage(law, size, state, a[7], q[7], c[7], h, reach)
+    stage(law, size, state, a[8], q[8], c[8], h, reach)
+    stage(law, size, state, a[9], q[9], c[9], h, reach)
+    stage(law, size, state, a[10], q[10], c[10], h, reach)
+    stage(law, size, state, a[11], q[11], c[11], h, reach)
+
+
+@njit(cache=True)
+def stages_for_output(law, size, state, h, reach):
+    """The three stages that only the continuous extension uses."""
+    a, q, c = rk.A_ROWS, rk.A_SQUARED_ROWS, rk.C
+    stage(law, size, state, a[13], q[13], c[13], h, reach)
+    stage(law, size, state, a[14], q[14], c[14], h, reach)
+    stage(law, size, state, a[15], q[15], c[15], h, reach)
+
+
+@intrinsic
+def _bits(typing_context, number):
+    """The 64 bits of a double, as an integer."""
+
+    def generate(context, builder, signature, arguments):
+        return builder.bitcast(arguments[0], ir.IntType(64))
+
+    return types.int64(types.float64), generate
+
+
+@intrinsic
+def _double(typing_context, bits):
+    """The double that 64 bits stand for."""
+
+    def generate(context, builder, signature, arguments):
+        return builder.bitcast(arguments[0], ir.DoubleType())
+
+    return types.float64(types.int64), generate
+
+
+class Largest(NamedTuple):
+    """Maxima over beads: of the error estimates of order 5 and 3, of u₊ and |d| at the start, and
+    of |u| + |d| at the end of the step (NaN or infinite if any bead is)."""
+
+    fifth_u: float
+    third_u: float
+    fifth_d: float
+    third_d: float
+    compression: float
+    rate: float
+    state: float
+
+
+@njit(fastmath=_REDUCE, forceinline=True, cache=True)
+def combine(weights, slopes, n):
+    """Weighted sum over the stages of the slopes of bead n."""
+    total = 0.0
+    for j in range(len(weights)):
+        total += weights[j] * slopes[j, n]
+    return total
+
+
+@njit(fastmath=_REDUCE, cache=True)
+def finish_range(law, state, h, first, last):
+    """New state and `Largest` for the beads first … last, in one pass over the slopes.
+
+    Non-negative doubles are ordered like their bits read as integers, with NaN above all: integer
+    maxima vectorise, and no NaN is lost in them.
+    """
+    u, d, new_u, new_d, k = state.u, state.d, state.new_u, state.new_d, state.k
+    h_gamma, h_squared = h * law.gamma, h * h
+    fifth_u = third_u = fifth_d = third_d = compression = rate = total = int64(0)
+    for n in range(uint64(first), uint64(last + 1)):
+        b_k, ba_k = combine(rk.B, k, n), combine(rk.B_A, k, n)
+        e5_k, e5a_k = combine(rk.ERROR_5, k, n), combine(rk.ERROR_5_A, k, n)
+        e3_k, e3a_k = combine(rk.ERROR_3, k, n), combine(rk.ERROR_3_A, k, n)
+        next_d = d[n] + h * b_k
+        next_u = u[n] + (h * d[n] + (h_gamma * b_k + h_squared * ba_k))
+        new_d[n], new_u[n] = next_d, next_u
+        fifth_u = max(fifth_u, _bits(abs(h_gamma * e5_k + h_squared * e5a_k)))
+        third_u = max(third_u, _bits(abs(h_gamma * e3_k + h_squared * e3a_k)))
+        fifth_d = max(fifth_d, _bits(abs(h * e5_k)))
+        third_d = max(third_d, _bits(abs(h * e3_k)))
+        compression = max(compression, _bits(max(u[n], 0.0)))
+        rate = max(rate, _bits(abs(d[n])))
+        total = max(total, _bits(abs(next_u) + abs(next_d)))
+    return Largest(
+        _double(fifth_u),
+        _double(third_u),
+        _double(fifth_d),
+        _double(third_d),
+        _double(compression),
+        _double(rate),
+        _double(total),
+    )
+
+
+@njit(fastmath=_REDUCE, cache=True)
+def finish_range_pair(law, state, h, first, last):
+    """`finish_range` for two nonlinearities: the terms in h γ come from g."""
+    u, d, new_u, new_d, k, g = state.u, state.d, state.new_u, state.new_d, state.k, state.g
+    h_gamma, h_squared = h * law.gamma, h * h
+    fifth_u = third_u = fifth_d = third_d = compression = rate = total = int64(0)
+    for n in range(uint64(first), uint64(last + 1)):
+        b_k, ba_k, b_g = combine(rk.B, k, n), combine(rk.B_A, k, n), combine(rk.B, g, n)
+        e5_k, e5a_k, e5_g = (
+            combine(rk.ERROR_5, k, n),
+            combine(rk.ERROR_5_A, k, n),
+            combine(rk.ERROR_5, g, n),
+        )
+        e3_k, e3a_k, e3_g = (
+            combine(rk.ERROR_3, k, n),
+            combine(rk.ERROR_3_A, k, n),
+            combine(rk.ERROR_3, g, n),
+        )
+        next_d = d[n] + h * b_k
+        next_u = u[n] + (h * d[n] + (h_gamma * b_g + h_squared * ba_k))
+        new_d[n], new_u[n] = next_d, next_u
+        fifth_u = max(fifth_u, _bits(abs(h_gamma * e5_g + h_squared * e5a_k)))
+        third_u = max(third_u, _bits(abs(h_gamma * e3_g + h_squared * e3a_k)))
+        fifth_d = max(fifth_d, _bits(abs(h * e5_k)))
+        third_d = max(third_d, _bits(abs(h * e3_k)))
+        compression = max(compression, _bits(max(u[n], 0.0)))
+        rate = max(rate, _bits(abs(d[n])))
+        total = max(total, _bits(abs(next_u) + abs(next_d)))
+    return Largest(
+        _double(fifth_u),
+        _double(third_u),
+        _double(fifth_d),
+        _double(third_d),
+        _double(compression),
+        _double(rate),
+        _double(total),
+    )
+
+
+@njit(cache=True)
+def finish(law, size, state, h, reach):
+    """New state of the active window and the `Largest` of its moving contacts.
+
+    With pressure at the ends entry N holds the last bead; it drives nothing but itself, so that it
+    stays outside the error norm.
+    """
+    last = min(reach, size.contacts)
+    if law.kind == PAIR:
+        if reach > last:
+            finish_range_pair(law, state, h, reach, reach)
+        return finish_range_pair(law, state, h, 1, last)
+    if reach > last:
+        finish_range(law, state, h, reach, reach)
+    return finish_range(law, state, h, 1, last)
+
+
+@njit(cache=True)
+def error_norm(largest, relative, absolute):
+    """Error of the step in units of the tolerance, in the maximum norm over beads.
+
+    u and d are each measured against absolute + relative × (largest u₊, largest |d|), and the
+    estimates of order 5 and 3 are combined as in DOP853.  NaN if the new state is not finite.
+    """
+    if not math.isfinite(largest.state):
+        return math.nan
+    scale_u = absolute + relative * largest.compression
+    scale_d = absolute + relative * largest.rate
+    fifth = max(largest.fifth_u / scale_u, largest.fifth_d / scale_d)
+    third = max(largest.third_u / scale_u, largest.third_d / scale_d)
+    if fifth == 0.0:
+        return 0.0
+    return fifth * fifth / math.sqrt(fifth * fifth + 0.01 * third * third)
+
+
+@njit(cache=True)
+def try_step(law, size, state, h, reach):
+    """All stages and the new state for a step h; the slopes of the start stand in row 0."""
+    stages(law, size, state, h, reach)
+    return finish(law, size, state, h, reach)
+
+
+@njit(cache=True)
+def accept(state, reach):
+    """Make the new state and its slopes (row 12) the start of the next step."""
+    for n in range(uint64(1), uint64(reach + 1)):
+        state.u[n] = state.new_u[n]
+        state.d[n] = state.new_d[n]
+        state.k[0, n] = state.k[rk.NEW_SLOPE, n]
+        state.g[0, n] = state.g[rk.NEW_SLOPE, n]
+
+
+@njit(cache=True)
+def reach_of(size, u, d, start):
+    """Last bead the wave can touch within one step, looking down from bead `start`."""
+    n = start
+    while n > 1 and abs(u[n]) <= NEGLIGIBLE and abs(d[n]) <= NEGLIGIBLE:
+        n -= 1
+    blocks = (n + WINDOW_MARGIN + WINDOW_BLOCK - 1) // WINDOW_BLOCK
+    return min(blocks * WINDOW_BLOCK, size.beads)
+
+
+@njit(fastmath=_REDUCE, cache=True)
+def dissipated_power(law, size, state, row, h, reach):
+    r"""Sum over contacts of :math:`W''\,\dot u^2`, James (2021), eq. (6), at stage `row`."""
+    a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
+    k = state.k
+    g = state.g if law.kind == PAIR else state.k
+    total = 0.0
+    for n in range(1, min(reach, size.contacts) + 1):
+        if law.kind == PAIR:
+            value = stage_value_pair(state, a, a_squared, rk.C[row], h, h * law.gamma, n)
+        else:
+            value = stage_value(state, a, a_squared, rk.C[row], h, h * law.gamma, n)
+        if value > 0.0:
+            rate = state.d[n] + law.gamma * g[row, n]
+            for j in range(row):
+                rate += h * a[j] * k[j, n]
+            stiffness = math.sqrt(value) if law.beta == 1.5 else value ** (law.beta - 1.0)
+            total += stiffness * rate * rate
+    return law.beta * law.gamma * total
+
+
+@njit(cache=True)
+def dissipated_energy(law, size, state, h, reach):
+    """Energy lost in the step: the pair's own quadrature of the dissipated power, order 8."""
+    energy = 0.0
+    for row in range(rk.STAGES):
+        if rk.B[row] != 0.0:
+            energy += h * rk.B[row] * dissipated_power(law, size, state, row, h, reach)
+    return energy
