@@ -1,0 +1,24 @@
+"""Traveling fronts in dissipative granular chains, after James (2021).
+
+The public names below are imported when they are first used, so that checking a configuration or
+reading a help text does not wait for numpy and numba.
+"""
+
+from importlib import import_module
+
+_HOME_OF = {
+    "simulate_chain": "granular_fronts.chain.simulate",
+}
+
+__all__ = sorted(_HOME_OF)
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name from its module (PEP 562)."""
+    if name not in _HOME_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOME_OF[name]), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

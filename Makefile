@@ -1,0 +1,49 @@
+# Two commands: `make` rebuilds every figure, table and the report; `make test` checks the project.
+
+PYTHON ?= python3
+BIN := .venv/bin
+PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip
+
+.PHONY: all test lint clean
+
+all: .venv/installed
+	@echo "Rebuilding every figure, table and the report in results/."
+	@$(BIN)/snakemake -c2
+
+test: lint
+	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
+	@$(BIN)/pytest
+
+lint: .venv/installed
+	@echo "Checking style and the workflow's rules."
+	@$(BIN)/ruff check --quiet .
+	@$(BIN)/ruff format --check --quiet .
+	@$(BIN)/snakefmt --check --quiet Snakefile workflow/rules
+
+.venv/installed: environment.txt
+	@command -v $(PYTHON) >/dev/null || { \
+	    echo "There is no $(PYTHON) here: please install Python 3.11 or newer." >&2; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and \
+	    "Python 3.11 or newer is needed, but $(PYTHON) is %d.%d: please name a newer one, for example make PYTHON=python3.12." \
+	    % sys.version_info[:2])'
+	@echo "Installing the pinned packages of environment.txt into .venv (about a minute, 800 MB)."
+	@$(PYTHON) -m venv --clear .venv
+	@$(PIP) install --quiet --require-hashes -r environment.txt
+	@$(PIP) install --quiet --no-deps --no-build-isolation -e .
+	@touch $@
+
+# Made again only when it is asked for by name, so that uv is needed for nothing else.
+ifeq ($(MAKECMDGOALS),environment.txt)
+.PHONY: environment.txt
+endif
+environment.txt:
+	@command -v uv >/dev/null || { \
+	    echo "Remaking environment.txt needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
+	@echo "Pinning every dependency of pyproject.toml in environment.txt."
+	@uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --all-extras \
+	    --no-emit-index-url --no-emit-find-links --no-annotate \
+	    --custom-compile-command "make environment.txt" --output-file $@ pyproject.toml
+
+clean:
+	@echo "Removing results and caches; .venv stays."
+	@rm -rf results .snakemake .numba_cache .pytest_cache .ruff_cache .hypothesis

@@ -1,0 +1,387 @@
+"""Read and check what a user asks for, before anything is computed.
+
+The schema in ``workflow/schemas`` says which keys exist, what each means in the paper and in which
+range it lies. The functions ``refuse_...`` below add what a schema cannot express, because it ties
+two keys together. Whatever is impossible ends as a sentence that names the scene, the key, its
+value, the limit and the way out.
+
+This module imports neither numpy nor numba: the workflow checks its configuration at each start.
+"""
+
+import difflib
+import functools
+import json
+import math
+import re
+import textwrap
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+
+import yaml
+from jsonschema import Draft202012Validator, validators
+from jsonschema.exceptions import ValidationError
+
+RELATIVE_TOLERANCE_FLOOR = 1.0e-15
+"""Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
+
+
+class ConfigurationError(ValueError):
+    """A configuration or a scene that cannot be computed; the message is for people."""
+
+
+def load_configuration(*files: Path | str) -> dict:
+    """Read YAML files and lay each over the ones before it.
+
+    Parameters
+    ----------
+    *files : Path or str
+        The first holds the defaults, each later one overrides single keys.
+
+    Returns
+    -------
+    dict
+        The merged configuration, not yet checked.
+    """
+    layers = [yaml.safe_load(Path(file).read_text(encoding="utf-8")) or {} for file in files]
+    return functools.reduce(merge, layers, {})
+
+
+def merge(below: Mapping, above: Mapping) -> dict:
+    """Lay one mapping over another, key by key at any depth.
+
+    Parameters
+    ----------
+    below, above : Mapping
+        Where both hold a mapping under a key, the two are merged; otherwise `above` wins. A list
+        is replaced as a whole. This is how Snakemake merges its configuration files.
+
+    Returns
+    -------
+    dict
+        The merged mapping; the arguments are left alone.
+    """
+    merged = dict(below)
+    for key, value in above.items():
+        both_mappings = isinstance(value, Mapping) and isinstance(below.get(key), Mapping)
+        merged[key] = merge(below[key], value) if both_mappings else value
+    return merged
+
+
+def check_configuration(configuration: Mapping) -> None:
+    """Refuse a configuration that cannot be computed.
+
+    Parameters
+    ----------
+    configuration : Mapping
+        The merged configuration.
+
+    Raises
+    ------
+    ConfigurationError
+        With one sentence for each thing that is wrong.
+    """
+    sentences = [*_schema_sentences(configuration, _schema())]
+    if not sentences:
+        for name, scene in configuration["scenes"]["chain"].items():
+            sentences += [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
+    _raise_if_any(sentences)
+
+
+def check_chain_scene(scene: Mapping, name: str) -> dict:
+    """Refuse a chain scene that cannot be computed.
+
+    Parameters
+    ----------
+    scene : Mapping
+        One entry of ``scenes.chain`` of the configuration; numpy arrays and numbers are welcome.
+    name : str
+        What the sentences call the scene.
+
+    Returns
+    -------
+    dict
+        The scene in plain Python values, as a configuration file would hold it.
+
+    Raises
+    ------
+    ConfigurationError
+        With one sentence for each thing that is wrong.
+    """
+    scene = _plain(scene)
+    schema = {"$ref": "#/$defs/chain_scene", "$defs": _schema()["$defs"]}
+    sentences = [*_schema_sentences(scene, schema, place=("scenes", "chain", name))]
+    if not sentences:
+        sentences = [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
+    _raise_if_any(sentences)
+    return scene
+
+
+def _raise_if_any(sentences: Sequence[str]) -> None:
+    if sentences:
+        raise ConfigurationError("\n".join(sentences))
+
+
+def _plain(value: object) -> object:
+    """Turn numpy values and mappings into what YAML would have given."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value
+
+
+# What ties two keys together, and so stands in no schema.
+
+
+def refuse_non_finite_numbers(scene: Mapping) -> Iterator[str]:
+    """Refuse .nan and .inf, which YAML reads and every comparison lets pass."""
+    for key, value in _leaves(scene):
+        if isinstance(value, float) and not math.isfinite(value):
+            yield f"{key} is {value}, but must be finite: give a number."
+
+
+def refuse_relative_tolerance_below_floor(scene: Mapping) -> Iterator[str]:
+    """Refuse what no solver in double precision honours."""
+    relative = scene["tolerance"]["relative"]
+    if relative < RELATIVE_TOLERANCE_FLOOR:
+        yield (
+            f"tolerance.relative is {relative}, under the solver's floor of "
+            f"{RELATIVE_TOLERANCE_FLOOR}, which double precision sets: "
+            "ask for the floor or more."
+        )
+
+
+def refuse_ring_at_rest(scene: Mapping) -> Iterator[str]:
+    """Refuse a ring without a given start, since nothing pushes it."""
+    if scene["boundary"]["kind"] == "ring" and scene["start"]["kind"] != "given":
+        yield (
+            f"start.kind is {scene['start']['kind']}, but nothing sets a ring in motion: "
+            "use kind given, with relative_displacement and velocity."
+        )
+
+
+def refuse_start_of_wrong_length(scene: Mapping) -> Iterator[str]:
+    """Refuse a start that does not list a number for each bead and each contact."""
+    if scene["start"]["kind"] != "given":
+        return
+    beads = scene["beads"]
+    contacts = beads if scene["boundary"]["kind"] == "ring" else beads - 1
+    for key, expected in [("relative_displacement", contacts), ("velocity", beads)]:
+        found = len(scene["start"][key])
+        if found != expected:
+            yield (
+                f"start.{key} has {found} numbers, but {beads} beads with boundary "
+                f"{scene['boundary']['kind']} need {expected}: give one for each."
+            )
+
+
+def refuse_uncompressed_start_below_linear(scene: Mapping) -> Iterator[str]:
+    """Refuse α < 1 from contacts that just touch: their stiffness αu^(α − 1) is infinite."""
+    alpha = scene["law"]["alpha"]
+    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
+    if alpha < 1 and smallest <= 0:
+        yield (
+            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
+            f"infinite, and the smallest relative displacement at the start is {smallest}: "
+            "take alpha of 1 or more, or a start compressed everywhere."
+        )
+
+
+def refuse_probe_beyond_chain(scene: Mapping) -> Iterator[str]:
+    """Refuse a probe that stands on no bead."""
+    for name, probe in scene["record"].get("probes", {}).items():
+        for bead in probe["beads"]:
+            if bead > scene["beads"]:
+                yield (
+                    f"record.probes.{name}.beads names bead {bead}, but the chain has "
+                    f"{scene['beads']} beads: choose one of 1 to {scene['beads']}."
+                )
+
+
+def refuse_empty_probe_window(scene: Mapping) -> Iterator[str]:
+    """Refuse a probe that stops before it begins."""
+    for name, probe in scene["record"].get("probes", {}).items():
+        if probe["start"] >= probe["stop"]:
+            yield (
+                f"record.probes.{name}.start is {probe['start']}, but must come before its stop "
+                f"{probe['stop']}: start earlier or stop later."
+            )
+
+
+def refuse_record_after_end(scene: Mapping) -> Iterator[str]:
+    """Refuse to record what comes after the motion."""
+    record, end_time = scene["record"], scene["end_time"]
+    times = {f"record.probes.{n}.stop": p["stop"] for n, p in record.get("probes", {}).items()}
+    times |= {_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
+    if "grid" in record:
+        times["record.grid.step"] = record["grid"]["step"]
+    for key, time in times.items():
+        if time > end_time:
+            yield (
+                f"{key} is {time}, beyond the end of the motion at end_time {end_time}: "
+                f"give {end_time} or less, or raise end_time."
+            )
+
+
+REFUSALS: tuple[Callable[[Mapping], Iterator[str]], ...] = (
+    refuse_relative_tolerance_below_floor,
+    refuse_ring_at_rest,
+    refuse_start_of_wrong_length,
+    refuse_uncompressed_start_below_linear,
+    refuse_probe_beyond_chain,
+    refuse_empty_probe_window,
+    refuse_record_after_end,
+)
+
+
+def _impossibilities(scene: Mapping) -> list[str]:
+    """Say what is wrong with a scene that obeys the schema."""
+    # The comparisons of the other refusals mean nothing for .nan.
+    return [*refuse_non_finite_numbers(scene)] or [
+        problem for refuse in REFUSALS for problem in refuse(scene)
+    ]
+
+
+def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:
+    """Walk through the values of a nested mapping, each with its dotted key."""
+    if isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _leaves(item, f"{key}.{name}" if key else name)
+    elif isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from _leaves(item, _entry(key, index))
+    else:
+        yield key, value
+
+
+def _entry(key: str, index: int) -> str:
+    return f"{key} (entry {index + 1})"
+
+
+# From the schema's violations to sentences.
+
+_KIND = {
+    "array": "a list",
+    "boolean": "true or false",
+    "integer": "a whole number",
+    "number": "a number",
+    "object": "a mapping of keys to values",
+    "string": "text",
+}
+
+
+def _is_whole(_checker: object, value: object) -> bool:
+    # JSON Schema also calls 420.0 an integer, but a count of beads is used as an index.
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+_Validator = validators.extend(
+    Draft202012Validator,
+    type_checker=Draft202012Validator.TYPE_CHECKER.redefine("integer", _is_whole),
+)
+
+
+@functools.cache
+def _schema() -> dict:
+    file = Path(__file__).with_name("config.schema.yaml")
+    if not file.exists():
+        # A checkout keeps the schema with the workflow that it describes.
+        file = Path(__file__).parents[2] / "workflow" / "schemas" / "config.schema.yaml"
+    return yaml.safe_load(file.read_text(encoding="utf-8"))
+
+
+def _schema_sentences(
+    instance: object, schema: Mapping, place: Sequence[str] = ()
+) -> Iterator[str]:
+    errors = sorted(_Validator(schema).iter_errors(instance), key=lambda error: str(error.path))
+    for error in errors:
+        scene, key = _locate([*place, *error.absolute_path])
+        yield scene + _sentence(error, key)
+
+
+def _locate(path: Sequence[str | int]) -> tuple[str, str]:
+    """Split a path into the words that name its scene and its dotted key inside that scene."""
+    scene = ""
+    if tuple(path[:2]) == ("scenes", "chain") and len(path) > 2:
+        scene, path = f"Scene {path[2]}: ", path[3:]
+    key = ""
+    for part in path:
+        key = _entry(key, part) if isinstance(part, int) else f"{key}.{part}".lstrip(".")
+    return scene, key
+
+
+def _sentence(error: ValidationError, key: str) -> str:
+    """Say in one sentence what a violation is and how to end it."""
+    if "propertyNames" in error.absolute_schema_path:
+        return (
+            f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
+            "and underscores, a letter first."
+        )
+    if error.validator == "required":
+        return _missing_key(error, key)
+    if error.validator == "additionalProperties":
+        return _unknown_key(error, key)
+    if error.validator == "type":
+        return _wrong_type(error, key)
+    key = key or "the whole"
+    value, limit = _show(error.instance), error.validator_value
+    if error.validator == "minimum":
+        return f"{key} is {value}, below its limit {limit}: give {limit} or more."
+    if error.validator == "exclusiveMinimum":
+        return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
+    if error.validator == "enum":
+        return f"{key} is {value}, which is unknown: choose {' or '.join(limit)}."
+    if error.validator in ("minItems", "minProperties", "minLength"):
+        return f"{key} is empty: give at least one entry."
+    return f"{key}: {error.message}."
+
+
+def _missing_key(error: ValidationError, key: str) -> str:
+    # jsonschema reports each missing key by itself, but names it in its message only.
+    missing = next(name for name in error.validator_value if error.message.startswith(f"'{name}'"))
+    meaning = error.schema["properties"][missing]["description"].rstrip(".")
+    return f"{_join(key, missing)} is missing: add it ({meaning})."
+
+
+def _unknown_key(error: ValidationError, key: str) -> str:
+    known = list(error.schema["properties"])
+    unknown = [name for name in error.instance if name not in known]
+    near = difflib.get_close_matches(str(unknown[0]), known, n=1)
+    advice = f"did you mean {near[0]}?" if near else f"the keys here are {', '.join(known)}."
+    names = ", ".join(_join(key, name) for name in unknown)
+    return f"{names} {'is no key' if len(unknown) == 1 else 'are no keys'} of the schema: {advice}"
+
+
+def _wrong_type(error: ValidationError, key: str) -> str:
+    expected = _KIND[error.validator_value]
+    key = key or "this"
+    if expected == "a number" and isinstance(error.instance, str):
+        number = _with_point_and_sign(error.instance)
+        if number is not None:
+            return (
+                f"{key} is {_show(error.instance)}, which YAML reads as text because a number "
+                f"with an exponent needs a point and a sign: write {number}."
+            )
+    meaning = error.schema.get("description", "").rstrip(".")
+    return f"{key} is {_show(error.instance)}: give {expected} instead" + (
+        f" ({meaning})." if meaning else "."
+    )
+
+
+def _with_point_and_sign(text: str) -> str | None:
+    """Write a number such as 1e-13 so that YAML 1.1 takes it for one; None if it is none."""
+    if not re.fullmatch(r"[+-]?\d+(\.\d*)?(e[+-]?\d+)?", text, re.IGNORECASE):
+        return None
+    mantissa, _, exponent = text.lower().partition("e")
+    point = mantissa if "." in mantissa else f"{mantissa}.0"
+    return f"{point}e{int(exponent):+d}" if exponent else point
+
+
+def _join(key: str, name: object) -> str:
+    return f"{key}.{name}" if key else str(name)
+
+
+def _show(value: object) -> str:
+    return textwrap.shorten(json.dumps(value, default=str, ensure_ascii=False), width=60)
