@@ -6,6 +6,8 @@ reading a help text does not wait for numpy and numba.
 
 from importlib import import_module
 
+__version__ = "0.1.0"
+
 _HOME_OF = {
     "simulate_chain": "granular_fronts.chain.simulate",
 }

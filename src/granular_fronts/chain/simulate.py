@@ -39,7 +39,7 @@ FIRST_STEP = 1.0e-6
 STEPS_BETWEEN_REPORTS = 500
 
 
-class SolveError(RuntimeError):
+class SolveError(ValueError):
     """A solve that stopped: when, at which bead, and why."""
 
 
@@ -61,7 +61,7 @@ class Solution(NamedTuple):
     drifts: dict
 
 
-def simulate_chain(scene):
+def simulate_chain(scene, name="given"):
     """Integrate one chain scene and estimate the errors of what it records.
 
     Parameters
@@ -69,6 +69,8 @@ def simulate_chain(scene):
     scene : mapping
         Law, beads, boundary, start, end_time, tolerance, record; dimensionless, James (2021),
         eq. (28).
+    name : str, optional
+        What error messages call the scene.
 
     Returns
     -------
@@ -84,14 +86,14 @@ def simulate_chain(scene):
     SolveError
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
-    check_chain_scene(scene, "simulate_chain")
+    scene = check_chain_scene(scene, name)
     tolerance = scene["tolerance"]
     finer = {
         "relative": max(tolerance["relative"] / REFINEMENT, RELATIVE_TOLERANCE_FLOOR),
         "absolute": tolerance["absolute"] / REFINEMENT,
     }
-    solution = solve(scene, tolerance, "solving")
-    refined = solve(scene, finer, "estimating the error of")
+    solution = solve(scene, tolerance, f"scene {name}, solving")
+    refined = solve(scene, finer, f"scene {name}, estimating the error")
     return _with_error_estimates(solution, refined.dataset, tolerance)
 
 
@@ -104,7 +106,7 @@ def solve(scene, tolerance, activity="solving"):
     tolerance : mapping
         `relative` and `absolute`, per step, in the maximum norm over beads.
     activity : str
-        Verb for the progress line.
+        What the progress line and a failure are headed with.
 
     Returns
     -------
@@ -135,7 +137,7 @@ def solve(scene, tolerance, activity="solving"):
             progress.update(clock.t[0] - progress.n)
             balances.check(state, clock, record.track_energy)
     if status != integrator.FINISHED:
-        raise SolveError(_cause(status, state, clock, size))
+        raise SolveError(f"{activity}: {_cause(status, state, clock, size)}")
     dataset = recording.collect(scene, record, boundary, velocity.sum())
     return Solution(dataset, _counts(clock), balances.drifts())
 
@@ -221,7 +223,7 @@ class Balances:
     def drifts(self):
         """Largest drifts relative to Σ|ẋ_n| and to the largest energy; NaN where not tracked."""
         relative = {
-            f"{name}_drift": self._worst[name] / self._scale[name] if self._scale[name] else 0.0
+            f"{name}_drift": float(self._worst[name] / self._scale[name]) if self._scale[name] else 0.0
             for name in self._worst
         }
         if not self._energy_is_tracked:

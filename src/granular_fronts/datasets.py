@@ -1,0 +1,148 @@
+"""The one place that writes and reads netCDF: names, units, provenance, error estimates.
+
+Files follow CF-1.11.  Everything is dimensionless, units "1"; the time coordinate is called `t`,
+since `time` means clock time to CF tools.  A recording with coordinates of its own carries its name
+as a suffix on variable and coordinates alike: `relative_displacement_grid` on (`t_grid`, `bead`),
+`relative_displacement_steady` on (`t_steady`, `bead_steady`).
+
+Every variable says how wrong it can be (`error_estimate`, an estimate of its largest absolute error,
+and `error_method`); every file says which scene it belongs to (`scene`, `config` as JSON), how it was
+solved, and with which versions (`software`, `code_version`).  A file appears under its name only when
+it is complete.
+"""
+
+import importlib.metadata
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+import granular_fronts
+from granular_fronts.compiled import source_digest
+
+PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
+
+LONG_NAMES = {
+    "bead": "bead number n",
+    "t": "time",
+    "relative_displacement": "relative displacement u_n = x_n - x_(n+1), compression > 0",
+    "velocity": "bead velocity",
+    "mean_relative_displacement": "mean relative displacement (x_1 - x_N)/N",
+    "total_velocity": "sum of all bead velocities",
+    "arrival_time": "time at which u_n first reaches the arrival level",
+    "front_speed": "slope of bead number over arrival time, middle of the chain",
+    "first_peak": "first maximum of u_n after the arrival",
+    "first_peak_time": "time of the first maximum of u_n after the arrival",
+    "first_gap_time": "time at which the first contact opens",
+    "first_gap_bead": "bead n whose contact with n + 1 opens first",
+    "largest_relative_displacement": "largest relative displacement of all beads and times",
+    "smallest_relative_displacement": "smallest relative displacement of all beads and times",
+}
+
+_PACKAGES = ("numpy", "scipy", "numba", "xarray", "netCDF4")
+_COMPRESSION = {"zlib": True, "complevel": 2, "shuffle": True}
+
+
+class DatasetError(ValueError):
+    """A result file that is missing, damaged, or belongs to something else."""
+
+
+def long_name(variable):
+    """What a variable or coordinate is, in words, from its name and suffix."""
+    matches = [name for name in LONG_NAMES if variable == name or variable.startswith(f"{name}_")]
+    if not matches:
+        raise KeyError(f"{variable} has no entry in LONG_NAMES of datasets.py: add one.")
+    name = max(matches, key=len)
+    suffix = variable[len(name) + 1 :].replace("_", " ")
+    return f"{LONG_NAMES[name]} ({suffix})" if suffix else LONG_NAMES[name]
+
+
+def write_dataset(dataset, path, *, scene_id, config):
+    """Write a dataset with names, units and provenance, atomically.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Its data variables should carry `error_estimate` and `error_method`.
+    path : Path
+        Final name of the netCDF file.
+    scene_id : str
+    config : mapping
+        The scene, stored as JSON.
+    """
+    described = dataset.copy()
+    for name, variable in described.variables.items():
+        variable.attrs = {"long_name": long_name(name), "units": "1", **dataset[name].attrs}
+    described.attrs = {
+        "Conventions": "CF-1.11",
+        "title": f"Scene {scene_id}",
+        "references": PAPER,
+        "scene": scene_id,
+        "config": json.dumps(config, sort_keys=True),
+        "software": ", ".join(f"{name} {importlib.metadata.version(name)}" for name in _PACKAGES),
+        "code_version": code_version(),
+        **{key: _plain(value) for key, value in dataset.attrs.items()},
+    }
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = path.with_suffix(path.suffix + ".tmp")
+    described.to_netcdf(unfinished, engine="netcdf4", encoding=_encoding(described))
+    os.replace(unfinished, path)
+
+
+def read_dataset(path, scene_id=None):
+    """Read a dataset written by `write_dataset` into memory.
+
+    Parameters
+    ----------
+    path : Path
+    scene_id : str, optional
+        Refuse the file of any other scene.
+
+    Returns
+    -------
+    xarray.Dataset
+
+    Raises
+    ------
+    DatasetError
+        If the file is missing, truncated, not one of this project's, or of another scene.
+    """
+    remedy = "delete it and run the workflow again."
+    if not Path(path).exists():
+        raise DatasetError(f"{path} does not exist: run the workflow to make it.")
+    try:
+        with xr.open_dataset(path, engine="netcdf4") as dataset:
+            loaded = dataset.load()
+    except (OSError, ValueError, RuntimeError) as error:
+        raise DatasetError(f"{path} is not a readable netCDF file ({error}): {remedy}") from error
+    if "scene" not in loaded.attrs or "code_version" not in loaded.attrs:
+        raise DatasetError(f"{path} was not written by this project (no scene in it): {remedy}")
+    if scene_id is not None and loaded.attrs["scene"] != scene_id:
+        raise DatasetError(
+            f"{path} holds scene {loaded.attrs['scene']}, but {scene_id} is expected: {remedy}"
+        )
+    return loaded
+
+
+def code_version():
+    """Version of the package and digest of its sources, the same on every machine."""
+    return f"{granular_fronts.__version__}+{source_digest()}"
+
+
+def _plain(value):
+    """An attribute value that netCDF can hold."""
+    if isinstance(value, bool):
+        return int(value)
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _encoding(dataset):
+    encoding = {}
+    for name, variable in dataset.variables.items():
+        encoding[name] = dict(_COMPRESSION) if variable.ndim else {}
+        if name in dataset.coords:
+            encoding[name]["_FillValue"] = None
+    return encoding

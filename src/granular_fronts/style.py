@@ -1,0 +1,87 @@
+"""The one place for figure looks: sizes, colours, colour maps, saving.
+
+The paper names the colours of its probes (black, blue, green, light blue, magenta, brown).  The
+shades here keep those names and differ in lightness, and each has a line style of its own, so that
+the curves stay apart in grey print and for colour-blind readers.
+"""
+
+import logging
+import os
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import cmocean
+import matplotlib.pyplot as plt
+from matplotlib import cycler
+
+TEXT_WIDTH = 6.9
+PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
+PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
+CLIPPED_COLOUR = "#d01c1c"
+
+# The font subsetter remarks on the fixed dates that make PDF files reproducible.
+logging.getLogger("fontTools").setLevel(logging.ERROR)
+
+_SETTINGS = {
+    "figure.constrained_layout.use": True,
+    "figure.dpi": 100,
+    "savefig.dpi": 200,
+    "font.size": 9,
+    "axes.titlesize": 9,
+    "axes.labelsize": 9,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.prop_cycle": cycler(color=PROBE_COLOURS, linestyle=PROBE_STYLES),
+    "lines.linewidth": 1.2,
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "legend.handlelength": 3.0,
+    "pdf.fonttype": 42,
+    "mathtext.fontset": "cm",
+    "image.interpolation": "nearest",
+}
+
+
+def new_figure(height, mosaic):
+    """A figure of text width with the panels of a mosaic.
+
+    Parameters
+    ----------
+    height : float
+        In inches.
+    mosaic : list of list of str
+        Names of the panels, as in `matplotlib.pyplot.subplot_mosaic`.
+
+    Returns
+    -------
+    figure : matplotlib.figure.Figure
+    panels : dict of matplotlib.axes.Axes
+    """
+    plt.rcParams.update(_SETTINGS)
+    return plt.subplot_mosaic(mosaic, figsize=(TEXT_WIDTH, height))
+
+
+def compression_map():
+    """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
+    return cmocean.cm.ice_r.with_extremes(under=CLIPPED_COLOUR)
+
+
+def velocity_map():
+    """Colour map of velocities, light at rest."""
+    return cmocean.cm.tempo
+
+
+def save_figure(figure, pdf, png):
+    """Save both formats, each appearing under its name only when complete.
+
+    The PDF carries no date, so that equal data give equal files.
+    """
+    for path, metadata in ((Path(pdf), {"CreationDate": None}), (Path(png), None)):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        unfinished = path.with_name(f"unfinished_{path.name}")
+        figure.savefig(unfinished, metadata=metadata)
+        os.replace(unfinished, path)
+    plt.close(figure)
