@@ -9,6 +9,7 @@ Under Snakemake the rule's named input, output and params become the arguments. 
 workflow/scripts/<script>.py --help`` lists them: the command line is made from the same function.
 """
 
+import argparse
 import logging
 import re
 import sys
@@ -67,7 +68,7 @@ def from_workflow(function: Callable[..., None], snakemake: Any) -> dict[str, An
         given.update(group.items())
     return {
         name: convert(given[name], parameter.annotation)
-        for name, parameter in signature(function).parameters.items()
+        for name, parameter in signature(function, eval_str=True).parameters.items()
         if name in given
     }
 
@@ -110,9 +111,13 @@ def from_command_line(function: Callable[..., None]) -> dict[str, Any]:
     # Only the command line needs it, and a job should start fast.
     import jsonargparse
 
-    jsonargparse.set_loader("yaml_or_leaf", load_yaml_or_leaf)
+    class HelpFormatter(jsonargparse.DefaultHelpFormatter, argparse.RawDescriptionHelpFormatter):
+        """Leave the lines of a script's docstring as they are, for the command it shows."""
+
+    jsonargparse.set_loader("yaml_or_leaf", load_yaml_or_leaf, (yaml.YAMLError,))
     parser = jsonargparse.ArgumentParser(
         parser_mode="yaml_or_leaf",
+        formatter_class=HelpFormatter,
         description=sys.modules[function.__module__].__doc__,
         epilog="A mapping is given as YAML text, or as file.yaml:dotted.key to take it from there.",
     )
@@ -133,12 +138,24 @@ def load_yaml_or_leaf(text: str) -> Any:
     -------
     object
         The value.
+
+    Raises
+    ------
+    argparse.ArgumentError
+        When there is no such file or no such key in it.
     """
     named = re.fullmatch(r"(?P<file>[^\s{}\[\]]+\.ya?ml):(?P<key>[\w.]+)", text)
     if not named:
         return yaml.safe_load(text)
-    value = yaml.safe_load(Path(named["file"]).read_text(encoding="utf-8"))
+    file = Path(named["file"])
+    if not file.is_file():
+        raise argparse.ArgumentError(None, f"There is no file {file}: name one that exists.")
+    value = yaml.safe_load(file.read_text(encoding="utf-8"))
     for key in named["key"].split("."):
+        if key not in value:
+            raise argparse.ArgumentError(
+                None, f"{text} stops at {key}: choose one of {', '.join(value)}."
+            )
         value = value[key]
     return value
 
