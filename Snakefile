@@ -1,0 +1,36 @@
+"""Figures, tables and report of the paper from nothing: `snakemake -c2`, or name one target."""
+
+
+configfile: "config/default.yaml"
+
+
+include: "workflow/rules/common.smk"
+
+
+from granular_fronts.configuration import ConfigurationError, check_configuration
+
+try:
+    check_configuration(config)
+except ConfigurationError as error:
+    sys.exit(f"The configuration cannot be computed.\n{error}")
+
+
+pathvars:
+    results=config["results"],
+    logs="<results>/logs",
+    benchmarks="<results>/benchmarks",
+
+
+rule all:
+    input:
+        "<results>/report.html",
+        "<results>/checks.txt",
+    message:
+        "Done: open {input[0]}."
+
+
+include: "workflow/rules/chain.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/tables.smk"
+include: "workflow/rules/checks.smk"
+include: "workflow/rules/report.smk"

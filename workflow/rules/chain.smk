@@ -1,0 +1,45 @@
+"""Motions of a finite chain, section 3.3 of the paper."""
+
+CHAIN_MODULES = modules("chain/*.py", "contact.py", "datasets.py")
+CHAIN_DATASETS = expand("<results>/data/chain/{scene}.nc", scene=config["scenes"]["chain"])
+
+
+# Otherwise jobs that start together would each compile the same kernels.
+rule compile_kernels:
+    input:
+        modules=CHAIN_MODULES,
+    output:
+        stamp="<results>/kernels.json",
+    log:
+        "<logs>/compile_kernels.log",
+    benchmark:
+        "<benchmarks>/compile_kernels.tsv"
+    conda:
+        "../envs/main.yaml"
+    threads: 1
+    message:
+        "Compiling the kernels of the chain."
+    script:
+        "../scripts/compile_kernels.py"
+
+
+rule initiate_front:
+    input:
+        kernels=ancient("<results>/kernels.json"),
+        modules=CHAIN_MODULES,
+    output:
+        dataset="<results>/data/chain/{scene}.nc",
+    log:
+        "<logs>/initiate_front/{scene}.log",
+    benchmark:
+        "<benchmarks>/initiate_front/{scene}.tsv"
+    conda:
+        "../envs/main.yaml"
+    threads: 1
+    params:
+        scene=lambda wildcards: config["scenes"]["chain"][wildcards.scene],
+        scene_id="{scene}",
+    message:
+        "Solving the chain of scene {wildcards.scene}."
+    script:
+        "../scripts/initiate_front.py"

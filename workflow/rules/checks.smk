@@ -1,0 +1,24 @@
+"""Tests of the finished files; nothing is called done before they pass."""
+
+
+rule check_results:
+    input:
+        tests=glob("tests/artefacts/*.py"),
+        datasets=CHAIN_DATASETS,
+        figures=FIGURES,
+        tables=rules.tabulate_paper_numbers.output,
+    output:
+        verdict="<results>/checks.txt",
+    log:
+        "<logs>/check_results.log",
+    benchmark:
+        "<benchmarks>/check_results.tsv"
+    conda:
+        "../envs/main.yaml"
+    threads: 1
+    params:
+        results=subpath(output.verdict, parent=True),
+    message:
+        "Testing the finished files."
+    script:
+        "../scripts/check_results.py"

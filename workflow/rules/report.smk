@@ -1,0 +1,39 @@
+"""One page with figures, captions, tables, configuration and run times."""
+
+
+rule write_report:
+    input:
+        template="workflow/report/page.html.j2",
+        figures=[rule.output.png for rule in FIGURE_RULES.values()],
+        captions=expand("workflow/report/{figure}.rst", figure=FIGURE_RULES),
+        tables=[rules.tabulate_paper_numbers.output.csv],
+        benchmarks=[
+            rules.compile_kernels.benchmark,
+            expand(rules.initiate_front.benchmark, scene=config["scenes"]["chain"]),
+            [rule.benchmark for rule in FIGURE_RULES.values()],
+            rules.tabulate_paper_numbers.benchmark,
+            rules.check_results.benchmark,
+        ],
+        verdict=rules.check_results.output.verdict,
+    output:
+        page="<results>/report.html",
+    log:
+        "<logs>/write_report.log",
+    benchmark:
+        "<benchmarks>/write_report.tsv"
+    conda:
+        "../envs/main.yaml"
+    threads: 1
+    params:
+        configuration=config,
+    message:
+        "Writing the report."
+    script:
+        "../scripts/write_report.py"
+
+
+rule report:
+    input:
+        rules.write_report.output,
+    message:
+        "The report is written: {input}."

@@ -1,0 +1,28 @@
+"""Tables: numbers read from the data, set beside those the paper prints."""
+
+
+rule tabulate_paper_numbers:
+    input:
+        numbers="config/paper_numbers.yaml",
+        datasets=CHAIN_DATASETS,
+    output:
+        csv="<results>/tables/paper_numbers.csv",
+        markdown="<results>/tables/paper_numbers.md",
+    log:
+        "<logs>/tabulate_paper_numbers.log",
+    benchmark:
+        "<benchmarks>/tabulate_paper_numbers.tsv"
+    conda:
+        "../envs/main.yaml"
+    threads: 1
+    message:
+        "Comparing the numbers printed in the paper with ours."
+    script:
+        "../scripts/tabulate_paper_numbers.py"
+
+
+rule tables:
+    input:
+        rules.tabulate_paper_numbers.output,
+    message:
+        "All tables are written."

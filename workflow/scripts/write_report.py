@@ -1,0 +1,148 @@
+"""Write one page with figures, captions, tables, configuration and run times.
+
+The page holds everything in itself, so it can be mailed or archived as one file. Snakemake's own
+report shows neither the configuration nor the figures before a click, hence this one.
+"""
+
+import csv
+import os
+from base64 import b64encode
+from pathlib import Path
+
+import jinja2
+import yaml
+from docutils.core import publish_parts
+from tabulate import tabulate
+
+from step import run_step
+
+
+def write_report(
+    template: Path,
+    figures: list[Path],
+    captions: list[Path],
+    tables: list[Path],
+    benchmarks: list[Path],
+    verdict: Path,
+    configuration: dict,
+    page: Path,
+) -> None:
+    """Fill the template of the page.
+
+    Parameters
+    ----------
+    template : Path
+        Jinja2 template of the page.
+    figures : list of Path
+        PNG files, in the order of the page.
+    captions : list of Path
+        A reStructuredText file for each figure.
+    tables : list of Path
+        CSV files with a header.
+    benchmarks : list of Path
+        Snakemake's measurements, a TSV file for each job.
+    verdict : Path
+        What the tests of the finished files said.
+    configuration : dict
+        The merged configuration that was computed.
+    page : Path
+        The HTML file to write.
+    """
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
+    html = environment.from_string(template.read_text(encoding="utf-8")).render(
+        figures=[
+            {"name": figure.stem, "image": embed(figure), "caption": render(caption)}
+            for figure, caption in zip(figures, captions, strict=True)
+        ],
+        tables=[
+            {"name": table.stem.replace("_", " "), "html": tabulate_csv(table)} for table in tables
+        ],
+        run_times=tabulate_run_times(benchmarks),
+        verdict=verdict.read_text(encoding="utf-8"),
+        configuration=yaml.safe_dump(configuration, sort_keys=False, allow_unicode=True),
+    )
+    page.write_text(html, encoding="utf-8")
+
+
+def embed(figure: Path) -> str:
+    """Put a PNG file into text.
+
+    Parameters
+    ----------
+    figure : Path
+        The file.
+
+    Returns
+    -------
+    str
+        A data URL.
+    """
+    return f"data:image/png;base64,{b64encode(figure.read_bytes()).decode('ascii')}"
+
+
+def render(caption: Path) -> str:
+    """Turn a caption into HTML.
+
+    Parameters
+    ----------
+    caption : Path
+        A reStructuredText file.
+
+    Returns
+    -------
+    str
+        The HTML of its paragraphs.
+    """
+    return publish_parts(caption.read_text(encoding="utf-8"), writer="html5")["fragment"]
+
+
+def tabulate_csv(table: Path) -> str:
+    """Turn a CSV file with a header into HTML, its numbers as they are written.
+
+    Parameters
+    ----------
+    table : Path
+        The file.
+
+    Returns
+    -------
+    str
+        An HTML table.
+    """
+    with table.open(newline="", encoding="utf-8") as lines:
+        rows = list(csv.reader(lines))
+    return tabulate(rows, headers="firstrow", tablefmt="html", disable_numparse=True)
+
+
+def tabulate_run_times(benchmarks: list[Path]) -> str:
+    """Turn Snakemake's measurements into an HTML table.
+
+    Parameters
+    ----------
+    benchmarks : list of Path
+        A TSV file for each job, of one line; its path below the common folder names the job.
+
+    Returns
+    -------
+    str
+        An HTML table with a line for each job, and their sum.
+    """
+    folder = os.path.commonpath([file.parent for file in benchmarks])
+    rows = []
+    for file in benchmarks:
+        with file.open(newline="", encoding="utf-8") as lines:
+            measured = next(csv.DictReader(lines, delimiter="\t"))
+        job = file.relative_to(folder).with_suffix("").as_posix()
+        rows.append([job, float(measured["s"]), measured["max_rss"]])
+    rows.append(["all jobs", sum(seconds for _, seconds, _ in rows), ""])
+    return tabulate(
+        [[job, f"{seconds:.1f}", memory] for job, seconds, memory in rows],
+        headers=["job", "wall time, s", "largest memory, MiB"],
+        colalign=["left", "right", "right"],
+        tablefmt="html",
+        disable_numparse=True,
+    )
+
+
+if __name__ == "__main__":
+    run_step(write_report, globals().get("snakemake"))
