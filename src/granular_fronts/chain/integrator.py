@@ -26,6 +26,7 @@ from numba import njit
 from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.contact_events import changes_sign, step_at_contact
 from granular_fronts.chain.strain import (
+    NEGLIGIBLE,
     PAIR,
     accept,
     dissipated_energy,
@@ -260,7 +261,7 @@ def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
         first = u > recording.level and math.isnan(first_peak[n])
         peak = rate > 0.0 >= new_rate and (first or max(u, new_u) + margin > extremes[LARGEST])
         trough = rate < 0.0 <= new_rate and min(u, new_u) - margin < extremes[SMALLEST]
-        opens = u > 0.0 > new_u and math.isnan(extremes[OPENING])
+        opens = u > NEGLIGIBLE and new_u < -NEGLIGIBLE and math.isnan(extremes[OPENING])
         if not (peak or trough or opens):
             continue
         if not have_polynomials:

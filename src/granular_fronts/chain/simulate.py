@@ -116,7 +116,13 @@ def solve(scene, tolerance, activity="solving"):
     boundary = make_boundary(scene)
     u, velocity = initial_state(scene, boundary)
     size = Size(scene["beads"], scene["beads"] if boundary.ring else scene["beads"] - 1)
-    state = load_state(law, size, boundary, u, velocity)
+    with np.errstate(over="ignore", invalid="ignore"):
+        state = load_state(law, size, boundary, u, velocity)
+    if not (np.isfinite(state.d).all() and np.isfinite(state.force).all()):
+        raise SolveError(
+            f"{activity}: the forces at t = 0 overflow double precision; scale the boundary values and "
+            "the start down, eq. (27)."
+        )
     record = recording.make_recording(scene, state.u.size)
     clock = start_clock(size, state)
     evaluate_slopes(law, size, state, state.u, 0, clock.reach[0])

@@ -392,7 +392,8 @@ def error_norm(largest, relative, absolute):
     third = max(largest.third_u / scale_u, largest.third_d / scale_d)
     if fifth == 0.0:
         return 0.0
-    return fifth * fifth / math.sqrt(fifth * fifth + 0.01 * third * third)
+    ratio = 0.1 * third / fifth
+    return fifth / math.sqrt(1.0 + ratio * ratio)
 
 
 @njit(cache=True)

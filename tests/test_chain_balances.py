@@ -1,0 +1,134 @@
+"""Balance laws to round-off, and what must not depend on how the chain is stored."""
+
+import numpy as np
+import pytest
+from chains import driven_scene, ring_scene, smooth_ring
+
+from granular_fronts.chain import equations, simulate, strain
+from granular_fronts.chain.equations import Boundary
+from granular_fronts.chain.simulate import simulate_chain, solve
+
+BALANCES = {"snapshots": [], "balances": True}
+
+
+@pytest.mark.parametrize("beta", [1.0, 1.5, 2.5])
+@pytest.mark.parametrize("gamma", [0.0, 0.3])
+def test_pressure_balances_close(gamma, beta):
+    scene = driven_scene(gamma, beta=beta, end_time=60.0, record=BALANCES)
+    drifts = solve(scene, scene["tolerance"]).drifts
+    assert drifts["momentum_drift"] < 5.0e-15
+    assert drifts["energy_drift"] < 2.0e-13
+
+
+def test_energy_balance_closes_through_contact_loss():
+    """The free end ejects beads after t ≈ 70; the quadrature of the dissipation goes on."""
+    scene = driven_scene(0.06, end_time=250.0, record=BALANCES | {"extremes": True})
+    solution = solve(scene, scene["tolerance"])
+    assert float(solution.dataset["first_gap_time"]) < 100.0
+    assert solution.drifts["momentum_drift"] < 1.0e-14
+    assert solution.drifts["energy_drift"] < 1.0e-10
+
+
+@pytest.mark.parametrize(("alpha", "beta"), [(1.5, 1.5), (1.2, 1.2), (1.5, 1.0), (1.0, 1.0)])
+def test_ring_balances_close(alpha, beta):
+    u, velocity = smooth_ring()
+    scene = ring_scene(u, velocity, alpha=alpha, beta=beta, end_time=20.0)
+    scene["record"] = BALANCES | {"snapshots": [20.0]}
+    solution = solve(scene, scene["tolerance"])
+    final = solution.dataset["relative_displacement"].values[-1]
+    assert solution.drifts["momentum_drift"] < 5.0e-15
+    assert solution.drifts["energy_drift"] < 1.0e-13
+    assert final.sum() == pytest.approx(u.sum(), abs=1.0e-13)
+
+
+def test_energy_is_lost_only_to_damping():
+    u, velocity = smooth_ring()
+    energies = {}
+    for gamma in (0.0, 0.2):
+        scene = ring_scene(u, velocity, gamma=gamma, end_time=10.0)
+        state = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+        values = state["relative_displacement"].values, state["velocity"].values
+        energies[gamma] = equations.energy(*values, Boundary(ring=True), 1.5)
+    before = equations.energy(u, velocity, Boundary(ring=True), 1.5)
+    assert energies[0.0] == pytest.approx(before, rel=1.0e-13)
+    assert energies[0.2] < 0.999 * before
+
+
+def test_momentum_grows_with_the_pressure_difference():
+    """d/dt Σẋ_n = δ^α − δ̃^α, James (2021), section 3.3."""
+    scene = driven_scene(0.2, end_time=30.0)
+    scene["boundary"] = {"kind": "pressure", "left": 0.2, "right": 0.1}
+    velocity = solve(scene, scene["tolerance"]).dataset["velocity"].values[-1]
+    assert velocity.sum() == pytest.approx((0.2**1.5 - 0.1**1.5) * 30.0, rel=1.0e-13)
+
+
+def test_window_equals_the_whole_chain(monkeypatch):
+    scene = driven_scene(0.06, beads=200, end_time=150.0)
+    windowed = solve(scene, scene["tolerance"]).dataset
+    monkeypatch.setattr(simulate, "_first_reach", lambda size, state: size.beads)
+    whole = solve(scene, scene["tolerance"]).dataset
+    for name in ("relative_displacement", "velocity"):
+        np.testing.assert_allclose(windowed[name], whole[name], atol=5.0e-16)
+
+
+def test_beads_ahead_of_the_wave_are_exactly_at_rest():
+    scene = driven_scene(0.06, beads=200, end_time=50.0)
+    state = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    ahead = state["bead"] > 40
+    assert float(np.abs(state["velocity"].where(ahead, 0.0)).max()) == 0.0
+    assert float(state["velocity"].sel(bead=20)) > 0.05
+
+
+def test_shifting_the_start_along_a_ring_shifts_the_motion():
+    u, velocity = smooth_ring()
+    shift = 7
+    scene = ring_scene(u, velocity)
+    shifted = ring_scene(np.roll(u, shift), np.roll(velocity, shift))
+    states = [solve(s, s["tolerance"]).dataset.isel(t=-1) for s in (scene, shifted)]
+    for name in ("relative_displacement", "velocity"):
+        values = [state[name].values for state in states]
+        np.testing.assert_allclose(np.roll(values[0], shift), values[1], atol=2.0e-14)
+
+
+def test_pressure_from_the_right_mirrors_pressure_from_the_left():
+    left = driven_scene(0.2, end_time=40.0)
+    right = left | {"boundary": {"kind": "pressure", "left": 0.0, "right": 0.1}}
+    states = [solve(s, s["tolerance"]).dataset.isel(t=-1) for s in (left, right)]
+    velocities = [state["velocity"].values for state in states]
+    np.testing.assert_allclose(velocities[1], -velocities[0][::-1], atol=2.0e-14)
+
+
+def test_rest_means_zero_velocity_and_not_zero_w():
+    """With pressure held from t = 0 on, w_1 starts at −γ δ^β and ẋ at 0."""
+    scene = driven_scene(0.4, end_time=1.0e-3, record={"snapshots": [0.0, 1.0e-3]})
+    velocity = solve(scene, scene["tolerance"]).dataset["velocity"]
+    assert np.abs(velocity.sel(t=0.0)).max() < 1.0e-17
+    assert float(velocity.sel(t=1.0e-3, bead=1)) == pytest.approx(1.0e-3 * 0.1**1.5, rel=1.0e-3)
+
+
+@pytest.mark.parametrize("ring", [True, False])
+def test_conversion_to_strain_form_and_back(ring):
+    random = np.random.default_rng(1)
+    u, velocity = random.normal(size=(2, 5, 30))
+    boundary = Boundary(ring, 0.3, 0.2)
+    if not ring:
+        u[:, -1] = boundary.right
+    d = equations.strain_rates(velocity, u, boundary, 1.5, 0.4)
+    momentum = velocity.sum(axis=-1, keepdims=True)
+    back = equations.velocities(d, u, boundary, 1.5, 0.4, momentum)
+    np.testing.assert_allclose(back, velocity, atol=2.0e-14)
+
+
+def test_rows_avoid_the_stride_that_evicts_the_cache():
+    for beads in range(2, 2000):
+        columns = strain._columns(beads)
+        assert columns >= beads + 2
+        assert columns % 8 == 0
+        assert columns % 512 != 0
+
+
+def test_error_estimates_stand_beside_every_variable():
+    dataset = simulate_chain(driven_scene(end_time=20.0))
+    for variable in dataset.data_vars.values():
+        assert 0.0 <= variable.attrs["error_estimate"] < 1.0e-12
+        assert "tolerance divided by" in variable.attrs["error_method"]

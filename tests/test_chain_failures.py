@@ -1,0 +1,27 @@
+"""A solve that cannot go on says when, where and why."""
+
+import pytest
+from chains import driven_scene, ring_scene, smooth_ring
+
+from granular_fronts.chain.simulate import SolveError, simulate_chain
+
+
+def test_opening_contact_below_linear_is_refused():
+    u, velocity = smooth_ring()
+    scene = ring_scene(u, 20.0 * velocity, alpha=0.7, beta=1.0)
+    with pytest.raises(SolveError, match=r"At t = .* contact of beads \d+ and \d+ opens.*alpha < 1"):
+        simulate_chain(scene, "soft")
+
+
+def test_overflow_at_the_start_is_refused():
+    scene = driven_scene(delta=1.0e250, end_time=1.0e10)
+    with pytest.raises(SolveError, match=r"scene huge.*forces at t = 0 overflow.*scale"):
+        simulate_chain(scene, "huge")
+
+
+def test_step_size_collapse_is_reported():
+    """After a flight of unit duration the beads collide within 1e-20: no time lies in between."""
+    start = {"kind": "given", "relative_displacement": [-1.0e100], "velocity": [1.0e100, 0.0]}
+    scene = driven_scene(beads=2, delta=0.0, end_time=2.0, start=start)
+    with pytest.raises(SolveError, match=r"scene fast.*At t = 1 the step size collapsed.*bead 1.*"):
+        simulate_chain(scene, "fast")

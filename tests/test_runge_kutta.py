@@ -1,0 +1,77 @@
+"""Algebraic identities of the pair and of its continuous extension."""
+
+import numpy as np
+import pytest
+
+from granular_fronts.chain import runge_kutta as rk
+
+A, B, C = rk.A[: rk.STAGES, : rk.STAGES], np.array(rk.B), np.array(rk.C[: rk.STAGES])
+ROUNDING = 5.0e-15
+
+
+def test_row_sums_are_the_nodes():
+    np.testing.assert_allclose(rk.A.sum(axis=1), rk.C, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("k", range(1, 9))
+def test_quadrature_order_is_eight(k):
+    assert B @ C ** (k - 1) == pytest.approx(1.0 / k, abs=ROUNDING)
+
+
+def test_quadrature_order_is_not_nine():
+    assert abs(B @ C**8 - 1.0 / 9.0) > 1.0e-6
+
+
+@pytest.mark.parametrize(("k", "m"), [(k, m) for k in range(1, 8) for m in range(1, 9 - k)])
+def test_order_conditions_of_nested_quadratures(k, m):
+    """Σ b_i c_i^{k-1} a_ij c_j^{m-1} = 1/(m (k + m)), all with k + m ≤ 8."""
+    assert (B * C ** (k - 1)) @ (A @ C ** (m - 1)) == pytest.approx(1.0 / (m * (k + m)), abs=ROUNDING)
+
+
+@pytest.mark.parametrize("m", range(1, 7))
+def test_order_conditions_of_the_squared_matrix(m):
+    """Σ b_i (A²)_ij c_j^{m-1} = 1/(m (m + 1) (m + 2)): the weights that the strain form uses."""
+    squared = rk.A_SQUARED[: rk.STAGES, : rk.STAGES]
+    exact = 1.0 / (m * (m + 1) * (m + 2))
+    assert B @ (squared @ C ** (m - 1)) == pytest.approx(exact, abs=ROUNDING)
+
+
+@pytest.mark.parametrize(("weights", "order"), [(rk.ERROR_5, 5), (rk.ERROR_3, 3)])
+def test_error_weights_vanish_up_to_their_order(weights, order):
+    moments = [abs(np.array(weights) @ C**k) for k in range(order + 1)]
+    assert max(moments[:order]) < ROUNDING
+    assert moments[order] > 1.0e-8
+
+
+def test_weights_of_the_strain_form_are_products_with_the_matrix():
+    np.testing.assert_allclose(rk.B_A, B @ A, atol=ROUNDING)
+    np.testing.assert_allclose(rk.ERROR_5_A, np.array(rk.ERROR_5) @ A, atol=ROUNDING)
+    np.testing.assert_allclose(rk.ERROR_3_A, np.array(rk.ERROR_3) @ A, atol=ROUNDING)
+
+
+def continuous(theta):
+    return theta ** np.arange(rk.DEGREE + 1) @ rk.CONTINUOUS
+
+
+def continuous_rate(theta):
+    powers = np.arange(1, rk.DEGREE + 1)
+    return (powers * theta ** (powers - 1)) @ rk.CONTINUOUS[1:]
+
+
+def test_continuous_extension_starts_and_ends_on_the_step():
+    end = np.zeros(rk.SLOPES)
+    end[: rk.STAGES] = B
+    np.testing.assert_allclose(continuous(0.0), 0.0, atol=0.0)
+    np.testing.assert_allclose(continuous(1.0), end, atol=1.0e-13)
+
+
+def test_continuous_extension_has_the_slopes_of_the_ends():
+    np.testing.assert_allclose(continuous_rate(0.0), np.eye(rk.SLOPES)[0], atol=1.0e-13)
+    np.testing.assert_allclose(continuous_rate(1.0), np.eye(rk.SLOPES)[rk.NEW_SLOPE], atol=1.0e-12)
+
+
+@pytest.mark.parametrize("theta", [0.13, 0.5, 0.86])
+@pytest.mark.parametrize("k", range(1, 8))
+def test_continuous_extension_has_order_seven(theta, k):
+    moment = continuous(theta) @ np.array(rk.C) ** (k - 1)
+    assert moment == pytest.approx(theta**k / k, abs=1.0e-13)
