@@ -14,11 +14,11 @@ rule compile_kernels:
         "<logs>/compile_kernels.log",
     benchmark:
         "<benchmarks>/compile_kernels.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
     message:
         "Compiling the kernels of the chain."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/compile_kernels.py"
 
@@ -29,17 +29,17 @@ rule initiate_front:
         modules=CHAIN_MODULES,
     output:
         dataset="<results>/data/chain/{scene}.nc",
+    params:
+        scene=lambda wildcards: config["scenes"]["chain"][wildcards.scene],
+        scene_id="{scene}",
     log:
         "<logs>/initiate_front/{scene}.log",
     benchmark:
         "<benchmarks>/initiate_front/{scene}.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
-    params:
-        scene=lambda wildcards: config["scenes"]["chain"][wildcards.scene],
-        scene_id="{scene}",
     message:
         "Solving the chain of scene {wildcards.scene}."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/initiate_front.py"

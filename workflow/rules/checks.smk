@@ -9,16 +9,16 @@ rule check_results:
         tables=rules.tabulate_paper_numbers.output,
     output:
         verdict="<results>/checks.txt",
+    params:
+        results=subpath(output.verdict, parent=True),
     log:
         "<logs>/check_results.log",
     benchmark:
         "<benchmarks>/check_results.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
-    params:
-        results=subpath(output.verdict, parent=True),
     message:
         "Testing the finished files."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/check_results.py"
