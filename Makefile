@@ -4,11 +4,14 @@ PYTHON ?= python3
 BIN := .venv/bin
 PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip
 
+# Runs a command and shows what it says only if it fails.
+quietly = @output=$$($(1) 2>&1) || { echo "$$output" >&2; exit 1; }
+
 .PHONY: all test lint clean
 
 all: .venv/installed
 	@echo "Rebuilding every figure, table and the report in results/."
-	@$(BIN)/snakemake -c2
+	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default
 
 test: lint
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
@@ -16,9 +19,9 @@ test: lint
 
 lint: .venv/installed
 	@echo "Checking style and the workflow's rules."
-	@$(BIN)/ruff check --quiet .
-	@$(BIN)/ruff format --check --quiet .
-	@$(BIN)/snakefmt --check --quiet Snakefile workflow/rules
+	$(call quietly,$(BIN)/ruff check .)
+	$(call quietly,$(BIN)/ruff format --check .)
+	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
 
 .venv/installed: environment.txt
 	@command -v $(PYTHON) >/dev/null || { \
