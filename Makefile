@@ -5,7 +5,7 @@ BIN := .venv/bin
 PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip
 
 # Runs a command and shows what it says only if it fails.
-quietly = @output=$$($(1) 2>&1) || { echo "$$output" >&2; exit 1; }
+quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
 .PHONY: all test lint clean
 
