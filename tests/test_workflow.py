@@ -1,5 +1,6 @@
 import importlib.util
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -19,9 +20,9 @@ SCRIPTS = sorted(
 TARGETS = ["all", "figures", "fig01", "fig02", "fig03", "tables", "report", "check_results"]
 
 
-def snakemake(*arguments):
+def snakemake(*arguments, folder=ROOT):
     command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
 def load_step(script):
@@ -76,14 +77,45 @@ def test_impossible_configuration_is_refused_before_any_job(nowhere, tmp_path):
     assert not (tmp_path / "results").exists()
 
 
-@pytest.mark.slow
-def test_smoke_run_makes_everything(nowhere, tmp_path):
-    run = snakemake("--nolock", "--configfile", "config/smoke.yaml", "--config", nowhere)
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A copy of the project in which the smoke run is done."""
+    copy = tmp_path_factory.mktemp("project") / "copy"
+    rebuilt = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*rebuilt))
+    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
     assert run.returncode == 0, run.stderr
-    page = (tmp_path / "results" / "report.html").read_text()
+    return copy
+
+
+def jobs_due(project):
+    """Dry-run the finished smoke run; return the names of the rules that are due."""
+    run = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=project)
+    assert run.returncode == 0, run.stderr
+    return set(re.findall(r"^(\w+) +\d+$", run.stdout, re.MULTILINE)) - {"total"}
+
+
+@pytest.mark.slow
+def test_smoke_run_makes_everything(finished):
+    page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
     assert page.count("data:image/png;base64,") == 3
     for words in ["Figure 1.", "initiation_underdamped:", "Run times", "initiate_front/"]:
         assert words in page
+    assert not jobs_due(finished)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("module", "solves"), [("style.py", False), ("chain/__init__.py", True)], ids=["style", "chain"]
+)
+def test_changed_module_repeats_what_stands_on_it(finished, module, solves):
+    file = finished / "src/granular_fronts" / module
+    before = file.read_bytes()
+    file.write_bytes(before + b"# Changed.\n")
+    due = jobs_due(finished)
+    file.write_bytes(before)
+    assert "plot_fig01" in due
+    assert ("initiate_front" in due) == solves
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)

@@ -25,7 +25,7 @@ rule compile_kernels:
 
 rule initiate_front:
     input:
-        kernels=ancient("<results>/kernels.json"),
+        kernels=rules.compile_kernels.output.stamp,
         modules=CHAIN_MODULES,
     output:
         dataset="<results>/data/chain/{scene}.nc",
