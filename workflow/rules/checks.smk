@@ -3,7 +3,7 @@
 
 rule check_results:
     input:
-        tests=glob("tests/artefacts/*.py"),
+        tests=sorted(glob("tests/artefacts/*.py")),
         datasets=CHAIN_DATASETS,
         figures=FIGURES,
         tables=rules.tabulate_paper_numbers.output,
