@@ -2,7 +2,8 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip
+# Twice quiet leaves the errors: warnings here tell of a machine's own settings, not of the project.
+PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip --quiet --quiet
 
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
@@ -31,8 +32,8 @@ lint: .venv/installed
 	    % sys.version_info[:2])'
 	@echo "Installing the pinned packages of environment.txt into .venv (about a minute, 800 MB)."
 	@$(PYTHON) -m venv --clear .venv
-	@$(PIP) install --quiet --require-hashes -r environment.txt
-	@$(PIP) install --quiet --no-deps --no-build-isolation -e .
+	@$(PIP) install --require-hashes -r environment.txt
+	@$(PIP) install --no-deps --no-build-isolation -e .
 	@touch $@
 
 # Made again only when it is asked for by name, so that uv is needed for nothing else.
