@@ -2,13 +2,17 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip
+# Twice quiet leaves the errors: warnings here tell of a machine's own settings, not of the project.
+PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip --quiet --quiet
+
+# Runs a command and shows what it says only if it fails.
+quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
 .PHONY: all test lint clean
 
 all: .venv/installed
 	@echo "Rebuilding every figure, table and the report in results/."
-	@$(BIN)/snakemake -c2
+	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default
 
 test: lint
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
@@ -16,9 +20,9 @@ test: lint
 
 lint: .venv/installed
 	@echo "Checking style and the workflow's rules."
-	@$(BIN)/ruff check --quiet .
-	@$(BIN)/ruff format --check --quiet .
-	@$(BIN)/snakefmt --check --quiet Snakefile workflow/rules
+	$(call quietly,$(BIN)/ruff check .)
+	$(call quietly,$(BIN)/ruff format --check .)
+	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
 
 .venv/installed: environment.txt
 	@command -v $(PYTHON) >/dev/null || { \
@@ -28,8 +32,8 @@ lint: .venv/installed
 	    % sys.version_info[:2])'
 	@echo "Installing the pinned packages of environment.txt into .venv (about a minute, 800 MB)."
 	@$(PYTHON) -m venv --clear .venv
-	@$(PIP) install --quiet --require-hashes -r environment.txt
-	@$(PIP) install --quiet --no-deps --no-build-isolation -e .
+	@$(PIP) install --require-hashes -r environment.txt
+	@$(PIP) install --no-deps --no-build-isolation -e .
 	@touch $@
 
 # Made again only when it is asked for by name, so that uv is needed for nothing else.

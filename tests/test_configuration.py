@@ -1,5 +1,7 @@
 import copy
 import math
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -124,6 +126,14 @@ def test_impossible_scene_is_refused_in_a_sentence(default, changes, words):
     assert sentence.endswith((".", "?"))
     for word in words:
         assert word in sentence
+
+
+def test_checking_waits_for_no_heavy_import():
+    code = "import granular_fronts.configuration, sys; print({'numpy', 'numba'} & set(sys.modules))"
+    environment = {"PYTHONPATH": str(ROOT / "src")}
+    command = [sys.executable, "-c", code]
+    run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert run.stdout == "set()\n"
 
 
 def test_every_mistake_is_told_at_once(default):

@@ -8,18 +8,14 @@ value, the limit and the way out.
 This module imports neither numpy nor numba: the workflow checks its configuration at each start.
 """
 
-import difflib
 import functools
-import json
 import math
-import re
-import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 import yaml
-from jsonschema import Draft202012Validator, validators
-from jsonschema.exceptions import ValidationError
+
+from granular_fronts.schema import name_entry, tell_violations
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
@@ -80,7 +76,7 @@ def check_configuration(configuration: Mapping) -> None:
     ConfigurationError
         With one sentence for each thing that is wrong.
     """
-    sentences = [*_schema_sentences(configuration, _schema())]
+    sentences = [*tell_violations(configuration)]
     if not sentences:
         for name, scene in configuration["scenes"]["chain"].items():
             sentences += [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
@@ -108,8 +104,8 @@ def check_chain_scene(scene: Mapping, name: str) -> dict:
         With one sentence for each thing that is wrong.
     """
     scene = _plain(scene)
-    schema = {"$ref": "#/$defs/chain_scene", "$defs": _schema()["$defs"]}
-    sentences = [*_schema_sentences(scene, schema, place=("scenes", "chain", name))]
+    place = ("scenes", "chain", name)
+    sentences = [*tell_violations(scene, definition="chain_scene", place=place)]
     if not sentences:
         sentences = [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
     _raise_if_any(sentences)
@@ -214,7 +210,7 @@ def refuse_record_after_end(scene: Mapping) -> Iterator[str]:
     """Refuse to record what comes after the motion."""
     record, end_time = scene["record"], scene["end_time"]
     times = {f"record.probes.{n}.stop": p["stop"] for n, p in record.get("probes", {}).items()}
-    times |= {_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
+    times |= {name_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
     if "grid" in record:
         times["record.grid.step"] = record["grid"]["step"]
     for key, time in times.items():
@@ -251,137 +247,6 @@ def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:
             yield from _leaves(item, f"{key}.{name}" if key else name)
     elif isinstance(value, list):
         for index, item in enumerate(value):
-            yield from _leaves(item, _entry(key, index))
+            yield from _leaves(item, name_entry(key, index))
     else:
         yield key, value
-
-
-def _entry(key: str, index: int) -> str:
-    return f"{key} (entry {index + 1})"
-
-
-# From the schema's violations to sentences.
-
-_KIND = {
-    "array": "a list",
-    "boolean": "true or false",
-    "integer": "a whole number",
-    "number": "a number",
-    "object": "a mapping of keys to values",
-    "string": "text",
-}
-
-
-def _is_whole(_checker: object, value: object) -> bool:
-    # JSON Schema also calls 420.0 an integer, but a count of beads is used as an index.
-    return isinstance(value, int) and not isinstance(value, bool)
-
-
-_Validator = validators.extend(
-    Draft202012Validator,
-    type_checker=Draft202012Validator.TYPE_CHECKER.redefine("integer", _is_whole),
-)
-
-
-@functools.cache
-def _schema() -> dict:
-    file = Path(__file__).with_name("config.schema.yaml")
-    if not file.exists():
-        # A checkout keeps the schema with the workflow that it describes.
-        file = Path(__file__).parents[2] / "workflow" / "schemas" / "config.schema.yaml"
-    return yaml.safe_load(file.read_text(encoding="utf-8"))
-
-
-def _schema_sentences(
-    instance: object, schema: Mapping, place: Sequence[str] = ()
-) -> Iterator[str]:
-    errors = sorted(_Validator(schema).iter_errors(instance), key=lambda error: str(error.path))
-    for error in errors:
-        scene, key = _locate([*place, *error.absolute_path])
-        yield scene + _sentence(error, key)
-
-
-def _locate(path: Sequence[str | int]) -> tuple[str, str]:
-    """Split a path into the words that name its scene and its dotted key inside that scene."""
-    scene = ""
-    if tuple(path[:2]) == ("scenes", "chain") and len(path) > 2:
-        scene, path = f"Scene {path[2]}: ", path[3:]
-    key = ""
-    for part in path:
-        key = _entry(key, part) if isinstance(part, int) else f"{key}.{part}".lstrip(".")
-    return scene, key
-
-
-def _sentence(error: ValidationError, key: str) -> str:
-    """Say in one sentence what a violation is and how to end it."""
-    if "propertyNames" in error.absolute_schema_path:
-        return (
-            f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
-            "and underscores, a letter first."
-        )
-    if error.validator == "required":
-        return _missing_key(error, key)
-    if error.validator == "additionalProperties":
-        return _unknown_key(error, key)
-    if error.validator == "type":
-        return _wrong_type(error, key)
-    key = key or "the whole"
-    value, limit = _show(error.instance), error.validator_value
-    if error.validator == "minimum":
-        return f"{key} is {value}, below its limit {limit}: give {limit} or more."
-    if error.validator == "exclusiveMinimum":
-        return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
-    if error.validator == "enum":
-        return f"{key} is {value}, which is unknown: choose {' or '.join(limit)}."
-    if error.validator in ("minItems", "minProperties", "minLength"):
-        return f"{key} is empty: give at least one entry."
-    return f"{key}: {error.message}."
-
-
-def _missing_key(error: ValidationError, key: str) -> str:
-    # jsonschema reports each missing key by itself, but names it in its message only.
-    missing = next(name for name in error.validator_value if error.message.startswith(f"'{name}'"))
-    meaning = error.schema["properties"][missing]["description"].rstrip(".")
-    return f"{_join(key, missing)} is missing: add it ({meaning})."
-
-
-def _unknown_key(error: ValidationError, key: str) -> str:
-    known = list(error.schema["properties"])
-    unknown = [name for name in error.instance if name not in known]
-    near = difflib.get_close_matches(str(unknown[0]), known, n=1)
-    advice = f"did you mean {near[0]}?" if near else f"the keys here are {', '.join(known)}."
-    names = ", ".join(_join(key, name) for name in unknown)
-    return f"{names} {'is no key' if len(unknown) == 1 else 'are no keys'} of the schema: {advice}"
-
-
-def _wrong_type(error: ValidationError, key: str) -> str:
-    expected = _KIND[error.validator_value]
-    key = key or "this"
-    if expected == "a number" and isinstance(error.instance, str):
-        number = _with_point_and_sign(error.instance)
-        if number is not None:
-            return (
-                f"{key} is {_show(error.instance)}, which YAML reads as text because a number "
-                f"with an exponent needs a point and a sign: write {number}."
-            )
-    meaning = error.schema.get("description", "").rstrip(".")
-    return f"{key} is {_show(error.instance)}: give {expected} instead" + (
-        f" ({meaning})." if meaning else "."
-    )
-
-
-def _with_point_and_sign(text: str) -> str | None:
-    """Write a number such as 1e-13 so that YAML 1.1 takes it for one; None if it is none."""
-    if not re.fullmatch(r"[+-]?\d+(\.\d*)?(e[+-]?\d+)?", text, re.IGNORECASE):
-        return None
-    mantissa, _, exponent = text.lower().partition("e")
-    point = mantissa if "." in mantissa else f"{mantissa}.0"
-    return f"{point}e{int(exponent):+d}" if exponent else point
-
-
-def _join(key: str, name: object) -> str:
-    return f"{key}.{name}" if key else str(name)
-
-
-def _show(value: object) -> str:
-    return textwrap.shorten(json.dumps(value, default=str, ensure_ascii=False), width=60)

@@ -14,32 +14,32 @@ rule compile_kernels:
         "<logs>/compile_kernels.log",
     benchmark:
         "<benchmarks>/compile_kernels.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
     message:
         "Compiling the kernels of the chain."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/compile_kernels.py"
 
 
 rule initiate_front:
     input:
-        kernels=ancient("<results>/kernels.json"),
+        kernels=rules.compile_kernels.output.stamp,
         modules=CHAIN_MODULES,
     output:
         dataset="<results>/data/chain/{scene}.nc",
+    params:
+        scene=lambda wildcards: config["scenes"]["chain"][wildcards.scene],
+        scene_id="{scene}",
     log:
         "<logs>/initiate_front/{scene}.log",
     benchmark:
         "<benchmarks>/initiate_front/{scene}.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
-    params:
-        scene=lambda wildcards: config["scenes"]["chain"][wildcards.scene],
-        scene_id="{scene}",
     message:
         "Solving the chain of scene {wildcards.scene}."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/initiate_front.py"

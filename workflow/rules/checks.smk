@@ -3,22 +3,22 @@
 
 rule check_results:
     input:
-        tests=glob("tests/artefacts/*.py"),
+        tests=sorted(glob("tests/artefacts/*.py")),
         datasets=CHAIN_DATASETS,
         figures=FIGURES,
         tables=rules.tabulate_paper_numbers.output,
     output:
         verdict="<results>/checks.txt",
+    params:
+        results=subpath(output.verdict, parent=True),
     log:
         "<logs>/check_results.log",
     benchmark:
         "<benchmarks>/check_results.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
-    params:
-        results=subpath(output.verdict, parent=True),
     message:
         "Testing the finished files."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/check_results.py"

@@ -12,11 +12,11 @@ rule plot_fig01:
         "<logs>/plot_fig01.log",
     benchmark:
         "<benchmarks>/plot_fig01.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
     message:
         "Drawing figure 1: the front starts and becomes steady, weak damping."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/plot_fig01.py"
 
@@ -32,11 +32,11 @@ rule plot_fig02:
         "<logs>/plot_fig02.log",
     benchmark:
         "<benchmarks>/plot_fig02.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
     message:
         "Drawing figure 2: space–time diagrams, weak damping."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/plot_fig02.py"
 
@@ -52,11 +52,11 @@ rule plot_fig03:
         "<logs>/plot_fig03.log",
     benchmark:
         "<benchmarks>/plot_fig03.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
     message:
         "Drawing figure 3: the front starts and crosses the chain, strong damping."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/plot_fig03.py"
 

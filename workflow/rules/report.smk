@@ -17,17 +17,17 @@ rule write_report:
         verdict=rules.check_results.output.verdict,
     output:
         page="<results>/report.html",
+    params:
+        configuration=config,
     log:
         "<logs>/write_report.log",
     benchmark:
         "<benchmarks>/write_report.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
-    params:
-        configuration=config,
     message:
         "Writing the report."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/write_report.py"
 

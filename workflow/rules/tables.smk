@@ -12,11 +12,11 @@ rule tabulate_paper_numbers:
         "<logs>/tabulate_paper_numbers.log",
     benchmark:
         "<benchmarks>/tabulate_paper_numbers.tsv"
-    conda:
-        "../envs/main.yaml"
     threads: 1
     message:
         "Comparing the numbers printed in the paper with ours."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/tabulate_paper_numbers.py"
 

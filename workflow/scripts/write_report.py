@@ -59,7 +59,9 @@ def write_report(
         ],
         run_times=tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
-        configuration=yaml.safe_dump(configuration, sort_keys=False, allow_unicode=True),
+        configuration=yaml.safe_dump(
+            configuration, sort_keys=False, allow_unicode=True, default_flow_style=None
+        ),
     )
     page.write_text(html, encoding="utf-8")
 

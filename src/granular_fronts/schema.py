@@ -1,0 +1,178 @@
+"""The strict schema of the configuration, and its violations told in sentences.
+
+A sentence names the scene, the key, its value, the limit and the way out. What a schema cannot
+express is refused in ``granular_fronts.configuration``.
+"""
+
+import difflib
+import functools
+import json
+import re
+import textwrap
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import yaml
+from jsonschema import Draft202012Validator, validators
+from jsonschema.exceptions import ValidationError
+
+_KIND = {
+    "array": "a list",
+    "boolean": "true or false",
+    "integer": "a whole number",
+    "number": "a number",
+    "object": "a mapping of keys to values",
+    "string": "text",
+}
+
+
+def _is_whole(_checker: object, value: object) -> bool:
+    # JSON Schema also calls 420.0 an integer, but a count of beads is used as an index.
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+_Validator = validators.extend(
+    Draft202012Validator,
+    type_checker=Draft202012Validator.TYPE_CHECKER.redefine("integer", _is_whole),
+)
+
+
+def tell_violations(
+    instance: object, definition: str | None = None, place: Sequence[str] = ()
+) -> Iterator[str]:
+    """Check a value against the schema.
+
+    Parameters
+    ----------
+    instance : object
+        The configuration or a part of it.
+    definition : str, optional
+        Name of the part in the schema's ``$defs``; none for a whole configuration.
+    place : sequence of str, optional
+        Keys that lead to the part in a whole configuration.
+
+    Yields
+    ------
+    str
+        A sentence for each violation.
+    """
+    schema = _schema()
+    if definition:
+        schema = {"$ref": f"#/$defs/{definition}", "$defs": schema["$defs"]}
+    errors = sorted(_Validator(schema).iter_errors(instance), key=lambda error: str(error.path))
+    for error in errors:
+        scene, key = _locate([*place, *error.absolute_path])
+        yield scene + _sentence(error, key)
+
+
+def name_entry(key: str, index: int) -> str:
+    """Name an entry of a list as people count.
+
+    Parameters
+    ----------
+    key : str
+        Dotted key of the list.
+    index : int
+        Index of the entry, from 0.
+
+    Returns
+    -------
+    str
+        For example ``record.snapshots (entry 1)``.
+    """
+    return f"{key} (entry {index + 1})"
+
+
+@functools.cache
+def _schema() -> dict:
+    file = Path(__file__).with_name("config.schema.yaml")
+    if not file.exists():
+        # A checkout keeps the schema with the workflow that it describes.
+        file = Path(__file__).parents[2] / "workflow" / "schemas" / "config.schema.yaml"
+    return yaml.safe_load(file.read_text(encoding="utf-8"))
+
+
+def _locate(path: Sequence[str | int]) -> tuple[str, str]:
+    """Split a path into the words that name its scene and its dotted key inside that scene."""
+    scene = ""
+    if tuple(path[:2]) == ("scenes", "chain") and len(path) > 2:
+        scene, path = f"Scene {path[2]}: ", path[3:]
+    key = ""
+    for part in path:
+        key = name_entry(key, part) if isinstance(part, int) else f"{key}.{part}".lstrip(".")
+    return scene, key
+
+
+def _sentence(error: ValidationError, key: str) -> str:
+    """Say in one sentence what a violation is and how to end it."""
+    if "propertyNames" in error.absolute_schema_path:
+        return (
+            f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
+            "and underscores, a letter first."
+        )
+    if error.validator == "required":
+        return _missing_key(error, key)
+    if error.validator == "additionalProperties":
+        return _unknown_key(error, key)
+    if error.validator == "type":
+        return _wrong_type(error, key)
+    key = key or "the whole"
+    value, limit = _show(error.instance), error.validator_value
+    if error.validator == "minimum":
+        return f"{key} is {value}, below its limit {limit}: give {limit} or more."
+    if error.validator == "exclusiveMinimum":
+        return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
+    if error.validator == "enum":
+        return f"{key} is {value}, which is unknown: choose {' or '.join(limit)}."
+    if error.validator in ("minItems", "minProperties", "minLength"):
+        return f"{key} is empty: give at least one entry."
+    return f"{key}: {error.message}."
+
+
+def _missing_key(error: ValidationError, key: str) -> str:
+    # jsonschema reports each missing key by itself, but names it in its message only.
+    missing = next(name for name in error.validator_value if error.message.startswith(f"'{name}'"))
+    meaning = error.schema["properties"][missing]["description"].rstrip(".")
+    return f"{_join(key, missing)} is missing: add it ({meaning})."
+
+
+def _unknown_key(error: ValidationError, key: str) -> str:
+    known = list(error.schema["properties"])
+    unknown = [name for name in error.instance if name not in known]
+    near = difflib.get_close_matches(str(unknown[0]), known, n=1)
+    advice = f"did you mean {near[0]}?" if near else f"the keys here are {', '.join(known)}."
+    names = ", ".join(_join(key, name) for name in unknown)
+    return f"{names} {'is no key' if len(unknown) == 1 else 'are no keys'} of the schema: {advice}"
+
+
+def _wrong_type(error: ValidationError, key: str) -> str:
+    expected = _KIND[error.validator_value]
+    key = key or "this"
+    if expected == "a number" and isinstance(error.instance, str):
+        number = _with_point_and_sign(error.instance)
+        if number is not None:
+            return (
+                f"{key} is {_show(error.instance)}, which YAML reads as text because a number "
+                f"with an exponent needs a point and a sign: write {number}."
+            )
+    meaning = error.schema.get("description", "").rstrip(".")
+    return f"{key} is {_show(error.instance)}: give {expected} instead" + (
+        f" ({meaning})." if meaning else "."
+    )
+
+
+def _with_point_and_sign(text: str) -> str | None:
+    """Write a number such as 1e-13 so that YAML 1.1 takes it for one; None if it is none."""
+    if not re.fullmatch(r"[+-]?\d+(\.\d*)?(e[+-]?\d+)?", text, re.IGNORECASE):
+        return None
+    mantissa, _, exponent = text.lower().partition("e")
+    point = mantissa if "." in mantissa else f"{mantissa}.0"
+    return f"{point}e{int(exponent):+d}" if exponent else point
+
+
+def _join(key: str, name: object) -> str:
+    return f"{key}.{name}" if key else str(name)
+
+
+def _show(value: object) -> str:
+    return textwrap.shorten(json.dumps(value, default=str, ensure_ascii=False), width=60)

@@ -1,0 +1,219 @@
+import importlib.util
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from inspect import signature
+from pathlib import Path
+
+import pytest
+import yaml
+from packaging.requirements import Requirement
+
+from step import from_command_line, from_workflow, load_yaml_or_leaf, run_step
+
+ROOT = Path(__file__).parents[1]
+SCRIPTS = sorted(
+    set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
+)
+TARGETS = ["all", "figures", "fig01", "fig02", "fig03", "tables", "report", "check_results"]
+
+
+def snakemake(*arguments, folder=ROOT):
+    command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def load_step(script):
+    """Import a script without running it; the step carries the script's name."""
+    spec = importlib.util.spec_from_file_location(script.stem, script)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[script.stem] = module
+    spec.loader.exec_module(module)
+    return getattr(module, script.stem)
+
+
+@pytest.fixture
+def nowhere(tmp_path):
+    """A results folder with nothing in it, so that every job of a dry run is due."""
+    return f"results={tmp_path / 'results'}"
+
+
+def test_dry_run_of_all_targets_together(nowhere):
+    run = snakemake("--dry-run", "--config", nowhere, "--", *TARGETS)
+    assert run.returncode == 0, run.stderr
+    for rule in ["initiate_front", "plot_fig01", "plot_fig02", "plot_fig03", "write_report"]:
+        assert rule in run.stdout
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("target", TARGETS)
+def test_dry_run_of_one_target(nowhere, target):
+    run = snakemake("--dry-run", "--config", nowhere, "--", target)
+    assert run.returncode == 0, run.stderr
+
+
+def test_figure_solves_only_its_own_scene(nowhere):
+    run = snakemake("--dry-run", "--config", nowhere, "--", "fig03")
+    assert "initiation_overdamped" in run.stdout
+    assert "initiation_underdamped" not in run.stdout
+
+
+def test_lint_finds_nothing():
+    run = snakemake("--lint")
+    assert run.returncode == 0, run.stdout
+
+
+def test_impossible_configuration_is_refused_before_any_job(nowhere, tmp_path):
+    override = tmp_path / "override.yaml"
+    scenes = {"chain": {"initiation_overdamped": {"law": {"gamma": -0.5}}}}
+    override.write_text(yaml.safe_dump({"scenes": scenes}))
+    run = snakemake("--configfile", override, "--config", nowhere)
+    assert run.returncode != 0
+    assert "Scene initiation_overdamped: law.gamma is -0.5" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert "File " not in run.stderr
+    assert not (tmp_path / "results").exists()
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A copy of the project in which the smoke run is done."""
+    copy = tmp_path_factory.mktemp("project") / "copy"
+    rebuilt = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*rebuilt))
+    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
+    assert run.returncode == 0, run.stderr
+    return copy
+
+
+def jobs_due(project):
+    """Dry-run the finished smoke run; return the names of the rules that are due."""
+    run = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=project)
+    assert run.returncode == 0, run.stderr
+    return set(re.findall(r"^(\w+) +\d+$", run.stdout, re.MULTILINE)) - {"total"}
+
+
+@pytest.mark.slow
+def test_smoke_run_makes_everything(finished):
+    page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
+    assert page.count("data:image/png;base64,") == 3
+    for words in ["Figure 1.", "initiation_underdamped:", "Run times", "initiate_front/"]:
+        assert words in page
+    assert not jobs_due(finished)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("module", "solves"), [("style.py", False), ("chain/__init__.py", True)], ids=["style", "chain"]
+)
+def test_changed_module_repeats_what_stands_on_it(finished, module, solves):
+    file = finished / "src/granular_fronts" / module
+    before = file.read_bytes()
+    file.write_bytes(before + b"# Changed.\n")
+    due = jobs_due(finished)
+    file.write_bytes(before)
+    assert "plot_fig01" in due
+    assert ("initiate_front" in due) == solves
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
+def test_script_explains_its_arguments(script, monkeypatch, capsys):
+    step = load_step(script)
+    monkeypatch.setattr(sys, "argv", [script.name, "--help"])
+    with pytest.raises(SystemExit, match="0"):
+        from_command_line(step)
+    shown = capsys.readouterr().out
+    for name in signature(step).parameters:
+        assert re.search(rf"^  --{name}\b", shown, re.MULTILINE)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
+def test_script_runs_alone(script):
+    command = [sys.executable, str(script), "--help"]
+    environment = {"PYTHONPATH": str(ROOT / "src"), "COLUMNS": "200"}
+    run = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.startswith(f"usage: {script.name}")
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
+def test_script_reads_no_configuration_behind_its_rule(script):
+    assert "snakemake.config" not in script.read_text(encoding="utf-8")
+
+
+def test_leaf_of_a_file_is_read_from_the_command_line():
+    leaf = f"{ROOT}/config/default.yaml:scenes.chain.initiation_overdamped.law"
+    assert load_yaml_or_leaf(leaf) == {"alpha": 1.5, "beta": 1.5, "gamma": 0.65}
+    assert load_yaml_or_leaf("{alpha: 1.5}") == {"alpha": 1.5}
+
+
+def test_wrong_leaf_is_refused_in_a_sentence(monkeypatch, capsys):
+    def step(scene: dict) -> None:
+        """Take a scene."""
+
+    leaf = f"{ROOT}/config/default.yaml:scenes.chian"
+    monkeypatch.setattr(sys, "argv", ["step", "--scene", leaf])
+    with pytest.raises(SystemExit):
+        from_command_line(step)
+    assert "stops at chian: choose one of chain." in capsys.readouterr().err
+
+
+class Group(dict):
+    """Snakemake's named files: iterating gives the values, items() the names too."""
+
+    def __iter__(self):
+        return iter(self.values())
+
+
+class Job:
+    """What Snakemake puts into a script, as far as a step needs it."""
+
+    def __init__(self, log, **params):
+        self.params = Group(params)
+        self.input = Group(files=["a.nc", "b.nc"], modules=["c.py"])
+        self.output = Group(page="d.html")
+        self.log = [str(log)]
+
+
+def test_rule_gives_a_step_what_it_asks_for(tmp_path):
+    def step(files: list[Path], page: Path, scene: dict) -> None:
+        """Take some of what the rule names."""
+
+    assert from_workflow(step, Job(tmp_path / "log", scene={"beads": 2})) == {
+        "files": [Path("a.nc"), Path("b.nc")],
+        "page": Path("d.html"),
+        "scene": {"beads": 2},
+    }
+
+
+def test_refusal_of_a_step_is_a_sentence_and_its_origin_is_in_the_log(tmp_path, capsys):
+    def step(page: Path) -> None:
+        """Refuse."""
+        raise ValueError(f"{page} cannot be written: name another.")
+
+    with pytest.raises(SystemExit, match="1"):
+        run_step(step, Job(tmp_path / "log"))
+    assert capsys.readouterr().err == "d.html cannot be written: name another.\n"
+    assert "Traceback" in (tmp_path / "log").read_text()
+
+
+def test_environment_pins_every_dependency_within_its_range():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    asked = project["project"]["dependencies"] + project["build-system"]["requires"]
+    for extra in project["project"]["optional-dependencies"].values():
+        asked += extra
+    pinned = {}
+    for name, version in re.findall(
+        r"^([\w.-]+)==([\w.]+)", (ROOT / "environment.txt").read_text(), re.MULTILINE
+    ):
+        pinned.setdefault(name, []).append(version)
+    for requirement in map(Requirement, asked):
+        versions = pinned[requirement.name.lower()]
+        assert all(requirement.specifier.contains(version) for version in versions)
+
+
+def test_environment_names_no_package_index():
+    assert "://" not in (ROOT / "environment.txt").read_text()
