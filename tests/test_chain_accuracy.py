@@ -145,7 +145,9 @@ def test_damped_collision_equals_the_equation_of_its_contact():
         force = max(y[0], 0.0) ** 1.5
         return [y[1] - 2.0 * gamma * force, -2.0 * force]
 
-    solved = solve_ivp(contact, (0.0, 20.0), [-1.0, 1.0], "DOP853", rtol=1e-13, atol=1e-15, max_step=1e-2)
+    solved = solve_ivp(
+        contact, (0.0, 20.0), [-1.0, 1.0], "DOP853", rtol=1e-13, atol=1e-15, max_step=1e-2
+    )
     computed = last_state(collision(gamma))
     relative_velocity = solved.y[1, -1]
     assert solved.y[0, -1] < 0.0, "the beads have parted"
@@ -228,5 +230,3 @@ def test_precompressed_chain_below_linear_agrees_with_plain_form():
     fixed = fixed_steps(plain_forms.XW, law, u, velocity, 10.0, 600)
     scene = ring_scene(u, velocity, alpha=0.7, beta=1.0)
     np.testing.assert_allclose(last_state(scene), fixed, atol=2.0e-13)
-
-

@@ -9,7 +9,9 @@ from granular_fronts.chain.simulate import SolveError, simulate_chain
 def test_opening_contact_below_linear_is_refused():
     u, velocity = smooth_ring()
     scene = ring_scene(u, 20.0 * velocity, alpha=0.7, beta=1.0)
-    with pytest.raises(SolveError, match=r"At t = .* contact of beads \d+ and \d+ opens.*alpha < 1"):
+    with pytest.raises(
+        SolveError, match=r"At t = .* contact of beads \d+ and \d+ opens.*alpha < 1"
+    ):
         simulate_chain(scene, "soft")
 
 

@@ -25,7 +25,9 @@ def test_quadrature_order_is_not_nine():
 @pytest.mark.parametrize(("k", "m"), [(k, m) for k in range(1, 8) for m in range(1, 9 - k)])
 def test_order_conditions_of_nested_quadratures(k, m):
     """Σ b_i c_i^{k-1} a_ij c_j^{m-1} = 1/(m (k + m)), all with k + m ≤ 8."""
-    assert (B * C ** (k - 1)) @ (A @ C ** (m - 1)) == pytest.approx(1.0 / (m * (k + m)), abs=ROUNDING)
+    assert (B * C ** (k - 1)) @ (A @ C ** (m - 1)) == pytest.approx(
+        1.0 / (m * (k + m)), abs=ROUNDING
+    )
 
 
 @pytest.mark.parametrize("m", range(1, 7))

@@ -5,10 +5,10 @@ since `time` means clock time to CF tools.  A recording with coordinates of its 
 as a suffix on variable and coordinates alike: `relative_displacement_grid` on (`t_grid`, `bead`),
 `relative_displacement_steady` on (`t_steady`, `bead_steady`).
 
-Every variable says how wrong it can be (`error_estimate`, an estimate of its largest absolute error,
-and `error_method`); every file says which scene it belongs to (`scene`, `config` as JSON), how it was
-solved, and with which versions (`software`, `code_version`).  A file appears under its name only when
-it is complete.
+Every variable says how wrong it can be (`error_estimate`, an estimate of its largest absolute
+error, and `error_method`); every file says which scene it belongs to (`scene`, `config` as JSON),
+how it was solved, and with which versions (`software`, `code_version`).  A file appears under its
+name only when it is complete.
 """
 
 import importlib.metadata

@@ -13,7 +13,6 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-import cmocean
 import matplotlib.pyplot as plt
 from matplotlib import cycler
 
@@ -66,12 +65,12 @@ def new_figure(height, mosaic):
 
 def compression_map():
     """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
-    return cmocean.cm.ice_r.with_extremes(under=CLIPPED_COLOUR)
+    return matplotlib.colormaps["bone_r"].with_extremes(under=CLIPPED_COLOUR)
 
 
 def velocity_map():
     """Colour map of velocities, light at rest."""
-    return cmocean.cm.tempo
+    return matplotlib.colormaps["viridis_r"]
 
 
 def save_figure(figure, pdf, png):

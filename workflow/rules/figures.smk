@@ -4,7 +4,7 @@
 rule plot_fig01:
     input:
         dataset="<results>/data/chain/initiation_underdamped.nc",
-        modules=modules("style.py"),
+        modules=modules("drawing.py", "style.py"),
     output:
         pdf="<results>/figures/fig01_initiation_underdamped.pdf",
         png="<results>/figures/fig01_initiation_underdamped.png",
@@ -24,7 +24,7 @@ rule plot_fig01:
 rule plot_fig02:
     input:
         dataset="<results>/data/chain/initiation_underdamped.nc",
-        modules=modules("style.py"),
+        modules=modules("drawing.py", "style.py"),
     output:
         pdf="<results>/figures/fig02_spacetime_underdamped.pdf",
         png="<results>/figures/fig02_spacetime_underdamped.png",
@@ -44,7 +44,7 @@ rule plot_fig02:
 rule plot_fig03:
     input:
         dataset="<results>/data/chain/initiation_overdamped.nc",
-        modules=modules("style.py"),
+        modules=modules("drawing.py", "style.py"),
     output:
         pdf="<results>/figures/fig03_initiation_overdamped.pdf",
         png="<results>/figures/fig03_initiation_overdamped.png",

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from granular_fronts.datasets import read_dataset
+from granular_fronts.drawing import draw_probes, label_peaks
 from granular_fronts.style import new_figure, save_figure
 from step import run_step
 
@@ -25,30 +26,6 @@ def plot_fig01(dataset: Path, pdf: Path, png: Path) -> None:
     panels["transient"].legend(loc="lower right")
     draw_velocities(panels["snapshot"], data)
     save_figure(figure, pdf, png)
-
-
-def draw_probes(axes, data, name):
-    """u_n(t) of every bead of a probe set."""
-    probes = data[f"relative_displacement_{name}"]
-    for bead in probes[f"bead_{name}"].values:
-        curve = probes.sel({f"bead_{name}": bead})
-        axes.plot(curve[f"t_{name}"], curve, label=f"$n = {bead}$")
-    axes.set(xlabel="$t$", ylabel="$u_n(t)$", xlim=(curve[f"t_{name}"][0], curve[f"t_{name}"][-1]))
-
-
-def label_peaks(axes):
-    """Write each curve's label above its highest point, in its colour."""
-    for line in axes.get_lines():
-        t, u = line.get_data()
-        axes.annotate(
-            line.get_label(),
-            (t[u.argmax()], u.max()),
-            xytext=(0, 3),
-            textcoords="offset points",
-            ha="center",
-            fontsize=7,
-            color=line.get_color(),
-        )
 
 
 def draw_velocities(axes, data):

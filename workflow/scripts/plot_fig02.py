@@ -1,10 +1,10 @@
-"""Figure 2: space-time diagrams of relative displacements and velocities; James (2021), figure 2."""
+"""Figure 2: space-time diagrams of a front and its reflections; James (2021), figure 2."""
 
 from pathlib import Path
 
 from granular_fronts.datasets import read_dataset
+from granular_fronts.drawing import draw_spacetime
 from granular_fronts.style import compression_map, new_figure, save_figure, velocity_map
-from spacetime import draw_spacetime
 from step import run_step
 
 # The paper clips its colours here: gaps wider than the largest compression are red.

@@ -3,9 +3,8 @@
 from pathlib import Path
 
 from granular_fronts.datasets import read_dataset
+from granular_fronts.drawing import draw_probes, draw_spacetime
 from granular_fronts.style import compression_map, new_figure, save_figure
-from plot_fig01 import draw_probes
-from spacetime import draw_spacetime
 from step import run_step
 
 

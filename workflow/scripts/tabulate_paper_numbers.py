@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pandas as pd
 import yaml
-from step import run_step
 
 from granular_fronts.chain import measures
 from granular_fronts.datasets import read_dataset
+from step import run_step
 
 COLUMNS = (
     "quantity",
@@ -24,9 +24,7 @@ COLUMNS = (
 REPRODUCED, NOT_REPRODUCED, NOT_JUDGED = "reproduced", "not reproduced", "no number printed"
 
 
-def tabulate_paper_numbers(
-    numbers: Path, datasets: list[Path], csv: Path, markdown: Path
-) -> None:
+def tabulate_paper_numbers(numbers: Path, datasets: list[Path], csv: Path, markdown: Path) -> None:
     """Measure each quantity on its scene, judge it, and write the table.
 
     Parameters

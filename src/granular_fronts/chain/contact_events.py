@@ -16,8 +16,8 @@ since its stages sit mostly near the ends of the step.  Hence:
   starts on the singular side, where the stages do see the singularity and the ordinary controller
   works;
 - **opening** (the singular side lies before :math:`t^*`): the steps are graded towards
-  :math:`t^*`, each going the fraction `APPROACH` of the way, until the step that crosses it is short
-  enough.  The geometric sequence costs about a dozen steps per opening, whatever the tolerance.
+  :math:`t^*`, each going the fraction `APPROACH` of the way, until the step that crosses it is
+  short enough.  The geometric sequence costs about a dozen steps per opening.
 
 The time to the crossing comes from the parabola through u, its rate, and the rejected end value.
 """
@@ -74,7 +74,7 @@ def time_to_zero(u, rate, new_u, h):
 
 @njit(cache=True)
 def step_at_contact(law, state, h, last, allowed):
-    """Step to try instead of h because of the contacts 1 … last, or h if all crossings are harmless.
+    """Step to try instead of h because of the contacts 1 … last, or h if no crossing does harm.
 
     Parameters
     ----------

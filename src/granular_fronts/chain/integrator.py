@@ -128,6 +128,7 @@ def contact_polynomial(law, state, h, n, coefficients):
 
 @njit(cache=True)
 def polynomial(coefficients, theta):
+    """Value of a polynomial, constant coefficient first."""
     value = 0.0
     for power in range(coefficients.size - 1, -1, -1):
         value = value * theta + coefficients[power]
@@ -154,6 +155,7 @@ def crossing(coefficients, level):
 
 @njit(cache=True)
 def derivative(coefficients):
+    """Coefficients of the derivative of a polynomial."""
     result = np.empty(coefficients.size - 1)
     for power in range(1, coefficients.size):
         result[power - 1] = power * coefficients[power]
@@ -162,6 +164,7 @@ def derivative(coefficients):
 
 @njit(cache=True)
 def output_is_due(recording, t_new):
+    """Whether a profile or a sample is to be written up to the time t_new."""
     cursor = recording.cursor
     return (
         cursor[PROFILE] < recording.profile_times.size
@@ -174,12 +177,13 @@ def output_is_due(recording, t_new):
 
 @njit(cache=True)
 def write_profile(law, state, h, theta, reach, row_u, row_d):
-    """u(θ) and d(θ) of all beads of the active window."""
+    """u(θ) and d(θ) of all beads of the active window; at θ = 1 the new state itself."""
     if theta == 1.0:
-        row_u[1 : reach + 1] = state.new_u[1 : reach + 1]
-        row_d[1 : reach + 1] = state.new_d[1 : reach + 1]
+        for n in range(1, reach + 1):
+            row_u[n] = state.new_u[n]
+            row_d[n] = state.new_d[n]
         return
-    weights_d, weights_g, weights_k = np.empty((3, rk.SLOPES))
+    weights_d, weights_g, weights_k = np.empty(rk.SLOPES), np.empty(rk.SLOPES), np.empty(rk.SLOPES)
     polynomial_weights(law, h, theta, weights_d, weights_g, weights_k)
     g = state.g if law.kind == PAIR else state.k
     for n in range(1, reach + 1):
@@ -200,9 +204,7 @@ def write_output(law, state, t, h, t_new, reach, recording):
         and recording.profile_times[cursor[PROFILE]] <= t_new
     ):
         row = cursor[PROFILE]
-        theta = 1.0 if recording.profile_times[row] == t_new else (
-            (recording.profile_times[row] - t) / h
-        )
+        theta = (recording.profile_times[row] - t) / h
         write_profile(
             law, state, h, theta, reach, recording.profile_u[row], recording.profile_d[row]
         )
@@ -231,6 +233,7 @@ def write_arrivals(law, state, t, h, last, recording):
 
 @njit(cache=True)
 def level_is_crossed(state, last, recording):
+    """Whether any contact reaches the arrival level for the first time in this step."""
     for n in range(last, 0, -1):
         if state.u[n] < recording.level <= state.new_u[n] and math.isnan(recording.arrival[n]):
             return True
@@ -239,6 +242,7 @@ def level_is_crossed(state, last, recording):
 
 @njit(cache=True)
 def record_extremum(kind, sign, value, t, n, recording):
+    """Keep the value if it is a new largest (sign 1) or smallest (sign −1) one."""
     if sign * value > sign * recording.extremes[kind]:
         recording.extremes[kind] = value
         recording.extremes[kind + 1] = t
@@ -247,7 +251,7 @@ def record_extremum(kind, sign, value, t, n, recording):
 
 @njit(cache=True)
 def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
-    """Extremes of u over the step, and the first opening; True if the output stages are computed."""
+    """Extremes of u over the step, and the first opening; whether output stages are computed."""
     g = state.g if law.kind == PAIR else state.k
     extremes, first_peak = recording.extremes, recording.first_peak
     coefficients = np.empty(rk.DEGREE + 1)
@@ -286,7 +290,7 @@ def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
 
 @njit(cache=True)
 def record_step(law, size, state, t, h, t_new, reach, recording):
-    """Everything to be recorded of an accepted step; returns whether output stages were computed."""
+    """Everything to be recorded of an accepted step; whether output stages were computed."""
     last = min(reach, size.contacts)
     due = output_is_due(recording, t_new)
     arrives = not math.isnan(recording.level) and level_is_crossed(state, last, recording)

@@ -125,8 +125,8 @@ def momentum_growth(dataset):
 def thickening(dataset):
     """Width of the first reflected front late in its way back, over its width early.
 
-    The reflected front runs from the free end, reached at the last arrival time T, towards bead 1; its
-    width is the distance over which u falls from 0.9 δ to 0.1 δ, taken at 1.2 T and 1.7 T.
+    The reflected front runs from the free end, reached at the last arrival time T, towards bead 1;
+    its width is the distance over which u falls from 0.9 δ to 0.1 δ, taken at 1.2 T and 1.7 T.
     """
     end_reached = float(dataset["arrival_time"].max())
 

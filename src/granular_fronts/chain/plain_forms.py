@@ -7,8 +7,8 @@ force of :math:`x_{n-1} - x_n` cancels digits, and in (x, ẋ) the right-hand si
 .. math:: \ddot x_n = T_{n-1} - T_n, \qquad
     T_n = u_{n,+}^\alpha + \beta\gamma\, u_{n,+}^{\beta-1}\,\dot u_n
 
-is only :math:`C^{\beta-1}` where a contact opens or closes, so that the observed order drops by one.
-On a ring :math:`x_{n+N} = x_n - \sum_k u_k` (eq. 26).
+is only :math:`C^{\beta-1}` where a contact opens or closes, so that the observed order drops by
+one.  On a ring :math:`x_{n+N} = x_n - \sum_k u_k` (eq. 26).
 """
 
 import math

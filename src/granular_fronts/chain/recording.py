@@ -7,10 +7,11 @@ Variables of the dataset (names and units are given once, in `granular_fronts.da
 - the space-time grid: `relative_displacement_grid`, `velocity_grid` on (t_grid, bead), and the
   reductions `mean_relative_displacement`, `total_velocity` on (t_grid);
 - located events: `arrival_time`, `first_peak`, `first_peak_time` on (bead), `front_speed`;
-  `largest_relative_displacement`, `smallest_relative_displacement`, `first_gap`, with time and bead.
+  `largest_relative_displacement`, `smallest_relative_displacement`, `first_gap`, each with its
+  time and bead.
 
-The last bead's entry of a relative displacement is the held value at the right end, or on a ring the
-contact that closes it.
+The last bead's entry of a relative displacement is the held value at the right end, or on a ring
+the contact that closes it.
 """
 
 import numpy as np

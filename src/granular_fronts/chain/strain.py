@@ -67,7 +67,7 @@ class Law(NamedTuple):
 
 
 class State(NamedTuple):
-    """Arrays of one chain; index n = 0 … N + 1 is the bead number, stages come first.
+    r"""Arrays of one chain; index n = 0 … N + 1 is the bead number, stages come first.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class State(NamedTuple):
     new_u, new_d : ndarray, shape (columns,)
         State at its end.
     force, damping : ndarray, shape (columns,)
-        :math:`u_+^\\alpha` and :math:`u_+^\\beta` of the last stage, boundary values included.
+        :math:`u_+^\alpha` and :math:`u_+^\beta` of the last stage, boundary values included.
     k, g : ndarray, shape (16, columns)
         Slopes of the stages.
     """
@@ -119,11 +119,13 @@ def make_state(beads):
     """Allocate the arrays of a chain of `beads` beads, all zero."""
     columns = _columns(beads)
     vectors = _aligned_zeros((6, columns))
-    return State(*vectors, _aligned_zeros((rk.SLOPES, columns)), _aligned_zeros((rk.SLOPES, columns)))
+    return State(
+        *vectors, _aligned_zeros((rk.SLOPES, columns)), _aligned_zeros((rk.SLOPES, columns))
+    )
 
 
 def _columns(beads):
-    """Row length: whole cache lines, never a multiple of 4096 bytes (rows would evict each other)."""
+    """Row length: whole cache lines, but no multiple of 4096 bytes, which makes rows collide."""
     columns = 8 * math.ceil((beads + 2) / 8)
     return columns + 8 if columns % 512 == 0 else columns
 
@@ -191,57 +193,72 @@ def evaluate_slopes(law, size, state, u, row, reach):
 
 
 @njit(fastmath=_CONTRACT, forceinline=True, cache=True)
-def stage(law, size, state, a, a_squared, c, h, reach):
-    """One stage: the slopes of :math:`U_i` into row i = len(a)."""
-    row = len(a)
-    force, damping = state.force, state.damping
+def hertz_stage(law, size, state, a, a_squared, c, h, reach):
+    """Stage i = len(a) for the force u₊^{3/2}: its slopes into row i.
+
+    The coefficients are tuples, so that the sum over earlier slopes is unrolled and the loop over
+    beads vectorises, square root included.
+    """
+    force = state.force
     h_gamma = h * law.gamma
-    last = min(reach, size.contacts)
-    if law.kind == HERTZ:
-        for n in range(uint64(1), uint64(last + 1)):
-            value = stage_value(state, a, a_squared, c, h, h_gamma, n)
-            compression = value if value > NEGLIGIBLE else 0.0
-            force[n] = compression * math.sqrt(compression)
-    elif law.kind == POWER:
-        for n in range(uint64(1), uint64(last + 1)):
-            value = stage_value(state, a, a_squared, c, h, h_gamma, n)
-            compression = value if value > NEGLIGIBLE else 0.0
-            force[n] = compression**law.alpha
-    else:
-        for n in range(uint64(1), uint64(last + 1)):
-            value = stage_value_pair(state, a, a_squared, c, h, h_gamma, n)
-            compression = value if value > NEGLIGIBLE else 0.0
-            force[n] = compression**law.alpha
-            damping[n] = compression**law.beta
-    laplacian(force, state.k[row], size, reach)
+    for n in range(uint64(1), uint64(min(reach, size.contacts) + 1)):
+        value = stage_value(state, a, a_squared, c, h, h_gamma, n)
+        compression = value if value > NEGLIGIBLE else 0.0
+        force[n] = compression * math.sqrt(compression)
+    laplacian(force, state.k[len(a)], size, reach)
+
+
+@njit(fastmath=_CONTRACT, cache=True)
+def power_stage(law, size, state, row, h, reach):
+    """Stage `row` for general exponents; the powers cost more than all the rest."""
+    a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
+    h_gamma = h * law.gamma
+    for n in range(1, min(reach, size.contacts) + 1):
+        if law.kind == PAIR:
+            value = stage_value_pair(state, a, a_squared, rk.C[row], h, h_gamma, n)
+        else:
+            value = stage_value(state, a, a_squared, rk.C[row], h, h_gamma, n)
+        compression = value if value > NEGLIGIBLE else 0.0
+        state.force[n] = compression**law.alpha
+        if law.kind == PAIR:
+            state.damping[n] = compression**law.beta
+    laplacian(state.force, state.k[row], size, reach)
     if law.kind == PAIR:
-        laplacian(damping, state.g[row], size, reach)
+        laplacian(state.damping, state.g[row], size, reach)
 
 
 @njit(cache=True)
 def stages(law, size, state, h, reach):
     """The eleven stages after the first, whose slopes stand in row 0."""
+    if law.kind != HERTZ:
+        for row in range(1, rk.STAGES):
+            power_stage(law, size, state, row, h, reach)
+        return
     a, q, c = rk.A_ROWS, rk.A_SQUARED_ROWS, rk.C
-    stage(law, size, state, a[1], q[1], c[1], h, reach)
-    stage(law, size, state, a[2], q[2], c[2], h, reach)
-    stage(law, size, state, a[3], q[3], c[3], h, reach)
-    stage(law, size, state, a[4], q[4], c[4], h, reach)
-    stage(law, size, state, a[5], q[5], c[5], h, reach)
-    stage(law, size, state, a[6], q[6], c[6], h, reach)
-    stage(law, size, state, a[7], q[7], c[7], h, reach)
-    stage(law, size, state, a[8], q[8], c[8], h, reach)
-    stage(law, size, state, a[9], q[9], c[9], h, reach)
-    stage(law, size, state, a[10], q[10], c[10], h, reach)
-    stage(law, size, state, a[11], q[11], c[11], h, reach)
+    hertz_stage(law, size, state, a[1], q[1], c[1], h, reach)
+    hertz_stage(law, size, state, a[2], q[2], c[2], h, reach)
+    hertz_stage(law, size, state, a[3], q[3], c[3], h, reach)
+    hertz_stage(law, size, state, a[4], q[4], c[4], h, reach)
+    hertz_stage(law, size, state, a[5], q[5], c[5], h, reach)
+    hertz_stage(law, size, state, a[6], q[6], c[6], h, reach)
+    hertz_stage(law, size, state, a[7], q[7], c[7], h, reach)
+    hertz_stage(law, size, state, a[8], q[8], c[8], h, reach)
+    hertz_stage(law, size, state, a[9], q[9], c[9], h, reach)
+    hertz_stage(law, size, state, a[10], q[10], c[10], h, reach)
+    hertz_stage(law, size, state, a[11], q[11], c[11], h, reach)
 
 
 @njit(cache=True)
 def stages_for_output(law, size, state, h, reach):
     """The three stages that only the continuous extension uses."""
+    if law.kind != HERTZ:
+        for row in range(rk.NEW_SLOPE + 1, rk.SLOPES):
+            power_stage(law, size, state, row, h, reach)
+        return
     a, q, c = rk.A_ROWS, rk.A_SQUARED_ROWS, rk.C
-    stage(law, size, state, a[13], q[13], c[13], h, reach)
-    stage(law, size, state, a[14], q[14], c[14], h, reach)
-    stage(law, size, state, a[15], q[15], c[15], h, reach)
+    hertz_stage(law, size, state, a[13], q[13], c[13], h, reach)
+    hertz_stage(law, size, state, a[14], q[14], c[14], h, reach)
+    hertz_stage(law, size, state, a[15], q[15], c[15], h, reach)
 
 
 @intrinsic
@@ -265,8 +282,17 @@ def _double(typing_context, bits):
 
 
 class Largest(NamedTuple):
-    """Maxima over beads: of the error estimates of order 5 and 3, of u₊ and |d| at the start, and
-    of |u| + |d| at the end of the step (NaN or infinite if any bead is)."""
+    """Maxima over beads, from one step.
+
+    Attributes
+    ----------
+    fifth_u, third_u, fifth_d, third_d : float
+        Of the error estimates of order 5 and 3 in u and d.
+    compression, rate : float
+        Of u₊ and |d| at the start of the step.
+    state : float
+        Of |u| + |d| at its end; NaN or infinite if any bead is.
+    """
 
     fifth_u: float
     third_u: float
@@ -293,52 +319,17 @@ def finish_range(law, state, h, first, last):
     Non-negative doubles are ordered like their bits read as integers, with NaN above all: integer
     maxima vectorise, and no NaN is lost in them.
     """
-    u, d, new_u, new_d, k = state.u, state.d, state.new_u, state.new_d, state.k
+    u, d, new_u, new_d, k, g = state.u, state.d, state.new_u, state.new_d, state.k, state.g
+    pair = law.kind == PAIR
     h_gamma, h_squared = h * law.gamma, h * h
     fifth_u = third_u = fifth_d = third_d = compression = rate = total = int64(0)
     for n in range(uint64(first), uint64(last + 1)):
         b_k, ba_k = combine(rk.B, k, n), combine(rk.B_A, k, n)
         e5_k, e5a_k = combine(rk.ERROR_5, k, n), combine(rk.ERROR_5_A, k, n)
         e3_k, e3a_k = combine(rk.ERROR_3, k, n), combine(rk.ERROR_3_A, k, n)
-        next_d = d[n] + h * b_k
-        next_u = u[n] + (h * d[n] + (h_gamma * b_k + h_squared * ba_k))
-        new_d[n], new_u[n] = next_d, next_u
-        fifth_u = max(fifth_u, _bits(abs(h_gamma * e5_k + h_squared * e5a_k)))
-        third_u = max(third_u, _bits(abs(h_gamma * e3_k + h_squared * e3a_k)))
-        fifth_d = max(fifth_d, _bits(abs(h * e5_k)))
-        third_d = max(third_d, _bits(abs(h * e3_k)))
-        compression = max(compression, _bits(max(u[n], 0.0)))
-        rate = max(rate, _bits(abs(d[n])))
-        total = max(total, _bits(abs(next_u) + abs(next_d)))
-    return Largest(
-        _double(fifth_u),
-        _double(third_u),
-        _double(fifth_d),
-        _double(third_d),
-        _double(compression),
-        _double(rate),
-        _double(total),
-    )
-
-
-@njit(fastmath=_REDUCE, cache=True)
-def finish_range_pair(law, state, h, first, last):
-    """`finish_range` for two nonlinearities: the terms in h γ come from g."""
-    u, d, new_u, new_d, k, g = state.u, state.d, state.new_u, state.new_d, state.k, state.g
-    h_gamma, h_squared = h * law.gamma, h * h
-    fifth_u = third_u = fifth_d = third_d = compression = rate = total = int64(0)
-    for n in range(uint64(first), uint64(last + 1)):
-        b_k, ba_k, b_g = combine(rk.B, k, n), combine(rk.B_A, k, n), combine(rk.B, g, n)
-        e5_k, e5a_k, e5_g = (
-            combine(rk.ERROR_5, k, n),
-            combine(rk.ERROR_5_A, k, n),
-            combine(rk.ERROR_5, g, n),
-        )
-        e3_k, e3a_k, e3_g = (
-            combine(rk.ERROR_3, k, n),
-            combine(rk.ERROR_3_A, k, n),
-            combine(rk.ERROR_3, g, n),
-        )
+        b_g = combine(rk.B, g, n) if pair else b_k
+        e5_g = combine(rk.ERROR_5, g, n) if pair else e5_k
+        e3_g = combine(rk.ERROR_3, g, n) if pair else e3_k
         next_d = d[n] + h * b_k
         next_u = u[n] + (h * d[n] + (h_gamma * b_g + h_squared * ba_k))
         new_d[n], new_u[n] = next_d, next_u
@@ -368,10 +359,6 @@ def finish(law, size, state, h, reach):
     stays outside the error norm.
     """
     last = min(reach, size.contacts)
-    if law.kind == PAIR:
-        if reach > last:
-            finish_range_pair(law, state, h, reach, reach)
-        return finish_range_pair(law, state, h, 1, last)
     if reach > last:
         finish_range(law, state, h, reach, reach)
     return finish_range(law, state, h, 1, last)
