@@ -8,7 +8,8 @@ from scipy.linalg import expm
 
 from granular_fronts.chain import equations, plain_forms
 from granular_fronts.chain.equations import Boundary
-from granular_fronts.chain.simulate import make_boundary, solve
+from granular_fronts.chain.run import make_boundary
+from granular_fronts.chain.simulate import solve
 from granular_fronts.chain.strain import HERTZ, PAIR, POWER, make_law
 
 RING = Boundary(ring=True)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from chains import driven_scene, ring_scene, smooth_ring
 
-from granular_fronts.chain import equations, simulate, strain
+from granular_fronts.chain import equations, run, strain
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain, solve
 
@@ -65,7 +65,7 @@ def test_momentum_grows_with_the_pressure_difference():
 def test_window_equals_the_whole_chain(monkeypatch):
     scene = driven_scene(0.06, beads=200, end_time=150.0)
     windowed = solve(scene, scene["tolerance"]).dataset
-    monkeypatch.setattr(simulate, "_first_reach", lambda size, state: size.beads)
+    monkeypatch.setattr(run, "_first_reach", lambda size, state: size.beads)
     whole = solve(scene, scene["tolerance"]).dataset
     for name in ("relative_displacement", "velocity"):
         np.testing.assert_allclose(windowed[name], whole[name], atol=5.0e-16)

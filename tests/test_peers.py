@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "workflow" / "scripts"))
-import peers  # noqa: E402
+import peers
 
 SHORT = peers.ChainScene(gamma=0.3, beads=20, end=12.0)
 

@@ -1,0 +1,200 @@
+"""One integration of a scene: its arrays at t = 0, and the loop that advances them.
+
+Rest means ẋ = 0, James (2021), section 3.3: where a boundary holds a contact compressed at t = 0,
+the generalised velocity starts at w_1(0) = −γ δ^β.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.chain import equations, integrator
+from granular_fronts.chain.equations import Boundary
+from granular_fronts.chain.recording import make_recording
+from granular_fronts.chain.strain import (
+    Law,
+    Size,
+    State,
+    evaluate_slopes,
+    make_law,
+    make_state,
+    reach_of,
+)
+
+FIRST_STEP = 1.0e-6
+STEPS_PER_BLOCK = 2000
+
+
+class SolveError(ValueError):
+    """A solve that stopped: when, at which bead, and why."""
+
+
+class Run(NamedTuple):
+    """Everything that one integration works on.
+
+    Attributes
+    ----------
+    law : strain.Law
+    size : strain.Size
+    boundary : equations.Boundary
+    state : strain.State
+    clock : integrator.Clock
+    recording : integrator.Recording
+    momentum : float
+        Σẋ_n at t = 0.
+    """
+
+    law: Law
+    size: Size
+    boundary: Boundary
+    state: State
+    clock: integrator.Clock
+    recording: integrator.Recording
+    momentum: float
+
+
+def prepare(scene):
+    """The run of a checked scene, ready at t = 0.
+
+    Raises
+    ------
+    SolveError
+        If the forces of the start or the boundary overflow.
+    """
+    law = make_law(**scene["law"])
+    boundary = make_boundary(scene)
+    u, velocity = initial_state(scene, boundary)
+    size = Size(scene["beads"], scene["beads"] if boundary.ring else scene["beads"] - 1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        state = load_state(law, size, boundary, u, velocity)
+    if not (np.isfinite(state.d).all() and np.isfinite(state.force).all()):
+        raise SolveError(
+            "The forces at t = 0 overflow double precision: scale the boundary values and the start "
+            "down, eq. (27)."
+        )
+    clock = start_clock(size, state)
+    evaluate_slopes(law, size, state, state.u, 0, clock.reach[0])
+    record = make_recording(scene, state.u.size)
+    return Run(law, size, boundary, state, clock, record, float(velocity.sum()))
+
+
+def integrate(run, tolerance, after_block=lambda run: None):
+    """Advance a run to its end.
+
+    Parameters
+    ----------
+    run : Run
+    tolerance : mapping
+        `relative` and `absolute`, per step, in the maximum norm over beads.
+    after_block : callable, optional
+        Called with the run after every `STEPS_PER_BLOCK` steps and at the end.
+
+    Raises
+    ------
+    SolveError
+        If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
+    """
+    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
+    status = integrator.RUNNING
+    while status == integrator.RUNNING:
+        status = integrator.advance(
+            run.law,
+            run.size,
+            run.state,
+            run.clock,
+            relative,
+            absolute,
+            run.recording,
+            STEPS_PER_BLOCK,
+        )
+        after_block(run)
+    if status != integrator.FINISHED:
+        raise SolveError(_cause(status, run))
+
+
+def make_boundary(scene):
+    """Boundary conditions (25) or (26) of a scene."""
+    boundary = scene["boundary"]
+    if boundary["kind"] == "ring":
+        return Boundary(ring=True)
+    return Boundary(ring=False, left=float(boundary["left"]), right=float(boundary["right"]))
+
+
+def initial_state(scene, boundary):
+    """Relative displacements and velocities at t = 0, both of shape (N,)."""
+    beads, start = scene["beads"], scene["start"]
+    u, velocity = np.zeros(beads), np.zeros(beads)
+    if start["kind"] == "given":
+        given = np.asarray(start["relative_displacement"], dtype=float)
+        u[: given.size] = given
+        velocity[:] = start["velocity"]
+    if not boundary.ring:
+        u[-1] = boundary.right
+    return u, velocity
+
+
+def load_state(law, size, boundary, u, velocity):
+    """Arrays of the integrator at t = 0, with the forces of held contacts in place."""
+    state = make_state(size.beads)
+    beads = slice(1, size.beads + 1)
+    state.u[beads] = u
+    state.d[beads] = equations.strain_rates(velocity, u, boundary, law.beta, law.gamma)
+    if not boundary.ring:
+        state.u[size.beads] = 0.0
+        for forces, exponent in ((state.force, law.alpha), (state.damping, law.beta)):
+            forces[0] = equations.force(boundary.left, exponent)
+            forces[size.beads :] = equations.force(boundary.right, exponent)
+    return state
+
+
+def start_clock(size, state):
+    """A clock at t = 0; the first step is small and grows tenfold while the error allows it."""
+    return integrator.Clock(
+        t=np.zeros(1),
+        h=np.array([FIRST_STEP]),
+        reach=np.array([_first_reach(size, state)]),
+        counts=np.zeros(4, dtype=np.int64),
+        dissipated=np.zeros(1),
+    )
+
+
+def _first_reach(size, state):
+    """The whole chain unless its right part is at rest, untouched and free."""
+    if size.contacts == size.beads or state.force[size.beads] > 0.0:
+        return size.beads
+    return reach_of(size, state.u, state.d, size.beads)
+
+
+def work_done(clock):
+    """Steps and right-hand sides so far, as a dict."""
+    return {
+        "steps_accepted": int(clock.counts[integrator.ACCEPTED]),
+        "steps_rejected": int(clock.counts[integrator.REJECTED]),
+        "steps_cut_at_contacts": int(clock.counts[integrator.REJECTED_AT_CONTACT]),
+        "right_hand_sides": int(clock.counts[integrator.STAGE_COUNT]),
+    }
+
+
+def _cause(status, run):
+    """The sentence for a solve that stopped."""
+    t, state = run.clock.t[0], run.state
+    contacts = slice(1, run.size.contacts + 1)
+    if status == integrator.OPENED:
+        bead = 1 + int(np.argmin(state.new_u[contacts]))
+        return (
+            f"At t = {t:.6g} the contact of beads {bead} and {bead + 1} opens. For alpha < 1 the "
+            "force is not differentiable there and the motion is not known to be unique: "
+            "precompress the chain, lower the load, or end the run earlier."
+        )
+    if status == integrator.NOT_FINITE:
+        bead = 1 + int(np.argmax(~np.isfinite(state.new_u[contacts])))
+        return (
+            f"At t = {t:.6g} the state of bead {bead} is not a finite number however short the "
+            "step: the start or the boundary values are too large for double precision."
+        )
+    bead = 1 + int(np.argmax(np.abs(state.new_u[contacts] - state.u[contacts])))
+    return (
+        f"At t = {t:.6g} the step size collapsed to {run.clock.h[0]:.3g}, with the fastest change at "
+        f"bead {bead}: the tolerance cannot be met in double precision; raise tolerance.relative "
+        "or tolerance.absolute."
+    )
