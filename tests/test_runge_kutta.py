@@ -5,7 +5,7 @@ import pytest
 
 from granular_fronts.chain import runge_kutta as rk
 
-A, B, C = rk.A[: rk.STAGES, : rk.STAGES], np.array(rk.B), np.array(rk.C[: rk.STAGES])
+A, B, C = rk.A[: rk.STAGES, : rk.STAGES], rk.B[: rk.STAGES], rk.C[: rk.STAGES]
 ROUNDING = 5.0e-15
 
 
@@ -40,15 +40,35 @@ def test_order_conditions_of_the_squared_matrix(m):
 
 @pytest.mark.parametrize(("weights", "order"), [(rk.ERROR_5, 5), (rk.ERROR_3, 3)])
 def test_error_weights_vanish_up_to_their_order(weights, order):
-    moments = [abs(np.array(weights) @ C**k) for k in range(order + 1)]
+    moments = [abs(weights[: rk.STAGES] @ C**k) for k in range(order + 1)]
     assert max(moments[:order]) < ROUNDING
     assert moments[order] > 1.0e-8
 
 
-def test_weights_of_the_strain_form_are_products_with_the_matrix():
-    np.testing.assert_allclose(rk.B_A, B @ A, atol=ROUNDING)
-    np.testing.assert_allclose(rk.ERROR_5_A, np.array(rk.ERROR_5) @ A, atol=ROUNDING)
-    np.testing.assert_allclose(rk.ERROR_3_A, np.array(rk.ERROR_3) @ A, atol=ROUNDING)
+def dense(columns, weights):
+    full = np.zeros(rk.SLOPES)
+    full[list(columns)] = weights
+    return full
+
+
+@pytest.mark.parametrize("row", range(rk.SLOPES))
+def test_sparse_rows_are_the_rows_of_the_matrix_and_of_its_square(row):
+    columns, a, a_squared = rk.STAGE_ROWS[row]
+    np.testing.assert_allclose(dense(columns, a), rk.A[row], atol=0.0)
+    np.testing.assert_allclose(dense(columns, a_squared), (rk.A @ rk.A)[row], atol=ROUNDING)
+
+
+@pytest.mark.parametrize(
+    ("row", "product", "weights"),
+    [
+        (rk.B_ROW, rk.B_A_ROW, rk.B),
+        (rk.ERROR_5_ROW, rk.ERROR_5_A_ROW, rk.ERROR_5),
+        (rk.ERROR_3_ROW, rk.ERROR_3_A_ROW, rk.ERROR_3),
+    ],
+)
+def test_weights_of_the_strain_form_are_products_with_the_matrix(row, product, weights):
+    np.testing.assert_allclose(dense(*row), weights, atol=0.0)
+    np.testing.assert_allclose(dense(*product), weights @ rk.A, atol=ROUNDING)
 
 
 def continuous(theta):
@@ -61,10 +81,8 @@ def continuous_rate(theta):
 
 
 def test_continuous_extension_starts_and_ends_on_the_step():
-    end = np.zeros(rk.SLOPES)
-    end[: rk.STAGES] = B
     np.testing.assert_allclose(continuous(0.0), 0.0, atol=0.0)
-    np.testing.assert_allclose(continuous(1.0), end, atol=1.0e-13)
+    np.testing.assert_allclose(continuous(1.0), rk.B, atol=1.0e-13)
 
 
 def test_continuous_extension_has_the_slopes_of_the_ends():
@@ -75,5 +93,5 @@ def test_continuous_extension_has_the_slopes_of_the_ends():
 @pytest.mark.parametrize("theta", [0.13, 0.5, 0.86])
 @pytest.mark.parametrize("k", range(1, 8))
 def test_continuous_extension_has_order_seven(theta, k):
-    moment = continuous(theta) @ np.array(rk.C) ** (k - 1)
+    moment = continuous(theta) @ rk.C ** (k - 1)
     assert moment == pytest.approx(theta**k / k, abs=1.0e-13)

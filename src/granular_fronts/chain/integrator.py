@@ -163,16 +163,15 @@ def derivative(coefficients):
 
 
 @njit(cache=True)
-def output_is_due(recording, t_new):
-    """Whether a profile or a sample is to be written up to the time t_new."""
-    cursor = recording.cursor
-    return (
-        cursor[PROFILE] < recording.profile_times.size
-        and recording.profile_times[cursor[PROFILE]] <= t_new
-    ) or (
-        cursor[SAMPLE] < recording.sample_times.size
-        and recording.sample_times[cursor[SAMPLE]] <= t_new
-    )
+def next_output(recording):
+    """Time of the next profile or sample, infinite if there is none."""
+    profile, sample = recording.cursor[PROFILE], recording.cursor[SAMPLE]
+    t = math.inf
+    if profile < recording.profile_times.size:
+        t = recording.profile_times[profile]
+    if sample < recording.sample_times.size:
+        t = min(t, recording.sample_times[sample])
+    return t
 
 
 @njit(cache=True)
@@ -292,7 +291,7 @@ def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
 def record_step(law, size, state, t, h, t_new, reach, recording):
     """Everything to be recorded of an accepted step; whether output stages were computed."""
     last = min(reach, size.contacts)
-    due = output_is_due(recording, t_new)
+    due = next_output(recording) <= t_new
     arrives = not math.isnan(recording.level) and level_is_crossed(state, last, recording)
     have_polynomials = due or arrives
     if have_polynomials:
@@ -324,6 +323,8 @@ def advance(law, size, state, clock, relative, absolute, recording, most_steps):
         RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE, OPENED.
     """
     counts, cursor, stops = clock.counts, recording.cursor, recording.stops
+    watches = recording.track_extremes or not math.isnan(recording.level)
+    output_time = next_output(recording)
     after_rejection = False
     steps = 0
     while steps < most_steps:
@@ -357,8 +358,10 @@ def advance(law, size, state, clock, relative, absolute, recording, most_steps):
                 clock.h[0] = at_contact
                 continue
         evaluate_slopes(law, size, state, state.new_u, rk.NEW_SLOPE, reach)
-        if record_step(law, size, state, t, h, t_new, reach, recording):
-            counts[STAGE_COUNT] += rk.SLOPES - rk.NEW_SLOPE - 1
+        if watches or output_time <= t_new:
+            if record_step(law, size, state, t, h, t_new, reach, recording):
+                counts[STAGE_COUNT] += rk.SLOPES - rk.NEW_SLOPE - 1
+            output_time = next_output(recording)
         if recording.track_energy:
             clock.dissipated[0] += dissipated_energy(law, size, state, h, reach)
         accept(state, reach)

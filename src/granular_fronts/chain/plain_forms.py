@@ -22,7 +22,7 @@ from granular_fronts.chain import runge_kutta as rk
 XW, XV = 0, 1
 
 _A = np.ascontiguousarray(rk.A[: rk.STAGES, : rk.STAGES])
-_B, _E5, _E3 = (np.array(weights) for weights in (rk.B, rk.ERROR_5, rk.ERROR_3))
+_B, _E5, _E3 = (weights[: rk.STAGES].copy() for weights in (rk.B, rk.ERROR_5, rk.ERROR_3))
 
 
 @njit(cache=True)

@@ -69,8 +69,8 @@ def prepare(scene):
         state = load_state(law, size, boundary, u, velocity)
     if not (np.isfinite(state.d).all() and np.isfinite(state.force).all()):
         raise SolveError(
-            "The forces at t = 0 overflow double precision: scale the boundary values and the start "
-            "down, eq. (27)."
+            "The forces at t = 0 overflow double precision: scale the boundary values and the "
+            "start down, eq. (27)."
         )
     clock = start_clock(size, state)
     evaluate_slopes(law, size, state, state.u, 0, clock.reach[0])
@@ -194,7 +194,7 @@ def _cause(status, run):
         )
     bead = 1 + int(np.argmax(np.abs(state.new_u[contacts] - state.u[contacts])))
     return (
-        f"At t = {t:.6g} the step size collapsed to {run.clock.h[0]:.3g}, with the fastest change at "
-        f"bead {bead}: the tolerance cannot be met in double precision; raise tolerance.relative "
-        "or tolerance.absolute."
+        f"At t = {t:.6g} the step size collapsed to {run.clock.h[0]:.3g}, with the fastest change "
+        f"at bead {bead}: the tolerance cannot be met in double precision; raise "
+        "tolerance.relative or tolerance.absolute."
     )

@@ -37,6 +37,7 @@ STAGES = 12
 SLOPES = 16
 NEW_SLOPE = 12
 DEGREE = 7
+ROUNDING = 1.0e-15
 ERROR_EXPONENT = -1.0 / 8.0
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.9, 0.2, 10.0
 
@@ -70,24 +71,32 @@ def _continuous_weights():
     return weights
 
 
-def _rows(matrix):
-    """Strictly lower triangle as a tuple of tuples, which compiled loops unroll by length."""
-    return tuple(tuple(map(float, row[:length])) for length, row in enumerate(matrix))
+def _sparse(*weights):
+    """Columns where any of the weights is not zero, and the weights there, as tuples.
+
+    Compiled loops unroll a tuple by its length, and skip the zeros, a third of all coefficients.
+    """
+    columns = np.flatnonzero(np.any(np.abs(weights) > 0.0, axis=0))
+    values = (tuple(map(float, np.asarray(row)[columns])) for row in weights)
+    return tuple(map(int, columns)), *values
+
+
+def _times_matrix(weights):
+    """Weights times A; sums that the order conditions make zero are set to zero."""
+    product = weights @ A
+    return np.where(np.abs(product) < ROUNDING, 0.0, product)
 
 
 A = _coefficient_matrix()
-A_SQUARED = A @ A
-_A, _B = A[:STAGES, :STAGES], A[NEW_SLOPE, :STAGES]
-_C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
-
-A_ROWS = _rows(A)
-A_SQUARED_ROWS = _rows(A_SQUARED)
-C = tuple(map(float, _C))
-B = tuple(map(float, _B))
-B_A = tuple(map(float, _B @ _A))
-ERROR_5 = tuple(map(float, DOP853.E5[:STAGES]))
-ERROR_5_A = tuple(map(float, DOP853.E5[:STAGES] @ _A))
-ERROR_3 = tuple(map(float, DOP853.E3[:STAGES]))
-ERROR_3_A = tuple(map(float, DOP853.E3[:STAGES] @ _A))
+A_SQUARED = _times_matrix(A)
+STAGE_ROWS = tuple(_sparse(A[row, :row], A_SQUARED[row, :row]) for row in range(SLOPES))
+C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
+B = A[NEW_SLOPE]
+ERROR_5, ERROR_3 = (
+    np.pad(weights, (0, SLOPES - weights.size)) for weights in (DOP853.E5, DOP853.E3)
+)
+B_ROW, B_A_ROW = _sparse(B), _sparse(_times_matrix(B))
+ERROR_5_ROW, ERROR_5_A_ROW = _sparse(ERROR_5), _sparse(_times_matrix(ERROR_5))
+ERROR_3_ROW, ERROR_3_A_ROW = _sparse(ERROR_3), _sparse(_times_matrix(ERROR_3))
 CONTINUOUS = _continuous_weights()
 CONTINUOUS_A = CONTINUOUS @ A

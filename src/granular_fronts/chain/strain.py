@@ -50,6 +50,7 @@ NEGLIGIBLE = 1.0e-60
 WINDOW_MARGIN = 4
 # Loops run over whole blocks of vector registers; a remainder costs as much as a block.
 WINDOW_BLOCK = 32
+ALL = np.arange(rk.SLOPES)
 
 # A multiply and an add may fuse; sums over beads may be reordered where nothing but a norm or an
 # energy comes out of them.
@@ -145,11 +146,11 @@ def touching(u):
 
 
 @njit(fastmath=_CONTRACT, cache=True)
-def stage_value(state, a, a_squared, c, h, h_gamma, n):
-    """U_i of bead n when one nonlinearity drives both equations."""
+def stage_value(state, columns, a, a_squared, c, h, h_gamma, n):
+    """U_i of bead n when one nonlinearity drives both equations; weights at `columns` only."""
     value = state.u[n] + c * h * state.d[n]
     for j in range(len(a)):
-        value += (h_gamma * a[j] + h * h * a_squared[j]) * state.k[j, n]
+        value += (h_gamma * a[j] + h * h * a_squared[j]) * state.k[columns[j], n]
     return value
 
 
@@ -163,13 +164,13 @@ def stage_value_pair(state, a, a_squared, c, h, h_gamma, n):
 
 
 @njit(fastmath=_CONTRACT, cache=True)
-def laplacian(force, slopes, size, reach):
-    """Write f_{n-1} − 2 f_n + f_{n+1} for the beads 1 … reach, closing a ring first."""
+def laplacian(force, slopes, row, size, reach):
+    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach; a ring is closed first."""
     if size.contacts == size.beads:
         force[0] = force[size.beads]
         force[size.beads + 1] = force[1]
     for n in range(uint64(1), uint64(reach + 1)):
-        slopes[n] = force[n - uint64(1)] - 2.0 * force[n] + force[n + uint64(1)]
+        slopes[row, n] = force[n - uint64(1)] - 2.0 * force[n] + force[n + uint64(1)]
 
 
 @njit(fastmath=_CONTRACT, cache=True)
@@ -187,25 +188,26 @@ def evaluate_slopes(law, size, state, u, row, reach):
             force[n] = compression**law.alpha
             if law.kind == PAIR:
                 damping[n] = compression**law.beta
-    laplacian(force, state.k[row], size, reach)
+    laplacian(force, state.k, row, size, reach)
     if law.kind == PAIR:
-        laplacian(damping, state.g[row], size, reach)
+        laplacian(damping, state.g, row, size, reach)
 
 
 @njit(fastmath=_CONTRACT, forceinline=True, cache=True)
-def hertz_stage(law, size, state, a, a_squared, c, h, reach):
-    """Stage i = len(a) for the force u₊^{3/2}: its slopes into row i.
+def hertz_stage(law, size, state, row, weights, h, reach):
+    """Stage `row` for the force u₊^{3/2}.
 
-    The coefficients are tuples, so that the sum over earlier slopes is unrolled and the loop over
-    beads vectorises, square root included.
+    The weights are tuples, so that the sum over earlier slopes is unrolled and the loop over beads
+    vectorises, square root included.
     """
+    columns, a, a_squared = weights
     force = state.force
     h_gamma = h * law.gamma
     for n in range(uint64(1), uint64(min(reach, size.contacts) + 1)):
-        value = stage_value(state, a, a_squared, c, h, h_gamma, n)
+        value = stage_value(state, columns, a, a_squared, rk.C[row], h, h_gamma, n)
         compression = value if value > NEGLIGIBLE else 0.0
         force[n] = compression * math.sqrt(compression)
-    laplacian(force, state.k[len(a)], size, reach)
+    laplacian(force, state.k, row, size, reach)
 
 
 @njit(fastmath=_CONTRACT, cache=True)
@@ -217,14 +219,14 @@ def power_stage(law, size, state, row, h, reach):
         if law.kind == PAIR:
             value = stage_value_pair(state, a, a_squared, rk.C[row], h, h_gamma, n)
         else:
-            value = stage_value(state, a, a_squared, rk.C[row], h, h_gamma, n)
+            value = stage_value(state, ALL, a, a_squared, rk.C[row], h, h_gamma, n)
         compression = value if value > NEGLIGIBLE else 0.0
         state.force[n] = compression**law.alpha
         if law.kind == PAIR:
             state.damping[n] = compression**law.beta
-    laplacian(state.force, state.k[row], size, reach)
+    laplacian(state.force, state.k, row, size, reach)
     if law.kind == PAIR:
-        laplacian(state.damping, state.g[row], size, reach)
+        laplacian(state.damping, state.g, row, size, reach)
 
 
 @njit(cache=True)
@@ -234,18 +236,18 @@ def stages(law, size, state, h, reach):
         for row in range(1, rk.STAGES):
             power_stage(law, size, state, row, h, reach)
         return
-    a, q, c = rk.A_ROWS, rk.A_SQUARED_ROWS, rk.C
-    hertz_stage(law, size, state, a[1], q[1], c[1], h, reach)
-    hertz_stage(law, size, state, a[2], q[2], c[2], h, reach)
-    hertz_stage(law, size, state, a[3], q[3], c[3], h, reach)
-    hertz_stage(law, size, state, a[4], q[4], c[4], h, reach)
-    hertz_stage(law, size, state, a[5], q[5], c[5], h, reach)
-    hertz_stage(law, size, state, a[6], q[6], c[6], h, reach)
-    hertz_stage(law, size, state, a[7], q[7], c[7], h, reach)
-    hertz_stage(law, size, state, a[8], q[8], c[8], h, reach)
-    hertz_stage(law, size, state, a[9], q[9], c[9], h, reach)
-    hertz_stage(law, size, state, a[10], q[10], c[10], h, reach)
-    hertz_stage(law, size, state, a[11], q[11], c[11], h, reach)
+    rows = rk.STAGE_ROWS
+    hertz_stage(law, size, state, 1, rows[1], h, reach)
+    hertz_stage(law, size, state, 2, rows[2], h, reach)
+    hertz_stage(law, size, state, 3, rows[3], h, reach)
+    hertz_stage(law, size, state, 4, rows[4], h, reach)
+    hertz_stage(law, size, state, 5, rows[5], h, reach)
+    hertz_stage(law, size, state, 6, rows[6], h, reach)
+    hertz_stage(law, size, state, 7, rows[7], h, reach)
+    hertz_stage(law, size, state, 8, rows[8], h, reach)
+    hertz_stage(law, size, state, 9, rows[9], h, reach)
+    hertz_stage(law, size, state, 10, rows[10], h, reach)
+    hertz_stage(law, size, state, 11, rows[11], h, reach)
 
 
 @njit(cache=True)
@@ -255,10 +257,10 @@ def stages_for_output(law, size, state, h, reach):
         for row in range(rk.NEW_SLOPE + 1, rk.SLOPES):
             power_stage(law, size, state, row, h, reach)
         return
-    a, q, c = rk.A_ROWS, rk.A_SQUARED_ROWS, rk.C
-    hertz_stage(law, size, state, a[13], q[13], c[13], h, reach)
-    hertz_stage(law, size, state, a[14], q[14], c[14], h, reach)
-    hertz_stage(law, size, state, a[15], q[15], c[15], h, reach)
+    rows = rk.STAGE_ROWS
+    hertz_stage(law, size, state, 13, rows[13], h, reach)
+    hertz_stage(law, size, state, 14, rows[14], h, reach)
+    hertz_stage(law, size, state, 15, rows[15], h, reach)
 
 
 @intrinsic
@@ -303,16 +305,17 @@ class Largest(NamedTuple):
     state: float
 
 
-@njit(fastmath=_REDUCE, forceinline=True, cache=True)
-def combine(weights, slopes, n):
+@njit(fastmath=_CONTRACT, forceinline=True, cache=True)
+def combine(row, slopes, n):
     """Weighted sum over the stages of the slopes of bead n."""
+    columns, weights = row
     total = 0.0
     for j in range(len(weights)):
-        total += weights[j] * slopes[j, n]
+        total += weights[j] * slopes[columns[j], n]
     return total
 
 
-@njit(fastmath=_REDUCE, cache=True)
+@njit(fastmath=_CONTRACT, cache=True)
 def finish_range(law, state, h, first, last):
     """New state and `Largest` for the beads first … last, in one pass over the slopes.
 
@@ -324,12 +327,12 @@ def finish_range(law, state, h, first, last):
     h_gamma, h_squared = h * law.gamma, h * h
     fifth_u = third_u = fifth_d = third_d = compression = rate = total = int64(0)
     for n in range(uint64(first), uint64(last + 1)):
-        b_k, ba_k = combine(rk.B, k, n), combine(rk.B_A, k, n)
-        e5_k, e5a_k = combine(rk.ERROR_5, k, n), combine(rk.ERROR_5_A, k, n)
-        e3_k, e3a_k = combine(rk.ERROR_3, k, n), combine(rk.ERROR_3_A, k, n)
-        b_g = combine(rk.B, g, n) if pair else b_k
-        e5_g = combine(rk.ERROR_5, g, n) if pair else e5_k
-        e3_g = combine(rk.ERROR_3, g, n) if pair else e3_k
+        b_k, ba_k = combine(rk.B_ROW, k, n), combine(rk.B_A_ROW, k, n)
+        e5_k, e5a_k = combine(rk.ERROR_5_ROW, k, n), combine(rk.ERROR_5_A_ROW, k, n)
+        e3_k, e3a_k = combine(rk.ERROR_3_ROW, k, n), combine(rk.ERROR_3_A_ROW, k, n)
+        b_g = combine(rk.B_ROW, g, n) if pair else b_k
+        e5_g = combine(rk.ERROR_5_ROW, g, n) if pair else e5_k
+        e3_g = combine(rk.ERROR_3_ROW, g, n) if pair else e3_k
         next_d = d[n] + h * b_k
         next_u = u[n] + (h * d[n] + (h_gamma * b_g + h_squared * ba_k))
         new_d[n], new_u[n] = next_d, next_u
@@ -421,7 +424,7 @@ def dissipated_power(law, size, state, row, h, reach):
         if law.kind == PAIR:
             value = stage_value_pair(state, a, a_squared, rk.C[row], h, h * law.gamma, n)
         else:
-            value = stage_value(state, a, a_squared, rk.C[row], h, h * law.gamma, n)
+            value = stage_value(state, ALL, a, a_squared, rk.C[row], h, h * law.gamma, n)
         if value > 0.0:
             rate = state.d[n] + law.gamma * g[row, n]
             for j in range(row):
