@@ -1,13 +1,9 @@
 """The peers of the speed comparison agree with each other, and an absent one says so."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "workflow" / "scripts"))
-import peers
+from measure_precision import largest_error
+from peers import chain as peers
 
 SHORT = peers.ChainScene(gamma=0.3, beads=20, end=12.0)
 
@@ -18,7 +14,7 @@ def test_every_present_peer_finds_the_same_motion(name):
     if not run.u.size:
         pytest.skip(run.message)
     expected = peers.run_scipy_dop853(SHORT, 1e-13, 1e-15)
-    assert peers.largest_error(run, expected.u, expected.velocity) < 1e-9
+    assert largest_error(run, expected.u, expected.velocity) < 1e-9
     assert run.velocity.sum() == pytest.approx(SHORT.pressure * SHORT.end, rel=1e-9)
     assert run.u.size == SHORT.beads
     assert run.u[-1] == 0.0
@@ -31,7 +27,7 @@ def test_an_absent_peer_says_so(monkeypatch):
     run = peers.run_scilab(SHORT, 1e-8, 1e-10)
     assert not run.u.size
     assert "scilab-cli" in run.message
-    assert np.isnan(peers.largest_error(run, 0.0, 0.0))
+    assert np.isnan(largest_error(run, 0.0, 0.0))
 
 
 def test_an_absent_package_says_so(monkeypatch):

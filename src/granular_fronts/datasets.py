@@ -13,7 +13,6 @@ name only when it is complete.
 
 import importlib.metadata
 import json
-import os
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +20,7 @@ import xarray as xr
 
 import granular_fronts
 from granular_fronts.compiled import source_digest
+from granular_fronts.files import complete_file
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
@@ -38,6 +38,14 @@ LONG_NAMES = {
     "first_gap_time": "time at which the first contact opens",
     "first_gap_bead": "bead n whose contact with n + 1 opens first",
     "largest_relative_displacement": "largest relative displacement of all beads and times",
+    "problem": "problem solved",
+    "method": "integrator",
+    "tolerance": "relative tolerance asked for",
+    "error": "largest error of u and velocity at the end",
+    "seconds": "wall-clock time of the solve alone",
+    "right_hand_sides": "evaluations of the right-hand side",
+    "message": "why there is no result, or a doubtful one",
+    "reference_error": "error of the reference itself",
     "smallest_relative_displacement": "smallest relative displacement of all beads and times",
 }
 
@@ -85,11 +93,8 @@ def write_dataset(dataset, path, *, scene_id, config):
         "code_version": code_version(),
         **{key: _plain(value) for key, value in dataset.attrs.items()},
     }
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = path.with_suffix(path.suffix + ".tmp")
-    described.to_netcdf(unfinished, engine="netcdf4", encoding=_encoding(described))
-    os.replace(unfinished, path)
+    with complete_file(path) as unfinished:
+        described.to_netcdf(unfinished, engine="netcdf4", encoding=_encoding(described))
 
 
 def read_dataset(path, scene_id=None):

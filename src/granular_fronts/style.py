@@ -6,8 +6,6 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
-import os
-from pathlib import Path
 
 import matplotlib
 
@@ -15,6 +13,8 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 from matplotlib import cycler
+
+from granular_fronts.files import complete_file
 
 TEXT_WIDTH = 6.9
 PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
@@ -78,9 +78,7 @@ def save_figure(figure, pdf, png):
 
     The PDF carries no date, so that equal data give equal files.
     """
-    for path, metadata in ((Path(pdf), {"CreationDate": None}), (Path(png), None)):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = path.with_name(f"unfinished_{path.name}")
-        figure.savefig(unfinished, metadata=metadata)
-        os.replace(unfinished, path)
+    for path, metadata in ((pdf, {"CreationDate": None}), (png, None)):
+        with complete_file(path) as unfinished:
+            figure.savefig(unfinished, metadata=metadata)
     plt.close(figure)

@@ -9,6 +9,7 @@ import yaml
 
 from granular_fronts.chain import measures
 from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
 from step import run_step
 
 COLUMNS = (
@@ -40,10 +41,12 @@ def tabulate_paper_numbers(numbers: Path, datasets: list[Path], csv: Path, markd
     entries = yaml.safe_load(numbers.read_text(encoding="utf-8"))
     rows = [make_row(entry, data[entry["scene"]]) for entry in entries]
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(csv, index=False, float_format="%.17g")
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False, float_format="%.17g")
     table["computed"] = [f"{value:.6g}" for value in table["computed"]]
     table["error_estimate"] = [f"{value:.1e}" for value in table["error_estimate"]]
-    markdown.write_text(table.to_markdown(index=False, disable_numparse=True) + "\n", "utf-8")
+    with complete_file(markdown) as unfinished:
+        table.to_markdown(unfinished, index=False, disable_numparse=True)
 
 
 def make_row(entry, dataset):

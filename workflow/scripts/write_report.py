@@ -14,6 +14,7 @@ import yaml
 from docutils.core import publish_parts
 from tabulate import tabulate
 
+from granular_fronts.files import complete_file
 from step import run_step
 
 
@@ -63,7 +64,8 @@ def write_report(
             configuration, sort_keys=False, allow_unicode=True, default_flow_style=None
         ),
     )
-    page.write_text(html, encoding="utf-8")
+    with complete_file(page) as unfinished:
+        unfinished.write_text(html, encoding="utf-8")
 
 
 def embed(figure: Path) -> str:
@@ -99,7 +101,7 @@ def render(caption: Path) -> str:
 
 
 def tabulate_csv(table: Path) -> str:
-    """Turn a CSV file with a header into HTML, its numbers as they are written.
+    """Turn a CSV file with a header into HTML, its numbers rounded for reading.
 
     Parameters
     ----------
@@ -112,8 +114,32 @@ def tabulate_csv(table: Path) -> str:
         An HTML table.
     """
     with table.open(newline="", encoding="utf-8") as lines:
-        rows = list(csv.reader(lines))
-    return tabulate(rows, headers="firstrow", tablefmt="html", disable_numparse=True)
+        header, *rows = csv.reader(lines)
+    digits = [".1e" if "error" in column else ".7g" for column in header]
+    rounded = [[shorten(*cell) for cell in zip(row, digits, strict=True)] for row in rows]
+    headers = [column.replace("_", " ") for column in header]
+    return tabulate(rounded, headers, tablefmt="html", disable_numparse=True)
+
+
+def shorten(text: str, digits: str) -> str:
+    """Round a number that is written with more digits than a page should show.
+
+    Parameters
+    ----------
+    text : str
+        A cell of a table; words and short numbers are left alone.
+    digits : str
+        Format of a longer number.
+
+    Returns
+    -------
+    str
+        The cell to show.
+    """
+    try:
+        return f"{float(text):{digits}}" if len(text) > 8 else text
+    except ValueError:
+        return text
 
 
 def tabulate_run_times(benchmarks: list[Path]) -> str:

@@ -116,9 +116,10 @@ def _with_error_estimates(solution, refined, tolerance):
     """The dataset of `solution`, each variable with its largest difference to `refined`."""
     dataset = solution.dataset
     for name, variable in dataset.data_vars.items():
-        estimate = _largest(np.abs(variable - refined[name]))
+        difference = _largest(np.abs(variable - refined[name]))
         # Two runs may agree to the last bit by chance; the last bit itself is still uncertain.
-        estimate = max(estimate, float(np.spacing(_largest(np.abs(variable)))))
+        rounding = np.finfo(float).eps * _largest(np.abs(variable))
+        estimate = max(difference, rounding)
         variable.attrs |= {"error_estimate": estimate, "error_method": ERROR_METHOD}
     dataset.attrs |= {
         "solver": SOLVER,

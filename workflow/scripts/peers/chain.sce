@@ -1,4 +1,4 @@
-// The chain of James (2021), eqs. (31)-(32), with Scilab's default ode, for workflow/scripts/peers.py.
+// The chain of James (2021), eqs. (31)-(32), with Scilab's default ode, for workflow/scripts/peers/chain.py.
 // Reads its parameters from the environment and writes little-endian doubles:
 // seconds, right-hand sides, then the final state (x_1 .. x_N, w_1 .. w_N).
 mode(-1);

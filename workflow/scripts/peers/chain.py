@@ -25,7 +25,6 @@ Traps met:
   above 1e-9 and 8 % slower below 1e-11: the choice of unknowns does not decide the comparison.
 """
 
-import argparse
 import importlib.util
 import os
 import shutil
@@ -39,7 +38,7 @@ from pathlib import Path
 import numpy as np
 
 STEP_LIMIT = 10_000_000
-SCILAB_SCRIPT = Path(__file__).with_name("peer_chain.sce")
+SCILAB_SCRIPT = Path(__file__).with_name("chain.sce")
 
 
 @dataclass(frozen=True)
@@ -346,50 +345,3 @@ PEERS = {
     "numbalsoda_lsoda": run_numbalsoda_lsoda,
     "numbalsoda_dop853": run_numbalsoda_dop853,
 }
-
-
-def largest_error(run, u, velocity):
-    """Return max |u - reference| and |velocity - reference| together, NaN for an empty run."""
-    if not run.u.size:
-        return np.nan
-    return max(np.max(np.abs(run.u - u)), np.max(np.abs(run.velocity - velocity)))
-
-
-def read_reference(path, scene):
-    """Return (u, velocity) of the stored state with the γ and the final time of `scene`."""
-    import xarray as xr
-
-    states = xr.load_dataset(path)
-    match = np.flatnonzero((states.gamma == scene.gamma) & (states.t == scene.end))
-    if not match.size:
-        raise ValueError(f"{path} holds no state with gamma = {scene.gamma} at t = {scene.end}")
-    chosen = states.isel(state=match[0])
-    return chosen.relative_displacement.values, chosen.velocity.values
-
-
-def main():
-    """Print a table of peers: tolerance, error, milliseconds, right-hand sides."""
-    parser = argparse.ArgumentParser(description=main.__doc__)
-    parser.add_argument("--reference", type=Path, required=True, help="chain_reference.nc")
-    parser.add_argument("--gamma", type=float, default=0.06)
-    parser.add_argument("--end", type=float, default=700.0)
-    parser.add_argument("--rtol", type=float, nargs="+", default=[1e-7, 1e-9, 1e-11, 1e-13])
-    parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("--peers", nargs="+", choices=PEERS, default=list(PEERS))
-    arguments = parser.parse_args()
-    scene = ChainScene(gamma=arguments.gamma, end=arguments.end)
-    expected = read_reference(arguments.reference, scene)
-    for name in arguments.peers:
-        for rtol in arguments.rtol:
-            # The paper's pair is 1e-13, 1e-15.
-            run = PEERS[name](scene, rtol, rtol / 100, arguments.repeats)
-            error = largest_error(run, *expected)
-            print(
-                f"{name:18s} rtol {rtol:.0e}  error {error:8.1e}  {1e3 * run.seconds:9.2f} ms"
-                f"  {run.right_hand_sides:7d} right-hand sides  {run.message}",
-                flush=True,
-            )
-
-
-if __name__ == "__main__":
-    main()

@@ -1,0 +1,113 @@
+"""Files are whole, described, and refused with a sentence when they are not ours."""
+
+import json
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+from chains import driven_scene
+
+from granular_fronts.chain import simulate_chain
+from granular_fronts.datasets import DatasetError, long_name, read_dataset, write_dataset
+from granular_fronts.files import complete_file
+
+
+@pytest.fixture(scope="module")
+def scene():
+    record = {
+        "snapshots": [5.0, 20.0],
+        "probes": {"start": {"beads": [1, 2], "start": 0.0, "stop": 20.0, "step": 0.5}},
+        "grid": {"step": 2.0},
+        "arrival_level": 0.05,
+        "extremes": True,
+        "balances": True,
+    }
+    return driven_scene(end_time=20.0, record=record)
+
+
+@pytest.fixture(scope="module")
+def dataset(scene):
+    return simulate_chain(scene)
+
+
+@pytest.fixture
+def path(dataset, scene, tmp_path):
+    write_dataset(dataset, tmp_path / "deep" / "scene.nc", scene_id="short", config=scene)
+    return tmp_path / "deep" / "scene.nc"
+
+
+def test_values_survive_the_file(dataset, path):
+    xr.testing.assert_equal(read_dataset(path, "short"), dataset)
+
+
+def test_every_variable_is_described(path):
+    stored = read_dataset(path)
+    for name, variable in stored.variables.items():
+        assert variable.attrs["units"] == "1"
+        assert variable.attrs["long_name"] == long_name(name)
+    for variable in stored.data_vars.values():
+        assert variable.attrs["error_estimate"] >= 0.0 or np.isnan(variable).all()
+        assert variable.attrs["error_method"]
+
+
+def test_the_file_says_where_it_comes_from(path, scene):
+    attributes = read_dataset(path).attrs
+    assert json.loads(attributes["config"]) == scene
+    assert attributes["Conventions"] == "CF-1.11"
+    assert "numpy" in attributes["software"]
+    for name in ("steps_accepted", "right_hand_sides", "momentum_drift", "energy_drift"):
+        assert attributes[name] >= 0
+    assert attributes["relative_tolerance"] == scene["tolerance"]["relative"]
+
+
+def test_suffixes_enter_the_long_names():
+    assert long_name("relative_displacement_grid").endswith("(grid)")
+    assert long_name("t_steady") == "time (steady)"
+    assert "smallest" in long_name("smallest_relative_displacement_time")
+    with pytest.raises(KeyError, match="LONG_NAMES"):
+        long_name("unheard_of")
+
+
+def test_missing_file_is_refused(tmp_path):
+    with pytest.raises(DatasetError, match=r"absent\.nc does not exist: run the workflow"):
+        read_dataset(tmp_path / "absent.nc")
+
+
+def test_truncated_file_is_refused(path):
+    path.write_bytes(path.read_bytes()[:500])
+    with pytest.raises(DatasetError, match=r"not a readable netCDF file.*delete it"):
+        read_dataset(path)
+
+
+def test_foreign_file_is_refused(tmp_path):
+    foreign = tmp_path / "foreign.nc"
+    netCDF4.Dataset(foreign, "w").close()
+    with pytest.raises(DatasetError, match="was not written by this project"):
+        read_dataset(foreign)
+
+
+def test_file_of_another_scene_is_refused(path):
+    with pytest.raises(DatasetError, match="holds scene short, but long is expected"):
+        read_dataset(path, "long")
+
+
+def test_a_failed_write_leaves_nothing(tmp_path):
+    def fail():
+        with complete_file(tmp_path / "result.txt") as unfinished:
+            unfinished.write_text("half")
+            raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        fail()
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_interrupted_write_keeps_the_old_file(tmp_path):
+    target = tmp_path / "result.txt"
+    target.write_text("old")
+    with complete_file(target) as unfinished:
+        unfinished.write_text("new")
+        assert target.read_text() == "old"
+    assert target.read_text() == "new"
+    assert list(tmp_path.iterdir()) == [target]

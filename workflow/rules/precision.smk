@@ -1,0 +1,50 @@
+"""Speed against error; a target of its own, since a timing must run alone."""
+
+
+rule measure_precision:
+    input:
+        kernels="<results>/kernels.json",
+        reference="tests/references/chain_reference.nc",
+        modules=CHAIN_MODULES,
+        peers=glob("workflow/scripts/peers/*"),
+    output:
+        dataset="<results>/data/precision/chain.nc",
+    params:
+        problems=config["precision"]["chain"],
+    log:
+        "<logs>/measure_precision.log",
+    benchmark:
+        "<benchmarks>/measure_precision.tsv"
+    threads: workflow.cores
+    message:
+        "Measuring speed against error of the chain's integrators."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_precision.py"
+
+
+rule tabulate_precision:
+    input:
+        dataset="<results>/data/precision/chain.nc",
+    output:
+        csv="<results>/tables/chain_speed.csv",
+        markdown="<results>/tables/chain_speed.md",
+    log:
+        "<logs>/tabulate_precision.log",
+    benchmark:
+        "<benchmarks>/tabulate_precision.tsv"
+    threads: 1
+    message:
+        "Comparing the methods at equal error."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_precision.py"
+
+
+rule precision:
+    input:
+        rules.tabulate_precision.output,
+    message:
+        "Speed against error is tabulated: {input}."
