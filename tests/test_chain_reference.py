@@ -8,7 +8,11 @@ import numba
 import numpy as np
 import pytest
 import xarray as xr
+from chains import driven_scene
 from scipy.integrate import solve_ivp
+
+from granular_fronts.chain import simulate_chain
+from granular_fronts.chain.simulate import solve
 
 REFERENCES = Path(__file__).parent / "references"
 DELTA = 0.1
@@ -129,3 +133,54 @@ def test_rebuild_agrees_with_the_stored_states(tmp_path):
     for name in ("relative_displacement", "velocity"):
         difference = np.abs(both_parts(stored, name) - both_parts(rebuilt, name)).max()
         assert difference < 1e-17
+
+
+def error_of(dataset, states, gamma, end):
+    """Largest error of u and velocity of a solved scene against the stored state."""
+    chosen = np.flatnonzero((states.gamma == gamma) & (states.t == end))
+    expected = states.isel(state=int(chosen[0]))
+    return max(
+        np.abs(dataset[name].values[-1] - expected[name].values).max()
+        for name in ("relative_displacement", "velocity")
+    )
+
+
+def initiation(gamma, end, relative=1.0e-13):
+    """Front initiation of section 3.3, by default at the tolerances of the paper."""
+    tolerance = {"relative": relative, "absolute": 1.0e-2 * relative}
+    return driven_scene(gamma, beads=420, end_time=end, tolerance=tolerance)
+
+
+@pytest.mark.parametrize("gamma", [0.06, 0.65])
+def test_our_error_at_the_tolerances_of_the_paper(gamma):
+    scene = initiation(gamma, 700.0)
+    dataset = solve(scene, scene["tolerance"]).dataset
+    assert error_of(dataset, read_states(), gamma, 700.0) < 1e-13
+
+
+@pytest.mark.parametrize("end", [2600.0, 3000.0])
+def test_our_error_after_contact_loss(end):
+    scene = initiation(0.06, end)
+    dataset = solve(scene, scene["tolerance"]).dataset
+    assert error_of(dataset, read_states(), 0.06, end) < 1e-10
+
+
+@pytest.mark.parametrize(("gamma", "end"), [(0.06, 700.0), (0.65, 700.0), (0.06, 2600.0)])
+@pytest.mark.parametrize("relative", [1e-8, 1e-10, 1e-12])
+def test_error_estimate_is_the_error(gamma, end, relative):
+    """The estimate from a refined run against the truth, before and after contact loss."""
+    dataset = simulate_chain(initiation(gamma, end, relative))
+    names = ("relative_displacement", "velocity")
+    estimate = max(dataset[name].attrs["error_estimate"] for name in names)
+    assert 0.5 < estimate / error_of(dataset, read_states(), gamma, end) < 2.0
+
+
+def test_tolerance_reaches_through_contact_loss():
+    """With events located the error at t = 2600 still follows the tolerance."""
+    states = read_states()
+    ratios = []
+    for relative in (1e-8, 1e-10, 1e-12):
+        scene = initiation(0.06, 2600.0, relative)
+        dataset = solve(scene, scene["tolerance"]).dataset
+        ratios.append(error_of(dataset, states, 0.06, 2600.0) / relative)
+    assert max(ratios) < 100.0
