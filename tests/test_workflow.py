@@ -1,12 +1,17 @@
+import contextlib
 import importlib.util
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
 import tomllib
 from inspect import signature
 from pathlib import Path
 
+import psutil
 import pytest
 import yaml
 from packaging.requirements import Requirement
@@ -116,6 +121,74 @@ def test_changed_module_repeats_what_stands_on_it(finished, module, solves):
     file.write_bytes(before)
     assert "plot_fig01" in due
     assert ("initiate_front" in due) == solves
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("changed", ["initiation_underdamped", "initiation_overdamped"])
+def test_changed_damping_solves_only_its_scene(finished, changed, tmp_path):
+    override = tmp_path / "override.yaml"
+    override.write_text(yaml.safe_dump({"scenes": {"chain": {changed: {"law": {"gamma": 0.3}}}}}))
+    configuration = ["--configfile", "config/smoke.yaml", override]
+    run = snakemake("--dry-run", *configuration, folder=finished)
+    assert re.search(r"^initiate_front +1$", run.stdout, re.MULTILINE)
+    assert f"Solving the chain of scene {changed}" in run.stdout
+
+
+LONG_SCENE = {"scenes": {"chain": {"initiation_underdamped": {"end_time": 1000000}}}}
+
+
+def wait_for_job(process, name):
+    """The process of a running job, whose command line holds `name`."""
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline:
+        for child in psutil.Process(process.pid).children(recursive=True):
+            with contextlib.suppress(psutil.NoSuchProcess):
+                if any(name in word for word in child.cmdline()):
+                    return child
+        time.sleep(0.1)
+    raise AssertionError(f"{name} did not start.")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("victim", ["job", "workflow"])
+def test_killed_run_leaves_no_half_file_and_the_next_call_ends_it(finished, victim, tmp_path):
+    """A job is killed outright, or the whole workflow interrupted as from the keyboard."""
+    override = tmp_path / "long.yaml"
+    override.write_text(yaml.safe_dump(LONG_SCENE))
+    arguments = ["--configfile", "config/smoke.yaml", override, "--config"]
+    arguments += [f"results=results/{victim}", "--", "fig01"]
+    command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
+    process = subprocess.Popen(
+        command, cwd=finished, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
+    job = wait_for_job(process, "initiate_front.py")
+    time.sleep(2.0)
+    if victim == "job":
+        job.kill()
+    else:
+        os.killpg(process.pid, signal.SIGINT)
+    process.communicate(timeout=60.0)
+    assert process.returncode != 0
+    data = finished / "results" / victim / "data"
+    assert not list(data.rglob("*.nc")), "nothing may stand under a final name"
+    run = snakemake(*arguments, folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert [file.name for file in data.rglob("*")] == ["chain", "initiation_underdamped.nc"]
+
+
+@pytest.mark.slow
+def test_truncated_result_is_refused_in_a_sentence(finished):
+    damaged = finished / "results/smoke/data/chain/initiation_overdamped.nc"
+    whole = damaged.read_bytes()
+    damaged.write_bytes(whole[:1000])
+    try:
+        run = snakemake("--configfile", "config/smoke.yaml", "--", "fig03", folder=finished)
+    finally:
+        damaged.write_bytes(whole)
+        snakemake("--configfile", "config/smoke.yaml", folder=finished)
+    assert run.returncode != 0
+    assert "initiation_overdamped.nc is not a readable netCDF file" in run.stderr
+    assert "delete it and run the workflow again" in run.stderr
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)

@@ -31,7 +31,8 @@ def test_momentum_law(motion, scene):
 
 def test_front_runs_at_the_predicted_speed(motion, scene):
     predicted = scene["boundary"]["left"] ** ((scene["law"]["alpha"] - 1.0) / 2.0)
-    assert float(motion["front_speed"]) == pytest.approx(predicted, rel=5e-3)
+    # The transient of the sudden start fades along the chain.
+    assert float(motion["front_speed"]) == pytest.approx(predicted, rel=0.3 / scene["beads"])
 
 
 def test_every_number_has_an_error(motion):
