@@ -8,7 +8,7 @@ PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
-.PHONY: all test lint clean
+.PHONY: all test slow lint readme clean
 
 all: .venv/installed
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -17,6 +17,10 @@ all: .venv/installed
 test: lint
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
 	@$(BIN)/pytest
+
+slow: .venv/installed
+	@echo "Running the slow tests (about four minutes)."
+	@$(BIN)/pytest -m slow
 
 lint: .venv/installed
 	@echo "Checking style and the workflow's rules."
@@ -47,6 +51,12 @@ environment.txt:
 	@uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --all-extras \
 	    --no-emit-index-url --no-emit-find-links --no-annotate \
 	    --custom-compile-command "make environment.txt" --output-file $@ pyproject.toml
+
+# The README shows the numbers and the figure of the last run of both targets.
+readme: .venv/installed
+	@echo "Bringing the numbers and the figure of the README up to date."
+	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default all precision
+	@$(BIN)/python workflow/scripts/update_readme.py --readme README.md --results results
 
 clean:
 	@echo "Removing results and caches; .venv stays."

@@ -1,0 +1,75 @@
+"""Put the numbers and the figure of the last run into the README."""
+
+import shutil
+from pathlib import Path
+
+import pandas as pd
+
+from granular_fronts.files import complete_file
+from step import run_step
+
+FIGURE = "fig01_initiation_underdamped.png"
+
+
+def update_readme(readme: Path, results: Path) -> None:
+    """Replace the marked tables of the README, and the figure beside it.
+
+    Parameters
+    ----------
+    readme : Path
+        File with blocks between ``<!-- name -->`` and ``<!-- end of name -->``.
+    results : Path
+        Folder of a finished run of the targets all and precision.
+    """
+    text = readme.read_text(encoding="utf-8")
+    for name, table in (("numbers", paper_numbers(results)), ("speed", speed(results))):
+        text = replace_block(text, name, table)
+    with complete_file(readme) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")
+    shutil.copyfile(results / "figures" / FIGURE, readme.parent / "workflow" / "report" / FIGURE)
+
+
+def paper_numbers(results):
+    """The paper's numbers beside ours, as Markdown."""
+    table = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
+    shown = pd.DataFrame(
+        {
+            "quantity": table["quantity"],
+            "printed": table["printed"],
+            "computed": [f"{float(value):.6g}" for value in table["computed"]],
+            "error": [f"{float(value):.0e}" for value in table["error_estimate"]],
+            "verdict": table["verdict"],
+        }
+    )
+    return shown.to_markdown(index=False, disable_numparse=True)
+
+
+def speed(results):
+    """Times of all methods to one error per problem, as multiples of ours, as Markdown."""
+    table = pd.read_csv(results / "tables" / "chain_speed.csv")
+    wide = table.pivot_table(
+        index=["problem", "method"], columns="error", values="times_ours", sort=False
+    )
+    ours = table[table["method"] == "strain_form"]
+    milliseconds = ours.pivot_table(
+        index=["problem", "method"], columns="error", values="milliseconds", sort=False
+    )
+    cells = wide.map(lambda ratio: "" if pd.isna(ratio) else f"{ratio:.3g} ×")
+    for row in milliseconds.index:
+        for column, value in milliseconds.loc[row].items():
+            cells.loc[row, column] = "" if pd.isna(value) else f"{value:.3g} ms"
+    cells = cells[sorted(cells.columns, reverse=True)]
+    cells.columns = [f"error {level:.0e}" for level in cells.columns]
+    return cells.reset_index().to_markdown(index=False, disable_numparse=True)
+
+
+def replace_block(text, name, content):
+    """The text with what stands between the marks of a block replaced."""
+    start, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
+    before, rest = text.split(start)
+    _, after = rest.split(end)
+    return f"{before}{start}\n{content}\n{end}{after}"
+
+
+if __name__ == "__main__":
+    run_step(update_readme, globals().get("snakemake"))
