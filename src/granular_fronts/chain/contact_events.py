@@ -4,10 +4,10 @@ A force :math:`u_+^\alpha` is smooth in time except where its contact opens or c
 behaves like :math:`(t - t^*)_+^\alpha`, and a step of any high-order method that straddles
 :math:`t^*` is wrong by about
 
-.. math:: \kappa = h\,\gamma\,\beta' u_{max}^\beta + h^2\, u_{max}^\alpha ,
+.. math:: \kappa = h\,\gamma\, u_{max}^\beta + h^2\, u_{max}^\alpha ,
 
-with :math:`u_{max}` the larger compression at the two ends of the step (and :math:`\beta' = 1`):
-the most that the force of the step can contribute.  The embedded error estimate does not see this,
+with :math:`u_{max}` the larger compression at the two ends of the step: the most that the force of
+the step can contribute.  The embedded error estimate does not see this,
 since its stages sit mostly near the ends of the step.  Hence:
 
 - a step that changes the sign of a contact is accepted only if κ is below the tolerance;

@@ -100,12 +100,10 @@ def middle_compression(dataset):
     if peaks.size == 0:
         return Measured(math.nan, math.nan)
 
-    def middle(values):
-        return 0.5 * float(values.max() + values.min())
-
-    oscillation = mean.isel(t_grid=slice(peaks[0], None))
-    value = middle(oscillation)
-    return Measured(value, abs(value - middle(oscillation.isel(t_grid=slice(None, None, 2)))))
+    oscillation = mean.values[peaks[0] :]
+    # An extreme may lie between two times of the grid.
+    error = 0.5 * np.abs(np.diff(oscillation)).max()
+    return Measured(0.5 * (oscillation.max() + oscillation.min()), error)
 
 
 def smallest_velocity(dataset):

@@ -17,7 +17,7 @@ Traps met:
 - LSODA may change to its stiff method, whose Jacobian is dense, 840 × 840 and made by differences.
   At t = 700 it did not; at t = 3000 it did, and a solve of half a second or two then took Scilab
   50 s (rtol 1e-9) and odeint 7 minutes (rtol 1e-13).
-- LSODA gets no closer than about 1e-11 at t = 700, whatever the tolerance.
+- LSODA gets no closer than about 1e-12 at t = 700, whatever the tolerance.
 - numbalsoda hands back what it has when it gives up (NaN from lsoda); only its flag tells.
 - After contact loss (t > 750 for γ = 0.06) errors are far above the tolerance: 10⁵ times it for
   DOP853 at rtol 1e-13 and t = 3000.
@@ -332,7 +332,8 @@ def run_scilab(scene, rtol, atol, repeats=1):
             text=True,
         )
         if not output.exists():
-            return PeerRun(message=f"Scilab failed: {(process.stdout + process.stderr).strip()}")
+            said = " ".join((process.stdout + process.stderr).split())
+            return PeerRun(message=f"Scilab failed: {said}")
         seconds, calls, *state = np.fromfile(output, "<f8")
     return PeerRun(*scene.observe(np.array(state)), seconds, int(calls))
 
