@@ -6,7 +6,7 @@ from granular_fronts.chain import strain
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import load_state
 from granular_fronts.chain.runge_kutta import NEW_SLOPE
-from granular_fronts.chain.strain import Size
+from granular_fronts.chain.state import Size
 
 TIGHT = {"relative": 1.0e-13, "absolute": 1.0e-15}
 

@@ -10,7 +10,7 @@ from granular_fronts.chain import equations, plain_forms
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import make_boundary
 from granular_fronts.chain.simulate import solve
-from granular_fronts.chain.strain import HERTZ, PAIR, POWER, make_law
+from granular_fronts.chain.state import HERTZ, PAIR, POWER, make_law
 
 RING = Boundary(ring=True)
 LAWS = [(1.5, 1.5, 0.1), (1.5, 1.5, 0.0), (1.2, 1.2, 0.3), (1.5, 1.0, 0.2), (1.5, 2.5, 0.2)]

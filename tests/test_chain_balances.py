@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from chains import driven_scene, ring_scene, smooth_ring
 
-from granular_fronts.chain import equations, run, strain
+from granular_fronts.chain import equations, run, state
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain, solve
 
@@ -121,7 +121,7 @@ def test_conversion_to_strain_form_and_back(ring):
 
 def test_rows_avoid_the_stride_that_evicts_the_cache():
     for beads in range(2, 2000):
-        columns = strain._columns(beads)
+        columns = state._columns(beads)
         assert columns >= beads + 2
         assert columns % 8 == 0
         assert columns % 512 != 0

@@ -20,7 +20,7 @@ from tqdm import tqdm
 from granular_fronts.chain import plain_forms
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
-from granular_fronts.chain.strain import make_law
+from granular_fronts.chain.state import make_law
 from granular_fronts.datasets import write_dataset
 from step import run_step
 

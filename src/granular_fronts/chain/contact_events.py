@@ -26,7 +26,7 @@ import math
 
 from numba import njit, uint64
 
-from granular_fronts.chain.strain import PAIR
+from granular_fronts.chain.state import PAIR
 
 APPROACH = 0.75
 CROSSING = 1.5

@@ -25,9 +25,9 @@ from numba import njit
 
 from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.contact_events import changes_sign, step_at_contact
+from granular_fronts.chain.state import PAIR
 from granular_fronts.chain.strain import (
     NEGLIGIBLE,
-    PAIR,
     accept,
     dissipated_energy,
     error_norm,

@@ -33,7 +33,7 @@ def derivative(form, law, ends, y, result):
     ----------
     form : int
         XW or XV.
-    law : strain.Law
+    law : state.Law
     ends : tuple (is_ring, left, right)
         Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of
         all relative displacements over one turn, and `left` is unused.

@@ -11,15 +11,8 @@ import numpy as np
 from granular_fronts.chain import equations, integrator
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.recording import make_recording
-from granular_fronts.chain.strain import (
-    Law,
-    Size,
-    State,
-    evaluate_slopes,
-    make_law,
-    make_state,
-    reach_of,
-)
+from granular_fronts.chain.state import Law, Size, State, make_law, make_state
+from granular_fronts.chain.strain import evaluate_slopes, reach_of
 
 FIRST_STEP = 1.0e-6
 STEPS_PER_BLOCK = 2000
@@ -34,10 +27,10 @@ class Run(NamedTuple):
 
     Attributes
     ----------
-    law : strain.Law
-    size : strain.Size
+    law : state.Law
+    size : state.Size
     boundary : equations.Boundary
-    state : strain.State
+    state : state.State
     clock : integrator.Clock
     recording : integrator.Recording
     momentum : float
