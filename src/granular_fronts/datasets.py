@@ -87,6 +87,7 @@ def write_dataset(dataset, path, *, scene_id, config):
         "Conventions": "CF-1.11",
         "title": f"Scene {scene_id}",
         "references": PAPER,
+        "history": f"written by granular_fronts {code_version()}",
         "scene": scene_id,
         "config": json.dumps(config, sort_keys=True),
         "software": ", ".join(f"{name} {importlib.metadata.version(name)}" for name in _PACKAGES),
