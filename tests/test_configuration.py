@@ -13,6 +13,7 @@ from granular_fronts.configuration import (
     ConfigurationError,
     check_chain_scene,
     check_configuration,
+    check_scene,
     load_configuration,
     merge,
 )
@@ -24,12 +25,12 @@ SCHEMA = ROOT / "workflow" / "schemas" / "config.schema.yaml"
 SCENE = "initiation_underdamped"
 
 
-def change(configuration, **changes):
+def change(configuration, family="chain", scene=SCENE, **changes):
     """Set `record__grid__step=…` in the scene; an ellipsis takes the key away."""
     changed = copy.deepcopy(configuration)
     for path, value in changes.items():
         *parents, last = path.split("__")
-        node = changed["scenes"]["chain"][SCENE]
+        node = changed["scenes"][family][scene]
         for parent in parents:
             node = node[parent]
         if value is ...:
@@ -128,6 +129,34 @@ def test_impossible_scene_is_refused_in_a_sentence(default, changes, words):
         assert word in sentence
 
 
+HETEROCLINIC_REFUSED = [
+    ({"mu": []}, ["mu is empty", "at least one"]),
+    ({"mu": [0.3, -1]}, ["mu (entry 2) is -1", "limit 0"]),
+    ({"mu": [0.3, math.inf]}, ["mu (entry 2) is inf", "must be finite"]),
+    ({"mu": [0.3, 2, 0.3]}, ["mu (entry 3) is 0.3", "list it once"]),
+    ({"profile__start": 10}, ["profile.start is 10", "stop 10"]),
+    ({"profile__step": 0}, ["profile.step is 0", "above 0"]),
+    ({"portrait__starts": []}, ["portrait.starts is empty"]),
+    ({"portrait__starts": [[0.5, 0], [-1, 0]]}, ["starts (entry 2) is [-1, 0]", "equilibrium"]),
+    ({"well__limit": -1}, ["well.limit is -1", "above 0"]),
+]
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"), HETEROCLINIC_REFUSED, ids=[str(c)[:50] for c, _ in HETEROCLINIC_REFUSED]
+)
+def test_impossible_heteroclinic_scene_is_refused_in_a_sentence(default, changes, words):
+    sentence = refusal(change(default, "heteroclinic", "front_profiles", **changes))
+    assert sentence.startswith("Scene front_profiles: ")
+    for word in words:
+        assert word in sentence
+
+
+def test_heteroclinic_scene_may_leave_out_what_only_the_figure_needs():
+    scene = {"mu": np.array([0.3]), "profile": {"start": -1, "stop": np.float64(1), "step": 0.5}}
+    assert check_scene("heteroclinic", scene, "mine")["mu"] == [0.3]
+
+
 def test_checking_waits_for_no_heavy_import():
     code = "import granular_fronts.configuration, sys; print({'numpy', 'numba'} & set(sys.modules))"
     environment = {"PYTHONPATH": str(ROOT / "src")}
@@ -146,6 +175,7 @@ def test_every_mistake_is_told_at_once(default):
     [
         ({}, "scenes is missing"),
         ({"results": "", "scenes": {"chain": {}}}, "results is empty"),
+        ({"results": "results", "scenes": {"chain": {}}}, "scenes.heteroclinic is missing"),
         ({"results": "results", "scenes": {"chian": {}}}, "did you mean chain?"),
         ({"results": "results", "scenes": {"chain": {1: {}}}}, "1 in scenes.chain is no usable"),
     ],
@@ -215,6 +245,11 @@ def test_keys_that_may_be_left_out_are_called_optional(schema):
             continue
         for name in set(node.get("properties", {})) - set(node.get("required", [])):
             assert "Optional." in node["properties"][name]["description"], f"{path}.{name}"
+
+
+def test_default_shows_every_optional_key_of_a_heteroclinic_scene(schema, default):
+    scene = default["scenes"]["heteroclinic"]["front_profiles"]
+    assert scene.keys() == schema["$defs"]["heteroclinic_scene"]["properties"].keys()
 
 
 def test_default_shows_every_optional_key(schema, default):

@@ -5,10 +5,15 @@ from pathlib import Path
 
 import pytest
 import yaml
-from tabulate_paper_numbers import NOT_JUDGED, NOT_REPRODUCED, REPRODUCED, judge
+from tabulate_paper_numbers import (
+    NOT_JUDGED,
+    NOT_REPRODUCED,
+    REPRODUCED,
+    find_measure,
+    judge,
+)
 
-from granular_fronts.chain import measures
-from granular_fronts.chain.measures import Measured
+from granular_fronts.measured import Measured
 
 ENTRIES = yaml.safe_load(
     (Path(__file__).parents[1] / "config/paper_numbers.yaml").read_text("utf-8")
@@ -41,7 +46,7 @@ def test_error_counts_in_favour_of_the_printed_number():
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry["quantity"])
 def test_every_entry_names_a_measure_and_a_place(entry):
-    assert callable(getattr(measures, entry["measure"]))
+    assert callable(find_measure(entry["measure"]))
     assert entry["paper_place"]
     assert entry["remark"]
     assert isinstance(entry["printed"], str)

@@ -22,7 +22,8 @@ ROOT = Path(__file__).parents[1]
 SCRIPTS = sorted(
     set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
 )
-TARGETS = ["all", "figures", "fig01", "fig02", "fig03", "tables", "report", "check_results"]
+FIGURES = ["fig01", "fig02", "fig03", "fig08"]
+TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results"]
 
 
 def snakemake(*arguments, folder=ROOT):
@@ -48,7 +49,8 @@ def nowhere(tmp_path):
 def test_dry_run_of_all_targets_together(nowhere):
     run = snakemake("--dry-run", "--config", nowhere, "--", *TARGETS)
     assert run.returncode == 0, run.stderr
-    for rule in ["initiate_front", "plot_fig01", "plot_fig02", "plot_fig03", "write_report"]:
+    plots = [f"plot_{figure}" for figure in FIGURES]
+    for rule in ["initiate_front", "compute_heteroclinic", *plots, "write_report"]:
         assert rule in run.stdout
 
 
@@ -103,24 +105,37 @@ def jobs_due(project):
 @pytest.mark.slow
 def test_smoke_run_makes_everything(finished):
     page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
-    assert page.count("data:image/png;base64,") == 3
-    for words in ["Figure 1.", "initiation_underdamped:", "Run times", "initiate_front/"]:
+    assert page.count("data:image/png;base64,") == len(FIGURES)
+    for words in [
+        "Figure 1.",
+        "initiation_underdamped:",
+        "Run times",
+        "initiate_front/",
+        "compute_heteroclinic/",
+    ]:
         assert words in page
     assert not jobs_due(finished)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("module", "solves"), [("style.py", False), ("chain/__init__.py", True)], ids=["style", "chain"]
+    ("module", "solver"),
+    [
+        ("style.py", None),
+        ("chain/__init__.py", "initiate_front"),
+        ("continuum/taylor.py", "compute_heteroclinic"),
+    ],
+    ids=["style", "chain", "continuum"],
 )
-def test_changed_module_repeats_what_stands_on_it(finished, module, solves):
+def test_changed_module_repeats_what_stands_on_it(finished, module, solver):
     file = finished / "src/granular_fronts" / module
     before = file.read_bytes()
     file.write_bytes(before + b"# Changed.\n")
     due = jobs_due(finished)
     file.write_bytes(before)
-    assert "plot_fig01" in due
-    assert ("initiate_front" in due) == solves
+    assert due & {"initiate_front", "compute_heteroclinic"} == ({solver} if solver else set())
+    assert ("plot_fig01" in due) == (solver != "compute_heteroclinic")
+    assert ("plot_fig08" in due) == (solver != "initiate_front")
 
 
 @pytest.mark.slow
@@ -231,7 +246,7 @@ def test_wrong_leaf_is_refused_in_a_sentence(monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["step", "--scene", leaf])
     with pytest.raises(SystemExit):
         from_command_line(step)
-    assert "stops at chian: choose one of chain." in capsys.readouterr().err
+    assert "stops at chian: choose one of chain, heteroclinic." in capsys.readouterr().err
 
 
 class Group(dict):

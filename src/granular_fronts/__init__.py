@@ -9,6 +9,7 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "heteroclinic": "granular_fronts.continuum.heteroclinic",
     "simulate_chain": "granular_fronts.chain.simulate",
 }
 

@@ -78,18 +78,26 @@ def check_configuration(configuration: Mapping) -> None:
     """
     sentences = [*tell_violations(configuration)]
     if not sentences:
-        for name, scene in configuration["scenes"]["chain"].items():
-            sentences += [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
+        for family, refusals in REFUSALS.items():
+            for name, scene in configuration["scenes"][family].items():
+                sentences += _tell_impossibilities(scene, name, refusals)
     _raise_if_any(sentences)
 
 
 def check_chain_scene(scene: Mapping, name: str) -> dict:
-    """Refuse a chain scene that cannot be computed.
+    """Refuse a chain scene that cannot be computed; see `check_scene`."""
+    return check_scene("chain", scene, name)
+
+
+def check_scene(family: str, scene: Mapping, name: str) -> dict:
+    """Refuse a scene that cannot be computed.
 
     Parameters
     ----------
+    family : str
+        Key under ``scenes`` of the configuration: ``chain`` or ``heteroclinic``.
     scene : Mapping
-        One entry of ``scenes.chain`` of the configuration; numpy arrays and numbers are welcome.
+        One entry of that family; numpy arrays and numbers are welcome.
     name : str
         What the sentences call the scene.
 
@@ -104,10 +112,10 @@ def check_chain_scene(scene: Mapping, name: str) -> dict:
         With one sentence for each thing that is wrong.
     """
     scene = _plain(scene)
-    place = ("scenes", "chain", name)
-    sentences = [*tell_violations(scene, definition="chain_scene", place=place)]
+    place = ("scenes", family, name)
+    sentences = [*tell_violations(scene, definition=f"{family}_scene", place=place)]
     if not sentences:
-        sentences = [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
+        sentences = _tell_impossibilities(scene, name, REFUSALS[family])
     _raise_if_any(sentences)
     return scene
 
@@ -221,23 +229,62 @@ def refuse_record_after_end(scene: Mapping) -> Iterator[str]:
             )
 
 
-REFUSALS: tuple[Callable[[Mapping], Iterator[str]], ...] = (
-    refuse_relative_tolerance_below_floor,
-    refuse_ring_at_rest,
-    refuse_start_of_wrong_length,
-    refuse_uncompressed_start_below_linear,
-    refuse_probe_beyond_chain,
-    refuse_empty_probe_window,
-    refuse_record_after_end,
-)
+def refuse_empty_profile(scene: Mapping) -> Iterator[str]:
+    """Refuse a profile that stops before it begins."""
+    start, stop = scene["profile"]["start"], scene["profile"]["stop"]
+    if start >= stop:
+        yield (
+            f"profile.start is {start}, but must come before its stop {stop}: "
+            "start earlier or stop later."
+        )
 
 
-def _impossibilities(scene: Mapping) -> list[str]:
+def refuse_damping_listed_twice(scene: Mapping) -> Iterator[str]:
+    """Refuse to name one orbit twice, since the data are found by their μ."""
+    for index, mu in enumerate(scene["mu"]):
+        if mu in scene["mu"][:index]:
+            yield (
+                f"{name_entry('mu', index)} is {mu}, which stands before it already: list it once."
+            )
+
+
+def refuse_start_at_rest(scene: Mapping) -> Iterator[str]:
+    """Refuse trajectories that start in an equilibrium of the plane and never leave it."""
+    for index, (y, z) in enumerate(scene.get("portrait", {}).get("starts", [])):
+        if z == 0 and y in (-1, 0, 1):
+            yield (
+                f"{name_entry('portrait.starts', index)} is [{y}, {z}], an equilibrium, where "
+                "nothing moves: start beside it."
+            )
+
+
+Refusal = Callable[[Mapping], Iterator[str]]
+
+REFUSALS: dict[str, tuple[Refusal, ...]] = {
+    "chain": (
+        refuse_relative_tolerance_below_floor,
+        refuse_ring_at_rest,
+        refuse_start_of_wrong_length,
+        refuse_uncompressed_start_below_linear,
+        refuse_probe_beyond_chain,
+        refuse_empty_probe_window,
+        refuse_record_after_end,
+    ),
+    "heteroclinic": (
+        refuse_empty_profile,
+        refuse_damping_listed_twice,
+        refuse_start_at_rest,
+    ),
+}
+
+
+def _tell_impossibilities(scene: Mapping, name: str, refusals: Sequence[Refusal]) -> list[str]:
     """Say what is wrong with a scene that obeys the schema."""
     # The comparisons of the other refusals mean nothing for .nan.
-    return [*refuse_non_finite_numbers(scene)] or [
-        problem for refuse in REFUSALS for problem in refuse(scene)
+    problems = [*refuse_non_finite_numbers(scene)] or [
+        problem for refuse in refusals for problem in refuse(scene)
     ]
+    return [f"Scene {name}: {problem}" for problem in problems]
 
 
 def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:

@@ -25,8 +25,22 @@ from granular_fronts.files import complete_file
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
 LONG_NAMES = {
+    "angular_frequency": "angular frequency of the oscillations of y about 1",
     "bead": "bead number n",
+    "growth_rate": "rate at which y leaves 1",
+    "log_rescaled_force": "logarithm of the rescaled force, ln y",
+    "mu": "damping parameter of the logarithmic KdV-Burgers equation",
+    "overshoot": "deviation y - 1 at an extremum of y",
+    "potential": "double-well potential W(y)",
+    "rescaled_force": "rescaled force y",
+    "s": "rescaled coordinate 2 sqrt(3) epsilon (n - ct)",
+    "slope": "slope y' of the rescaled force",
+    "squared_slope_at_one": "squared slope q where y first reaches 1 from the foot of the front",
     "t": "time",
+    "trajectory": "number of the trajectory",
+    "turn": "number of the extremum of y, from the foot of the front",
+    "turning_point": "s of an extremum of y",
+    "y": "rescaled force y",
     "relative_displacement": "relative displacement u_n = x_n - x_(n+1), compression > 0",
     "velocity": "bead velocity",
     "mean_relative_displacement": "mean relative displacement (x_1 - x_N)/N",

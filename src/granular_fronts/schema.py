@@ -95,7 +95,7 @@ def _schema() -> dict:
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:
     """Split a path into the words that name its scene and its dotted key inside that scene."""
     scene = ""
-    if tuple(path[:2]) == ("scenes", "chain") and len(path) > 2:
+    if path[:1] == ["scenes"] and len(path) > 2:
         scene, path = f"Scene {path[2]}: ", path[3:]
     key = ""
     for part in path:

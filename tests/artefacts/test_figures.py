@@ -6,6 +6,7 @@ FIGURES = [
     "fig01_initiation_underdamped",
     "fig02_spacetime_underdamped",
     "fig03_initiation_overdamped",
+    "fig08_heteroclinic",
 ]
 
 

@@ -61,7 +61,32 @@ rule plot_fig03:
         "../scripts/plot_fig03.py"
 
 
-FIGURE_RULES = {"fig01": rules.plot_fig01, "fig02": rules.plot_fig02, "fig03": rules.plot_fig03}
+rule plot_fig08:
+    input:
+        dataset="<results>/data/continuum/front_profiles.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig08_heteroclinic.pdf",
+        png="<results>/figures/fig08_heteroclinic.png",
+    log:
+        "<logs>/plot_fig08.log",
+    benchmark:
+        "<benchmarks>/plot_fig08.tsv"
+    threads: 1
+    message:
+        "Drawing figure 8: the heteroclinic orbit."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig08.py"
+
+
+FIGURE_RULES = {
+    "fig01": rules.plot_fig01,
+    "fig02": rules.plot_fig02,
+    "fig03": rules.plot_fig03,
+    "fig08": rules.plot_fig08,
+}
 FIGURES = [rule.output for rule in FIGURE_RULES.values()]
 
 
@@ -91,3 +116,10 @@ rule fig03:
         rules.plot_fig03.output,
     message:
         "Figure 3 is drawn."
+
+
+rule fig08:
+    input:
+        rules.plot_fig08.output,
+    message:
+        "Figure 8 is drawn."

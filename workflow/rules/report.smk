@@ -10,6 +10,7 @@ rule write_report:
         benchmarks=[
             rules.compile_kernels.benchmark,
             expand(rules.initiate_front.benchmark, scene=config["scenes"]["chain"]),
+            expand(rules.compute_heteroclinic.benchmark, scene=config["scenes"]["heteroclinic"]),
             [rule.benchmark for rule in FIGURE_RULES.values()],
             rules.tabulate_paper_numbers.benchmark,
             rules.check_results.benchmark,

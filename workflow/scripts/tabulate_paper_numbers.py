@@ -1,15 +1,17 @@
 """Set every number the paper prints beside the one computed here."""
 
 import math
+from collections.abc import Callable
 from decimal import Decimal, InvalidOperation
+from importlib import import_module
 from pathlib import Path
 
 import pandas as pd
 import yaml
 
-from granular_fronts.chain import measures
 from granular_fronts.datasets import read_dataset
 from granular_fronts.files import complete_file
+from granular_fronts.measured import Measured
 from step import run_step
 
 COLUMNS = (
@@ -51,7 +53,7 @@ def tabulate_paper_numbers(numbers: Path, datasets: list[Path], csv: Path, markd
 
 def make_row(entry, dataset):
     """One row of the table, as a dict."""
-    measured = getattr(measures, entry["measure"])(dataset)
+    measured = find_measure(entry["measure"])(dataset)
     return {
         "quantity": entry["quantity"],
         "paper_place": entry["paper_place"],
@@ -64,6 +66,12 @@ def make_row(entry, dataset):
     }
 
 
+def find_measure(name: str) -> Callable[..., Measured]:
+    """Find a measure by its name: `function` of the chain, or `wing.function` of another wing."""
+    wing, _, function = name.rpartition(".")
+    return getattr(import_module(f"granular_fronts.{wing or 'chain'}.measures"), function)
+
+
 def judge(printed, measured, within=None):
     """Verdict on a measured value.
 
@@ -71,7 +79,7 @@ def judge(printed, measured, within=None):
     ----------
     printed : str
         A number, an inequality (`>= 0`, `> 1`), or words.
-    measured : measures.Measured
+    measured : Measured
         Its error counts in favour of the printed number.
     within : float, optional
         Half-width to judge with, instead of half a unit of the last printed digit.

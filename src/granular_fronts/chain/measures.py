@@ -7,20 +7,14 @@ space-time grid adds the change that halving the grid makes.
 
 import json
 import math
-from typing import NamedTuple
 
 import numpy as np
 from scipy.signal import find_peaks
 
+from granular_fronts.measured import Measured
+
 # A maximum of the mean compression counts if it stands out by this fraction of δ.
 PROMINENCE = 0.1
-
-
-class Measured(NamedTuple):
-    """A value and an estimate of its absolute error, both dimensionless."""
-
-    value: float
-    error: float
 
 
 def recorded(dataset, name):

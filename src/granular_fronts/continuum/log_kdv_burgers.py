@@ -1,0 +1,196 @@
+r"""The logarithmic KdV–Burgers equation, its coefficients, and the plane of its stationary waves.
+
+James (2021), section 5.  For β = α near 1 and damping of the order of :math:`(\alpha - 1)^{1/2}`,
+
+.. math::
+
+    u_n(t) = \delta\, y(s, \tau)^{1/\alpha}, \qquad s = 2\sqrt 3\,\varepsilon (n - ct), \qquad
+    \tau = \sqrt 3\,\varepsilon^3 c t, \qquad \varepsilon = (1 - 1/\alpha)^{1/2},
+
+with :math:`c = \delta^{(\alpha-1)/2}`, turns the chain into (55), with the one parameter (54):
+
+.. math::
+
+    \partial_\tau y + \partial_s (y \ln y) + \partial_s^3 y = \mu\, \partial_s^2 y, \qquad
+    \mu = 2\sqrt 3\, \gamma c\, (1 - 1/\alpha)^{-1/2} .
+
+Stationary waves obey :math:`y'' - \mu y' + W'(y) = 0` (56), a particle with negative damping in
+:math:`W(y) = \tfrac12 y^2 (\ln|y| - \tfrac12)`, or the planar system (57): :math:`y' = z`,
+:math:`z' = \mu z - y \ln|y|`.  Its energy grows: :math:`(z^2/2 + W)' = \mu z^2`.  A front is the
+heteroclinic orbit from (1, 0) at :math:`s \to -\infty` to (0, 0) at :math:`s \to +\infty`.
+
+Near (1, 0) solutions behave as :math:`e^{\lambda s}`, :math:`\lambda^2 - \mu\lambda + 1 = 0`: an
+unstable focus for :math:`\mu < 2`, an unstable node for :math:`\mu \ge 2`.  The origin is a saddle
+of infinite strength: its logarithm is not Lipschitz, and orbits reach it faster than any
+exponential.
+
+Variables.  In :math:`p = -\ln y`, :math:`v = p' = -z/y` and
+:math:`e = 2(z^2/2 + W)/y^2 = v^2 - p - \tfrac12` the logarithm is gone:
+
+.. math::
+
+    p' = v, \qquad v' = v^2 + \mu v - p = \tfrac12 + e + \mu v, \qquad e' = 2v\,(e + \mu v) .
+
+Everything is quadratic.  Without damping e = 0 on the orbit and v grows linearly, which is the
+Gaussian :math:`y = \exp(\tfrac12 - s^2/4)` of Remark 8; with weak damping e is small and keeps its
+relative accuracy, where the difference v² − p − ½ would lose it.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.configuration import ConfigurationError
+
+CRITICAL_DAMPING = 2.0
+"""Value of μ at which the focus (1, 0) becomes a node."""
+
+
+class Amplitude(NamedTuple):
+    """What ties the amplitude equation to a chain.
+
+    Attributes
+    ----------
+    mu : float
+        Damping μ of (54).
+    speed : float
+        Speed c of the front, in beads per unit of time.
+    s_per_bead : float
+        2√3 ε: the change of s from bead to bead.
+    tau_per_time : float
+        √3 ε³ c: the change of τ per unit of time.
+    """
+
+    mu: float
+    speed: float
+    s_per_bead: float
+    tau_per_time: float
+
+
+def amplitude_of_chain(alpha, gamma, delta=1.0):
+    """Parameter and scales of the amplitude equation for a chain, James (2021), (52)–(54).
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of the contact law, α = β > 1.
+    gamma : float
+        Strength of the viscous force, γ ≥ 0.
+    delta : float, optional
+        Compression behind the front, δ > 0.
+
+    Returns
+    -------
+    Amplitude
+
+    Raises
+    ------
+    ConfigurationError
+        If a value is outside its range.
+    """
+    _refuse_unless(alpha > 1.0, f"alpha is {alpha}", "above 1, where fronts are compressive")
+    _refuse_unless(gamma >= 0.0, f"gamma is {gamma}", "0 or more")
+    _refuse_unless(delta > 0.0, f"delta is {delta}", "above 0")
+    epsilon = math.sqrt(1.0 - 1.0 / alpha)
+    speed = delta ** ((alpha - 1.0) / 2.0)
+    return Amplitude(
+        mu=2.0 * math.sqrt(3.0) * gamma * speed / epsilon,
+        speed=speed,
+        s_per_bead=2.0 * math.sqrt(3.0) * epsilon,
+        tau_per_time=math.sqrt(3.0) * epsilon**3 * speed,
+    )
+
+
+def damping_of_mu(mu, alpha, delta=1.0):
+    """γ of the chain whose amplitude equation has the parameter μ: (54) read backwards.
+
+    Parameters
+    ----------
+    mu : float
+        Damping, μ ≥ 0; 2 gives the critical damping γ c = ((1 − 1/α)/3)^(1/2).
+    alpha, delta : float
+        As in `amplitude_of_chain`.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ConfigurationError
+        If a value is outside its range.
+    """
+    return check_mu(mu) / amplitude_of_chain(alpha, 1.0, delta).mu
+
+
+def check_mu(mu):
+    """Give μ as a float; refuse one below 0 or not finite in a sentence (ConfigurationError)."""
+    mu = float(mu)
+    _refuse_unless(math.isfinite(mu), f"mu is {mu}", "finite")
+    _refuse_unless(mu >= 0.0, f"mu is {mu}", "0 or more, since contacts dissipate")
+    return mu
+
+
+def _refuse_unless(holds, found, limit):
+    if not holds:
+        raise ConfigurationError(f"{found}, but must be {limit}: give such a number.")
+
+
+def potential(y):
+    """Double-well potential W(y) = (y²/2)(ln|y| − ½) of (56), zero at the origin.
+
+    Parameters
+    ----------
+    y : array_like
+
+    Returns
+    -------
+    ndarray, same shape
+    """
+    y = np.asarray(y, dtype=float)
+    safe = np.where(y == 0.0, 1.0, np.abs(y))
+    return 0.5 * y**2 * (np.log(safe) - 0.5)
+
+
+def planar_system(s, state, mu):
+    """Right-hand side of (57), for orbits of any sign.
+
+    Parameters
+    ----------
+    s : float
+        Not used: the system is autonomous.
+    state : ndarray, shape (2, ...)
+        y and z = y'.
+    mu : float
+
+    Returns
+    -------
+    ndarray, shape (2, ...)
+        y' and z'.
+    """
+    y, z = state
+    safe = np.where(y == 0.0, 1.0, np.abs(y))
+    return np.array([z, mu * z - y * np.log(safe)])
+
+
+def linear_rates(mu):
+    """Both roots λ of λ² − μλ + 1 = 0, the growth rates at (1, 0), free of cancellation.
+
+    Parameters
+    ----------
+    mu : float
+        Damping, μ ≥ 0.
+
+    Returns
+    -------
+    slow, fast : complex
+        Real and in this order for μ ≥ 2; otherwise a conjugate pair, negative imaginary part first.
+    """
+    mu = check_mu(mu)
+    if mu < CRITICAL_DAMPING:
+        frequency = math.sqrt((1.0 - 0.5 * mu) * (1.0 + 0.5 * mu))
+        return complex(0.5 * mu, -frequency), complex(0.5 * mu, frequency)
+    half = 0.5 * mu
+    fast = half + math.sqrt(half - 1.0) * math.sqrt(half + 1.0)
+    return complex(1.0 / fast), complex(fast)

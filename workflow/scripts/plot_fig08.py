@@ -1,0 +1,100 @@
+"""Figure 8: the heteroclinic orbit, weakly and critically damped; James (2021), figure 8."""
+
+from pathlib import Path
+
+import numpy as np
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from step import run_step
+
+BLACK, BLUE = PROBE_COLOURS[:2]
+GREY = "0.55"
+
+# Distance in points of a trajectory between the arrow's foot and its head.
+ARROW_POINTS = 2
+
+
+def plot_fig08(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw the double well, the phase portrait, and the fronts.
+
+    Parameters
+    ----------
+    dataset : Path
+        Scene front_profiles.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset)
+    figure, panels = new_figure(5.0, [["well", "portrait"], ["first", "second"]])
+    draw_well(panels["well"], data)
+    draw_portrait(panels["portrait"], data)
+    for panel, mu in zip(("first", "second"), data["mu"].values, strict=True):
+        draw_front(panels[panel], data.sel(mu=mu))
+    save_figure(figure, pdf, png)
+
+
+def draw_well(axes, data):
+    """W(y), and an arrow from the bottom of the well at y = 1 to the saddle at 0."""
+    axes.plot(data["y"], data["potential"], color=BLACK, linestyle="-")
+    well = data["potential"].sel(y=1.0, method="nearest")
+    axes.plot([0.0, 1.0], [0.0, well], "o", color=BLUE, markersize=3.5)
+    axes.annotate(
+        "",
+        xy=(0.03, 0.01),
+        xytext=(1.0, well + 0.015),
+        arrowprops={
+            "arrowstyle": "-|>",
+            "color": BLUE,
+            "linewidth": 1.4,
+            "connectionstyle": "arc3,rad=0.35",
+            "shrinkA": 3,
+            "shrinkB": 3,
+        },
+    )
+    axes.set(xlabel="$y$", ylabel="$W(y)$", xlim=(data["y"][0], data["y"][-1]))
+
+
+def draw_portrait(axes, data):
+    """Trajectories in the plane of y and z = y', arrows towards larger s; the orbit in blue."""
+    for number in data["trajectory"].values:
+        trajectory = data.sel(trajectory=number)
+        y, z = trajectory["rescaled_force_portrait"], trajectory["slope_portrait"]
+        axes.plot(y, z, color=GREY, linestyle="-", linewidth=0.7)
+        draw_arrow(axes, y.values, z.values, data["s_portrait"].values, GREY)
+    front = data.sel(mu=data.attrs["portrait_mu"])
+    y, z = front["rescaled_force"], front["slope"]
+    axes.plot(y, z, color=BLUE, linestyle="-", linewidth=1.5)
+    draw_arrow(axes, y.values, z.values, data["s"].values, BLUE)
+    axes.plot([-1.0, 0.0, 1.0], [0.0, 0.0, 0.0], "o", color=BLACK, markersize=3.0)
+    axes.set(xlabel="$y$", ylabel="$z$", title=title_of(data.attrs["portrait_mu"]))
+    axes.set(xlim=(-1.75, 1.75), ylim=(-1.25, 1.25))
+
+
+def draw_arrow(axes, y, z, s, colour):
+    """An arrow head on a trajectory at s = 0."""
+    foot = np.argmin(np.abs(s))
+    head = foot + ARROW_POINTS
+    axes.annotate(
+        "",
+        xy=(y[head], z[head]),
+        xytext=(y[foot], z[foot]),
+        arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 0.8, "shrinkB": 0},
+    )
+
+
+def draw_front(axes, front):
+    """y_h(s) of one damping."""
+    axes.axhline(1.0, color=GREY, linewidth=0.6, linestyle=":")
+    axes.plot(front["s"], front["rescaled_force"], color=BLUE, linestyle="-")
+    axes.set(xlabel="$s$", ylabel=r"$y_\mathrm{h}(s)$", title=title_of(float(front["mu"])))
+    axes.set(xlim=(front["s"][0], front["s"][-1]), ylim=(0.0, 1.5))
+
+
+def title_of(mu):
+    """The damping of a panel."""
+    return rf"$\mu = {mu:g}$"
+
+
+if __name__ == "__main__":
+    run_step(plot_fig08, globals().get("snakemake"))
