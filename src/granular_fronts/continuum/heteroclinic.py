@@ -39,7 +39,9 @@ ACCEPTED_ERROR = 1e-12
 DEFAULT_POINTS = 1001
 TAIL_P = 37.0
 MOST_DEFAULT_TURNS = 12
-TURN = 2.0 * math.pi
+
+# Beyond this many e-foldings from y = ½ the orbit rests, for μ = 2 after an algebraic factor too.
+REST_DECAY = 60.0
 
 ERROR_METHODS = {
     "series": "largest difference to Taylor series of order {0.order} with other steps",
@@ -53,7 +55,7 @@ def heteroclinic(mu, s=None):
     Parameters
     ----------
     mu : float
-        Damping μ of (54), μ ≥ 0.
+        Damping μ of (54), 0 or at least 1e-280.
     s : array_like, shape (points,), optional
         Where to evaluate it.  Without it, 1001 points from where 1 − y has decayed to round-off,
         but at most 12 turns away, to where y has.
@@ -111,7 +113,7 @@ def turning_points(mu):
     Parameters
     ----------
     mu : float
-        Damping, μ ≥ 0; the number of turns grows like 23/μ.
+        Damping, μ = 0 or μ ≥ 0.001; the number of turns grows like 23/μ.
 
     Returns
     -------
@@ -185,19 +187,26 @@ def squared_slope_at_one(mu):
 
 def _first_reach(mu):
     """An s before which the orbit has crossed y = 1 or rests there."""
-    slow = linear_rates(mu)[0]
-    half_turn = math.pi / abs(slow.imag) if slow.imag else math.inf
-    decay = 60.0 / slow.real if slow.real else math.inf
-    return -4.0 - min(half_turn, decay)
+    return -4.0 - min(_half_turn(mu), _decay_length(mu, REST_DECAY))
+
+
+def _half_turn(mu):
+    """Distance of two extrema near y = 1, without end if there are none."""
+    frequency = abs(linear_rates(mu)[0].imag)
+    return math.pi / frequency if frequency else math.inf
+
+
+def _decay_length(mu, exponent):
+    """Length over which y − 1 falls by e^(−exponent) towards small s."""
+    rate = linear_rates(mu)[0].real
+    return exponent / rate if rate else math.inf
 
 
 def _first_of_default(mu):
     """Start of the default range: 1 − y at round-off, but at most some turns away."""
     if mu == 0.0:
         return 2.0 * gaussian_centre() - trace_orbit(mu, 0.0).s_at(TAIL_P)
-    slow = linear_rates(mu)[0]
-    longest = MOST_DEFAULT_TURNS * TURN / abs(slow.imag) if slow.imag else math.inf
-    return -min(TAIL_P / slow.real, longest)
+    return -min(_decay_length(mu, TAIL_P), 2 * MOST_DEFAULT_TURNS * _half_turn(mu))
 
 
 def gaussian_centre():

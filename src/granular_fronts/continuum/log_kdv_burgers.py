@@ -46,6 +46,9 @@ from granular_fronts.configuration import ConfigurationError
 CRITICAL_DAMPING = 2.0
 """Value of μ at which the focus (1, 0) becomes a node."""
 
+SMALLEST_DAMPING = 1e-280
+"""Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits."""
+
 
 class Amplitude(NamedTuple):
     """What ties the amplitude equation to a chain.
@@ -125,10 +128,25 @@ def damping_of_mu(mu, alpha, delta=1.0):
 
 
 def check_mu(mu):
-    """Give μ as a float; refuse one below 0 or not finite in a sentence (ConfigurationError)."""
+    """Give μ as a float, or refuse it in a sentence (ConfigurationError).
+
+    Parameters
+    ----------
+    mu : float
+        Finite, 0 or at least `SMALLEST_DAMPING`.
+
+    Returns
+    -------
+    float
+    """
     mu = float(mu)
     _refuse_unless(math.isfinite(mu), f"mu is {mu}", "finite")
     _refuse_unless(mu >= 0.0, f"mu is {mu}", "0 or more, since contacts dissipate")
+    _refuse_unless(
+        mu == 0.0 or mu >= SMALLEST_DAMPING,
+        f"mu is {mu}",
+        f"0, or at least {SMALLEST_DAMPING} for the energy of the orbit to be a normal double",
+    )
     return mu
 
 

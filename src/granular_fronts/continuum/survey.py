@@ -99,6 +99,7 @@ def survey_fronts(dampings, s):
     for name, values in zip(_RATES, rates, strict=True):
         survey[name] = ("mu", values)
     survey.attrs["converged"] = min(front.attrs["converged"] for front in fronts)
+    survey.attrs["steps"] = sum(front.attrs.get("steps", 0) for front in fronts)
     survey.attrs["methods"] = ", ".join(sorted({front.attrs["method"] for front in fronts}))
     return survey
 

@@ -163,7 +163,7 @@ def _collect(mu, accuracy, state, s_stop, p_stop, energies):
         if total >= MOST_STEPS:
             raise ConfigurationError(
                 f"For mu = {mu} the orbit turns so often that {MOST_STEPS} steps lead only to "
-                f"s = {state[0]:.6g}, but s = {s_stop:.6g} is asked for: start s there or later."
+                f"s = {state[0]:.6g}: ask for nothing before that, or for a larger mu."
             )
         more_starts, more_jets = np.empty(room), np.empty((room, accuracy.order + 1))
         steps, status = follow(
