@@ -16,9 +16,16 @@ from pathlib import Path
 import yaml
 
 from granular_fronts.schema import name_entry, tell_violations
+from granular_fronts.slow_scales import Scaling
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
+
+EQUATION_TOLERANCE_FLOOR = 1.0e-13
+"""Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
+
+CELLS_PER_EDGE = 2
+"""Fewest cells over a unit of ξ, the width of the falling edge of eq. (49)."""
 
 
 class ConfigurationError(ValueError):
@@ -78,18 +85,26 @@ def check_configuration(configuration: Mapping) -> None:
     """
     sentences = [*tell_violations(configuration)]
     if not sentences:
-        for name, scene in configuration["scenes"]["chain"].items():
-            sentences += [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
+        for family, refusals in REFUSALS.items():
+            for name, scene in configuration["scenes"][family].items():
+                sentences += _tell_impossibilities(scene, name, refusals)
     _raise_if_any(sentences)
 
 
 def check_chain_scene(scene: Mapping, name: str) -> dict:
-    """Refuse a chain scene that cannot be computed.
+    """Refuse a chain scene that cannot be computed; see `check_scene`."""
+    return check_scene("chain", scene, name)
+
+
+def check_scene(family: str, scene: Mapping, name: str) -> dict:
+    """Refuse a scene that cannot be computed.
 
     Parameters
     ----------
+    family : str
+        Key under ``scenes`` of the configuration: ``chain`` or ``periodic``.
     scene : Mapping
-        One entry of ``scenes.chain`` of the configuration; numpy arrays and numbers are welcome.
+        One entry of that family; numpy arrays and numbers are welcome.
     name : str
         What the sentences call the scene.
 
@@ -104,10 +119,10 @@ def check_chain_scene(scene: Mapping, name: str) -> dict:
         With one sentence for each thing that is wrong.
     """
     scene = _plain(scene)
-    place = ("scenes", "chain", name)
-    sentences = [*tell_violations(scene, definition="chain_scene", place=place)]
+    place = ("scenes", family, name)
+    sentences = [*tell_violations(scene, definition=f"{family}_scene", place=place)]
     if not sentences:
-        sentences = [f"Scene {name}: {problem}" for problem in _impossibilities(scene)]
+        sentences = _tell_impossibilities(scene, name, REFUSALS[family])
     _raise_if_any(sentences)
     return scene
 
@@ -221,23 +236,98 @@ def refuse_record_after_end(scene: Mapping) -> Iterator[str]:
             )
 
 
-REFUSALS: tuple[Callable[[Mapping], Iterator[str]], ...] = (
-    refuse_relative_tolerance_below_floor,
-    refuse_ring_at_rest,
-    refuse_start_of_wrong_length,
-    refuse_uncompressed_start_below_linear,
-    refuse_probe_beyond_chain,
-    refuse_empty_probe_window,
-    refuse_record_after_end,
-)
+def refuse_start_that_pulls(scene: Mapping) -> Iterator[str]:
+    """Refuse a negative rescaled force, which no contact carries."""
+    smallest = min(scene["start"].get("rescaled_force", [0.0]))
+    if smallest < 0:
+        yield (
+            f"start.rescaled_force has {smallest} as its smallest value, but a contact cannot "
+            "pull: give values of 0 or more."
+        )
 
 
-def _impossibilities(scene: Mapping) -> list[str]:
+def refuse_start_that_is_not_periodic(scene: Mapping) -> Iterator[str]:
+    """Refuse values that differ at −ℓ and ℓ, which are one point of the ring."""
+    first, *_, last = scene["start"].get("rescaled_force", [0.0, 0.0])
+    if first != last:
+        yield (
+            f"start.rescaled_force begins with {first} and ends with {last}, but on a ring both "
+            "ends are one point: give a periodic start."
+        )
+
+
+def refuse_plateau_wider_than_ring(scene: Mapping) -> Iterator[str]:
+    """Refuse a start (49) that does not fall to its floor within −ℓ ≤ ξ ≤ ℓ."""
+    half_length = _scaling(scene).half_length(scene["half_beads"])
+    half_width = scene["start"].get("half_width", -1.0)
+    if half_width + 1.0 > half_length:
+        yield (
+            f"start.half_width is {half_width}, and with its edge of width 1 the plateau exceeds "
+            f"half the ring, ℓ = (p − 1/2) ε = {half_length:.6g}: lower it or raise half_beads."
+        )
+
+
+def refuse_grid_too_coarse_for_edge(scene: Mapping) -> Iterator[str]:
+    """Refuse cells that are wider than the edge of a wave allows."""
+    length = 2.0 * _scaling(scene).half_length(scene["half_beads"])
+    needed = math.ceil(CELLS_PER_EDGE * length)
+    equations = scene["equations"]
+    counts = {f"{name}.cells": equations[name]["cells"] for name in ("logarithmic", "unlimited")}
+    for name, found in (counts | {"upwind.points": equations["upwind"]["points"]}).items():
+        if found < needed:
+            yield (
+                f"equations.{name} is {found}, too coarse to hold the edge of the wave, of width 1 "
+                f"on a ring of length 2ℓ = {length:.6g}: give {needed} or more."
+            )
+
+
+def refuse_equation_tolerance_below_floor(scene: Mapping) -> Iterator[str]:
+    """Refuse an error per step that drowns in rounding."""
+    for name in ("logarithmic", "unlimited"):
+        tolerance = scene["equations"][name]["tolerance"]
+        if tolerance < EQUATION_TOLERANCE_FLOOR:
+            yield (
+                f"equations.{name}.tolerance is {tolerance}, under the solver's floor of "
+                f"{EQUATION_TOLERANCE_FLOOR}: ask for the floor or more."
+            )
+
+
+def _scaling(scene: Mapping) -> Scaling:
+    """Scales of a periodic scene."""
+    return Scaling(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+
+
+Refusal = Callable[[Mapping], Iterator[str]]
+
+REFUSALS: dict[str, tuple[Refusal, ...]] = {
+    "chain": (
+        refuse_relative_tolerance_below_floor,
+        refuse_ring_at_rest,
+        refuse_start_of_wrong_length,
+        refuse_uncompressed_start_below_linear,
+        refuse_probe_beyond_chain,
+        refuse_empty_probe_window,
+        refuse_record_after_end,
+    ),
+    "periodic": (
+        refuse_relative_tolerance_below_floor,
+        refuse_start_that_pulls,
+        refuse_start_that_is_not_periodic,
+        refuse_plateau_wider_than_ring,
+        refuse_grid_too_coarse_for_edge,
+        refuse_equation_tolerance_below_floor,
+        refuse_record_after_end,
+    ),
+}
+
+
+def _tell_impossibilities(scene: Mapping, name: str, refusals: Sequence[Refusal]) -> list[str]:
     """Say what is wrong with a scene that obeys the schema."""
     # The comparisons of the other refusals mean nothing for .nan.
-    return [*refuse_non_finite_numbers(scene)] or [
-        problem for refuse in REFUSALS for problem in refuse(scene)
+    problems = [*refuse_non_finite_numbers(scene)] or [
+        problem for refuse in refusals for problem in refuse(scene)
     ]
+    return [f"Scene {name}: {problem}" for problem in problems]
 
 
 def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:

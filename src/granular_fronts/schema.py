@@ -95,7 +95,7 @@ def _schema() -> dict:
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:
     """Split a path into the words that name its scene and its dotted key inside that scene."""
     scene = ""
-    if tuple(path[:2]) == ("scenes", "chain") and len(path) > 2:
+    if path[0:1] == ["scenes"] and len(path) > 2:
         scene, path = f"Scene {path[2]}: ", path[3:]
     key = ""
     for part in path:
@@ -120,6 +120,8 @@ def _sentence(error: ValidationError, key: str) -> str:
     value, limit = _show(error.instance), error.validator_value
     if error.validator == "minimum":
         return f"{key} is {value}, below its limit {limit}: give {limit} or more."
+    if error.validator == "maximum":
+        return f"{key} is {value}, above its limit {limit}: give {limit} or less."
     if error.validator == "exclusiveMinimum":
         return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
     if error.validator == "enum":
