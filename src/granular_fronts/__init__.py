@@ -9,7 +9,9 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
+    "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",
 }
 

@@ -16,9 +16,16 @@ from pathlib import Path
 import yaml
 
 from granular_fronts.schema import name_entry, tell_violations
+from granular_fronts.slow_scales import Scaling
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
+
+EQUATION_TOLERANCE_FLOOR = 1.0e-13
+"""Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
+
+CELLS_PER_EDGE = 2
+"""Fewest cells over a unit of ξ, the width of the falling edge of eq. (49)."""
 
 
 class ConfigurationError(ValueError):
@@ -95,7 +102,7 @@ def check_scene(family: str, scene: Mapping, name: str) -> dict:
     Parameters
     ----------
     family : str
-        Key under ``scenes`` of the configuration: ``chain`` or ``heteroclinic``.
+        Key under ``scenes`` of the configuration: ``chain``, ``periodic`` or ``heteroclinic``.
     scene : Mapping
         One entry of that family; numpy arrays and numbers are welcome.
     name : str
@@ -258,6 +265,67 @@ def refuse_start_at_rest(scene: Mapping) -> Iterator[str]:
             )
 
 
+def refuse_start_that_pulls(scene: Mapping) -> Iterator[str]:
+    """Refuse a negative rescaled force, which no contact carries."""
+    smallest = min(scene["start"].get("rescaled_force", [0.0]))
+    if smallest < 0:
+        yield (
+            f"start.rescaled_force has {smallest} as its smallest value, but a contact cannot "
+            "pull: give values of 0 or more."
+        )
+
+
+def refuse_start_that_is_not_periodic(scene: Mapping) -> Iterator[str]:
+    """Refuse values that differ at −ℓ and ℓ, which are one point of the ring."""
+    first, *_, last = scene["start"].get("rescaled_force", [0.0, 0.0])
+    if first != last:
+        yield (
+            f"start.rescaled_force begins with {first} and ends with {last}, but on a ring both "
+            "ends are one point: give a periodic start."
+        )
+
+
+def refuse_plateau_wider_than_ring(scene: Mapping) -> Iterator[str]:
+    """Refuse a start (49) that does not fall to its floor within −ℓ ≤ ξ ≤ ℓ."""
+    half_length = _scaling(scene).half_length(scene["half_beads"])
+    half_width = scene["start"].get("half_width", -1.0)
+    if half_width + 1.0 > half_length:
+        yield (
+            f"start.half_width is {half_width}, and with its edge of width 1 the plateau exceeds "
+            f"half the ring, ℓ = (p − 1/2) ε = {half_length:.6g}: lower it or raise half_beads."
+        )
+
+
+def refuse_grid_too_coarse_for_edge(scene: Mapping) -> Iterator[str]:
+    """Refuse cells that are wider than the edge of a wave allows."""
+    length = 2.0 * _scaling(scene).half_length(scene["half_beads"])
+    needed = math.ceil(CELLS_PER_EDGE * length)
+    equations = scene["equations"]
+    counts = {f"{name}.cells": equations[name]["cells"] for name in ("logarithmic", "unlimited")}
+    for name, found in (counts | {"upwind.points": equations["upwind"]["points"]}).items():
+        if found < needed:
+            yield (
+                f"equations.{name} is {found}, too coarse to hold the edge of the wave, of width 1 "
+                f"on a ring of length 2ℓ = {length:.6g}: give {needed} or more."
+            )
+
+
+def refuse_equation_tolerance_below_floor(scene: Mapping) -> Iterator[str]:
+    """Refuse an error per step that drowns in rounding."""
+    for name in ("logarithmic", "unlimited"):
+        tolerance = scene["equations"][name]["tolerance"]
+        if tolerance < EQUATION_TOLERANCE_FLOOR:
+            yield (
+                f"equations.{name}.tolerance is {tolerance}, under the solver's floor of "
+                f"{EQUATION_TOLERANCE_FLOOR}: ask for the floor or more."
+            )
+
+
+def _scaling(scene: Mapping) -> Scaling:
+    """Scales of a periodic scene."""
+    return Scaling(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+
+
 Refusal = Callable[[Mapping], Iterator[str]]
 
 REFUSALS: dict[str, tuple[Refusal, ...]] = {
@@ -274,6 +342,15 @@ REFUSALS: dict[str, tuple[Refusal, ...]] = {
         refuse_empty_profile,
         refuse_damping_listed_twice,
         refuse_start_at_rest,
+    ),
+    "periodic": (
+        refuse_relative_tolerance_below_floor,
+        refuse_start_that_pulls,
+        refuse_start_that_is_not_periodic,
+        refuse_plateau_wider_than_ring,
+        refuse_grid_too_coarse_for_edge,
+        refuse_equation_tolerance_below_floor,
+        refuse_record_after_end,
     ),
 }
 

@@ -120,6 +120,8 @@ def _sentence(error: ValidationError, key: str) -> str:
     value, limit = _show(error.instance), error.validator_value
     if error.validator == "minimum":
         return f"{key} is {value}, below its limit {limit}: give {limit} or more."
+    if error.validator == "maximum":
+        return f"{key} is {value}, above its limit {limit}: give {limit} or less."
     if error.validator == "exclusiveMinimum":
         return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
     if error.validator == "enum":

@@ -1,0 +1,97 @@
+r"""Starts of the amplitude equations on a ring, as exact cell averages and as point values.
+
+The start of James (2021), eq. (49), is the rescaled force
+
+.. math:: y^0 = 1 \;(|\xi| \le w), \qquad
+    y^0 = \max\bigl(1 - (|\xi| - w)^2,\; \eta\bigr) \;(w \le |\xi| \le \ell), \qquad w = 10.
+
+It has kinks at :math:`|\xi| = w + \sqrt{1-\eta}`.  Point values would leave an error of second
+order for ever; the averages of :math:`v = y^{1/\alpha}` over cells are differences of its integral,
+which with :math:`q = 1/\alpha` is an incomplete beta function,
+
+.. math:: \int_0^s (1 - r^2)^q\,dr = \tfrac12\, B(s^2;\, \tfrac12,\, q + 1),
+
+so that a kink inside a cell costs nothing.
+
+A given start is a list of y at equally spaced points from −ℓ to ℓ, both ends included and equal; in
+between it is the trigonometric polynomial through the points, whose averages are exact too.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import beta, betainc
+
+
+class Plateau(NamedTuple):
+    """The start (49): half-width w of the plateau, floor η."""
+
+    half_width: float
+    floor: float
+
+    def values(self, xi, half_length):
+        """y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
+        distance = np.abs(wrap(xi, half_length)) - self.half_width
+        return np.maximum(1.0 - np.maximum(distance, 0.0) ** 2, self.floor)
+
+    def averages(self, cells, half_length, alpha):
+        """Averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,)."""
+        edges = np.linspace(-half_length, half_length, cells + 1)
+        integral = np.sign(edges) * self._integral(np.abs(edges), 1.0 / alpha)
+        # The difference of two integrals may round to less than the floor.
+        averages = np.diff(integral) * cells / (2.0 * half_length)
+        return np.maximum(averages, self.floor ** (1.0 / alpha))
+
+    def _integral(self, distance, power):
+        """∫ y^q from 0 to a distance."""
+        reach = np.sqrt(1.0 - self.floor)
+        fallen = np.clip(distance - self.half_width, 0.0, reach)
+        slope = 0.5 * beta(0.5, power + 1.0) * betainc(0.5, power + 1.0, fallen**2)
+        beyond = np.maximum(distance - self.half_width - reach, 0.0)
+        return np.minimum(distance, self.half_width) + slope + self.floor**power * beyond
+
+
+class Given(NamedTuple):
+    """A start listed at equally spaced points from −ℓ to ℓ, both ends included."""
+
+    rescaled_force: tuple
+
+    @property
+    def floor(self):
+        """Lower bound of y; 0, since the polynomial may dip below its points."""
+        return 0.0
+
+    def values(self, xi, half_length):
+        """y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
+        phase = np.pi * (np.asarray(xi, dtype=float) / half_length + 1.0)
+        wave_numbers, amplitudes = self._amplitudes(1.0)
+        return (np.exp(1j * np.multiply.outer(phase, wave_numbers)) @ amplitudes).real
+
+    def averages(self, cells, half_length, alpha):
+        """Averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,); ℓ plays no part."""
+        wave_numbers, amplitudes = self._amplitudes(1.0 / alpha)
+        smoothing = np.sinc(wave_numbers / cells)
+        centres = 2.0 * np.pi * (np.arange(cells) + 0.5) / cells
+        waves = np.exp(1j * np.multiply.outer(centres, wave_numbers))
+        return (waves @ (amplitudes * smoothing)).real
+
+    def _amplitudes(self, power):
+        """Wave numbers 0 … M/2 and the amplitudes of y^q, whose real part is meant."""
+        values = np.asarray(self.rescaled_force[:-1], dtype=float) ** power
+        amplitudes = np.fft.rfft(values) / values.size
+        amplitudes[1:] *= 2.0
+        if values.size % 2 == 0:
+            amplitudes[-1] *= 0.5
+        return np.arange(amplitudes.size), amplitudes
+
+
+def make_start(start):
+    """The start that a checked scene describes."""
+    if start["kind"] == "plateau":
+        return Plateau(float(start["half_width"]), float(start["floor"]))
+    return Given(tuple(start["rescaled_force"]))
+
+
+def wrap(xi, half_length):
+    """ξ modulo 2ℓ, in [−ℓ, ℓ)."""
+    return np.mod(np.asarray(xi, dtype=float) + half_length, 2.0 * half_length) - half_length

@@ -1,0 +1,116 @@
+r"""Scales between the chain and its amplitude equations (James 2021, section 4).
+
+The relative displacements and velocities of a chain with :math:`\beta = \alpha` follow from the
+rescaled force :math:`y(\xi, \tau)` as
+
+.. math::
+
+    u_n(t) = \delta\, y^{1/\alpha}, \quad \xi = \varepsilon(n - ct), \quad
+    \tau = \tfrac12\gamma\varepsilon^2c^2 t, \quad c = \delta^{(\alpha-1)/2}, \quad
+    \varepsilon = \frac{\alpha - 1}{\alpha\gamma c}.
+
+In the frame :math:`\tilde\xi = \xi - \tau = \varepsilon(n - \tilde ct)` of (51) the speed is
+:math:`\tilde c = \delta^{(\alpha-1)/2} + \tfrac12\varepsilon\gamma\,\delta^{\alpha-1}`.
+
+Velocities.  To first order :math:`\dot x \approx \delta^{(\alpha+1)/2}
+\bigl(y - \varepsilon(\gamma c + \tfrac12)\,\partial_\xi y\bigr)` (43), which for a front becomes
+:math:`\delta^{(\alpha+1)/2}\bigl(u - (u^\alpha - u)/(2\gamma c)\bigr)`, (44) and (48), with
+:math:`u = y^{1/\alpha}`; to leading order :math:`\delta^{(\alpha+1)/2} y` (51).
+
+This module imports neither numpy nor numba, since the configuration is checked with it.
+"""
+
+from typing import NamedTuple
+
+
+class Scaling(NamedTuple):
+    """Scales between the chain and its amplitude equations; all dimensionless.
+
+    Attributes
+    ----------
+    alpha : float
+        Exponent of the contact law, above 1.
+    gamma : float
+        Strength of the viscous force, above 0.
+    delta : float
+        Reference relative displacement δ, above 0.
+    """
+
+    alpha: float
+    gamma: float
+    delta: float
+
+    @property
+    def speed(self):
+        """Speed c = δ^((α − 1)/2)."""
+        return self.delta ** ((self.alpha - 1.0) / 2.0)
+
+    @property
+    def epsilon(self):
+        """Small parameter ε = (α − 1)/(αγc), the chain's step in ξ."""
+        return (self.alpha - 1.0) / (self.alpha * self.gamma * self.speed)
+
+    @property
+    def frame_speed(self):
+        """Speed c̃ of (51), the speed at which ξ̃ = ξ − τ runs along the chain."""
+        return self.speed + 0.5 * self.epsilon * self.gamma * self.speed**2
+
+    @property
+    def slow_rate(self):
+        """Ratio τ/t of (51)."""
+        return 0.5 * self.gamma * (self.epsilon * self.speed) ** 2
+
+    @property
+    def velocity_scale(self):
+        """Velocity δ^((α + 1)/2) at which y is 1."""
+        return self.delta * self.speed
+
+    def half_length(self, half_beads):
+        """Half of the ring, ℓ = (p − 1/2) ε of a ring of 2p − 1 beads."""
+        return (half_beads - 0.5) * self.epsilon
+
+    def displacement(self, y):
+        """Relative displacement u_n of (51)."""
+        return self.delta * y ** (1.0 / self.alpha)
+
+    def velocity(self, y):
+        """Velocity ẋ_n of (51), to leading order."""
+        return self.velocity_scale * y
+
+    def corrected_velocity(self, y, slope):
+        """Velocity ẋ_n of (43), with the first-order term; `slope` is ∂y/∂ξ."""
+        return self.velocity_scale * (y - self.epsilon * (self.gamma * self.speed + 0.5) * slope)
+
+    def front_velocity(self, u):
+        """Velocity ẋ_n of a stationary front, (44) and (48).
+
+        Parameters
+        ----------
+        u : float or ndarray
+            y^(1/α), from 0 to 1.
+        """
+        correction = (u**self.alpha - u) / (2.0 * self.gamma * self.speed)
+        return self.velocity_scale * (u - correction)
+
+
+def make_scaling(alpha, gamma, delta):
+    """Scales of section 4, for possible parameters only.
+
+    Raises
+    ------
+    ValueError
+        Unless α > 1, γ > 0 and δ > 0.
+    """
+    if not alpha > 1.0:
+        raise ValueError(
+            f"alpha is {alpha}, but the amplitude equations of section 4 hold for alpha above 1, "
+            "where a front runs into an uncompressed chain: give a number above 1."
+        )
+    if not gamma > 0.0:
+        raise ValueError(
+            f"gamma is {gamma}, but without damping the scale epsilon of section 4 is infinite: "
+            "give a number above 0."
+        )
+    if not delta > 0.0:
+        raise ValueError(f"delta is {delta}, but must be above 0: give a compression.")
+    return Scaling(float(alpha), float(gamma), float(delta))
