@@ -30,6 +30,7 @@ rule all:
 
 
 include: "workflow/rules/chain.smk"
+include: "workflow/rules/continuum.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/tables.smk"
 include: "workflow/rules/checks.smk"

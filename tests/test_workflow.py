@@ -17,7 +17,8 @@ ROOT = Path(__file__).parents[1]
 SCRIPTS = sorted(
     set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
 )
-TARGETS = ["all", "figures", "fig01", "fig02", "fig03", "tables", "report", "check_results"]
+FIGURES = ["fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig07", "fig07b"]
+TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results"]
 
 
 def snakemake(*arguments, folder=ROOT):
@@ -98,7 +99,7 @@ def jobs_due(project):
 @pytest.mark.slow
 def test_smoke_run_makes_everything(finished):
     page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
-    assert page.count("data:image/png;base64,") == 3
+    assert page.count("data:image/png;base64,") == len(FIGURES)
     for words in ["Figure 1.", "initiation_underdamped:", "Run times", "initiate_front/"]:
         assert words in page
     assert not jobs_due(finished)

@@ -1,5 +1,9 @@
 """Panels that several figures share: each draws what a dataset holds and computes nothing."""
 
+from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR
+
+FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
+
 
 def draw_probes(axes, data, name):
     """u_n(t) of every bead of a probe set."""
@@ -53,3 +57,46 @@ def draw_spacetime(axes, values, *, colour_map, limits, extend, label):
     )
     axes.set(xlabel="$n$", ylabel="$t$")
     axes.figure.colorbar(image, ax=axes, location="top", extend=extend, label=label, aspect=30)
+
+
+def draw_chain_dots(axes, snapshot, field):
+    """A field of all beads, one dot each.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    snapshot : xarray.Dataset
+        One time of a comparison.
+    field : str
+        A key of `FIELD_LABELS`.
+    """
+    beads = snapshot[field]
+    axes.plot(beads["bead"], beads, ".", color=CHAIN_COLOUR, markersize=2.5, label="chain")
+    axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
+
+
+def draw_comparison(panels, data):
+    """Chain and logarithmic Burgers equation at every snapshot after the start.
+
+    Parameters
+    ----------
+    panels : dict of matplotlib.axes.Axes
+        Under `snapshot_rows`'s names.
+    data : xarray.Dataset
+        A comparison.
+    """
+    for row, names in enumerate(snapshot_rows(data), start=1):
+        snapshot = data.isel(t=row)
+        for name, field in zip(names, FIELD_LABELS, strict=True):
+            axes, line = panels[name], snapshot[f"{field}_logarithmic"]
+            axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label="equation (41)")
+            draw_chain_dots(axes, snapshot, field)
+            axes.set_title(f"$t = {float(snapshot['t']):g}$")
+    panels[names[0]].set_xlabel("$n$")
+    panels[names[1]].set_xlabel("$n$")
+    panels[snapshot_rows(data)[0][0]].legend(loc="center right")
+
+
+def snapshot_rows(data):
+    """Mosaic of a comparison: a row for each snapshot after the start, a column for each field."""
+    return [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]

@@ -19,6 +19,9 @@ from matplotlib import cycler
 TEXT_WIDTH = 6.9
 PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
 PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
+CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = "#000000", "#1447c4", "#1a8f3c"
+# Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
+EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
 CLIPPED_COLOUR = "#d01c1c"
 
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.

@@ -6,6 +6,11 @@ FIGURES = [
     "fig01_initiation_underdamped",
     "fig02_spacetime_underdamped",
     "fig03_initiation_overdamped",
+    "fig04_log_burgers_fronts",
+    "fig05_initial_conditions",
+    "fig06_periodic_chain_weak",
+    "fig07_periodic_chain_hertz",
+    "fig07b_model_error",
 ]
 
 

@@ -4,7 +4,7 @@
 rule check_results:
     input:
         tests=sorted(glob("tests/artefacts/*.py")),
-        datasets=CHAIN_DATASETS,
+        datasets=CHAIN_DATASETS + PERIODIC_DATASETS,
         figures=FIGURES,
         tables=rules.tabulate_paper_numbers.output,
     output:

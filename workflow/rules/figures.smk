@@ -61,7 +61,118 @@ rule plot_fig03:
         "../scripts/plot_fig03.py"
 
 
-FIGURE_RULES = {"fig01": rules.plot_fig01, "fig02": rules.plot_fig02, "fig03": rules.plot_fig03}
+rule plot_fig04:
+    input:
+        dataset="<results>/data/continuum/log_burgers_fronts.nc",
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig04_log_burgers_fronts.pdf",
+        png="<results>/figures/fig04_log_burgers_fronts.png",
+    log:
+        "<logs>/plot_fig04.log",
+    benchmark:
+        "<benchmarks>/plot_fig04.tsv"
+    threads: 1
+    message:
+        "Drawing figure 4: fluxes and fronts of the amplitude equations."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig04.py"
+
+
+rule plot_fig05:
+    input:
+        weak="<results>/data/periodic/weak.nc",
+        hertz="<results>/data/periodic/hertz.nc",
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig05_initial_conditions.pdf",
+        png="<results>/figures/fig05_initial_conditions.png",
+    log:
+        "<logs>/plot_fig05.log",
+    benchmark:
+        "<benchmarks>/plot_fig05.tsv"
+    threads: 1
+    message:
+        "Drawing figure 5: the start on the ring."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig05.py"
+
+
+rule plot_fig06:
+    input:
+        dataset="<results>/data/periodic/weak.nc",
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig06_periodic_chain_weak.pdf",
+        png="<results>/figures/fig06_periodic_chain_weak.png",
+    log:
+        "<logs>/plot_fig06.log",
+    benchmark:
+        "<benchmarks>/plot_fig06.tsv"
+    threads: 1
+    message:
+        "Drawing figure 6: ring and logarithmic Burgers equation, alpha = 1.1."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig06.py"
+
+
+rule plot_fig07:
+    input:
+        dataset="<results>/data/periodic/hertz.nc",
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig07_periodic_chain_hertz.pdf",
+        png="<results>/figures/fig07_periodic_chain_hertz.png",
+    log:
+        "<logs>/plot_fig07.log",
+    benchmark:
+        "<benchmarks>/plot_fig07.tsv"
+    threads: 1
+    message:
+        "Drawing figure 7: ring and logarithmic Burgers equation, alpha = 3/2."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig07.py"
+
+
+rule plot_fig07b:
+    input:
+        weak="<results>/data/periodic/weak.nc",
+        hertz="<results>/data/periodic/hertz.nc",
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig07b_model_error.pdf",
+        png="<results>/figures/fig07b_model_error.png",
+    log:
+        "<logs>/plot_fig07b.log",
+    benchmark:
+        "<benchmarks>/plot_fig07b.tsv"
+    threads: 1
+    message:
+        "Drawing figure 7b: how far the ring is from its equations."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig07b.py"
+
+
+FIGURE_RULES = {
+    "fig01": rules.plot_fig01,
+    "fig02": rules.plot_fig02,
+    "fig03": rules.plot_fig03,
+    "fig04": rules.plot_fig04,
+    "fig05": rules.plot_fig05,
+    "fig06": rules.plot_fig06,
+    "fig07": rules.plot_fig07,
+    "fig07b": rules.plot_fig07b,
+}
 FIGURES = [rule.output for rule in FIGURE_RULES.values()]
 
 
@@ -91,3 +202,38 @@ rule fig03:
         rules.plot_fig03.output,
     message:
         "Figure 3 is drawn."
+
+
+rule fig04:
+    input:
+        rules.plot_fig04.output,
+    message:
+        "Figure 4 is drawn."
+
+
+rule fig05:
+    input:
+        rules.plot_fig05.output,
+    message:
+        "Figure 5 is drawn."
+
+
+rule fig06:
+    input:
+        rules.plot_fig06.output,
+    message:
+        "Figure 6 is drawn."
+
+
+rule fig07:
+    input:
+        rules.plot_fig07.output,
+    message:
+        "Figure 7 is drawn."
+
+
+rule fig07b:
+    input:
+        rules.plot_fig07b.output,
+    message:
+        "Figure 7b is drawn."

@@ -10,6 +10,8 @@ rule write_report:
         benchmarks=[
             rules.compile_kernels.benchmark,
             expand(rules.initiate_front.benchmark, scene=config["scenes"]["chain"]),
+            rules.evaluate_fronts.benchmark,
+            expand(rules.compare_periodic_chain.benchmark, scene=config["scenes"]["periodic"]),
             [rule.benchmark for rule in FIGURE_RULES.values()],
             rules.tabulate_paper_numbers.benchmark,
             rules.check_results.benchmark,

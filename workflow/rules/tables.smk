@@ -4,7 +4,7 @@
 rule tabulate_paper_numbers:
     input:
         numbers="config/paper_numbers.yaml",
-        datasets=CHAIN_DATASETS,
+        datasets=CHAIN_DATASETS + PERIODIC_DATASETS,
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",

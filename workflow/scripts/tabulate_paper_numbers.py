@@ -2,12 +2,12 @@
 
 import math
 from decimal import Decimal, InvalidOperation
+from importlib import import_module
 from pathlib import Path
 
 import pandas as pd
 import yaml
 
-from granular_fronts.chain import measures
 from granular_fronts.datasets import read_dataset
 from step import run_step
 
@@ -48,7 +48,7 @@ def tabulate_paper_numbers(numbers: Path, datasets: list[Path], csv: Path, markd
 
 def make_row(entry, dataset):
     """One row of the table, as a dict."""
-    measured = getattr(measures, entry["measure"])(dataset)
+    measured = find_measure(entry["measure"])(dataset)
     return {
         "quantity": entry["quantity"],
         "paper_place": entry["paper_place"],
@@ -61,13 +61,19 @@ def make_row(entry, dataset):
     }
 
 
+def find_measure(name):
+    """The measure of a bare name in chain.measures, or of a dotted name below the package."""
+    home, _, function = name.rpartition(".")
+    return getattr(import_module(f"granular_fronts.{home or 'chain.measures'}"), function)
+
+
 def judge(printed, measured, within=None):
     """Verdict on a measured value.
 
     Parameters
     ----------
     printed : str
-        A number, an inequality (`>= 0`, `> 1`), or words.
+        A number, an inequality (`>= 0`, `> 1`, `< 0`), or words.
     measured : measures.Measured
         Its error counts in favour of the printed number.
     within : float, optional
@@ -76,6 +82,9 @@ def judge(printed, measured, within=None):
     relation, _, limit = printed.partition(" ")
     if relation in (">", ">="):
         fits = measured.value + measured.error >= float(limit)
+        return REPRODUCED if fits else NOT_REPRODUCED
+    if relation == "<":
+        fits = measured.value - measured.error < float(limit)
         return REPRODUCED if fits else NOT_REPRODUCED
     try:
         number = Decimal(printed)

@@ -1,0 +1,39 @@
+"""Figure 4: fluxes and stationary fronts of the amplitude equations; James (2021), figure 4."""
+
+from pathlib import Path
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import EXPONENT_COLOURS, new_figure, save_figure
+from step import run_step
+
+
+def plot_fig04(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw f_α and y^(1/α) against y, and the fronts of (46) and (45).
+
+    Parameters
+    ----------
+    dataset : Path
+        Tabulated fluxes and fronts.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset)
+    figure, panels = new_figure(3.0, [["flux", "front"]])
+    for alpha, colour in zip(data["alpha"].values, EXPONENT_COLOURS, strict=False):
+        case = data.sel(alpha=alpha)
+        label = rf"$\alpha = {alpha:g}$"
+        panels["flux"].plot(data["force"], case["flux"], "-", color=colour, label=label)
+        panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
+        panels["front"].plot(data["xi"], case["front"], "-", color=colour, label=label)
+    limit = {"color": "black", "linestyle": "-", "label": r"$\alpha \to 1^+$"}
+    panels["flux"].plot(data["force"], data["flux_limit"], **limit)
+    panels["flux"].plot(data["force"], data["force"], ":", color="black")
+    panels["front"].plot(data["xi"], data["front_limit"], **limit)
+    panels["flux"].set(xlabel="$y$", ylabel=r"$f_\alpha(y)$, dotted $y^{1/\alpha}$", xlim=(0, 1))
+    panels["front"].set(xlabel=r"$\xi$", ylabel=r"$y_\alpha^{1/\alpha}$", xlim=(-6, 4))
+    panels["front"].legend()
+    save_figure(figure, pdf, png)
+
+
+if __name__ == "__main__":
+    run_step(plot_fig04, globals().get("snakemake"))
