@@ -91,10 +91,10 @@ def draw_comparison(panels, data):
             axes, line = panels[name], snapshot[f"{field}_logarithmic"]
             axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label="equation (41)")
             draw_chain_dots(axes, snapshot, field)
-            axes.annotate(f"$t = {float(snapshot['t']):g}$", (0.02, 0.88), xycoords="axes fraction")
+            axes.set_title(f"$t = {float(snapshot['t']):g}$")
     panels[names[0]].set_xlabel("$n$")
     panels[names[1]].set_xlabel("$n$")
-    panels[names[0]].legend(loc="lower left")
+    panels[snapshot_rows(data)[0][0]].legend(loc="center right")
 
 
 def snapshot_rows(data):

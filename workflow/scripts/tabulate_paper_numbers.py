@@ -78,7 +78,7 @@ def judge(printed, measured, within=None):
     Parameters
     ----------
     printed : str
-        A number, an inequality (`>= 0`, `> 1`), or words.
+        A number, an inequality (`>= 0`, `> 1`, `< 0`), or words.
     measured : Measured
         Its error counts in favour of the printed number.
     within : float, optional
@@ -87,6 +87,9 @@ def judge(printed, measured, within=None):
     relation, _, limit = printed.partition(" ")
     if relation in (">", ">="):
         fits = measured.value + measured.error >= float(limit)
+        return REPRODUCED if fits else NOT_REPRODUCED
+    if relation == "<":
+        fits = measured.value - measured.error < float(limit)
         return REPRODUCED if fits else NOT_REPRODUCED
     try:
         number = Decimal(printed)

@@ -1,0 +1,1 @@
+"""A ring of beads beside its amplitude equations (James 2021, section 4.3)."""

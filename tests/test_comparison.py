@@ -1,0 +1,77 @@
+"""The ring against its amplitude equations, and what is measured on both."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tabulate_paper_numbers import find_measure, judge
+
+from granular_fronts.comparison import compare_with_chain, make_chain_scene
+from granular_fronts.configuration import check_scene, load_configuration
+from granular_fronts.continuum import measures
+
+CONFIG = Path(__file__).parents[1] / "config"
+SCENE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")["scenes"]["periodic"][
+    "weak"
+] | {"end_time": 30, "record": {"snapshots": [0, 15, 30], "grid": {"step": 1}}}
+
+
+@pytest.fixture(scope="module")
+def compared():
+    dataset = compare_with_chain(SCENE, "weak")
+    return dataset.assign_attrs(config=json.dumps(SCENE))
+
+
+def test_ring_starts_as_the_paper_says():
+    scene = make_chain_scene(check_scene("periodic", SCENE, "weak"))
+    u, velocity = (np.array(scene["start"][key]) for key in ("relative_displacement", "velocity"))
+    assert u.size == 79
+    assert u[39] == 5.0
+    assert velocity[39] == pytest.approx(5.0**1.05)
+    np.testing.assert_allclose(velocity / 5.0**1.05, (u / 5.0) ** 1.1, rtol=1e-12)
+    np.testing.assert_array_equal(u, u[::-1])
+
+
+def test_chain_and_equations_start_alike(compared):
+    start = compared.sel(t=0.0)
+    for name in ("logarithmic", "unlimited", "upwind"):
+        told = start[f"relative_displacement_{name}"].sel(site=start["bead"].values)
+        near = 1.0e-12 if name != "upwind" else 0.01
+        np.testing.assert_allclose(told, start["relative_displacement"], atol=near)
+
+
+def test_solvers_contribute_far_less_than_the_model(compared):
+    later = compared.isel(t_grid=slice(1, None))
+    for field in ("relative_displacement", "velocity"):
+        for equation in ("logarithmic", "unlimited"):
+            names = [f"{field}_{kind}_{equation}" for kind in ("sup", "rms", "floor")]
+            sup, rms, floor = (later[name] for name in names)
+            assert np.all(rms <= sup)
+            assert np.all(floor < 0.02 * sup)
+
+
+def test_shock_runs_at_the_speed_of_the_front(compared):
+    """The speed of a front into an uncompressed chain is c, eq. (21)."""
+    chain, told = measures.shock_speed(compared), measures.shock_speed_equation(compared)
+    front = 5.0**0.05
+    assert chain.value == pytest.approx(front, abs=0.02)
+    assert told.value == pytest.approx(front, abs=0.02)
+    assert abs(measures.shock_lead(compared).value) < 1.0
+
+
+def test_gap_and_bump_are_found(compared):
+    assert measures.deepest_gap(compared).value < -1.0
+    assert measures.gap_time(compared).value <= 2.0
+    assert 0.05 < measures.bump_height(compared).value < 0.3
+    assert -1.2 < measures.bump_velocity(compared).value < -0.8
+
+
+def test_measure_of_another_wing_has_a_dotted_name():
+    assert find_measure("continuum.measures.epsilon") is measures.epsilon
+    assert find_measure("front_speed").__module__ == "granular_fronts.chain.measures"
+
+
+def test_upper_limits_are_judged():
+    assert judge("< 0", measures.Measured(-0.1, 0.01)) == "reproduced"
+    assert judge("< 0", measures.Measured(0.1, 0.01)) == "not reproduced"
