@@ -9,7 +9,7 @@ from tabulate_paper_numbers import find_measure, judge
 
 from granular_fronts.comparison import compare_with_chain, make_chain_scene
 from granular_fronts.configuration import check_scene, load_configuration
-from granular_fronts.continuum import measures
+from granular_fronts.periodic import measures
 
 CONFIG = Path(__file__).parents[1] / "config"
 SCENE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")["scenes"]["periodic"][
@@ -68,7 +68,7 @@ def test_gap_and_bump_are_found(compared):
 
 
 def test_measure_of_another_wing_has_a_dotted_name():
-    assert find_measure("continuum.measures.epsilon") is measures.epsilon
+    assert find_measure("periodic.epsilon") is measures.epsilon
     assert find_measure("front_speed").__module__ == "granular_fronts.chain.measures"
 
 
