@@ -24,15 +24,16 @@ The time to the crossing comes from the parabola through u, its rate, and the re
 
 import math
 
-from numba import njit, uint64
+from numba import uint64
 
 from granular_fronts.chain.state import PAIR
+from granular_fronts.compiled import kernel
 
 APPROACH = 0.75
 CROSSING = 1.5
 
 
-@njit(cache=True)
+@kernel
 def changes_sign(state, last):
     """Whether any of the contacts 1 … last opens or closes between the ends of the step."""
     changes = 0
@@ -41,14 +42,14 @@ def changes_sign(state, last):
     return changes > 0
 
 
-@njit(cache=True)
+@kernel
 def contribution(law, compression, h):
     """κ: the most that a force of this compression adds to u within a step h."""
     largest = max(compression, 0.0)
     return h * law.gamma * largest**law.beta + h * h * largest**law.alpha
 
 
-@njit(cache=True)
+@kernel
 def compression_allowed(law, h, allowed):
     """A compression whose contribution to a step h is at most `allowed`."""
     by_force = (0.5 * allowed / (h * h)) ** (1.0 / law.alpha)
@@ -57,7 +58,7 @@ def compression_allowed(law, h, allowed):
     return min(by_force, (0.5 * allowed / (h * law.gamma)) ** (1.0 / law.beta))
 
 
-@njit(cache=True)
+@kernel
 def time_to_zero(u, rate, new_u, h):
     """First zero in (0, h) of the parabola with value u and slope `rate` at 0, value new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
@@ -72,7 +73,7 @@ def time_to_zero(u, rate, new_u, h):
     return h * u / (u - new_u)
 
 
-@njit(cache=True)
+@kernel
 def step_at_contact(law, state, h, last, allowed):
     """Step to try instead of h because of the contacts 1 … last, or h if no crossing does harm.
 

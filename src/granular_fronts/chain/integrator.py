@@ -21,7 +21,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.contact_events import changes_sign, step_at_contact
@@ -36,6 +35,7 @@ from granular_fronts.chain.strain import (
     stages_for_output,
     try_step,
 )
+from granular_fronts.compiled import kernel
 
 RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
 
@@ -99,7 +99,7 @@ STOP, PROFILE, SAMPLE = range(3)
 LARGEST, SMALLEST, OPENING = 0, 3, 6
 
 
-@njit(cache=True)
+@kernel
 def polynomial_weights(law, h, theta, weights_d, weights_g, weights_k):
     """Weights of the slopes in d(θ), and of g and k in u(θ)."""
     for j in range(rk.SLOPES):
@@ -112,7 +112,7 @@ def polynomial_weights(law, h, theta, weights_d, weights_g, weights_k):
         weights_k[j] = h * h * b_a
 
 
-@njit(cache=True)
+@kernel
 def contact_polynomial(law, state, h, n, coefficients):
     """Coefficients of u_n(θ) in powers of θ, constant term first."""
     g = state.g if law.kind == PAIR else state.k
@@ -126,7 +126,7 @@ def contact_polynomial(law, state, h, n, coefficients):
     coefficients[1] += h * state.d[n]
 
 
-@njit(cache=True)
+@kernel
 def polynomial(coefficients, theta):
     """Value of a polynomial, constant coefficient first."""
     value = 0.0
@@ -135,7 +135,7 @@ def polynomial(coefficients, theta):
     return value
 
 
-@njit(cache=True)
+@kernel
 def crossing(coefficients, level):
     """A θ in [0, 1] where the polynomial meets `level`, by bisection to the last bit.
 
@@ -153,7 +153,7 @@ def crossing(coefficients, level):
             low = middle
 
 
-@njit(cache=True)
+@kernel
 def derivative(coefficients):
     """Coefficients of the derivative of a polynomial."""
     result = np.empty(coefficients.size - 1)
@@ -162,7 +162,7 @@ def derivative(coefficients):
     return result
 
 
-@njit(cache=True)
+@kernel
 def next_output(recording):
     """Time of the next profile or sample, infinite if there is none."""
     profile, sample = recording.cursor[PROFILE], recording.cursor[SAMPLE]
@@ -174,7 +174,7 @@ def next_output(recording):
     return t
 
 
-@njit(cache=True)
+@kernel
 def write_profile(law, state, h, theta, reach, row_u, row_d):
     """u(θ) and d(θ) of all beads of the active window; at θ = 1 the new state itself."""
     if theta == 1.0:
@@ -194,7 +194,7 @@ def write_profile(law, state, h, theta, reach, row_u, row_d):
             row_d[n] += weights_d[j] * state.k[j, n]
 
 
-@njit(cache=True)
+@kernel
 def write_output(law, state, t, h, t_new, reach, recording):
     """Profiles and samples that fall into (t, t_new]."""
     cursor = recording.cursor
@@ -220,7 +220,7 @@ def write_output(law, state, t, h, t_new, reach, recording):
         cursor[SAMPLE] += 1
 
 
-@njit(cache=True)
+@kernel
 def write_arrivals(law, state, t, h, last, recording):
     """First upward crossings of the level within the step."""
     coefficients = np.empty(rk.DEGREE + 1)
@@ -230,7 +230,7 @@ def write_arrivals(law, state, t, h, last, recording):
             recording.arrival[n] = t + h * crossing(coefficients, recording.level)
 
 
-@njit(cache=True)
+@kernel
 def level_is_crossed(state, last, recording):
     """Whether any contact reaches the arrival level for the first time in this step."""
     for n in range(last, 0, -1):
@@ -239,7 +239,7 @@ def level_is_crossed(state, last, recording):
     return False
 
 
-@njit(cache=True)
+@kernel
 def record_extremum(kind, sign, value, t, n, recording):
     """Keep the value if it is a new largest (sign 1) or smallest (sign −1) one."""
     if sign * value > sign * recording.extremes[kind]:
@@ -248,7 +248,7 @@ def record_extremum(kind, sign, value, t, n, recording):
         recording.extremes[kind + 2] = n
 
 
-@njit(cache=True)
+@kernel
 def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
     """Extremes of u over the step, and the first opening; whether output stages are computed."""
     g = state.g if law.kind == PAIR else state.k
@@ -287,7 +287,7 @@ def write_extremes(law, size, state, t, h, reach, have_polynomials, recording):
     return have_polynomials
 
 
-@njit(cache=True)
+@kernel
 def record_step(law, size, state, t, h, t_new, reach, recording):
     """Everything to be recorded of an accepted step; whether output stages were computed."""
     last = min(reach, size.contacts)
@@ -305,7 +305,7 @@ def record_step(law, size, state, t, h, t_new, reach, recording):
     return have_polynomials
 
 
-@njit(cache=True)
+@kernel
 def factor_of(error):
     """Change of step size that brings the next error to the tolerance."""
     if error == 0.0:
@@ -313,7 +313,7 @@ def factor_of(error):
     return min(rk.LARGEST_FACTOR, max(rk.SMALLEST_FACTOR, rk.SAFETY * error**rk.ERROR_EXPONENT))
 
 
-@njit(cache=True)
+@kernel
 def advance(law, size, state, clock, relative, absolute, recording, most_steps):
     """Integrate until the last stop, or until `most_steps` further steps are accepted.
 

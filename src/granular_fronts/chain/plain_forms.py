@@ -14,10 +14,10 @@ one.  On a ring :math:`x_{n+N} = x_n - \sum_k u_k` (eq. 26).
 import math
 
 import numpy as np
-from numba import njit
 
 from granular_fronts.chain import equations
 from granular_fronts.chain import runge_kutta as rk
+from granular_fronts.compiled import kernel
 
 XW, XV = 0, 1
 
@@ -25,7 +25,7 @@ _A = np.ascontiguousarray(rk.A[: rk.STAGES, : rk.STAGES])
 _B, _E5, _E3 = (weights[: rk.STAGES].copy() for weights in (rk.B, rk.ERROR_5, rk.ERROR_3))
 
 
-@njit(cache=True)
+@kernel
 def derivative(form, law, ends, y, result):
     """Time derivative of y = (x, w) or (x, ẋ).
 
@@ -62,7 +62,7 @@ def derivative(form, law, ends, y, result):
         force, damping = next_force, next_damping
 
 
-@njit(cache=True)
+@kernel
 def contact(form, law, u, u_rate):
     """Elastic force, and γ u₊^β (XW) or its time derivative (XV)."""
     if u <= 0.0:
@@ -76,7 +76,7 @@ def contact(form, law, u, u_rate):
     return force, law.gamma * law.beta * damping / u * u_rate
 
 
-@njit(cache=True)
+@kernel
 def step(form, law, ends, y, slopes, h, relative, absolute):
     """One step of the pair; returns the new state and the error in units of the tolerance."""
     stage = np.empty_like(y)
@@ -104,7 +104,7 @@ def step(form, law, ends, y, slopes, h, relative, absolute):
     return y + increment, error
 
 
-@njit(cache=True)
+@kernel
 def integrate_fixed(form, law, ends, y, h, steps):
     """`steps` steps of constant size h."""
     slopes = np.empty((rk.STAGES, y.size))
@@ -113,7 +113,7 @@ def integrate_fixed(form, law, ends, y, h, steps):
     return y
 
 
-@njit(cache=True)
+@kernel
 def integrate_adaptive(form, law, ends, y, h, end_time, relative, absolute):
     """From 0 to `end_time` with error control; returns the state and the accepted steps.
 

@@ -37,11 +37,12 @@ from typing import NamedTuple
 
 import numpy as np
 from llvmlite import ir
-from numba import int64, njit, types, uint64
+from numba import int64, types, uint64
 from numba.extending import intrinsic
 
 from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.state import HERTZ, PAIR
+from granular_fronts.compiled import kernel
 
 # A smaller compression exerts no force: it could not influence another bead in double precision,
 # and arithmetic on the subnormal numbers that its powers lead to is a hundred times slower.
@@ -57,7 +58,7 @@ _CONTRACT = {"contract"}
 _REDUCE = {"contract", "nsz", "reassoc"}
 
 
-@njit(fastmath=_CONTRACT, cache=True)
+@kernel(fastmath=_CONTRACT)
 def stage_value(state, columns, a, a_squared, c, h, h_gamma, n):
     """U_i of bead n when one nonlinearity drives both equations; weights at `columns` only."""
     value = state.u[n] + c * h * state.d[n]
@@ -66,7 +67,7 @@ def stage_value(state, columns, a, a_squared, c, h, h_gamma, n):
     return value
 
 
-@njit(fastmath=_CONTRACT, cache=True)
+@kernel(fastmath=_CONTRACT)
 def stage_value_pair(state, a, a_squared, c, h, h_gamma, n):
     """U_i of bead n when the damping has an exponent of its own."""
     value = state.u[n] + c * h * state.d[n]
@@ -75,7 +76,7 @@ def stage_value_pair(state, a, a_squared, c, h, h_gamma, n):
     return value
 
 
-@njit(fastmath=_CONTRACT, cache=True)
+@kernel(fastmath=_CONTRACT)
 def laplacian(force, slopes, row, size, reach):
     """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach; a ring is closed first."""
     if size.contacts == size.beads:
@@ -85,7 +86,7 @@ def laplacian(force, slopes, row, size, reach):
         slopes[row, n] = force[n - uint64(1)] - 2.0 * force[n] + force[n + uint64(1)]
 
 
-@njit(fastmath=_CONTRACT, cache=True)
+@kernel(fastmath=_CONTRACT)
 def evaluate_slopes(law, size, state, u, row, reach):
     """Slopes of the state `u` into row `row` of k (and g)."""
     force, damping = state.force, state.damping
@@ -105,7 +106,7 @@ def evaluate_slopes(law, size, state, u, row, reach):
         laplacian(damping, state.g, row, size, reach)
 
 
-@njit(fastmath=_CONTRACT, forceinline=True, cache=True)
+@kernel(fastmath=_CONTRACT, forceinline=True)
 def hertz_stage(law, size, state, row, weights, h, reach):
     """Stage `row` for the force u₊^{3/2}.
 
@@ -122,7 +123,7 @@ def hertz_stage(law, size, state, row, weights, h, reach):
     laplacian(force, state.k, row, size, reach)
 
 
-@njit(fastmath=_CONTRACT, cache=True)
+@kernel(fastmath=_CONTRACT)
 def power_stage(law, size, state, row, h, reach):
     """Stage `row` for general exponents; the powers cost more than all the rest."""
     a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
@@ -141,7 +142,7 @@ def power_stage(law, size, state, row, h, reach):
         laplacian(state.damping, state.g, row, size, reach)
 
 
-@njit(cache=True)
+@kernel
 def stages(law, size, state, h, reach):
     """The eleven stages after the first, whose slopes stand in row 0."""
     if law.kind != HERTZ:
@@ -162,7 +163,7 @@ def stages(law, size, state, h, reach):
     hertz_stage(law, size, state, 11, rows[11], h, reach)
 
 
-@njit(cache=True)
+@kernel
 def stages_for_output(law, size, state, h, reach):
     """The three stages that only the continuous extension uses."""
     if law.kind != HERTZ:
@@ -217,7 +218,7 @@ class Largest(NamedTuple):
     state: float
 
 
-@njit(fastmath=_CONTRACT, forceinline=True, cache=True)
+@kernel(fastmath=_CONTRACT, forceinline=True)
 def combine(row, slopes, n):
     """Weighted sum over the stages of the slopes of bead n."""
     columns, weights = row
@@ -227,7 +228,7 @@ def combine(row, slopes, n):
     return total
 
 
-@njit(fastmath=_CONTRACT, cache=True)
+@kernel(fastmath=_CONTRACT)
 def finish_range(law, state, h, first, last):
     """New state and `Largest` for the beads first … last, in one pass over the slopes.
 
@@ -266,7 +267,7 @@ def finish_range(law, state, h, first, last):
     )
 
 
-@njit(cache=True)
+@kernel
 def finish(law, size, state, h, reach):
     """New state of the active window and the `Largest` of its moving contacts.
 
@@ -279,7 +280,7 @@ def finish(law, size, state, h, reach):
     return finish_range(law, state, h, 1, last)
 
 
-@njit(cache=True)
+@kernel
 def error_norm(largest, relative, absolute):
     """Error of the step in units of the tolerance, in the maximum norm over beads.
 
@@ -298,14 +299,14 @@ def error_norm(largest, relative, absolute):
     return fifth / math.sqrt(1.0 + ratio * ratio)
 
 
-@njit(cache=True)
+@kernel
 def try_step(law, size, state, h, reach):
     """All stages and the new state for a step h; the slopes of the start stand in row 0."""
     stages(law, size, state, h, reach)
     return finish(law, size, state, h, reach)
 
 
-@njit(cache=True)
+@kernel
 def accept(state, reach):
     """Make the new state and its slopes (row 12) the start of the next step."""
     for n in range(uint64(1), uint64(reach + 1)):
@@ -315,7 +316,7 @@ def accept(state, reach):
         state.g[0, n] = state.g[rk.NEW_SLOPE, n]
 
 
-@njit(cache=True)
+@kernel
 def reach_of(size, u, d, start):
     """Last bead the wave can touch within one step, looking down from bead `start`."""
     n = start
@@ -325,7 +326,7 @@ def reach_of(size, u, d, start):
     return min(blocks * WINDOW_BLOCK, size.beads)
 
 
-@njit(fastmath=_REDUCE, cache=True)
+@kernel(fastmath=_REDUCE)
 def dissipated_power(law, size, state, row, h, reach):
     r"""Sum over contacts of :math:`W''\,\dot u^2`, James (2021), eq. (6), at stage `row`."""
     a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
@@ -346,7 +347,7 @@ def dissipated_power(law, size, state, row, h, reach):
     return law.beta * law.gamma * total
 
 
-@njit(cache=True)
+@kernel
 def dissipated_energy(law, size, state, h, reach):
     """Energy lost in the step: the pair's own quadrature of the dissipated power, order 8."""
     energy = 0.0

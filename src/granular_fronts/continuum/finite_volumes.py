@@ -41,8 +41,8 @@ import functools
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from granular_fronts.compiled import kernel
 from granular_fronts.continuum.vector_log import logarithms
 
 GHOSTS = 3
@@ -90,7 +90,7 @@ def make_work(cells):
     return Work(np.zeros(cells + 2 * GHOSTS), *edges, np.zeros(cells + 1, dtype=np.int64))
 
 
-@njit(cache=True)
+@kernel
 def reconstruct(width, averages, work):
     """Values and derivatives of v at the edges, into `work`; edge i lies left of cell i."""
     n = averages.size
@@ -109,7 +109,7 @@ def reconstruct(width, averages, work):
         gradient[i] = s0 * inner + s1 * middle + s2 * (far_right[i] - far_left[i])
 
 
-@njit(cache=True)
+@kernel
 def evaluate_rates(equation, averages, work, rates):
     """Time derivative of the cell averages.
 
@@ -139,7 +139,7 @@ def evaluate_rates(equation, averages, work, rates):
         rates[i] = (flux[i] - flux[i + 1]) * per_width
 
 
-@njit(cache=True)
+@kernel
 def advection_and_diffusion(equation, smallest, largest):
     """Largest c²/D and largest D over values between two extremes.
 
@@ -155,7 +155,7 @@ def advection_and_diffusion(equation, smallest, largest):
     return strength, diffusion
 
 
-@njit(cache=True)
+@kernel
 def lift(averages, bound):
     """Raise every average to the bound at the expense of the nearest that can spare it.
 

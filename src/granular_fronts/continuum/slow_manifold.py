@@ -38,8 +38,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from granular_fronts.compiled import kernel
 from granular_fronts.continuum.log_kdv_burgers import linear_rates
 
 STIFF_DAMPING = 12.0
@@ -56,7 +56,7 @@ CONVERGED_CHANGE = 1e-9
 SMALLEST_V = 1e-300
 
 
-@njit(cache=True)
+@kernel
 def expand(mu, terms):
     """Coefficients of H in powers of r max(μ, 1).
 
@@ -84,7 +84,7 @@ def expand(mu, terms):
     return h
 
 
-@njit(cache=True)
+@kernel
 def power_sum(coefficients, x):
     """Value of a polynomial, constant coefficient first."""
     value = 0.0
@@ -93,7 +93,7 @@ def power_sum(coefficients, x):
     return value
 
 
-@njit(cache=True)
+@kernel
 def state_on_manifold(mu, h, v):
     """Both p and e of the point of the manifold with the given v.
 
@@ -174,7 +174,7 @@ def slow_orbit(mu, terms=TERMS):
     return SlowOrbit(mu, slow, fast, h, time_coefficients(mu, slow, h), v_at(mu, h, math.log(2.0)))
 
 
-@njit(cache=True)
+@kernel
 def time_coefficients(mu, slow, h):
     """Coefficients of Σ Q_j r^(j−1)/(j − 1) in powers of μ r, for μ ≥ 1."""
     terms = h.size
@@ -190,7 +190,7 @@ def time_coefficients(mu, slow, h):
     return time
 
 
-@njit(cache=True)
+@kernel
 def v_at(mu, h, p):
     """Find the v ≥ 0 at which the manifold has the given p > 0, by Newton's method in v."""
     v = p / (0.5 * mu + math.sqrt(0.25 * mu * mu + p))
@@ -205,7 +205,7 @@ def v_at(mu, h, p):
     return v
 
 
-@njit(cache=True)
+@kernel
 def s_between(mu, slow, fast, time, v_from, v_to):
     """Change of s from one v to another, by the closed form."""
     x_from, x_to = mu / (2.0 * v_from + mu), mu / (2.0 * v_to + mu)
@@ -217,7 +217,7 @@ def s_between(mu, slow, fast, time, v_from, v_to):
     )
 
 
-@njit(cache=True)
+@kernel
 def evaluate_slow(mu, slow, fast, h, time, v_half, s):
     """Both p and v at each s, by Newton's method in ln v.
 

@@ -33,8 +33,8 @@ taken.
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from granular_fronts.compiled import kernel
 from granular_fronts.continuum import finite_volumes
 
 DAMPING = 40.0
@@ -156,7 +156,7 @@ def start(averages, first_step):
     return stages, clock
 
 
-@njit(cache=True)
+@kernel
 def advance(equation, state, clock, tolerance, stop):
     """Step to the time `stop`, which is met exactly.
 
@@ -207,7 +207,7 @@ def advance(equation, state, clock, tolerance, stop):
     return FINISHED
 
 
-@njit(cache=True)
+@kernel
 def choose_stages(equation, averages, wanted):
     """Row of `STAGES` and step size with the least work per unit of time."""
     smallest, largest = averages.min(), averages.max()
@@ -223,7 +223,7 @@ def choose_stages(equation, averages, wanted):
     return best_row, best_h
 
 
-@njit(cache=True)
+@kernel
 def try_step(equation, state, row, h):
     """One step into `state.trial` and `state.next_rates`; returns the largest estimated error."""
     start, rates, trial, slope = state.averages, state.rates, state.trial, state.next_rates

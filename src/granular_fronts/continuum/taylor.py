@@ -27,7 +27,8 @@ Starts of steps are exact: a step is rounded to the difference of two representa
 """
 
 import numpy as np
-from numba import njit
+
+from granular_fronts.compiled import kernel
 
 RUNNING, ARRIVED, AT_REST = range(3)
 
@@ -40,7 +41,7 @@ REST = 1e-20
 NEAR = 0.25
 
 
-@njit(cache=True)
+@kernel
 def energy_series(mu, v, e, p):
     """Fill the series of v, e and p from v[0] and e[0]."""
     order = p.size - 1
@@ -58,7 +59,7 @@ def energy_series(mu, v, e, p):
             w[k + 1] = e[k + 1] + mu * v[k + 1]
 
 
-@njit(cache=True)
+@kernel
 def position_series(mu, v, p):
     """Fill the series of v and p from v[0] and p[0]."""
     for k in range(p.size - 1):
@@ -69,7 +70,7 @@ def position_series(mu, v, p):
         v[k + 1] = (product + mu * v[k] - p[k]) / (k + 1)
 
 
-@njit(cache=True)
+@kernel
 def series_sum(series, x):
     """Value of a polynomial, constant coefficient first."""
     value = 0.0
@@ -78,7 +79,7 @@ def series_sum(series, x):
     return value
 
 
-@njit(cache=True)
+@kernel
 def series_slope(series, x):
     """Derivative of a polynomial, constant coefficient first."""
     value = 0.0
@@ -87,7 +88,7 @@ def series_slope(series, x):
     return value
 
 
-@njit(cache=True)
+@kernel
 def step_of_series(series, scale, tolerance):
     """Length at which each of the last two terms is at most tolerance × scale."""
     length = LONGEST_STEP
@@ -97,7 +98,7 @@ def step_of_series(series, scale, tolerance):
     return length
 
 
-@njit(cache=True)
+@kernel
 def follow(mu, tolerance, contraction, state, s_stop, p_stop, starts, jets, energies):
     """Follow a solution towards smaller s, step by step, until there is no room left.
 
@@ -157,7 +158,7 @@ def follow(mu, tolerance, contraction, state, s_stop, p_stop, starts, jets, ener
     return starts.size, RUNNING
 
 
-@njit(cache=True)
+@kernel
 def evaluate_steps(starts, jets, end, s, p, v):
     """Fill p and v at each s from the stored series; (1, 0) beyond the end.
 
@@ -185,7 +186,7 @@ def evaluate_steps(starts, jets, end, s, p, v):
         v[i] = series_slope(jets[low], s[i] - starts[low])
 
 
-@njit(cache=True)
+@kernel
 def locate(series, level, reach):
     """The x in [reach, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
     left, right = reach, 0.0
@@ -205,7 +206,7 @@ def locate(series, level, reach):
     return x
 
 
-@njit(cache=True)
+@kernel
 def locate_turns(starts, jets, end, s, p):
     """Zeros of v: s and p of each, in the order of the steps.
 

@@ -19,8 +19,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from granular_fronts.compiled import kernel
 from granular_fronts.continuum.vector_log import logarithms
 
 PAPER_FRACTION = 0.8
@@ -88,7 +88,7 @@ def evolve_upwind(values, half_length, end, step=None):
     return UpwindRun(grid(half_length, values.size), values, steps, end / steps)
 
 
-@njit(cache=True)
+@kernel
 def march(values, spacing, step, steps):
     """Advance `values`, in place, by a number of equal steps."""
     n = values.size

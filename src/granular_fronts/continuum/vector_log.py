@@ -12,7 +12,8 @@ where the minimax polynomial `P` of degree 6 is that of the C library fdlibm (Su
 """
 
 import numpy as np
-from numba import njit
+
+from granular_fronts.compiled import kernel
 
 LN2_HIGH, LN2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
 P0, P1, P2, P3, P4, P5, P6 = (
@@ -29,7 +30,7 @@ ONE, ROOT_HALF = np.int64(0x3FF0000000000000), np.int64(0x3FE6A09E667F3BCD)
 FRACTION, FRACTION_BITS, BIAS = np.int64(0x000FFFFFFFFFFFFF), np.int64(52), np.int64(1023)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def logarithms(x, exponent, mantissa, result):
     """Natural logarithm of every entry.
 

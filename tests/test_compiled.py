@@ -1,0 +1,46 @@
+"""Compiled code: a kernel's cache must notice a change in every function the kernel calls."""
+
+import importlib
+from pathlib import Path
+
+import numba
+import pytest
+from numba.core.registry import CPUDispatcher
+
+from granular_fronts.compiled import CALLED_WINGS, SOURCES, cache_folder, kernel
+
+WINGS = sorted({file.parent.name for file in SOURCES.glob("*/*.py")})
+
+
+def kernels_in(wing):
+    """Names and kernels of all modules of a wing, imported ones among them."""
+    for file in sorted((SOURCES / wing).glob("*.py")):
+        module = importlib.import_module(f"granular_fronts.{wing}.{file.stem}")
+        for name, value in vars(module).items():
+            if isinstance(value, CPUDispatcher):
+                yield f"{module.__name__}.{name}", value
+
+
+@pytest.mark.parametrize("wing", WINGS)
+def test_a_wing_calls_kernels_of_declared_wings_only(wing):
+    allowed = {wing, *CALLED_WINGS.get(wing, ())}
+    for name, function in kernels_in(wing):
+        home = Path(function.py_func.__code__.co_filename).parent.name
+        assert home in allowed, f"{name} lives in {home}: declare it in CALLED_WINGS"
+
+
+@pytest.mark.parametrize("wing", WINGS)
+def test_every_kernel_is_cached_under_the_digest_of_its_wing(wing):
+    for name, function in kernels_in(wing):
+        home = Path(function.py_func.__code__.co_filename).parent.name
+        assert Path(function.stats.cache_path).parent == cache_folder(home), name
+
+
+def test_kernel_decorates_with_and_without_options():
+    def double(x):
+        return 2 * x
+
+    with_options = kernel(fastmath=True)(double)
+    assert kernel(double)(3) == with_options(3) == 6
+    assert with_options.targetoptions["fastmath"]
+    assert isinstance(with_options, numba.core.registry.CPUDispatcher)
