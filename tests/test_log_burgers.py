@@ -20,7 +20,7 @@ from granular_fronts.continuum.evolution import (
 from granular_fronts.continuum.log_burgers import flux, front_end, limit_flux, log_burgers_front
 from granular_fronts.continuum.starts import Given, Plateau, make_start
 from granular_fronts.continuum.vector_log import logarithms
-from granular_fronts.slow_scales import make_scaling
+from granular_fronts.slow_scales import make_slow_scales
 
 CONFIGURATION = load_configuration(Path(__file__).parents[1] / "config" / "default.yaml")
 SCENES = CONFIGURATION["scenes"]["periodic"]
@@ -96,7 +96,7 @@ def test_front_has_the_phase_of_the_paper_and_ends_where_it_should(alpha):
 
 
 def test_scales_are_those_the_paper_prints():
-    weak, hertz = make_scaling(1.1, 0.24, 5.0), make_scaling(1.5, 0.24, 5.0)
+    weak, hertz = make_slow_scales(1.1, 0.24, 5.0), make_slow_scales(1.5, 0.24, 5.0)
     assert weak.epsilon == pytest.approx(0.35, abs=0.005)
     assert hertz.epsilon == pytest.approx(0.93, abs=0.005)
     assert weak.half_length(80) == pytest.approx(27.78, abs=0.006)
@@ -110,7 +110,7 @@ def test_velocity_of_a_front_agrees_with_the_first_order_velocity():
     """(44) is (43) with y' = f_α(y) up to the next order: for weak nonlinearity they meet."""
     differences = []
     for excess in (0.02, 0.01):
-        scaling = make_scaling(1.0 + excess, 1.0, 5.0)
+        scaling = make_slow_scales(1.0 + excess, 1.0, 5.0)
         y = log_burgers_front(np.linspace(-3.0, 1.0, 9), scaling.alpha)
         first_order = scaling.corrected_velocity(y, flux(y, scaling.alpha))
         of_front = scaling.front_velocity(y ** (1.0 / scaling.alpha))
@@ -130,7 +130,7 @@ def test_velocity_of_a_front_agrees_with_the_first_order_velocity():
 )
 def test_impossible_scales_are_refused(arguments, words):
     with pytest.raises(ValueError, match=words):
-        make_scaling(*arguments)
+        make_slow_scales(*arguments)
 
 
 def test_impossible_fluxes_and_fronts_are_refused():

@@ -16,7 +16,7 @@ from pathlib import Path
 import yaml
 
 from granular_fronts.schema import name_entry, tell_violations
-from granular_fronts.slow_scales import Scaling
+from granular_fronts.slow_scales import SlowScales
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
@@ -321,9 +321,9 @@ def refuse_equation_tolerance_below_floor(scene: Mapping) -> Iterator[str]:
             )
 
 
-def _scaling(scene: Mapping) -> Scaling:
+def _scaling(scene: Mapping) -> SlowScales:
     """Scales of a periodic scene."""
-    return Scaling(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 Refusal = Callable[[Mapping], Iterator[str]]

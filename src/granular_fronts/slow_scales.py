@@ -23,7 +23,7 @@ This module imports neither numpy nor numba, since the configuration is checked 
 from typing import NamedTuple
 
 
-class Scaling(NamedTuple):
+class SlowScales(NamedTuple):
     """Scales between the chain and its amplitude equations; all dimensionless.
 
     Attributes
@@ -93,7 +93,7 @@ class Scaling(NamedTuple):
         return self.velocity_scale * (u - correction)
 
 
-def make_scaling(alpha, gamma, delta):
+def make_slow_scales(alpha, gamma, delta):
     """Scales of section 4, for possible parameters only.
 
     Raises
@@ -113,4 +113,4 @@ def make_scaling(alpha, gamma, delta):
         )
     if not delta > 0.0:
         raise ValueError(f"delta is {delta}, but must be above 0: give a compression.")
-    return Scaling(float(alpha), float(gamma), float(delta))
+    return SlowScales(float(alpha), float(gamma), float(delta))

@@ -21,7 +21,7 @@ import xarray as xr
 from granular_fronts.configuration import check_scene
 from granular_fronts.continuum import finite_volumes, stabilised
 from granular_fronts.continuum.starts import Given, Plateau, make_start
-from granular_fronts.slow_scales import Scaling
+from granular_fronts.slow_scales import SlowScales
 
 # Below it F(y) = y ln y − y is smaller than the rounding of a sum of order 1.
 SMALLEST_ARGUMENT = 1.0e-16
@@ -87,7 +87,7 @@ class Evolution(NamedTuple):
 
 def scaling_of(scene):
     """Scales of a checked periodic scene."""
-    return Scaling(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 def evolve_log_burgers(scene, name="given"):

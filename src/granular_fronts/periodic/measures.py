@@ -16,7 +16,7 @@ from scipy.stats import linregress
 
 from granular_fronts.chain.measures import recorded, scene_of
 from granular_fronts.measured import Measured
-from granular_fronts.slow_scales import Scaling
+from granular_fronts.slow_scales import SlowScales
 
 # What counts as a gap, a negative velocity or a bump, relative to the scale of the pulse.
 NOTICEABLE = 0.01
@@ -25,7 +25,7 @@ NOTICEABLE = 0.01
 def scaling_of(dataset):
     """Scales of the scene."""
     scene = scene_of(dataset)
-    return Scaling(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 def exactly(value):
