@@ -11,6 +11,7 @@ __version__ = "0.1.0"
 _HOME_OF = {
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
+    "jump_conditions": "granular_fronts.jump_conditions",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",
 }
