@@ -15,7 +15,7 @@ from granular_fronts.contact import (
     potential_from_functions,
     toda,
 )
-from granular_fronts.jump_conditions import jump_conditions, signed_area
+from granular_fronts.jumps import jump_conditions, signed_area
 
 DIGITS = 60
 

@@ -9,10 +9,12 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "Scaling": "granular_fronts.scaling",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
-    "jump_conditions": "granular_fronts.jump_conditions",
+    "jump_conditions": "granular_fronts.jumps",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
+    "restitution": "granular_fronts.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
 }
 

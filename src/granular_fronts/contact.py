@@ -44,7 +44,7 @@ class Potential(NamedTuple):
     value, first, second : callable
         V, V' and V''.
     third : callable or None
-        V'''; without it the states of a front must not be too close (see `jump_conditions`).
+        V'''; without it the states of a front must not be too close (see `granular_fronts.jumps`).
     domain : tuple of float
         Open interval of r in which the functions hold.
     """
