@@ -22,7 +22,19 @@ ROOT = Path(__file__).parents[1]
 SCRIPTS = sorted(
     set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
 )
-FIGURES = ["fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig07", "fig07b", "fig08"]
+FIGURES = [
+    "fig01",
+    "fig02",
+    "fig03",
+    "fig04",
+    "fig05",
+    "fig06",
+    "fig07",
+    "fig07b",
+    "fig08",
+    "fig18",
+    "fig19",
+]
 TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results"]
 
 

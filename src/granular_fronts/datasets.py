@@ -25,6 +25,21 @@ from granular_fronts.files import complete_file
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
 LONG_NAMES = {
+    "beta": "exponent of the viscous force",
+    "conservative_distance": "largest difference of u_n/delta, theta-method to conservative chain",
+    "contact_damping": "coefficient gamma_0 of the viscous force",
+    "critical_gamma": "damping below which a front oscillates, long-wave limit",
+    "damping_distance": "largest difference of u_n/delta, theta-method to damped chain",
+    "gamma": "strength of the viscous force",
+    "material": "material of the beads",
+    "mu_front": "damping parameter of the front's logarithmic KdV-Burgers equation",
+    "order": "observed order of convergence",
+    "piston_velocity": "velocity of the beads behind the front",
+    "restitution": "coefficient of restitution",
+    "step": "time step of the theta-method",
+    "stiffness": "stiffness k of the contact",
+    "theta": "parameter of the theta-method",
+    "velocity_ratio": "velocity over the velocity v_c at which gamma is 1",
     "angular_frequency": "angular frequency of the oscillations of y about 1",
     "bead": "bead number n",
     "growth_rate": "rate at which y leaves 1",

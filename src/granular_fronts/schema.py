@@ -124,6 +124,8 @@ def _sentence(error: ValidationError, key: str) -> str:
         return f"{key} is {value}, above its limit {limit}: give {limit} or less."
     if error.validator == "exclusiveMinimum":
         return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
+    if error.validator == "exclusiveMaximum":
+        return f"{key} is {value}, but must be below {limit}: give a number below {limit}."
     if error.validator == "enum":
         return f"{key} is {value}, which is unknown: choose {' or '.join(limit)}."
     if error.validator in ("minItems", "minProperties", "minLength"):

@@ -12,6 +12,8 @@ FIGURES = [
     "fig07_periodic_chain_hertz",
     "fig07b_model_error",
     "fig08_heteroclinic",
+    "fig18_damping_regimes",
+    "fig19_numerical_damping",
 ]
 
 

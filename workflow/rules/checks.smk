@@ -4,9 +4,9 @@
 rule check_results:
     input:
         tests=sorted(glob("tests/artefacts/*.py")),
-        datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS,
+        datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS + LAWS_DATASETS,
         figures=FIGURES,
-        tables=rules.tabulate_paper_numbers.output,
+        tables=[rules.tabulate_paper_numbers.output, rules.tabulate_materials.output],
     output:
         verdict="<results>/checks.txt",
     params:

@@ -183,6 +183,46 @@ rule plot_fig08:
         "../scripts/plot_fig08.py"
 
 
+rule plot_fig18:
+    input:
+        dataset="<results>/data/laws/damping_regimes.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig18_damping_regimes.pdf",
+        png="<results>/figures/fig18_damping_regimes.png",
+    log:
+        "<logs>/plot_fig18.log",
+    benchmark:
+        "<benchmarks>/plot_fig18.tsv"
+    threads: 1
+    message:
+        "Drawing figure 18: where damping is weak."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig18.py"
+
+
+rule plot_fig19:
+    input:
+        dataset="<results>/data/laws/numerical_damping.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig19_numerical_damping.pdf",
+        png="<results>/figures/fig19_numerical_damping.png",
+    log:
+        "<logs>/plot_fig19.log",
+    benchmark:
+        "<benchmarks>/plot_fig19.tsv"
+    threads: 1
+    message:
+        "Drawing figure 19: damping by the theta-method."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig19.py"
+
+
 FIGURE_RULES = {
     "fig01": rules.plot_fig01,
     "fig02": rules.plot_fig02,
@@ -193,6 +233,8 @@ FIGURE_RULES = {
     "fig07": rules.plot_fig07,
     "fig07b": rules.plot_fig07b,
     "fig08": rules.plot_fig08,
+    "fig18": rules.plot_fig18,
+    "fig19": rules.plot_fig19,
 }
 FIGURES = [rule.output for rule in FIGURE_RULES.values()]
 
@@ -265,3 +307,17 @@ rule fig08:
         rules.plot_fig08.output,
     message:
         "Figure 8 is drawn."
+
+
+rule fig18:
+    input:
+        rules.plot_fig18.output,
+    message:
+        "Figure 18 is drawn."
+
+
+rule fig19:
+    input:
+        rules.plot_fig19.output,
+    message:
+        "Figure 19 is drawn."

@@ -4,7 +4,7 @@
 rule tabulate_paper_numbers:
     input:
         numbers="config/paper_numbers.yaml",
-        datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS,
+        datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS + LAWS_DATASETS,
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",
@@ -24,5 +24,6 @@ rule tabulate_paper_numbers:
 rule tables:
     input:
         rules.tabulate_paper_numbers.output,
+        rules.tabulate_materials.output,
     message:
         "All tables are written."

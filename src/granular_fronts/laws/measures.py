@@ -1,0 +1,72 @@
+"""Numbers measured on contact laws, for comparison with the paper.
+
+A measure takes the dataset that a module of this folder makes and returns a `Measured`.
+"""
+
+import math
+
+import numpy as np
+
+from granular_fronts.collision import weak_damping_slope
+from granular_fronts.laws.materials import ALPHA
+from granular_fronts.measured import Measured
+
+
+def weak_damping_constant(_dataset):
+    """γ/(1 − e) in the limit e → 1, a closed formula."""
+    value = weak_damping_slope(ALPHA)
+    return Measured(value, 4.0 * float(np.spacing(value)))
+
+
+def gamma_of_glass(dataset):
+    """γ of the exact collision, glass."""
+    return _gamma(dataset, "glass")
+
+
+def gamma_of_steel(dataset):
+    """γ of the exact collision, steel."""
+    return _gamma(dataset, "steel")
+
+
+def gamma_of_cork(dataset):
+    """γ of the exact collision, cork with a lead core."""
+    return _gamma(dataset, "cork")
+
+
+def _gamma(dataset, material):
+    gamma = dataset["gamma"]
+    return Measured(float(gamma.sel(material=material)), float(gamma.attrs["error_estimate"]))
+
+
+def power_kuwabara_kono(dataset):
+    """Power of the velocity in γ for β = α."""
+    return _power(dataset, 1.5)
+
+
+def power_simon_hunt_crossley(dataset):
+    """Power of the velocity in γ for β = α + 1."""
+    return _power(dataset, 2.5)
+
+
+def power_dashpot(dataset):
+    """Power of the velocity in γ for β = 1."""
+    return _power(dataset, 1.0)
+
+
+def power_degenerate(dataset):
+    """Power of the velocity in γ for β = (α + 1)/2."""
+    return _power(dataset, 1.25)
+
+
+def _power(dataset, beta):
+    law = dataset["gamma"].sel(beta=beta)
+    ends = law.isel(velocity_ratio=[0, -1])
+    span = math.log(float(ends["velocity_ratio"][1] / ends["velocity_ratio"][0]))
+    power = math.log(float(ends[1] / ends[0])) / span
+    return Measured(power, 8.0 * float(np.finfo(float).eps))
+
+
+def order_of_agreement(dataset):
+    """Smallest observed order of the distance between the θ-method and the damped chain."""
+    order = dataset["order"]
+    return Measured(float(order.min()), float(order.attrs["error_estimate"]))

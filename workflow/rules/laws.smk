@@ -1,0 +1,89 @@
+"""Contact laws at work: materials, damping regimes, numerical damping; section 3.1 of the paper."""
+
+LAWS_MODULES = modules(
+    "laws/*.py", "collision.py", "scaling.py", "continuum/log_kdv_burgers.py", "datasets.py"
+)
+LAWS_DATASETS = expand(
+    "<results>/data/laws/{name}.nc", name=["materials", "damping_regimes", "numerical_damping"]
+)
+
+
+rule evaluate_materials:
+    input:
+        modules=LAWS_MODULES,
+    output:
+        dataset="<results>/data/laws/materials.nc",
+    params:
+        materials=config["laws"]["materials"],
+    log:
+        "<logs>/evaluate_materials.log",
+    benchmark:
+        "<benchmarks>/evaluate_materials.tsv"
+    threads: 1
+    message:
+        "Finding the damping of glass, steel and cork."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/evaluate_materials.py"
+
+
+rule evaluate_damping_regimes:
+    input:
+        modules=LAWS_MODULES,
+    output:
+        dataset="<results>/data/laws/damping_regimes.nc",
+    params:
+        regimes=config["laws"]["damping_regimes"],
+    log:
+        "<logs>/evaluate_damping_regimes.log",
+    benchmark:
+        "<benchmarks>/evaluate_damping_regimes.tsv"
+    threads: 1
+    message:
+        "Finding where damping is weak."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/evaluate_damping_regimes.py"
+
+
+rule measure_numerical_damping:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=[*CHAIN_MODULES, *LAWS_MODULES],
+    output:
+        dataset="<results>/data/laws/numerical_damping.nc",
+    params:
+        scene=config["laws"]["numerical_damping"],
+    log:
+        "<logs>/measure_numerical_damping.log",
+    benchmark:
+        "<benchmarks>/measure_numerical_damping.tsv"
+    threads: 1
+    message:
+        "Measuring the damping that the theta-method brings."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_numerical_damping.py"
+
+
+rule tabulate_materials:
+    input:
+        dataset=rules.evaluate_materials.output.dataset,
+        modules=LAWS_MODULES,
+    output:
+        csv="<results>/tables/materials.csv",
+        markdown="<results>/tables/materials.md",
+    log:
+        "<logs>/tabulate_materials.log",
+    benchmark:
+        "<benchmarks>/tabulate_materials.tsv"
+    threads: 1
+    message:
+        "Writing the table of materials."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_materials.py"

@@ -1,0 +1,54 @@
+"""Figure 18: where damping is weak, for four laws of damping; James (2021), section 3.1."""
+
+from pathlib import Path
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from step import run_step
+
+SHOWN_GAMMA = (0.03, 30.0)
+
+
+def plot_fig18(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw γ of a front and e of a collision against the reference velocity.
+
+    Parameters
+    ----------
+    dataset : Path
+        Damping regimes.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset)
+    figure, panels = new_figure(3.2, [["gamma", "restitution"]])
+    for beta, colour in zip(data["beta"].values, PROBE_COLOURS, strict=False):
+        law = data.sel(beta=beta)
+        draw_gamma(panels["gamma"], law, colour)
+        label = rf"$\beta = {beta:g}$"
+        panels["restitution"].semilogx(
+            law["velocity_ratio"], law["restitution"], "-", color=colour, label=label
+        )
+    ends = float(data["velocity_ratio"][0]), float(data["velocity_ratio"][-1])
+    panels["gamma"].set(
+        xlabel="$v_p/v_c$",
+        ylabel=r"$\gamma$ of the front",
+        title="full: overdamped, dashed: oscillating",
+        xlim=ends,
+        ylim=SHOWN_GAMMA,
+    )
+    panels["restitution"].set(xlabel="$v_0/v_c$", ylabel="restitution $e$", xlim=ends, ylim=(0, 1))
+    panels["restitution"].legend(loc="center right")
+    save_figure(figure, pdf, png)
+
+
+def draw_gamma(axes, law, colour):
+    """γ against velocity, full where fronts are overdamped and dashed where they oscillate."""
+    oscillating = law["gamma"] < law["critical_gamma"]
+    axes.loglog(law["velocity_ratio"], law["gamma"].where(~oscillating), "-", color=colour)
+    axes.loglog(
+        law["velocity_ratio"], law["gamma"].where(oscillating), linestyle=(0, (2, 1)), color=colour
+    )
+
+
+if __name__ == "__main__":
+    run_step(plot_fig18, globals().get("snakemake"))

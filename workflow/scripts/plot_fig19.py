@@ -1,0 +1,78 @@
+"""Figure 19: the theta-method damps like the Kuwabara–Kono law; James (2021), section 1."""
+
+import json
+from pathlib import Path
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import (
+    CHAIN_COLOUR,
+    EQUATION_COLOUR,
+    PROBE_COLOURS,
+    new_figure,
+    save_figure,
+)
+from step import run_step
+
+MARKERS = "os^v"
+
+
+def plot_fig19(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw a front of the method beside damped and conservative chains, and their distances.
+
+    Parameters
+    ----------
+    dataset : Path
+        Numerical damping.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset)
+    figure, panels = new_figure(3.2, [["profile", "order"]])
+    draw_profile(panels["profile"], data)
+    draw_distances(panels["order"], data)
+    save_figure(figure, pdf, png)
+
+
+def draw_profile(axes, data):
+    """u_n of the three chains."""
+    profile = json.loads(data.attrs["config"])["profile"]
+    gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
+    lines = [
+        ("conservative", "-", "#b0b0b0", "conservative chain"),
+        ("damped", "-", EQUATION_COLOUR, rf"damped chain, $\gamma = {gamma:g}$"),
+        (
+            "method",
+            ".",
+            CHAIN_COLOUR,
+            rf"$\theta$-method, $\theta = {profile['theta']:g}$, $h = {profile['step']:g}$",
+        ),
+    ]
+    for name, style, colour, label in lines:
+        values = data[f"relative_displacement_{name}"]
+        axes.plot(values["bead"], values, style, color=colour, markersize=4, label=label)
+    axes.set(
+        xlabel="$n$",
+        ylabel="$u_n$",
+        title=f"$t = {profile['end_time']:g}$",
+        xlim=(0, profile["beads"]),
+    )
+    axes.set_ylim(top=1.35 * float(data["relative_displacement_conservative"].max()))
+    axes.legend(loc="upper right")
+
+
+def draw_distances(axes, data):
+    """Distances of the method to the damped chain and to the conservative one, against h."""
+    for theta, colour, marker in zip(data["theta"].values, PROBE_COLOURS, MARKERS, strict=False):
+        row = data.sel(theta=theta)
+        label = rf"$\theta = {theta:g}$, order {float(row['order']):.2f}"
+        looks = {"color": colour, "marker": marker, "markersize": 3.5}
+        axes.loglog(row["step"], row["damping_distance"], "-", label=label, **looks)
+        axes.loglog(row["step"], row["conservative_distance"], ":", **looks)
+    axes.set(xlabel="$h$", ylabel=r"$\max_n |\Delta u_n|/\delta$")
+    axes.set_ylim(top=10.0)
+    axes.text(0.05, 0.95, "dotted: to the conservative chain", transform=axes.transAxes, va="top")
+    axes.legend(loc="lower right", title="full: to the damped chain", title_fontsize=9)
+
+
+if __name__ == "__main__":
+    run_step(plot_fig19, globals().get("snakemake"))

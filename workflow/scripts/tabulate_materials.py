@@ -1,0 +1,59 @@
+"""Glass, steel and cork: damping by two rules, and their fronts; James (2021), remark 6."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
+from granular_fronts.laws.materials import regime
+from step import run_step
+
+
+def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
+    """Write a row for each material and front.
+
+    Parameters
+    ----------
+    dataset : Path
+        Damping of the materials.
+    csv, markdown : Path
+        Tables to write: full precision, and rounded for reading.
+    """
+    data = read_dataset(dataset, "materials")
+    rows = [
+        make_row(data.sel(material=material), kind, dimension, value)
+        for material in data["material"].values
+        for kind, dimension in (("piston", "piston_velocity"), ("force", "force"))
+        for value in data[dimension].values
+    ]
+    table = pd.DataFrame(rows)
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False, float_format="%.17g")
+    for column in table.select_dtypes("number"):
+        table[column] = [f"{value:.4g}" for value in table[column]]
+    with complete_file(markdown) as unfinished:
+        table.to_markdown(unfinished, index=False, disable_numparse=True)
+
+
+def make_row(one, kind, dimension, value):
+    """One row of the table, as a dict."""
+    front = one.sel({dimension: value})
+    mu = float(front[f"mu_front_{kind}"])
+    unit = "m/s behind the front" if kind == "piston" else "N of pressure"
+    return {
+        "material": str(one["material"].values),
+        "gamma_printed": float(one["gamma_printed"]),
+        "restitution_linear_rule": float(one["restitution"]),
+        "gamma_exact": float(one["gamma"]),
+        "restitution_of_printed_gamma": float(one["restitution_exact"]),
+        "front": f"{value:g} {unit}",
+        "gamma_of_front": float(front[f"gamma_front_{kind}"]),
+        "mu": mu,
+        "regime": regime(mu),
+        "error_estimate": float(one[f"gamma_front_{kind}"].attrs["error_estimate"]),
+    }
+
+
+if __name__ == "__main__":
+    run_step(tabulate_materials, globals().get("snakemake"))
