@@ -92,7 +92,7 @@ def scaling_of(scene):
     return Scaling(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
-def solve(scene, alpha, times, cells, tolerance):
+def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS):
     """Solve (40) for an exponent α, or its limit (50) for α = 1, once.
 
     Parameters
@@ -107,6 +107,8 @@ def solve(scene, alpha, times, cells, tolerance):
         Over which the run goes on once the kinks of the start are smooth.
     tolerance : float
         Error per step, in v.
+    levels : int, optional
+        L: the run begins on 2^L times as many cells.
 
     Returns
     -------
@@ -120,7 +122,7 @@ def solve(scene, alpha, times, cells, tolerance):
     times = np.asarray(times, dtype=float)
     scaling, start = scaling_of(scene), make_start(scene["start"])
     half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
-    averages = start.averages(cells * 2**START_LEVELS, half_length, alpha)
+    averages = start.averages(cells * 2**levels, half_length, alpha)
     mean, clock = averages.mean(), time_steps.make_clock(FIRST_STEP)
     ahead, kept = list(np.argsort(times, kind="stable")), [None] * times.size
     while ahead:
