@@ -34,9 +34,9 @@ from granular_fronts.continuum.evolution import (
     LOGARITHMIC,
     UNLIMITED,
     describe,
-    scaling_of,
     solve_twice,
 )
+from granular_fronts.continuum.solution import scaling_of
 from granular_fronts.continuum.starts import make_start
 
 SITES_PER_BEAD = 5

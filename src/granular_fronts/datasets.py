@@ -89,6 +89,13 @@ LONG_NAMES = {
     "message": "why there is no result, or a doubtful one",
     "reference_error": "error of the reference itself",
     "smallest_relative_displacement": "smallest relative displacement of all beads and times",
+    "grid": "number of cells or points",
+    "run": "number of the run",
+    "scene": "scene solved",
+    "scheme": "numerical scheme",
+    "setting": "error per step allowed, or longest step",
+    "start": "kind of start",
+    "steps": "steps taken",
 }
 
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "netCDF4")

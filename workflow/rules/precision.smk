@@ -43,8 +43,50 @@ rule tabulate_precision:
         "../scripts/tabulate_precision.py"
 
 
+rule measure_log_burgers:
+    input:
+        kernels="<results>/kernels.json",
+        modules=CONTINUUM_MODULES,
+    output:
+        dataset="<results>/data/precision/log_burgers.nc",
+    params:
+        problems=config["precision"]["log_burgers"],
+        scenes=config["scenes"]["periodic"],
+    log:
+        "<logs>/measure_log_burgers.log",
+    benchmark:
+        "<benchmarks>/measure_log_burgers.tsv"
+    threads: workflow.cores
+    message:
+        "Measuring speed against error of the solvers of the logarithmic Burgers equation."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_log_burgers.py"
+
+
+rule tabulate_log_burgers:
+    input:
+        dataset="<results>/data/precision/log_burgers.nc",
+    output:
+        csv="<results>/tables/log_burgers_solvers.csv",
+        markdown="<results>/tables/log_burgers_solvers.md",
+    log:
+        "<logs>/tabulate_log_burgers.log",
+    benchmark:
+        "<benchmarks>/tabulate_log_burgers.tsv"
+    threads: 1
+    message:
+        "Comparing the solvers of the logarithmic Burgers equation."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_log_burgers.py"
+
+
 rule precision:
     input:
         rules.tabulate_precision.output,
+        rules.tabulate_log_burgers.output,
     message:
         "Speed against error is tabulated: {input}."

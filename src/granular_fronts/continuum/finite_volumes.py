@@ -46,10 +46,10 @@ from granular_fronts.compiled import kernel
 from granular_fronts.continuum.vector_log import logarithms
 
 GHOSTS = 3
-# Largest eigenvalues of the discrete second and first derivative, times Δ² and Δ.
-DIFFUSION_REACH = 272.0 / 45.0
 VALUE_WEIGHTS = (37.0 / 60.0, -8.0 / 60.0, 1.0 / 60.0)
 SLOPE_WEIGHTS = (49.0 / 36.0, -5.0 / 36.0, 1.0 / 90.0)
+# Largest eigenvalue of the discrete second derivative, times −Δ².
+DIFFUSION_REACH = 272.0 / 45.0
 
 
 class Equation(NamedTuple):
@@ -88,6 +88,19 @@ def make_work(cells):
     """Work space for a number of cells."""
     edges = [np.zeros(cells + 1) for _ in range(4)]
     return Work(np.zeros(cells + 2 * GHOSTS), *edges, np.zeros(cells + 1, dtype=np.int64))
+
+
+def symbols(angle):
+    """What the differences of this scheme make of a wave of a given angle per cell.
+
+    Returns
+    -------
+    diffusion, advection : ndarray
+        Shape of `angle`: −Δ² times the discrete second derivative, and Δ/i times the first.
+    """
+    odd = np.multiply.outer(np.asarray(angle), np.arange(GHOSTS) + 0.5)
+    over_cell = 4.0 * np.sin(0.5 * np.asarray(angle))
+    return over_cell * (np.sin(odd) @ SLOPE_WEIGHTS), over_cell * (np.cos(odd) @ VALUE_WEIGHTS)
 
 
 @kernel

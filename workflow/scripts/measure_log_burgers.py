@@ -1,0 +1,236 @@
+"""Speed against error of the solvers of the logarithmic Burgers equation, James (2021), eq. (50).
+
+Four schemes solve the rings of section 4.3 up to their end:
+
+upwind          the paper's explicit scheme, compiled;
+finite_volumes  ours, with finer cells at the start;
+uniform_cells   ours without them, which shows what the kinks of the start cost;
+fourier         another method, which shares no scheme with ours.
+
+The start (49) has kinks; a smooth start of similar width shows the order away from them. Errors are
+the largest over ξ̃ at the end, in Y, against finite volumes on fine cells; the error of these is
+their largest difference to the Fourier method, also refined. Where a scheme has both cells and a
+tolerance, the tolerance is tied to the sixth power of the cell width, so that neither is wasted.
+
+All runs take turns, on one thread, after one of each kind has compiled and warmed everything; short
+runs are repeated within their turn, and the least wall-clock time counts.
+"""
+
+import os
+import platform
+import time
+from collections.abc import Callable
+from itertools import product
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+from tqdm import tqdm
+
+from granular_fronts.continuum import upwind
+from granular_fronts.continuum.fourier import evolve_fourier
+from granular_fronts.continuum.solution import START_LEVELS, scaling_of, solve
+from granular_fronts.continuum.starts import make_start
+from granular_fronts.datasets import write_dataset
+from step import run_step
+
+TOLERANCE_PER_WIDTH = 0.05
+EVALUATED_POINTS = 8192
+SHORTEST_TURN = 0.05
+SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
+
+
+class Outcome(NamedTuple):
+    """Points ξ̃ and values Y at the end of a run, and its work."""
+
+    xi: np.ndarray
+    values: np.ndarray
+    steps: int
+    right_hand_sides: int
+
+
+class Run(NamedTuple):
+    """What to solve and how: `solve()` gives a function that gives the outcome, untimed."""
+
+    start: str
+    scheme: str
+    grid: int
+    setting: float
+    solve: Callable
+
+
+def measure_log_burgers(problems: dict, scenes: dict, dataset: Path) -> None:
+    """Solve the rings by every scheme over its grids, and keep errors and times.
+
+    Parameters
+    ----------
+    problems : dict
+        As under ``precision.log_burgers`` of the configuration; its keys name scenes.
+    scenes : dict
+        As under ``scenes.periodic`` of the configuration.
+    dataset : Path
+        The netCDF file to write, on (run).
+    """
+    load_before = os.getloadavg()[0]
+    rows = [
+        {"scene": name, "alpha": scenes[name]["law"]["alpha"]} | row
+        for name, problem in problems.items()
+        for row in measure_scene(name, problem, scenes[name])
+    ]
+    measured = pd.DataFrame(rows).rename_axis("run").to_xarray()
+    measured["seconds"].attrs["units"] = "s"
+    measured["error"].attrs = {
+        "long_name": "largest error of Y over xi at the end",
+        "error_method": "this is the distance to the reference",
+    }
+    measured.attrs = {
+        "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python "
+        f"{platform.python_version()}",
+        "load_before": load_before,
+        "solver": "least wall-clock time of the repeats, one thread",
+    }
+    config = {name: {"problem": problems[name], "scene": scenes[name]} for name in problems}
+    write_dataset(measured, dataset, scene_id="precision_log_burgers", config=config)
+
+
+def measure_scene(name: str, problem: dict, scene: dict) -> list[dict]:
+    """Errors, times and work of all runs on one ring.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene, for the progress line.
+    problem : dict
+        One entry of ``precision.log_burgers``.
+    scene : dict
+        One entry of ``scenes.periodic``.
+
+    Returns
+    -------
+    list of dict
+        One for each run.
+    """
+    scenes = {"kinks": scene, "smooth": scene | {"start": smooth_start()}}
+    references = {start: solve_reference(problem["reference"], scenes[start]) for start in scenes}
+    runs = list(list_runs(problem, scenes))
+    for run in {run.scheme: run for run in reversed(runs)}.values():
+        run.solve()
+    seconds, finish = [np.inf] * len(runs), [None] * len(runs)
+    turns = list(product(range(problem["repeats"]), enumerate(runs)))
+    for _, (index, run) in tqdm(turns, desc=f"precision, {name}", delay=2.0):
+        least, finish[index] = time_turn(run.solve)
+        seconds[index] = min(seconds[index], least)
+    outcomes = [last() for last in finish]
+    return [
+        {
+            "start": run.start,
+            "scheme": run.scheme,
+            "grid": run.grid,
+            "setting": run.setting,
+            "error": distance(references[run.start][0], outcome),
+            "reference_error": references[run.start][1],
+            "seconds": least,
+            "steps": outcome.steps,
+            "right_hand_sides": outcome.right_hand_sides,
+        }
+        for run, outcome, least in zip(runs, outcomes, seconds, strict=True)
+    ]
+
+
+def time_turn(solve):
+    """Least time of the runs of one turn, and what the last of them gave."""
+    begun, least = time.perf_counter(), np.inf
+    while time.perf_counter() - begun < SHORTEST_TURN:
+        started = time.perf_counter()
+        result = solve()
+        least = min(least, time.perf_counter() - started)
+    return least, result
+
+
+def list_runs(problem, scenes):
+    """All runs on one ring, coarse ones first within a scheme."""
+    kinks = scenes["kinks"]
+    for points in problem["upwind_points"]:
+        setting = upwind_step(kinks, points)
+        yield Run("kinks", "upwind", points, setting, lambda m=points: run_upwind(kinks, m))
+    for start, scheme, levels in (
+        ("kinks", "finite_volumes", START_LEVELS),
+        ("kinks", "uniform_cells", 0),
+        ("smooth", "finite_volumes", START_LEVELS),
+    ):
+        scene = scenes[start]
+        for cells in problem["cells"]:
+            tolerance = TOLERANCE_PER_WIDTH * (length(scene) / cells) ** 6
+            arguments = (scene, cells, tolerance, levels)
+            yield Run(start, scheme, cells, tolerance, lambda a=arguments: run_cells(*a))
+    points = problem["reference"]["points"]
+    for step in problem["longest_steps"]:
+        yield Run("kinks", "fourier", points, step, lambda s=step: run_fourier(kinks, points, s))
+
+
+def run_upwind(scene, points):
+    """The paper's scheme."""
+    half_length = 0.5 * length(scene)
+    values = make_start(scene["start"]).values(upwind.grid(half_length, points), half_length)
+    run = upwind.evolve_upwind(values, half_length, end_of(scene))
+    return lambda: Outcome(run.xi, run.values, run.steps, run.steps)
+
+
+def upwind_step(scene, points):
+    """Time step that the paper takes on these points."""
+    fastest = abs(np.log(scene["start"]["floor"]))
+    return upwind.PAPER_FRACTION * upwind.largest_step(length(scene) / points, fastest)
+
+
+def run_cells(scene, cells, tolerance, levels):
+    """Finite volumes."""
+    evolution = solve(scene, 1.0, [scene["end_time"]], cells, tolerance, levels)
+    counts, half_length = evolution.counts, evolution.half_length
+    xi = upwind.grid(half_length, EVALUATED_POINTS)
+    return lambda: Outcome(
+        xi,
+        evolution.rescaled_force(0, xi),
+        counts["steps_accepted"],
+        counts["right_hand_sides"],
+    )
+
+
+def run_fourier(scene, points, longest_step):
+    """The Fourier method, of four right-hand sides per step."""
+    run = evolve_fourier(scene, points, longest_step)
+    return lambda: Outcome(run.xi, run.values, run.steps, 4 * run.steps)
+
+
+def solve_reference(reference, scene):
+    """Finite volumes on fine cells, and how far the Fourier method is from them."""
+    accurate = solve(scene, 1.0, [scene["end_time"]], reference["cells"], reference["tolerance"])
+    independent = run_fourier(scene, reference["points"], reference["longest_step"])()
+    return accurate, distance(accurate, independent)
+
+
+def distance(accurate, outcome):
+    """Largest difference of Y over the points of an outcome."""
+    return float(np.abs(outcome.values - accurate.rescaled_force(0, outcome.xi)).max())
+
+
+def smooth_start():
+    """An analytic bump of height 1: exp of a cosine."""
+    angle = np.pi * np.linspace(-1.0, 1.0, SMOOTH_POINTS)
+    force = np.exp(SMOOTH_SHARPNESS * (np.cos(angle) - 1.0))
+    force[-1] = force[0]
+    return {"kind": "given", "rescaled_force": force}
+
+
+def length(scene):
+    """Of the ring, 2ℓ."""
+    return 2.0 * scaling_of(scene).half_length(scene["half_beads"])
+
+
+def end_of(scene):
+    """τ at the end."""
+    return scaling_of(scene).slow_rate * scene["end_time"]
+
+
+if __name__ == "__main__":
+    run_step(measure_log_burgers, globals().get("snakemake"))
