@@ -73,6 +73,17 @@ LONG_NAMES = {
     "right_hand_sides": "evaluations of the right-hand side",
     "message": "why there is no result, or a doubtful one",
     "reference_error": "error of the reference itself",
+    "case": "name of the hard case",
+    "expected": "what the solution must do",
+    "criterion": "what the error is a distance from, or a defect of",
+    "quantity": "what is measured",
+    "measured": "measured value of the quantity",
+    "limit": "largest error that passes",
+    "passed": "1 if the error is within the limit",
+    "rung": "rung of a ladder of tolerances or numbers of steps",
+    "event_steps": "median number of steps through a collision",
+    "event_error": "median error of the velocity after a collision",
+    "observed_order": "slope of error against steps",
     "smallest_relative_displacement": "smallest relative displacement of all beads and times",
 }
 
