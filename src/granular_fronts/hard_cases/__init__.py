@@ -1,0 +1,1 @@
+"""Problems at the edge of what the solvers can do, each with an answer known some other way."""

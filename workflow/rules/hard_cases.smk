@@ -1,0 +1,76 @@
+"""Problems at the edge of what the solvers can do: errors, limits, outcome."""
+
+
+rule measure_hard_cases:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("hard_cases/*.py")],
+    output:
+        dataset="<results>/data/precision/hard_cases.nc",
+    params:
+        cases=config["hard_cases"],
+    log:
+        "<logs>/measure_hard_cases.log",
+    benchmark:
+        "<benchmarks>/measure_hard_cases.tsv"
+    threads: 1
+    message:
+        "Solving the hard cases."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_hard_cases.py"
+
+
+rule tabulate_hard_cases:
+    input:
+        dataset=rules.measure_hard_cases.output.dataset,
+    output:
+        csv="<results>/tables/hard_cases.csv",
+        markdown="<results>/tables/hard_cases.md",
+    log:
+        "<logs>/tabulate_hard_cases.log",
+    benchmark:
+        "<benchmarks>/tabulate_hard_cases.tsv"
+    threads: 1
+    message:
+        "Tabulating the hard cases."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_hard_cases.py"
+
+
+rule plot_fig15:
+    input:
+        dataset=rules.measure_hard_cases.output.dataset,
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig15_hard_cases.pdf",
+        png="<results>/figures/fig15_hard_cases.png",
+    log:
+        "<logs>/plot_fig15.log",
+    benchmark:
+        "<benchmarks>/plot_fig15.tsv"
+    threads: 1
+    message:
+        "Drawing figure 15: the hard cases."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig15.py"
+
+
+rule fig15:
+    input:
+        rules.plot_fig15.output,
+    message:
+        "Figure 15 is drawn."
+
+
+rule hard_cases:
+    input:
+        rules.tabulate_hard_cases.output,
+        rules.plot_fig15.output,
+    message:
+        "The hard cases are tabulated and drawn: {input}."

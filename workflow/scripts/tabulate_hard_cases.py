@@ -1,0 +1,47 @@
+"""The hard cases as a table: what is asked for, what came out, passed or failed."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
+from step import run_step
+
+
+def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
+    """Write a row for each case.
+
+    Parameters
+    ----------
+    dataset : Path
+        Written by measure_hard_cases.
+    csv, markdown : Path
+        Tables to write.
+    """
+    data = read_dataset(dataset, "hard_cases")
+    table = pd.DataFrame([describe(data.sel(case=name)) for name in data["case"].values])
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False)
+    rounded = table.map(lambda cell: f"{cell:.3g}" if isinstance(cell, float) else cell)
+    with complete_file(markdown) as unfinished:
+        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+
+
+def describe(case):
+    """One row."""
+    texts = ("problem", "expected", "criterion", "quantity")
+    return {
+        "name": str(case["case"].values),
+        **{name: str(case[name].values) for name in texts},
+        "measured": float(case["measured"]),
+        "error": float(case["error"]),
+        "limit": float(case["limit"]),
+        "outcome": "passed" if case["passed"] else "failed",
+        "seconds": float(case["seconds"]),
+        "remark": str(case["message"].values),
+    }
+
+
+if __name__ == "__main__":
+    run_step(tabulate_hard_cases, globals().get("snakemake"))
