@@ -202,7 +202,8 @@ def cut(campaign: Campaign, missing: np.ndarray, chunk_points: int) -> Iterator[
         wanted = [campaign.grid[fast][position] for position in np.flatnonzero(pattern)]
         for block in _even_parts(wanted, chunk_points):
             for part in _even_parts(members, max(1, chunk_points // len(block))):
-                positions = np.unravel_index(np.array(part), campaign.shape[:-1])
+                # A grid of one axis has a single line, without coordinates.
+                positions = np.unravel_index(np.array(part), campaign.shape[:-1]) if slow else ()
                 columns = {
                     name: [campaign.grid[name][position] for position in column]
                     for name, column in zip(slow, positions, strict=True)
