@@ -161,7 +161,8 @@ def fitted_speed(arrival):
     passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
     if passed.size < 2:
         return np.nan
-    return 1.0 / np.polynomial.Polynomial.fit(passed, arrival[passed], 1).convert().coef[1]
+    beads, times = passed - passed.mean(), arrival[passed] - arrival[passed].mean()
+    return (beads @ beads) / (beads @ times)
 
 
 def _arrivals(scene, recording):
