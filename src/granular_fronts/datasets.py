@@ -142,7 +142,9 @@ def write_dataset(dataset, path, *, scene_id, config):
     """
     described = dataset.copy()
     for name, variable in described.variables.items():
-        variable.attrs = {"long_name": long_name(name), "units": "1", **dataset[name].attrs}
+        given = dataset[name].attrs
+        named = given.get("long_name") or long_name(name)
+        variable.attrs = {"long_name": named, "units": "1", **given}
     described.attrs = {
         "Conventions": "CF-1.11",
         "title": f"Scene {scene_id}",

@@ -38,7 +38,10 @@ _Validator = validators.extend(
 
 
 def tell_violations(
-    instance: object, definition: str | None = None, place: Sequence[str] = ()
+    instance: object,
+    definition: str | None = None,
+    place: Sequence[str] = (),
+    schema: str = "config",
 ) -> Iterator[str]:
     """Check a value against the schema.
 
@@ -50,16 +53,18 @@ def tell_violations(
         Name of the part in the schema's ``$defs``; none for a whole configuration.
     place : sequence of str, optional
         Keys that lead to the part in a whole configuration.
+    schema : str, optional
+        Which schema: ``config`` or ``campaign``.
 
     Yields
     ------
     str
         A sentence for each violation.
     """
-    schema = _schema()
+    rules = _schema(schema)
     if definition:
-        schema = {"$ref": f"#/$defs/{definition}", "$defs": schema["$defs"]}
-    errors = sorted(_Validator(schema).iter_errors(instance), key=lambda error: str(error.path))
+        rules = {"$ref": f"#/$defs/{definition}", "$defs": rules["$defs"]}
+    errors = sorted(_Validator(rules).iter_errors(instance), key=lambda error: str(error.path))
     for error in errors:
         scene, key = _locate([*place, *error.absolute_path])
         yield scene + _sentence(error, key)
@@ -84,11 +89,11 @@ def name_entry(key: str, index: int) -> str:
 
 
 @functools.cache
-def _schema() -> dict:
-    file = Path(__file__).with_name("config.schema.yaml")
+def _schema(name: str) -> dict:
+    file = Path(__file__).with_name(f"{name}.schema.yaml")
     if not file.exists():
         # A checkout keeps the schema with the workflow that it describes.
-        file = Path(__file__).parents[2] / "workflow" / "schemas" / "config.schema.yaml"
+        file = Path(__file__).parents[2] / "workflow" / "schemas" / file.name
     return yaml.safe_load(file.read_text(encoding="utf-8"))
 
 
@@ -150,7 +155,9 @@ def _unknown_key(error: ValidationError, key: str) -> str:
 
 
 def _wrong_type(error: ValidationError, key: str) -> str:
-    expected = _KIND[error.validator_value]
+    allowed = error.validator_value
+    kinds = [allowed] if isinstance(allowed, str) else allowed
+    expected = " or ".join(_KIND[kind] for kind in kinds)
     key = key or "this"
     if expected == "a number" and isinstance(error.instance, str):
         number = _with_point_and_sign(error.instance)

@@ -3,6 +3,7 @@
 import os
 import sys
 from glob import glob
+from pathlib import Path
 
 SOURCE = os.path.join(workflow.basedir, "src")
 

@@ -21,9 +21,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numba import uint64
 
 from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.contact_events import changes_sign, step_at_contact
+from granular_fronts.chain.polynomials import crossing, derivative, polynomial
 from granular_fronts.chain.state import PAIR
 from granular_fronts.chain.strain import (
     NEGLIGIBLE,
@@ -116,50 +118,14 @@ def polynomial_weights(law, h, theta, weights_d, weights_g, weights_k):
 def contact_polynomial(law, state, h, n, coefficients):
     """Coefficients of u_n(θ) in powers of θ, constant term first."""
     g = state.g if law.kind == PAIR else state.k
-    for power in range(rk.DEGREE + 1):
-        total = 0.0
-        for j in range(rk.SLOPES):
-            total += h * law.gamma * rk.CONTINUOUS[power, j] * g[j, n]
-            total += h * h * rk.CONTINUOUS_A[power, j] * state.k[j, n]
-        coefficients[power] = total
+    coefficients[:] = 0.0
+    for j in range(rk.SLOPES):
+        weight_g, weight_k = h * law.gamma * g[j, n], h * h * state.k[j, n]
+        for power in range(uint64(rk.DEGREE + 1)):
+            coefficients[power] += rk.CONTINUOUS_OF_SLOPE[j, power] * weight_g
+            coefficients[power] += rk.CONTINUOUS_A_OF_SLOPE[j, power] * weight_k
     coefficients[0] += state.u[n]
     coefficients[1] += h * state.d[n]
-
-
-@kernel
-def polynomial(coefficients, theta):
-    """Value of a polynomial, constant coefficient first."""
-    value = 0.0
-    for power in range(coefficients.size - 1, -1, -1):
-        value = value * theta + coefficients[power]
-    return value
-
-
-@kernel
-def crossing(coefficients, level):
-    """A θ in [0, 1] where the polynomial meets `level`, by bisection to the last bit.
-
-    The ends must lie on different sides of the level, up to rounding.
-    """
-    low, high = 0.0, 1.0
-    rising = polynomial(coefficients, 1.0) > level
-    while True:
-        middle = 0.5 * (low + high)
-        if middle <= low or middle >= high or high - low < 1e-16:
-            return middle
-        if (polynomial(coefficients, middle) > level) == rising:
-            high = middle
-        else:
-            low = middle
-
-
-@kernel
-def derivative(coefficients):
-    """Coefficients of the derivative of a polynomial."""
-    result = np.empty(coefficients.size - 1)
-    for power in range(1, coefficients.size):
-        result[power - 1] = power * coefficients[power]
-    return result
 
 
 @kernel
@@ -231,12 +197,36 @@ def write_arrivals(law, state, t, h, last, recording):
 
 
 @kernel
-def level_is_crossed(state, last, recording):
-    """Whether any contact reaches the arrival level for the first time in this step."""
-    for n in range(last, 0, -1):
-        if state.u[n] < recording.level <= state.new_u[n] and math.isnan(recording.arrival[n]):
-            return True
-    return False
+def level_is_crossed(u, new_u, level, last):
+    """Whether any of the contacts 1 … last rises through the level in this step.
+
+    This and `holds_extreme` look at every step, and most often find nothing: loops without a
+    branch, so that they vectorise, over bare arrays, whose references cost less to count.
+    """
+    crossings = 0
+    for n in range(uint64(1), uint64(last + 1)):
+        crossings += (u[n] < level) & (level <= new_u[n])
+    return crossings > 0
+
+
+@kernel
+def holds_extreme(u, new_u, d, new_d, g, first_peak, h, gamma, level, largest, smallest, last):
+    """Whether `write_extremes` can find anything: its conditions, each at least as wide."""
+    found = 0
+    for n in range(uint64(1), uint64(last + 1)):
+        rate = d[n] + gamma * g[0, n]
+        new_rate = new_d[n] + gamma * g[rk.NEW_SLOPE, n]
+        margin = 0.5 * h * abs(rate - new_rate)
+        # Only NaN differs from itself.
+        first = (u[n] > level) & (first_peak[n] != first_peak[n])
+        higher = first | (max(u[n], new_u[n]) + margin > largest)
+        lower = min(u[n], new_u[n]) - margin < smallest
+        turns = ((rate > 0.0) & (new_rate <= 0.0) & higher) | (
+            (rate < 0.0) & (new_rate >= 0.0) & lower
+        )
+        opens = (u[n] > 0.0) & (new_u[n] < 0.0)
+        found += turns | opens | (new_u[n] > largest) | (new_u[n] < smallest)
+    return found > 0
 
 
 @kernel
@@ -292,7 +282,7 @@ def record_step(law, size, state, t, h, t_new, reach, recording):
     """Everything to be recorded of an accepted step; whether output stages were computed."""
     last = min(reach, size.contacts)
     due = next_output(recording) <= t_new
-    arrives = not math.isnan(recording.level) and level_is_crossed(state, last, recording)
+    arrives = level_is_crossed(state.u, state.new_u, recording.level, last)
     have_polynomials = due or arrives
     if have_polynomials:
         stages_for_output(law, size, state, h, reach)
@@ -323,7 +313,6 @@ def advance(law, size, state, clock, relative, absolute, recording, most_steps):
         RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE, OPENED.
     """
     counts, cursor, stops = clock.counts, recording.cursor, recording.stops
-    watches = recording.track_extremes or not math.isnan(recording.level)
     output_time = next_output(recording)
     after_rejection = False
     steps = 0
@@ -358,7 +347,25 @@ def advance(law, size, state, clock, relative, absolute, recording, most_steps):
                 clock.h[0] = at_contact
                 continue
         evaluate_slopes(law, size, state, state.new_u, rk.NEW_SLOPE, reach)
-        if watches or output_time <= t_new:
+        noteworthy = output_time <= t_new or level_is_crossed(
+            state.u, state.new_u, recording.level, last
+        )
+        if recording.track_extremes and not noteworthy:
+            noteworthy = holds_extreme(
+                state.u,
+                state.new_u,
+                state.d,
+                state.new_d,
+                state.g if law.kind == PAIR else state.k,
+                recording.first_peak,
+                h,
+                law.gamma,
+                recording.level,
+                recording.extremes[LARGEST],
+                recording.extremes[SMALLEST],
+                last,
+            )
+        if noteworthy:
             if record_step(law, size, state, t, h, t_new, reach, recording):
                 counts[STAGE_COUNT] += rk.SLOPES - rk.NEW_SLOPE - 1
             output_time = next_output(recording)

@@ -149,14 +149,26 @@ def _probes(scene, recording):
     return dataset
 
 
+def fitted_speed(arrival):
+    """Slope of bead number over arrival time in the middle of the chain; NaN if fewer than two.
+
+    Parameters
+    ----------
+    arrival : ndarray, shape (N,)
+        NaN where the front has not arrived.
+    """
+    first, last = (int(fraction * arrival.size) for fraction in SPEED_RANGE)
+    passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
+    if passed.size < 2:
+        return np.nan
+    beads, times = passed - passed.mean(), arrival[passed] - arrival[passed].mean()
+    return (beads @ beads) / (beads @ times)
+
+
 def _arrivals(scene, recording):
     beads = scene["beads"]
     arrival = recording.arrival[1 : beads + 1]
-    first, last = (int(fraction * beads) for fraction in SPEED_RANGE)
-    passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
-    speed = np.nan
-    if passed.size > 1:
-        speed = 1.0 / np.polynomial.Polynomial.fit(passed, arrival[passed], 1).convert().coef[1]
+    speed = fitted_speed(arrival)
     variables = {"arrival_time": ("bead", arrival), "front_speed": speed}
     if recording.track_extremes:
         variables["first_peak"] = ("bead", recording.first_peak[1 : beads + 1])

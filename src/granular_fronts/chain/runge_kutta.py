@@ -100,3 +100,6 @@ ERROR_5_ROW, ERROR_5_A_ROW = _sparse(ERROR_5), _sparse(_times_matrix(ERROR_5))
 ERROR_3_ROW, ERROR_3_A_ROW = _sparse(ERROR_3), _sparse(_times_matrix(ERROR_3))
 CONTINUOUS = _continuous_weights()
 CONTINUOUS_A = CONTINUOUS @ A
+# The same by slope: the coefficients of one contact's polynomial then add up in vector registers.
+CONTINUOUS_OF_SLOPE = np.ascontiguousarray(CONTINUOUS.T)
+CONTINUOUS_A_OF_SLOPE = np.ascontiguousarray(CONTINUOUS_A.T)

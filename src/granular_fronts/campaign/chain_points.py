@@ -1,0 +1,143 @@
+r"""Points of a driven chain: constant pressure on a chain at rest, James (2021), section 3.3.
+
+Every point is solved in its own units of length δ and time 1/c, with :math:`c = \delta^{(\alpha -
+1)/2}` of eq. (21).  There the pressure is δ = 1, the front has speed 1 behind which u = 1, and the
+damping is, from eq. (29) with :math:`v_0 = v_p = \delta^{(\alpha+1)/2}`,
+
+.. math:: \hat\gamma = \gamma\, \delta^{\beta - (\alpha + 1)/2} .
+
+One tolerance then means the same at every δ, and the recorded numbers compare across the grid.  The
+motion ends after `crossings` times N, the time in which the front crosses the chain.
+
+Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chunk, is solved again
+with the tolerance divided by `REFINEMENT`; the largest difference is the error estimate.
+"""
+
+import numpy as np
+from tqdm import tqdm
+
+from granular_fronts.campaign.kinds import Solved
+from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
+from granular_fronts.chain.recording import fitted_speed
+from granular_fronts.chain.run import integrate, prepare
+
+REFINED_EVERY = 25
+REFINEMENT = 10.0
+ERROR_METHOD = (
+    f"largest difference to solving one point in {REFINED_EVERY} with the tolerance divided by "
+    f"{REFINEMENT:g}"
+)
+ARRIVAL_LEVEL = 0.5
+ABSOLUTE_TO_RELATIVE = 0.01
+
+
+def solve_chunk(points, settings):
+    """Solve driven chains one after the other.
+
+    Parameters
+    ----------
+    points : dict of str to ndarray, shape (lines, fast)
+        Parameters of kind ``chain``.
+    settings : dict
+        `tolerance` (relative, per step), `scalars`, `profile` in bead numbers.
+
+    Returns
+    -------
+    Solved
+    """
+    beads = _profile_beads(settings["profile"])
+    shape = next(iter(points.values())).shape
+    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
+    if beads is not None:
+        values["relative_displacement"] = np.full((*shape, beads.size), np.nan)
+    reasons = np.full(shape, "", dtype=object)
+    errors = dict.fromkeys(values, np.nan)
+    tolerance = settings["tolerance"]
+    indices = list(np.ndindex(shape))
+    for number, index in enumerate(tqdm(indices, desc="solving", unit="point", delay=2.0)):
+        point = {name: value[index] for name, value in points.items()}
+        try:
+            measured = _solve_point(point, tolerance, beads)
+            if number % REFINED_EVERY == 0 or number == len(indices) - 1:
+                refined = _solve_point(point, tolerance / REFINEMENT, beads)
+                for name in values:
+                    difference = np.max(np.abs(refined[name] - measured[name]))
+                    errors[name] = np.fmax(errors[name], difference)
+        except (ValueError, ArithmeticError) as error:
+            reasons[index] = str(error)
+            continue
+        for name, value in values.items():
+            value[index] = measured[name]
+    return Solved(values, reasons, errors, ERROR_METHOD)
+
+
+def _profile_beads(profile):
+    """Beads whose final relative displacement is recorded, None for no profile."""
+    if profile is None:
+        return None
+    return np.linspace(profile["start"], profile["stop"], profile["count"]).round().astype(int)
+
+
+def _solve_point(point, tolerance, beads):
+    """Measures of one chain, and its final u at the given beads.
+
+    Raises
+    ------
+    SolveError
+        If the motion cannot be followed.
+    ValueError
+        If the front does not reach the far end of the range its speed is fitted over.
+    """
+    scene = normalised_scene(point, tolerance)
+    run = prepare(scene)
+    integrate(run, scene["tolerance"])
+    recording, count = run.recording, scene["beads"]
+    speed = fitted_speed(recording.arrival[1 : count + 1])
+    peak = recording.first_peak[count // 2]
+    if not np.isfinite([speed, peak]).all():
+        raise ValueError(
+            "The front has not passed the middle of the chain at the end: raise crossings."
+        )
+    extremes = recording.extremes
+    measured = {
+        "front_speed": speed,
+        "overshoot": peak - 1.0,
+        "largest_overshoot": extremes[LARGEST] - 1.0,
+        "smallest_compression": extremes[SMALLEST],
+        "first_gap_time": extremes[OPENING],
+        "first_gap_bead": extremes[OPENING + 1],
+    }
+    if beads is not None:
+        measured["relative_displacement"] = np.where(
+            beads < count, run.state.u[np.minimum(beads, count)], np.nan
+        )
+    return measured
+
+
+def normalised_scene(point, tolerance):
+    """The scene of a point in units of δ and 1/c.
+
+    Parameters
+    ----------
+    point : mapping
+        Parameters of kind ``chain``.
+    tolerance : float
+        Relative, per step.
+
+    Returns
+    -------
+    dict
+        A chain scene.
+    """
+    alpha, beta, delta = point["alpha"], point["beta"], point["delta"]
+    beads = int(point["beads"])
+    gamma = point["gamma"] * delta ** (beta - 0.5 * (alpha + 1.0))
+    return {
+        "law": {"alpha": alpha, "beta": beta, "gamma": gamma},
+        "beads": beads,
+        "boundary": {"kind": "pressure", "left": 1.0, "right": point["delta_right"] / delta},
+        "start": {"kind": "rest"},
+        "end_time": point["crossings"] * beads,
+        "tolerance": {"relative": tolerance, "absolute": ABSOLUTE_TO_RELATIVE * tolerance},
+        "record": {"snapshots": [], "arrival_level": ARRIVAL_LEVEL, "extremes": True},
+    }

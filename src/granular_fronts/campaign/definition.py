@@ -1,0 +1,233 @@
+"""What a campaign file asks for: read, checked, its axes written out.
+
+The schema ``workflow/schemas/campaign.schema.yaml`` says which keys there are; what depends on the
+kind, or ties two keys together, is refused here.  Each refusal is a sentence, before any job.
+"""
+
+import difflib
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+import yaml
+
+from granular_fronts.campaign.axes import expand_axis, tell_bad_spacing, tell_disorder
+from granular_fronts.campaign.kinds import KINDS, Kind
+from granular_fronts.configuration import ConfigurationError
+from granular_fronts.schema import tell_violations
+
+MOST_POINTS = 1_000_000
+"""Points of a campaign that need not be asked for with ``allow_large: true``."""
+
+DEFAULT_TOLERANCE = 1.0e-9
+
+
+class Campaign(NamedTuple):
+    """A checked campaign.
+
+    Attributes
+    ----------
+    name, kind_name : str
+    given : Mapping
+        The contents of the campaign file.
+    grid : dict of str to tuple
+        Values of every parameter of the kind; those that do not vary come first and have one
+        value, the last is the fast axis.  The value None of beta stands for β = α.
+    axes : tuple of str
+        The parameters that vary.
+    settings : dict
+        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None).
+    chunk_points : int or None
+        Most points of a chunk; None to choose it from the measured cost.
+    allow_large : bool
+    """
+
+    name: str
+    kind_name: str
+    given: Mapping
+    grid: dict[str, tuple]
+    axes: tuple[str, ...]
+    settings: dict
+    chunk_points: int | None
+    allow_large: bool
+
+    @property
+    def kind(self) -> Kind:
+        """The kind itself."""
+        return KINDS[self.kind_name]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values of each parameter of the grid."""
+        return tuple(len(values) for values in self.grid.values())
+
+    @property
+    def size(self) -> int:
+        """Number of points."""
+        return math.prod(self.shape)
+
+
+def load_campaign(folder: Path | str, name: str) -> Campaign:
+    """Read and check a campaign file.
+
+    Parameters
+    ----------
+    folder : Path or str
+        Folder of campaign files.
+    name : str
+        Name of the file without ``.yaml``.
+
+    Returns
+    -------
+    Campaign
+
+    Raises
+    ------
+    ConfigurationError
+        With a sentence for each thing that is wrong.
+    """
+    file = Path(folder) / f"{name}.yaml"
+    if not file.is_file():
+        known = ", ".join(sorted(path.stem for path in Path(folder).glob("*.yaml")))
+        raise ConfigurationError(
+            f"There is no campaign {name} in {folder}: choose one of {known}, or write {file}."
+        )
+    return check_campaign(yaml.safe_load(file.read_text(encoding="utf-8")), name)
+
+
+def check_campaign(given: Mapping, name: str) -> Campaign:
+    """Check a campaign and write its axes out.
+
+    Parameters
+    ----------
+    given : Mapping
+        The contents of a campaign file.
+    name : str
+        Its name.
+
+    Returns
+    -------
+    Campaign
+
+    Raises
+    ------
+    ConfigurationError
+        With a sentence for each thing that is wrong.
+    """
+    _refuse(name, tell_violations(given, schema="campaign"))
+    kind = KINDS[given["kind"]]
+    fixed, record = given.get("fixed", {}), given.get("record", {})
+    _refuse(name, _tell_unknown_names(given["kind"], kind, given["axes"], fixed, record))
+    for axis, values in given["axes"].items():
+        _refuse(name, tell_bad_spacing(axis, values))
+    varied = {axis: tuple(expand_axis(values)) for axis, values in given["axes"].items()}
+    constant = {
+        parameter: (fixed.get(parameter, described.default),)
+        for parameter, described in kind.parameters.items()
+        if parameter not in varied
+    }
+    grid = constant | varied
+    _refuse(name, _tell_bad_values(kind, grid, varied))
+    scalars = record.get("scalars", list(kind.scalars))
+    return Campaign(
+        name=name,
+        kind_name=given["kind"],
+        given=given,
+        grid=grid,
+        axes=tuple(varied),
+        settings={
+            "tolerance": given.get("tolerance", DEFAULT_TOLERANCE),
+            "scalars": sorted(scalars, key=list(kind.scalars).index),
+            "profile": record.get("profile"),
+        },
+        chunk_points=given.get("chunk_points"),
+        allow_large=given.get("allow_large", False),
+    )
+
+
+def refuse_large(campaign: Campaign, seconds_per_point: float) -> None:
+    """Refuse a campaign above `MOST_POINTS` that does not say it is meant.
+
+    Parameters
+    ----------
+    campaign : Campaign
+    seconds_per_point : float
+        Measured cost.
+
+    Raises
+    ------
+    ConfigurationError
+        The sentence says how large it is and how long it takes.
+    """
+    if campaign.size > MOST_POINTS and not campaign.allow_large:
+        hours = campaign.size * seconds_per_point / 3600.0
+        raise ConfigurationError(
+            f"Campaign {campaign.name}: its axes make {campaign.size:,} points, above "
+            f"{MOST_POINTS:,}, about {hours:,.1f} hours on one core at the "
+            f"{1e3 * seconds_per_point:.2g} ms measured for a point: shorten an axis, or write "
+            "allow_large: true."
+        )
+
+
+def _refuse(name: str, sentences: Iterator[str]) -> None:
+    told = [f"Campaign {name}: {sentence}" for sentence in sentences]
+    if told:
+        raise ConfigurationError("\n".join(told))
+
+
+def _tell_unknown_names(kind_name, kind, axes, fixed, record) -> Iterator[str]:
+    """Say which axes, fixed parameters and scalars the kind does not have, or lacks."""
+    for place, names in (("axes", axes), ("fixed", fixed)):
+        for name in names:
+            if name not in kind.parameters:
+                yield (
+                    f"{place}.{name} is given, but kind {kind_name} has no parameter {name}: "
+                    f"{_advice(name, kind.parameters)}."
+                )
+    for name in fixed:
+        if name in axes:
+            yield f"{name} stands under axes and under fixed: leave one out."
+    for name, parameter in kind.parameters.items():
+        if parameter.default is ... and name not in axes and name not in fixed:
+            yield (f"{name} is missing: give it under axes or under fixed ({parameter.meaning}).")
+    for name in record.get("scalars", []):
+        if name not in kind.scalars:
+            yield (
+                f"record.scalars names {name}, which kind {kind_name} does not record: "
+                f"{_advice(name, kind.scalars)}."
+            )
+    profile = record.get("profile")
+    if profile and profile["start"] >= profile["stop"]:
+        yield (
+            f"record.profile.start is {profile['start']}, but must come before its stop "
+            f"{profile['stop']}: start earlier or stop later."
+        )
+
+
+def _tell_bad_values(kind, grid, varied) -> Iterator[str]:
+    """Say which values are disordered, out of range or not whole."""
+    for name, values in grid.items():
+        if values == (None,):
+            continue
+        place = f"{'axes' if name in varied else 'fixed'}.{name}"
+        if not all(map(math.isfinite, values)):
+            yield f"{place} holds a value that is not finite: give numbers."
+            continue
+        yield from tell_disorder(name, values)
+        parameter = kind.parameters[name]
+        least = min(values)
+        if least < parameter.least or (parameter.above and least == parameter.least):
+            limit = f"{'above ' if parameter.above else ''}{parameter.least:g}"
+            yield (
+                f"{place} reaches down to {least:g}, but {name} ({parameter.meaning}) must be "
+                f"{limit}{'' if parameter.above else ' or more'}: raise it."
+            )
+        if parameter.whole and not all(float(value).is_integer() for value in values):
+            broken = next(value for value in values if not float(value).is_integer())
+            yield f"{place} holds {broken:g}, but {name} counts: give whole numbers."
+
+
+def _advice(name, known) -> str:
+    near = difflib.get_close_matches(name, known, n=1)
+    return f"did you mean {near[0]}" if near else f"it has {', '.join(known)}"

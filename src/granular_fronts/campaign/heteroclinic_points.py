@@ -1,0 +1,82 @@
+"""Points of the heteroclinic orbit of section 5: one damping μ each.
+
+Overshoot and width are taken from the orbit itself, traced once as usual and once by series of
+another order; rates from its extrema.  See `granular_fronts.continuum.heteroclinic`.
+"""
+
+import math
+
+import numpy as np
+from tqdm import tqdm
+
+from granular_fronts.campaign.kinds import Solved
+from granular_fronts.continuum.heteroclinic import compute_orbit, heteroclinic
+from granular_fronts.continuum.survey import measure_rates
+
+ERROR_METHOD = (
+    "largest difference to the orbit traced with another order; of a rate, its change along the "
+    "orbit"
+)
+RESOLVED = 2.0**-52
+
+
+def solve_chunk(points, settings):
+    """Compute heteroclinic orbits one after the other.
+
+    Parameters
+    ----------
+    points : dict of str to ndarray, shape (lines, fast)
+        Parameter `mu`.
+    settings : dict
+        `scalars`, and `profile` in s; the orbit is always traced to round-off.
+
+    Returns
+    -------
+    Solved
+    """
+    profile = settings["profile"]
+    s = None if profile is None else np.linspace(*(profile[key] for key in PROFILE_KEYS))
+    shape = points["mu"].shape
+    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
+    if s is not None:
+        values["rescaled_force"] = np.full((*shape, s.size), np.nan)
+    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(values, np.nan)
+    for index in tqdm(list(np.ndindex(shape)), desc="solving", unit="point", delay=2.0):
+        try:
+            measured = _measure(float(points["mu"][index]), s)
+        except (ValueError, ArithmeticError) as error:
+            reasons[index] = str(error)
+            continue
+        for name, value in values.items():
+            value[index], error = measured[name]
+            errors[name] = np.fmax(errors[name], error)
+    return Solved(values, reasons, errors, ERROR_METHOD)
+
+
+PROFILE_KEYS = ("start", "stop", "count")
+
+
+def _measure(mu, s):
+    """Each scalar of one orbit, and its profile, with an error."""
+    shape, again = _shape(mu, refined=False), _shape(mu, refined=True)
+    rate, rate_error, frequency, frequency_error = measure_rates(mu)
+    measured = {
+        "overshoot": (shape[0], abs(shape[0] - again[0])),
+        "width_10_90": (shape[1], abs(shape[1] - again[1])),
+        "growth_rate": (rate, rate_error),
+        "angular_frequency": (frequency, frequency_error),
+    }
+    if s is not None:
+        force = heteroclinic(mu, s)["rescaled_force"]
+        measured["rescaled_force"] = (force.values, force.attrs["error_estimate"])
+    return measured
+
+
+def _shape(mu, refined):
+    """Overshoot and width in s of one trace of the orbit."""
+    # Without damping there is no second turn to look for.
+    orbit = compute_orbit(mu, -math.inf if mu > 0.0 else -4.0, refined)
+    _, p = orbit.turning_points()
+    overshoot = math.expm1(-p[0]) if p.size else 0.0
+    width = orbit.s_at(math.log(10.0)) - orbit.s_at(-math.log(0.9))
+    return (overshoot if overshoot > RESOLVED else 0.0), width

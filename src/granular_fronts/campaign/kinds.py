@@ -1,0 +1,138 @@
+"""The kinds of campaign: which parameters each has, what it records, and where it is solved.
+
+A kind is solved by one function ``solve_chunk(points, settings)`` in its module.  `points` holds
+an array of shape (lines, fast) for each parameter of the kind; the answer is a `Solved`.  This
+module imports nothing heavy, since every campaign is checked against it before any job.
+"""
+
+from collections.abc import Mapping
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    import numpy as np
+
+
+class Parameter(NamedTuple):
+    """A number that a point of a campaign may have.
+
+    Attributes
+    ----------
+    meaning : str
+        In words, for the data and for messages.
+    least : float
+        Smallest value.
+    above : bool
+        Whether the value must be above `least`, not at it.
+    default : float or None or type(...)
+        Value where a campaign gives none; an ellipsis for a parameter that it must give.  Only beta
+        may be None, which stands for β = α.
+    whole : bool
+        Whether only whole numbers make sense.
+    """
+
+    meaning: str
+    least: float
+    above: bool = False
+    default: object = ...
+    whole: bool = False
+
+
+class Kind(NamedTuple):
+    """One family of problems.
+
+    Attributes
+    ----------
+    module : str
+        Module with `solve_chunk`.
+    wings : tuple of str
+        Folders of the package that its numbers stand on.
+    parameters : mapping of str to Parameter
+    scalars : mapping of str to str
+        What may be recorded at each point, with its meaning.
+    profile, profile_along : tuple of str
+        Name and meaning of the profile that may be recorded, and of its coordinate.
+    """
+
+    module: str
+    wings: tuple[str, ...]
+    parameters: Mapping[str, Parameter]
+    scalars: Mapping[str, str]
+    profile: tuple[str, str]
+    profile_along: tuple[str, str]
+
+    def solve_chunk(self, points, settings) -> "Solved":
+        """Solve the points of one chunk, in this process."""
+        return import_module(self.module).solve_chunk(points, settings)
+
+
+class Solved(NamedTuple):
+    """The answer of a kind to the points of a chunk.
+
+    Attributes
+    ----------
+    values : dict of str to ndarray, shape (lines, fast) or (lines, fast, profile)
+        What was asked for, NaN at points that failed.
+    reasons : ndarray of str, shape (lines, fast)
+        Why a point failed; empty where it is solved.
+    errors : dict of str to float
+        Estimate of the largest absolute error of each variable, NaN if there is none.
+    error_method : str
+        How the estimates were obtained.
+    """
+
+    values: dict[str, "np.ndarray"]
+    reasons: "np.ndarray"
+    errors: dict[str, float]
+    error_method: str
+
+
+ALPHA = Parameter("exponent of the elastic force", 1.0, above=True)
+BETA = Parameter("exponent of the viscous force", 1.0, default=None)
+GAMMA = Parameter("strength of the viscous force", 0.0)
+
+KINDS: dict[str, Kind] = {
+    "chain": Kind(
+        module="granular_fronts.campaign.chain_points",
+        wings=("chain",),
+        parameters={
+            "alpha": ALPHA,
+            "beta": BETA,
+            "gamma": GAMMA,
+            "delta": Parameter("relative displacement held at the left end", 0.0, above=True),
+            "delta_right": Parameter(
+                "relative displacement held at the right end, 0 for a free end", 0.0, default=0.0
+            ),
+            "beads": Parameter("number of beads N", 20, whole=True),
+            "crossings": Parameter(
+                "end of the motion, in times N/c that the front needs to cross the chain",
+                0.0,
+                above=True,
+                default=1.2,
+            ),
+        },
+        scalars={
+            "front_speed": "speed of the front over delta^((alpha - 1)/2)",
+            "overshoot": "first maximum of u_n over delta at the middle of the chain, minus 1",
+            "largest_overshoot": "largest u_n over delta of all beads and times, minus 1",
+            "smallest_compression": "smallest u_n over delta of all beads and times",
+            "first_gap_time": "time at which the first contact opens, over 1/c; NaN if none does",
+            "first_gap_bead": "bead n whose contact with n + 1 opens first; NaN if none does",
+        },
+        profile=("relative_displacement", "relative displacement over delta at the end"),
+        profile_along=("bead", "bead number n"),
+    ),
+    "heteroclinic": Kind(
+        module="granular_fronts.campaign.heteroclinic_points",
+        wings=("continuum",),
+        parameters={"mu": Parameter("damping of the logarithmic KdV-Burgers equation", 0.0)},
+        scalars={
+            "overshoot": "deviation y - 1 at the first maximum, 0 for a monotone front",
+            "width_10_90": "distance in s over which y falls from 0.9 to 0.1",
+            "growth_rate": "rate at which y leaves 1",
+            "angular_frequency": "angular frequency of the oscillations of y about 1",
+        },
+        profile=("rescaled_force", "rescaled force y"),
+        profile_along=("s", "rescaled coordinate 2 sqrt(3) epsilon (n - ct)"),
+    ),
+}

@@ -1,0 +1,179 @@
+"""From the solved points of a chunk to its file, and from the files of all chunks to the grid.
+
+The file of a chunk holds its variables on (line, point); its `config` attribute is its request, so
+that it can be placed without any other file.  The merged file has the varied parameters as
+dimensions and, beside the recorded variables,
+
+- `status` (a flag): 0 solved, 1 failed;
+- `reason`: number of a sentence in `reason_text`, 0 where the point is solved.
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.campaign.chunks import Chunk, locate
+from granular_fronts.campaign.definition import Campaign
+from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.datasets import DatasetError, read_dataset
+
+SOLVED, FAILED = 0, 1
+
+
+def chunk_dataset(chunk: Chunk, solved: Solved, seconds: float) -> xr.Dataset:
+    """The dataset of a chunk's file.
+
+    Parameters
+    ----------
+    chunk : Chunk
+    solved : Solved
+        What its kind made of it.
+    seconds : float
+        Processor time it took.
+
+    Returns
+    -------
+    xarray.Dataset
+    """
+    kind = KINDS[chunk.kind]
+    coordinates = _profile_coordinate(kind, chunk.settings["profile"])
+    dataset = xr.Dataset(coords=coordinates)
+    for name, values in solved.values.items():
+        attributes = {
+            "long_name": {**kind.scalars, kind.profile[0]: kind.profile[1]}[name],
+            "error_estimate": float(solved.errors[name]),
+            "error_method": solved.error_method,
+        }
+        along = list(coordinates) if name == kind.profile[0] else []
+        dataset[name] = (["line", "point", *along], values, attributes)
+    texts, numbers = _number_reasons(solved.reasons)
+    dataset["reason"] = (["line", "point"], numbers, {"long_name": "number of the reason"})
+    dataset["reason_text"] = ("sentence", texts, {"long_name": "why a point failed"})
+    dataset.attrs = {"points": chunk.size, "seconds": seconds}
+    return dataset
+
+
+def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
+    """Put the chunks of a campaign together on its grid.
+
+    Parameters
+    ----------
+    campaign : Campaign
+    files : list of Path
+        Files of chunks that cover the grid; points outside it are left out.
+
+    Returns
+    -------
+    xarray.Dataset
+        See the module.
+
+    Raises
+    ------
+    DatasetError
+        If a file is damaged or of another campaign, or points are missing.
+    """
+    kind, profile = campaign.kind, campaign.settings["profile"]
+    coordinates = _profile_coordinate(kind, profile)
+    values = {name: np.full(campaign.size, np.nan) for name in campaign.settings["scalars"]}
+    if profile:
+        values[kind.profile[0]] = np.full((campaign.size, profile["count"]), np.nan)
+    reasons, errors, methods = np.full(campaign.size, -1), dict.fromkeys(values, np.nan), set()
+    texts, seconds, points = {"": 0}, 0.0, 0
+    for file in files:
+        data, where = _read_chunk(file, campaign)
+        inside = where >= 0
+        for name, value in values.items():
+            value[where[inside]] = data[name].values[inside]
+            errors[name] = np.fmax(errors[name], data[name].attrs["error_estimate"])
+            methods.add(data[name].attrs["error_method"])
+        numbers = [texts.setdefault(str(text), len(texts)) for text in data["reason_text"].values]
+        reasons[where[inside]] = np.array(numbers)[data["reason"].values[inside]]
+        seconds, points = seconds + data.attrs["seconds"], points + data.attrs["points"]
+    if (reasons < 0).any():
+        raise DatasetError(
+            f"Campaign {campaign.name}: {np.sum(reasons < 0)} points are in no chunk: "
+            "run the workflow again."
+        )
+    sizes = [len(campaign.grid[axis]) for axis in campaign.axes]
+    merged = xr.Dataset(coords=coordinates | _axes_of(campaign))
+    for name, value in values.items():
+        profile_axes = list(coordinates) if name == kind.profile[0] else []
+        attributes = {
+            "long_name": {**kind.scalars, kind.profile[0]: kind.profile[1]}[name],
+            "error_estimate": float(errors[name]),
+            "error_method": "; ".join(sorted(methods)),
+        }
+        shape = [*sizes, *(merged.sizes[axis] for axis in profile_axes)]
+        merged[name] = ([*campaign.axes, *profile_axes], value.reshape(shape), attributes)
+    _add_status(merged, campaign, reasons.reshape(sizes), list(texts))
+    merged.attrs = {
+        "kind": campaign.kind_name,
+        "points": campaign.size,
+        "failed_points": int(np.sum(reasons > 0)),
+        "chunks": len(files),
+        "seconds": seconds,
+        "seconds_per_point": seconds / points,
+        **{
+            name: value
+            for name, (value, *_) in campaign.grid.items()
+            if _is_constant(campaign, name)
+        },
+    }
+    return merged
+
+
+def _read_chunk(file, campaign):
+    """The dataset of a chunk, and where its points lie on the grid."""
+    data = read_dataset(file, scene_id=file.stem)
+    chunk = Chunk(**json.loads(data.attrs["config"]))
+    if (chunk.kind, chunk.settings) != (campaign.kind_name, campaign.settings):
+        raise DatasetError(
+            f"{file} was solved with other settings than campaign {campaign.name} has: "
+            "delete it and run the workflow again."
+        )
+    return data, locate(chunk, campaign)
+
+
+def _number_reasons(reasons):
+    """Distinct sentences, the empty one first, and the number of each point's."""
+    texts = {"": 0}
+    numbers = [texts.setdefault(str(reason), len(texts)) for reason in reasons.ravel()]
+    return list(texts), np.array(numbers, dtype=np.int32).reshape(reasons.shape)
+
+
+def _add_status(merged, campaign, reasons, texts):
+    """Status flag, number of the reason, and the sentences."""
+    flags = {
+        "long_name": "whether the point is solved",
+        "flag_values": np.array([SOLVED, FAILED], dtype=np.int8),
+        "flag_meanings": "solved failed",
+    }
+    status = np.where(reasons > 0, FAILED, SOLVED).astype(np.int8)
+    merged["status"] = (campaign.axes, status, flags)
+    numbered = {"long_name": "number of the sentence in reason_text"}
+    merged["reason"] = (campaign.axes, reasons.astype(np.int32), numbered)
+    merged["reason_text"] = ("sentence", texts, {"long_name": "why a point failed"})
+
+
+def _is_constant(campaign, name):
+    return name not in campaign.axes and campaign.grid[name] != (None,)
+
+
+def _axes_of(campaign):
+    """The varied parameters as coordinates."""
+    parameters = campaign.kind.parameters
+    return {
+        name: (name, list(campaign.grid[name]), {"long_name": parameters[name].meaning})
+        for name in campaign.axes
+    }
+
+
+def _profile_coordinate(kind, profile):
+    """The coordinate of the recorded profile, none if there is no profile."""
+    if profile is None:
+        return {}
+    name, meaning = kind.profile_along
+    values = np.linspace(profile["start"], profile["stop"], profile["count"])
+    return {name: (name, values, {"long_name": meaning})}

@@ -1,0 +1,450 @@
+import itertools
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from chains import driven_scene
+
+from granular_fronts.campaign import chunks, cost, definition, merging, planning
+from granular_fronts.campaign.axes import expand_axis
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.chain import simulate_chain
+from granular_fronts.chain.measures import front_speed
+from granular_fronts.configuration import ConfigurationError
+from granular_fronts.continuum.heteroclinic import heteroclinic, turning_points
+from granular_fronts.datasets import DatasetError, read_dataset, write_dataset
+
+ROOT = Path(__file__).parents[1]
+CHAINS = {
+    "kind": "chain",
+    "axes": {"delta": [0.1, 1.0], "gamma": [0.1, 0.3, 0.8]},
+    "fixed": {"alpha": 1.5, "beads": 30},
+    "tolerance": 1.0e-7,
+}
+ORBITS = {"kind": "heteroclinic", "axes": {"mu": [0.3, 1.0, 2.0, 5.0, 15.0]}}
+
+
+def campaign(given=CHAINS, **changes):
+    return definition.check_campaign({**given, **changes}, "mine")
+
+
+def refusal(given=CHAINS, **changes):
+    with pytest.raises(ConfigurationError) as caught:
+        campaign(given, **changes)
+    return str(caught.value)
+
+
+def all_chunks(asked, chunk_points):
+    return list(chunks.cut(asked, np.ones(asked.shape, dtype=bool), chunk_points))
+
+
+def solve(chunk, folder):
+    """Solve a chunk as the workflow does."""
+    solved = KINDS[chunk.kind].solve_chunk(chunk.points(), chunk.settings)
+    chunks.write_request(chunk, folder)
+    file = folder / f"{chunk.name}.nc"
+    data = merging.chunk_dataset(chunk, solved, 1.0)
+    write_dataset(data, file, scene_id=chunk.name, config=json.loads(chunk.as_json()))
+    return file
+
+
+def pretend_solved(asked, folder, chunk_points):
+    """Request every chunk and put an empty file in the place of its data."""
+    _, missing = chunks.find_missing(asked, folder)
+    for chunk in chunks.cut(asked, missing, chunk_points):
+        chunks.write_request(chunk, folder)
+        (folder / f"{chunk.name}.nc").touch()
+
+
+# Axes.
+
+
+def test_refined_axis_meets_the_coarser_one_to_the_last_bit():
+    for spacing, start, stop in [("linspace", 0.0, 1.0), ("logspace", 0.013, 1.7)]:
+        coarse, fine = (expand_axis({spacing: [start, stop, count]}) for count in (11, 21))
+        assert fine[::2] == coarse
+
+
+def test_spacings_are_those_of_numpy():
+    np.testing.assert_allclose(
+        expand_axis({"linspace": [0.2, 3.0, 7]}), np.linspace(0.2, 3.0, 7), rtol=1e-11
+    )
+    np.testing.assert_allclose(
+        expand_axis({"logspace": [0.02, 3.0, 7]}), np.geomspace(0.02, 3.0, 7), rtol=1e-11
+    )
+    assert expand_axis({"linspace": [0.5, 3.0, 1]}) == [0.5]
+
+
+REFUSED = [
+    ({"axes": {}}, ["axes is empty"]),
+    ({"axes": {"gamma": []}}, ["axes.gamma is empty", "at least one"]),
+    ({"axes": {"gamma": 0.5}}, ["axes.gamma is 0.5", "a list or a mapping"]),
+    ({"axes": {"gamma": {"linspac": [0, 1, 3]}}}, ["did you mean linspace?"]),
+    ({"axes": {"gamma": [0.1, 0.3, 0.2]}}, ["axes.gamma has 0.2 after 0.3", "sort them"]),
+    ({"axes": {"gamma": [0.1, 0.1]}}, ["axes.gamma has 0.1 after 0.1", "name each once"]),
+    ({"axes": {"gamma": {"linspace": [1.0, 0.1, 5]}}}, ["must increase"]),
+    ({"axes": {"gamma": {"linspace": [0.1, 1.0, 2.5]}}}, ["asks for 2.5 values", "whole number"]),
+    ({"axes": {"gamma": {"logspace": [0.0, 1.0, 5]}}}, ["above 0", "linspace"]),
+    ({"axes": {"gamma": [0.1, math.inf]}}, ["axes.gamma holds a value that is not finite"]),
+    ({"axes": {"mu": [1.0]}}, ["axes.mu is given", "kind chain has no parameter mu"]),
+    ({"axes": {"gama": [1.0]}}, ["did you mean gamma"]),
+    ({"axes": {"gamma": [-0.1, 1.0]}}, ["reaches down to -0.1", "must be 0 or more"]),
+    ({"axes": {"gamma": [1.0], "alpha": [1.0, 1.5]}}, ["stands under axes and under fixed"]),
+    ({"fixed": {"alpha": 1.0, "beads": 30}}, ["fixed.alpha reaches down to 1", "above 1"]),
+    ({"fixed": {"alpha": 1.5, "beads": 30.5}}, ["fixed.beads holds 30.5", "whole numbers"]),
+    ({"fixed": {"alpha": 1.5}}, ["beads is missing", "number of beads N"]),
+    ({"record": {"scalars": ["speed"]}}, ["record.scalars names speed", "front_speed"]),
+    ({"record": {"profile": {"start": 3, "stop": 1, "count": 2}}}, ["profile.start is 3"]),
+    ({"kind": "frnt"}, ["kind is", "choose chain or front or heteroclinic"]),
+    ({"tolerance": 0}, ["tolerance is 0", "above 0"]),
+    ({"colour": 1}, ["colour is no key"]),
+]
+
+
+@pytest.mark.parametrize(("changes", "words"), REFUSED, ids=[str(c)[:40] for c, _ in REFUSED])
+def test_impossible_campaign_is_refused_in_a_sentence(changes, words):
+    if changes.get("axes"):
+        changes = {"axes": {"delta": [1.0], **changes["axes"]}}
+    sentence = refusal(**changes)
+    assert sentence.startswith("Campaign mine: ")
+    assert sentence.endswith((".", "?"))
+    for word in words:
+        assert word in sentence
+
+
+def test_large_campaign_says_how_large_and_how_long():
+    axes = {"delta": {"linspace": [0.1, 1, 1001]}, "gamma": {"linspace": [0.1, 1, 1000]}}
+    with pytest.raises(ConfigurationError) as caught:
+        definition.refuse_large(campaign(axes=axes), seconds_per_point=0.0036)
+    assert "1,001,000 points" in str(caught.value)
+    assert "1.0 hours" in str(caught.value)
+    assert "allow_large: true" in str(caught.value)
+    definition.refuse_large(campaign(axes=axes, allow_large=True), seconds_per_point=0.0036)
+
+
+def test_unknown_campaign_names_those_there_are():
+    with pytest.raises(ConfigurationError, match=r"choose one of .*smoke"):
+        definition.load_campaign(ROOT / "config/campaigns", "smok")
+
+
+@pytest.mark.parametrize("file", sorted((ROOT / "config/campaigns").glob("*.yaml")), ids=str)
+def test_shipped_campaigns_are_accepted(file):
+    definition.load_campaign(file.parent, file.stem)
+
+
+def test_checking_waits_for_no_heavy_import():
+    code = "import granular_fronts.campaign.definition, sys; print({'numpy'} & {*sys.modules})"
+    command = [sys.executable, "-c", code]
+    environment = {"PYTHONPATH": str(ROOT / "src")}
+    run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert run.stdout == "set()\n"
+
+
+# Chunks.
+
+
+@pytest.mark.parametrize("chunk_points", [1, 2, 3, 4, 6, 100])
+def test_chunks_cover_every_point_once_and_none_is_too_large(chunk_points):
+    asked = campaign()
+    parts = all_chunks(asked, chunk_points)
+    assert max(chunk.size for chunk in parts) <= chunk_points
+    found = np.concatenate([chunks.locate(chunk, asked).ravel() for chunk in parts])
+    assert sorted(found) == list(range(asked.size))
+
+
+def test_points_of_a_chunk_stand_where_it_is_located():
+    asked = campaign()
+    grid = dict(zip(asked.grid, np.meshgrid(*asked.grid.values(), indexing="ij"), strict=True))
+    for chunk in all_chunks(asked, 2):
+        where = chunks.locate(chunk, asked)
+        for name in ("delta", "gamma", "alpha", "beads"):
+            np.testing.assert_array_equal(chunk.points()[name], grid[name].ravel()[where])
+
+
+def test_beta_is_alpha_unless_given():
+    [chunk] = all_chunks(
+        campaign(
+            axes={"alpha": [1.2, 1.5], "gamma": [0.1, 0.2]}, fixed={"delta": 1.0, "beads": 30}
+        ),
+        10,
+    )
+    np.testing.assert_array_equal(chunk.points()["beta"], [[1.2, 1.2], [1.5, 1.5]])
+
+
+def test_name_of_a_chunk_is_its_content():
+    [chunk] = all_chunks(campaign(), 10)
+    [same] = all_chunks(campaign(chunk_points=10), 10)
+    [other] = all_chunks(campaign(tolerance=1e-6), 10)
+    assert chunk.name == same.name != other.name
+    assert chunks.Chunk(**json.loads(chunk.as_json())).name == chunk.name
+
+
+def grown(**axes):
+    return campaign(axes={**CHAINS["axes"], **axes})
+
+
+@pytest.mark.parametrize(
+    ("changed", "new_points"),
+    [
+        (grown(), 0),
+        (grown(delta=[0.05, 0.1, 1.0]), 3),
+        (grown(gamma=[0.1, 0.2, 0.3, 0.8]), 2),
+        (grown(delta=[0.1, 0.5, 1.0], gamma=[0.1, 0.3, 0.8, 0.9]), 6),
+        (grown(delta=[1.0], gamma=[0.3, 0.8]), 0),
+        (
+            campaign(axes={"beads": [30, 40], **CHAINS["axes"]}, fixed={"alpha": 1.5}),
+            6,
+        ),
+        (campaign(axes=dict(reversed(CHAINS["axes"].items()))), 0),
+        (campaign(tolerance=1e-6), 6),
+        (campaign(record={"scalars": ["overshoot"]}), 6),
+    ],
+    ids=["same", "slow", "fast", "both", "fewer", "fixed", "turned", "tolerance", "record"],
+)
+@pytest.mark.parametrize("chunk_points", [1, 2, 100])
+def test_changed_axis_leaves_only_its_new_points(tmp_path, changed, new_points, chunk_points):
+    pretend_solved(campaign(), tmp_path, chunk_points)
+    _, missing = chunks.find_missing(changed, tmp_path)
+    assert missing.sum() == new_points
+
+
+def test_interrupted_campaign_keeps_what_is_finished(tmp_path):
+    asked = campaign()
+    pretend_solved(asked, tmp_path, 2)
+    solved, missing = chunks.find_missing(asked, tmp_path)
+    lost = solved[0]
+    (tmp_path / f"{lost}.nc").unlink()
+    left, missing = chunks.find_missing(asked, tmp_path)
+    assert set(left) == set(solved) - {lost}
+    [again] = chunks.cut(asked, missing, 2)
+    assert again.name == lost
+
+
+def test_few_new_values_are_gathered_in_few_chunks(tmp_path):
+    """Every second line is missing: the gaps do not make a chunk each."""
+    values = [round(0.1 * n, 1) for n in range(1, 41)]
+    pretend_solved(grown(delta=values[::2]), tmp_path, 30)
+    asked = grown(delta=values)
+    _, missing = chunks.find_missing(asked, tmp_path)
+    assert [chunk.size for chunk in chunks.cut(asked, missing, 30)] == [30, 30]
+
+
+def test_request_that_is_there_keeps_its_date(tmp_path):
+    [chunk] = all_chunks(campaign(), 10)
+    chunks.write_request(chunk, tmp_path)
+    [file] = tmp_path.iterdir()
+    before = file.stat().st_mtime_ns
+    chunks.write_request(chunk, tmp_path)
+    assert file.stat().st_mtime_ns == before
+
+
+def test_folder_of_another_campaign_is_refused(tmp_path):
+    chunks.claim_folder(campaign(), tmp_path)
+    chunks.claim_folder(campaign(), tmp_path)
+    with pytest.raises(
+        ConfigurationError, match="holds the results of campaign mine of kind chain"
+    ):
+        chunks.claim_folder(campaign(ORBITS), tmp_path)
+
+
+# Planning.
+
+
+def test_plan_is_the_same_list_until_chunks_are_solved(tmp_path):
+    asked = campaign(ORBITS, chunk_points=2)
+    names = planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0)
+    assert len(names) == 3
+    assert planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0) == names
+    for name in names:
+        solve(chunks.read_request(tmp_path / f"{name}.json"), tmp_path)
+    assert sorted(planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0)) == sorted(names)
+    assert "5 of 5 points, 3 of 3 chunks" in planning.tell_progress(tmp_path)
+
+
+def test_chunks_fill_the_wanted_time(tmp_path, monkeypatch):
+    monkeypatch.setattr(cost, "measure", lambda campaign: 0.5)
+    axes = {"mu": {"linspace": [0.5, 3.0, 90]}}
+    names = planning.plan_campaign(campaign(ORBITS, axes=axes), tmp_path, chunk_seconds=15.0)
+    sizes = [chunks.read_request(tmp_path / f"{name}.json").size for name in names]
+    assert sizes == [30, 30, 30]
+
+
+def test_cost_is_measured_once_for_a_campaign_as_it_stands(tmp_path, monkeypatch):
+    answers = itertools.count(1)
+    monkeypatch.setattr(cost, "measure", lambda campaign: float(next(answers)))
+    asked = campaign(ORBITS)
+    assert [cost.seconds_per_point(asked, tmp_path) for _ in range(3)] == [1.0] * 3
+    assert cost.seconds_per_point(campaign(ORBITS, tolerance=1e-6), tmp_path) == 2.0
+
+
+def test_sample_for_the_cost_lies_on_the_grid():
+    for asked in (campaign(), campaign(ORBITS)):
+        for piece in cost.sample_of(asked):
+            assert (chunks.locate(piece, asked) >= 0).all()
+        assert cost.measure(asked) > 0.0
+
+
+# Kinds.
+
+
+def test_chain_point_agrees_with_the_same_scene_in_other_units():
+    """Solved with δ = 1 by the campaign and with δ = 0.1 by the scene: James (2021), eq. (29)."""
+    given = {**CHAINS, "axes": {"gamma": [0.1]}, "tolerance": 1e-10}
+    for beta in (1.5, 1.0):
+        fixed = {"alpha": 1.5, "beta": beta, "delta": 0.1, "beads": 30}
+        [chunk] = all_chunks(campaign(given, fixed=fixed), 10)
+        solved = KINDS["chain"].solve_chunk(chunk.points(), chunk.settings)
+        speed = 0.1**0.25
+        record = {"snapshots": [], "arrival_level": 0.05, "extremes": True}
+        end_time = 1.2 * 30 / speed
+        scene = driven_scene(0.1, 30, end_time, beta=beta, record=record)
+        data = simulate_chain(scene)
+        expected = {
+            "front_speed": front_speed(data).value / speed,
+            "overshoot": float(data["first_peak"].sel(bead=15)) / 0.1 - 1.0,
+            "smallest_compression": float(data["smallest_relative_displacement"]) / 0.1,
+            "first_gap_time": float(data["first_gap_time"]) * speed,
+            "first_gap_bead": float(data["first_gap_bead"]),
+        }
+        for name, value in expected.items():
+            assert solved.values[name][0, 0] == pytest.approx(value, rel=1e-7, nan_ok=True)
+
+
+def test_equal_normalised_damping_gives_equal_fronts():
+    """For β = α a driven chain depends on γ δ^((α − 1)/2) alone, James (2021), eq. (30)."""
+    deltas = [0.01, 1.0]
+    results = []
+    for delta in deltas:
+        axes = {"gamma": [0.1 * delta**-0.25]}
+        fixed = {"alpha": 1.5, "beads": 30, "delta": delta}
+        [chunk] = all_chunks(campaign(axes=axes, fixed=fixed), 10)
+        results.append(KINDS["chain"].solve_chunk(chunk.points(), chunk.settings).values)
+    for name in results[0]:
+        np.testing.assert_allclose(results[0][name], results[1][name], rtol=1e-9)
+
+
+def test_error_estimate_of_chains_bounds_the_error():
+    coarse, fine = (
+        KINDS["chain"].solve_chunk(chunk.points(), chunk.settings)
+        for tolerance in (1e-6, 1e-11)
+        for chunk in all_chunks(campaign(tolerance=tolerance), 10)
+    )
+    for name in ("front_speed", "overshoot", "largest_overshoot"):
+        error = np.nanmax(np.abs(coarse.values[name] - fine.values[name]))
+        assert 0.0 < error < 20.0 * coarse.errors[name]
+
+
+def test_chain_profile_is_u_at_the_end():
+    asked = campaign(
+        record={"scalars": ["overshoot"], "profile": {"start": 1, "stop": 40, "count": 40}}
+    )
+    [chunk] = all_chunks(asked, 10)
+    solved = KINDS["chain"].solve_chunk(chunk.points(), chunk.settings)
+    profile = solved.values["relative_displacement"]
+    assert profile.shape == (2, 3, 40)
+    assert np.isnan(profile[:, :, 29:]).all(), "no contact beyond bead N − 1"
+    data = simulate_chain(driven_scene(0.3, 30, 36.0, delta=1.0))
+    expected = data["relative_displacement"].isel(t=0).values[:29]
+    np.testing.assert_allclose(profile[1, 1, :29], expected, atol=1e-5)
+
+
+def test_heteroclinic_points_are_those_of_the_orbit():
+    asked = campaign(ORBITS, record={"profile": {"start": -5, "stop": 3, "count": 5}})
+    [chunk] = all_chunks(asked, 10)
+    solved = KINDS["heteroclinic"].solve_chunk(chunk.points(), chunk.settings)
+    for column, mu in enumerate(ORBITS["axes"]["mu"]):
+        _, overshoot = turning_points(mu)
+        assert solved.values["overshoot"][0, column] == (overshoot[0] if overshoot.size else 0.0)
+        orbit = heteroclinic(mu, np.linspace(-5, 3, 5))
+        np.testing.assert_array_equal(
+            solved.values["rescaled_force"][0, column], orbit["rescaled_force"]
+        )
+        width = solved.values["width_10_90"][0, column]
+        crossings = heteroclinic(mu, np.linspace(-60.0, 20.0, 80001))["rescaled_force"]
+        below = [
+            float(crossings["s"][np.flatnonzero(crossings > level)[-1]]) for level in (0.1, 0.9)
+        ]
+        assert width == pytest.approx(below[0] - below[1], abs=0.003)
+    # At μ = 2 the orbit leaves (1, 0) with an algebraic factor, so that its rate is known worse.
+    assert max(error for name, error in solved.errors.items() if name != "growth_rate") < 1e-9
+
+
+# Merging, failing points.
+
+
+@pytest.fixture
+def solved_folder(tmp_path):
+    asked = campaign()
+    files = [solve(chunk, tmp_path) for chunk in all_chunks(asked, 2)]
+    return asked, files
+
+
+def test_merged_grid_holds_each_point_in_its_place(solved_folder):
+    asked, files = solved_folder
+    merged = merging.merge_chunks(asked, files)
+    assert merged.sizes == {"delta": 2, "gamma": 3, "sentence": 1}
+    [whole] = all_chunks(asked, 100)
+    values = KINDS["chain"].solve_chunk(whole.points(), whole.settings).values
+    for name, value in values.items():
+        np.testing.assert_array_equal(merged[name], value)
+    assert merged.attrs["failed_points"] == 0
+    assert merged.attrs["beads"] == 30
+    again = merging.merge_chunks(asked, files[::-1])
+    assert merged.drop_vars([]).equals(again)
+
+
+def test_merged_grid_may_have_its_axes_turned_or_cut(solved_folder):
+    asked, files = solved_folder
+    merged = merging.merge_chunks(asked, files)
+    turned = campaign(axes={"gamma": [0.3, 0.8], "delta": [0.1, 1.0]})
+    part = merging.merge_chunks(turned, files)
+    assert part["overshoot"].dims == ("gamma", "delta")
+    expected = merged["overshoot"].sel(gamma=[0.3, 0.8]).transpose("gamma", "delta")
+    assert part["overshoot"].equals(expected)
+
+
+def test_missing_chunk_is_told(solved_folder):
+    asked, files = solved_folder
+    with pytest.raises(DatasetError, match="points are in no chunk"):
+        merging.merge_chunks(asked, files[1:])
+
+
+def test_chunk_of_other_settings_is_refused(solved_folder):
+    _, files = solved_folder
+    with pytest.raises(DatasetError, match="was solved with other settings"):
+        merging.merge_chunks(campaign(tolerance=1e-6), files)
+
+
+def test_failing_point_is_told_and_the_others_are_solved(tmp_path):
+    """A run too short for the front to pass the middle fails; the campaign goes on."""
+    asked = campaign(
+        axes={"crossings": [0.3, 1.2], "gamma": [0.1, 0.3]},
+        fixed={"alpha": 1.5, "beads": 30, "delta": 1.0},
+    )
+    [chunk] = all_chunks(asked, 10)
+    path = tmp_path / "merged.nc"
+    write_dataset(
+        merging.merge_chunks(asked, [solve(chunk, tmp_path)]), path, scene_id="mine", config=CHAINS
+    )
+    merged = read_dataset(path)
+    np.testing.assert_array_equal(merged["status"], [[1, 1], [0, 0]])
+    assert merged.attrs["failed_points"] == 2
+    texts = merged["reason_text"].values[merged["reason"].values]
+    assert texts[1, 0] == ""
+    assert "has not passed the middle of the chain" in texts[0, 0]
+    assert np.isnan(merged["overshoot"].values[0]).all()
+    assert np.isfinite(merged["overshoot"].values[1]).all()
+
+
+def test_failure_of_the_solver_is_a_reason_too():
+    """Pressures that overflow: the sentence of the integrator becomes the reason."""
+    given = {"axes": {"delta_right": [1e300], "gamma": [0.1]}}
+    fixed = {"alpha": 1.5, "beads": 30, "delta": 1.0}
+    [chunk] = all_chunks(campaign(**given, fixed=fixed), 10)
+    solved = KINDS["chain"].solve_chunk(chunk.points(), chunk.settings)
+    assert "overflow double precision" in solved.reasons[0, 0]
+    assert np.isnan(solved.values["overshoot"][0, 0])

@@ -1,0 +1,80 @@
+"""Grids of parameter points: snakemake -c2 campaign --config campaign=smoke."""
+
+
+include: "campaign_plan.smk"
+
+
+rule solve_chunk:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        request="<results>/data/campaigns/{campaign}/{chunk}.json",
+        modules=lambda wildcards: campaign_modules(wildcards.campaign),
+    output:
+        dataset="<results>/data/campaigns/{campaign}/{chunk}.nc",
+    log:
+        "<logs>/solve_chunk/{campaign}/{chunk}.log",
+    benchmark:
+        "<benchmarks>/solve_chunk/{campaign}/{chunk}.tsv"
+    threads: 1
+    message:
+        "Solving chunk {wildcards.chunk} of campaign {wildcards.campaign}."
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        campaign="[a-z][a-z0-9_]*",
+        chunk="[0-9a-f]{16}",
+    script:
+        "../scripts/solve_chunk.py"
+
+
+rule merge_campaign:
+    input:
+        chunks=lambda wildcards: campaign_chunks(wildcards.campaign),
+    output:
+        dataset="<results>/data/campaigns/{campaign}.nc",
+    params:
+        campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
+        name="{campaign}",
+    log:
+        "<logs>/merge_campaign/{campaign}.log",
+    benchmark:
+        "<benchmarks>/merge_campaign/{campaign}.tsv"
+    threads: 1
+    message:
+        "Merging the chunks of campaign {wildcards.campaign}."
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        campaign="[a-z][a-z0-9_]*",
+    localrule: True
+    script:
+        "../scripts/merge_campaign.py"
+
+
+rule summarise_campaign:
+    input:
+        dataset="<results>/data/campaigns/{campaign}.nc",
+    output:
+        csv="<results>/tables/campaign_{campaign}.csv",
+        markdown="<results>/tables/campaign_{campaign}.md",
+    log:
+        "<logs>/summarise_campaign/{campaign}.log",
+    benchmark:
+        "<benchmarks>/summarise_campaign/{campaign}.tsv"
+    threads: 1
+    message:
+        "Summing up campaign {wildcards.campaign}."
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        campaign="[a-z][a-z0-9_]*",
+    localrule: True
+    script:
+        "../scripts/summarise_campaign.py"
+
+
+rule campaign:
+    input:
+        named_campaign,
+    message:
+        "The campaign is done: {input}."
