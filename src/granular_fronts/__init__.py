@@ -10,6 +10,7 @@ __version__ = "0.1.0"
 
 _HOME_OF = {
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
+    "front_multipliers": "granular_fronts.fronts.stability",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",

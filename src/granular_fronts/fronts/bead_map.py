@@ -48,7 +48,7 @@ STAGES = rk.STAGES
 _CONTRACT = {"contract"}
 WHOLE_STEP = rk.NEW_SLOPE
 FORGOTTEN = 1.0e-15
-WIDEST_SPREAD = 60
+WIDEST_SPREAD = 150
 
 
 class Weights(NamedTuple):

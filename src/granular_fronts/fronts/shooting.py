@@ -30,7 +30,11 @@ from granular_fronts.fronts.gauss_newton import descend
 from granular_fronts.fronts.reach import choose_beads, refuse_short_window
 
 TOLERANCE = 1.0e-13
-FIRST_STEPS, MOST_STEPS = 16, 128
+FEWEST_STEPS, MOST_STEPS = 16, 512
+# An explicit method resolves what decays at the rate 4βγ only with short enough steps.
+LARGEST_DECAY_PER_STEP = 3.0
+# Below this γ a continuum front may be too far from the front of the lattice.
+WEAK_DAMPING, CONTINUATION = 0.03, 1.25
 FLOW_ERROR = 2.0e-14
 UNTOUCHED = 1.0e-15
 LONGER_BEHIND, LONGER_AHEAD = 1.25, 4
@@ -94,7 +98,8 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
     beads : pair of int, optional
         Beads behind and ahead of bead 0; by default as many as the tails need.
     guess : Seed or Shot, optional
-        Start of the iteration; by default the continuum front of `seeds`.
+        Start of the iteration; by default the continuum front of `seeds`, and where that fails the
+        front of a stronger damping.
     tolerance : float, optional
         Largest residual of any equation.
 
@@ -113,9 +118,16 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
     behind, ahead = choose_beads(law, roots) if beads is None else map(int, beads)
     refuse_short_window(roots, behind, ahead)
     bead = np.arange(-behind, ahead + 1)
-    if guess is None:
-        guess = seeds.continuum_seed(law.alpha, law.gamma, law.beta, bead)
-    return _shoot(law, roots, bead, guess, FIRST_STEPS, tolerance)
+    decay = 4.0 * law.beta * law.gamma
+    steps = max(FEWEST_STEPS, math.ceil(decay / LARGEST_DECAY_PER_STEP))
+    if guess is not None:
+        return _shoot(law, roots, bead, guess, steps, tolerance)
+    seed = seeds.continuum_seed(law.alpha, law.gamma, law.beta, bead)
+    shot = _shoot(law, roots, bead, seed, steps, tolerance)
+    if shot.converged or gamma >= WEAK_DAMPING:
+        return shot
+    stronger = shoot_front(alpha, CONTINUATION * gamma, beta, tolerance=tolerance)
+    return _shoot(law, roots, bead, stronger, steps, tolerance)
 
 
 def refine(shot):
