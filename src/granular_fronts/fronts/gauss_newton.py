@@ -103,11 +103,10 @@ def _damped(window, unknowns, step, norm, tolerance):
     fraction, flows = 1.0, 0
     while fraction >= SHORTEST_FRACTION:
         trial = _move(window, unknowns, fraction * step)
-        with np.errstate(over="ignore", invalid="ignore"):
-            rows, stiffness = front_equations.residual(window, trial)
-            flows += 1
-            if _norm(rows) < norm or _largest(rows) <= tolerance:
-                return Attempt(fraction, trial, rows, stiffness, flows)
+        rows, stiffness = front_equations.residual(window, trial)
+        flows += 1
+        if _norm(rows) < norm or _largest(rows) <= tolerance:
+            return Attempt(fraction, trial, rows, stiffness, flows)
         fraction *= 0.5
     return Attempt(0.0, unknowns, rows, stiffness, flows)
 

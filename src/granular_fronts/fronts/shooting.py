@@ -57,7 +57,7 @@ class Shot(NamedTuple):
     step_sizes : ndarray
         Largest change of an unknown in every step.
     counts : dict
-        gauss_newton_steps, right_hand_sides, and steps per bead-time.
+        gauss_newton_steps, right_hand_sides (of the flow, tangents apart), steps_per_bead_time.
     flow_error : float
         Largest change of the flow over one bead-time when its steps are doubled.
     window : front_equations.Window
@@ -144,7 +144,7 @@ def refine(shot):
     window = shot.window
     behind, ahead = math.ceil(-LONGER_BEHIND * shot.bead[0]), shot.bead[-1] + LONGER_AHEAD
     bead = np.arange(-behind, ahead + 1)
-    return _shoot(window.law, window.roots, bead, shot, 2 * window.steps, shot.residuals[-1])
+    return _shoot(window.law, window.roots, bead, shot, 2 * window.steps, TOLERANCE)
 
 
 def error_estimate(shot):
@@ -157,8 +157,11 @@ def error_estimate(shot):
     Returns
     -------
     float
+        NaN where either did not converge.
     """
     other = refine(shot)
+    if not (shot.converged and other.converged):
+        return math.nan
     common = slice(shot.bead[0] - other.bead[0], shot.bead[-1] - other.bead[0] + 1)
     return max(
         float(np.abs(getattr(shot, name) - getattr(other, name)[common]).max())
@@ -195,6 +198,7 @@ def sample_profile(shot, points_per_site):
     return Profile(xi, *values.reshape(2, -1))
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def _shoot(law, roots, bead, guess, steps, tolerance):
     """Gauss-Newton from a guess, with steps of the flow doubled as long as they matter."""
     state = seeds.fit(guess, bead)
@@ -209,7 +213,7 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
         residuals += descent.residuals
         step_sizes += descent.step_sizes
         flow_error = _flow_error(window, unknowns)
-        evaluations += (descent.flows + 2) * steps * bead_map.STAGES
+        evaluations += (descent.flows + 3) * steps * bead_map.STAGES
         if descent.obstacle or flow_error <= FLOW_ERROR or 2 * steps > MOST_STEPS:
             break
         steps *= 2
