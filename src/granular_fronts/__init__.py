@@ -11,6 +11,7 @@ __version__ = "0.1.0"
 _HOME_OF = {
     "Scaling": "granular_fronts.scaling",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
+    "front_multipliers": "granular_fronts.fronts.stability",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
     "jump_conditions": "granular_fronts.jumps",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
