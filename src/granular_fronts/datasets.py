@@ -26,11 +26,13 @@ PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbb
 
 LONG_NAMES = {
     "beta": "exponent of the viscous force",
+    "compression_behind": "compression behind the front",
     "conservative_distance": "largest difference of u_n/delta, theta-method to conservative chain",
     "contact_damping": "coefficient gamma_0 of the viscous force",
     "critical_gamma": "damping below which a front oscillates, long-wave limit",
     "damping_distance": "largest difference of u_n/delta, theta-method to damped chain",
     "gamma": "strength of the viscous force",
+    "law": "law of contact",
     "material": "material of the beads",
     "mu_front": "damping parameter of the front's logarithmic KdV-Burgers equation",
     "order": "observed order of convergence",
@@ -39,6 +41,7 @@ LONG_NAMES = {
     "step": "time step of the theta-method",
     "stiffness": "stiffness k of the contact",
     "theta": "parameter of the theta-method",
+    "velocity_drift": "largest relative change of the piston's velocity",
     "velocity_ratio": "velocity over the velocity v_c at which gamma is 1",
     "angular_frequency": "angular frequency of the oscillations of y about 1",
     "bead": "bead number n",

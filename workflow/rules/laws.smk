@@ -1,10 +1,17 @@
 """Contact laws at work: materials, damping regimes, numerical damping; section 3.1 of the paper."""
 
 LAWS_MODULES = modules(
-    "laws/*.py", "collision.py", "scaling.py", "continuum/log_kdv_burgers.py", "datasets.py"
+    "laws/*.py",
+    "collision.py",
+    "contact.py",
+    "jumps.py",
+    "scaling.py",
+    "continuum/log_kdv_burgers.py",
+    "datasets.py",
 )
 LAWS_DATASETS = expand(
-    "<results>/data/laws/{name}.nc", name=["materials", "damping_regimes", "numerical_damping"]
+    "<results>/data/laws/{name}.nc",
+    name=["materials", "damping_regimes", "numerical_damping", "piston"],
 )
 
 
@@ -67,6 +74,27 @@ rule measure_numerical_damping:
         "../envs/main.yaml"
     script:
         "../scripts/measure_numerical_damping.py"
+
+
+rule measure_pistons:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=[*CHAIN_MODULES, *LAWS_MODULES],
+    output:
+        dataset="<results>/data/laws/piston.nc",
+    params:
+        piston=config["laws"]["piston"],
+    log:
+        "<logs>/measure_pistons.log",
+    benchmark:
+        "<benchmarks>/measure_pistons.tsv"
+    threads: 1
+    message:
+        "Driving fronts with a piston of constant velocity."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_pistons.py"
 
 
 rule tabulate_materials:

@@ -17,6 +17,7 @@ rule write_report:
             rules.evaluate_materials.benchmark,
             rules.evaluate_damping_regimes.benchmark,
             rules.measure_numerical_damping.benchmark,
+            rules.measure_pistons.benchmark,
             rules.tabulate_materials.benchmark,
             rules.tabulate_paper_numbers.benchmark,
             rules.check_results.benchmark,

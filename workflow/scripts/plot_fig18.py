@@ -37,7 +37,7 @@ def plot_fig18(dataset: Path, pdf: Path, png: Path) -> None:
         ylim=SHOWN_GAMMA,
     )
     panels["restitution"].set(xlabel="$v_0/v_c$", ylabel="restitution $e$", xlim=ends, ylim=(0, 1))
-    panels["restitution"].legend(loc="center right")
+    figure.legend(loc="outside upper center", ncols=data.sizes["beta"])
     save_figure(figure, pdf, png)
 
 

@@ -131,8 +131,11 @@ def advance(u, d, alpha, theta, step, steps):
             scale = max(scale, np.abs(u).max())
             if largest <= NEWTON_TOLERANCE * scale:
                 break
-            if attempt == NEWTON_LIMIT - 1 or not math.isfinite(largest):
+            if attempt == NEWTON_LIMIT - 1:
                 return -iterations
+        # A maximum does not see NaN; a sum does.
+        if not math.isfinite(u.sum()):
+            return -iterations
         evaluate_force(u, alpha, force, stiffness)
         for n in range(1, size - 1):
             new_slope = force[n - 1] - 2.0 * force[n] + force[n + 1]

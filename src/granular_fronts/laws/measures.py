@@ -70,3 +70,29 @@ def order_of_agreement(dataset):
     """Smallest observed order of the distance between the θ-method and the damped chain."""
     order = dataset["order"]
     return Measured(float(order.min()), float(order.attrs["error_estimate"]))
+
+
+def piston_speed_kuwabara_kono(dataset):
+    """Front speed ahead of a piston over that of (23), β = α."""
+    return _over_expected(dataset, "front_speed", "kuwabara_kono")
+
+
+def piston_speed_dashpot(dataset):
+    """Front speed ahead of a piston over that of (23), β = 1."""
+    return _over_expected(dataset, "front_speed", "dashpot")
+
+
+def piston_speed_simon_hunt_crossley(dataset):
+    """Front speed ahead of a piston over that of (23), β = α + 1."""
+    return _over_expected(dataset, "front_speed", "simon_hunt_crossley")
+
+
+def piston_compression_kuwabara_kono(dataset):
+    """Compression behind a front over that of (22), β = α."""
+    return _over_expected(dataset, "compression_behind", "kuwabara_kono")
+
+
+def _over_expected(dataset, name, law):
+    case = dataset.sel(law=law)
+    expected = float(case[f"{name}_expected"])
+    return Measured(float(case[name]) / expected, float(case[f"{name}_error"]) / expected)

@@ -1,0 +1,126 @@
+"""Materials, damping regimes and pistons against closed formulas and each other."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import granular_fronts as gf
+from granular_fronts.configuration import (
+    ConfigurationError,
+    check_configuration,
+    load_configuration,
+)
+from granular_fronts.laws.materials import evaluate_materials, regime
+from granular_fronts.laws.piston import measure_pistons, push_chain
+from granular_fronts.laws.regimes import evaluate_regimes
+
+DEFAULT = Path(__file__).parents[1] / "config" / "default.yaml"
+TIGHT = {"relative": 1.0e-12, "absolute": 1.0e-14}
+
+
+@pytest.fixture(scope="module")
+def configuration():
+    return load_configuration(DEFAULT)
+
+
+@pytest.fixture(scope="module")
+def materials(configuration):
+    return evaluate_materials(**configuration["laws"]["materials"])
+
+
+def test_materials_are_consistent(materials):
+    for material in materials["material"].values:
+        one = materials.sel(material=material)
+        e, printed = float(one["restitution"]), float(one["gamma_printed"])
+        assert gf.restitution(float(one["gamma"])) == pytest.approx(e, rel=1e-12)
+        assert gf.restitution(printed) == pytest.approx(float(one["restitution_exact"]), rel=1e-12)
+        # The linear rule is right for weak damping and too low otherwise.
+        assert printed < float(one["gamma"])
+        assert abs(float(one["gamma"]) / printed - 1.0) < 3.0 * (1.0 - e)
+
+
+def test_front_damping_scales_with_the_velocity_alone(materials, configuration):
+    v_0 = configuration["laws"]["materials"]["impact_velocity"]
+    ratio = materials["gamma_front_piston"] / materials["gamma"]
+    expected = (materials["piston_velocity"] / v_0) ** 0.2
+    np.testing.assert_allclose(ratio, expected.broadcast_like(ratio), rtol=1e-12)
+
+
+def test_front_damping_hardly_depends_on_the_stiffness(configuration):
+    """γ ∝ k^(−1/15) at a given force: a handbook's modulus is good enough."""
+    beads = configuration["laws"]["materials"]["beads"]["cork"]
+    softer = beads | {"youngs_modulus": beads["youngs_modulus"] / 2.0}
+    found = evaluate_materials({"cork": beads, "softer": softer}, 0.5, [1.0], [100.0])
+    stiff, soft = found["gamma_front_force"].values[:, 0]
+    assert soft / stiff == pytest.approx(2.0 ** (1.0 / 15.0), rel=1e-12)
+
+
+def test_regime_is_that_of_the_long_wave_limit():
+    assert regime(1.999) == "underdamped"
+    assert regime(2.0) == "overdamped"
+
+
+def test_regimes_follow_equation_29():
+    found = evaluate_regimes(1.5, [1.0, 1.25, 1.5, 2.5], 2.0, 5)
+    slopes = np.diff(np.log(found["gamma"])) / np.diff(np.log(found["velocity_ratio"]))
+    for beta, slope in zip(found["beta"].values, slopes, strict=True):
+        np.testing.assert_allclose(slope, 2.0 * beta / 2.5 - 1.0, atol=1e-14)
+    np.testing.assert_allclose(found["gamma"].sel(velocity_ratio=1.0, method="nearest"), 1.0)
+    assert float(found["critical_gamma"].sel(beta=1.5)) == pytest.approx(1.0 / 3.0, rel=1e-14)
+    e = found["restitution"]
+    assert np.all(np.diff(e.sel(beta=2.5)) < 0.0)
+    assert np.all(np.diff(e.sel(beta=1.0)) >= 0.0)
+    assert np.all(np.diff(e.sel(beta=1.25)) == 0.0)
+
+
+@pytest.mark.parametrize("gamma", [0.1, 0.3, 0.65])
+def test_piston_drives_a_front_of_equations_22_and_23(gamma):
+    velocity = 0.05
+    front = push_chain({"alpha": 1.5, "beta": 1.5, "gamma": gamma}, velocity, 160, TIGHT)
+    assert front.expected_compression == pytest.approx(velocity**0.8, rel=1e-14)
+    assert front.expected_speed == pytest.approx(velocity**0.2, rel=1e-14)
+    assert abs(front.speed - front.expected_speed) < front.speed_error < 3e-3
+    assert abs(front.compression - front.expected_compression) < front.compression_error < 1e-5
+    assert front.velocity_drift < 1e-14
+
+
+@pytest.mark.slow
+def test_speed_of_a_long_driven_chain():
+    front = push_chain({"alpha": 1.5, "beta": 1.5, "gamma": 0.3}, 0.05, 1000, TIGHT)
+    assert abs(front.speed / front.expected_speed - 1.0) < 2e-7
+    assert front.speed_error < 4e-6
+
+
+def test_pistons_are_gathered():
+    cases = {
+        "one": {"alpha": 1.5, "beta": 1.5, "gamma": 0.3},
+        "two": {"alpha": 1.2, "beta": 1.2, "gamma": 0.5},
+    }
+    found = measure_pistons(cases, 0.2, 32, {"relative": 1e-9, "absolute": 1e-12})
+    assert list(found["law"].values) == ["one", "two"]
+    expected = [0.2 ** (0.5 / 2.5), 0.2 ** (0.2 / 2.2)]
+    np.testing.assert_allclose(found["front_speed_expected"], expected, rtol=1e-14)
+    assert math.isfinite(found["front_speed"].error_estimate)
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "sentence"),
+    [
+        ("materials.beads.steel.poisson_ratio", 0.5, "poisson_ratio is 0.5, but must be below"),
+        ("materials.beads.steel.youngs_modulus", -1.0, "youngs_modulus is -1.0, but must be above"),
+        ("materials.beads.cork.gamma", 0.5, "gamma is 0.5, but must be below 0.438"),
+        ("numerical_damping.profile.theta", 0.5, "theta is 0.5, but must be above 0.5"),
+        ("piston.beads", 4, "beads is 4, below its limit 16"),
+    ],
+)
+def test_impossible_configuration_is_refused(configuration, path, value, sentence):
+    changed = load_configuration(DEFAULT)
+    *parents, last = path.split(".")
+    node = changed["laws"]
+    for parent in parents:
+        node = node[parent]
+    node[last] = value
+    with pytest.raises(ConfigurationError, match=sentence):
+        check_configuration(changed)

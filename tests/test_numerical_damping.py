@@ -1,0 +1,103 @@
+"""The θ-method: its equations, its conservation law, its order, and the damping it stands for."""
+
+import math
+
+import numpy as np
+import pytest
+
+from granular_fronts.chain import theta_method
+from granular_fronts.chain.theta_method import integrate_from_rest
+from granular_fronts.laws.numerical_damping import (
+    Case,
+    compare_profiles,
+    damped_chain,
+    measure_order,
+    theta_chain,
+)
+
+ALPHA, DELTA = 1.5, 0.1
+CASE = Case(ALPHA, DELTA, 14, 12.0)
+
+
+def laplacian(u):
+    full = np.maximum(np.concatenate([[DELTA], u, [0.0]]), 0.0) ** ALPHA
+    return full[:-2] - 2.0 * full[1:-1] + full[2:]
+
+
+@pytest.mark.parametrize("theta", [0.5, 0.7, 1.0])
+@pytest.mark.parametrize("step", [0.05, 1.0, 8.0])
+def test_each_step_solves_its_equations(theta, step):
+    before = integrate_from_rest(ALPHA, 12, DELTA, 0.0, theta, step, 5)
+    after = integrate_from_rest(ALPHA, 12, DELTA, 0.0, theta, step, 6)
+    assert before.converged
+    assert after.converged
+    rates = (1.0 - theta) * before.d + theta * after.d
+    forces = (1.0 - theta) * laplacian(before.u) + theta * laplacian(after.u)
+    scale = max(1.0, step) ** 2
+    np.testing.assert_allclose(after.u, before.u + step * rates, rtol=0, atol=3e-15 * scale)
+    np.testing.assert_allclose(after.d, before.d + step * forces, rtol=0, atol=3e-16 * scale)
+
+
+@pytest.mark.parametrize("theta", [0.5, 1.0])
+def test_force_at_the_end_gives_all_momentum(theta):
+    """While no bead at the free end moves, Σ v_n = Σ n d_n grows by δ^α h in each step."""
+    steps, step = 40, 0.2
+    motion = integrate_from_rest(ALPHA, 80, DELTA, 0.0, theta, step, steps)
+    momentum = float(np.arange(1, 80) @ motion.d)
+    assert abs(motion.d[-1]) < 1e-17
+    # The first force is felt from t = 0 on, before the step as well as after it.
+    assert momentum == pytest.approx(DELTA**ALPHA * step * steps, rel=1e-13)
+
+
+@pytest.mark.parametrize(("theta", "order"), [(0.5, 2.0), (0.75, 1.0), (1.0, 1.0)])
+def test_order_towards_the_conservative_chain(theta, order):
+    exact, _ = damped_chain(CASE, 0.0)
+    distances = [np.abs(theta_chain(CASE, theta, h)[0] - exact).max() for h in (0.006, 0.003)]
+    assert math.log2(distances[0] / distances[1]) == pytest.approx(order, abs=0.06)
+
+
+def test_order_towards_the_damped_chain_is_two():
+    found = measure_order(CASE, [0.6, 0.75, 1.0], [0.024, 0.012, 0.006, 0.003])
+    np.testing.assert_allclose(found["order"], 2.0, atol=0.05)
+    assert np.all(found["order"].error_estimate < 0.2)
+    assert np.all(found["damping_distance"] < 0.1 * found["conservative_distance"])
+    np.testing.assert_allclose(found["gamma"].sel(theta=0.75), 0.5 * found["step"], rtol=1e-15)
+
+
+def test_implicit_euler_damps_figure_1():
+    """θ = 1 with h = 0.06 on the conservative chain is nearly the paper's chain with γ = 0.06."""
+    profiles = compare_profiles(Case(ALPHA, DELTA, 40, 60.0), 1.0, 0.06)
+    method, damped, conservative = (
+        profiles[f"relative_displacement_{name}"] for name in ("method", "damped", "conservative")
+    )
+    assert float(abs(method - damped).max()) < 0.01 * DELTA
+    assert float(abs(method - conservative).max()) > 0.3 * DELTA
+
+
+def test_failed_newton_is_a_record(monkeypatch):
+    monkeypatch.setattr(theta_method, "advance", lambda *arguments: -7)
+    motion = integrate_from_rest(ALPHA, 12, DELTA, 0.0, 1.0, 0.1, 3)
+    assert not motion.converged
+    assert motion.iterations == 7
+    with pytest.raises(ValueError, match=r"Newton's method fails for theta 1.0 and step 0.1"):
+        theta_chain(Case(ALPHA, DELTA, 12, 1.0), 1.0, 0.1)
+
+
+def test_overflowing_force_is_noticed():
+    motion = integrate_from_rest(3.0, 12, 1.0e120, 0.0, 1.0, 0.1, 3)
+    assert not motion.converged
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ((1.5, 0.4, 0.1), "theta is 0.4, but the method is unstable below 1/2"),
+        ((1.5, 1.1, 0.1), "theta is 1.1"),
+        ((0.5, 1.0, 0.1), "alpha is 0.5, but Newton's method needs"),
+        ((1.5, 1.0, 0.7), "end_time is 12.0, but no whole number of steps 0.7"),
+    ],
+)
+def test_impossible_method_is_refused(arguments, sentence):
+    alpha, theta, step = arguments
+    with pytest.raises(ValueError, match=sentence):
+        theta_chain(CASE._replace(alpha=alpha), theta, step)

@@ -1,0 +1,28 @@
+"""Fronts driven by a piston of constant velocity; James (2021), equations (22) and (23).
+
+python workflow/scripts/measure_pistons.py \
+    --piston config/default.yaml:laws.piston --dataset piston.nc
+"""
+
+from pathlib import Path
+
+from granular_fronts.datasets import write_dataset
+from granular_fronts.laws import piston as fronts
+from step import run_step
+
+
+def measure_pistons(piston: dict, dataset: Path) -> None:
+    """Measure speed and compression of the front of each contact law.
+
+    Parameters
+    ----------
+    piston : dict
+        Piston, chain and laws as the configuration holds them.
+    dataset : Path
+        The netCDF file to write.
+    """
+    write_dataset(fronts.measure_pistons(**piston), dataset, scene_id="piston", config=piston)
+
+
+if __name__ == "__main__":
+    run_step(measure_pistons, globals().get("snakemake"))
