@@ -1,6 +1,8 @@
 """Compiled code: a kernel's cache must notice a change in every function the kernel calls."""
 
 import importlib
+import subprocess
+import sys
 from pathlib import Path
 
 import numba
@@ -44,3 +46,38 @@ def test_kernel_decorates_with_and_without_options():
     assert kernel(double)(3) == with_options(3) == 6
     assert with_options.targetoptions["fastmath"]
     assert isinstance(with_options, numba.core.registry.CPUDispatcher)
+
+
+COUNT_AFTER_WARM_UP = """
+import sys
+sys.path.insert(0, {tests!r})
+from test_compiled import WINGS, kernels_in
+from granular_fronts import chain, continuum
+from granular_fronts.comparison import compare_with_chain
+from granular_fronts.configuration import load_configuration
+from granular_fronts.continuum.survey import survey_heteroclinic
+
+def count():
+    return {{name: len(f.signatures) for wing in WINGS for name, f in kernels_in(wing)}}
+
+chain.warm_up()
+continuum.warm_up()
+before = count()
+scenes = load_configuration({default!r}, {smoke!r})["scenes"]
+for scene in scenes["chain"].values():
+    chain.simulate_chain(scene)
+for scene in scenes["periodic"].values():
+    compare_with_chain(scene)
+for scene in scenes["heteroclinic"].values():
+    survey_heteroclinic(scene)
+print([name for name, found in count().items() if found > before[name]])
+"""
+
+
+def test_warm_up_compiles_all_that_the_scenes_need():
+    """A fresh process, since other tests compile kernels for other arguments."""
+    root = Path(__file__).parents[1]
+    files = {name: str(root / f"config/{name}.yaml") for name in ("default", "smoke")}
+    code = COUNT_AFTER_WARM_UP.format(tests=str(root / "tests"), **files)
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert run.stdout.strip() == "[]", run.stderr

@@ -10,6 +10,8 @@ rule compile_kernels:
         modules=CHAIN_MODULES,
     output:
         stamp="<results>/kernels.json",
+    params:
+        wing="chain",
     log:
         "<logs>/compile_kernels.log",
     benchmark:

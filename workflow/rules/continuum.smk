@@ -7,8 +7,29 @@ HETEROCLINIC_DATASETS = expand(
 )
 
 
+rule compile_continuum_kernels:
+    input:
+        modules=CONTINUUM_MODULES,
+    output:
+        stamp="<results>/continuum_kernels.json",
+    params:
+        wing="continuum",
+    log:
+        "<logs>/compile_continuum_kernels.log",
+    benchmark:
+        "<benchmarks>/compile_continuum_kernels.tsv"
+    threads: 1
+    message:
+        "Compiling the kernels of the amplitude equations."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/compile_kernels.py"
+
+
 rule compute_heteroclinic:
     input:
+        kernels=rules.compile_continuum_kernels.output.stamp,
         modules=CONTINUUM_MODULES,
     output:
         dataset="<results>/data/continuum/{scene}.nc",
@@ -52,7 +73,10 @@ rule evaluate_fronts:
 
 rule compare_periodic_chain:
     input:
-        kernels=rules.compile_kernels.output.stamp,
+        kernels=[
+            rules.compile_kernels.output.stamp,
+            rules.compile_continuum_kernels.output.stamp,
+        ],
         modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("comparison.py")],
     output:
         dataset="<results>/data/periodic/{scene}.nc",

@@ -45,7 +45,7 @@ rule tabulate_precision:
 
 rule measure_log_burgers:
     input:
-        kernels="<results>/kernels.json",
+        kernels="<results>/continuum_kernels.json",
         modules=CONTINUUM_MODULES,
     output:
         dataset="<results>/data/precision/log_burgers.nc",

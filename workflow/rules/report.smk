@@ -9,6 +9,7 @@ rule write_report:
         tables=[rules.tabulate_paper_numbers.output.csv, rules.tabulate_materials.output.csv],
         benchmarks=[
             rules.compile_kernels.benchmark,
+            rules.compile_continuum_kernels.benchmark,
             expand(rules.initiate_front.benchmark, scene=config["scenes"]["chain"]),
             expand(rules.compute_heteroclinic.benchmark, scene=config["scenes"]["heteroclinic"]),
             rules.evaluate_fronts.benchmark,

@@ -1,28 +1,31 @@
-"""Compile the kernels of the chain, so that jobs that start together find them ready.
+"""Compile the kernels of one wing, so that jobs that start together find them ready.
 
-About ten seconds once, then one: python workflow/scripts/compile_kernels.py --stamp kernels.json
+About twenty seconds once, then one:
+python workflow/scripts/compile_kernels.py --wing chain --stamp kernels.json
 """
 
 import json
 import time
+from importlib import import_module
 from pathlib import Path
 
 import numba
 
-from granular_fronts.chain import warm_up
 from step import run_step
 
 
-def compile_kernels(stamp: Path) -> None:
+def compile_kernels(wing: str, stamp: Path) -> None:
     """Fill the cache of compiled kernels.
 
     Parameters
     ----------
+    wing : str
+        Folder of the package, one with a function `warm_up`.
     stamp : Path
         JSON file that says with which numba, and in how many seconds.
     """
     start = time.perf_counter()
-    warm_up()
+    import_module(f"granular_fronts.{wing}").warm_up()
     seconds = round(time.perf_counter() - start, 3)
     stamp.write_text(json.dumps({"numba": numba.__version__, "seconds": seconds}) + "\n")
 

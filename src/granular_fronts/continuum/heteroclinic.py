@@ -149,6 +149,8 @@ def compute_orbit(mu, first, refined=False):
     TracedOrbit or SlowOrbit
         Both evaluate p and v at given s, and know their tail and turning points.
     """
+    # A whole number would have every kernel compiled again.
+    mu = float(mu)
     if mu >= STIFF_DAMPING:
         return slow_orbit(mu, FEWER_TERMS if refined else TERMS)
     return trace_orbit(mu, first, REFINED if refined else USUAL)
