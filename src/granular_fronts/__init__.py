@@ -9,10 +9,12 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "critical_damping": "granular_fronts.fronts.critical_damping",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",
+    "tail_roots": "granular_fronts.fronts.tails",
 }
 
 __all__ = sorted(_HOME_OF)
