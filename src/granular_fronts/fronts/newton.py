@@ -34,16 +34,17 @@ class Law(NamedTuple):
 LONGEST_CHANGE = 0.4
 KEEP_FACTORS = 1e-5
 
-# How close to 1 u must be for its equations to count as those of the state behind, in the matrix.
+# How close to 1 u must be for its equations to count as those of the state behind, in the matrix,
+# and over how many sites their factors settle.
 STEADY = 1e-4
+SETTLING = 16.0
 
-# The iteration ends when the next step would be below this, or when steps of this size stop to shrink.
-NEXT_STEP = 1e-15
+# Steps of this size that stop to shrink are round-off.
 ROUND_OFF = 1e-11
 
 
-@kernel
-def iterate(law, hat, jump, middle, half, u, speed, history):
+@kernel(error_model="numpy")
+def iterate(law, hat, jump, spacing, middle, half, tolerance, u, speed, history):
     """Solve the equations by Newton's iteration from a start.
 
     Parameters
@@ -51,10 +52,14 @@ def iterate(law, hat, jump, middle, half, u, speed, history):
     law : Law
     hat, jump : ndarray, shape (2w + 1,)
         Weights of the two convolutions.
+    spacing : float
+        Distance of the points, in sites.
     middle : int
         Index of the point where u is prescribed.
     half : float
         Its value there.
+    tolerance : float
+        The iteration ends when the next change would be below it.
     u : ndarray, shape (points,)
         Start, then solution.
     speed : ndarray, shape (1,)
@@ -70,7 +75,6 @@ def iterate(law, hat, jump, middle, half, u, speed, history):
     force = np.empty(points + 2 * width)
     damping = np.empty(points + 2 * width)
     residual = np.empty(points)
-    band = np.empty((points, 2 * width + 2))
     border = np.empty(points)
     x, z = np.empty(points), np.empty(points)
     last = change = 1.0
@@ -82,20 +86,26 @@ def iterate(law, hat, jump, middle, half, u, speed, history):
             return step, NOT_FINITE
         if step > 0:
             remaining = change * change / last if step > 1 else change
-            if remaining < NEXT_STEP or (change < ROUND_OFF and change > 0.5 * last):
+            if remaining < tolerance or (change < ROUND_OFF and change > 0.5 * last):
                 return step, SETTLED
             last = change
         if step + 1 == history.size:
             break
         if fresh:
-            corner = assemble(law, hat, jump, middle, u, speed[0], damping, band, border, z)
-            factorise(band, width, steady_points(u, STEADY * min(1.0, last)))
-            substitute(band, width, z)
+            steady = steady_points(u, middle, STEADY * min(1.0, last))
+            prefix = min(steady, width + int(SETTLING / spacing))
+            skipped = steady - prefix if steady - prefix > width else 0
+            band = np.empty((points - skipped, 2 * width + 2))
+            corner = assemble(
+                law, hat, jump, middle, u, speed[0], damping, prefix, skipped, band, border, z
+            )
+            factorise(band, width, prefix)
+            substitute(band, width, prefix, skipped, z)
             pivot = corner - np.dot(border, z)
         x[:middle] = residual[1 : middle + 1]
         x[middle] = u[middle] - half
         x[middle + 1 :] = residual[middle + 1 :]
-        substitute(band, width, x)
+        substitute(band, width, prefix, skipped, x)
         speed_change = (residual[0] - np.dot(border, x)) / pivot
         change = 0.0
         for k in range(points):
@@ -155,26 +165,39 @@ def residuals(law, hat, jump, u, speed, force, damping, residual):
     return largest
 
 
+@kernel
+def largest_convolution(law, hat, jump, u):
+    """Largest value of hat * P + γc₀ jump * Q for any weights."""
+    width = hat.size // 2
+    force, damping = np.empty(u.size + 2 * width), np.empty(u.size + 2 * width)
+    forces(law, width, u, force, damping)
+    at_rest = np.full(u.size, law.ahead)
+    return residuals(law, hat, jump, at_rest, law.speed, force, damping, np.empty(u.size))
+
+
 @kernel(fastmath=True)
-def assemble(law, hat, jump, middle, u, speed, damping, band, border, column):
+def assemble(
+    law, hat, jump, middle, u, speed, damping, prefix, skipped, band, border, column
+):
     """Fill in the matrix, the border row of equation 0 and the column of c; return the corner."""
     points, width = u.size, hat.size // 2
     stiffness, viscosity = np.empty(points + 2 * width), np.empty(points + 2 * width)
     slopes(law, width, u, stiffness, viscosity)
     drag = law.gamma * speed * jump
-    for k in range(points):
+    for i in range(band.shape[0]):
+        k = i if i < prefix else i + skipped
         shift = 1 if k < middle else 0
         equation = k + shift
-        row = band[k]
-        row[0] = row[2 * width + 1] = 0.0
+        band[i, 0] = band[i, 2 * width + 1] = 0.0
         for j in range(2 * width + 1):
-            row[j + shift] = -(
+            band[i, j + shift] = -(
                 hat[j] * stiffness[equation + j] + drag[j] * viscosity[equation + j]
             )
-        row[width + shift] += speed * speed
-        column[k] = speed_slope(law, jump, u, speed, damping, equation)
-    band[middle, :] = 0.0
-    band[middle, width] = 1.0
+        band[i, width + shift] += speed * speed
+    band[middle - skipped, :] = 0.0
+    band[middle - skipped, width] = 1.0
+    for k in range(points):
+        column[k] = speed_slope(law, jump, u, speed, damping, k + 1 if k < middle else k)
     column[middle] = 0.0
     border[:] = 0.0
     for j in range(width, 2 * width + 1):
@@ -210,9 +233,9 @@ def speed_slope(law, jump, u, speed, damping, equation):
 
 
 @kernel
-def steady_points(u, tolerance):
+def steady_points(u, middle, tolerance):
     """How many points at the left end have u = 1 within a tolerance."""
-    for k in range(u.size):
+    for k in range(middle):
         if abs(u[k] - 1.0) > tolerance:
             return k
-    return u.size
+    return middle
