@@ -27,6 +27,10 @@ that are regular down to y = 0, which is α*.  Eliminating αg gives x(y) and α
 
 Long waves.  As α → 1 the double root tends to λ = 6g and :math:`g = ((1 - 1/\alpha)/3)^{1/2}`, the
 value μ = 2 of the logarithmic KdV–Burgers equation (James 2021, section 5).
+
+Overshoot.  What is seen is whether max u exceeds 1.  Near critical damping the overshoot falls like
+the tail over half a period of it, so that it is far below any visible size before the tail ceases
+to oscillate: this meaning needs a cut.
 """
 
 import math
@@ -35,7 +39,12 @@ import numpy as np
 from scipy.optimize import brentq
 
 from granular_fronts.configuration import ConfigurationError
+from granular_fronts.fronts.measures import measure
+from granular_fronts.fronts.profile import make_law, solve_profile
 from granular_fronts.fronts.refusals import check_alpha, check_beta
+
+SMALLEST_CUT, LARGEST_CUT = 1e-8, 0.1
+RESOLUTION = 2.0**-52
 
 SERIES = np.arange(1, 26)
 """Orders k of S(x) − 1 = Σ 2x^(2k)/(2k+2)!, enough for x ≤ 3."""
@@ -44,7 +53,7 @@ COEFFICIENTS = np.array([2.0 / math.factorial(2 * k + 2) for k in SERIES])
 TIGHT = {"xtol": 1e-300, "rtol": 4.0 * np.finfo(float).eps}
 
 
-def critical_damping(alpha, beta=None, definition="tail"):
+def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
     """Damping at which fronts stop to oscillate, in the sense asked for; δ = c = 1.
 
     Parameters
@@ -53,14 +62,18 @@ def critical_damping(alpha, beta=None, definition="tail"):
         Exponent of the elastic force, above 1.
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
-    definition : {"tail", "double-root", "long-wave"}
+    definition : {"tail", "double-root", "long-wave", "overshoot"}
         What changes there: the slowest exponent of the tail from complex to real; two real
-        exponents from none (only for α ≤ α*); the same in the long-wave limit, μ = 2.
+        exponents from none (only for α ≤ α*); the same in the long-wave limit, μ = 2; the overshoot
+        max u − 1 of the exact front falls below the cut.
+    cut : float, optional
+        Overshoot that counts as none, from 1e-8 to 0.1; for "overshoot" only.
 
     Returns
     -------
     float
-        γ, for "tail" and "double-root" to a few units of the last digit.
+        γ, for "tail" and "double-root" to a few units of the last digit, for "overshoot" with a
+        relative error below 1e-10 at the default cut, which grows like 1e-14/cut.
 
     Raises
     ------
@@ -69,10 +82,12 @@ def critical_damping(alpha, beta=None, definition="tail"):
     """
     alpha = check_alpha(alpha)
     beta = check_beta(alpha, beta)
-    if definition not in _MEANINGS:
+    if definition not in (*_MEANINGS, "overshoot"):
         raise ConfigurationError(
-            f"definition is {definition!r}, but must be one of {', '.join(_MEANINGS)}."
+            f"definition is {definition!r}, but must be one of {', '.join(_MEANINGS)}, overshoot."
         )
+    if definition == "overshoot":
+        return _vanishing_overshoot(alpha, beta, cut)
     return alpha / beta * _MEANINGS[definition](alpha)
 
 
@@ -150,6 +165,31 @@ def _long_wave(alpha):
 
 
 _MEANINGS = {"tail": _tail, "double-root": _double_root, "long-wave": _long_wave}
+
+
+def _vanishing_overshoot(alpha, beta, cut):
+    """The γ at which the overshoot of the exact front equals the cut."""
+    if not SMALLEST_CUT <= cut <= LARGEST_CUT:
+        raise ConfigurationError(
+            f"cut is {cut}, but must lie between {SMALLEST_CUT:g} and {LARGEST_CUT:g}, where the "
+            "overshoot is resolved and reached for every alpha."
+        )
+
+    def excess(gamma):
+        profile = solve_profile(make_law(alpha, gamma, beta))
+        if profile.reason:
+            raise ConfigurationError(
+                f"The front for alpha = {alpha}, beta = {beta}, gamma = {gamma:.6g} was not found "
+                f"({profile.reason}): choose another cut."
+            )
+        return math.log(max(measure(profile)["overshoot"], RESOLUTION) / cut)
+
+    above = below = critical_damping(alpha, beta)
+    while excess(above) > 0.0:
+        above *= 1.5
+    while excess(below) < 0.0:
+        below /= 1.5
+    return brentq(excess, below, above, xtol=1e-15, rtol=1e-13)
 
 
 def _bell_series(x):

@@ -107,7 +107,11 @@ class Profile(NamedTuple):
 
     def evaluate(self, xi):
         """Values of u at any positions, 1-D."""
-        return interpolate_all(self.u, xi / float(self.spacing) + self.middle, 1.0, self.law.ahead)
+        return interpolate_all(self.u, self.positions(xi), 1.0, self.law.ahead)
+
+    def positions(self, xi):
+        """Positions in units of the spacing, 0 at the first point."""
+        return xi / float(self.spacing) + self.middle
 
 
 def make_law(alpha, gamma, beta, ahead=0.0):
