@@ -10,6 +10,8 @@ __version__ = "0.1.0"
 
 _HOME_OF = {
     "Scaling": "granular_fronts.scaling",
+    "critical_damping": "granular_fronts.fronts.critical_damping",
+    "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "front_multipliers": "granular_fronts.fronts.stability",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
@@ -17,6 +19,8 @@ _HOME_OF = {
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "restitution": "granular_fronts.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
+    "solve_front": "granular_fronts.fronts.solve",
+    "tail_roots": "granular_fronts.fronts.tails",
 }
 
 __all__ = sorted(_HOME_OF)

@@ -1,6 +1,8 @@
-"""Exact traveling fronts of the chain (James 2021, section 6): tails, profiles, stability.
+"""Exact travelling fronts of the lattice (James 2021, section 6): tails, profiles, stability.
 
-A front is computed by two methods that share no code and check each other.  `shooting` lets a
-window of beads move for one bead-time and asks that it return to itself shifted by one bead;
-`stability` reads the multipliers of the same map.
+A front is computed by two methods that share no code and check each other.  `profile` solves the
+advance–delay equation of the front on a grid; `shooting` lets a window of beads move for one
+bead-time and asks that it return to itself shifted by one bead.  `tails` knows how a front
+approaches its ends, `critical_damping` where it stops to oscillate, and `stability` reads the
+multipliers of the bead-time map.  `solve` is the public face.
 """

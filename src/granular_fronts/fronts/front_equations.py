@@ -1,6 +1,6 @@
 r"""The equations of a front in a window of contacts, and their derivative.
 
-In the frame δ = c = 1 a traveling front :math:`u_n(t) = U(n - t)` passes one contact per unit of
+In the frame δ = c = 1 a travelling front :math:`u_n(t) = U(n - t)` passes one contact per unit of
 time.  Contacts n = 1 … M are in the state of a front if the flow Φ over that time returns it
 shifted by one contact,
 

@@ -87,7 +87,7 @@ class Profile(NamedTuple):
 
 
 def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TOLERANCE):
-    """The traveling front with u = 1 behind, u = 0 ahead, and u = 1/2 at bead 0.
+    """The travelling front with u = 1 behind, u = 0 ahead, and u = 1/2 at bead 0.
 
     Parameters
     ----------
