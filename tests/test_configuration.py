@@ -1,5 +1,6 @@
 import copy
 import math
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -227,10 +228,10 @@ def test_schema_describes_every_key(schema):
     assert not undescribed
 
 
-def test_schema_says_of_every_number_that_it_is_dimensionless(schema):
+def test_schema_says_of_every_number_that_it_is_dimensionless_or_in_which_unit(schema):
     for path, node in schema_nodes(schema):
         if node.get("type") in ("number", "integer"):
-            assert "dimensionless" in node["description"], path
+            assert re.search(r"dimensionless|in (m/s|[a-z]+s) \(SI\)", node["description"]), path
 
 
 def test_schema_is_strict_at_every_level(schema):
