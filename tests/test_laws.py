@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from chains import driven_scene
 
 import granular_fronts as gf
 from granular_fronts.configuration import (
@@ -12,6 +13,7 @@ from granular_fronts.configuration import (
     check_configuration,
     load_configuration,
 )
+from granular_fronts.contact import generalised_hertz
 from granular_fronts.laws.materials import evaluate_materials, regime
 from granular_fronts.laws.piston import measure_pistons, push_chain
 from granular_fronts.laws.regimes import evaluate_regimes
@@ -91,6 +93,29 @@ def test_speed_of_a_long_driven_chain():
     front = push_chain({"alpha": 1.5, "beta": 1.5, "gamma": 0.3}, 0.05, 1000, TIGHT)
     assert abs(front.speed / front.expected_speed - 1.0) < 2e-7
     assert front.speed_error < 4e-6
+
+
+@pytest.mark.parametrize(("beta", "gamma"), [(1.5, 0.65), (1.0, 0.8), (2.5, 0.4)])
+def test_front_dissipates_what_the_jump_conditions_say(beta, gamma):
+    """Σ W''(δ⁺x) (δ⁺ẋ)², averaged over the passage of one bead, is cS whatever W (16)."""
+    theory = gf.jump_conditions(generalised_hertz(1.5), -1.0, 0.0)
+    assert theory.dissipated_power == pytest.approx(0.1, rel=1e-14)
+    early, late = (dissipated_power(1.5, beta, gamma, time) for time in (120.0, 240.0))
+    # What the sudden start leaves behind dies out as t^(-2).
+    assert (4.0 * late - early) / 3.0 == pytest.approx(theory.dissipated_power, rel=5e-4)
+    assert abs(late / theory.dissipated_power - 1.0) < 1.3e-3
+
+
+def dissipated_power(alpha, beta, gamma, start, samples=16):
+    """Power lost in a chain driven with δ = c = 1, averaged over the time 1/c."""
+    scene = driven_scene(gamma, int(1.2 * start) + 20, start + 1.0, alpha, beta, delta=1.0)
+    scene["record"] = {"snapshots": list(start + np.arange(samples) / samples)}
+    motion = gf.simulate_chain(scene)
+    u = motion["relative_displacement"].values[:, :-1]
+    rate = -np.diff(motion["velocity"].values, axis=1)
+    closed = u > 0.0
+    stiffness = np.where(closed, np.where(closed, u, 1.0) ** (beta - 1.0), 0.0)
+    return float((beta * gamma * stiffness * rate**2).sum(axis=1).mean())
 
 
 def test_pistons_are_gathered():
