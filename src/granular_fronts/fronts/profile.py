@@ -52,7 +52,7 @@ STRONGER = (2.0, 4.0, 8.0, 16.0, 32.0)
 LONGEST_RATIO, SHORTEST_RATIO = 2.0, 1.005
 TOLERANCE, COARSE_TOLERANCE = 1e-15, 1e-9
 
-# Largest difference of the two rules on the final grid, and the power of h it is expected to follow.
+# Largest difference of the two rules on the final grid, and the power of h it is taken to follow.
 DEFECT = 2e-13
 ASSUMED_POWER = 12
 AT_REST = 5e-14
@@ -152,8 +152,8 @@ def solve_profile(law):
             return fine._replace(reason=doubt_front(fine))
         spacing = min(expected_spacing(fine), rational(0.8 * float(spacing)))
     return fine._replace(
-        reason=f"the quadrature still errs by {defect:.1e} with {1 / float(spacing):.4g} points per "
-        "site: the front is too sharp for this grid"
+        reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points per "
+        "site: the front is too sharp for it"
     )
 
 
@@ -203,7 +203,7 @@ def _walk(known, law, window):
         )
         if not attempt.reason:
             known = attempt
-        if arrives and not attempt.reason or ratio < SHORTEST_RATIO:
+        if (arrives and not attempt.reason) or ratio < SHORTEST_RATIO:
             return attempt
         ratio = math.sqrt(ratio) if attempt.reason else ratio
 

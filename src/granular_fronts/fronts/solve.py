@@ -93,9 +93,7 @@ def evaluate_front(front, xi):
     grid = front["xi"].values
     spacing = (grid[-1] - grid[0]) / (grid.size - 1)
     u = front["relative_displacement"].values
-    values = interpolate_all(
-        u, (xi.ravel() - grid[0]) / spacing, 1.0, front.attrs["right_state"]
-    )
+    values = interpolate_all(u, (xi.ravel() - grid[0]) / spacing, 1.0, front.attrs["right_state"])
     return values.reshape(xi.shape)
 
 
@@ -145,7 +143,13 @@ def _failure(law, reason):
     unknown = ("residual", "speed_defect", "error_estimate", *MEASURES)
     unknown += tuple(f"{name}_error" for name in MEASURES)
     return _dataset(
-        law, np.zeros(1), nothing, nothing, converged=0, reason=reason, **dict.fromkeys(unknown, math.nan)
+        law,
+        np.zeros(1),
+        nothing,
+        nothing,
+        converged=0,
+        reason=reason,
+        **dict.fromkeys(unknown, math.nan),
     )
 
 
