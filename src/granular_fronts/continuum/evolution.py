@@ -56,7 +56,24 @@ def evolve_log_burgers(scene, name="given"):
 def evolve_unlimited(scene, name="given"):
     """Solve James (2021), eq. (40), before the limit α → 1, for a periodic scene.
 
-    Parameters, result and errors are those of `evolve_log_burgers`.
+    Parameters
+    ----------
+    scene : mapping
+        One entry of `scenes.periodic` of the configuration.
+    name : str, optional
+        What error messages call the scene.
+
+    Returns
+    -------
+    xarray.Dataset
+        `rescaled_force` y, as `evolve_log_burgers` gives it.
+
+    Raises
+    ------
+    ConfigurationError
+        If the scene is impossible.
+    EvolutionError
+        If the start has negative averages, or the step size collapses.
     """
     return _evolve(scene, name, UNLIMITED)
 
