@@ -5,10 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plot_fig07b import draw_distances
 from tabulate_paper_numbers import find_measure, judge
 
 from granular_fronts.comparison import compare_with_chain, make_chain_scene
 from granular_fronts.configuration import check_scene, load_configuration
+from granular_fronts.drawing import draw_both_rings, draw_comparison
 from granular_fronts.periodic import measures
 
 CONFIG = Path(__file__).parents[1] / "config"
@@ -75,3 +77,30 @@ def test_measure_of_another_wing_has_a_dotted_name():
 def test_upper_limits_are_judged():
     assert judge("< 0", measures.Measured(-0.1, 0.01)) == "reproduced"
     assert judge("< 0", measures.Measured(0.1, 0.01)) == "not reproduced"
+
+
+def test_figures_of_the_rings_draw_every_bead_and_one_legend(compared):
+    figure = draw_comparison(compared)
+    panels = figure.axes
+    assert len(panels) == 2 * (compared.sizes["t"] - 1)
+    for axes, field in zip(panels, ["relative_displacement", "velocity"] * 2, strict=True):
+        line, dots = axes.get_lines()
+        row = 1 + panels.index(axes) // 2
+        np.testing.assert_array_equal(dots.get_ydata(), compared[field].isel(t=row))
+        np.testing.assert_array_equal(
+            line.get_ydata(), compared[f"{field}_logarithmic"].isel(t=row)
+        )
+        assert axes.get_legend() is None
+    words = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert words == ["equation (41)", "chain"]
+
+
+def test_distances_of_both_rings_are_drawn_beside_the_solvers_share(compared):
+    figure, rows = draw_both_rings(5.0, compared, compared, draw_distances)
+    assert len(figure.axes) == 4
+    for axes, field in zip(rows[0], ["relative_displacement", "velocity"], strict=True):
+        curves = {line.get_label(): line.get_ydata() for line in axes.get_lines()}
+        assert len(curves) == 6
+        np.testing.assert_array_equal(
+            curves["(40) solvers"], compared[f"{field}_floor_unlimited"].isel(t_grid=slice(1, None))
+        )

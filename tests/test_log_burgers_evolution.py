@@ -117,6 +117,17 @@ def test_unlimited_equation_tends_to_its_limit():
     np.testing.assert_allclose(*ends, atol=3.0e-4)
 
 
+def test_equation_40_is_solved_through_its_steep_start():
+    """At α = 3/2 the start meets its floor with infinite slope, and diffusion hardly smooths it."""
+    scene = scene_with("hertz", record__snapshots=[0.5, 3.33])
+    scene["equations"]["unlimited"] = {"cells": 512, "tolerance": 1.0e-6}
+    force = evolve_unlimited(scene)["rescaled_force"]
+    assert force.attrs["error_estimate"] < 5.0e-5
+    fine = solve(scene, 1.5, [0.5, 3.33], 1536, 1.0e-7, smooth_cells=8.0)
+    exact = np.array([fine.rescaled_force(row, force["xi"].values) for row in range(2)])
+    assert np.abs(force.values - exact).max() < 2.0 * force.attrs["error_estimate"]
+
+
 def test_datasets_state_an_error_that_holds():
     scene = scene_with(record__snapshots=[0, 26.78, 89.95])
     dataset = gf.evolve_log_burgers(scene)

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from granular_fronts.continuum import finite_volumes, time_steps
 from granular_fronts.continuum.log_burgers import flux, limit_flux
 from granular_fronts.continuum.starts import Given, Plateau
-from granular_fronts.continuum.vector_log import logarithms
+from granular_fronts.continuum.vector_functions import exponentials_less_one, logarithms
 
 
 def test_logarithm_is_that_of_the_library():
@@ -17,6 +17,15 @@ def test_logarithm_is_that_of_the_library():
     logarithms(x, np.empty(x.size, np.int64), np.empty_like(x), result)
     exact = np.log(x)
     assert np.all(np.abs(result - exact) <= np.spacing(np.abs(exact)) + 1e-320)
+
+
+def test_exponential_less_one_is_that_of_the_library():
+    x = np.concatenate([np.linspace(-300, 300, 4001), np.geomspace(1e-300, 1.0, 999), [0.0]])
+    x = np.concatenate([x, -x])
+    result = np.empty_like(x)
+    exponentials_less_one(x, np.empty_like(x), np.empty_like(x), result)
+    exact = np.expm1(x)
+    assert np.all(np.abs(result - exact) <= 2.0 * np.spacing(np.abs(exact)))
 
 
 @pytest.mark.parametrize("alpha", [1.0, 1.1, 1.5])

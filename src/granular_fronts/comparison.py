@@ -16,7 +16,7 @@ mean square, of the compressions :math:`u_{n,+}/\delta` and of
 :math:`\dot x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that
 gaps count as no compression here; how deep they are is recorded by itself.  Beside the distances
 stands `floor`, what the solvers contribute to `sup`: the error estimate of the chain plus the
-difference of the equation to its refined run at the same beads and time.
+difference of the equation to its refined run at the same beads and time (`evolution`).
 
 The paper's own scheme is run too, with the number of points of the scene, since the percentages it
 quotes contain the error of that scheme.
@@ -108,50 +108,64 @@ def start_positions(scene, site):
 
 def _solve_equation(scene, equation, chain):
     """What one equation says, and how far from it the chain is."""
-    scaling = scaling_of(scene)
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     grid = regular_times(0.0, scene["end_time"], scene["record"]["grid"]["step"])
     solutions = solve_twice(scene, equation, np.concatenate([snapshots, grid]))
     beads = bead_numbers(scene)
     site = np.linspace(beads[0], beads[-1], SITES_PER_BEAD * (beads.size - 1) + 1)
-
-    def forces(solution, rows, positions):
-        shift = scaling.epsilon * scaling.frame_speed * solution.times[rows]
-        xi = start_positions(scene, positions) - shift[:, None]
-        return np.array([solution.rescaled_force(row, xi[i]) for i, row in enumerate(rows)])
-
     drawn = np.arange(snapshots.size)
     compared = snapshots.size + np.arange(grid.size)
-    curves = [forces(solution, drawn, site) for solution in solutions]
-    at_beads = [forces(solution, compared, beads) for solution in solutions]
+    curves = [_forces(scene, solution, drawn, site) for solution in solutions]
+    at_beads = [_forces(scene, solution, compared, beads) for solution in solutions]
     dataset = xr.Dataset(coords={"t": snapshots, "t_grid": grid, "site": site, "bead": beads})
-    for field, scale, convert in (
-        ("relative_displacement", scaling.delta, scaling.displacement),
-        ("velocity", scaling.velocity_scale, scaling.velocity),
-    ):
+    for field, scale, convert in _fields(scene):
         curve, finer_curve = map(convert, curves)
         dataset[f"{field}_{equation}"] = (("t", "site"), curve, _error(curve, finer_curve))
-        values, finer = map(convert, at_beads)
-        moved = chain[f"{field}_grid"]
-        found = np.maximum(moved.values, 0.0) if field == "relative_displacement" else moved.values
-        difference = np.abs(found - values) / scale
-        floor = (moved.attrs["error_estimate"] + np.abs(values - finer).max(axis=1)) / scale
-        attributes = {"error_estimate": float(floor.max()), "error_method": FLOOR_METHOD}
-        for kind, distance in (
-            ("sup", difference.max(axis=1)),
-            ("rms", np.sqrt((difference**2).mean(axis=1))),
-            ("floor", floor),
-        ):
-            dataset[f"{field}_{kind}_{equation}"] = ("t_grid", distance, attributes)
+        distances = _distances(chain[f"{field}_grid"], *map(convert, at_beads), scale)
+        for kind, distance in distances.items():
+            dataset[f"{field}_{kind}_{equation}"] = distance
     facts = describe(solutions[0])
     return dataset.assign_attrs({f"{equation}_{key}": value for key, value in facts.items()})
+
+
+def _forces(scene, solution, rows, sites):
+    """Rescaled force of an equation at bead numbers at the times of some rows."""
+    scaling = scaling_of(scene)
+    shift = scaling.epsilon * scaling.frame_speed * solution.times[rows]
+    xi = start_positions(scene, sites) - shift[:, None]
+    return np.array([solution.rescaled_force(row, xi[i]) for i, row in enumerate(rows)])
+
+
+def _fields(scene):
+    """Each field of the chain, its scale, and what makes it of a rescaled force, eq. (51)."""
+    scaling = scaling_of(scene)
+    return (
+        ("relative_displacement", scaling.delta, scaling.displacement),
+        ("velocity", scaling.velocity_scale, scaling.velocity),
+    )
+
+
+def _distances(chain, values, finer, scale):
+    """Distances of a chain's field to an equation's, and what both solvers contribute.
+
+    A gap counts as no compression; velocities keep their sign.
+    """
+    found = chain.values if chain.name.startswith("velocity") else np.maximum(chain.values, 0.0)
+    difference = np.abs(found - values) / scale
+    floor = (chain.attrs["error_estimate"] + np.abs(values - finer).max(axis=1)) / scale
+    attributes = {"error_estimate": float(floor.max()), "error_method": FLOOR_METHOD}
+    kinds = {
+        "sup": difference.max(axis=1),
+        "rms": np.sqrt((difference**2).mean(axis=1)),
+        "floor": floor,
+    }
+    return {kind: ("t_grid", distance, attributes) for kind, distance in kinds.items()}
 
 
 def _solve_upwind(scene, dataset):
     """What the paper's scheme says of (50), on its own points, at the snapshot times."""
     scaling, half_length = scaling_of(scene), scaling_of(scene).half_length(scene["half_beads"])
-    points = scene["equations"]["upwind"]["points"]
-    xi = upwind.grid(half_length, points)
+    xi = upwind.grid(half_length, scene["equations"]["upwind"]["points"])
     values, passed, rows = make_start(scene["start"]).values(xi, half_length), 0.0, {}
     for t in sorted(scene["record"]["snapshots"]):
         if t > passed:
@@ -162,10 +176,7 @@ def _solve_upwind(scene, dataset):
         rows[t] = np.interp(positions, xi, values, period=2.0 * half_length)
     force = np.array([rows[t] for t in scene["record"]["snapshots"]])
     told = xr.Dataset(coords={"t": dataset["t"], "site": dataset["site"]})
-    for field, convert in (
-        ("relative_displacement", scaling.displacement),
-        ("velocity", scaling.velocity),
-    ):
+    for field, _, convert in _fields(scene):
         accurate, curve = dataset[f"{field}_{LOGARITHMIC}"], convert(force)
         attributes = {
             "error_estimate": float(np.abs(accurate.values - curve).max()),

@@ -1,6 +1,6 @@
-"""Panels that several figures share: each draws what a dataset holds and computes nothing."""
+"""What several figures share: each function draws what a dataset holds and computes nothing."""
 
-from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR
+from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
 
@@ -75,28 +75,62 @@ def draw_chain_dots(axes, snapshot, field):
     axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
 
 
-def draw_comparison(panels, data):
-    """Chain and logarithmic Burgers equation at every snapshot after the start.
+def draw_comparison(data):
+    """Figure of chain and logarithmic Burgers equation at every snapshot after the start.
 
     Parameters
     ----------
-    panels : dict of matplotlib.axes.Axes
-        Under `snapshot_rows`'s names.
     data : xarray.Dataset
         A comparison.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A row for each snapshot, a column for each field.
     """
-    for row, names in enumerate(snapshot_rows(data), start=1):
+    rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
+    figure, panels = new_figure(1.7 * len(rows) + 0.2, rows)
+    for row, names in enumerate(rows, start=1):
         snapshot = data.isel(t=row)
         for name, field in zip(names, FIELD_LABELS, strict=True):
             axes, line = panels[name], snapshot[f"{field}_logarithmic"]
             axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label="equation (41)")
             draw_chain_dots(axes, snapshot, field)
             axes.set_title(f"$t = {float(snapshot['t']):g}$")
-    panels[names[0]].set_xlabel("$n$")
-    panels[names[1]].set_xlabel("$n$")
-    panels[snapshot_rows(data)[0][0]].legend(loc="center right")
+    finish_grid(figure, [panels[name] for name in rows[-1]], "$n$")
+    return figure
 
 
-def snapshot_rows(data):
-    """Mosaic of a comparison: a row for each snapshot after the start, a column for each field."""
-    return [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
+def draw_both_rings(height, weak, hertz, draw):
+    """Figure with a row for each ring of section 4.3 and a column for each field.
+
+    Parameters
+    ----------
+    height : float
+        In inches.
+    weak, hertz : xarray.Dataset
+        Comparisons.
+    draw : callable
+        Draws one panel, given its axes, the ring's dataset, the field, and the exponent in words.
+
+    Returns
+    -------
+    figure : matplotlib.figure.Figure
+    rows : list of list of matplotlib.axes.Axes
+    """
+    rings = {r"$\alpha = 1.1$": weak, r"$\alpha = 3/2$": hertz}
+    names = [[f"{exponent} {field}" for field in FIELD_LABELS] for exponent in rings]
+    figure, panels = new_figure(height, names)
+    rows = [[panels[name] for name in row] for row in names]
+    for row, (exponent, data) in zip(rows, rings.items(), strict=True):
+        for axes, field in zip(row, FIELD_LABELS, strict=True):
+            draw(axes, data, field, exponent)
+    return figure, rows
+
+
+def finish_grid(figure, lowest, label):
+    """Label the abscissae of the lowest row, and put the legend of all panels above them."""
+    for axes in lowest:
+        axes.set_xlabel(label)
+    handles, words = lowest[0].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside upper center", ncols=min(len(words), 3))

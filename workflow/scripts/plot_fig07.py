@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.drawing import draw_comparison, snapshot_rows
-from granular_fronts.style import new_figure, save_figure
+from granular_fronts.drawing import draw_comparison
+from granular_fronts.style import save_figure
 from step import run_step
 
 
@@ -18,11 +18,7 @@ def plot_fig07(dataset: Path, pdf: Path, png: Path) -> None:
     pdf, png : Path
         Files to write.
     """
-    data = read_dataset(dataset)
-    rows = snapshot_rows(data)
-    figure, panels = new_figure(1.7 * len(rows), rows)
-    draw_comparison(panels, data)
-    save_figure(figure, pdf, png)
+    save_figure(draw_comparison(read_dataset(dataset)), pdf, png)
 
 
 if __name__ == "__main__":

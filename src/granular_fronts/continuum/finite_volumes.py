@@ -43,7 +43,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.compiled import kernel
-from granular_fronts.continuum.vector_log import logarithms
+from granular_fronts.continuum.vector_functions import exponentials_less_one, logarithms
 
 GHOSTS = 3
 VALUE_WEIGHTS = (37.0 / 60.0, -8.0 / 60.0, 1.0 / 60.0)
@@ -144,9 +144,12 @@ def evaluate_rates(equation, averages, work, rates):
     else:
         alpha, excess = equation.alpha, equation.alpha - 1.0
         for i in range(value.size):
-            growth = np.expm1(excess * logarithm[i])
-            advected = value[i] * (alpha * growth / excess - 1.0)
-            flux[i] = advected - alpha * (growth + 1.0) * gradient[i]
+            argument[i] = excess * logarithm[i]
+        growth, power = logarithm, work.exponent.view(np.float64)
+        exponentials_less_one(argument, work.mantissa, power, growth)
+        for i in range(value.size):
+            advected = value[i] * (alpha * growth[i] / excess - 1.0)
+            flux[i] = advected - alpha * (growth[i] + 1.0) * gradient[i]
     per_width = 1.0 / equation.width
     for i in range(averages.size):
         rates[i] = (flux[i] - flux[i + 1]) * per_width

@@ -41,6 +41,7 @@ import numpy as np
 
 from granular_fronts.compiled import kernel
 from granular_fronts.continuum.log_kdv_burgers import linear_rates
+from granular_fronts.continuum.taylor import series_sum
 
 STIFF_DAMPING = 12.0
 """From this μ on the whole orbit comes from the expansion."""
@@ -85,15 +86,6 @@ def expand(mu, terms):
 
 
 @kernel
-def power_sum(coefficients, x):
-    """Value of a polynomial, constant coefficient first."""
-    value = 0.0
-    for k in range(coefficients.size - 1, -1, -1):
-        value = value * x + coefficients[k]
-    return value
-
-
-@kernel
 def state_on_manifold(mu, h, v):
     """Both p and e of the point of the manifold with the given v.
 
@@ -112,7 +104,7 @@ def state_on_manifold(mu, h, v):
     """
     r = 1.0 / (2.0 * v + mu)
     x = r * max(mu, 1.0)
-    excess = x * power_sum(h[1:], x)
+    excess = x * series_sum(h[1:], x)
     rate = r * (1.0 + excess)
     return v * (v + mu - rate), 0.5 * excess - mu * (v + 0.5 * rate)
 
@@ -198,7 +190,7 @@ def v_at(mu, h, p):
         r = 1.0 / (2.0 * v + mu)
         value, _ = state_on_manifold(mu, h, v)
         # dp/dv = p'/v' = 1/(r H)
-        step = (value - p) * r * power_sum(h, r * max(mu, 1.0))
+        step = (value - p) * r * series_sum(h, r * max(mu, 1.0))
         v -= step
         if abs(step) <= 1e-15 * v:
             break
@@ -213,7 +205,7 @@ def s_between(mu, slow, fast, time, v_from, v_to):
         2.0 * (v_to - v_from)
         + fast * math.log(v_to / v_from)
         + slow * math.log(x_from / x_to)
-        - (power_sum(time, x_to) - power_sum(time, x_from))
+        - (series_sum(time, x_to) - series_sum(time, x_from))
     )
 
 
@@ -232,7 +224,7 @@ def evaluate_slow(mu, slow, fast, h, time, v_half, s):
     p, v : ndarray, shape (points,)
     """
     p, v = np.empty(s.size), np.empty(s.size)
-    rate_half = power_sum(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
+    rate_half = series_sum(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
     for i in range(s.size):
         # From v too large the iteration is monotone: d(ln v)/ds lies between the rate at y = ½
         # and λ₋, and dv/ds below ½.
@@ -243,7 +235,7 @@ def evaluate_slow(mu, slow, fast, h, time, v_half, s):
         for _ in range(NEWTON_STEPS):
             r = 1.0 / (2.0 * current + mu)
             distance = s[i] - s_between(mu, slow, fast, time, v_half, current)
-            change = distance * r * power_sum(h, r * mu)
+            change = distance * r * series_sum(h, r * mu)
             current = max(current * math.exp(change), SMALLEST_V)
             if abs(change) < CONVERGED_CHANGE:
                 break

@@ -10,11 +10,17 @@ rest.  But diffusivity :math:`D` smooths the kink over :math:`\sqrt{D\tau}`, whi
 cell.  A run therefore begins on cells that are :math:`2^L` times finer, `START_LEVELS` being L, and
 pairs of cells are joined, by their exact mean, whenever
 
-.. math:: \tau = (2\Delta)^2 / D_{min},
+.. math:: \tau = (s\Delta)^2 / D_{min},
 
-where :math:`\Delta` is the present width and :math:`D_{min} = \alpha v_{min}^{\alpha-1}` the least
-diffusivity, 1 for the logarithmic equation.  Each level covers a quarter of the time of the next,
-so that all of them together cost little, and the error of the kink falls by :math:`8^L`.
+where :math:`\Delta` is the present width, s = `SMOOTH_CELLS`, and
+:math:`D_{min} = \alpha v_{min}^{\alpha-1}` the least diffusivity, 1 for the logarithmic equation.
+Each level covers a quarter of the time of the next, so that all of them together cost little, and
+the error of the kink falls by :math:`8^L`.
+
+Foot of the wave.  A front (46) of (40) ends on zero as :math:`v \sim (\xi_0 - \xi)^{1/(\alpha-1)}`,
+for :math:`\alpha = 3/2` with a jump of its second derivative.  The floor of the start rounds it
+only over :math:`D_{min}`, a hundredth of a cell.  About the foot, and nowhere else, the error
+therefore stays of second order, and no start, however fine, changes that.
 """
 
 from typing import NamedTuple
@@ -25,7 +31,7 @@ from granular_fronts.continuum import finite_volumes, time_steps
 from granular_fronts.continuum.starts import Given, Plateau, make_start
 from granular_fronts.slow_scales import SlowScales
 
-START_LEVELS = 3
+START_LEVELS, SMOOTH_CELLS = 3, 2.0
 # Below it F(y) = y ln y − y is smaller than the rounding of a sum of order 1.
 SMALLEST_ARGUMENT = 1.0e-16
 # Diffusivity of (40), relative to that at v = 1, below which it is frozen.
@@ -92,7 +98,7 @@ def scaling_of(scene):
     return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
-def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS):
+def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cells=SMOOTH_CELLS):
     """Solve (40) for an exponent α, or its limit (50) for α = 1, once.
 
     Parameters
@@ -109,6 +115,8 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS):
         Error per step, in v.
     levels : int, optional
         L: the run begins on 2^L times as many cells.
+    smooth_cells : float, optional
+        s: cells that a kink must be smooth over before they are joined.
 
     Returns
     -------
@@ -128,7 +136,7 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS):
     while ahead:
         equation = make_equation(alpha, averages, start.floor, 2.0 * half_length / averages.size)
         state = time_steps.make_state(averages)
-        joins = np.inf if averages.size == cells else smoothing_time(equation)
+        joins = np.inf if averages.size == cells else smoothing_time(equation, smooth_cells)
         while ahead and slow_times[ahead[0]] <= joins:
             row = ahead.pop(0)
             _advance(equation, state, clock, tolerance, slow_times[row])
@@ -155,10 +163,10 @@ def make_equation(alpha, averages, lowest, width):
     return finite_volumes.Equation(alpha, floor, bound, width)
 
 
-def smoothing_time(equation):
-    """Slow time at which the least diffusivity has smoothed a kink over two cells."""
+def smoothing_time(equation, smooth_cells):
+    """Slow time at which the least diffusivity has smoothed a kink over a number of cells."""
     least_diffusivity = equation.alpha * equation.floor ** (equation.alpha - 1.0)
-    return (2.0 * equation.width) ** 2 / least_diffusivity
+    return (smooth_cells * equation.width) ** 2 / least_diffusivity
 
 
 def _advance(equation, state, clock, tolerance, slow_time):

@@ -1,15 +1,27 @@
-r"""Natural logarithm of an array, written so that a compiler turns it into vector instructions.
+r"""Logarithm and exponential of an array, written so that a compiler turns them into vector code.
 
-The library's logarithm is called for one number at a time and would take most of the time of a
-right-hand side.  Here :math:`x = 2^k m` with :math:`m \in [\sqrt{1/2}, \sqrt2)` is split by integer
-arithmetic on the bits, and with :math:`s = f/(2+f)`, :math:`f = m - 1`,
+The library's functions are called for one number at a time and would take most of the time of a
+right-hand side.
+
+Logarithm.  :math:`x = 2^k m` with :math:`m \in [\sqrt{1/2}, \sqrt2)` is split by integer arithmetic
+on the bits, and with :math:`s = f/(2+f)`, :math:`f = m - 1`,
 
 .. math:: \ln m = f - \tfrac12 f^2 + s\,(\tfrac12 f^2 + R(s^2)), \qquad
     R(z) = z P(z) \approx \frac{\ln(1+s) - \ln(1-s)}{s} - 2,
 
 where the minimax polynomial `P` of degree 6 is that of the C library fdlibm (Sun Microsystems,
 1993); the error is below one unit of the last place.
+
+Exponential less one.  :math:`x = k\ln 2 + r` with :math:`|r| \le \tfrac12\ln 2`, and
+
+.. math:: e^x - 1 = 2^k (e^r - 1) + (2^k - 1)
+
+with the Taylor polynomial of :math:`e^r - 1`, whose remainder is below :math:`10^{-17}`.  Nothing
+cancels where x is small.  Adding :math:`1.5\cdot2^{52}` rounds :math:`x/\ln2` to k and leaves k in
+the last bits of the sum.
 """
+
+import math
 
 import numpy as np
 
@@ -28,6 +40,10 @@ P0, P1, P2, P3, P4, P5, P6 = (
 # Bits of 1.0 and of the square root of one half, and the 52 bits of a fraction.
 ONE, ROOT_HALF = np.int64(0x3FF0000000000000), np.int64(0x3FE6A09E667F3BCD)
 FRACTION, FRACTION_BITS, BIAS = np.int64(0x000FFFFFFFFFFFFF), np.int64(52), np.int64(1023)
+
+# Reciprocal factorials: of degree j + 1 in the exponential.
+TAYLOR = tuple(1.0 / math.factorial(j + 1) for j in range(13))
+ROUNDER = 1.5 * 2.0**52
 
 
 @kernel(error_model="numpy")
@@ -56,3 +72,29 @@ def logarithms(x, exponent, mantissa, result):
         half_square = 0.5 * f * f
         small = s * (half_square + remainder) + k * LN2_LOW
         result[i] = k * LN2_HIGH - ((half_square - small) - f)
+
+
+@kernel(error_model="numpy")
+def exponentials_less_one(x, rounded, power, result):
+    """e^x − 1 of every entry.
+
+    Parameters
+    ----------
+    x : ndarray, shape (n,)
+        Between −700 and 700; not checked.
+    rounded, power : ndarray, shape (n,)
+        Work space.
+    result : ndarray, shape (n,)
+        Not `x` itself, or the loop is not vectorised.
+    """
+    bits, power_bits = rounded.view(np.int64), power.view(np.int64)
+    for i in range(x.size):
+        rounded[i] = x[i] * (1.0 / np.log(2.0)) + ROUNDER
+        power_bits[i] = (bits[i] << FRACTION_BITS) + ONE
+    for i in range(x.size):
+        k = rounded[i] - ROUNDER
+        r = (x[i] - k * LN2_HIGH) - k * LN2_LOW
+        tail = TAYLOR[12]
+        for j in range(11, 0, -1):
+            tail = TAYLOR[j] + r * tail
+        result[i] = power[i] * (r + r * r * tail) + (power[i] - 1.0)
