@@ -73,6 +73,57 @@ rule summarise_campaign:
         "../scripts/summarise_campaign.py"
 
 
+rule trace_critical_damping:
+    input:
+        dataset="<results>/data/campaigns/fronts_atlas.nc",
+        modules=modules("fronts/*.py", "datasets.py"),
+    output:
+        curves="<results>/data/fronts/critical_damping.nc",
+    log:
+        "<logs>/trace_critical_damping.log",
+    benchmark:
+        "<benchmarks>/trace_critical_damping.tsv"
+    threads: 1
+    message:
+        "Tracing critical damping over the exponents of the atlas."
+    conda:
+        "../envs/main.yaml"
+    localrule: True
+    script:
+        "../scripts/trace_critical_damping.py"
+
+
+rule plot_fig16:
+    input:
+        dataset="<results>/data/campaigns/fronts_atlas.nc",
+        curves=rules.trace_critical_damping.output.curves,
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig16_campaign_atlas.pdf",
+        png="<results>/figures/fig16_campaign_atlas.png",
+    params:
+        materials=config["atlas_beads"],
+    log:
+        "<logs>/plot_fig16.log",
+    benchmark:
+        "<benchmarks>/plot_fig16.tsv"
+    threads: 1
+    message:
+        "Drawing figure 16: overshoot, width and regime of exact fronts."
+    conda:
+        "../envs/main.yaml"
+    localrule: True
+    script:
+        "../scripts/plot_fig16.py"
+
+
+rule fig16:
+    input:
+        rules.plot_fig16.output,
+    message:
+        "Figure 16 is drawn."
+
+
 rule campaign:
     input:
         named_campaign,
