@@ -6,7 +6,7 @@ include: "campaign_plan.smk"
 
 rule solve_chunk:
     input:
-        kernels=rules.compile_kernels.output.stamp,
+        kernels=lambda wildcards: campaign_kernels(wildcards.campaign),
         request="<results>/data/campaigns/{campaign}/{chunk}.json",
         modules=lambda wildcards: campaign_modules(wildcards.campaign),
     output:
