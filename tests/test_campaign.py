@@ -7,7 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
+import yaml
 from chains import driven_scene
+from test_configuration import schema_nodes
 
 from granular_fronts.campaign import chunks, cost, definition, merging, planning
 from granular_fronts.campaign.axes import expand_axis
@@ -17,6 +20,8 @@ from granular_fronts.chain.measures import front_speed
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum.heteroclinic import heteroclinic, turning_points
 from granular_fronts.datasets import DatasetError, read_dataset, write_dataset
+from granular_fronts.fronts.critical_damping import critical_damping
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 
 ROOT = Path(__file__).parents[1]
 CHAINS = {
@@ -142,6 +147,20 @@ def test_checking_waits_for_no_heavy_import():
     environment = {"PYTHONPATH": str(ROOT / "src")}
     run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     assert run.stdout == "set()\n"
+
+
+def test_schema_describes_every_key_and_is_strict():
+    file = ROOT / "workflow/schemas/campaign.schema.yaml"
+    for path, node in schema_nodes(yaml.safe_load(file.read_text(encoding="utf-8"))):
+        required = set(node.get("required", []))
+        for name, child in node.get("properties", {}).items():
+            assert child.get("description"), f"{path}.{name}"
+            optional = "Optional" in child["description"]
+            assert optional == (name not in required), f"{path}.{name}"
+        if "properties" in node:
+            assert node["additionalProperties"] is False, path
+        if node.get("type") in ("number", "integer"):
+            assert "dimensionless" in node["description"], path
 
 
 # Chunks.
@@ -373,6 +392,27 @@ def test_heteroclinic_points_are_those_of_the_orbit():
     assert max(error for name, error in solved.errors.items() if name != "growth_rate") < 1e-9
 
 
+def test_front_points_are_exact_fronts():
+    axes = {"alpha": [1.3, 1.5], "gamma": [0.1, 0.6]}
+    record = {"profile": {"start": -4, "stop": 4, "count": 9}}
+    given = {"kind": "front", "axes": axes, "record": record}
+    [chunk] = all_chunks(campaign(given), 10)
+    solved = KINDS["front"].solve_chunk(chunk.points(), chunk.settings)
+    assert not solved.reasons.any()
+    power = [[(alpha - 1.0) / (2.0 * (alpha + 1.0))] * 2 for alpha in axes["alpha"]]
+    np.testing.assert_allclose(solved.values["dissipated_power"], power, rtol=1e-12)
+    np.testing.assert_allclose(solved.values["speed_defect"], 0.0, atol=1e-13)
+    for (line, fast), overshoot in np.ndenumerate(solved.values["overshoot"]):
+        alpha, gamma = axes["alpha"][line], axes["gamma"][fast]
+        front = solve_front(alpha, gamma)
+        assert overshoot == front.attrs["overshoot"]
+        assert solved.values["width_10_90"][line, fast] == front.attrs["width_10_90"]
+        u = solved.values["relative_displacement"][line, fast]
+        np.testing.assert_array_equal(u, evaluate_front(front, np.linspace(-4, 4, 9)))
+        oscillates = gamma < critical_damping(alpha)
+        assert (solved.values["tail_wavenumber"][line, fast] > 0.0) == oscillates
+
+
 # Merging, failing points.
 
 
@@ -417,6 +457,16 @@ def test_chunk_of_other_settings_is_refused(solved_folder):
     _, files = solved_folder
     with pytest.raises(DatasetError, match="was solved with other settings"):
         merging.merge_chunks(campaign(tolerance=1e-6), files)
+
+
+def test_merged_file_opens_lazily(solved_folder, tmp_path):
+    asked, files = solved_folder
+    path = tmp_path / "merged" / "mine.nc"
+    write_dataset(merging.merge_chunks(asked, files), path, scene_id="mine", config=CHAINS)
+    with xr.open_dataset(path) as data:
+        assert not data["overshoot"].variable._in_memory
+        assert float(data["overshoot"].sel(delta=0.1, gamma=0.3)) > 0.0
+        assert data["overshoot"].attrs["long_name"].startswith("first maximum of u_n")
 
 
 def test_failing_point_is_told_and_the_others_are_solved(tmp_path):

@@ -1,5 +1,6 @@
 """Campaigns through the workflow: refused, run, interrupted, grown."""
 
+import csv
 import os
 import re
 import shutil
@@ -90,6 +91,15 @@ def wait_for(condition, seconds):
     raise AssertionError(f"Nothing happened within {seconds} s.")
 
 
+def largest_memory(benchmarks):
+    """Peak memory of any chunk in MiB, as Snakemake measured it."""
+    return max(
+        float(row["max_rss"])
+        for file in benchmarks.glob("*.tsv")
+        for row in csv.DictReader(file.open(), delimiter="\t")
+    )
+
+
 @pytest.mark.slow
 def test_interrupted_campaign_goes_on_and_a_grown_one_solves_only_what_is_new(project):
     write_campaign(project)
@@ -120,6 +130,7 @@ def test_interrupted_campaign_goes_on_and_a_grown_one_solves_only_what_is_new(pr
     assert merged.sizes["gamma"] == 100
     assert np.isfinite(merged["front_speed"]).all()
     assert "overshoot" in (project / "results/tables/campaign_mine.md").read_text()
+    assert largest_memory(project / "results/benchmarks/solve_chunk/mine") < 1024
     assert "solve_chunk" not in jobs_of(run_campaign(project, "--dry-run"))
 
     gammas = {"linspace": [0.1, 1.0, 199]}

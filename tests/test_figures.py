@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 from chains import driven_scene
 
+from granular_fronts.campaign.chunks import cut
+from granular_fronts.campaign.definition import check_campaign
+from granular_fronts.campaign.merging import chunk_dataset, merge_chunks
 from granular_fronts.chain import simulate_chain
 from granular_fronts.datasets import read_dataset, write_dataset
 
@@ -115,3 +118,44 @@ def test_colour_maps_keep_their_order_in_grey():
     for colour_map in (compression_map(), velocity_map()):
         values = [lightness(colour_map(x)) for x in np.linspace(0.0, 1.0, 33)]
         assert np.all(np.diff(values) < 0.0)
+
+
+@pytest.fixture(scope="module")
+def atlas(tmp_path_factory):
+    """A small campaign of fronts and the critical damping over its exponents."""
+    folder = tmp_path_factory.mktemp("atlas")
+    axes = {"alpha": [1.1, 1.3, 1.5], "gamma": [0.05, 0.2, 0.6]}
+    asked = check_campaign({"kind": "front", "axes": axes}, "fronts_atlas")
+    [chunk] = cut(asked, np.ones(asked.shape, dtype=bool), 100)
+    solved = asked.kind.solve_chunk(chunk.points(), chunk.settings)
+    file = folder / f"{chunk.name}.nc"
+    write_dataset(
+        chunk_dataset(chunk, solved, 1.0), file, scene_id=chunk.name, config=chunk._asdict()
+    )
+    merged = merge_chunks(asked, [file])
+    write_dataset(merged, folder / "atlas.nc", scene_id="fronts_atlas", config=axes)
+    trace = importlib.import_module("trace_critical_damping").trace_critical_damping
+    trace(folder / "atlas.nc", folder / "curves.nc")
+    return folder / "atlas.nc", folder / "curves.nc"
+
+
+def test_fig16_shows_the_atlas_with_curves_and_beads(atlas, monkeypatch, tmp_path):
+    script = importlib.import_module("plot_fig16")
+    kept = []
+    monkeypatch.setattr(script, "save_figure", lambda figure, pdf, png: kept.append(figure))
+    beads = {"steel": {"alpha": 1.5, "gamma": 0.05}}
+    script.plot_fig16(*atlas, beads, tmp_path / "a.pdf", tmp_path / "a.png")
+    data, curves = read_dataset(atlas[0]), read_dataset(atlas[1])
+    overshoot, width, regime = panels(kept[0])[:3]
+    shown = width.collections[0].get_array().reshape(3, 3)
+    np.testing.assert_array_equal(shown, data["width_10_90"].transpose("gamma", "alpha"))
+    shown = regime.collections[0].get_array().reshape(3, 3)
+    np.testing.assert_array_equal(shown[-1], 0)
+    np.testing.assert_array_equal(shown[0], 2)
+    assert not np.ma.getmaskarray(overshoot.collections[0].get_array()).any()
+    for axes in (overshoot, width, regime):
+        *lines, bead = axes.get_lines()
+        for line, name in zip(lines, ("tail", "double_root", "long_wave"), strict=True):
+            np.testing.assert_array_equal(line.get_ydata(), curves[f"critical_damping_{name}"])
+        assert list(bead.get_xydata()[0]) == [1.5, 0.05]
+    plt.close("all")

@@ -6,7 +6,7 @@ include: "campaign_plan.smk"
 
 rule solve_chunk:
     input:
-        kernels=rules.compile_kernels.output.stamp,
+        kernels=lambda wildcards: campaign_kernels(wildcards.campaign),
         request="<results>/data/campaigns/{campaign}/{chunk}.json",
         modules=lambda wildcards: campaign_modules(wildcards.campaign),
     output:
@@ -71,6 +71,57 @@ rule summarise_campaign:
     localrule: True
     script:
         "../scripts/summarise_campaign.py"
+
+
+rule trace_critical_damping:
+    input:
+        dataset="<results>/data/campaigns/fronts_atlas.nc",
+        modules=modules("fronts/*.py", "datasets.py"),
+    output:
+        curves="<results>/data/fronts/critical_damping.nc",
+    log:
+        "<logs>/trace_critical_damping.log",
+    benchmark:
+        "<benchmarks>/trace_critical_damping.tsv"
+    threads: 1
+    message:
+        "Tracing critical damping over the exponents of the atlas."
+    conda:
+        "../envs/main.yaml"
+    localrule: True
+    script:
+        "../scripts/trace_critical_damping.py"
+
+
+rule plot_fig16:
+    input:
+        dataset="<results>/data/campaigns/fronts_atlas.nc",
+        curves=rules.trace_critical_damping.output.curves,
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig16_campaign_atlas.pdf",
+        png="<results>/figures/fig16_campaign_atlas.png",
+    params:
+        materials=config["atlas_beads"],
+    log:
+        "<logs>/plot_fig16.log",
+    benchmark:
+        "<benchmarks>/plot_fig16.tsv"
+    threads: 1
+    message:
+        "Drawing figure 16: overshoot, width and regime of exact fronts."
+    conda:
+        "../envs/main.yaml"
+    localrule: True
+    script:
+        "../scripts/plot_fig16.py"
+
+
+rule fig16:
+    input:
+        rules.plot_fig16.output,
+    message:
+        "Figure 16 is drawn."
 
 
 rule campaign:

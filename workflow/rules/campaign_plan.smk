@@ -36,6 +36,14 @@ def campaign_modules(name):
     return modules("campaign/*.py", "datasets.py", *(f"{wing}/*.py" for wing in wings))
 
 
+def campaign_kernels(name):
+    """Return the stamp of the chain's kernels where a campaign moves chains.
+
+    Measuring what a point costs has compiled the other kernels.
+    """
+    return rules.compile_kernels.output.stamp if "chain" in campaign_of(name).kind.wings else []
+
+
 def named_campaign(wildcards):
     """Return the table of the campaign that the command names."""
     if "campaign" not in config:

@@ -1,11 +1,13 @@
 """What a point costs, measured before a campaign is cut: a chunk must be worth its start-up.
 
-A job starts Python and loads compiled code, one to two seconds.  A few short pieces of lines,
-spread over the grid, are solved and timed in processor time, after one piece that compiles.  The
-answer is kept beside the chunks, so that the same campaign is measured once.
+A job starts Python and loads compiled code, one to two seconds.  Short pieces of lines are solved
+and timed in processor time, after one that compiles.  They lie in the middle of equal shares of the
+lines and of the fast axis, so that their mean estimates that of the grid.  The answer is kept
+beside the chunks, and the same campaign is measured once.
 """
 
 import hashlib
+import itertools
 import json
 import math
 import sys
@@ -18,8 +20,8 @@ from granular_fronts.campaign.chunks import Chunk
 from granular_fronts.campaign.definition import Campaign
 from granular_fronts.files import complete_file
 
-PIECES, PIECE = 4, 8
-"""Number of pieces of lines that are timed, and their length."""
+PIECES, PIECE = 4, 4
+"""Pieces along each of the two directions, across lines and along them, and their length."""
 
 
 def seconds_per_point(campaign: Campaign, folder: Path) -> float:
@@ -62,17 +64,18 @@ def measure(campaign: Campaign) -> float:
 
 
 def sample_of(campaign: Campaign) -> list[Chunk]:
-    """Pieces of lines spread over the grid, from its first corner to its last."""
+    """Pieces of lines in the middle of equal shares of the grid."""
     *slow, fast = campaign.grid
     shape, values = campaign.shape, campaign.grid[fast]
     lines = math.prod(shape[:-1])
+    shares = (np.arange(PIECES) + 0.5) / PIECES
     sample = []
-    for share in np.linspace(0.0, 1.0, PIECES):
-        line = np.unravel_index(round(share * (lines - 1)), shape[:-1])
+    for across, along in itertools.product(shares, shares):
+        line = np.unravel_index(int(across * lines), shape[:-1]) if slow else ()
         columns = {
             name: [campaign.grid[name][position]] for name, position in zip(slow, line, strict=True)
         }
-        start = round(share * max(len(values) - PIECE, 0))
+        start = max(0, min(round(along * len(values) - PIECE / 2), len(values) - PIECE))
         piece = {fast: list(values[start : start + PIECE])}
         sample.append(Chunk(campaign.kind_name, campaign.settings, columns, piece))
     return sample

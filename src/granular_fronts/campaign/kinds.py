@@ -122,6 +122,27 @@ KINDS: dict[str, Kind] = {
         profile=("relative_displacement", "relative displacement over delta at the end"),
         profile_along=("bead", "bead number n"),
     ),
+    "front": Kind(
+        module="granular_fronts.campaign.front_points",
+        wings=("fronts",),
+        parameters={
+            "alpha": ALPHA,
+            "beta": BETA,
+            "gamma": GAMMA._replace(above=True),
+        },
+        scalars={
+            "overshoot": "largest relative displacement minus 1, 0 for a monotone front",
+            "width_10_90": "distance in beads over which u falls from 0.9 to 0.1",
+            "slope": "largest -u'",
+            "tail_rate": "rate at which u approaches 1 behind the front, Re lambda",
+            "tail_wavenumber": "wavenumber of the slowest tail, Im lambda; 0 if it is monotone",
+            "dissipated_power": "power dissipated by all contacts",
+            "speed_defect": "speed found minus 1",
+            "profile_error": "estimate of the largest error of u",
+        },
+        profile=("relative_displacement", "relative displacement u"),
+        profile_along=("xi", "distance from the front, n - ct"),
+    ),
     "heteroclinic": Kind(
         module="granular_fronts.campaign.heteroclinic_points",
         wings=("continuum",),

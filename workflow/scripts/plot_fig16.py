@@ -1,0 +1,124 @@
+"""Figure 16: overshoot, width and regime of exact fronts over the plane of exponent and damping."""
+
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.colors import BoundaryNorm, ListedColormap, LogNorm
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from step import run_step
+
+CURVES = {
+    "tail": ("tail turns real", PROBE_COLOURS[0], "-"),
+    "double_root": ("double root", PROBE_COLOURS[4], (0, (3, 1))),
+    "long_wave": (r"long waves, $\mu = 2$", PROBE_COLOURS[1], (0, (6, 1.5))),
+}
+REGIMES = ("monotone", "oscillating", "by > 1 %")
+REGIME_COLOURS = ("#f2efe6", "#b9cbe0", "#5f7fae")
+VISIBLE = 0.01
+UNSOLVED_COLOUR = "#d01c1c"
+
+
+def plot_fig16(dataset: Path, curves: Path, materials: dict, pdf: Path, png: Path) -> None:
+    """Draw the atlas of fronts.
+
+    Parameters
+    ----------
+    dataset : Path
+        Campaign fronts_atlas.
+    curves : Path
+        Critical damping over α.
+    materials : dict
+        Contact exponent and damping of beads, by name.
+    pdf, png : Path
+        Files to write.
+    """
+    atlas, critical = read_dataset(dataset), read_dataset(curves)
+    figure, panels = new_figure(3.6, [["overshoot", "width", "regime"]])
+    draw_overshoot(panels["overshoot"], atlas)
+    draw_width(panels["width"], atlas)
+    draw_regime(panels["regime"], atlas)
+    for axes in panels.values():
+        draw_curves(axes, critical)
+        draw_materials(axes, materials)
+        gamma, alpha = atlas["gamma"].values, atlas["alpha"].values
+        axes.set(xlabel=r"$\alpha$", yscale="log", xlim=(alpha[0], alpha[-1]))
+        axes.set(ylim=(gamma[0], gamma[-1]))
+    panels["overshoot"].set_ylabel(r"$\gamma c$")
+    handles, labels = panels["overshoot"].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    save_figure(figure, pdf, png)
+
+
+def draw_overshoot(axes, atlas):
+    """Largest u minus 1, on a logarithmic scale down to a millionth."""
+    norm = LogNorm(1e-6, 1.0)
+    # A logarithmic scale has no colour for 0, the overshoot of a monotone front.
+    overshoot = atlas["overshoot"].clip(min=1e-7)
+    colour_plane(axes, overshoot, "viridis_r", norm, "overshoot", extend="min")
+
+
+def draw_width(axes, atlas):
+    """Distance over which u falls from 0.9 to 0.1, in beads."""
+    width = atlas["width_10_90"]
+    norm = LogNorm(float(width.min()), float(width.max()))
+    colour_plane(axes, width, "cividis_r", norm, "width, 90 % to 10 %", extend="neither")
+
+
+def draw_regime(axes, atlas):
+    """Whether the slowest tail oscillates, and whether one can see it."""
+    oscillates = atlas["tail_wavenumber"] > 0.0
+    regime = oscillates.astype(float) + (oscillates & (atlas["overshoot"] > VISIBLE))
+    regime = regime.where(atlas["status"] == 0)
+    norm = BoundaryNorm(np.arange(-0.5, 3.0), 3)
+    image = draw_plane(axes, regime, ListedColormap(REGIME_COLOURS), norm)
+    bar = axes.figure.colorbar(image, ax=axes, location="top", aspect=30, ticks=[0, 1, 2])
+    bar.ax.set_xticklabels(REGIMES, fontsize=7)
+
+
+def colour_plane(axes, values, colour_map, norm, label, *, extend):
+    """A scalar over the plane, with its scale above."""
+    image = draw_plane(axes, values, matplotlib.colormaps[colour_map], norm)
+    axes.figure.colorbar(image, ax=axes, location="top", aspect=30, label=label, extend=extend)
+
+
+def draw_plane(axes, values, colour_map, norm):
+    """Colours over α and γ; points that are not solved in red."""
+    shown = colour_map.with_extremes(bad=UNSOLVED_COLOUR, under=colour_map(0.0))
+    plane = values.transpose("gamma", "alpha")
+    return axes.pcolormesh(
+        plane["alpha"],
+        plane["gamma"],
+        np.ma.masked_invalid(plane.values),
+        cmap=shown,
+        norm=norm,
+        shading="nearest",
+        rasterized=True,
+    )
+
+
+def draw_curves(axes, critical):
+    """Critical damping in its three meanings."""
+    for name, (label, colour, style) in CURVES.items():
+        values = critical[f"critical_damping_{name}"]
+        axes.plot(critical["alpha"], values, color=colour, linestyle=style, label=label)
+
+
+def draw_materials(axes, materials):
+    """The places of real beads."""
+    for name, bead in materials.items():
+        axes.plot(bead["alpha"], bead["gamma"], "o", color=PROBE_COLOURS[0], markersize=3)
+        axes.annotate(
+            name,
+            (bead["alpha"], bead["gamma"]),
+            xytext=(4, 0),
+            textcoords="offset points",
+            va="center",
+            fontsize=7,
+        )
+
+
+if __name__ == "__main__":
+    run_step(plot_fig16, globals().get("snakemake"))
