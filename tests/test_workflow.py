@@ -24,6 +24,7 @@ SCRIPTS = sorted(
 )
 FIGURES = ["fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig07", "fig07b", "fig08"]
 TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results"]
+TARGETS += ["fig15", "hard_cases", "stiff_damping"]
 
 
 def snakemake(*arguments, folder=ROOT):

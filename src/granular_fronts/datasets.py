@@ -84,6 +84,9 @@ LONG_NAMES = {
     "event_steps": "median number of steps through a collision",
     "event_error": "median error of the velocity after a collision",
     "observed_order": "slope of error against steps",
+    "gamma": "damping",
+    "stiffness": "explicit steps that stability asks for per contact that the front passes",
+    "steps": "accepted steps",
     "smallest_relative_displacement": "smallest relative displacement of all beads and times",
 }
 
