@@ -36,6 +36,7 @@ FIGURES = [
     "fig19",
 ]
 TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results"]
+TARGETS += ["fig15", "hard_cases", "stiff_damping"]
 
 
 def snakemake(*arguments, folder=ROOT):

@@ -68,6 +68,53 @@ rule fig15:
         "Figure 15 is drawn."
 
 
+rule measure_stiff_damping:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=CHAIN_MODULES,
+    output:
+        dataset="<results>/data/precision/stiff_damping.nc",
+    params:
+        problem=config["stiff_damping"],
+    log:
+        "<logs>/measure_stiff_damping.log",
+    benchmark:
+        "<benchmarks>/measure_stiff_damping.tsv"
+    threads: workflow.cores
+    message:
+        "Measuring explicit and implicit steps over the damping."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_stiff_damping.py"
+
+
+rule tabulate_stiff_damping:
+    input:
+        dataset=rules.measure_stiff_damping.output.dataset,
+    output:
+        csv="<results>/tables/stiff_damping.csv",
+        markdown="<results>/tables/stiff_damping.md",
+    log:
+        "<logs>/tabulate_stiff_damping.log",
+    benchmark:
+        "<benchmarks>/tabulate_stiff_damping.tsv"
+    threads: 1
+    message:
+        "Comparing explicit and implicit steps at equal error."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_stiff_damping.py"
+
+
+rule stiff_damping:
+    input:
+        rules.tabulate_stiff_damping.output,
+    message:
+        "Explicit and implicit steps are compared: {input}."
+
+
 rule hard_cases:
     input:
         rules.tabulate_hard_cases.output,

@@ -55,7 +55,7 @@ class Clock(NamedTuple):
     dissipated: np.ndarray
 
 
-ACCEPTED, REJECTED, REJECTED_AT_CONTACT, STAGE_COUNT = range(4)
+ACCEPTED, REJECTED, REJECTED_AT_CONTACT, STAGE_COUNT, IMPLICIT = range(5)
 
 
 class Recording(NamedTuple):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain import equations, integrator
+from granular_fronts.chain import equations, integrator, stiff
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.state import Law, Size, State, make_law, make_state
@@ -16,6 +16,8 @@ from granular_fronts.chain.strain import evaluate_slopes, reach_of
 
 FIRST_STEP = 1.0e-6
 STEPS_PER_BLOCK = 2000
+# Where a stiff run needs the explicit pair for a while, it tries the implicit steps this often.
+STEPS_BETWEEN_ATTEMPTS = 100
 
 
 class SolveError(ValueError):
@@ -71,7 +73,7 @@ def prepare(scene):
     return Run(law, size, boundary, state, clock, record, float(velocity.sum()))
 
 
-def integrate(run, tolerance, after_block=lambda run: None):
+def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STIFF):
     """Advance a run to its end.
 
     Parameters
@@ -81,6 +83,8 @@ def integrate(run, tolerance, after_block=lambda run: None):
         `relative` and `absolute`, per step, in the maximum norm over beads.
     after_block : callable, optional
         Called with the run after every `STEPS_PER_BLOCK` steps and at the end.
+    stiff_from : float, optional
+        Stiffness from which implicit steps are taken, infinite for never; see `chain.stiff`.
 
     Raises
     ------
@@ -88,18 +92,24 @@ def integrate(run, tolerance, after_block=lambda run: None):
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
     relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
+    is_stiff = stiff.suits(run, stiff_from)
+    advance_stiff = stiff.make_advance(run, relative, absolute) if is_stiff else None
+    steps = STEPS_BETWEEN_ATTEMPTS if is_stiff else STEPS_PER_BLOCK
     status = integrator.RUNNING
     while status == integrator.RUNNING:
-        status = integrator.advance(
-            run.law,
-            run.size,
-            run.state,
-            run.clock,
-            relative,
-            absolute,
-            run.recording,
-            STEPS_PER_BLOCK,
-        )
+        if is_stiff:
+            status = advance_stiff()
+        if status == integrator.RUNNING:
+            status = integrator.advance(
+                run.law,
+                run.size,
+                run.state,
+                run.clock,
+                relative,
+                absolute,
+                run.recording,
+                steps,
+            )
         after_block(run)
     if status != integrator.FINISHED:
         raise SolveError(_cause(status, run))
@@ -146,7 +156,7 @@ def start_clock(size, state):
         t=np.zeros(1),
         h=np.array([FIRST_STEP]),
         reach=np.array([_first_reach(size, state)]),
-        counts=np.zeros(4, dtype=np.int64),
+        counts=np.zeros(5, dtype=np.int64),
         dissipated=np.zeros(1),
     )
 
@@ -164,6 +174,7 @@ def work_done(clock):
         "steps_accepted": int(clock.counts[integrator.ACCEPTED]),
         "steps_rejected": int(clock.counts[integrator.REJECTED]),
         "steps_cut_at_contacts": int(clock.counts[integrator.REJECTED_AT_CONTACT]),
+        "steps_implicit": int(clock.counts[integrator.IMPLICIT]),
         "right_hand_sides": int(clock.counts[integrator.STAGE_COUNT]),
     }
 

@@ -2,7 +2,7 @@ r"""From a scene to a dataset: front initiation and every other driven or period
 
 A scene is the mapping that the configuration holds under `scenes: chain:`; its keys are described
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
-the adaptive pair of `integrator`.
+the adaptive pair of `integrator`, or with the implicit steps of `stiff` where damping is strong.
 
 Accuracy.  Every scene is integrated a second time with the tolerance divided by `REFINEMENT`; the
 largest difference between the two runs is the error estimate of each recorded variable.  It comes
@@ -24,6 +24,7 @@ from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_chain_
 
 REFINEMENT = 10.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
+STIFF_SOLVER = f"Radau IIA of order 9 in strain form where damping is stiff, else {SOLVER}"
 ERROR_METHOD = f"largest difference to a second run with the tolerance divided by {REFINEMENT:g}"
 
 
@@ -122,7 +123,7 @@ def _with_error_estimates(solution, refined, tolerance):
         estimate = max(difference, rounding)
         variable.attrs |= {"error_estimate": estimate, "error_method": ERROR_METHOD}
     dataset.attrs |= {
-        "solver": SOLVER,
+        "solver": STIFF_SOLVER if solution.counts["steps_implicit"] else SOLVER,
         "relative_tolerance": float(tolerance["relative"]),
         "absolute_tolerance": float(tolerance["absolute"]),
         **solution.counts,
@@ -137,7 +138,10 @@ def _largest(values):
 
 
 def warm_up():
-    """Compile every kernel once, so that jobs which run side by side find them in the cache."""
+    """Compile every kernel but the implicit ones, so that jobs side by side find them in the cache.
+
+    The implicit steps take longer to compile than all the rest, and few scenes need them.
+    """
     for alpha, beta in ((1.5, 1.5), (1.2, 1.2), (1.5, 1.0)):
         scene = {
             "law": {"alpha": alpha, "beta": beta, "gamma": 0.1},
