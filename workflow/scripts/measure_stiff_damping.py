@@ -47,7 +47,7 @@ def measure_stiff_damping(problem: dict, dataset: Path) -> None:
     measured["seconds"].attrs["units"] = "s"
     measured["error"].attrs["error_method"] = "this is the distance to a run at 1e-14"
     measured["reference_error"] = xr.DataArray(own_errors, {"gamma": problem["gammas"]})
-    measured["stiffness"] = xr.DataArray(stiffnesses, {"gamma": problem["gammas"]})
+    measured["stability_steps"] = xr.DataArray(stiffnesses, {"gamma": problem["gammas"]})
     measured.attrs = {"solver": "least process time of the repeats", "stiff_from": stiff.STIFF}
     write_dataset(measured, dataset, scene_id="stiff_damping", config=problem)
 

@@ -40,12 +40,12 @@ def describe(case, level, stiff_from):
     )
     return {
         "gamma": float(case["gamma"]),
-        "stiffness": float(case["stiffness"]),
+        "stiffness": float(case["stability_steps"]),
         "error": level,
         "explicit_ms": explicit,
         "implicit_ms": implicit,
         "gain": explicit / implicit,
-        "taken": "implicit" if float(case["stiffness"]) >= stiff_from else "explicit",
+        "taken": "implicit" if float(case["stability_steps"]) >= stiff_from else "explicit",
         "reference_error": float(case["reference_error"]),
     }
 
