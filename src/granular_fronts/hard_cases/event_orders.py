@@ -28,9 +28,10 @@ from granular_fronts.hard_cases.extended import Motion, reference_state
 
 LAW = kuwabara_kono(1.5, 0.3)
 END_TIME = 20.0
-PHASES = 1.0 + np.arange(9) / 9.0
+# Multiples of the golden ratio share no period with the steps.
+PHASES = 1.0 + np.arange(15) * 0.6180339887498949 % 1.0
 TOLERANCES = 10.0 ** -np.arange(3.0, 13.0)
-STEP_COUNTS = np.unique(np.round(np.geomspace(60, 6000, 10)).astype(int))
+STEP_COUNTS = np.unique(np.round(np.geomspace(300, 6000, 8)).astype(int))
 FORMS = {"positions_and_w": plain_forms.XW, "positions_and_velocities": plain_forms.XV}
 
 
