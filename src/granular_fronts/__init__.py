@@ -20,6 +20,7 @@ _HOME_OF = {
     "restitution": "granular_fronts.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
+    "sweep_fronts": "granular_fronts.fronts.sweep",
     "tail_roots": "granular_fronts.fronts.tails",
 }
 
