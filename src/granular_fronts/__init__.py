@@ -16,6 +16,7 @@ _HOME_OF = {
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
+    "sweep_fronts": "granular_fronts.fronts.sweep",
     "tail_roots": "granular_fronts.fronts.tails",
 }
 

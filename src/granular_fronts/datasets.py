@@ -74,6 +74,16 @@ LONG_NAMES = {
     "message": "why there is no result, or a doubtful one",
     "reference_error": "error of the reference itself",
     "smallest_relative_displacement": "smallest relative displacement of all beads and times",
+    "gamma": "strength of the damping",
+    "width_10_90": "width of the front from 90 % to 10 %, in sites",
+    "dissipated_power": "power that all contacts together dissipate",
+    "residual": "largest residual of the profile equation",
+    "speed_defect": "speed found over the exact speed, less 1",
+    "tail_rate": "rate at which u approaches 1 behind the front, per site",
+    "tail_frequency": "angular frequency of the tail behind the front, per site",
+    "error_estimate": "estimate of the error of u",
+    "converged": "whether the front was found, 1 or 0",
+    "reason": "why there is no front",
 }
 
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "netCDF4")

@@ -12,6 +12,9 @@ NODES = 20
 WEIGHTS = np.array([(-1.0) ** j * math.comb(NODES - 1, j) for j in range(NODES)])
 """Barycentric weights of equidistant points."""
 
+NOISE = 1e-15
+"""Relative height of crests that are round-off."""
+
 REACH = 10
 DIFFERENCES = np.array(
     [
@@ -43,10 +46,10 @@ def interpolate(values, position, behind, ahead):
         return behind
     if position > values.size + NODES:
         return ahead
-    nearest = int(round(position))
+    nearest = round(position)
     if position == nearest and 0 <= nearest < values.size:
         return values[nearest]
-    first = int(math.floor(position)) - NODES // 2 + 1
+    first = math.floor(position) - NODES // 2 + 1
     above = below = 0.0
     for j in range(NODES):
         k = first + j
@@ -98,15 +101,30 @@ def find_level(values, level, behind, ahead):
 
 @kernel
 def largest(values, behind, ahead):
-    """The largest value of the interpolant next to the largest value on the grid."""
-    top = np.argmax(values)
-    left, right = top - 1.0, top + 1.0
-    # Ternary search; the value is flat at the top, so that half the digits of its place suffice.
-    for _ in range(50):
+    """The largest value of the interpolant.
+
+    It is looked for next to every point above its neighbours that lies so high that, rising as
+    steeply beyond it as towards it, the interpolant could exceed the largest value on the grid.
+    """
+    highest = top = np.max(values)
+    for k in range(1, values.size - 1):
+        rise = values[k] - min(values[k - 1], values[k + 1])
+        crest = values[k] >= values[k - 1] and values[k] >= values[k + 1]
+        if crest and rise > NOISE * abs(top) and values[k] + rise > top:
+            highest = max(highest, crest_value(values, k, behind, ahead))
+    return highest
+
+
+@kernel
+def crest_value(values, k, behind, ahead):
+    """The maximum of the interpolant next to a point, by ternary search."""
+    left, right = k - 1.0, k + 1.0
+    # The value is flat at the crest, so that half the digits of its place suffice.
+    for _ in range(45):
         third = (right - left) / 3.0
         a, b = left + third, right - third
         if interpolate(values, a, behind, ahead) < interpolate(values, b, behind, ahead):
             left = a
         else:
             right = b
-    return max(values[top], interpolate(values, 0.5 * (left + right), behind, ahead))
+    return interpolate(values, 0.5 * (left + right), behind, ahead)

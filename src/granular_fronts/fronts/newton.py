@@ -1,4 +1,4 @@
-"""Newton's iteration for the discretised profile equation, compiled; see `profile` for the equation.
+"""Newton's iteration for the discretised profile equation of `profile`, compiled.
 
 Unknowns are the values u at all grid points of the window, and the speed c.  On the left the
 linearised operator has index +1: without further conditions it is solved by a family, the shifts of
@@ -176,9 +176,7 @@ def largest_convolution(law, hat, jump, u):
 
 
 @kernel(fastmath=True)
-def assemble(
-    law, hat, jump, middle, u, speed, damping, prefix, skipped, band, border, column
-):
+def assemble(law, hat, jump, middle, u, speed, damping, prefix, skipped, band, border, column):
     """Fill in the matrix, the border row of equation 0 and the column of c; return the corner."""
     points, width = u.size, hat.size // 2
     stiffness, viscosity = np.empty(points + 2 * width), np.empty(points + 2 * width)
@@ -217,9 +215,7 @@ def slopes(law, width, u, stiffness, viscosity):
             np.sqrt(value) if law.alpha == 1.5 else value ** (law.alpha - 1.0)
         )
         viscosity[width + k] = (
-            stiffness[width + k]
-            if law.beta == law.alpha
-            else law.beta * value ** (law.beta - 1.0)
+            stiffness[width + k] if law.beta == law.alpha else law.beta * value ** (law.beta - 1.0)
         )
 
 

@@ -11,9 +11,8 @@ The profile equation (`profile`) needs, at each grid point ξ, the three integra
 On every cell of the grid the function is replaced by the polynomial through the `order` points
 around it, half of them on each side, and the product with the kernel, which is linear there, is
 integrated exactly.  The weights are rational numbers, computed as such once per grid.  The rule is
-exact for polynomials of degree order − 1, and of degree `order` where the kernel is even or odd
-with it; its error is of the order h^(order + 1) or smaller.  The spacing h may be any rational
-number, above 1 too: then the kernel covers parts of two cells only.
+exact for polynomials of degree below `order`, with an error of the order h^order.  The spacing h
+may be any rational number, above 1 too: then the kernel covers parts of two cells only.
 """
 
 import functools
@@ -54,7 +53,6 @@ def kernel_weights(spacing, order):
     Weights
     """
     plain, linear = _one_sided(spacing, order)
-    width = len(plain) // 2
     ahead, ramp = np.array(plain), np.array(linear)
     behind = ahead[::-1]
     return Weights(
@@ -91,15 +89,13 @@ def _moments(node, order, end):
 
 @functools.cache
 def _cardinal(node, order):
-    """Coefficients of the polynomial that is 1 at a node and 0 at the others, 1 − order/2 … order/2."""
+    """Coefficients of the polynomial that is 1 at a node, 0 at the others of 1 − p/2 … p/2."""
     coefficients = [Fraction(1)]
     for other in range(1 - order // 2, order // 2 + 1):
         if other != node:
             shifted = [Fraction(0), *coefficients]
             scaled = [other * c for c in coefficients] + [Fraction(0)]
-            coefficients = [
-                (a - b) / (node - other) for a, b in zip(shifted, scaled, strict=True)
-            ]
+            coefficients = [(a - b) / (node - other) for a, b in zip(shifted, scaled, strict=True)]
     return coefficients
 
 

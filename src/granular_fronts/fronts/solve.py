@@ -91,12 +91,11 @@ def evaluate_front(front, xi):
         )
     xi = np.asarray(xi, dtype=float)
     grid = front["xi"].values
-    spacing = (grid[-1] - grid[0]) / (grid.size - 1)
+    middle = int(np.argmin(np.abs(grid)))
+    # Counted from ξ = 0, a position near the front has no rounding error of a far end.
+    positions = xi.ravel() / grid[middle + 1] + middle
     u = front["relative_displacement"].values
-    values = interpolate_all(
-        u, (xi.ravel() - grid[0]) / spacing, 1.0, front.attrs["right_state"]
-    )
-    return values.reshape(xi.shape)
+    return interpolate_all(u, positions, 1.0, front.attrs["right_state"]).reshape(xi.shape)
 
 
 def solve_by_profile(law):
@@ -145,7 +144,13 @@ def _failure(law, reason):
     unknown = ("residual", "speed_defect", "error_estimate", *MEASURES)
     unknown += tuple(f"{name}_error" for name in MEASURES)
     return _dataset(
-        law, np.zeros(1), nothing, nothing, converged=0, reason=reason, **dict.fromkeys(unknown, math.nan)
+        law,
+        np.zeros(1),
+        nothing,
+        nothing,
+        converged=0,
+        reason=reason,
+        **dict.fromkeys(unknown, math.nan),
     )
 
 

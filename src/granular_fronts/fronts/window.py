@@ -75,8 +75,8 @@ def rate_ahead(law):
 
 
 def coarse_spacing(law, window):
-    """Spacing of the first grid: half the points per site of a sharp front, and not too many."""
-    per_site = 3.0 + 2.15 * law.alpha
+    """Spacing of the first grid: a third of the points of a sharp front, and not too many."""
+    per_site = 2.0 + 1.6 * law.alpha
     return rational(max(1.0 / per_site, (window.behind + window.ahead) / POINTS_COARSE))
 
 

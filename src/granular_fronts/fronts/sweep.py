@@ -1,0 +1,238 @@
+"""Many exact fronts: one after the other along the damping, each from the ones before it.
+
+The fronts are solved from strong to weak damping on one grid, in compiled code.  The window grows
+with the tail; the start of each is extrapolated in ln γ from the two before.  Where Newton's
+iteration does not settle, the grid becomes too coarse or a front fails another check, the sweep
+starts anew at that γ with a window and a grid of its own; where this fails too, the values are NaN
+with a reason, and the sweep goes on.
+
+Accuracy.  Every stretch is swept a second time on a finer grid, by another order, on a longer
+window (`profile.refine`); the differences are the error estimates.
+"""
+
+import math
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.compiled import kernel
+from granular_fronts.configuration import ConfigurationError
+from granular_fronts.fronts import newton
+from granular_fronts.fronts.measures import MEASURES, measures
+from granular_fronts.fronts.newton import Law
+from granular_fronts.fronts.profile import (
+    AT_REST,
+    BELOW,
+    DEFECT,
+    ORDER,
+    OTHER_ORDER,
+    REFINED_ORDER,
+    RESIDUAL_TOLERANCE,
+    SPEED_TOLERANCE,
+    STEPS,
+    TOLERANCE,
+    make_law,
+    refine,
+    solve_profile,
+)
+from granular_fronts.fronts.quadrature import kernel_weights
+from granular_fronts.fronts.refusals import check_law
+from granular_fronts.fronts.solve import ACCEPTED_ERROR, RESOLUTION
+from granular_fronts.fronts.tails import lowest_roots_of_all
+
+COLUMNS = (*MEASURES, "residual", "speed_defect", "tail_rate", "tail_frequency")
+
+MARGIN = 3.0
+"""Sites kept ahead of where u reaches its end."""
+
+ERROR_METHOD = (
+    f"difference to a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
+    "on grids finer by 1.4 or more and windows longer by 1.1"
+)
+
+
+def sweep_fronts(alpha, gammas, beta=None):
+    """Measures of the exact fronts for many dampings.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of the elastic force, above 1.
+    gammas : array_like, shape (fronts,)
+        Dampings above 0, in any order; close neighbours make the sweep fast.
+    beta : float, optional
+        Exponent of the damping force, at least 1; alpha by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        On `gamma`, in the order given: `overshoot`, `width_10_90`, `slope`, `dissipated_power`,
+        each with its `…_error`; `residual`, `speed_defect`; `tail_rate`, `tail_frequency`, real and
+        imaginary part of the slowest tail exponent; `error_estimate` of u, the largest of the
+        errors of the overshoot, of the width times the slope, and of the dissipated power;
+        `converged` (0 or 1) and `reason`.
+
+    Raises
+    ------
+    ConfigurationError
+        If a parameter is out of range.
+    """
+    gammas = np.atleast_1d(np.asarray(gammas, dtype=float))
+    if gammas.ndim != 1 or gammas.size == 0:
+        raise ConfigurationError(f"gammas has shape {gammas.shape}, but must be a list of numbers.")
+    for gamma in gammas:
+        alpha, _, beta = check_law(alpha, gamma, beta)
+    order = np.argsort(-gammas, kind="stable")
+    values, others = np.full((2, gammas.size, len(COLUMNS)), math.nan)
+    reasons = np.full(gammas.size, "", dtype=object)
+    first = 0
+    while first < gammas.size:
+        ahead = order[first:]
+        found, again, reason = _stretch(make_law(alpha, gammas[ahead[0]], beta), gammas[ahead])
+        reached = ahead[: max(len(found), 1)]
+        reasons[reached] = reason
+        values[reached[: len(found)]], others[reached[: len(again)]] = found, again
+        first += reached.size
+    return _describe(alpha, beta, gammas, values, others, reasons)
+
+
+def _stretch(law, gammas):
+    """Fronts from the first γ on, as far as one grid carries; their values on two grids."""
+    nothing = np.empty((0, len(COLUMNS)))
+    start = solve_profile(law)
+    if start.reason:
+        return nothing, nothing, start.reason
+    finer = refine(start)
+    if finer.reason:
+        return nothing, nothing, f"the refinement that should tell the error failed: {finer.reason}"
+    found = _follow(start, gammas, ORDER)
+    again = _follow(finer, gammas[: len(found)], REFINED_ORDER)
+    common = min(len(found), len(again))
+    return found[:common], again[:common], ""
+
+
+def _follow(start, gammas, order):
+    """Values of the fronts that follow from a first one, shape (fronts, columns)."""
+    rule, other = kernel_weights(start.spacing, order), kernel_weights(start.spacing, OTHER_ORDER)
+    more = (rule.hat.size - other.hat.size) // 2
+    values = np.empty((gammas.size, len(COLUMNS)))
+    lengthening = start.middle * float(start.spacing) * _tail_rate(start.law)
+    reached = follow(
+        start.law,
+        gammas,
+        float(start.spacing),
+        (rule.hat, rule.jump),
+        (rule.hat - np.pad(other.hat, more), rule.jump - np.pad(other.jump, more)),
+        lengthening,
+        start.middle,
+        start.u,
+        values,
+    )
+    return values[:reached]
+
+
+def _tail_rate(law):
+    return lowest_roots_of_all(law.alpha, law.beta * law.gamma / law.alpha, 1)[0].real
+
+
+@kernel
+def follow(start_law, gammas, spacing, rule, difference, decay, start_middle, start, values):
+    """Solve front after front and measure it; return how many passed all checks.
+
+    Parameters
+    ----------
+    start_law : newton.Law
+        Of the first γ.
+    gammas : ndarray, shape (fronts,)
+        Decreasing.
+    spacing : float
+    rule, difference : (ndarray, ndarray)
+        Weights hat and jump of the rule, and their differences to another rule.
+    decay : float
+        Length of the window behind times the slowest rate.
+    start_middle, start : int, ndarray
+        The first front.
+    values : ndarray, shape (fronts, columns)
+        Filled in.
+
+    Returns
+    -------
+    int
+    """
+    history = np.empty(STEPS + 1)
+    middle, u = start_middle, start
+    last_middle, last = middle, u
+    for k in range(gammas.size):
+        law = Law(start_law.alpha, start_law.beta, gammas[k], start_law.ahead, start_law.speed)
+        root = lowest_roots_of_all(law.alpha, law.beta * law.gamma / law.alpha, 1)[0]
+        new_middle = math.ceil(decay / (root.real * spacing))
+        step = 0.0
+        if k > 1 and gammas[k - 1] < gammas[k - 2]:
+            step = math.log(gammas[k] / gammas[k - 1]) / math.log(gammas[k - 1] / gammas[k - 2])
+        new = predict(middle, u, last_middle, last, step, new_middle, MARGIN / spacing)
+        last_middle, last = middle, u
+        middle, u = new_middle, new
+        speed = np.array([law.speed])
+        count, status = newton.iterate(
+            law, rule[0], rule[1], spacing, middle, 0.5, TOLERANCE, u, speed, history
+        )
+        passes = status == newton.SETTLED and is_front(law, middle, u, speed[0], history[count])
+        defect = newton.largest_convolution(law, difference[0], difference[1], u)
+        if not (passes and defect <= 1.5 * DEFECT):
+            return k
+        values[k, :4] = measures(law, spacing, u)
+        values[k, 4], values[k, 5] = history[count], speed[0] / law.speed - 1.0
+        values[k, 6], values[k, 7] = root.real, root.imag
+    return gammas.size
+
+
+@kernel
+def predict(middle, u, last_middle, last, step, new_middle, margin):
+    """The start for the next front, extrapolated from two, 1 behind them and trimmed ahead."""
+    end = u.size
+    while end > middle + 1 and abs(u[end - 1]) < 1e-17:
+        end -= 1
+    ahead = min(u.size - middle, end - middle + int(margin))
+    new = np.ones(new_middle + ahead)
+    for k in range(new.size):
+        here, before = k - new_middle + middle, k - new_middle + last_middle
+        if here >= 0:
+            new[k] = u[here]
+            if 0 <= before < last.size:
+                new[k] += step * (u[here] - last[before])
+    new[new_middle] = 0.5
+    return new
+
+
+@kernel
+def is_front(law, middle, u, speed, residual):
+    """Whether a solution passes the checks of `profile.doubt_front`."""
+    at_rest = abs(u[0] - 1.0) <= AT_REST and abs(u[-1] - law.ahead) <= AT_REST
+    solved = residual <= RESIDUAL_TOLERANCE * (1.0 + law.gamma)
+    exact = abs(speed / law.speed - 1.0) <= SPEED_TOLERANCE
+    highest = np.max(u[middle + 1 :])
+    return at_rest and solved and exact and highest < 0.5 and np.min(u) >= law.ahead - BELOW
+
+
+def _describe(alpha, beta, gammas, values, others, reasons):
+    """The dataset of a sweep."""
+    errors = np.maximum(np.abs(values - others), RESOLUTION)
+    overshoot, width, _, power = errors.T[: len(MEASURES)]
+    estimate = np.max([overshoot, width * values[:, 2], power], axis=0)
+    doubtful = estimate > ACCEPTED_ERROR
+    for k in np.nonzero(doubtful)[0]:
+        reasons[k] = f"the front errs by about {estimate[k]:.1e}, more than {ACCEPTED_ERROR:g}"
+    values[doubtful] = math.nan
+    variables = {
+        name: ("gamma", values[:, k], {"error_method": ERROR_METHOD} if name in MEASURES else {})
+        for k, name in enumerate(COLUMNS)
+    }
+    variables["overshoot"][2]["long_name"] = "largest relative displacement, less 1"
+    variables["slope"][2]["long_name"] = "steepest slope of the relative displacement, per site"
+    variables |= {f"{name}_error": ("gamma", errors[:, k]) for k, name in enumerate(MEASURES)}
+    variables |= {
+        "error_estimate": ("gamma", estimate),
+        "converged": ("gamma", np.array([int(reason == "") for reason in reasons])),
+        "reason": ("gamma", reasons.astype(str)),
+    }
+    return xr.Dataset(variables, coords={"gamma": gammas}, attrs={"alpha": alpha, "beta": beta})
