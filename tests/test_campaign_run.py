@@ -96,7 +96,7 @@ def largest_memory(benchmarks):
     return max(
         float(row["max_rss"])
         for file in benchmarks.glob("*.tsv")
-        for row in csv.DictReader(file.open(), delimiter="\t")
+        for row in csv.DictReader(file.read_text().splitlines(), delimiter="\t")
     )
 
 

@@ -69,7 +69,7 @@ def draw_width(axes, atlas):
 
 def draw_regime(axes, atlas):
     """Whether the slowest tail oscillates, and whether one can see it."""
-    oscillates = atlas["tail_wavenumber"] > 0.0
+    oscillates = atlas["tail_frequency"] > 0.0
     regime = oscillates.astype(float) + (oscillates & (atlas["overshoot"] > VISIBLE))
     regime = regime.where(atlas["status"] == 0)
     norm = BoundaryNorm(np.arange(-0.5, 3.0), 3)

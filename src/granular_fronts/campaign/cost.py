@@ -1,9 +1,10 @@
 """What a point costs, measured before a campaign is cut: a chunk must be worth its start-up.
 
-A job starts Python and loads compiled code, one to two seconds.  Short pieces of lines are solved
-and timed in processor time, after one that compiles.  They lie in the middle of equal shares of the
-lines and of the fast axis, so that their mean estimates that of the grid.  The answer is kept
-beside the chunks, and the same campaign is measured once.
+A job starts Python and loads compiled code, one to two seconds.  Pieces of lines are solved and
+timed in processor time: short ones first, then such that all take about `SAMPLE_SECONDS`, since a
+solver that goes from point to point is faster on long pieces.  They lie in the middle of equal
+shares of the lines and of the fast axis, so that their mean estimates that of the grid.  The answer
+is kept beside the chunks, and the same campaign is measured once.
 """
 
 import hashlib
@@ -18,10 +19,13 @@ import numpy as np
 
 from granular_fronts.campaign.chunks import Chunk
 from granular_fronts.campaign.definition import Campaign
+from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.files import complete_file
 
-PIECES, PIECE = 4, 4
-"""Pieces along each of the two directions, across lines and along them, and their length."""
+PIECES, FIRST_LENGTH = 3, 3
+"""Pieces along each of the two directions, across lines and along them, and their first length."""
+
+SAMPLE_SECONDS = 2.0
 
 
 def seconds_per_point(campaign: Campaign, folder: Path) -> float:
@@ -54,17 +58,23 @@ def seconds_per_point(campaign: Campaign, folder: Path) -> float:
 
 def measure(campaign: Campaign) -> float:
     """Solve a sample of a campaign and return the processor time of one of its points."""
-    sample = sample_of(campaign)
-    first = sample[0]
-    campaign.kind.solve_chunk(first.points(), first.settings)
+    # The first time code is compiled and caches are filled, which a chunk does once.
+    for _ in range(2):
+        seconds = time_sample(sample_of(campaign, FIRST_LENGTH))
+    length = max(FIRST_LENGTH, round(SAMPLE_SECONDS / (PIECES**2 * seconds)))
+    return time_sample(sample_of(campaign, length))
+
+
+def time_sample(sample: list[Chunk]) -> float:
+    """Solve pieces and return the processor time of a point."""
     start = time.process_time()
     for chunk in sample:
-        campaign.kind.solve_chunk(chunk.points(), chunk.settings)
+        KINDS[chunk.kind].solve_chunk(chunk.points(), chunk.settings)
     return (time.process_time() - start) / sum(chunk.size for chunk in sample)
 
 
-def sample_of(campaign: Campaign) -> list[Chunk]:
-    """Pieces of lines in the middle of equal shares of the grid."""
+def sample_of(campaign: Campaign, length: int) -> list[Chunk]:
+    """Pieces of lines, of at most the given length, in the middle of equal shares of the grid."""
     *slow, fast = campaign.grid
     shape, values = campaign.shape, campaign.grid[fast]
     lines = math.prod(shape[:-1])
@@ -75,8 +85,8 @@ def sample_of(campaign: Campaign) -> list[Chunk]:
         columns = {
             name: [campaign.grid[name][position]] for name, position in zip(slow, line, strict=True)
         }
-        start = max(0, min(round(along * len(values) - PIECE / 2), len(values) - PIECE))
-        piece = {fast: list(values[start : start + PIECE])}
+        first = max(0, min(round(along * len(values) - length / 2), len(values) - length))
+        piece = {fast: list(values[first : first + length])}
         sample.append(Chunk(campaign.kind_name, campaign.settings, columns, piece))
     return sample
 

@@ -1,17 +1,22 @@
 """Points of exact fronts of the lattice, in their own units δ = c = 1: James (2021), section 6.
 
-See `granular_fronts.fronts` for the solver and its error estimates.  The slowest tail is a root of
-the dispersion relation and knows nothing of the solution; a front is monotone where it is real.
+Fronts of one law are swept along the damping, each from the ones before it, whichever axis is the
+fast one; see `granular_fronts.fronts.sweep` for the method and its error estimates.  The slowest
+tail is a root of the dispersion relation and knows nothing of the solution; a front is monotone
+where it is real.
 """
 
 import numpy as np
 from tqdm import tqdm
 
 from granular_fronts.campaign.kinds import Solved
-from granular_fronts.fronts.solve import ERROR_METHOD, evaluate_front, solve_front
-from granular_fronts.fronts.tails import tail_roots
+from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.fronts.sweep import ERROR_METHOD, sweep_fronts
 
-MEASURED = ("overshoot", "width_10_90", "slope", "dissipated_power")
+SWEPT_AS = {"profile_error": "error_estimate"}
+"""Scalars that the sweep knows by another name."""
+
+EXACT_TO_ROUNDING = ("tail_rate", "tail_frequency")
 
 
 def solve_chunk(points, settings):
@@ -28,46 +33,47 @@ def solve_chunk(points, settings):
     -------
     Solved
     """
-    profile = settings["profile"]
-    xi = None
-    if profile is not None:
-        xi = np.linspace(profile["start"], profile["stop"], profile["count"])
+    alpha, beta, gamma = (points[name].ravel() for name in ("alpha", "beta", "gamma"))
+    values = {name: np.full(gamma.size, np.nan) for name in settings["scalars"]}
+    reasons, errors = np.full(gamma.size, "", dtype=object), dict.fromkeys(values, np.nan)
+    laws, law_of_point = np.unique(np.stack([alpha, beta]), axis=1, return_inverse=True)
+    with tqdm(total=gamma.size, desc="solving", unit="point", delay=2.0) as progress:
+        for number, (law_alpha, law_beta) in enumerate(laws.T):
+            members = np.flatnonzero(law_of_point.ravel() == number)
+            sweep = sweep_fronts(law_alpha, gamma[members], law_beta)
+            for name in values:
+                values[name][members] = sweep[SWEPT_AS.get(name, name)]
+                errors[name] = np.fmax(errors[name], _error(sweep, name))
+            reasons[members] = sweep["reason"].values
+            progress.update(members.size)
+    if settings["profile"] is not None:
+        _add_profiles(values, errors, (alpha, gamma, beta), reasons, settings["profile"])
+    for value in values.values():
+        value[reasons != ""] = np.nan
     shape = points["gamma"].shape
-    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
-    if xi is not None:
-        values["relative_displacement"] = np.full((*shape, xi.size), np.nan)
-    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(values, np.nan)
-    for index in tqdm(list(np.ndindex(shape)), desc="solving", unit="point", delay=2.0):
-        law = [float(points[name][index]) for name in ("alpha", "gamma", "beta")]
-        try:
-            measured = _measure(solve_front(*law), tail_roots(*law, count=1)[0], xi)
-        except (ValueError, ArithmeticError) as error:
-            reasons[index] = str(error)
-            continue
-        for name, value in values.items():
-            value[index], error = measured[name]
-            errors[name] = np.fmax(errors[name], error)
-    return Solved(values, reasons, errors, ERROR_METHOD)
+    shaped = {name: value.reshape(*shape, *value.shape[1:]) for name, value in values.items()}
+    return Solved(shaped, reasons.reshape(shape), errors, ERROR_METHOD)
 
 
-def _measure(front, tail, xi):
-    """Each scalar of a front, and its profile, with an error.
+def _error(sweep, name):
+    """Largest error of a scalar over the solved fronts, NaN for what is an error itself."""
+    if name in EXACT_TO_ROUNDING:
+        return np.spacing(np.nanmax(sweep[name].values, initial=0.0))
+    if f"{name}_error" not in sweep:
+        return np.nan
+    solved = sweep[f"{name}_error"].values[sweep["converged"].values == 1]
+    return np.max(solved, initial=0.0)
 
-    Raises
-    ------
-    ValueError
-        With the reason, if the front has not converged.
-    """
-    found = front.attrs
-    if not found["converged"]:
-        raise ValueError(found["reason"])
-    measured = {name: (found[name], found[f"{name}_error"]) for name in MEASURED}
-    measured |= {
-        "tail_rate": (tail.real, np.spacing(tail.real)),
-        "tail_wavenumber": (tail.imag, np.spacing(tail.imag)),
-        "speed_defect": (found["speed_defect"], np.nan),
-        "profile_error": (found["error_estimate"], np.nan),
-    }
-    if xi is not None:
-        measured["relative_displacement"] = (evaluate_front(front, xi), found["error_estimate"])
-    return measured
+
+def _add_profiles(values, errors, law, reasons, profile):
+    """Solve the fronts once more, each by itself, for u at the wanted ξ."""
+    xi = np.linspace(profile["start"], profile["stop"], profile["count"])
+    profiles, worst = np.full((reasons.size, xi.size), np.nan), np.nan
+    for index in np.flatnonzero(reasons == ""):
+        front = solve_front(*(float(parameter[index]) for parameter in law))
+        if front.attrs["converged"]:
+            profiles[index] = evaluate_front(front, xi)
+            worst = np.fmax(worst, front.attrs["error_estimate"])
+        else:
+            reasons[index] = front.attrs["reason"]
+    values["relative_displacement"], errors["relative_displacement"] = profiles, worst

@@ -135,7 +135,7 @@ KINDS: dict[str, Kind] = {
             "width_10_90": "distance in beads over which u falls from 0.9 to 0.1",
             "slope": "largest -u'",
             "tail_rate": "rate at which u approaches 1 behind the front, Re lambda",
-            "tail_wavenumber": "wavenumber of the slowest tail, Im lambda; 0 if it is monotone",
+            "tail_frequency": "frequency in xi of the slowest tail, Im lambda; 0 if it is monotone",
             "dissipated_power": "power dissipated by all contacts",
             "speed_defect": "speed found minus 1",
             "profile_error": "estimate of the largest error of u",
