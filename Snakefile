@@ -31,6 +31,7 @@ rule all:
 
 include: "workflow/rules/chain.smk"
 include: "workflow/rules/continuum.smk"
+include: "workflow/rules/fronts.smk"
 include: "workflow/rules/laws.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/tables.smk"

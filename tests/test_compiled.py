@@ -52,16 +52,18 @@ COUNT_AFTER_WARM_UP = """
 import sys
 sys.path.insert(0, {tests!r})
 from test_compiled import WINGS, kernels_in
-from granular_fronts import chain, continuum
+from granular_fronts import chain, continuum, fronts
 from granular_fronts.comparison import compare_with_chain
 from granular_fronts.configuration import load_configuration
 from granular_fronts.continuum.survey import survey_heteroclinic
+from granular_fronts.fronts.comparison import compare_front
 
 def count():
     return {{name: len(f.signatures) for wing in WINGS for name, f in kernels_in(wing)}}
 
 chain.warm_up()
 continuum.warm_up()
+fronts.warm_up()
 before = count()
 scenes = load_configuration({default!r}, {smoke!r})["scenes"]
 for scene in scenes["chain"].values():
@@ -70,6 +72,8 @@ for scene in scenes["periodic"].values():
     compare_with_chain(scene)
 for scene in scenes["heteroclinic"].values():
     survey_heteroclinic(scene)
+for scene in scenes["front"].values():
+    compare_front(scene)
 print([name for name, found in count().items() if found > before[name]])
 """
 

@@ -134,8 +134,12 @@ def atlas(tmp_path_factory):
     )
     merged = merge_chunks(asked, [file])
     write_dataset(merged, folder / "atlas.nc", scene_id="fronts_atlas", config=axes)
-    trace = importlib.import_module("trace_critical_damping").trace_critical_damping
-    trace(folder / "atlas.nc", folder / "curves.nc")
+    trace = importlib.import_module("map_critical_damping").map_critical_damping
+    few = {
+        "alpha": {"start": 1.1, "stop": 1.6, "num": 3},
+        "gamma": {"start": 0.1, "stop": 1, "num": 2},
+    }
+    trace(few | {"overshoot_cut": 1e-3}, folder / "curves.nc")
     return folder / "atlas.nc", folder / "curves.nc"
 
 

@@ -11,8 +11,9 @@ from scipy.integrate import romb
 import granular_fronts as gf
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import front_equations
+from granular_fronts.fronts.sampling import sample_window
 from granular_fronts.fronts.seeds import Seed, chain_seed
-from granular_fronts.fronts.shooting import error_estimate, sample_profile, shoot_front
+from granular_fronts.fronts.shooting import error_estimate, shoot_front
 
 DRIVEN = [0.06 * 0.1**0.25, 0.65 * 0.1**0.25]
 LAWS = [
@@ -55,7 +56,7 @@ def test_longer_window_and_finer_flow_give_the_same_front(alpha, gamma, beta):
 def test_dissipated_power(alpha, gamma, beta):
     """Σ W'' u̇² = (α − 1)/(2 (α + 1)) for any damping, by the trapezoidal rule over a bead-time."""
     front = shot(alpha, gamma, beta)
-    profile = sample_profile(front, POINTS)
+    profile = sample_window(front, POINTS)
     u, bead_velocity = profile.relative_displacement, profile.velocity
     rate = bead_velocity[:-POINTS] - bead_velocity[POINTS:]
     power = np.sum(beta * gamma * np.maximum(u[:-POINTS], 0.0) ** (beta - 1.0) * rate**2) / POINTS
@@ -66,7 +67,7 @@ def test_dissipated_power(alpha, gamma, beta):
 def test_convolution_form(alpha, gamma, beta):
     """u(ξ) = ∫ (1 − |s|) u^α(ξ − s) + γ sgn(s) u^β(ξ − s) ds over |s| < 1, at the beads."""
     front = shot(alpha, gamma, beta)
-    u = np.maximum(sample_profile(front, 128).relative_displacement, 0.0)
+    u = np.maximum(sample_window(front, 128).relative_displacement, 0.0)
     s = np.linspace(0.0, 1.0, 129)
     for n in range(2, front.bead.size - 2):
         here = 128 * (n + 1) - 1
@@ -140,7 +141,7 @@ def test_front_of_another_damping_is_a_guess(alpha, gamma):
 
 def test_sampling_is_consistent():
     front = shot(1.5, DRIVEN[0], 1.5)
-    coarse, fine = sample_profile(front, 3), sample_profile(front, 12)
+    coarse, fine = sample_window(front, 3), sample_window(front, 12)
     assert fine.xi[-1] == front.bead[-1]
     np.testing.assert_allclose(fine.xi[3::4], coarse.xi, atol=1.0e-14 * coarse.xi.size)
     for name in ("relative_displacement", "velocity"):
@@ -151,8 +152,8 @@ def test_sampling_is_consistent():
 
 def test_overshoot_of_weak_damping_and_none_of_strong():
     """James (2021), section 3.3: 1.6 times the applied pressure for γ = 0.06 (a transient)."""
-    weak = sample_profile(shot(1.5, DRIVEN[0], 1.5), 16).relative_displacement.max()
-    strong = sample_profile(shot(1.5, DRIVEN[1], 1.5), 16).relative_displacement.max()
+    weak = sample_window(shot(1.5, DRIVEN[0], 1.5), 16).relative_displacement.max()
+    strong = sample_window(shot(1.5, DRIVEN[1], 1.5), 16).relative_displacement.max()
     assert 1.3 < weak**1.5 < 1.7
     assert strong <= 1.0 + 1.0e-13
 

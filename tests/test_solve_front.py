@@ -8,8 +8,8 @@ import pytest
 import granular_fronts as gf
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts.interpolation import interpolate_all
-from granular_fronts.fronts.measures import exact_dissipated_power
 from granular_fronts.fronts.profile import make_law
+from granular_fronts.fronts.properties import exact_dissipated_power
 
 LAWS = [
     (1.02, 0.1, None),

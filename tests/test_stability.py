@@ -9,7 +9,8 @@ from chains import driven_scene
 
 from granular_fronts.chain.simulate import solve
 from granular_fronts.configuration import ConfigurationError
-from granular_fronts.fronts.shooting import sample_profile, shoot_front
+from granular_fronts.fronts.sampling import sample_window
+from granular_fronts.fronts.shooting import shoot_front
 from granular_fronts.fronts.stability import (
     compressed_chain_multipliers,
     front_multipliers,
@@ -36,7 +37,7 @@ def shot(alpha, gamma, beta, lengthening=1):
 
 def front_dataset(alpha, gamma, beta, lengthening=1, points_per_site=2):
     """A front in the form that a solver returns it."""
-    profile = sample_profile(shot(alpha, gamma, beta, lengthening), points_per_site)
+    profile = sample_window(shot(alpha, gamma, beta, lengthening), points_per_site)
     return xr.Dataset(
         {
             "relative_displacement": ("xi", profile.relative_displacement),
@@ -232,7 +233,10 @@ def test_reflection_radius_is_the_sound_round_trip():
 
 @pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG])
 def test_front_travels_unchanged_through_the_chain(alpha, gamma):
-    """A thousand bead-times in the chain engine, with steps and boundaries of its own."""
+    """A thousand bead-times in the chain engine, with steps and boundaries of its own.
+
+    A front whose speed is wrong by the rounding of its states drifts; it is held to 5e-14 per bead.
+    """
     bead_times = 1000
     front = shot(alpha, gamma, alpha, 2)
     u, velocity = (
@@ -244,5 +248,5 @@ def test_front_travels_unchanged_through_the_chain(alpha, gamma):
     moved = slice(bead_times, bead_times + front.bead.size)
     for name in ("relative_displacement", "velocity"):
         error = np.abs(last[name].values[moved] - getattr(front, name)).max()
-        assert error < 1.0e-11
+        assert error < 5.0e-14 * bead_times
     assert np.abs(last["relative_displacement"].values[:bead_times] - 1.0).max() < 1.0e-11

@@ -343,6 +343,7 @@ REFUSALS: dict[str, tuple[Refusal, ...]] = {
         refuse_damping_listed_twice,
         refuse_start_at_rest,
     ),
+    "front": (),
     "periodic": (
         refuse_relative_tolerance_below_floor,
         refuse_start_that_pulls,

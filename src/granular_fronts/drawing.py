@@ -128,9 +128,9 @@ def draw_both_rings(height, weak, hertz, draw):
     return figure, rows
 
 
-def finish_grid(figure, lowest, label):
+def finish_grid(figure, lowest, label, columns=3):
     """Label the abscissae of the lowest row, and put the legend of all panels above them."""
     for axes in lowest:
         axes.set_xlabel(label)
     handles, words = lowest[0].get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside upper center", ncols=min(len(words), 3))
+    figure.legend(handles, words, loc="outside upper center", ncols=min(len(words), columns))

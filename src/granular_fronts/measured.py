@@ -1,4 +1,4 @@
-"""What a measurement on a dataset returns; the modules named `measures` hold the measurements."""
+"""What a measurement on a dataset returns; the modules named `properties` hold the measurements."""
 
 from typing import NamedTuple
 

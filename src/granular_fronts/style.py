@@ -20,6 +20,13 @@ TEXT_WIDTH = 6.9
 PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
 PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = "#000000", "#1447c4", "#1a8f3c"
+HETEROCLINIC_COLOUR = "#d02fb4"
+# Label, colour and line of each continuum front, by the name it has in the data.
+CONTINUUM_LOOKS = {
+    "logarithmic": ("(45)", EQUATION_COLOUR, (0, (6, 1.5))),
+    "unlimited": ("(46)", UNLIMITED_COLOUR, "-."),
+    "heteroclinic": ("heteroclinic", HETEROCLINIC_COLOUR, (0, (3, 1))),
+}
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
 CLIPPED_COLOUR = "#d01c1c"

@@ -12,6 +12,11 @@ FIGURES = [
     "fig07_periodic_chain_hertz",
     "fig07b_model_error",
     "fig08_heteroclinic",
+    "fig09_exact_fronts",
+    "fig10_fronts_compared",
+    "fig11_continuum_errors",
+    "fig12_critical_damping",
+    "fig13_multipliers",
     "fig18_damping_regimes",
     "fig19_numerical_damping",
 ]

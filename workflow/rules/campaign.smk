@@ -73,30 +73,10 @@ rule summarise_campaign:
         "../scripts/summarise_campaign.py"
 
 
-rule trace_critical_damping:
-    input:
-        dataset="<results>/data/campaigns/fronts_atlas.nc",
-        modules=modules("fronts/*.py", "datasets.py"),
-    output:
-        curves="<results>/data/fronts/critical_damping.nc",
-    log:
-        "<logs>/trace_critical_damping.log",
-    benchmark:
-        "<benchmarks>/trace_critical_damping.tsv"
-    threads: 1
-    message:
-        "Tracing critical damping over the exponents of the atlas."
-    conda:
-        "../envs/main.yaml"
-    localrule: True
-    script:
-        "../scripts/trace_critical_damping.py"
-
-
 rule plot_fig16:
     input:
         dataset="<results>/data/campaigns/fronts_atlas.nc",
-        curves=rules.trace_critical_damping.output.curves,
+        curves=rules.map_critical_damping.output.dataset,
         modules=modules("style.py"),
     output:
         pdf="<results>/figures/fig16_campaign_atlas.pdf",

@@ -4,9 +4,16 @@
 rule check_results:
     input:
         tests=sorted(glob("tests/artefacts/*.py")),
-        datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS + LAWS_DATASETS,
+        datasets=[
+            *CHAIN_DATASETS,
+            *PERIODIC_DATASETS,
+            *HETEROCLINIC_DATASETS,
+            *FRONT_DATASETS,
+            *FRONT_SURVEYS,
+            *LAWS_DATASETS,
+        ],
         figures=FIGURES,
-        tables=[rules.tabulate_paper_numbers.output, rules.tabulate_materials.output],
+        tables=rules.tables.input,
     output:
         verdict="<results>/checks.txt",
     params:

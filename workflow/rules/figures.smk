@@ -183,6 +183,107 @@ rule plot_fig08:
         "../scripts/plot_fig08.py"
 
 
+rule plot_fig09:
+    input:
+        underdamped="<results>/data/fronts/underdamped.nc",
+        overdamped="<results>/data/fronts/overdamped.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig09_exact_fronts.pdf",
+        png="<results>/figures/fig09_exact_fronts.png",
+    log:
+        "<logs>/plot_fig09.log",
+    benchmark:
+        "<benchmarks>/plot_fig09.tsv"
+    threads: 1
+    message:
+        "Drawing figure 9: exact fronts by two methods."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig09.py"
+
+
+rule plot_fig10:
+    input:
+        scenes=FRONT_DATASETS,
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig10_fronts_compared.pdf",
+        png="<results>/figures/fig10_fronts_compared.png",
+    log:
+        "<logs>/plot_fig10.log",
+    benchmark:
+        "<benchmarks>/plot_fig10.tsv"
+    threads: 1
+    message:
+        "Drawing figure 10: exact fronts beside what approximates them."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig10.py"
+
+
+rule plot_fig11:
+    input:
+        dataset="<results>/data/fronts/survey.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig11_continuum_errors.pdf",
+        png="<results>/figures/fig11_continuum_errors.png",
+    log:
+        "<logs>/plot_fig11.log",
+    benchmark:
+        "<benchmarks>/plot_fig11.tsv"
+    threads: 1
+    message:
+        "Drawing figure 11: errors of the continuum fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig11.py"
+
+
+rule plot_fig12:
+    input:
+        dataset="<results>/data/fronts/critical_damping.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig12_critical_damping.pdf",
+        png="<results>/figures/fig12_critical_damping.png",
+    log:
+        "<logs>/plot_fig12.log",
+    benchmark:
+        "<benchmarks>/plot_fig12.tsv"
+    threads: 1
+    message:
+        "Drawing figure 12: the meanings of critical damping."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig12.py"
+
+
+rule plot_fig13:
+    input:
+        dataset="<results>/data/fronts/multipliers.nc",
+        modules=modules("drawing.py", "style.py"),
+    output:
+        pdf="<results>/figures/fig13_multipliers.pdf",
+        png="<results>/figures/fig13_multipliers.png",
+    log:
+        "<logs>/plot_fig13.log",
+    benchmark:
+        "<benchmarks>/plot_fig13.tsv"
+    threads: 1
+    message:
+        "Drawing figure 13: multipliers of exact fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig13.py"
+
+
 rule plot_fig18:
     input:
         dataset="<results>/data/laws/damping_regimes.nc",
@@ -233,6 +334,11 @@ FIGURE_RULES = {
     "fig07": rules.plot_fig07,
     "fig07b": rules.plot_fig07b,
     "fig08": rules.plot_fig08,
+    "fig09": rules.plot_fig09,
+    "fig10": rules.plot_fig10,
+    "fig11": rules.plot_fig11,
+    "fig12": rules.plot_fig12,
+    "fig13": rules.plot_fig13,
     "fig18": rules.plot_fig18,
     "fig19": rules.plot_fig19,
 }
@@ -307,6 +413,41 @@ rule fig08:
         rules.plot_fig08.output,
     message:
         "Figure 8 is drawn."
+
+
+rule fig09:
+    input:
+        rules.plot_fig09.output,
+    message:
+        "Figure 9 is drawn."
+
+
+rule fig10:
+    input:
+        rules.plot_fig10.output,
+    message:
+        "Figure 10 is drawn."
+
+
+rule fig11:
+    input:
+        rules.plot_fig11.output,
+    message:
+        "Figure 11 is drawn."
+
+
+rule fig12:
+    input:
+        rules.plot_fig12.output,
+    message:
+        "Figure 12 is drawn."
+
+
+rule fig13:
+    input:
+        rules.plot_fig13.output,
+    message:
+        "Figure 13 is drawn."
 
 
 rule fig18:

@@ -4,7 +4,11 @@
 rule tabulate_paper_numbers:
     input:
         numbers="config/paper_numbers.yaml",
-        datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS + LAWS_DATASETS,
+        datasets=CHAIN_DATASETS
+        + PERIODIC_DATASETS
+        + HETEROCLINIC_DATASETS
+        + FRONT_DATASETS
+        + LAWS_DATASETS,
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",
@@ -25,5 +29,7 @@ rule tables:
     input:
         rules.tabulate_paper_numbers.output,
         rules.tabulate_materials.output,
+        rules.tabulate_fronts.output,
+        rules.tabulate_critical_damping.output,
     message:
         "All tables are written."

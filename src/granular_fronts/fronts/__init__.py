@@ -6,3 +6,7 @@ bead-time and asks that it return to itself shifted by one bead.  `tails` knows 
 approaches its ends, `critical_damping` where it stops to oscillate, and `stability` reads the
 multipliers of the bead-time map.  `solve` is the public face.
 """
+
+from granular_fronts.fronts.warming import warm_up
+
+__all__ = ["warm_up"]

@@ -130,4 +130,6 @@ def _largest(values):
 
 
 def _norm(values):
-    return float(np.linalg.norm(values))
+    # A residual that overflows has no norm, and no step is taken towards it.
+    with np.errstate(over="ignore"):
+        return float(np.linalg.norm(values))

@@ -80,7 +80,7 @@ class Profile(NamedTuple):
     u : ndarray, shape (points,)
     speed : float
     residuals : ndarray
-        Largest residual before each Newton step and after the last.
+        Largest residual before each Newton step and after the last, grid after grid.
     reason : str
         Why this is not a front; empty if it is one.
     """
@@ -141,7 +141,9 @@ def solve_profile(law):
         return profile
     spacing = expected_spacing(profile)
     for _ in range(ADJUSTMENTS):
+        before = profile.residuals
         profile = solve_on_grid(law, window, spacing, ORDER, profile.evaluate)
+        profile = profile._replace(residuals=np.concatenate([before, profile.residuals]))
         if profile.reason:
             return profile
         defect, stretch = quadrature_defect(profile), lacking_length(profile)

@@ -20,6 +20,8 @@ import math
 
 import numpy as np
 
+from granular_fronts.fronts.tails import tail_roots
+
 NEGLIGIBLE_SQUARE = 2.0e-17
 FASTER = 2.1
 
@@ -31,7 +33,11 @@ def tail_length(roots):
 
 def slow_roots(alpha, gamma, beta):
     """The roots that matter where a window ends, one of each conjugate pair."""
-    roots = _tail_roots(alpha, gamma, beta)
+    count = 4
+    roots = tail_roots(alpha, gamma, beta, count)
+    while roots[-1].real <= FASTER * roots[0].real:
+        count *= 2
+        roots = tail_roots(alpha, gamma, beta, count)
     return roots[roots.real <= FASTER * roots[0].real]
 
 
@@ -59,32 +65,3 @@ def modes(law, roots, xi):
         if root.imag != 0.0:
             basis.append([u.imag, d.imag])
     return np.array(basis)
-
-
-def _tail_roots(alpha, gamma, beta, most=8):
-    """Leading roots by Newton's method from a grid of starts."""
-    ratio = beta * gamma / alpha
-
-    def defect(root):
-        half = np.sinh(0.5 * root) / (0.5 * root)
-        slope = half * (np.cosh(0.5 * root) / np.sinh(0.5 * root) - 2.0 / root)
-        value = 1.0 - alpha * (1.0 - ratio * root) * half**2
-        return value, alpha * (ratio * half**2 - (1.0 - ratio * root) * half * slope)
-
-    real, imaginary = np.geomspace(1e-4, 6.0, 80), np.linspace(0.0, 12.0, 60)
-    root = (real[:, np.newaxis] + 1j * imaginary).ravel()
-    with np.errstate(all="ignore"):
-        for _ in range(60):
-            value, slope = defect(root)
-            root = root - value / slope
-        value, slope = defect(root)
-        distance = np.abs(value / slope)
-    found = (root.real > 1e-7) & (root.imag > -1e-12) & (distance < 1e-10)
-    root = root[found]
-    root = np.where(np.abs(root.imag) < 1e-10, root.real, root)
-    root = root[np.argsort(root.real)]
-    kept = []
-    for candidate in root:
-        if all(abs(candidate - other) > 1e-7 for other in kept):
-            kept.append(candidate)
-    return np.array(kept[:most])

@@ -12,7 +12,7 @@ of the speed of the front from that of sound, so that rounding is magnified by a
 Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
 steps are doubled and the solve goes on.
 
-Between the contacts the front is known too: :math:`U(n - t) = u_n(t)` while the window flows.
+What the front is between the contacts and behind the window is told by `sampling`.
 
 The rest of section 6 is not in our copy of the paper: closure, window and band are ours.
 """
@@ -76,14 +76,6 @@ class Shot(NamedTuple):
     flow_error: float
     window: Window
     unknowns: np.ndarray
-
-
-class Profile(NamedTuple):
-    """A front between the beads: ξ = n − t, u and ẋ, each of shape (points,)."""
-
-    xi: np.ndarray
-    relative_displacement: np.ndarray
-    velocity: np.ndarray
 
 
 def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TOLERANCE):
@@ -169,36 +161,6 @@ def error_estimate(shot):
     )
 
 
-def sample_profile(shot, points_per_site):
-    """The front between the beads, from the motion of the window.
-
-    Parameters
-    ----------
-    shot : Shot
-    points_per_site : int
-        Points per unit of ξ, at least 1.
-
-    Returns
-    -------
-    Profile
-        ξ uniform, from one unit behind the first bead to the last bead; exact to the integrator.
-    """
-    duration = 1.0 / points_per_site
-    window = shot.window
-    part = window._replace(steps=math.ceil(window.steps * duration))
-    amplitudes, state = split(window, shot.unknowns)
-    values = np.empty((2, shot.bead.size, points_per_site))
-    for j in range(points_per_site):
-        time = j * duration
-        values[:, :, -1 - j] = state[:, 0], _velocity(window, amplitudes, state, time)
-        change, _ = front_equations.flow(part, join(amplitudes, state), duration, time)
-        state = state + change
-    fractions = (np.arange(points_per_site) + 1.0) * duration - 1.0
-    xi = (shot.bead[:, np.newaxis] + fractions).ravel()
-    return Profile(xi, *values.reshape(2, -1))
-
-
-@np.errstate(over="ignore", invalid="ignore")
 def _shoot(law, roots, bead, guess, steps, tolerance):
     """Gauss-Newton from a guess, with steps of the flow doubled as long as they matter."""
     state = seeds.fit(guess, bead)
@@ -219,11 +181,14 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
         steps *= 2
     amplitudes, state = split(window, unknowns)
     reason = descent.obstacle or _doubt(bead, state, flow_error)
+    # A state that has failed may be far beyond what a power of it can hold.
+    with np.errstate(over="ignore", invalid="ignore"):
+        velocity = bead_velocities(window, amplitudes, state, 0.0)
     return Shot(
         bead=bead,
         relative_displacement=state[:, 0],
         strain_rate=state[:, 1],
-        velocity=_velocity(window, amplitudes, state, 0.0),
+        velocity=velocity,
         converged=not reason,
         reason=reason or f"every equation holds to {residuals[-1]:.1e}",
         residuals=np.array(residuals),
@@ -262,7 +227,7 @@ def _doubt(bead, state, flow_error):
     return ""
 
 
-def _velocity(window, amplitudes, state, time):
+def bead_velocities(window, amplitudes, state, time):
     """ẋ_n from the strain form: w_n is a sum over the beads ahead, eq. (31) gives ẋ_n."""
     law = window.law
     modes = front_equations.driver_modes(window, np.asarray(time))

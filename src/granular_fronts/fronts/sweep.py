@@ -3,8 +3,8 @@
 The fronts are solved from strong to weak damping on one grid, in compiled code.  The window grows
 with the tail; the start of each is extrapolated in ln γ from the two before.  Where Newton's
 iteration does not settle, the grid becomes too coarse or a front fails another check, the sweep
-starts anew at that γ with a window and a grid of its own; where this fails too, the values are NaN
-with a reason, and the sweep goes on.
+starts anew at that γ with a window and a grid of its own, and so does a front whose error turns out
+too large.  Where this fails too, the values are NaN with a reason, and the sweep goes on.
 
 Accuracy.  Every stretch is swept a second time on a finer grid, by another order, on a longer
 window (`profile.refine`); the differences are the error estimates.
@@ -18,7 +18,6 @@ import xarray as xr
 from granular_fronts.compiled import kernel
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import newton
-from granular_fronts.fronts.measures import MEASURES, measures
 from granular_fronts.fronts.newton import Law
 from granular_fronts.fronts.profile import (
     AT_REST,
@@ -35,6 +34,7 @@ from granular_fronts.fronts.profile import (
     refine,
     solve_profile,
 )
+from granular_fronts.fronts.properties import MEASURES, measures
 from granular_fronts.fronts.quadrature import kernel_weights
 from granular_fronts.fronts.refusals import check_law
 from granular_fronts.fronts.solve import ACCEPTED_ERROR, RESOLUTION
@@ -93,6 +93,10 @@ def sweep_fronts(alpha, gammas, beta=None):
         reasons[reached] = reason
         values[reached[: len(found)]], others[reached[: len(again)]] = found, again
         first += reached.size
+    for k in np.flatnonzero(_estimates(values, _errors(values, others)) > ACCEPTED_ERROR):
+        found, again, reason = _stretch(make_law(alpha, gammas[k], beta), gammas[[k]])
+        if not reason:
+            values[k], others[k] = found[0], again[0]
     return _describe(alpha, beta, gammas, values, others, reasons)
 
 
@@ -216,9 +220,8 @@ def is_front(law, middle, u, speed, residual):
 
 def _describe(alpha, beta, gammas, values, others, reasons):
     """The dataset of a sweep."""
-    errors = np.maximum(np.abs(values - others), RESOLUTION)
-    overshoot, width, _, power = errors.T[: len(MEASURES)]
-    estimate = np.max([overshoot, width * values[:, 2], power], axis=0)
+    errors = _errors(values, others)
+    estimate = _estimates(values, errors)
     doubtful = estimate > ACCEPTED_ERROR
     for k in np.nonzero(doubtful)[0]:
         reasons[k] = f"the front errs by about {estimate[k]:.1e}, more than {ACCEPTED_ERROR:g}"
@@ -236,3 +239,14 @@ def _describe(alpha, beta, gammas, values, others, reasons):
         "reason": ("gamma", reasons.astype(str)),
     }
     return xr.Dataset(variables, coords={"gamma": gammas}, attrs={"alpha": alpha, "beta": beta})
+
+
+def _errors(values, others):
+    """Differences of two computations, or one unit of the last digit of 1 where they agree."""
+    return np.maximum(np.abs(values - others), RESOLUTION)
+
+
+def _estimates(values, errors):
+    """Error of u of every front, from those of its measures."""
+    overshoot, width, _, power = errors.T[: len(MEASURES)]
+    return np.max([overshoot, width * values[:, 2], power], axis=0)

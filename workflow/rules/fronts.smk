@@ -1,0 +1,165 @@
+"""Exact fronts of the lattice, section 6 of the paper."""
+
+FRONT_MODULES = modules(
+    "fronts/*.py",
+    "continuum/*.py",
+    "chain/*.py",
+    "slow_scales.py",
+    "configuration.py",
+    "datasets.py",
+)
+FRONT_DATASETS = expand("<results>/data/fronts/{scene}.nc", scene=config["scenes"]["front"])
+FRONT_SURVEYS = expand(
+    "<results>/data/fronts/{name}.nc", name=["survey", "critical_damping", "multipliers"]
+)
+
+
+rule compile_front_kernels:
+    input:
+        kernels=[
+            rules.compile_kernels.output.stamp,
+            rules.compile_continuum_kernels.output.stamp,
+        ],
+        modules=FRONT_MODULES,
+    output:
+        stamp="<results>/front_kernels.json",
+    params:
+        wing="fronts",
+    log:
+        "<logs>/compile_front_kernels.log",
+    benchmark:
+        "<benchmarks>/compile_front_kernels.tsv"
+    threads: 1
+    message:
+        "Compiling the kernels of the exact fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/compile_kernels.py"
+
+
+rule shoot_front:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=FRONT_MODULES,
+    output:
+        dataset="<results>/data/fronts/{scene}.nc",
+    params:
+        scene=lambda wildcards: config["scenes"]["front"][wildcards.scene],
+        scene_id="{scene}",
+    log:
+        "<logs>/shoot_front/{scene}.log",
+    benchmark:
+        "<benchmarks>/shoot_front/{scene}.tsv"
+    threads: 1
+    message:
+        "Solving the exact front of scene {wildcards.scene}, and what approximates it."
+    conda:
+        "../envs/main.yaml"
+    wildcard_constraints:
+        scene="|".join(config["scenes"]["front"]),
+    script:
+        "../scripts/shoot_front.py"
+
+
+rule survey_fronts:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=FRONT_MODULES,
+    output:
+        dataset="<results>/data/fronts/survey.nc",
+    params:
+        survey=config["exact_fronts"]["survey"],
+    log:
+        "<logs>/survey_fronts.log",
+    benchmark:
+        "<benchmarks>/survey_fronts.tsv"
+    threads: 1
+    message:
+        "Solving exact fronts over exponents and dampings."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/survey_fronts.py"
+
+
+rule map_critical_damping:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=FRONT_MODULES,
+    output:
+        dataset="<results>/data/fronts/critical_damping.nc",
+    params:
+        plane=config["exact_fronts"]["critical_damping"],
+    log:
+        "<logs>/map_critical_damping.log",
+    benchmark:
+        "<benchmarks>/map_critical_damping.tsv"
+    threads: 1
+    message:
+        "Mapping critical damping and overshoot."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/map_critical_damping.py"
+
+
+rule compute_multipliers:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=FRONT_MODULES,
+    output:
+        dataset="<results>/data/fronts/multipliers.nc",
+    params:
+        stability=config["exact_fronts"]["multipliers"],
+    log:
+        "<logs>/compute_multipliers.log",
+    benchmark:
+        "<benchmarks>/compute_multipliers.tsv"
+    threads: 1
+    message:
+        "Computing the multipliers of exact fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/compute_multipliers.py"
+
+
+rule tabulate_fronts:
+    input:
+        survey=rules.survey_fronts.output.dataset,
+    output:
+        properties_csv="<results>/tables/front_properties.csv",
+        properties_markdown="<results>/tables/front_properties.md",
+        errors_csv="<results>/tables/front_errors.csv",
+        errors_markdown="<results>/tables/front_errors.md",
+    log:
+        "<logs>/tabulate_fronts.log",
+    benchmark:
+        "<benchmarks>/tabulate_fronts.tsv"
+    threads: 1
+    message:
+        "Tabulating the properties of exact fronts and the errors of continuum fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_fronts.py"
+
+
+rule tabulate_critical_damping:
+    input:
+        dataset=rules.map_critical_damping.output.dataset,
+    output:
+        csv="<results>/tables/critical_damping.csv",
+        markdown="<results>/tables/critical_damping.md",
+    log:
+        "<logs>/tabulate_critical_damping.log",
+    benchmark:
+        "<benchmarks>/tabulate_critical_damping.tsv"
+    threads: 1
+    message:
+        "Tabulating the meanings of critical damping."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_critical_damping.py"

@@ -1,0 +1,82 @@
+"""Figure 9: exact fronts of the lattice by two methods; after James (2021), section 6."""
+
+from pathlib import Path
+
+import numpy as np
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure, save_figure
+from step import run_step
+
+METHODS = {"profile": (EQUATION_COLOUR, "-", "s"), "shooting": (CHAIN_COLOUR, ":", "o")}
+
+
+def plot_fig09(underdamped: Path, overdamped: Path, pdf: Path, png: Path) -> None:
+    """Draw profiles, the difference of the methods, and their residuals.
+
+    Parameters
+    ----------
+    underdamped, overdamped : Path
+        Front scenes of these names.
+    pdf, png : Path
+        Files to write.
+    """
+    scenes = [read_dataset(underdamped), read_dataset(overdamped)]
+    rows = [[f"{row} {column}" for column in range(2)] for row in ("u", "difference", "residual")]
+    figure, panels = new_figure(6.4, rows)
+    for column, data in enumerate(scenes):
+        draw_profiles(panels[f"u {column}"], data)
+        draw_difference(panels[f"difference {column}"], data)
+        draw_residuals(panels[f"residual {column}"], data)
+    panels["u 0"].legend(loc="lower left")
+    panels["residual 0"].legend(loc="upper right")
+    save_figure(figure, pdf, png)
+
+
+def draw_profiles(axes, data):
+    """u(ξ) by the profile equation, and by shooting at whole and half beads."""
+    colour, line, _ = METHODS["profile"]
+    axes.plot(data["xi"], data["relative_displacement"], line, color=colour, label="profile")
+    shot = data["relative_displacement_shooting"]
+    on_beads = np.isclose(shot["xi_shooting"] % 1.0, 0.0)
+    axes.plot(
+        shot["xi_shooting"][on_beads],
+        shot[on_beads],
+        "o",
+        color=METHODS["shooting"][0],
+        markersize=3,
+        fillstyle="none",
+        label="shooting",
+    )
+    law = rf"$\alpha = {data.attrs['alpha']:g}$, $\gamma c = {data.attrs['gamma']:.4g}$"
+    axes.set(title=law, ylabel=r"$u/\delta$", xlabel=r"$\xi$")
+
+
+def draw_difference(axes, data):
+    """Difference of the two methods at every point of shooting."""
+    for field, label, marker in (("relative_displacement", "u", "."), ("velocity", r"\dot x", "x")):
+        difference = data[f"{field}_difference"]
+        xi = difference["xi_shooting"]
+        axes.semilogy(xi, np.abs(difference), marker, markersize=2.5, label=f"${label}$")
+    axes.set(ylabel="|shooting − profile|", xlabel=r"$\xi$", ylim=(1e-18, 1e-11))
+    axes.legend(loc="upper right")
+
+
+def draw_residuals(axes, data):
+    """Largest residual before each Newton or Gauss–Newton step."""
+    for method, (colour, line, marker) in METHODS.items():
+        residual = data[f"residual_history_{method}"]
+        axes.semilogy(
+            residual,
+            line,
+            marker=marker,
+            markersize=3.5,
+            fillstyle="none",
+            color=colour,
+            label=method,
+        )
+    axes.set(ylabel="residual", xlabel="step")
+
+
+if __name__ == "__main__":
+    run_step(plot_fig09, globals().get("snakemake"))

@@ -1,0 +1,50 @@
+"""Figure 11: how far each continuum front is from the exact one, over the damping."""
+
+from pathlib import Path
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import CONTINUUM_LOOKS, new_figure, save_figure
+from step import run_step
+
+COLUMNS = 3
+
+
+def plot_fig11(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw the sup-norm errors of u, a panel for each exponent.
+
+    Parameters
+    ----------
+    dataset : Path
+        The survey of exact fronts.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset)
+    exponents = data["alpha"].values
+    names = [f"{alpha:g}" for alpha in exponents]
+    names += ["."] * (-len(names) % COLUMNS)
+    rows = [names[first : first + COLUMNS] for first in range(0, len(names), COLUMNS)]
+    figure, panels = new_figure(2.3 * len(rows), rows)
+    for alpha in exponents:
+        draw_errors(panels[f"{alpha:g}"], data.sel(alpha=alpha))
+    for row in rows:
+        panels[row[0]].set_ylabel("largest error of $u/\\delta$")
+    for name in rows[-1]:
+        if name != ".":
+            panels[name].set_xlabel(r"$\gamma c$")
+    panels[names[0]].legend(loc="lower left")
+    save_figure(figure, pdf, png)
+
+
+def draw_errors(axes, data):
+    """Errors of the three fronts for one exponent, and the damping where the tail turns real."""
+    for front, (label, colour, line) in CONTINUUM_LOOKS.items():
+        axes.loglog(
+            data["gamma"], data[f"distance_{front}"], color=colour, linestyle=line, label=label
+        )
+    axes.axvline(float(data["critical_damping"]), color="0.6", linewidth=0.7, linestyle="-")
+    axes.set(title=rf"$\alpha = {float(data['alpha']):g}$", ylim=(3e-5, 1.0))
+
+
+if __name__ == "__main__":
+    run_step(plot_fig11, globals().get("snakemake"))

@@ -1,0 +1,61 @@
+"""Figure 12: critical damping in its several meanings, over the overshoot of the exact front."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.colors import LogNorm
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from step import run_step
+
+CURVES = {
+    "tail": ("tail: what governs the decay", PROBE_COLOURS[0], "-"),
+    "double_root": ("double root", PROBE_COLOURS[1], (0, (6, 1.5))),
+    "long_wave": ("long waves, $((1-1/\\alpha)/3)^{1/2}$", PROBE_COLOURS[2], "-."),
+    "overshoot": ("overshoot of CUT", PROBE_COLOURS[4], (0, (3, 1))),
+}
+SMALLEST_SHOWN = 1e-8
+
+
+def plot_fig12(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw the curves and the overshoot as colour.
+
+    Parameters
+    ----------
+    dataset : Path
+        The damping map.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset)
+    figure, panels = new_figure(4.4, [["plane"]])
+    axes = panels["plane"]
+    draw_overshoot(axes, data)
+    for name, (label, colour, line) in CURVES.items():
+        curve = data[f"critical_damping_{name}"]
+        text = label.replace("CUT", f"{data.attrs['overshoot_cut']:g}")
+        axes.plot(curve["alpha"], curve, color=colour, linestyle=line, label=text)
+    axes.axvline(data.attrs["exchange_exponent"], color="0.4", linewidth=0.7, linestyle=":")
+    axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma c$", yscale="log")
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
+    save_figure(figure, pdf, png)
+
+
+def draw_overshoot(axes, data):
+    """Overshoot max u − 1 on a logarithmic scale; white where a front has none to speak of."""
+    overshoot = data["overshoot"].where(data["overshoot"] > SMALLEST_SHOWN)
+    image = axes.pcolormesh(
+        data["alpha"],
+        data["gamma"],
+        np.ma.masked_invalid(overshoot.transpose("gamma", "alpha")),
+        norm=LogNorm(SMALLEST_SHOWN, 1.0),
+        cmap="viridis_r",
+        shading="nearest",
+        rasterized=True,
+    )
+    axes.figure.colorbar(image, ax=axes, label=r"overshoot $\max u/\delta - 1$", extend="min")
+
+
+if __name__ == "__main__":
+    run_step(plot_fig12, globals().get("snakemake"))

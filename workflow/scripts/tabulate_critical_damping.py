@@ -1,0 +1,35 @@
+"""Table of critical damping in its several meanings."""
+
+from pathlib import Path
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
+from step import run_step
+
+PREFIX = "critical_damping_"
+
+
+def tabulate_critical_damping(dataset: Path, csv: Path, markdown: Path) -> None:
+    """Write every definition over the exponent, and its ratio to the long-wave formula.
+
+    Parameters
+    ----------
+    dataset : Path
+        The damping map.
+    csv, markdown : Path
+        Tables to write: all digits, and rounded for reading.
+    """
+    data = read_dataset(dataset)
+    curves = data[[name for name in data.data_vars if name.startswith(PREFIX)]]
+    table = curves.to_dataframe().reset_index()
+    table.columns = [name.removeprefix(PREFIX).replace("_", " ") for name in table.columns]
+    table["tail over long wave"] = table["tail"] / table["long wave"]
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False, float_format="%.17g")
+    rounded = table.map(lambda value: f"{value:.6g}")
+    with complete_file(markdown) as unfinished:
+        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+
+
+if __name__ == "__main__":
+    run_step(tabulate_critical_damping, globals().get("snakemake"))

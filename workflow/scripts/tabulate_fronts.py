@@ -1,0 +1,70 @@
+"""Tables of exact fronts: their properties, and the errors of continuum fronts."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
+from step import run_step
+
+PROPERTIES = (
+    "overshoot",
+    "width_10_90",
+    "slope",
+    "tail_rate",
+    "tail_frequency",
+    "dissipated_power",
+    "exact_power",
+    "speed_defect",
+    "residual",
+    "error",
+    "converged",
+)
+CONTINUUM = {"logarithmic": "(45)", "unlimited": "(46)", "heteroclinic": "heteroclinic"}
+
+
+def tabulate_fronts(
+    survey: Path,
+    properties_csv: Path,
+    properties_markdown: Path,
+    errors_csv: Path,
+    errors_markdown: Path,
+) -> None:
+    """Write both tables.
+
+    Parameters
+    ----------
+    survey : Path
+        The survey of exact fronts.
+    properties_csv, properties_markdown : Path
+        Overshoot, width, slope, decay, dissipated power of every front.
+    errors_csv, errors_markdown : Path
+        Sup-norm error of u of every continuum front, and which is best.
+    """
+    points = read_dataset(survey).to_dataframe().reset_index()
+    points["exact_power"] = (points["alpha"] - 1.0) / (2.0 * (points["alpha"] + 1.0))
+    write_table(points[["alpha", "gamma", *PROPERTIES]], properties_csv, properties_markdown)
+    write_table(compare(points), errors_csv, errors_markdown)
+
+
+def compare(points):
+    """Errors of the continuum fronts at every point, and the name of the best."""
+    distances = points[[f"distance_{name}" for name in CONTINUUM]]
+    errors = distances.set_axis(CONTINUUM.values(), axis=1)
+    best = errors.columns.to_numpy()[np.argmin(errors.to_numpy(), axis=1)]
+    return pd.concat([points[["alpha", "gamma"]], errors], axis=1).assign(best=best)
+
+
+def write_table(table, csv, markdown):
+    """Write a table with all digits, and rounded for reading."""
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False, float_format="%.17g")
+    rounded = table.map(lambda cell: f"{cell:.4g}" if isinstance(cell, float) else cell)
+    with complete_file(markdown) as unfinished:
+        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+
+
+if __name__ == "__main__":
+    run_step(tabulate_fronts, globals().get("snakemake"))
