@@ -3,8 +3,8 @@
 
 rule measure_hard_cases:
     input:
-        kernels=rules.compile_kernels.output.stamp,
-        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("hard_cases/*.py")],
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=[*FRONT_MODULES, *modules("hard_cases/*.py")],
     output:
         dataset="<results>/data/precision/hard_cases.nc",
     params:

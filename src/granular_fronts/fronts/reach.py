@@ -18,6 +18,7 @@ from granular_fronts.fronts import rear, seeds
 
 UNTOUCHED_P = 45.0
 FEWEST_BEHIND, MARGIN_AHEAD = 10, 3
+SMALL_SQUARE, LARGEST_TAIL = 1.0e-16, 1.0e-2
 SMALLEST_KAPPA, LARGEST_KAPPA = 1.0e-6, 700.0
 
 
@@ -52,6 +53,29 @@ def refuse_short_window(roots, behind, ahead):
             f"exp({roots[0].real:.3g} xi) and needs {needed} behind, and at least 1 is needed "
             "ahead: give more, or leave beads out."
         )
+
+
+def lacking_beads(roots, relative_displacement):
+    """Beads that the window lacks behind, since its tail is larger than the slowest root tells.
+
+    Near critical damping a tail is an exponential times a polynomial.
+
+    Parameters
+    ----------
+    roots : ndarray of complex
+        Roots of the tail, the slowest first.
+    relative_displacement : ndarray, shape (beads,)
+        A front that has, or has almost, been found.
+
+    Returns
+    -------
+    int
+        0 where the square of u − 1 is small enough at the first bead, or u is no tail there.
+    """
+    square = (relative_displacement[0] - 1.0) ** 2
+    if not SMALL_SQUARE < square < LARGEST_TAIL**2:
+        return 0
+    return math.ceil(0.5 * math.log(square / rear.NEGLIGIBLE_SQUARE) / roots[0].real) + 1
 
 
 def _beads_behind(roots):

@@ -23,6 +23,7 @@ import numpy as np
 from granular_fronts.fronts.tails import tail_roots
 
 NEGLIGIBLE_SQUARE = 2.0e-17
+SEPARATION = 1e-4
 FASTER = 2.1
 
 
@@ -38,7 +39,29 @@ def slow_roots(alpha, gamma, beta):
     while roots[-1].real <= FASTER * roots[0].real:
         count *= 2
         roots = tail_roots(alpha, gamma, beta, count)
-    return roots[roots.real <= FASTER * roots[0].real]
+    return separate(roots[roots.real <= FASTER * roots[0].real])
+
+
+def separate(roots):
+    """Roots moved apart to a relative distance of `SEPARATION` where they almost coincide.
+
+    Parameters
+    ----------
+    roots : ndarray of complex, shape (roots,)
+        Ordered by real part, one of each conjugate pair.
+
+    Returns
+    -------
+    ndarray of complex, shape (roots,)
+    """
+    distance = SEPARATION * roots[0].real
+    close = (roots.imag > 0.0) & (roots.imag < distance)
+    apart = np.where(close, roots.real + 1j * distance, roots)
+    for k in range(1, apart.size):
+        if abs(apart[k] - apart[k - 1]) < distance:
+            middle = 0.5 * (apart[k - 1] + apart[k])
+            apart[k - 1 : k + 1] = middle - 0.5 * distance, middle + 0.5 * distance
+    return apart
 
 
 def modes(law, roots, xi):

@@ -27,7 +27,7 @@ from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import bead_map, front_equations, rear, seeds
 from granular_fronts.fronts.front_equations import Window, join, split
 from granular_fronts.fronts.gauss_newton import descend
-from granular_fronts.fronts.reach import choose_beads, refuse_short_window
+from granular_fronts.fronts.reach import choose_beads, lacking_beads, refuse_short_window
 
 TOLERANCE = 1.0e-13
 FEWEST_STEPS, MOST_STEPS = 16, 512
@@ -109,16 +109,25 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
     roots = rear.slow_roots(law.alpha, law.gamma, law.beta)
     behind, ahead = choose_beads(law, roots) if beads is None else map(int, beads)
     refuse_short_window(roots, behind, ahead)
-    bead = np.arange(-behind, ahead + 1)
+    shot = _shoot_in_window(law, roots, np.arange(-behind, ahead + 1), guess, tolerance)
+    lacking = lacking_beads(roots, shot.relative_displacement)
+    if beads is None and lacking:
+        window = behind + lacking, ahead
+        return shoot_front(alpha, gamma, beta, beads=window, guess=guess, tolerance=tolerance)
+    return shot
+
+
+def _shoot_in_window(law, roots, bead, guess, tolerance):
+    """The front in a window, from the guess, the continuum front, or a stronger damping."""
     decay = 4.0 * law.beta * law.gamma
     steps = max(FEWEST_STEPS, math.ceil(decay / LARGEST_DECAY_PER_STEP))
     if guess is not None:
         return _shoot(law, roots, bead, guess, steps, tolerance)
     seed = seeds.continuum_seed(law.alpha, law.gamma, law.beta, bead)
     shot = _shoot(law, roots, bead, seed, steps, tolerance)
-    if shot.converged or gamma >= WEAK_DAMPING:
+    if shot.converged or law.gamma >= WEAK_DAMPING:
         return shot
-    stronger = shoot_front(alpha, CONTINUATION * gamma, beta, tolerance=tolerance)
+    stronger = shoot_front(law.alpha, CONTINUATION * law.gamma, law.beta, tolerance=tolerance)
     return _shoot(law, roots, bead, stronger, steps, tolerance)
 
 

@@ -51,6 +51,9 @@ NEWTON_STEPS = 60
 # A step this small relative to the root ends Newton's iteration; the next is below round-off.
 SETTLED = 1e-9
 
+# A sum this small relative to its terms is nothing but rounding.
+NEGLIGIBLE = 1e-13
+
 # Largest Re λ for which S is needed; beyond, 1/S is far below the last digit of 1.
 FLAT = 100.0
 
@@ -146,19 +149,31 @@ def log_slope(x):
 
 @kernel
 def newton(x, alpha, damping, known):
-    """Newton's iteration for a root of α(1 − gλ)S(λ) − 1 other than the known one, from x."""
+    """Newton's iteration for a root of α(1 − gλ)S(λ) − 1 other than the known one, from x.
+
+    Beside a multiple root it never settles; the place where the function came down to rounding
+    stands in, which is as much as can be known of such a root.
+    """
+    nearest, smallest = complex(math.nan, math.nan), NEGLIGIBLE
     for _ in range(NEWTON_STEPS):
         if not abs(x.real) < FLAT:
             break
         more, line = excess(x), 1.0 - damping * x
-        value = (alpha - 1.0) - alpha * damping * x + alpha * line * more
+        linear, curved = alpha * damping * x, alpha * line * more
+        value = (alpha - 1.0) - linear + curved
+        share = abs(value) / (alpha - 1.0 + abs(linear) + abs(curved))
+        if share < smallest:
+            nearest, smallest = x, share
         slope = alpha * (1.0 + more) * (line * log_slope(x) - damping)
-        step = value / (slope - value / (x - known))
+        deflated = slope * (x - known) - value
+        if deflated == 0.0:
+            break
+        step = value * (x - known) / deflated
         length = abs(step) / abs(x)
         x = x - step * min(1.0, 0.5 / length) if length > 0.0 else x
         if length < SETTLED:
             return x
-    return complex(math.nan, math.nan)
+    return nearest
 
 
 @kernel

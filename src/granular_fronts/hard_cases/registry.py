@@ -2,9 +2,9 @@
 
 import time
 
-from granular_fronts.hard_cases import chain_cases, contact_cases, continuum_cases
+from granular_fronts.hard_cases import chain_cases, contact_cases, continuum_cases, front_cases
 
-CASES = chain_cases.CASES | contact_cases.CASES | continuum_cases.CASES
+CASES = chain_cases.CASES | contact_cases.CASES | continuum_cases.CASES | front_cases.CASES
 """Name of each case and the function that solves it and returns a `record.HardCase`."""
 
 
