@@ -9,10 +9,14 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "critical_damping": "granular_fronts.fronts.critical_damping",
+    "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",
+    "solve_front": "granular_fronts.fronts.solve",
+    "tail_roots": "granular_fronts.fronts.tails",
 }
 
 __all__ = sorted(_HOME_OF)

@@ -1,0 +1,216 @@
+"""The profile equation: its quadrature, its matrix, its windows and grids."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from numpy.polynomial import Polynomial
+
+from granular_fronts.fronts import newton
+from granular_fronts.fronts.band import factorise, substitute
+from granular_fronts.fronts.continuum_start import continuum_front
+from granular_fronts.fronts.interpolation import interpolate_all, largest
+from granular_fronts.fronts.profile import (
+    make_law,
+    quadrature_defect,
+    refine,
+    solve_on_grid,
+    solve_profile,
+)
+from granular_fronts.fronts.quadrature import kernel_weights
+from granular_fronts.fronts.window import Window, choose_window, rate_ahead
+
+SPACINGS = [Fraction(1, 12), Fraction(1, 3), Fraction(1), Fraction(2), Fraction(7)]
+
+
+def moment(weights, spacing, power):
+    """∫ K(s) s^power ds by the rule, at ξ = 0 of P(−s) = s^power."""
+    width = weights.size // 2
+    return np.dot(weights, (-float(spacing) * np.arange(-width, width + 1)) ** power)
+
+
+@pytest.mark.parametrize("spacing", SPACINGS)
+def test_weights_have_the_moments_of_the_kernels(spacing):
+    """Among them ∫K = 1, ∫s² K = 1/6 of the hat, ∫s sgn = 1 of the jump."""
+    weights = kernel_weights(spacing, 12)
+    scale = max(1.0, 6.0 * float(spacing))
+    for power in range(7):
+        hat = 2.0 / ((power + 1) * (power + 2)) if power % 2 == 0 else 0.0
+        jump = 2.0 / (power + 1) if power % 2 else 0.0
+        tolerance = 1e-14 * scale**power
+        assert moment(weights.hat, spacing, power) == pytest.approx(hat, abs=tolerance)
+        assert moment(weights.jump, spacing, power) == pytest.approx(jump, abs=tolerance)
+        assert moment(weights.site, spacing, power) == pytest.approx(
+            1.0 / (power + 1), abs=tolerance
+        )
+    np.testing.assert_array_equal(weights.hat, weights.hat[::-1])
+    np.testing.assert_array_equal(weights.jump, -weights.jump[::-1])
+
+
+@pytest.mark.parametrize("order", [6, 8, 12])
+def test_quadrature_has_its_order(order):
+    """On cos(ωξ), whose hat convolution is known: error of order h^order."""
+    frequency = 3.0
+    exact = (np.sin(0.5 * frequency) / (0.5 * frequency)) ** 2
+    counts = np.array([4, 6, 8, 10])
+    errors = []
+    for count in counts:
+        weights = kernel_weights(Fraction(1, int(count)), order).hat
+        k = np.arange(-(weights.size // 2), weights.size // 2 + 1)
+        errors.append(abs(np.dot(weights, np.cos(frequency * k / count)) - exact))
+    x, y = np.log10(counts), np.log10(errors)
+    line = Polynomial.fit(x, y, 1).convert()
+    assert -line.coef[1] == pytest.approx(order, abs=0.25)
+    assert np.abs(line(x) - y).max() < 0.02
+
+
+def test_interpolation_is_exact_on_polynomials_and_constant_outside():
+    k = np.arange(60.0)
+    values = ((k - 30.0) / 30.0) ** 7
+    inside = np.array([25.25, 30.0, 31.9])
+    found = interpolate_all(values, inside, -1.0, 1.0)
+    np.testing.assert_allclose(found, ((inside - 30.0) / 30.0) ** 7, atol=1e-15)
+    np.testing.assert_array_equal(
+        interpolate_all(values, np.array([-50.0, 99.0]), 2.0, 3.0), [2, 3]
+    )
+
+
+def test_largest_value_is_that_of_the_interpolant_not_of_the_grid():
+    k = np.arange(200.0)
+    # Two crests; the grid alone prefers the wrong one.
+    values = np.exp(-(((k - 60.5) / 6.0) ** 2)) + 0.9975 * np.exp(-(((k - 140.0) / 6.0) ** 2))
+    assert np.argmax(values) == 140
+    assert largest(values, 0.0, 0.0) == pytest.approx(1.0, abs=1e-10)
+
+
+def test_band_factors_solve_a_matrix_with_a_constant_stretch():
+    rng = np.random.default_rng(5)
+    size, lower, constant = 400, 3, 300
+    band = np.tile([0.2, -0.4, 0.3, 2.0, 0.5, -0.3, 0.1, 0.05], (size, 1))
+    band[constant:] += 0.1 * rng.standard_normal((size - constant, 8))
+    matrix = np.zeros((size, size))
+    for i in range(size):
+        for place in range(8):
+            if 0 <= i - lower + place < size:
+                matrix[i, i - lower + place] = band[i, place]
+            else:
+                band[i, place] = 0.0
+    b = rng.standard_normal(size)
+    exact = np.linalg.solve(matrix, b)
+    for prefix, skipped in ((size, 0), (60, constant - 60)):
+        kept = np.concatenate([band[:prefix], band[prefix + skipped :]])
+        x = b.copy()
+        factorise(kept, lower, prefix)
+        substitute(kept, lower, prefix, skipped, x)
+        np.testing.assert_allclose(x, exact, atol=1e-13)
+
+
+def dense_newton_matrix(law, weights, u, middle, half, speed):
+    """The Jacobian of all equations and the phase condition by central differences."""
+    unknowns = np.append(u, speed)
+
+    def equations(unknowns):
+        u = np.ascontiguousarray(unknowns[:-1])
+        width = weights.hat.size // 2
+        force, damping = np.empty((2, u.size + 2 * width))
+        residual = np.empty(u.size)
+        newton.forces(law, width, u, force, damping)
+        newton.residuals(law, weights.hat, weights.jump, u, unknowns[-1], force, damping, residual)
+        return np.append(residual, u[middle] - half)
+
+    columns = []
+    for k in range(unknowns.size):
+        change = np.zeros(unknowns.size)
+        change[k] = 1e-6
+        columns.append((equations(unknowns + change) - equations(unknowns - change)) / 2e-6)
+    return equations(unknowns), np.array(columns).T
+
+
+@pytest.mark.parametrize(("beta", "ahead"), [(1.5, 0.0), (1.0, 0.0), (2.5, 0.2)])
+def test_newton_step_is_that_of_the_full_matrix(beta, ahead):
+    """One step of the shifted, bordered elimination against a dense solve."""
+    law = make_law(1.5, 0.4, beta, ahead)
+    spacing, middle = Fraction(1, 4), 60
+    weights = kernel_weights(spacing, 8)
+    xi = float(spacing) * np.arange(-middle, 30)
+    u = 1.0 - 0.5 * (1.0 - ahead) * (1.0 + np.tanh(xi))
+    residual, matrix = dense_newton_matrix(law, weights, u, middle, 0.5 * (1 + ahead), law.speed)
+    exact = np.append(u, law.speed) - np.linalg.solve(matrix, residual)
+    stepped, speed = u.copy(), np.array([law.speed])
+    arguments = (law, weights.hat, weights.jump, float(spacing), middle, 0.5 * (1 + ahead), 1e-15)
+    newton.iterate(*arguments, stepped, speed, np.empty(2))
+    np.testing.assert_allclose(np.append(stepped, speed), exact, atol=1e-5)
+
+
+def test_newton_converges_faster_than_linearly():
+    residuals = solve_on_grid(
+        make_law(1.5, 0.3, 1.5),
+        Window(25.0, 7.0),
+        Fraction(1, 10),
+        20,
+        lambda xi: 0.5 * (1.0 - np.tanh(xi)),
+    ).residuals
+    assert residuals[-1] < 1e-15
+    assert (residuals[2:] < 100.0 * residuals[1:-1] ** 1.5 + 1e-15).all()
+
+
+def test_a_window_too_short_shows_in_the_speed():
+    """The speed is the balance at the far left: it is off if the tail does not fit in."""
+    law = make_law(1.5, 0.1, 1.5)
+    full = choose_window(law)
+    defects = []
+    for share in (0.1, 0.3, 0.6, 1.0):
+        profile = solve_on_grid(
+            law,
+            Window(share * full.behind, full.ahead),
+            Fraction(1, 10),
+            20,
+            lambda xi: 0.5 * (1.0 - np.tanh(xi)),
+        )
+        defects.append(abs(profile.speed_defect))
+    assert defects[0] > 1e-4
+    assert defects[1] < 1e-2 * defects[0]
+    assert defects[2] < 1e-2 * defects[1]
+    assert defects[3] <= 1e-15
+
+
+@pytest.mark.parametrize(
+    ("alpha", "gamma", "beta", "ahead"),
+    [(1.5, 0.1, 1.5, 0.0), (2.0, 0.5, 2.0, 0.0), (3.0, 1.0, 1.0, 0.0), (1.5, 0.2, 2.5, 0.3)],
+)
+def test_grid_errors_fall_as_the_defect_says(alpha, gamma, beta, ahead):
+    """The difference of two rules bounds the error against a finer grid, and both fall."""
+    law = make_law(alpha, gamma, beta, ahead)
+    fine = refine(solve_profile(law))
+    window = Window(
+        *(n * float(fine.spacing) for n in (fine.middle, fine.u.size - fine.middle - 1))
+    )
+    defects, errors = [], []
+    for count in (3, 4, 6):
+        coarse = solve_on_grid(law, window, Fraction(1, count), 20, fine.evaluate)
+        defects.append(quadrature_defect(coarse))
+        errors.append(np.abs(coarse.u - fine.evaluate(coarse.xi)).max())
+    assert defects == sorted(defects, reverse=True)
+    assert errors == sorted(errors, reverse=True)
+    assert (np.array(errors) < 10.0 * np.array(defects)).all()
+
+
+def test_continuum_start_is_the_front_of_the_papers_equation():
+    """For β = α it is (46), for β = 1 the closed form of its docstring."""
+    xi, u = continuum_front(make_law(1.5, 2.0, 1.5), 2.0)
+    y = (1.0 - (1.0 - 2.0**-0.5) * np.exp(xi / 6.0)).clip(0.0) ** 3
+    np.testing.assert_allclose(u, y ** (2.0 / 3.0), atol=1e-4)
+    xi, u = continuum_front(make_law(1.5, 2.0, 1.0), 2.0)
+    exact = (1.0 + (2.0**0.5 - 1.0) * np.exp(0.5 * xi / 2.0)) ** -2.0
+    np.testing.assert_allclose(u, exact, atol=1e-4)
+
+
+def test_rate_ahead_solves_its_equation():
+    gamma = 0.7
+    kappa = rate_ahead(make_law(1.5, gamma, 1.0))
+    assert kappa == pytest.approx(4.0 * gamma * np.sinh(0.5 * kappa) ** 2, rel=1e-12)
+
+
+def test_a_law_out_of_reach_ends_with_a_reason():
+    profile = solve_profile(make_law(5.0, 1e-3, 5.0))
+    assert profile.reason
