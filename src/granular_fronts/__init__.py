@@ -12,6 +12,7 @@ _HOME_OF = {
     "critical_damping": "granular_fronts.fronts.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
+    "front_multipliers": "granular_fronts.fronts.stability",
     "heteroclinic": "granular_fronts.continuum.heteroclinic",
     "log_burgers_front": "granular_fronts.continuum.log_burgers",
     "simulate_chain": "granular_fronts.chain.simulate",

@@ -1,0 +1,76 @@
+r"""How many beads behind and ahead of its centre a front needs in double precision.
+
+Behind, a window may end where the squares of the slowest modes of the tail are lost in rounding,
+:math:`19.2/\operatorname{Re}\lambda` beads from the centre (`rear`): half as many as the modes
+themselves would need.
+
+Ahead u falls super-exponentially.  For β > 1, :math:`p = -\ln u` grows at least by the factor
+min(α, β) from bead to bead once the overdamped front of `seeds` has come to its end; for β = 1,
+:math:`u \sim e^{-\kappa\xi}` with :math:`\kappa = 4\gamma\sinh^2(\kappa/2)`.
+"""
+
+import math
+
+from scipy.optimize import brentq
+
+from granular_fronts.configuration import ConfigurationError
+from granular_fronts.fronts import rear, seeds
+
+UNTOUCHED_P = 45.0
+FEWEST_BEHIND, MARGIN_AHEAD = 10, 3
+SMALLEST_KAPPA, LARGEST_KAPPA = 1.0e-6, 700.0
+
+
+def choose_beads(law, roots):
+    """Beads behind and ahead of the centre that the tails need.
+
+    Parameters
+    ----------
+    law : chain.state.Law
+    roots : ndarray of complex
+        Roots of the tail, the slowest first.
+
+    Returns
+    -------
+    behind, ahead : int
+    """
+    return _beads_behind(roots), math.ceil(_length_ahead(law)) + MARGIN_AHEAD
+
+
+def refuse_short_window(roots, behind, ahead):
+    """Refuse a window that ends where the tail is not yet a sum of modes.
+
+    Raises
+    ------
+    ConfigurationError
+        If there are too few beads; the sentence says how many are needed.
+    """
+    needed = _beads_behind(roots)
+    if behind < needed or ahead < 1:
+        raise ConfigurationError(
+            f"beads is {behind} behind and {ahead} ahead, but the tail decays like "
+            f"exp({roots[0].real:.3g} xi) and needs {needed} behind, and at least 1 is needed "
+            "ahead: give more, or leave beads out."
+        )
+
+
+def _beads_behind(roots):
+    return max(FEWEST_BEHIND, math.ceil(rear.tail_length(roots)))
+
+
+def _length_ahead(law):
+    """Distance from u = 1/2 to where u is lost in rounding, from above."""
+    if law.beta == 1.0:
+        return UNTOUCHED_P / _rate_ahead_of_dashpots(law.gamma)
+    growth = math.log(min(law.alpha, law.beta))
+    double_exponential = math.log(UNTOUCHED_P / math.log(2.0)) / growth
+    return seeds.overdamped_length(law.alpha, law.gamma, law.beta) + double_exponential
+
+
+def _rate_ahead_of_dashpots(gamma):
+    """The κ > 0 of κ = 4γ sinh²(κ/2)."""
+
+    def defect(kappa):
+        return kappa - 4.0 * gamma * math.sinh(0.5 * kappa) ** 2
+
+    return brentq(defect, SMALLEST_KAPPA, LARGEST_KAPPA)

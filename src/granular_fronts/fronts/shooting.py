@@ -1,0 +1,295 @@
+r"""Exact fronts by shooting, James (2021), section 6.
+
+A front of δ = c = 1 solves the over-determined `front_equations`: the flow of a window over one
+bead-time, shifted back by one contact, returns the window.
+
+The system is solved by `gauss_newton` from one of the `seeds`, in a window chosen by `reach`.  That
+u is below `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is checked.
+
+Accuracy.  The residual falls to a few units of the last digit.  It acts on u through the distance
+of the speed of the front from that of sound, so that rounding is magnified by about 1/(α − 1).
+
+Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
+steps are doubled and the solve goes on.
+
+Between the contacts the front is known too: :math:`U(n - t) = u_n(t)` while the window flows.
+
+The rest of section 6 is not in our copy of the paper: closure, window and band are ours.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.chain.state import make_law
+from granular_fronts.configuration import ConfigurationError
+from granular_fronts.fronts import bead_map, front_equations, rear, seeds
+from granular_fronts.fronts.front_equations import Window, join, split
+from granular_fronts.fronts.gauss_newton import descend
+from granular_fronts.fronts.reach import choose_beads, refuse_short_window
+
+TOLERANCE = 1.0e-13
+FEWEST_STEPS, MOST_STEPS = 16, 512
+# An explicit method resolves what decays at the rate 4βγ only with short enough steps.
+LARGEST_DECAY_PER_STEP = 3.0
+# Below this γ a continuum front may be too far from the front of the lattice.
+WEAK_DAMPING, CONTINUATION = 0.03, 1.25
+FLOW_ERROR = 2.0e-14
+UNTOUCHED = 1.0e-15
+LONGER_BEHIND, LONGER_AHEAD = 1.25, 4
+
+
+class Shot(NamedTuple):
+    """A front in the frame δ = c = 1, as a state of beads.
+
+    Attributes
+    ----------
+    bead : ndarray of int, shape (beads,)
+        Consecutive bead numbers; u = 1/2 at bead 0.
+    relative_displacement, strain_rate, velocity : ndarray, shape (beads,)
+        u_n, d_n and ẋ_n.
+    converged : bool
+    reason : str
+        Why, in words.
+    residuals : ndarray
+        Largest residual before every Gauss-Newton step and after the last.
+    step_sizes : ndarray
+        Largest change of an unknown in every step.
+    counts : dict
+        gauss_newton_steps, right_hand_sides (of the flow, tangents apart), steps_per_bead_time.
+    flow_error : float
+        Largest change of the flow over one bead-time when its steps are doubled.
+    window : front_equations.Window
+    unknowns : ndarray
+    """
+
+    bead: np.ndarray
+    relative_displacement: np.ndarray
+    strain_rate: np.ndarray
+    velocity: np.ndarray
+    converged: bool
+    reason: str
+    residuals: np.ndarray
+    step_sizes: np.ndarray
+    counts: dict
+    flow_error: float
+    window: Window
+    unknowns: np.ndarray
+
+
+class Profile(NamedTuple):
+    """A front between the beads: ξ = n − t, u and ẋ, each of shape (points,)."""
+
+    xi: np.ndarray
+    relative_displacement: np.ndarray
+    velocity: np.ndarray
+
+
+def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TOLERANCE):
+    """The traveling front with u = 1 behind, u = 0 ahead, and u = 1/2 at bead 0.
+
+    Parameters
+    ----------
+    alpha, gamma : float
+        Contact law in the frame δ = c = 1, α > 1, γ > 0.
+    beta : float, optional
+        β ≥ 1, α by default.
+    beads : pair of int, optional
+        Beads behind and ahead of bead 0; by default as many as the tails need.
+    guess : Seed or Shot, optional
+        Start of the iteration; by default the continuum front of `seeds`, and where that fails the
+        front of a stronger damping.
+    tolerance : float, optional
+        Largest residual of any equation.
+
+    Returns
+    -------
+    Shot
+        With `converged` False, and a reason, where the iteration fails.
+
+    Raises
+    ------
+    ConfigurationError
+        If the law has no front, or the window is too short for its tail.
+    """
+    law = _check_law(alpha, gamma, beta)
+    roots = rear.slow_roots(law.alpha, law.gamma, law.beta)
+    behind, ahead = choose_beads(law, roots) if beads is None else map(int, beads)
+    refuse_short_window(roots, behind, ahead)
+    bead = np.arange(-behind, ahead + 1)
+    decay = 4.0 * law.beta * law.gamma
+    steps = max(FEWEST_STEPS, math.ceil(decay / LARGEST_DECAY_PER_STEP))
+    if guess is not None:
+        return _shoot(law, roots, bead, guess, steps, tolerance)
+    seed = seeds.continuum_seed(law.alpha, law.gamma, law.beta, bead)
+    shot = _shoot(law, roots, bead, seed, steps, tolerance)
+    if shot.converged or gamma >= WEAK_DAMPING:
+        return shot
+    stronger = shoot_front(alpha, CONTINUATION * gamma, beta, tolerance=tolerance)
+    return _shoot(law, roots, bead, stronger, steps, tolerance)
+
+
+def refine(shot):
+    """The same front from a longer window and a finer flow, for an error estimate.
+
+    Parameters
+    ----------
+    shot : Shot
+
+    Returns
+    -------
+    Shot
+    """
+    window = shot.window
+    behind, ahead = math.ceil(-LONGER_BEHIND * shot.bead[0]), shot.bead[-1] + LONGER_AHEAD
+    bead = np.arange(-behind, ahead + 1)
+    return _shoot(window.law, window.roots, bead, shot, 2 * window.steps, TOLERANCE)
+
+
+def error_estimate(shot):
+    """Largest difference of u and ẋ to the `refine`d front.
+
+    Parameters
+    ----------
+    shot : Shot
+
+    Returns
+    -------
+    float
+        NaN where either did not converge.
+    """
+    other = refine(shot)
+    if not (shot.converged and other.converged):
+        return math.nan
+    common = slice(shot.bead[0] - other.bead[0], shot.bead[-1] - other.bead[0] + 1)
+    return max(
+        float(np.abs(getattr(shot, name) - getattr(other, name)[common]).max())
+        for name in ("relative_displacement", "velocity")
+    )
+
+
+def sample_profile(shot, points_per_site):
+    """The front between the beads, from the motion of the window.
+
+    Parameters
+    ----------
+    shot : Shot
+    points_per_site : int
+        Points per unit of ξ, at least 1.
+
+    Returns
+    -------
+    Profile
+        ξ uniform, from one unit behind the first bead to the last bead; exact to the integrator.
+    """
+    duration = 1.0 / points_per_site
+    window = shot.window
+    part = window._replace(steps=math.ceil(window.steps * duration))
+    amplitudes, state = split(window, shot.unknowns)
+    values = np.empty((2, shot.bead.size, points_per_site))
+    for j in range(points_per_site):
+        time = j * duration
+        values[:, :, -1 - j] = state[:, 0], _velocity(window, amplitudes, state, time)
+        change, _ = front_equations.flow(part, join(amplitudes, state), duration, time)
+        state = state + change
+    fractions = (np.arange(points_per_site) + 1.0) * duration - 1.0
+    xi = (shot.bead[:, np.newaxis] + fractions).ravel()
+    return Profile(xi, *values.reshape(2, -1))
+
+
+@np.errstate(over="ignore", invalid="ignore")
+def _shoot(law, roots, bead, guess, steps, tolerance):
+    """Gauss-Newton from a guess, with steps of the flow doubled as long as they matter."""
+    state = seeds.fit(guess, bead)
+    unknowns = join(np.zeros(front_equations.count_modes(roots)), state)
+    residuals, step_sizes, evaluations = [], [], 0
+    while True:
+        largest = max(1.0, float(state[:, 0].max()))
+        spread = bead_map.spread_of(law, steps, largest)
+        window = Window(law, bead.size, int(1 - bead[0]), steps, spread, roots)
+        descent = descend(window, unknowns, tolerance)
+        unknowns = descent.unknowns
+        residuals += descent.residuals
+        step_sizes += descent.step_sizes
+        flow_error = _flow_error(window, unknowns)
+        evaluations += (descent.flows + 3) * steps * bead_map.STAGES
+        if descent.obstacle or flow_error <= FLOW_ERROR or 2 * steps > MOST_STEPS:
+            break
+        steps *= 2
+    amplitudes, state = split(window, unknowns)
+    reason = descent.obstacle or _doubt(bead, state, flow_error)
+    return Shot(
+        bead=bead,
+        relative_displacement=state[:, 0],
+        strain_rate=state[:, 1],
+        velocity=_velocity(window, amplitudes, state, 0.0),
+        converged=not reason,
+        reason=reason or f"every equation holds to {residuals[-1]:.1e}",
+        residuals=np.array(residuals),
+        step_sizes=np.array(step_sizes),
+        counts={
+            "gauss_newton_steps": len(step_sizes),
+            "right_hand_sides": evaluations,
+            "steps_per_bead_time": steps,
+        },
+        flow_error=flow_error,
+        window=window,
+        unknowns=unknowns,
+    )
+
+
+def _flow_error(window, unknowns):
+    """Change of the flow over a bead-time when its steps are doubled."""
+    finer = window._replace(steps=2 * window.steps)
+    changes = [front_equations.flow(each, unknowns)[0] for each in (window, finer)]
+    return _largest(changes[0] - changes[1])
+
+
+def _doubt(bead, state, flow_error):
+    """Why a settled state is still no front, or nothing."""
+    if flow_error > FLOW_ERROR:
+        return (
+            f"the flow over a bead-time is only known to {flow_error:.1e} with {MOST_STEPS} steps"
+        )
+    if abs(state[-1, 0]) > UNTOUCHED:
+        return (
+            f"u is {state[-1, 0]:.1e} at the last bead, {bead[-1]}, above {UNTOUCHED}: give more "
+            "beads ahead"
+        )
+    if np.any(state[bead > 0, 0] >= 0.5):
+        return "u exceeds 1/2 ahead of bead 0, which is not the foot of the front: change the guess"
+    return ""
+
+
+def _velocity(window, amplitudes, state, time):
+    """ẋ_n from the strain form: w_n is a sum over the beads ahead, eq. (31) gives ẋ_n."""
+    law = window.law
+    modes = front_equations.driver_modes(window, np.asarray(time))
+    u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
+    w = np.cumsum(state[::-1, 1])[::-1]
+    return w - law.gamma * np.diff(np.maximum(u, 0.0) ** law.beta)
+
+
+def _check_law(alpha, gamma, beta):
+    beta = alpha if beta is None else beta
+    if not (alpha > 1.0 and math.isfinite(alpha)):
+        raise ConfigurationError(
+            f"alpha is {alpha}, but a front from 1 to 0 that runs forwards needs alpha above 1, "
+            "eq. (21): give a finite number above 1."
+        )
+    if not (gamma > 0.0 and math.isfinite(gamma)):
+        raise ConfigurationError(
+            f"gamma is {gamma}, but without damping there is no front: give a finite number above "
+            "0."
+        )
+    if not (beta >= 1.0 and math.isfinite(beta)):
+        raise ConfigurationError(
+            f"beta is {beta}, but below 1 the motion is not known to be unique: give a finite "
+            "number of at least 1."
+        )
+    return make_law(alpha, beta, gamma)
+
+
+def _largest(values):
+    return float(np.abs(values).max())

@@ -1,0 +1,135 @@
+"""The flow of a window, its derivative, and banded least squares."""
+
+import itertools
+
+import numpy as np
+import pytest
+from chains import integrate_strain_fixed
+
+from granular_fronts.chain.state import make_law
+from granular_fronts.fronts import bead_map
+from granular_fronts.fronts.banded_qr import band_storage, solve_least_squares
+
+LAWS = [(1.5, 1.5, 0.3), (1.2, 1.2, 0.05), (1.5, 1.0, 0.4), (1.5, 2.5, 0.2)]
+CONTACTS, STEPS, REACH = 40, 16, 20
+
+
+def compressed_window():
+    """A smooth state at rest at both ends of the window, u > 0 throughout."""
+    n = np.arange(CONTACTS + 2.0)
+    bump = np.exp(-0.05 * (n - 18.0) ** 2)
+    u, d = 0.6 + 0.4 * bump, 0.2 * bump * np.sin(n)
+    u[[0, -1]] = d[[0, -1]] = 0.0
+    return u, d
+
+
+def rear_driver(times):
+    return 0.6 + 0.1 * np.sin(3.0 * times)
+
+
+def moved(law, u, d, steps=STEPS, rear=rear_driver):
+    """u and d after one bead-time, and the stiffnesses."""
+    stiffness = bead_map.make_stiffness(law, steps, u.size)
+    driver = rear(bead_map.stage_times(1.0, steps))
+    weights = bead_map.make_weights(law, 1.0 / steps)
+    change = bead_map.flow(law, weights, driver, u, d, stiffness)
+    return np.array([u, d]) + change, stiffness
+
+
+def extrapolated_derivative(function, h=2.0e-3):
+    """Central differences of f at 0 with steps h, h/2, h/4, extrapolated to order 6."""
+    table = [(function(k) - function(-k)) / (2.0 * k) for k in (h, h / 2.0, h / 4.0)]
+    for order in (4.0, 16.0):
+        table = [
+            (order * fine - coarse) / (order - 1.0) for coarse, fine in itertools.pairwise(table)
+        ]
+    return table[0]
+
+
+@pytest.mark.parametrize(("alpha", "beta", "gamma"), LAWS)
+def test_band_is_the_derivative_of_the_flow(alpha, beta, gamma):
+    law = make_law(alpha, beta, gamma)
+    u, d = compressed_window()
+    direction = np.zeros((2, u.size))
+    direction[:, 1:-1] = np.random.default_rng(3).normal(size=(2, CONTACTS))
+    expected = extrapolated_derivative(
+        lambda k: moved(law, u + k * direction[0], d + k * direction[1])[0]
+    )
+    weights = bead_map.make_weights(law, 1.0 / STEPS)
+    band = bead_map.derivative(law, weights, moved(law, u, d)[1], REACH)
+    result = np.zeros_like(expected)
+    for n in range(1, CONTACTS + 1):
+        for start in range(max(1, n - REACH), min(CONTACTS, n + REACH) + 1):
+            result[:, n] += band[n, start - n + REACH] @ direction[:, start]
+    np.testing.assert_allclose(result, expected, atol=3.0e-11)
+
+
+@pytest.mark.parametrize(("alpha", "beta", "gamma"), LAWS)
+def test_derivative_by_the_driver(alpha, beta, gamma):
+    law = make_law(alpha, beta, gamma)
+    u, d = compressed_window()
+    expected = extrapolated_derivative(
+        lambda k: moved(law, u, d, rear=lambda t: rear_driver(t) + k * np.cos(2.0 * t))[0]
+    )
+    weights = bead_map.make_weights(law, 1.0 / STEPS)
+    change = np.cos(2.0 * bead_map.stage_times(1.0, STEPS))[np.newaxis]
+    result = bead_map.derivative_by_rear(law, weights, change, moved(law, u, d)[1])[0]
+    np.testing.assert_allclose(result[:, 1:-1], expected[:, 1:-1], atol=3.0e-11)
+
+
+@pytest.mark.parametrize(("alpha", "beta", "gamma"), LAWS)
+def test_narrow_band_agrees_with_a_wide_one(alpha, beta, gamma):
+    """Contacts beyond `spread_of` receive nothing that a double would notice."""
+    law = make_law(alpha, beta, gamma)
+    u, d = compressed_window()
+    weights = bead_map.make_weights(law, 1.0 / STEPS)
+    stiffness = moved(law, u, d)[1]
+    spread = bead_map.spread_of(law, STEPS, u.max())
+    wide = bead_map.derivative(law, weights, stiffness, REACH)
+    narrow = bead_map.derivative(law, weights, stiffness, spread)
+    inside = slice(REACH - spread, REACH + spread + 1)
+    np.testing.assert_allclose(narrow, wide[:, inside], atol=1.0e-14)
+    assert np.abs(wide[:, : REACH - spread]).max(initial=0.0) < 1.0e-14
+    assert np.abs(wide[:, REACH - 3 :]).max() > 1.0e-4
+
+
+@pytest.mark.parametrize(("alpha", "beta", "gamma"), LAWS)
+def test_flow_is_of_order_eight(alpha, beta, gamma):
+    law = make_law(alpha, beta, gamma)
+    start = compressed_window()
+    exact = moved(law, *start, steps=64)[0]
+    errors = [np.abs(moved(law, *start, steps=s)[0] - exact).max() for s in (3, 6)]
+    assert 6.5 < np.log2(errors[0] / errors[1]) < 10.5
+
+
+def test_flow_is_that_of_the_chain():
+    """Inside the domain of influence the window and a ring of the same state move alike."""
+    law = make_law(1.5, 1.5, 0.1)
+    phase = 2.0 * np.pi * np.arange(CONTACTS) / CONTACTS
+    u, velocity = 1.0 + 0.3 * np.cos(phase), 0.2 * np.sin(phase)
+    ring = integrate_strain_fixed(law, u, velocity, 1.0 / STEPS, STEPS)
+    start = integrate_strain_fixed(law, u, velocity, 1.0 / STEPS, 0)
+    window = moved(law, *np.pad(start, ((0, 0), (1, 1))))[0]
+    middle = slice(15, 26)
+    np.testing.assert_allclose(window[:, 1:-1][:, middle], np.array(ring)[:, middle], atol=3.0e-15)
+
+
+@pytest.mark.parametrize(("rows", "columns", "lower", "upper"), [(60, 55, 9, 6), (30, 30, 2, 3)])
+def test_banded_least_squares_agrees_with_dense(rows, columns, lower, upper):
+    random = np.random.default_rng(0)
+    dense, band = np.zeros((rows, columns)), band_storage(rows, lower, upper)
+    for i in range(rows):
+        for j in range(max(0, i - lower), min(columns, i + upper + 1)):
+            dense[i, j] = band[i, j - i + lower] = random.normal()
+    right = random.normal(size=rows)
+    expected = np.linalg.lstsq(dense, right, rcond=None)[0]
+    solution = solve_least_squares(band, lower, columns, right.copy())
+    np.testing.assert_allclose(solution, expected, rtol=1.0e-10)
+    assert np.linalg.norm(dense.T @ (dense @ solution - right)) < 1.0e-12
+
+
+def test_rank_deficiency_is_told():
+    band = band_storage(4, 1, 1)
+    band[:3, 1] = 1.0
+    band[1, 1] = 0.0
+    assert np.isnan(solve_least_squares(band, 1, 3, np.ones(4))).any()
