@@ -8,7 +8,8 @@ import xarray as xr
 from chains import smooth_ring
 
 from granular_fronts.continuum.heteroclinic import heteroclinic
-from peers import record, scilab_chain, scipy_heteroclinic
+from granular_fronts.fronts.solve import evaluate_front, solve_front
+from peers import record, scilab_chain, scipy_fronts, scipy_heteroclinic
 from peers.chain_system import ChainSystem, SparseJacobian, front_initiation, numpy_right_hand_side
 from problems.chain import PEERS
 
@@ -75,6 +76,20 @@ def test_an_absent_package_says_so(monkeypatch, name):
     run = PEERS[name](DRIVEN, 1e-8, 1e-10)
     assert run.absent
     assert "not installed" in run.message
+
+
+@pytest.mark.parametrize("name", scipy_fronts.METHODS)
+def test_peer_finds_the_front_of_the_lattice_or_says_why_not(name):
+    front = solve_front(1.5, 0.3)
+    bead = np.arange(-8, 6)
+    run = scipy_fronts.METHODS[name](0.3, bead, 20, 1e-6)
+    if name == "scipy_newton_krylov":
+        assert "no convergence" in run.message
+        return
+    expected = evaluate_front(front, bead)
+    np.testing.assert_allclose(run.fields["relative_displacement"], expected, atol=1e-6)
+    assert run.fields["velocity"][0] == pytest.approx(1.0, abs=0.02)
+    assert run.right_hand_sides > 0
 
 
 @pytest.mark.parametrize("mu", [0.3, 2.0, 20.0])

@@ -17,11 +17,12 @@ import xarray as xr
 from granular_fronts.configuration import load_configuration
 from granular_fronts.datasets import read_dataset, write_dataset
 from peers.record import Run, Stopwatch
-from problems import chain, ring
+from problems import chain, fronts, heteroclinic, ring
 from problems.problem import Problem, Reference, errors_of
 
 ROOT = Path(__file__).parents[1]
 REFERENCES = ROOT / "tests" / "references"
+FAMILIES = {"chain": chain, "ring": ring, "heteroclinic": heteroclinic, "fronts": fronts}
 ANSWER = {"velocity": Reference(np.array([1.0, 2.0]), np.zeros(2), 1e-9)}
 
 
@@ -104,7 +105,7 @@ def test_stopwatch_tells_waiting_from_working():
 
 def test_default_names_only_methods_that_exist_and_references_that_are_stored():
     precision = load_configuration(ROOT / "config" / "default.yaml")["precision"]
-    for family, module in (("chain", chain), ("ring", ring)):
+    for family, module in FAMILIES.items():
         states = xr.load_dataset(REFERENCES / f"{family}_reference.nc")
         for settings in precision[family].values():
             problem = module.make_problem(settings, states)
@@ -113,11 +114,11 @@ def test_default_names_only_methods_that_exist_and_references_that_are_stored():
             assert problem.ours in settings["methods"]
 
 
-@pytest.mark.parametrize(("family", "module"), [("chain", chain), ("ring", ring)])
+@pytest.mark.parametrize(("family", "module"), FAMILIES.items())
 def test_problem_without_a_reference_is_refused_in_a_sentence(family, module):
     states = xr.load_dataset(REFERENCES / f"{family}_reference.nc")
-    with pytest.raises(ValueError, match=r"No reference .*is stored .* choose a stored state"):
-        module.make_problem({"gamma": 0.06, "end_time": 1.0}, states)
+    with pytest.raises(ValueError, match=r"No reference .*is stored .* choose a stored"):
+        module.make_problem({"gamma": 0.06, "mu": 0.06, "end_time": 1.0}, states)
 
 
 def test_own_forms_agree_with_the_stored_ring():
@@ -127,6 +128,15 @@ def test_own_forms_agree_with_the_stored_ring():
         # Contacts open and close; only the strain form locates the events.
         limit = 2e-9 if method == "strain_form" else 1e-4
         assert errors_of(problem.methods[method](1e-11), problem.reference)["error"] < limit
+
+
+@pytest.mark.parametrize("gamma", [0.1, 0.65])
+@pytest.mark.parametrize("method", ["profile", "shooting"])
+def test_own_fronts_agree_with_the_stored_ones(gamma, method):
+    states = xr.load_dataset(REFERENCES / "fronts_reference.nc")
+    problem = fronts.make_problem({"gamma": gamma}, states)
+    assert problem.reference_error < 1e-16
+    assert errors_of(problem.methods[method](1e-13), problem.reference)["error"] < 5e-14
 
 
 def test_stored_ring_keeps_its_length_and_momentum():

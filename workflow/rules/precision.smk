@@ -7,6 +7,7 @@ PRECISION_REFERENCES = {
     "chain": "tests/references/chain_reference.nc",
     "ring": "tests/references/ring_reference.nc",
     "heteroclinic": "tests/references/heteroclinic_reference.nc",
+    "fronts": "tests/references/fronts_reference.nc",
 }
 
 
@@ -14,7 +15,7 @@ rule measure_precision:
     input:
         kernels="<results>/kernels.json",
         reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
-        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES],
+        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("fronts/*.py")],
         solvers=sorted(glob("workflow/scripts/problems/*.py") + glob("workflow/scripts/peers/*.*")),
     output:
         dataset="<results>/data/precision/{family}.nc",
