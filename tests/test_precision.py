@@ -13,6 +13,8 @@ import plot_fig14 as drawing
 import pytest
 import tabulate_speed_error as tabulating
 import xarray as xr
+from update_readme import speed
+from write_report import write_report
 
 from granular_fronts.configuration import load_configuration
 from granular_fronts.datasets import read_dataset, write_dataset
@@ -301,3 +303,38 @@ def test_figure_14_draws_every_point_and_names_failures(merged, monkeypatch, tmp
     assert "scipy radau failed at" in panels["two"].get_xlabel()
     assert kept[0].get_supxlabel() == "not installed here: diffrax dopri8"
     plt.close("all")
+
+
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+@pytest.mark.parametrize("measured", [True, False])
+def test_report_shows_speed_where_it_was_measured(measured, tmp_path):
+    names = ["fig14_speed_error.png", "speed_verdicts.csv"] if measured else []
+    files = [tmp_path / name for name in names]
+    for file in files:
+        file.write_bytes(PNG if file.suffix == ".png" else b"problem,verdict\none,use it\n")
+    (tmp_path / "job.tsv").write_text("s\tmax_rss\n1.0\t10\n")
+    (tmp_path / "verdict.txt").write_text("All is well.")
+    report = ROOT / "workflow" / "report"
+    write_report(
+        template=report / "page.html.j2",
+        figures=[],
+        captions=[],
+        tables=[],
+        speed=files,
+        speed_caption=report / "fig14.rst",
+        benchmarks=[tmp_path / "job.tsv"],
+        verdict=tmp_path / "verdict.txt",
+        configuration={},
+        page=tmp_path / "page.html",
+    )
+    page = (tmp_path / "page.html").read_text()
+    for words in ("Figure 14.", "Speed verdicts", "use it"):
+        assert (words in page) == measured
+
+
+def test_readme_shows_the_verdicts(tmp_path):
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "speed_verdicts.csv").write_text("problem,error,verdict\na,1e-09,b\n")
+    assert speed(tmp_path).splitlines()[-1].split() == ["|", "a", "|", "1e-09", "|", "b", "|"]
