@@ -131,7 +131,9 @@ def measure(name, problem, settings, methods):
             best[point] = run
     return [
         {"method": method, "tolerance": tolerance, **told(run), **errors_of(run, problem.reference)}
-        for (method, tolerance), run in best.items()
+        for (method, tolerance), run in sorted(
+            best.items(), key=lambda item: methods.index(item[0][0])
+        )
     ]
 
 

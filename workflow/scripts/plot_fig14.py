@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator
 
 from granular_fronts.datasets import read_dataset
 from granular_fronts.style import PACKAGE_COLOURS, new_figure, save_figure
@@ -12,6 +13,7 @@ from step import run_step
 
 COLUMNS = 3
 PANEL_HEIGHT = 2.3
+MOST_TICKS = 6
 MARKERS = "osD^vPX<>*"
 # Nothing in double precision is told apart further left.
 SMALLEST_ERROR = 1e-17
@@ -63,7 +65,7 @@ def choose_looks(data):
             "marker": MARKERS[index % len(MARKERS)],
             "linestyle": "-" if method in ours or colour != PACKAGE_COLOURS["ours"] else ":",
             "linewidth": 1.6 if method in ours else 0.8,
-            "markersize": 3.0,
+            "markersize": 4.0 if method in ours else 3.0,
         }
     return looks
 
@@ -74,7 +76,7 @@ def label(method):
 
 
 def draw_problem(axes, data, looks):
-    """Curves of one problem, the floor of its reference, and who failed."""
+    """Curves of one problem, the error of its reference, and who failed."""
     for method, look in looks.items():
         chosen = data.sel({"method": method})
         chosen = chosen.isel(tolerance=np.argsort(-chosen["tolerance"].values))
@@ -86,26 +88,14 @@ def draw_problem(axes, data, looks):
             chosen["seconds"][disturbed],
             **look | {"linestyle": "none", "markerfacecolor": "white"},
         )
-    draw_floor(axes, float(data["reference_error"]))
-    axes.set_title(label(str(data["problem"].item())))
-    axes.set_xlabel("\n".join(["largest error", *failures(data)]), fontsize=6.5)
-    axes.tick_params(labelsize=7)
-
-
-def draw_floor(axes, reference_error):
-    """A line at the error of the reference, or a word where it lies beyond the panel."""
+    reference_error = float(data["reference_error"])
     if reference_error >= SMALLEST_ERROR:
         axes.axvline(reference_error, color="#888888", linewidth=0.8, linestyle="--")
-        return
-    axes.set_xlim(left=max(SMALLEST_ERROR, axes.get_xlim()[0]))
-    axes.text(
-        0.02,
-        0.02,
-        f"← reference {reference_error:.0e}",
-        transform=axes.transAxes,
-        fontsize=6,
-        color="#666666",
-    )
+    scale = f"largest error (reference {reference_error:.0e})"
+    axes.set_title(label(str(data["problem"].item())))
+    axes.set_xlabel("\n".join([scale, *failures(data)]), fontsize=6.5)
+    axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
+    axes.tick_params(labelsize=7)
 
 
 def failures(data):

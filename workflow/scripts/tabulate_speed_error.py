@@ -126,7 +126,7 @@ def judge(data, level):
         return f"Nobody reaches {level:.0e}; {closest} comes closest with {float(best.min()):.1e}."
     fastest = next(iter(times))
     others = rivals(times, fastest, own)
-    told = [f"{times[other] / times[fastest]:.3g} times faster than {other}" for other in others]
+    told = [f"{short(times[other] / times[fastest])} times faster than {other}" for other in others]
     unreached = [
         f"{method} does not reach it" for method in PAPERS_WAY if fails(data, times, method)
     ]
@@ -145,6 +145,11 @@ def rivals(times, fastest, own):
     else:
         chosen = [method for method in others if is_peer(method)][:1] or others[:1]
     return chosen + [method for method in others if method in PAPERS_WAY and method not in chosen]
+
+
+def short(ratio):
+    """A ratio of times, which are known to two digits at best."""
+    return f"{float(f'{ratio:.2g}'):g}"
 
 
 def fails(data, times, method):
