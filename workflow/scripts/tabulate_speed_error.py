@@ -123,15 +123,17 @@ def judge(data, level):
     if not times:
         best = data["error"].min("tolerance")
         closest = best["method"].values[int(best.argmin("method"))]
-        return f"Nobody reaches {level:.0e}; {closest} comes closest with {float(best.min()):.1e}."
+        return f"Nobody reached {level:.0e}; {closest} came closest with {float(best.min()):.1e}."
     fastest = next(iter(times))
     others = rivals(times, fastest, own)
     told = [f"{short(times[other] / times[fastest])} times faster than {other}" for other in others]
     unreached = [
-        f"{method} does not reach it" for method in PAPERS_WAY if fails(data, times, method)
+        f"{method} did not get there with the tolerances asked"
+        for method in PAPERS_WAY
+        if fails(data, times, method)
     ]
     sentence = f"To {level:.0e} use {fastest} ({times[fastest]:.3g} ms)"
-    sentence += f", {' and '.join(told)}" if told else ", which alone reaches it"
+    sentence += f", {' and '.join(told)}" if told else ", which alone reached it"
     named = [fastest, *others]
     busy = (data["disturbed"].sel({"method": named}) == 1.0).any()
     return "; ".join([sentence, *unreached, *([BUSY] if busy else [])]) + "."
