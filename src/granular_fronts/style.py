@@ -30,6 +30,16 @@ CONTINUUM_LOOKS = {
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
 CLIPPED_COLOUR = "#d01c1c"
+# Whose solver it is, in figure 14.
+PACKAGE_COLOURS = {
+    "ours": "#000000",
+    "upwind": "#d01c1c",
+    "scilab": "#d01c1c",
+    "scipy": "#1447c4",
+    "numbalsoda": "#1a8f3c",
+    "sundials": "#8a4a12",
+    "diffrax": "#d02fb4",
+}
 
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
 logging.getLogger("fontTools").setLevel(logging.ERROR)

@@ -115,7 +115,12 @@ class Chain:
         self.force = np.zeros(active + 1, dtype=REAL)
         self.force[0] = self.delta * np.sqrt(self.delta)
 
-    def rest(self):
+    @property
+    def contacts(self):
+        """Number of moving contacts, which come first in a packed state."""
+        return self.active - 1
+
+    def start(self):
         """Return the start: every contact closed without force, every bead at rest."""
         state = np.zeros(2 * self.active - 1, dtype=REAL)
         state[self.active - 1] = -self.gamma * self.force[0]
@@ -123,7 +128,7 @@ class Chain:
 
     def split(self, state):
         """Return views (u, w) of a packed state."""
-        return state[: self.active - 1], state[self.active - 1 :]
+        return state[: self.contacts], state[self.contacts :]
 
     def rates(self, state):
         """Return (w', x') for a packed state."""
@@ -188,7 +193,7 @@ def midpoint_slope(chain, state, slope, step, substeps, low, high):
         Increment of the state divided by `step`.
     """
     small = step / substeps
-    contacts = chain.active - 1
+    contacts = chain.contacts
     # Sums of slopes, not increments: the rounding of step / substeps then stays out of the result,
     # where the extrapolation would enlarge it into a drift.
     previous = np.zeros_like(state)
@@ -209,7 +214,7 @@ def extrapolate(chain, state, slope, step, settings):
 
     `column` counts from 1; the step has failed when `error` exceeds the tolerance.
     """
-    contacts = chain.active - 1
+    contacts = chain.contacts
     low, high = state[:contacts].copy(), state[:contacts].copy()
     squares = [substeps**2 for substeps in settings.sequence]
     above = []
@@ -260,18 +265,15 @@ def limit_to_crossings(chain, state, slope, step, settings):
     return min(step, np.min(np.where(crossable, REAL(1.5), REAL(0.6)) * ahead))
 
 
-def integrate(gamma, times, settings, delta=DELTA, beads=BEADS):
-    """Integrate the chain from rest.
+def integrate(chain, times, settings):
+    """Integrate a chain from its start.
 
     Parameters
     ----------
-    gamma : float
-        Damping, ≥ 0.
+    chain : Chain
     times : sequence of float
         Increasing output times.
     settings : Settings
-    delta, beads : float, int
-        Boundary compression and number of beads.
 
     Returns
     -------
@@ -279,9 +281,8 @@ def integrate(gamma, times, settings, delta=DELTA, beads=BEADS):
         (u_1 … u_N, x_1' … x_N') at each time, longdouble, shape (N,) each.
     counts : Counts
     """
-    chain = Chain(gamma, delta, beads)
     counts = Counts()
-    state = chain.rest()
+    state = chain.start()
     carry = np.zeros_like(state)
     now, step = REAL(0), REAL("1e-7")
     states = []
@@ -350,39 +351,40 @@ def largest_differences(kept, others):
     ]
 
 
-def solve_case(gamma, times):
-    """Compute one damping with every setting.
+def solve_case(make_chain, times, every_settings=(REFERENCE, *CHECKS)):
+    """Compute one chain with every setting.
 
     Parameters
     ----------
-    gamma : float
+    make_chain : callable
+        Gives a fresh Chain.
     times : sequence of float
+    every_settings : sequence of Settings, optional
+        The first makes the kept run.
 
     Returns
     -------
     rows : list of dict
-        One per time: gamma, t, the state, its errors, its momentum defect.
+        One per time: t, the state, its errors.
     log : dict
         Counts of the kept run and wall-clock seconds of each run.
     """
     runs, seconds = [], []
-    for settings in (REFERENCE, *CHECKS):
+    for settings in every_settings:
         started = time.perf_counter()
-        runs.append(integrate(gamma, times, settings))
+        runs.append(integrate(make_chain(), times, settings))
         seconds.append(round(time.perf_counter() - started, 1))
     rows = []
     for index, instant in enumerate(times):
         kept, *others = [states[index] for states, _ in runs]
         rows.append(
             {
-                "gamma": gamma,
                 "t": instant,
                 "state": kept,
                 "errors": largest_differences(kept, others),
-                "momentum_defect": float(momentum_defect(instant, kept[1])),
             }
         )
-    return rows, {"gamma": gamma, "seconds": seconds, **asdict(runs[0][1])}
+    return rows, {"seconds": seconds, **asdict(runs[0][1])}
 
 
 def in_two_doubles(values):
@@ -391,20 +393,15 @@ def in_two_doubles(values):
     return high, (values - high).astype(np.float64)
 
 
-def build_dataset(rows, logs):
+def build_dataset(rows, logs, **attributes):
     """Return the Dataset that is written, from the results of `solve_case`."""
     data = xr.Dataset(
         coords={
-            "gamma": ("state", [row["gamma"] for row in rows]),
             "t": ("state", [row["t"] for row in rows]),
-            "bead": np.arange(1, BEADS + 1),
+            "bead": np.arange(1, rows[0]["state"][0].size + 1),
         },
         attrs={
-            "title": "Long-double reference states of the front initiation, James (2021), sec. 3.3",
-            "source": "tests/references/make_chain_reference.py",
-            "problem": "alpha = beta = 3/2, N = 420, delta = 0.1, u_0 = delta, u_N = 0 (free end); "
-            "at t = 0 all u_n = 0 and all velocities 0; delta and gamma are the double values",
-            "settings": json.dumps([asdict(item) for item in (REFERENCE, *CHECKS)]),
+            **attributes,
             "log": json.dumps(logs),
             "versions": f"numpy {np.__version__}, xarray {xr.__version__}",
             "error_method": "largest difference from two further runs with other substep "
@@ -418,7 +415,6 @@ def build_dataset(rows, logs):
         data[name] = (("state", "bead"), high, attrs)
         data[f"{name}_low"] = (("state", "bead"), low, {"long_name": "what double leaves of it"})
         data[f"{name}_error"] = ("state", [row["errors"][index] for row in rows])
-    data["momentum_defect"] = ("state", [row["momentum_defect"] for row in rows])
     return data
 
 
@@ -439,14 +435,30 @@ def main():
     require_extended_precision()
     rows, logs = [], []
     for gamma, times in CASES.items():
-        case, log = solve_case(gamma, [instant for instant in times if instant <= arguments.until])
-        rows += case
-        logs.append(log)
+        times = [instant for instant in times if instant <= arguments.until]
+        case, log = solve_case(lambda gamma=gamma: Chain(gamma), times)
         for row in case:
+            row["gamma"] = gamma
             u_error, v_error = row["errors"]
             print(f"gamma {gamma}  t {row['t']:.0f}  error u {u_error:.1e}  velocity {v_error:.1e}")
+        rows += case
+        logs.append({"gamma": gamma, **log})
         print(log, flush=True)
-    build_dataset(rows, logs).to_netcdf(arguments.output)
+    data = build_dataset(
+        rows,
+        logs,
+        title="Long-double reference states of the front initiation, James (2021), sec. 3.3",
+        source="tests/references/make_chain_reference.py",
+        problem="alpha = beta = 3/2, N = 420, delta = 0.1, u_0 = delta, u_N = 0 (free end); "
+        "at t = 0 all u_n = 0 and all velocities 0; delta and gamma are the double values",
+        settings=json.dumps([asdict(item) for item in (REFERENCE, *CHECKS)]),
+    )
+    data = data.assign_coords(gamma=("state", [row["gamma"] for row in rows]))
+    data["momentum_defect"] = (
+        "state",
+        [float(momentum_defect(row["t"], row["state"][1])) for row in rows],
+    )
+    data.to_netcdf(arguments.output)
 
 
 if __name__ == "__main__":

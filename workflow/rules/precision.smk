@@ -1,46 +1,106 @@
-"""Speed against error; a target of its own, since a timing must run alone."""
+"""Speed against error; a target of its own, since a timing must run alone.
+
+A family of problems is measured by one job, which takes all cores so that nothing runs beside it.
+"""
+
+PRECISION_REFERENCES = {
+    "chain": "tests/references/chain_reference.nc",
+    "ring": "tests/references/ring_reference.nc",
+    "heteroclinic": "tests/references/heteroclinic_reference.nc",
+    "fronts": "tests/references/fronts_reference.nc",
+}
 
 
 rule measure_precision:
     input:
         kernels="<results>/kernels.json",
-        reference="tests/references/chain_reference.nc",
-        modules=CHAIN_MODULES,
-        peers=glob("workflow/scripts/peers/*"),
+        reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
+        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("fronts/*.py")],
+        solvers=sorted(glob("workflow/scripts/problems/*.py") + glob("workflow/scripts/peers/*.*")),
     output:
-        dataset="<results>/data/precision/chain.nc",
+        dataset="<results>/data/precision/{family}.nc",
     params:
-        problems=config["precision"]["chain"],
+        family="{family}",
+        problems=lambda wildcards: config["precision"][wildcards.family],
     log:
-        "<logs>/measure_precision.log",
+        "<logs>/measure_precision/{family}.log",
     benchmark:
-        "<benchmarks>/measure_precision.tsv"
+        "<benchmarks>/measure_precision/{family}.tsv"
     threads: workflow.cores
     message:
-        "Measuring speed against error of the chain's integrators."
+        "Measuring speed against error: {wildcards.family}."
     conda:
         "../envs/main.yaml"
+    wildcard_constraints:
+        family="|".join(PRECISION_REFERENCES),
     script:
         "../scripts/measure_precision.py"
 
 
-rule tabulate_precision:
+rule merge_precision:
     input:
-        dataset="<results>/data/precision/chain.nc",
+        datasets=expand("<results>/data/precision/{family}.nc", family=config["precision"]),
     output:
-        csv="<results>/tables/chain_speed.csv",
-        markdown="<results>/tables/chain_speed.md",
+        dataset="<results>/data/precision/speed_error.nc",
     log:
-        "<logs>/tabulate_precision.log",
+        "<logs>/merge_precision.log",
     benchmark:
-        "<benchmarks>/tabulate_precision.tsv"
+        "<benchmarks>/merge_precision.tsv"
+    threads: 1
+    message:
+        "Joining the measurements of all families of problems."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/merge_precision.py"
+
+
+rule tabulate_speed_error:
+    input:
+        dataset=rules.merge_precision.output.dataset,
+    output:
+        csv="<results>/tables/speed_error.csv",
+        markdown="<results>/tables/speed_error.md",
+        verdicts_csv="<results>/tables/speed_verdicts.csv",
+        verdicts_markdown="<results>/tables/speed_verdicts.md",
+    log:
+        "<logs>/tabulate_speed_error.log",
+    benchmark:
+        "<benchmarks>/tabulate_speed_error.tsv"
     threads: 1
     message:
         "Comparing the methods at equal error."
     conda:
         "../envs/main.yaml"
     script:
-        "../scripts/tabulate_precision.py"
+        "../scripts/tabulate_speed_error.py"
+
+
+rule plot_fig14:
+    input:
+        dataset=rules.merge_precision.output.dataset,
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig14_speed_error.pdf",
+        png="<results>/figures/fig14_speed_error.png",
+    log:
+        "<logs>/plot_fig14.log",
+    benchmark:
+        "<benchmarks>/plot_fig14.tsv"
+    threads: 1
+    message:
+        "Drawing figure 14: time against error of all methods."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig14.py"
+
+
+rule fig14:
+    input:
+        rules.plot_fig14.output,
+    message:
+        "Figure 14 is drawn."
 
 
 rule measure_log_burgers:
@@ -86,7 +146,8 @@ rule tabulate_log_burgers:
 
 rule precision:
     input:
-        rules.tabulate_precision.output,
+        rules.tabulate_speed_error.output,
+        rules.plot_fig14.output,
         rules.tabulate_log_burgers.output,
     message:
-        "Speed against error is tabulated: {input}."
+        "Speed against error is measured; the next report shows it: {input}."

@@ -1,197 +1,188 @@
-"""Speed against error of the chain's integrators: ours and other people's, side by side.
+"""Speed against error: our solvers and other people's on the same problems, side by side.
 
-Every method solves the same problem over the same tolerances, in one process and in turns, so that
-a slow moment of the machine hits all of them; the least of the repeated times counts. Errors are
-measured against the stored long-double states, outside the timing. A method that is not installed
-is named and left out.
+The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
+the machine hits all of them; before that each has run once, to compile and to warm everything. Of
+the repeats the least time counts. Errors are measured against a stored reference, outside the
+timing, and none is reported below the error of the reference. A method that is not installed is
+named and left out; one that fails is kept, without an error but with its reason.
 """
 
+import importlib
+import json
 import os
 import platform
-import time
+from itertools import product
 from pathlib import Path
 
-import numpy as np
+# Libraries read their limits when they are imported.
+from peers import one_thread  # noqa: F401
+
+# isort: split
 import pandas as pd
 import xarray as xr
-from peers import chain as peers
 from tqdm import tqdm
 
-from granular_fronts.chain import plain_forms
-from granular_fronts.chain.recording import collect
-from granular_fronts.chain.run import integrate, prepare, work_done
-from granular_fronts.chain.state import make_law
 from granular_fronts.datasets import write_dataset
-from step import run_step
+from peers.record import Run
+from problems.problem import errors_of
+from step import LOGGER, run_step
 
-ABSOLUTE_OVER_RELATIVE = 1.0e-2
+# A longer run is timed once: what disturbs it for a moment is a small part of it.
+SECONDS_WORTH_REPEATING = 3.0
+# Share of a processor below which a run waited for others, or above which it used more than one.
+UNDISTURBED = (0.95, 1.05)
 
 
-def measure_precision(problems: dict, reference: Path, dataset: Path) -> None:
-    """Solve every problem by every method over its tolerances, and keep errors and times.
+def measure_precision(family: str, problems: dict, reference: Path, dataset: Path) -> None:
+    """Solve every problem of a family by every method, and keep errors, times and work.
 
     Parameters
     ----------
+    family : str
+        A module of workflow/scripts/problems.
     problems : dict
-        As under ``precision.chain`` of the configuration.
+        As under ``precision.<family>`` of the configuration.
     reference : Path
-        Long-double states, tests/references/chain_reference.nc.
+        Accurate solutions, in tests/references.
     dataset : Path
         The netCDF file to write, on (problem, method, tolerance).
     """
     load_before = os.getloadavg()[0]
+    module = importlib.import_module(f"problems.{family}")
     states = xr.load_dataset(reference)
-    rows = [
-        {"problem": name} | row
-        for name, problem in problems.items()
-        for row in measure_problem(name, problem, states)
-    ]
-    measured = pd.DataFrame(rows).set_index(["problem", "method", "tolerance"]).to_xarray()
-    measured["message"] = measured["message"].fillna("").astype(object)
-    measured["seconds"].attrs["units"] = "s"
-    measured["error"].attrs["error_method"] = "this is the distance to a long-double state"
-    own_errors = [reference_error(states, problem) for problem in problems.values()]
-    measured["reference_error"] = xr.DataArray(own_errors, {"problem": list(problems)})
+    rows, absent, facts = [], {}, {}
+    for name, settings in problems.items():
+        problem = module.make_problem(settings, states)
+        present, missing = warm_up(problem, settings)
+        absent |= missing
+        facts[name] = {"own_method": problem.ours, "reference_error": problem.reference_error}
+        rows += [{"problem": name} | row for row in measure(name, problem, settings, present)]
+    for method, reason in absent.items():
+        LOGGER.warning("%s is left out: %s.", method, reason)
+    measured = to_dataset(rows, facts)
     measured.attrs = {
+        "absent": json.dumps(absent),
+        "load_before": load_before,
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python "
         f"{platform.python_version()}",
-        "load_before": load_before,
         "solver": "least wall-clock time of the repeats, one thread",
     }
-    write_dataset(measured, dataset, scene_id="precision_chain", config=problems)
+    write_dataset(measured, dataset, scene_id=f"precision_{family}", config=problems)
 
 
-def measure_problem(name: str, problem: dict, states: xr.Dataset) -> list[dict]:
-    """Errors, times and work of all methods on one problem.
+def tolerances_of(settings, method):
+    """Tolerances asked of a method, the loosest first."""
+    listed = settings.get("own_tolerances", {}).get(method, settings["tolerances"])
+    return sorted(listed, reverse=True)
+
+
+def warm_up(problem, settings):
+    """Run every method once at its loosest tolerance.
+
+    Parameters
+    ----------
+    problem : problems.problem.Problem
+    settings : mapping
+        Its entry of the configuration.
+
+    Returns
+    -------
+    present : list of str
+        Methods that are installed.
+    absent : dict of str to str
+        The others, each with the sentence that says what is missing.
+    """
+    runs = {
+        method: attempt(problem, method, tolerances_of(settings, method)[0])
+        for method in settings["methods"]
+    }
+    absent = {method: run.message for method, run in runs.items() if run.absent}
+    return [method for method in runs if method not in absent], absent
+
+
+def measure(name, problem, settings, methods):
+    """Errors, times and work of some methods on one problem.
 
     Parameters
     ----------
     name : str
         Of the problem, for the progress line.
-    problem : dict
-        One entry of ``precision.chain``.
-    states : xarray.Dataset
-        Long-double states.
+    problem : problems.problem.Problem
+    settings : mapping
+        Its entry of the configuration.
+    methods : list of str
 
     Returns
     -------
     list of dict
         One for each method and tolerance.
     """
-    expected = read_state(states, problem)
-    scene = peers.ChainScene(gamma=problem["gamma"], end=problem["end_time"])
-    short = peers.ChainScene(gamma=problem["gamma"], end=10.0)
-    for method in problem["methods"]:
-        METHODS[method](short, 1.0e-4, 1.0e-6)
-    rows = []
-    for tolerance in tqdm(problem["relative_tolerances"], desc=f"precision, {name}", delay=2.0):
-        best = {}
-        for _ in range(problem["repeats"]):
-            for method in problem["methods"]:
-                run = METHODS[method](scene, tolerance, ABSOLUTE_OVER_RELATIVE * tolerance)
-                if method not in best or run.seconds < best[method].seconds:
-                    best[method] = run
-        for method, run in best.items():
-            rows.append(
-                {
-                    "method": method,
-                    "tolerance": tolerance,
-                    "error": largest_error(run, *expected),
-                    "seconds": run.seconds,
-                    "right_hand_sides": float(run.right_hand_sides),
-                    "message": run.message,
-                }
-            )
-    return rows
-
-
-def find_state(states, problem):
-    """Index of the stored state that a problem ends in."""
-    match = (states["gamma"] == problem["gamma"]) & (states["t"] == problem["end_time"])
-    found = np.flatnonzero(match)
-    if not found.size:
-        raise ValueError(
-            f"No reference is stored for gamma = {problem['gamma']} at t = {problem['end_time']}: "
-            "add it to tests/references/make_chain_reference.py, or choose a stored state."
+    points = [
+        (method, tolerance) for method in methods for tolerance in tolerances_of(settings, method)
+    ]
+    points.sort(key=lambda point: -point[1])
+    best = {}
+    turns = product(range(settings["repeats"]), points)
+    for _, point in tqdm(list(turns), desc=f"precision, {name}", delay=2.0):
+        if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
+            continue
+        run = attempt(problem, *point)
+        if point not in best or run.seconds < best[point].seconds:
+            best[point] = run
+    return [
+        {"method": method, "tolerance": tolerance, **told(run), **errors_of(run, problem.reference)}
+        for (method, tolerance), run in sorted(
+            best.items(), key=lambda item: methods.index(item[0][0])
         )
-    return found[0]
+    ]
 
 
-def read_state(states, problem):
-    """Relative displacements and velocities of the stored state."""
-    chosen = states.isel(state=find_state(states, problem))
-    return chosen["relative_displacement"].values, chosen["velocity"].values
+def attempt(problem, method, tolerance):
+    """Run a method once; whatever stops somebody else's solver is kept as its reason."""
+    try:
+        return problem.methods[method](tolerance)
+    except Exception as error:
+        return Run(message=f"{type(error).__name__}: {error}")
 
 
-def reference_error(states, problem):
-    """Error of the stored state itself."""
-    chosen = states.isel(state=find_state(states, problem))
-    return max(float(chosen[f"{name}_error"]) for name in ("relative_displacement", "velocity"))
-
-
-def largest_error(run, u, velocity):
-    """Largest error of u and velocity together, NaN for a run without a result."""
-    if not run.u.size:
-        return np.nan
-    return max(np.abs(run.u - u).max(), np.abs(run.velocity - velocity).max())
-
-
-def chain_scene(scene):
-    """The problem as a scene of this project, recording the final state only."""
+def told(run):
+    """Costs of a run, and whether something else took part of the machine meanwhile."""
+    share = run.cpu_seconds / run.seconds
     return {
-        "law": {"alpha": 1.5, "beta": 1.5, "gamma": scene.gamma},
-        "beads": scene.beads,
-        "boundary": {"kind": "pressure", "left": scene.delta, "right": 0.0},
-        "start": {"kind": "rest"},
-        "end_time": scene.end,
-        "record": {"snapshots": [scene.end]},
+        "seconds": run.seconds,
+        "cpu_share": share,
+        "disturbed": float(share < UNDISTURBED[0] or share > UNDISTURBED[1]),
+        "right_hand_sides": float(run.right_hand_sides),
+        "steps": float(run.steps),
+        "message": run.message,
     }
 
 
-def run_strain_form(scene, rtol, atol):
-    """Our integrator."""
-    run = prepare(chain_scene(scene))
-    started = time.perf_counter()
-    integrate(run, {"relative": rtol, "absolute": atol})
-    seconds = time.perf_counter() - started
-    state = read_final(run, scene)
-    return peers.PeerRun(*state, seconds, work_done(run.clock)["right_hand_sides"])
+def to_dataset(rows, facts):
+    """Rows as a dataset on (problem, method, tolerance), NaN where nothing ran.
 
+    Parameters
+    ----------
+    rows : list of dict
+        One for each problem, method and tolerance that ran.
+    facts : mapping of str to mapping
+        What is known of each problem.
 
-def read_final(run, scene):
-    """U and velocity of a finished run."""
-    final = collect(chain_scene(scene), run.recording, run.boundary, run.momentum).isel(t=-1)
-    return final["relative_displacement"].values, final["velocity"].values
-
-
-def run_plain_form(form, scene, rtol, atol):
-    """The same pair in (x, w) or (x, ẋ), without window and event location."""
-    run = prepare(chain_scene(scene))
-    law, rest = make_law(1.5, 1.5, scene.gamma), np.zeros(scene.beads)
-    y, ends = plain_forms.pack(form, law, run.boundary, rest, rest)
-    started = time.perf_counter()
-    y, accepted = plain_forms.integrate_adaptive(form, law, ends, y, 1e-6, scene.end, rtol, atol)
-    seconds = time.perf_counter() - started
-    state = plain_forms.unpack(form, law, run.boundary, ends, y)
-    return peers.PeerRun(*state, seconds, 12 * accepted)
-
-
-def run_positions_and_w(scene, rtol, atol):
-    """The pair in (x, w)."""
-    return run_plain_form(plain_forms.XW, scene, rtol, atol)
-
-
-def run_positions_and_velocities(scene, rtol, atol):
-    """The pair in (x, ẋ)."""
-    return run_plain_form(plain_forms.XV, scene, rtol, atol)
-
-
-METHODS = {
-    "strain_form": run_strain_form,
-    "positions_and_w": run_positions_and_w,
-    "positions_and_velocities": run_positions_and_velocities,
-    **peers.PEERS,
-}
+    Returns
+    -------
+    xarray.Dataset
+    """
+    measured = pd.DataFrame(rows).set_index(["problem", "method", "tolerance"]).to_xarray()
+    methods = list(dict.fromkeys(row["method"] for row in rows))
+    measured = measured.reindex({"problem": list(facts), "method": methods})
+    for name in next(iter(facts.values())):
+        measured[name] = ("problem", [known[name] for known in facts.values()])
+    measured["message"] = measured["message"].fillna("").astype(object)
+    measured["seconds"].attrs["units"] = "s"
+    for name in measured:
+        if "error" in str(name):
+            measured[name].attrs["error_method"] = "this is the distance to the reference"
+    return measured
 
 
 if __name__ == "__main__":

@@ -45,22 +45,9 @@ def paper_numbers(results):
 
 
 def speed(results):
-    """Times of all methods to one error per problem, as multiples of ours, as Markdown."""
-    table = pd.read_csv(results / "tables" / "chain_speed.csv")
-    wide = table.pivot_table(
-        index=["problem", "method"], columns="error", values="times_ours", sort=False
-    )
-    ours = table[table["method"] == "strain_form"]
-    milliseconds = ours.pivot_table(
-        index=["problem", "method"], columns="error", values="milliseconds", sort=False
-    )
-    cells = wide.map(lambda ratio: "" if pd.isna(ratio) else f"{ratio:.3g} ×")
-    for row in milliseconds.index:
-        for column, value in milliseconds.loc[row].items():
-            cells.loc[row, column] = "" if pd.isna(value) else f"{value:.3g} ms"
-    cells = cells[sorted(cells.columns, reverse=True)]
-    cells.columns = [f"error {level:.0e}" for level in cells.columns]
-    return cells.reset_index().to_markdown(index=False, disable_numparse=True)
+    """What to use for each problem and error, as Markdown."""
+    verdicts = pd.read_csv(results / "tables" / "speed_verdicts.csv", dtype=str)
+    return verdicts.to_markdown(index=False, disable_numparse=True)
 
 
 def replace_block(text, name, content):

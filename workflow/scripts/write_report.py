@@ -23,6 +23,8 @@ def write_report(
     figures: list[Path],
     captions: list[Path],
     tables: list[Path],
+    speed: list[Path],
+    speed_caption: Path,
     benchmarks: list[Path],
     verdict: Path,
     configuration: dict,
@@ -40,6 +42,10 @@ def write_report(
         A reStructuredText file for each figure.
     tables : list of Path
         CSV files with a header.
+    speed : list of Path
+        Figure and tables of the target precision, as far as they are there.
+    speed_caption : Path
+        A reStructuredText file for that figure.
     benchmarks : list of Path
         Snakemake's measurements, a TSV file for each job.
     verdict : Path
@@ -49,11 +55,17 @@ def write_report(
     page : Path
         The HTML file to write.
     """
+    speed_figures = [file for file in speed if file.suffix == ".png"]
+    shown = [
+        *zip(figures, captions, strict=True),
+        *((file, speed_caption) for file in speed_figures),
+    ]
+    tables = [*tables, *(file for file in speed if file.suffix == ".csv")]
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
         figures=[
             {"name": figure.stem, "image": embed(figure), "caption": render(caption)}
-            for figure, caption in zip(figures, captions, strict=True)
+            for figure, caption in shown
         ],
         tables=[
             {"name": table.stem.replace("_", " "), "html": tabulate_csv(table)} for table in tables

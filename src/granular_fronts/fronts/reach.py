@@ -18,7 +18,7 @@ from granular_fronts.fronts import rear, seeds
 
 UNTOUCHED_P = 45.0
 FEWEST_BEHIND, MARGIN_AHEAD = 10, 3
-SMALL_SQUARE, LARGEST_TAIL = 1.0e-16, 1.0e-2
+SMALL_TAIL, LARGEST_TAIL = 1.0e-8, 1.0e-2
 SMALLEST_KAPPA, LARGEST_KAPPA = 1.0e-6, 700.0
 
 
@@ -72,10 +72,11 @@ def lacking_beads(roots, relative_displacement):
     int
         0 where the square of u − 1 is small enough at the first bead, or u is no tail there.
     """
-    square = (relative_displacement[0] - 1.0) ** 2
-    if not SMALL_SQUARE < square < LARGEST_TAIL**2:
+    tail = abs(relative_displacement[0] - 1.0)
+    if not SMALL_TAIL < tail < LARGEST_TAIL:
         return 0
-    return math.ceil(0.5 * math.log(square / rear.NEGLIGIBLE_SQUARE) / roots[0].real) + 1
+    decay = math.log(tail) - 0.5 * math.log(rear.NEGLIGIBLE_SQUARE)
+    return math.ceil(decay / roots[0].real) + 1
 
 
 def _beads_behind(roots):

@@ -1,0 +1,61 @@
+"""What a solve gives back, ours or a peer's."""
+
+import importlib.util
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Run:
+    """One solve.
+
+    Attributes
+    ----------
+    fields : mapping of str to ndarray
+        The solution, under the names of the reference; empty without a result.
+    seconds, cpu_seconds : float
+        Wall-clock and processor time of the solve alone.
+    right_hand_sides, steps : float
+        Work; NaN where the tool does not tell.
+    message : str
+        Empty, or why there is no result or a doubtful one.
+    absent : bool
+        Whether the method is not installed.
+    """
+
+    fields: Mapping[str, np.ndarray] = field(default_factory=dict)
+    seconds: float = np.nan
+    cpu_seconds: float = np.nan
+    right_hand_sides: float = np.nan
+    steps: float = np.nan
+    message: str = ""
+    absent: bool = False
+
+
+class Stopwatch:
+    """Times the block it is the context of, in wall-clock and processor seconds."""
+
+    def __enter__(self):
+        self._started = time.perf_counter(), time.process_time()
+        return self
+
+    def __exit__(self, *_):
+        self.seconds = time.perf_counter() - self._started[0]
+        self.cpu_seconds = time.process_time() - self._started[1]
+
+    @property
+    def times(self):
+        """Both times, as `Run` takes them."""
+        return {"seconds": self.seconds, "cpu_seconds": self.cpu_seconds}
+
+
+def missing_package(*names):
+    """Return a run that names the first package which is not installed, or None."""
+    for name in names:
+        if importlib.util.find_spec(name) is None:
+            message = f"the package {name} is not installed here (see peers-environment.txt)"
+            return Run(message=message, absent=True)
+    return None

@@ -1,0 +1,129 @@
+"""Front initiation of James (2021), section 3.3, up to a stored long-double state.
+
+Our integrator solves it in strain form, and the same pair in (x, w) and (x, ẋ), without window and
+event location.  An absolute tolerance is a hundredth of the relative one for every method.
+"""
+
+from functools import partial
+
+import numpy as np
+
+from granular_fronts.chain import plain_forms
+from granular_fronts.chain.recording import collect
+from granular_fronts.chain.run import (
+    FIRST_STEP,
+    initial_state,
+    integrate,
+    make_boundary,
+    prepare,
+    work_done,
+)
+from granular_fronts.chain.runge_kutta import STAGES
+from granular_fronts.chain.state import make_law
+from peers import (
+    diffrax_chain,
+    numbalsoda_chain,
+    scilab_chain,
+    scipy_chain,
+    sundials_chain,
+)
+from peers.chain_system import front_initiation
+from peers.record import Run, Stopwatch
+from problems.problem import Problem, read_reference
+
+OURS = "strain_form"
+FIELDS = ("relative_displacement", "velocity")
+ABSOLUTE_OVER_RELATIVE = 1.0e-2
+PEERS = {
+    **scilab_chain.METHODS,
+    **scipy_chain.METHODS,
+    **numbalsoda_chain.METHODS,
+    **sundials_chain.METHODS,
+    **diffrax_chain.METHODS,
+}
+
+
+def make_problem(problem, states):
+    """Front initiation with N = 420, δ = 0.1, free right end.
+
+    Parameters
+    ----------
+    problem : mapping
+        One entry of ``precision.chain``.
+    states : xarray.Dataset
+        tests/references/chain_reference.nc.
+
+    Returns
+    -------
+    Problem
+    """
+    gamma, end = problem["gamma"], problem["end_time"]
+    found = np.flatnonzero((states["gamma"] == gamma) & (states["t"] == end))
+    if not found.size:
+        raise ValueError(
+            f"No reference is stored for gamma = {gamma} at t = {end}: add it to "
+            "tests/references/make_chain_reference.py, or choose a stored state."
+        )
+    system = front_initiation(gamma, end)
+    scene = chain_scene(
+        system,
+        boundary={"kind": "pressure", "left": system.left, "right": 0.0},
+        start={"kind": "rest"},
+    )
+    reference = read_reference(states.isel(state=found[0]), FIELDS)
+    return Problem(OURS, reference, methods_for(scene, system))
+
+
+def chain_scene(system, boundary, start):
+    """A system as a scene of this project, which records the final state only."""
+    return {
+        "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
+        "beads": system.beads,
+        "boundary": boundary,
+        "start": start,
+        "end_time": system.end,
+        "record": {"snapshots": [system.end]},
+    }
+
+
+def methods_for(scene, system):
+    """All methods on one motion, each of a relative tolerance."""
+    forms = {"positions_and_w": plain_forms.XW, "positions_and_velocities": plain_forms.XV}
+    return {
+        OURS: partial(run_strain_form, scene),
+        **{name: partial(run_plain_form, form, scene) for name, form in forms.items()},
+        **{name: partial(run_peer, solve, system) for name, solve in PEERS.items()},
+    }
+
+
+def run_peer(solve, system, tolerance):
+    """Somebody else's integrator."""
+    return solve(system, tolerance, ABSOLUTE_OVER_RELATIVE * tolerance)
+
+
+def run_strain_form(scene, tolerance):
+    """Our integrator."""
+    run = prepare(scene)
+    with Stopwatch() as watch:
+        integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
+    final = collect(scene, run.recording, run.boundary, run.momentum).isel(t=-1)
+    work = work_done(run.clock)
+    return Run(
+        {name: final[name].values for name in FIELDS},
+        **watch.times,
+        right_hand_sides=work["right_hand_sides"],
+        steps=work["steps_accepted"],
+    )
+
+
+def run_plain_form(form, scene, tolerance):
+    """The same pair in (x, w) or (x, ẋ)."""
+    law, boundary = make_law(**scene["law"]), make_boundary(scene)
+    y, ends = plain_forms.pack(form, law, boundary, *initial_state(scene, boundary))
+    absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]
+    with Stopwatch() as watch:
+        y, accepted = plain_forms.integrate_adaptive(
+            form, law, ends, y, FIRST_STEP, end, tolerance, absolute
+        )
+    fields = dict(zip(FIELDS, plain_forms.unpack(form, law, boundary, ends, y), strict=True))
+    return Run(fields, **watch.times, right_hand_sides=STAGES * accepted, steps=accepted)

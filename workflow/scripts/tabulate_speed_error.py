@@ -1,0 +1,169 @@
+"""How long each method takes to reach an error, how much longer than ours, and what to use."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
+from step import run_step
+
+LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)
+JUDGED_LEVELS = (1e-4, 1e-6, 1e-9, 1e-12)
+PAPERS_WAY = ("scilab_ode", "upwind")
+PACKAGES = ("diffrax", "numbalsoda", "scilab", "scipy", "sundials", "upwind")
+BUSY = "timed while the machine was busy"
+
+
+def tabulate_speed_error(
+    dataset: Path, csv: Path, markdown: Path, verdicts_csv: Path, verdicts_markdown: Path
+) -> None:
+    """Compare all methods at equal error, and say for each problem which to use.
+
+    Parameters
+    ----------
+    dataset : Path
+        Written by merge_precision.
+    csv, markdown : Path
+        Tables of times to write.
+    verdicts_csv, verdicts_markdown : Path
+        Tables of sentences to write.
+    """
+    data = read_dataset(dataset, "speed_error")
+    table = pd.DataFrame(
+        [
+            row
+            for problem in data["problem"].values
+            for level in LEVELS
+            for row in compare_methods(data.sel(problem=problem), level)
+        ]
+    )
+    verdicts = pd.DataFrame(
+        [
+            {"problem": problem, "error": f"{level:.0e}", "verdict": verdict}
+            for problem in data["problem"].values
+            for level in JUDGED_LEVELS
+            if (verdict := judge(data.sel(problem=problem), level))
+        ]
+    )
+    write_both(table, csv, markdown)
+    write_both(verdicts, verdicts_csv, verdicts_markdown)
+
+
+def write_both(table, csv, markdown):
+    """Write a table in full precision and rounded for reading."""
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False)
+    rounded = table.map(lambda cell: f"{cell:.3g}" if isinstance(cell, float) else cell)
+    with complete_file(markdown) as unfinished:
+        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+
+
+def compare_methods(data, level):
+    """Rows of one problem at one error, for the methods that reach it."""
+    times = times_to_reach(data, level)
+    own = str(data["own_method"].item())
+    for method, milliseconds in times.items():
+        chosen = data.sel({"method": method})
+        yield {
+            "problem": str(data["problem"].item()),
+            "error": level,
+            "method": method,
+            "milliseconds": milliseconds,
+            "times_ours": milliseconds / times.get(own, np.nan),
+            "best_error": float(chosen["error"].min()),
+            "reference_error": float(data["reference_error"]),
+            "remark": remark(chosen),
+        }
+
+
+def remark(chosen):
+    """What to know of the runs of one method."""
+    remarks = sorted(set(chosen["message"].values) - {""})
+    if (chosen["below_reference"] == 1.0).any():
+        remarks.append("closer than the reference can tell")
+    if (chosen["disturbed"] == 1.0).any():
+        remarks.append(BUSY)
+    return "; ".join(remarks)
+
+
+def times_to_reach(data, level):
+    """Milliseconds to an error, of every method that reaches it, the fastest first."""
+    times = {
+        str(method): time_to_reach(data.sel({"method": method}), level)
+        for method in data["method"].values
+    }
+    reached = {method: time for method, time in times.items() if np.isfinite(time)}
+    return dict(sorted(reached.items(), key=lambda item: item[1]))
+
+
+def time_to_reach(chosen, level):
+    """Milliseconds to an error of `level`, interpolated in the logarithms; NaN if never reached.
+
+    Of all runs the fastest with at most a given error counts, so that the curve is monotone.
+    """
+    finite = np.isfinite(chosen["error"].values)
+    order = np.argsort(chosen["error"].values[finite])
+    error = chosen["error"].values[finite][order]
+    seconds = np.minimum.accumulate(chosen["seconds"].values[finite][order])
+    if error.size == 0 or level < error[0]:
+        return np.nan
+    return 1e3 * np.exp(np.interp(np.log(level), np.log(error), np.log(seconds)))
+
+
+def judge(data, level):
+    """A sentence on what to use for one problem to reach one error.
+
+    Nothing is said where the reference is no better than the error.
+    """
+    if level < float(data["reference_error"]):
+        return ""
+    times, own = times_to_reach(data, level), str(data["own_method"].item())
+    if not times:
+        best = data["error"].min("tolerance")
+        closest = best["method"].values[int(best.argmin("method"))]
+        return f"Nobody reached {level:.0e}; {closest} came closest with {float(best.min()):.1e}."
+    fastest = next(iter(times))
+    others = rivals(times, fastest, own)
+    told = [f"{short(times[other] / times[fastest])} times faster than {other}" for other in others]
+    unreached = [
+        f"{method} did not get there with the tolerances asked"
+        for method in PAPERS_WAY
+        if fails(data, times, method)
+    ]
+    sentence = f"To {level:.0e} use {fastest} ({times[fastest]:.3g} ms)"
+    sentence += f", {' and '.join(told)}" if told else ", which alone reached it"
+    named = [fastest, *others]
+    busy = (data["disturbed"].sel({"method": named}) == 1.0).any()
+    return "; ".join([sentence, *unreached, *([BUSY] if busy else [])]) + "."
+
+
+def rivals(times, fastest, own):
+    """Whom to compare the fastest with: the best of the other side, and the paper's own way."""
+    others = [method for method in times if method != fastest]
+    if is_peer(fastest):
+        chosen = [own] if own in others else []
+    else:
+        chosen = [method for method in others if is_peer(method)][:1] or others[:1]
+    return chosen + [method for method in others if method in PAPERS_WAY and method not in chosen]
+
+
+def short(ratio):
+    """A ratio of times, which are known to two digits at best."""
+    return f"{float(f'{ratio:.2g}'):g}"
+
+
+def fails(data, times, method):
+    """Whether a method was tried and never came so close."""
+    tried = method in data["method"].values and np.isfinite(data.sel({"method": method})["error"])
+    return bool(np.any(tried)) and method not in times
+
+
+def is_peer(method):
+    """Whether a method is somebody else's."""
+    return method.split("_")[0] in PACKAGES
+
+
+if __name__ == "__main__":
+    run_step(tabulate_speed_error, globals().get("snakemake"))
