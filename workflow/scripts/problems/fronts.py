@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from granular_fronts.fronts.interpolation import interpolate_all
-from granular_fronts.fronts.measures import velocity
+from granular_fronts.fronts.properties import velocity
 from granular_fronts.fronts.profile import (
     ORDER,
     make_law,
