@@ -11,7 +11,6 @@ from functools import partial
 import numpy as np
 
 from granular_fronts.fronts.interpolation import interpolate_all
-from granular_fronts.fronts.properties import velocity
 from granular_fronts.fronts.profile import (
     ORDER,
     make_law,
@@ -19,6 +18,7 @@ from granular_fronts.fronts.profile import (
     solve_on_grid,
     solve_profile,
 )
+from granular_fronts.fronts.properties import velocity
 from granular_fronts.fronts.shooting import shoot_front
 from granular_fronts.fronts.tails import tail_roots
 from granular_fronts.fronts.window import choose_window
