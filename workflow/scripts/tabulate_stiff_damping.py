@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pandas as pd
-from tabulate_precision import time_to_reach
+from tabulate_speed_error import time_to_reach
 
 from granular_fronts.datasets import read_dataset
 from granular_fronts.files import complete_file
