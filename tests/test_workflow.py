@@ -32,6 +32,7 @@ FIGURES = [
     "fig07",
     "fig07b",
     "fig08",
+    "fig17",
     "fig18",
     "fig19",
 ]

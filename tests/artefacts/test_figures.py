@@ -12,6 +12,7 @@ FIGURES = [
     "fig07_periodic_chain_hertz",
     "fig07b_model_error",
     "fig08_heteroclinic",
+    "fig17_jump_conditions",
     "fig18_damping_regimes",
     "fig19_numerical_damping",
 ]

@@ -6,7 +6,11 @@ rule check_results:
         tests=sorted(glob("tests/artefacts/*.py")),
         datasets=CHAIN_DATASETS + PERIODIC_DATASETS + HETEROCLINIC_DATASETS + LAWS_DATASETS,
         figures=FIGURES,
-        tables=[rules.tabulate_paper_numbers.output, rules.tabulate_materials.output],
+        tables=[
+            rules.tabulate_paper_numbers.output,
+            rules.tabulate_materials.output,
+            rules.tabulate_jump_conditions.output,
+        ],
     output:
         verdict="<results>/checks.txt",
     params:

@@ -183,6 +183,26 @@ rule plot_fig08:
         "../scripts/plot_fig08.py"
 
 
+rule plot_fig17:
+    input:
+        dataset="<results>/data/laws/jump_conditions.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig17_jump_conditions.pdf",
+        png="<results>/figures/fig17_jump_conditions.png",
+    log:
+        "<logs>/plot_fig17.log",
+    benchmark:
+        "<benchmarks>/plot_fig17.tsv"
+    threads: 1
+    message:
+        "Drawing figure 17: jump conditions and measured fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig17.py"
+
+
 rule plot_fig18:
     input:
         dataset="<results>/data/laws/damping_regimes.nc",
@@ -233,6 +253,7 @@ FIGURE_RULES = {
     "fig07": rules.plot_fig07,
     "fig07b": rules.plot_fig07b,
     "fig08": rules.plot_fig08,
+    "fig17": rules.plot_fig17,
     "fig18": rules.plot_fig18,
     "fig19": rules.plot_fig19,
 }
@@ -307,6 +328,13 @@ rule fig08:
         rules.plot_fig08.output,
     message:
         "Figure 8 is drawn."
+
+
+rule fig17:
+    input:
+        rules.plot_fig17.output,
+    message:
+        "Figure 17 is drawn."
 
 
 rule fig18:

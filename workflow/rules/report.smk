@@ -6,7 +6,11 @@ rule write_report:
         template="workflow/report/page.html.j2",
         figures=[rule.output.png for rule in FIGURE_RULES.values()],
         captions=expand("workflow/report/{figure}.rst", figure=FIGURE_RULES),
-        tables=[rules.tabulate_paper_numbers.output.csv, rules.tabulate_materials.output.csv],
+        tables=[
+            rules.tabulate_paper_numbers.output.csv,
+            rules.tabulate_materials.output.csv,
+            rules.tabulate_jump_conditions.output.csv,
+        ],
         benchmarks=[
             rules.compile_kernels.benchmark,
             rules.compile_continuum_kernels.benchmark,
@@ -19,7 +23,9 @@ rule write_report:
             rules.evaluate_damping_regimes.benchmark,
             rules.measure_numerical_damping.benchmark,
             rules.measure_pistons.benchmark,
+            rules.check_jump_conditions.benchmark,
             rules.tabulate_materials.benchmark,
+            rules.tabulate_jump_conditions.benchmark,
             rules.tabulate_paper_numbers.benchmark,
             rules.check_results.benchmark,
         ],

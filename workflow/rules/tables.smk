@@ -25,5 +25,6 @@ rule tables:
     input:
         rules.tabulate_paper_numbers.output,
         rules.tabulate_materials.output,
+        rules.tabulate_jump_conditions.output,
     message:
         "All tables are written."
