@@ -15,8 +15,15 @@ from granular_fronts.configuration import (
     check_configuration,
     load_configuration,
 )
-from granular_fronts.contact import generalised_hertz
-from granular_fronts.fronts.any_law import make_lattice, refine, solve_any_front
+from granular_fronts.contact import fpu, generalised_hertz, toda
+from granular_fronts.fronts.any_law import (
+    FIRST_SPACING,
+    ORDER,
+    refine,
+    solve_any_front,
+    solve_on_grid,
+)
+from granular_fronts.fronts.lattice import choose_window, long_wave_front, make_lattice
 from granular_fronts.laws.measured_jumps import measure_jumps, travelling_speed
 from granular_fronts.laws.named_potentials import make_potential, make_slope
 
@@ -96,13 +103,33 @@ def test_hertz_front_is_that_of_the_profile_equation(beta, gamma):
 
 
 def test_weak_damping_is_reached_from_strong_damping():
-    """Far below critical damping, where the long-wave start fails."""
-    front = solve_any_front(
-        make_lattice(generalised_hertz(1.5), generalised_hertz(1.5, 0.02), -1.0, 0.0)
-    )
+    """Where the long-wave start alone does not lead to the front."""
+    lattice = make_lattice(toda(), fpu(0.1), -2.0, 0.0)._replace(factor=0.5)
+    start = long_wave_front(lattice)
+    direct = solve_on_grid(lattice, choose_window(lattice), FIRST_SPACING, ORDER, start)
+    assert direct.reason
+    front, theory = solve_any_front(lattice), gf.jump_conditions(toda(), -2.0, 0.0)
     assert not front.reason
-    assert front.u.max() > 1.3
-    assert front.dissipated_power() == pytest.approx(0.1, rel=1e-12)
+    assert front.u.max() > 1.25
+    assert front.dissipated_power() == pytest.approx(theory.dissipated_power, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("potential", "states", "sentence"),
+    [
+        (generalised_hertz(0.5), (-1.0, 0.0), "V'' is inf, W'' is 1"),
+        (fpu(1.0, 0.0, 1.0), (-1.0, 0.9), "choose states between which V''' has one sign"),
+    ],
+)
+def test_fronts_that_are_not_sought_are_refused(potential, states, sentence):
+    """A softening contact that just touches, and a front as fast as sound on neither side."""
+    with pytest.raises(ValueError, match=sentence):
+        make_lattice(potential, fpu(1.0), *states)
+
+
+def test_a_front_too_sharp_for_the_grid_is_no_front():
+    lattice = make_lattice(generalised_hertz(300.0), generalised_hertz(300.0, 0.3), -1.0, 0.0)
+    assert solve_any_front(lattice).reason
 
 
 def test_direction_follows_the_reflection():
@@ -222,7 +249,7 @@ def test_a_state_pair_without_a_front_is_refused_with_theory():
         ({"tolerance": 0}, "tolerance is 0, but must be above 0"),
         (
             {"cases": {"toda": {"elastic": {"kind": "spring"}}}},
-            "which is unknown: choose hertz or toda or fpu",
+            "unknown: choose hertz or toda or fpu",
         ),
     ],
 )

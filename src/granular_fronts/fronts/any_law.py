@@ -1,15 +1,9 @@
 r"""The exact front of any lattice with potentials V and W; James (2021), section 2.
 
 The strain :math:`r_n = x_{n+1} - x_n = R(n - ct)` of a front of the lattice (5) obeys
-:math:`c^2 R'' = \Delta_d(V'(R) - c\,\tfrac{d}{d\xi} W'(R))`.  Let n run so that c > 0 (otherwise
-the lattice is reflected, which swaps the states), from :math:`R_b` behind to :math:`R_a` ahead.
-With :math:`R = R_a + (R_b - R_a)\,u` and
-
-.. math::
-
-    p(u) = \frac{V'(R) - V'(R_a)}{R_b - R_a}, \qquad q(u) = \frac{W'(R) - W'(R_a)}{R_b - R_a},
-
-u falls from 1 to 0 and obeys the convolution form of `profile`, of which it is the general case,
+:math:`c^2 R'' = \Delta_d(V'(R) - c\,\tfrac{d}{d\xi} W'(R))`.  In the variable u and with the
+functions p and q of `lattice` u falls from 1 to 0 and obeys the convolution form of `profile`, of
+which this is the general case,
 
 .. math::
 
@@ -19,12 +13,8 @@ u falls from 1 to 0 and obeys the convolution form of `profile`, of which it is 
 Far behind it says :math:`c^2 = p(1)`, eq. (13).  Discretisation, unknowns and phase condition are
 those of `profile` and `newton`: c is an unknown, and its distance to (13) measures the solution.
 
-Start.  To first order in slow variation :math:`c^2 u = p(u) - c\,q(u)'`, of which the front is
-
-.. math:: \xi = \int \frac{c\,q'(u)}{c^2 u - p(u)}\,(-du),
-
-with :math:`u = 1/(1 + e^x)` as a variable.  It is good for strong damping, so that W is first
-enlarged by a factor and then followed back to 1.
+Start.  The long-wave front of `lattice` is good for strong damping; where it is not good enough, W
+is first enlarged and then followed back.
 
 Power.  The front loses :math:`c^2 \int W''(R) R'^2\,d\xi`, which eq. (16) says to be |cS|.
 """
@@ -35,73 +25,21 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import solve_banded
-from scipy.optimize import brentq
 
-from granular_fronts.contact import Potential
-from granular_fronts.fronts import interpolation, tails
+from granular_fronts.fronts import interpolation
+from granular_fronts.fronts.lattice import Lattice, choose_window, long_wave_front
 from granular_fronts.fronts.quadrature import kernel_weights
-from granular_fronts.jumps import jump_conditions
-
-DECAY = 37.0
-"""Natural logarithm of what is left of a tail at the end of the window."""
 
 ORDER, OTHER_ORDER, REFINED_ORDER = 20, 16, 22
-FIRST_SPACING, MOST_PER_SITE = Fraction(1, 8), 48
+FIRST_SPACING, FINER = Fraction(1, 8), 1.3
+ADJUSTMENTS = 12
 DEFECT = 2.0e-13
 """Largest difference of two quadrature rules on the final grid."""
 
-AT_REST = 1.0e-14
+AT_REST = 1.0e-13
+SPEED_TOLERANCE = 1.0e-12
 STEPS, LONGEST_CHANGE, SETTLED, ROUND_OFF = 60, 0.4, 1.0e-15, 1.0e-11
 STRONGEST, LONGEST_RATIO, SHORTEST_RATIO = 32.0, 2.0, 1.01
-START_REACH, START_POINTS = 25.0, 4001
-MOST_LENGTHENINGS = 12
-
-
-class Lattice(NamedTuple):
-    """A lattice and the states of a front in it, seen so that the front runs to larger n.
-
-    Attributes
-    ----------
-    potential, dissipation : granular_fronts.contact.Potential
-        V and W.
-    factor : float
-        What W is multiplied by.
-    behind, ahead : float
-        States R_b and R_a.
-    speed : float
-        c > 0 by eq. (13).
-    """
-
-    potential: Potential
-    dissipation: Potential
-    factor: float
-    behind: float
-    ahead: float
-    speed: float
-
-    def strain(self, u):
-        """R for a value of u."""
-        return self.ahead + (self.behind - self.ahead) * u
-
-    def elastic(self, u):
-        """The function p."""
-        return self._scaled(self.potential.first, u)
-
-    def viscous(self, u):
-        """The function q."""
-        return self.factor * self._scaled(self.dissipation.first, u)
-
-    def stiffness(self, u):
-        """Its derivative p'(u) = V''(R)."""
-        return self.potential.second(self.strain(u))
-
-    def viscosity(self, u):
-        """Its derivative q'(u) = W''(R)."""
-        return self.factor * self.dissipation.second(self.strain(u))
-
-    def _scaled(self, function, u):
-        ahead = function(np.array([self.ahead]))
-        return (function(self.strain(u)) - ahead) / (self.behind - self.ahead)
 
 
 class AnyFront(NamedTuple):
@@ -169,13 +107,6 @@ class AnyFront(NamedTuple):
         return self.speed**2 * float(self.spacing) * float(losses.sum())
 
 
-def make_lattice(potential, dissipation, R_minus, R_plus):
-    """The lattice with the front's direction and speed; refusals as of `jump_conditions`."""
-    theory = jump_conditions(potential, R_minus, R_plus, dissipation=dissipation)
-    behind, ahead = (R_minus, R_plus) if theory.direction > 0 else (R_plus, R_minus)
-    return Lattice(potential, dissipation, 1.0, behind, ahead, abs(theory.speed))
-
-
 def solve_any_front(lattice):
     """The front of a lattice from nothing.
 
@@ -192,19 +123,20 @@ def solve_any_front(lattice):
     front = _from_long_wave(lattice, window)
     if front.reason:
         front = _from_stronger_damping(lattice, window)
-    for _ in range(MOST_LENGTHENINGS):
+    for _ in range(ADJUSTMENTS):
         if front.reason:
             return front
-        longer = lacking_window(front, window)
-        if longer != window:
-            window = longer
-            front = solve_on_grid(lattice, window, front.spacing, ORDER, front.evaluate)
-        elif quadrature_defect(front) > DEFECT and 1 / front.spacing < MOST_PER_SITE:
-            finer = Fraction(1, math.ceil(1.3 / front.spacing))
-            front = solve_on_grid(lattice, window, finer, ORDER, front.evaluate)
-        else:
-            return front
-    return front._replace(reason="the window is still too short, or the grid too coarse")
+        longer, spacing = lacking_window(front, window), front.spacing
+        if longer == window:
+            if quadrature_defect(front) <= DEFECT:
+                return front
+            spacing = Fraction(1, math.ceil(FINER / front.spacing))
+        window = longer
+        front = solve_on_grid(lattice, window, spacing, ORDER, front.evaluate)
+    return front._replace(
+        reason=f"{ADJUSTMENTS} adjustments of window and grid are not enough: the front is too "
+        "sharp, or decays too slowly"
+    )
 
 
 def refine(front):
@@ -221,70 +153,26 @@ def _from_long_wave(lattice, window):
 
 def _from_stronger_damping(lattice, window):
     """Follow the front from strong damping, by steps as long as Newton's iteration allows."""
-    strong = lattice._replace(factor=STRONGEST)
+    strong = lattice._replace(factor=STRONGEST * lattice.factor)
     known = _from_long_wave(strong, choose_window(strong))
     ratio = LONGEST_RATIO
     while not known.reason and ratio > SHORTEST_RATIO:
-        factor = max(1.0, known.lattice.factor / ratio)
-        weaker = lattice._replace(factor=factor)
-        there = window if factor == 1.0 else choose_window(weaker)
+        weaker = lattice._replace(factor=max(lattice.factor, known.lattice.factor / ratio))
+        there = window if weaker == lattice else choose_window(weaker)
         attempt = solve_on_grid(weaker, there, FIRST_SPACING, ORDER, known.evaluate)
         if attempt.reason:
             ratio = math.sqrt(ratio)
             continue
-        if factor == 1.0:
+        if weaker == lattice:
             return attempt
         known = attempt
     return known._replace(reason=known.reason or "no way leads from strong damping to this one")
 
 
-def long_wave_front(lattice):
-    """The front of the equation of first order, as a function u of ξ."""
-    x = np.linspace(-START_REACH, START_REACH, START_POINTS)
-    u = 1.0 / (1.0 + np.exp(x))
-    gap = lattice.speed**2 * u - lattice.elastic(u)
-    rates = lattice.speed * lattice.viscosity(u) * u * (1.0 - u) / np.maximum(gap, 1e-300)
-    # Rounding spoils the ends, where the decay is exponential or the front ends.
-    good = np.abs(gap) > 1e-6 * lattice.speed**2 * np.minimum(u, 1.0 - u)
-    x, rates = x[good], rates[good]
-    xi = np.concatenate([[0.0], np.cumsum(0.5 * (rates[1:] + rates[:-1]) * np.diff(x))])
-    xi -= np.interp(0.0, x, xi)
-    return lambda places: 1.0 / (1.0 + np.exp(np.interp(places, xi, x, left=-37.0, right=37.0)))
-
-
-def choose_window(lattice):
-    """Lengths behind and ahead of ξ = 0, in sites, from the tails of both states."""
-    c = lattice.speed
-    stiffness, viscosity = (
-        float(function(np.array([1.0]))[0]) for function in (lattice.stiffness, lattice.viscosity)
-    )
-    root = tails.lowest_roots_of_all(stiffness / c**2, c * viscosity / stiffness, 1)[0]
-    return 4.0 + DECAY / root.real, _length_ahead(lattice)
-
-
-def _length_ahead(lattice):
-    c = lattice.speed
-    stiffness, viscosity = (
-        float(function(np.array([0.0]))[0]) for function in (lattice.stiffness, lattice.viscosity)
-    )
-    if stiffness == 0.0 and viscosity == 0.0:
-        places = np.arange(0.0, 1.0e4)
-        return 8.0 + float(places[long_wave_front(lattice)(places) > 1e-15].max(initial=0.0))
-
-    def excess(kappa):
-        bell = (2.0 * math.sinh(0.5 * kappa) / kappa) ** 2
-        return (stiffness + c * viscosity * kappa) * bell - c**2
-
-    top = 1.0
-    while excess(top) < 0.0:
-        top *= 2.0
-    return 4.0 + DECAY / brentq(excess, 1e-12, top)
-
-
 def lacking_window(front, window):
     """The window, longer at the ends that are not at rest."""
-    behind = np.abs(front.u[:4] - 1.0).max() > AT_REST * 10.0
-    ahead = np.abs(front.u[-4:]).max() > AT_REST * 10.0
+    behind = np.abs(front.u[:4] - 1.0).max() > AT_REST
+    ahead = np.abs(front.u[-4:]).max() > AT_REST
     return window[0] * (1.2 if behind else 1.0), window[1] * (1.3 if ahead else 1.0)
 
 
@@ -293,7 +181,8 @@ def quadrature_defect(front):
     fine, other = (kernel_weights(front.spacing, order) for order in (ORDER, OTHER_ORDER))
     more = (fine.hat.size - other.hat.size) // 2
     hat, jump = fine.hat - np.pad(other.hat, more), fine.jump - np.pad(other.jump, more)
-    return float(np.abs(_right_side(front.lattice, hat, jump, front.u, front.speed)).max())
+    difference = _right_side(front.lattice, hat, jump, front.u, front.speed)
+    return float(np.abs(difference).max()) / front.speed**2
 
 
 def solve_on_grid(lattice, window, spacing, order, start):
@@ -322,8 +211,11 @@ def solve_on_grid(lattice, window, spacing, order, start):
     c, before = lattice.speed, math.inf
     weights = kernel_weights(spacing, order)
     for _ in range(STEPS):
-        step, change, residual = _newton_step(lattice, weights, middle, u, c)
-        if not np.isfinite(residual + change):
+        try:
+            # A wild iterate overflows, and is noticed by its residual.
+            with np.errstate(all="ignore"):
+                step, change, residual = _newton_step(lattice, weights, middle, u, c)
+        except np.linalg.LinAlgError:
             break
         largest = float(np.abs(step).max())
         part = min(1.0, LONGEST_CHANGE / largest)
@@ -337,7 +229,7 @@ def solve_on_grid(lattice, window, spacing, order, start):
 def _judge(front):
     """The front, with the reason why it is none if it is none."""
     defect = front.speed / front.lattice.speed - 1.0
-    if abs(defect) > 1e-12:
+    if abs(defect) > SPEED_TOLERANCE:
         return front._replace(reason=f"the speed is wrong by {defect:.1e}: this is not a front")
     if front.u[front.middle + 1 :].max() >= 0.5:
         return front._replace(reason="another part of the wave is at xi = 0")
@@ -356,6 +248,8 @@ def _newton_step(lattice, weights, middle, u, c):
     hat, jump = weights.hat, weights.jump
     half, points = hat.size // 2, u.size
     residuals = c**2 * u - _right_side(lattice, hat, jump, u, c)
+    if not np.isfinite(residuals).all():
+        raise np.linalg.LinAlgError("no finite residuals")
     of_speed = 2.0 * c * u - _right_side(lattice, 0.0 * hat, jump, u, 1.0)
     stiffness, viscosity = lattice.stiffness(u), c * lattice.viscosity(u)
     band = np.zeros((2 * half + 2, points))

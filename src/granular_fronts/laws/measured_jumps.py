@@ -32,7 +32,8 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
-from granular_fronts.fronts.any_law import choose_window, make_lattice, refine, solve_any_front
+from granular_fronts.fronts.any_law import refine, solve_any_front
+from granular_fronts.fronts.lattice import choose_window, make_lattice
 from granular_fronts.jumps import jump_conditions
 from granular_fronts.laws.named_potentials import make_potential, make_slope
 
@@ -182,7 +183,7 @@ def drive_front(law, lattice, beads, tolerance):
     ----------
     law : object
         Compiled law of the chain.
-    lattice : granular_fronts.fronts.any_law.Lattice
+    lattice : granular_fronts.fronts.lattice.Lattice
     beads : int
         How far the front runs.
     tolerance : float
@@ -238,9 +239,7 @@ def _room_behind(lattice, beads):
 
     Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     """
-    stiffness, viscosity = (
-        float(function(np.array([1.0]))[0]) for function in (lattice.stiffness, lattice.viscosity)
-    )
+    stiffness, viscosity = lattice.curvatures(1.0)
     lead = 0.5 * beads * (math.sqrt(stiffness) / lattice.speed - 1.0)
     spread = 5.0 * math.sqrt(viscosity * beads / lattice.speed)
     return ROOM_BEHIND + math.ceil(lead + spread)
