@@ -16,6 +16,15 @@ WAYS = {
     "velocity_jump_driven": ("velocity jump, driven chain", "v"),
     "power_driven": ("power, driven chain", "x"),
 }
+SPELLINGS = {
+    "kuwabara_kono": "Kuwabara–Kono",
+    "simon_hunt_crossley": "Simon–Hunt–Crossley",
+    "hertz": "Hertz",
+    "toda": "Toda",
+    "fpu": "FPU",
+    "alpha": "α",
+    "beta": "β",
+}
 PROFILES = 6
 SHOWN_XI = (-12, 15)
 
@@ -32,7 +41,7 @@ def plot_fig17(dataset: Path, pdf: Path, png: Path) -> None:
     """
     data = read_dataset(dataset, "jump_conditions")
     figure, panels = new_figure(6.2, [["ratio", "error"], ["profile", "profile"]])
-    laws = [str(name).replace("_", " ") for name in data["law"].values]
+    laws = [spell(name) for name in data["law"].values]
     places = np.arange(len(laws))[::-1]
     for (name, (label, marker)), colour in zip(WAYS.items(), PROBE_COLOURS, strict=True):
         style = {"linestyle": "none", "marker": marker, "color": colour, "markersize": 4.5}
@@ -54,13 +63,21 @@ def plot_fig17(dataset: Path, pdf: Path, png: Path) -> None:
     save_figure(figure, pdf, png)
 
 
+def spell(name):
+    """The name of a lattice as people write it."""
+    words = str(name)
+    for key, spelling in SPELLINGS.items():
+        words = words.replace(key, spelling)
+    return words.replace("_", " ")
+
+
 def draw_profiles(axes, data):
     """Exact fronts, every second lattice, their middles at ξ = 0."""
     step = max(1, data.sizes["law"] // PROFILES)
     for law in data["law"].values[1::step][:PROFILES]:
         one = data.sel(law=law)
         states = f"{float(one['state_minus']):g} to {float(one['state_plus']):g}"
-        axes.plot(data["xi"], one["profile"], label=f"{str(law).replace('_', ' ')}, {states}")
+        axes.plot(data["xi"], one["profile"], label=f"{spell(law)}, {states}")
     axes.set(
         xlabel=r"$\xi = n - |c|t$",
         ylabel=r"$(R - R_a)/(R_b - R_a)$",

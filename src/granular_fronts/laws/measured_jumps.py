@@ -4,8 +4,9 @@ For any V and W the speed (13), the direction (17), the jump of the velocity (12
 (16) follow from the two states alone.  They are measured here in three ways.
 
 Exact front (`granular_fronts.fronts.any_law`): its speed is an unknown of the equations, and its
-power an integral over the profile.  Error: change on a finer grid, by another order, on a longer
-window, and rounding.
+power an integral over the profile.  The discrete equations imply (13) as the exact ones do, so that
+this speed tells whether the front reaches both states, and the power whether it is resolved.
+Error: change on a finer grid, by another order, on a longer window, and rounding.
 
 Travelling front: the exact front, put into a chain of beads (`granular_fronts.chain.any_law`),
 travels; its speed is the slope of the times at which the contacts pass the middle between the
@@ -38,7 +39,7 @@ from granular_fronts.jumps import jump_conditions
 from granular_fronts.laws.named_potentials import make_potential, make_slope
 
 EPSILON = float(np.finfo(float).eps)
-ROOM_BEHIND, ROOM_AHEAD = 60, 30
+ROOM_BEHIND = 60
 TRAVEL, TRAVEL_TOLERANCE = 40, 1.0e-14
 SAMPLES = 16
 """Instants within the passage of one bead, whose powers are averaged."""
@@ -195,8 +196,9 @@ def drive_front(law, lattice, beads, tolerance):
         `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measurement`.
     """
     c, jump = lattice.speed, lattice.behind - lattice.ahead
+    window_behind, window_ahead = choose_window(lattice)
     origin = _room_behind(lattice, beads)
-    contacts = origin + beads + ROOM_AHEAD
+    contacts = origin + beads + math.ceil(window_ahead)
     strain = np.where(np.arange(contacts + 2) < origin, lattice.behind, lattice.ahead)
     strain[origin] = lattice.strain(0.5)
     rate = np.zeros(contacts + 2)
@@ -210,7 +212,7 @@ def drive_front(law, lattice, beads, tolerance):
 
     ways = (beads // 4, beads // 2, beads)
     # Farther behind, what is left of the front is smaller than what the start has left there.
-    length = math.ceil(0.5 * choose_window(lattice)[0])
+    length = math.ceil(0.5 * window_behind)
     velocity_jumps, powers = zip(
         *(_measure_at(chain, lattice, way, max(origin + way - length, 0), run) for way in ways),
         strict=True,
