@@ -236,6 +236,20 @@ def test_driven_fronts_are_within_their_errors():
             assert (found[f"{name}_error"] < (1e-6 if way == "driven" else 1e-12)).all(), name
 
 
+def test_a_slow_front_on_a_short_way_states_a_larger_error():
+    case = {
+        "elastic": {"kind": "fpu", "cubic": 1},
+        "dissipation": {"kind": "fpu", "quartic": 0.5},
+        "states": [0.6, 0.1],
+    }
+    found = measure_jumps({"slow": case}, 200, 1e-9).isel(law=0)
+    for quantity in QUANTITIES:
+        error = float(found[f"{quantity}_driven_error"])
+        distance = abs(float(found[f"{quantity}_driven"] - found[f"{quantity}_expected"]))
+        assert distance <= error, quantity
+    assert float(found["speed_driven_error"]) > 1e-4
+
+
 def test_a_state_pair_without_a_front_is_refused_with_theory():
     harmonic = {"elastic": {"kind": "fpu"}, "dissipation": {"kind": "fpu"}, "states": [0, 1]}
     with pytest.raises(ValueError, match="Remark 3"):

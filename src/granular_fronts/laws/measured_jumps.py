@@ -23,7 +23,9 @@ second half of the way; the jump of the velocity and the power are measured at i
 passage of one bead and the contacts of the front.  Error: the change on the last doubling of the
 way, which for the inverse square is three times the error that is left, or a quarter of the change
 on the doubling before, and rounding.
-The chain behind the jump is so long that nothing that its held end reflects reaches the front.
+Weakly nonlinear or strongly damped fronts form slowly, at an exponential rate; they need a longer
+way, or have larger errors.  The chain behind the jump is so long that nothing that its held end
+reflects reaches the front.
 """
 
 import math
