@@ -59,9 +59,12 @@ def test_front_damping_hardly_depends_on_the_stiffness(configuration):
     assert soft / stiff == pytest.approx(2.0 ** (1.0 / 15.0), rel=1e-12)
 
 
-def test_regime_is_that_of_the_long_wave_limit():
-    assert regime(1.999) == "underdamped"
-    assert regime(2.0) == "overdamped"
+def test_regime_is_that_of_the_tail():
+    """Below the critical damping the slowest tail root is complex, above it is real."""
+    critical = gf.critical_damping(1.5)
+    for gamma, word in ((0.999 * critical, "underdamped"), (1.001 * critical, "overdamped")):
+        assert regime(gamma) == word
+        assert (gf.tail_roots(1.5, gamma, count=1)[0].imag > 0.0) == (word == "underdamped")
 
 
 def test_regimes_follow_equation_29():
@@ -70,7 +73,9 @@ def test_regimes_follow_equation_29():
     for beta, slope in zip(found["beta"].values, slopes, strict=True):
         np.testing.assert_allclose(slope, 2.0 * beta / 2.5 - 1.0, atol=1e-14)
     np.testing.assert_allclose(found["gamma"].sel(velocity_ratio=1.0, method="nearest"), 1.0)
-    assert float(found["critical_gamma"].sel(beta=1.5)) == pytest.approx(1.0 / 3.0, rel=1e-14)
+    critical = found["critical_gamma"]
+    assert float(critical.sel(beta=1.5)) == gf.critical_damping(1.5)
+    np.testing.assert_allclose(critical * critical["beta"], 1.5 * gf.critical_damping(1.5))
     e = found["restitution"]
     assert np.all(np.diff(e.sel(beta=2.5)) < 0.0)
     assert np.all(np.diff(e.sel(beta=1.0)) >= 0.0)

@@ -22,7 +22,7 @@ ROOT = Path(__file__).parents[1]
 SCRIPTS = sorted(
     set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
 )
-FIGURES = [f"fig{number:02}" for number in (*range(1, 14), 18, 19)] + ["fig07b"]
+FIGURES = [f"fig{number:02}" for number in (*range(1, 14), 17, 18, 19)] + ["fig07b"]
 TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results", "fig14", "precision"]
 TARGETS += ["fig15", "hard_cases", "stiff_damping"]
 

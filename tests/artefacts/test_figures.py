@@ -17,6 +17,7 @@ FIGURES = [
     "fig11_continuum_errors",
     "fig12_critical_damping",
     "fig13_multipliers",
+    "fig17_jump_conditions",
     "fig18_damping_regimes",
     "fig19_numerical_damping",
 ]

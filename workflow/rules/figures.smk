@@ -284,6 +284,26 @@ rule plot_fig13:
         "../scripts/plot_fig13.py"
 
 
+rule plot_fig17:
+    input:
+        dataset="<results>/data/laws/jump_conditions.nc",
+        modules=modules("style.py"),
+    output:
+        pdf="<results>/figures/fig17_jump_conditions.pdf",
+        png="<results>/figures/fig17_jump_conditions.png",
+    log:
+        "<logs>/plot_fig17.log",
+    benchmark:
+        "<benchmarks>/plot_fig17.tsv"
+    threads: 1
+    message:
+        "Drawing figure 17: jump conditions and measured fronts."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/plot_fig17.py"
+
+
 rule plot_fig18:
     input:
         dataset="<results>/data/laws/damping_regimes.nc",
@@ -339,6 +359,7 @@ FIGURE_RULES = {
     "fig11": rules.plot_fig11,
     "fig12": rules.plot_fig12,
     "fig13": rules.plot_fig13,
+    "fig17": rules.plot_fig17,
     "fig18": rules.plot_fig18,
     "fig19": rules.plot_fig19,
 }
@@ -448,6 +469,13 @@ rule fig13:
         rules.plot_fig13.output,
     message:
         "Figure 13 is drawn."
+
+
+rule fig17:
+    input:
+        rules.plot_fig17.output,
+    message:
+        "Figure 17 is drawn."
 
 
 rule fig18:

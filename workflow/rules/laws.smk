@@ -7,11 +7,12 @@ LAWS_MODULES = modules(
     "jumps.py",
     "scaling.py",
     "continuum/log_kdv_burgers.py",
+    "fronts/*.py",
     "datasets.py",
 )
 LAWS_DATASETS = expand(
     "<results>/data/laws/{name}.nc",
-    name=["materials", "damping_regimes", "numerical_damping", "piston"],
+    name=["materials", "damping_regimes", "numerical_damping", "jump_conditions", "piston"],
 )
 
 
@@ -95,6 +96,47 @@ rule measure_pistons:
         "../envs/main.yaml"
     script:
         "../scripts/measure_pistons.py"
+
+
+rule check_jump_conditions:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=[*CHAIN_MODULES, *LAWS_MODULES],
+    output:
+        dataset="<results>/data/laws/jump_conditions.nc",
+    params:
+        scene=config["laws"]["jump_conditions"],
+    log:
+        "<logs>/check_jump_conditions.log",
+    benchmark:
+        "<benchmarks>/check_jump_conditions.tsv"
+    threads: 1
+    message:
+        "Measuring fronts of any potentials against the jump conditions."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/check_jump_conditions.py"
+
+
+rule tabulate_jump_conditions:
+    input:
+        dataset=rules.check_jump_conditions.output.dataset,
+        modules=modules("datasets.py"),
+    output:
+        csv="<results>/tables/jump_conditions.csv",
+        markdown="<results>/tables/jump_conditions.md",
+    log:
+        "<logs>/tabulate_jump_conditions.log",
+    benchmark:
+        "<benchmarks>/tabulate_jump_conditions.tsv"
+    threads: 1
+    message:
+        "Writing the table of jump conditions."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/tabulate_jump_conditions.py"
 
 
 rule tabulate_materials:

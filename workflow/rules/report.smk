@@ -24,6 +24,7 @@ rule write_report:
             rules.tabulate_fronts.output.errors_csv,
             rules.tabulate_critical_damping.output.csv,
             rules.tabulate_materials.output.csv,
+            rules.tabulate_jump_conditions.output.csv,
         ],
         benchmarks=[
             rules.compile_kernels.benchmark,
@@ -44,7 +45,9 @@ rule write_report:
             rules.evaluate_damping_regimes.benchmark,
             rules.measure_numerical_damping.benchmark,
             rules.measure_pistons.benchmark,
+            rules.check_jump_conditions.benchmark,
             rules.tabulate_materials.benchmark,
+            rules.tabulate_jump_conditions.benchmark,
             rules.tabulate_paper_numbers.benchmark,
             rules.check_results.benchmark,
         ],

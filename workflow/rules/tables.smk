@@ -31,5 +31,6 @@ rule tables:
         rules.tabulate_materials.output,
         rules.tabulate_fronts.output,
         rules.tabulate_critical_damping.output,
+        rules.tabulate_jump_conditions.output,
     message:
         "All tables are written."

@@ -39,7 +39,7 @@ def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
 def make_row(one, kind, dimension, value):
     """One row of the table, as a dict."""
     front = one.sel({dimension: value})
-    mu = float(front[f"mu_front_{kind}"])
+    gamma = float(front[f"gamma_front_{kind}"])
     unit = "m/s behind the front" if kind == "piston" else "N of pressure"
     return {
         "material": str(one["material"].values),
@@ -48,9 +48,9 @@ def make_row(one, kind, dimension, value):
         "gamma_exact": float(one["gamma"]),
         "restitution_of_printed_gamma": float(one["restitution_exact"]),
         "front": f"{value:g} {unit}",
-        "gamma_of_front": float(front[f"gamma_front_{kind}"]),
-        "mu": mu,
-        "regime": regime(mu),
+        "gamma_of_front": gamma,
+        "mu": float(front[f"mu_front_{kind}"]),
+        "regime": regime(gamma),
         "error_estimate": float(one[f"gamma_front_{kind}"].attrs["error_estimate"]),
     }
 

@@ -7,15 +7,18 @@ collision of two beads with this e then has another γ, the larger the damping t
 Fronts.  A Kuwabara-Kono front behind which the beads move at :math:`v_p` has, normalised to δ = c =
 1, :math:`\gamma = \gamma(v_0)\,(v_p/v_0)^{(\alpha-1)/(\alpha+1)}` (29), whatever the mass and the
 stiffness; for a given force behind it :math:`v_p \propto F^{(\alpha+1)/(2\alpha)}\,m^{-1/2}
-k^{-1/(2\alpha)}` needs both, but γ only to the power −1/15 of k for α = 3/2.  Whether it oscillates
-follows from the long-wave limit, :math:`\mu = 2\sqrt3\,\gamma\,(1 - 1/\alpha)^{-1/2} < 2` (54).
+k^{-1/(2\alpha)}` needs both, but γ only to the power −1/15 of k for α = 3/2.  A front oscillates
+below the critical damping of its tail (`granular_fronts.fronts.critical_damping`), which is lower
+than that of the long-wave limit, where :math:`\mu = 2\sqrt3\,\gamma\,(1 - 1/\alpha)^{-1/2} = 2`
+(54).
 """
 
 import numpy as np
 import xarray as xr
 
 from granular_fronts.collision import damping_for_restitution, restitution, weak_damping_slope
-from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, amplitude_of_chain
+from granular_fronts.continuum.log_kdv_burgers import amplitude_of_chain
+from granular_fronts.fronts.critical_damping import critical_damping
 from granular_fronts.scaling import (
     Scaling,
     damping_from_restitution,
@@ -102,6 +105,6 @@ def _unit(name):
     return {"units": units[name]} if name in units else {}
 
 
-def regime(mu):
-    """The word for a front of the long-wave limit: "underdamped" (oscillating) or "overdamped"."""
-    return "underdamped" if mu < CRITICAL_DAMPING else "overdamped"
+def regime(gamma):
+    """The word for a front of spheres, δ = c = 1: "underdamped" (oscillating) or "overdamped"."""
+    return "underdamped" if gamma < critical_damping(ALPHA) else "overdamped"

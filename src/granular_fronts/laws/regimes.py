@@ -4,18 +4,15 @@ In multiples of :math:`v_c`, the velocity at which γ = 1, (29) is :math:`\gamma
 (v_0/v_c)^{2\beta/(\alpha+1)-1}`: damping is weak at small velocities for β above (α + 1)/2, at
 large ones for β below, and for β = (α + 1)/2 it does not depend on the velocity; γ = 1 is then an
 example.  Of two beads that collide at :math:`v_0` the restitution follows.  A front behind which
-the beads move at :math:`v_0` oscillates below a critical γ: the long-wave limit of section 5 has
-
-.. math:: \gamma_c = \frac{\alpha}{\beta}\,\Bigl(\frac{1 - 1/\alpha}{3}\Bigr)^{1/2},
-
-where α/β translates from β = α, since the linearised front depends on βγ alone (ours).
+the beads move at :math:`v_0` oscillates below a critical γ, at which the slowest root of its tail
+becomes real (`granular_fronts.fronts.critical_damping`; ours).
 """
 
 import numpy as np
 import xarray as xr
 
 from granular_fronts.collision import restitution
-from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, damping_of_mu
+from granular_fronts.fronts.critical_damping import critical_damping
 
 COLLISION_ERROR = 1.0e-12
 
@@ -46,7 +43,7 @@ def evaluate_regimes(alpha, betas, decades, points):
         [restitution(one, alpha, beta) for one in row]
         for beta, row in zip(betas, gamma, strict=True)
     ]
-    critical = [alpha / beta * damping_of_mu(CRITICAL_DAMPING, alpha) for beta in betas]
+    critical = [critical_damping(alpha, beta) for beta in betas]
     rounding = {"error_estimate": 4e-16 * float(gamma.max()), "error_method": "rounding"}
     collision = {
         "error_estimate": COLLISION_ERROR,
@@ -59,7 +56,7 @@ def evaluate_regimes(alpha, betas, decades, points):
             "critical_gamma": (
                 "beta",
                 critical,
-                {"error_estimate": 4e-16, "error_method": "rounding of a closed formula"},
+                {"error_estimate": 4e-16, "error_method": "rounding of a root of two equations"},
             ),
         },
         {"beta": list(betas), "velocity_ratio": ratios},

@@ -1,0 +1,25 @@
+"""Every measured speed, velocity jump and power is within its stated error of theory."""
+
+import pytest
+
+from granular_fronts.datasets import read_dataset
+
+MEASURED = [
+    "speed_exact",
+    "speed_travelling",
+    "speed_driven",
+    "velocity_jump_driven",
+    "power_exact",
+    "power_driven",
+]
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_measurements_agree_with_theory(results, name):
+    data = read_dataset(results / "data" / "laws" / "jump_conditions.nc", "jump_conditions")
+    expected = f"{name.rpartition('_')[0]}_expected"
+    errors = data[f"{name}_error"] + data[f"{expected}_error"]
+    assert data.sizes["law"] >= 8
+    assert (abs(data[name] - data[expected]) <= errors).all()
+    if not name.endswith("driven"):
+        assert (data[f"{name}_error"] < 1e-12).all()

@@ -1,0 +1,90 @@
+"""Figure 17: jump conditions against measured fronts of several lattices; James (2021), sect. 2."""
+
+from pathlib import Path
+
+import numpy as np
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from step import run_step
+
+WAYS = {
+    "speed_exact": ("speed, exact front", "o"),
+    "power_exact": ("power, exact front", "s"),
+    "speed_travelling": ("speed, exact front in a chain", "D"),
+    "speed_driven": ("speed, driven chain", "^"),
+    "velocity_jump_driven": ("velocity jump, driven chain", "v"),
+    "power_driven": ("power, driven chain", "x"),
+}
+SPELLINGS = {
+    "kuwabara_kono": "Kuwabara–Kono",
+    "simon_hunt_crossley": "Simon–Hunt–Crossley",
+    "hertz": "Hertz",
+    "toda": "Toda",
+    "fpu": "FPU",
+    "alpha": "α",
+    "beta": "β",
+}
+PROFILES = 6
+SHOWN_XI = (-12, 15)
+
+
+def plot_fig17(dataset: Path, pdf: Path, png: Path) -> None:
+    """Draw distances from theory over stated errors, stated errors, and profiles.
+
+    Parameters
+    ----------
+    dataset : Path
+        Written by check_jump_conditions.
+    pdf, png : Path
+        Files to write.
+    """
+    data = read_dataset(dataset, "jump_conditions")
+    figure, panels = new_figure(6.2, [["ratio", "error"], ["profile", "profile"]])
+    laws = [spell(name) for name in data["law"].values]
+    places = np.arange(len(laws))[::-1]
+    for (name, (label, marker)), colour in zip(WAYS.items(), PROBE_COLOURS, strict=True):
+        style = {"linestyle": "none", "marker": marker, "color": colour, "markersize": 4.5}
+        quantity = name.rpartition("_")[0]
+        distance = data[name] - data[f"{quantity}_expected"]
+        error = data[f"{name}_error"] + data[f"{quantity}_expected_error"]
+        panels["ratio"].plot(distance / error, places, label=label, fillstyle="none", **style)
+        relative = np.abs(data[f"{name}_error"] / data[f"{quantity}_expected"])
+        panels["error"].plot(relative, places, fillstyle="none", **style)
+    panels["ratio"].axvspan(-1.0, 1.0, color="0.93", zorder=0)
+    panels["ratio"].set(
+        xlabel="(measured − theory) / stated error", xlim=(-1.3, 1.3), yticks=places
+    )
+    panels["ratio"].set_yticklabels(laws)
+    panels["error"].set(xlabel="stated error, relative", xscale="log", yticks=places)
+    panels["error"].set_yticklabels([])
+    draw_profiles(panels["profile"], data)
+    figure.legend(*panels["ratio"].get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    save_figure(figure, pdf, png)
+
+
+def spell(name):
+    """The name of a lattice as people write it."""
+    words = str(name)
+    for key, spelling in SPELLINGS.items():
+        words = words.replace(key, spelling)
+    return words.replace("_", " ")
+
+
+def draw_profiles(axes, data):
+    """Exact fronts, every second lattice, their middles at ξ = 0."""
+    step = max(1, data.sizes["law"] // PROFILES)
+    for law in data["law"].values[1::step][:PROFILES]:
+        one = data.sel(law=law)
+        states = f"{float(one['state_minus']):g} to {float(one['state_plus']):g}"
+        axes.plot(data["xi"], one["profile"], label=f"{spell(law)}, {states}")
+    axes.set(
+        xlabel=r"$\xi = n - |c|t$",
+        ylabel=r"$(R - R_a)/(R_b - R_a)$",
+        xlim=SHOWN_XI,
+    )
+    axes.legend(loc="center right")
+
+
+if __name__ == "__main__":
+    run_step(plot_fig17, globals().get("snakemake"))

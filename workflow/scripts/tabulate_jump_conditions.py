@@ -1,0 +1,81 @@
+"""Speed, velocity jump and power of fronts by theory and as measured; James (2021), section 2."""
+
+import json
+from pathlib import Path
+
+import pandas as pd
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.files import complete_file
+from step import run_step
+
+MEASURED = {
+    "speed": ["exact", "travelling", "driven"],
+    "velocity_jump": ["driven"],
+    "power": ["exact", "driven"],
+}
+
+
+def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
+    """Write a row for each lattice.
+
+    Parameters
+    ----------
+    dataset : Path
+        Written by check_jump_conditions.
+    csv, markdown : Path
+        Tables to write: all numbers in full precision, and distances from theory for reading.
+    """
+    data = read_dataset(dataset, "jump_conditions")
+    cases = json.loads(data.attrs["config"])["cases"]
+    names = [str(name) for name in data["law"].values]
+    described = [describe(name, cases[name]) for name in names]
+    full = [row | all_numbers(data.sel(law=row["law"])) for row in described]
+    brief = [row | distances(data.sel(law=row["law"])) for row in described]
+    with complete_file(csv) as unfinished:
+        pd.DataFrame(full).to_csv(unfinished, index=False, float_format="%.17g")
+    with complete_file(markdown) as unfinished:
+        pd.DataFrame(brief).to_markdown(unfinished, index=False, disable_numparse=True)
+
+
+def describe(name, case):
+    """The cells that tell which lattice it is."""
+    return {
+        "law": name,
+        "elastic": tell_potential(case["elastic"]),
+        "dissipation": tell_potential(case["dissipation"]),
+        "states": " to ".join(f"{state:g}" for state in case["states"]),
+    }
+
+
+def tell_potential(description):
+    """A potential in a few words."""
+    parameters = [f"{name} {value:.3g}" for name, value in description.items() if name != "kind"]
+    return " ".join([description["kind"], *parameters])
+
+
+def all_numbers(one):
+    """Every value and error of one lattice, by column."""
+    row = {"direction": int(one["direction"])}
+    for quantity, ways in MEASURED.items():
+        for way in ["expected", *ways]:
+            name = f"{quantity}_{way}"
+            row |= {name: float(one[name]), f"{name}_error": float(one[f"{name}_error"])}
+    return row
+
+
+def distances(one):
+    """What theory says, and how far the measurements are from it and may be."""
+    row = {"direction": f"{int(one['direction']):+d}"}
+    for quantity, ways in MEASURED.items():
+        expected = float(one[f"{quantity}_expected"])
+        row[quantity.replace("_", " ")] = f"{expected:.6g}"
+        for way in ways:
+            name = f"{quantity}_{way}"
+            distance, error = float(one[name]) - expected, float(one[f"{name}_error"])
+            row[f"{way} {quantity.replace('_', ' ')}"] = f"{distance:+.0e} (± {error:.0e})"
+    return row
+
+
+if __name__ == "__main__":
+    run_step(tabulate_jump_conditions, globals().get("snakemake"))
