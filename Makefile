@@ -55,7 +55,8 @@ environment.txt:
 # The README shows the numbers and the figure of the last run of both targets.
 readme: .venv/installed
 	@echo "Bringing the numbers and the figure of the README up to date."
-	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default all precision
+	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default precision
+	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default
 	@$(BIN)/python workflow/scripts/update_readme.py --readme README.md --results results
 
 clean:

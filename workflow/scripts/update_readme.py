@@ -8,6 +8,7 @@ import pandas as pd
 from granular_fronts.files import complete_file
 from step import run_step
 
+NOT_JUDGED = "no number printed"
 FIGURE = "fig01_initiation_underdamped.png"
 
 
@@ -30,8 +31,9 @@ def update_readme(readme: Path, results: Path) -> None:
 
 
 def paper_numbers(results):
-    """The paper's numbers beside ours, as Markdown."""
+    """The numbers that the paper prints beside ours, as Markdown."""
     table = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
+    table = table[table["verdict"] != NOT_JUDGED]
     shown = pd.DataFrame(
         {
             "quantity": table["quantity"],
