@@ -5,6 +5,7 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib.colors import BoundaryNorm, ListedColormap, LogNorm
+from matplotlib.patheffects import withStroke
 
 from granular_fronts.datasets import read_dataset
 from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
@@ -117,6 +118,7 @@ def draw_materials(axes, materials):
             textcoords="offset points",
             va="center",
             fontsize=7,
+            path_effects=[withStroke(linewidth=2, foreground="white")],
         )
 
 

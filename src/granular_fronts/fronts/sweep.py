@@ -69,7 +69,8 @@ def sweep_fronts(alpha, gammas, beta=None):
         On `gamma`, in the order given: `overshoot`, `width_10_90`, `slope`, `dissipated_power`,
         each with its `…_error`; `residual`, `speed_defect`; `tail_rate`, `tail_frequency`, real and
         imaginary part of the slowest tail exponent; `error_estimate` of u, the largest of the
-        errors of the overshoot, of the width times the slope, and of the dissipated power;
+        errors of the overshoot, of the width times the slope, and of the dissipated power, or where
+        that is too large the difference of u itself;
         `converged` (0 or 1) and `reason`.
 
     Raises
@@ -93,11 +94,12 @@ def sweep_fronts(alpha, gammas, beta=None):
         reasons[reached] = reason
         values[reached[: len(found)]], others[reached[: len(again)]] = found, again
         first += reached.size
-    for k in np.flatnonzero(_estimates(values, _errors(values, others)) > ACCEPTED_ERROR):
-        found, again, reason = _stretch(make_law(alpha, gammas[k], beta), gammas[[k]])
-        if not reason:
-            values[k], others[k] = found[0], again[0]
-    return _describe(alpha, beta, gammas, values, others, reasons)
+    estimates = _estimates(values, _errors(values, others))
+    for k in np.flatnonzero(estimates > ACCEPTED_ERROR):
+        found, again, estimate = _alone(make_law(alpha, gammas[k], beta))
+        if estimate < estimates[k]:
+            values[k], others[k], estimates[k] = found, again, estimate
+    return _describe(alpha, beta, gammas, values, others, estimates, reasons)
 
 
 def _stretch(law, gammas):
@@ -113,6 +115,19 @@ def _stretch(law, gammas):
     again = _follow(finer, gammas[: len(found)], REFINED_ORDER)
     common = min(len(found), len(again))
     return found[:common], again[:common], ""
+
+
+def _alone(law):
+    """One front on a window and a grid of its own: values on two grids, and the error of u."""
+    start = solve_profile(law)
+    finer = refine(start) if not start.reason else start
+    if finer.reason:
+        return None, None, math.inf
+    gamma = np.array([law.gamma])
+    found, again = _follow(start, gamma, ORDER), _follow(finer, gamma, REFINED_ORDER)
+    if not (len(found) and len(again)):
+        return None, None, math.inf
+    return found[0], again[0], float(np.abs(start.evaluate(finer.xi) - finer.u).max())
 
 
 def _follow(start, gammas, order):
@@ -218,10 +233,9 @@ def is_front(law, middle, u, speed, residual):
     return at_rest and solved and exact and highest < 0.5 and np.min(u) >= law.ahead - BELOW
 
 
-def _describe(alpha, beta, gammas, values, others, reasons):
+def _describe(alpha, beta, gammas, values, others, estimate, reasons):
     """The dataset of a sweep."""
     errors = _errors(values, others)
-    estimate = _estimates(values, errors)
     doubtful = estimate > ACCEPTED_ERROR
     for k in np.nonzero(doubtful)[0]:
         reasons[k] = f"the front errs by about {estimate[k]:.1e}, more than {ACCEPTED_ERROR:g}"
