@@ -19,7 +19,7 @@ test: lint
 	@$(BIN)/pytest
 
 slow: .venv/installed
-	@echo "Running the slow tests (about four minutes)."
+	@echo "Running the slow tests (about seven minutes)."
 	@$(BIN)/pytest -m slow
 
 lint: .venv/installed
