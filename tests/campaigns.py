@@ -1,0 +1,53 @@
+"""Small campaigns, and what their tests share."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from granular_fronts.campaign import chunks, definition, merging
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.configuration import ConfigurationError
+from granular_fronts.datasets import write_dataset
+
+ROOT = Path(__file__).parents[1]
+CHAINS = {
+    "kind": "chain",
+    "axes": {"delta": [0.1, 1.0], "gamma": [0.1, 0.3, 0.8]},
+    "fixed": {"alpha": 1.5, "beads": 30},
+    "tolerance": 1.0e-7,
+}
+ORBITS = {"kind": "heteroclinic", "axes": {"mu": [0.3, 1.0, 2.0, 5.0, 15.0]}}
+
+
+def campaign(given=CHAINS, **changes):
+    return definition.check_campaign({**given, **changes}, "mine")
+
+
+def refusal(given=CHAINS, **changes):
+    with pytest.raises(ConfigurationError) as caught:
+        campaign(given, **changes)
+    return str(caught.value)
+
+
+def all_chunks(asked, chunk_points):
+    return list(chunks.cut(asked, np.ones(asked.shape, dtype=bool), chunk_points))
+
+
+def solve(chunk, folder):
+    """Solve a chunk as the workflow does."""
+    solved = KINDS[chunk.kind].solve_chunk(chunk.points(), chunk.settings)
+    chunks.write_request(chunk, folder)
+    file = folder / f"{chunk.name}.nc"
+    data = merging.chunk_dataset(chunk, solved, 1.0)
+    write_dataset(data, file, scene_id=chunk.name, config=json.loads(chunk.as_json()))
+    return file
+
+
+def pretend_solved(asked, folder, chunk_points):
+    """Request every chunk and put an empty file in the place of its data."""
+    _, missing = chunks.find_missing(asked, folder)
+    for chunk in chunks.cut(asked, missing, chunk_points):
+        chunks.write_request(chunk, folder)
+        (folder / f"{chunk.name}.nc").touch()
