@@ -235,7 +235,8 @@ def test_reflection_radius_is_the_sound_round_trip():
 def test_front_travels_unchanged_through_the_chain(alpha, gamma):
     """A thousand bead-times in the chain engine, with steps and boundaries of its own.
 
-    A front whose speed is wrong by the rounding of its states drifts; it is held to 5e-14 per bead.
+    Behind the front changes below the last digit of u = 1 are lost in every step, and the front
+    slows down by some 1e-14 in a thousand bead-times: its place, by some 1e-12.
     """
     bead_times = 1000
     front = shot(alpha, gamma, alpha, 2)
@@ -248,5 +249,5 @@ def test_front_travels_unchanged_through_the_chain(alpha, gamma):
     moved = slice(bead_times, bead_times + front.bead.size)
     for name in ("relative_displacement", "velocity"):
         error = np.abs(last[name].values[moved] - getattr(front, name)).max()
-        assert error < 5.0e-14 * bead_times
+        assert error < 1.0e-11
     assert np.abs(last["relative_displacement"].values[:bead_times] - 1.0).max() < 1.0e-11

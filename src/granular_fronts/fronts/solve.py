@@ -20,10 +20,7 @@ from granular_fronts.fronts.refusals import check_law, check_right_state
 from granular_fronts.fronts.sampling import sample_front
 
 ACCEPTED_ERROR = 1e-12
-"""Error estimate of u up to which a front by the profile equation is called converged."""
-
-ACCEPTED_ERRORS = {"profile": ACCEPTED_ERROR, "shooting": 10.0 * ACCEPTED_ERROR}
-"""The same by method; shooting magnifies rounding by about 1/(α − 1), as `shooting` explains."""
+"""Error estimate of u up to which a front is called converged."""
 
 ERROR_METHODS = {
     "profile": f"largest difference to a solution with {REFINED_ORDER} instead of {ORDER} points "
@@ -198,8 +195,8 @@ def _describe(method, solution, refined):
         for name, (values, others) in pairs.items()
     }
     error = errors["relative_displacement"]
-    if error > ACCEPTED_ERRORS[method]:
-        raise NoFrontError(f"u errs by about {error:.1e}, more than {ACCEPTED_ERRORS[method]:g}")
+    if error > ACCEPTED_ERROR:
+        raise NoFrontError(f"u errs by about {error:.1e}, more than {ACCEPTED_ERROR:g}")
     found, found_again = measure(solution), measure(refined)
     return _dataset(
         method,
