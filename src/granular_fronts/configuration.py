@@ -188,6 +188,20 @@ def refuse_start_of_wrong_length(scene: Mapping) -> Iterator[str]:
             )
 
 
+def refuse_start_against_piston(scene: Mapping) -> Iterator[str]:
+    """Refuse a given velocity of bead 1 that is not the one its piston begins with."""
+    boundary, start = scene["boundary"], scene["start"]
+    if boundary["kind"] != "piston" or start["kind"] != "given":
+        return
+    begins = 0 if boundary.get("ramp") else boundary["velocity"]
+    found = start["velocity"][0] if start["velocity"] else begins
+    if found != begins:
+        yield (
+            f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
+            f"velocity {begins}: give {begins} first."
+        )
+
+
 def refuse_uncompressed_start_below_linear(scene: Mapping) -> Iterator[str]:
     """Refuse α < 1 from contacts that just touch: their stiffness αu^(α − 1) is infinite."""
     alpha = scene["law"]["alpha"]
@@ -333,6 +347,7 @@ REFUSALS: dict[str, tuple[Refusal, ...]] = {
         refuse_relative_tolerance_below_floor,
         refuse_ring_at_rest,
         refuse_start_of_wrong_length,
+        refuse_start_against_piston,
         refuse_uncompressed_start_below_linear,
         refuse_probe_beyond_chain,
         refuse_empty_probe_window,

@@ -1,39 +1,75 @@
 """Momentum law and energy balance of a run, James (2021), section 3.3 and eq. (6).
 
-The laws stand in the docstring of `equations`.  The work of the pressure is exact, since a constant
-force does work on the displacement of the bead it acts on; the dissipated energy is integrated by
-the Runge-Kutta pair beside the motion.
+The laws stand in the docstring of `equations`.  The work at the ends is exact: a constant force
+does work on the displacement of the bead it acts on, and that of a piston follows from momentum and
+positions.  The dissipated energy is integrated by the Runge-Kutta pair beside the motion.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from granular_fronts.chain import equations
 
 
+class Snapshot(NamedTuple):
+    """Velocities of the beads, energy, and positions (0 on a ring) at a time."""
+
+    velocity: np.ndarray
+    energy: float
+    positions: np.ndarray
+
+
 class Balances:
     """Largest drifts of both laws, noted after blocks of steps."""
 
     def __init__(self, run):
-        self._energy_at_start, self._first_at_start, self._last_at_start = _measure(run)[1:]
+        self._start = self._last_of_ramp = _measure(run)
         self._drift = {"momentum": 0.0, "energy": 0.0}
-        self._scale = {"momentum": 0.0, "energy": self._energy_at_start}
+        self._scale = {"momentum": 0.0, "energy": self._start.energy}
         self._tracks_energy = run.recording.track_energy
 
     def check(self, run):
         """Compare the run with the exact laws at its present time."""
-        velocity, energy, first, last = _measure(run)
+        now = _measure(run)
+        stored = now.energy - self._start.energy + run.clock.dissipated[0]
+        if run.boundary.piston:
+            self._check_piston(run, now, stored)
+        else:
+            self._check_pressure(run, now, stored)
+
+    def _check_pressure(self, run, now, stored):
         left = equations.force(run.boundary.left, run.law.alpha)
         right = equations.force(run.boundary.right, run.law.alpha)
+        moved = now.positions - self._start.positions
         gained = (left - right) * run.clock.t[0]
-        work = left * (first - self._first_at_start) - right * (last - self._last_at_start)
-        stored = energy - self._energy_at_start + run.clock.dissipated[0]
-        self._note("momentum", velocity.sum() - run.momentum - gained, np.abs(velocity).sum())
-        self._note("energy", stored - work, energy)
+        drift = now.velocity.sum() - run.momentum - gained
+        self._note("momentum", drift, np.abs(now.velocity).sum())
+        self._note("energy", stored - left * moved[0] + right * moved[-1], now.energy)
+
+    def _check_piston(self, run, now, stored):
+        """The piston keeps its velocity; its work is known but for a sum over its ramp."""
+        t, piston = run.clock.t[0], run.boundary.piston
+        right = equations.force(run.boundary.right, run.law.alpha)
+        if t <= piston.ramp:
+            self._last_of_ramp = now
+        risen = self._last_of_ramp.positions - self._start.positions
+        moved = now.positions - self._start.positions
+        work = (
+            piston.velocity_at(t) * now.velocity.sum()
+            - piston.velocity_at(0.0) * run.momentum
+            - piston.acceleration_at(0.0) * risen.sum()
+            + right * (moved[0] - moved[-1])
+        )
+        self._note("momentum", now.velocity[0] - piston.velocity_at(t), piston.velocity)
+        self._note("energy", stored - work, now.energy)
 
     def drifts(self):
-        """Largest drifts relative to Σ|ẋ_n| and to the largest energy; NaN where not tracked."""
+        """Largest drifts relative to Σ|ẋ_n| and to the largest energy; NaN where not tracked.
+
+        With a piston the first is that of its velocity.
+        """
         momentum = self._drift["momentum"] / (self._scale["momentum"] or 1.0)
         energy = self._drift["energy"] / (self._scale["energy"] or 1.0)
         return {
@@ -47,12 +83,12 @@ class Balances:
 
 
 def _measure(run):
-    """Velocities, energy, and positions of the first and last bead (0 on a ring)."""
+    """The `Snapshot` of the present."""
     beads = slice(1, run.size.beads + 1)
-    u, d, first, last = run.state.u[beads].copy(), run.state.d[beads], 0.0, 0.0
+    u, d, positions = run.state.u[beads].copy(), run.state.d[beads], np.zeros(run.size.beads)
     if not run.boundary.ring:
-        first, last = u.sum(), u[-1]
+        positions = np.flip(np.cumsum(np.flip(u)))
         u[-1] = run.boundary.right
-    law = run.law
-    velocity = equations.velocities(d, u, run.boundary, law.beta, law.gamma, run.momentum)
-    return velocity, equations.energy(u, velocity, run.boundary, law.alpha), first, last
+    law, t = run.law, run.clock.t[0]
+    velocity = equations.velocities(d, u, run.boundary, law.beta, law.gamma, run.momentum, t)
+    return Snapshot(velocity, equations.energy(u, velocity, run.boundary, law.alpha), positions)

@@ -25,6 +25,15 @@ The first holds since the damping forces of the held contacts vanish (:math:`\do
 :math:`T_n = u_{n,+}^\alpha + \gamma\,\frac{d}{dt}u_{n,+}^\beta`, bead n receives
 :math:`T_{n-1} - T_n`, and the flux :math:`q_n = T_n \dot x_{n+1}` telescopes.  On a ring both
 boundary terms are absent and the sums run over all N contacts.
+
+A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
+it exerts the unknown force :math:`f = T_1 + \dot V`.  In place of the momentum law stands
+:math:`\dot x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + \tilde\delta^\alpha`, its
+work needs no quadrature while the acceleration :math:`a = \dot V` is constant:
+
+.. math::
+
+    \int f\,V\,dt = \Bigl[ V \sum_n \dot x_n - a \sum_n x_n + \tilde\delta^\alpha x_1 \Bigr] .
 """
 
 from typing import NamedTuple
@@ -32,19 +41,45 @@ from typing import NamedTuple
 import numpy as np
 
 
+class Piston(NamedTuple):
+    """Prescribed motion of bead 1.
+
+    Attributes
+    ----------
+    velocity : float
+        V at the end of the ramp and ever after.
+    ramp : float
+        Time over which the velocity rises linearly from 0; 0 for a constant velocity.
+    """
+
+    velocity: float
+    ramp: float
+
+    def velocity_at(self, t):
+        """V(t)."""
+        return self.velocity * min(t / self.ramp, 1.0) if self.ramp else self.velocity
+
+    def acceleration_at(self, t):
+        """Acceleration up to the time t, elementwise; at the end of the ramp that of the ramp."""
+        return self.velocity / self.ramp * (np.asarray(t) <= self.ramp) if self.ramp else 0.0
+
+
 class Boundary(NamedTuple):
-    """Held relative displacements at the ends, eq. (25), or a ring, eq. (26).
+    """Held relative displacements at the ends, eq. (25), a ring, eq. (26), or a piston.
 
     Attributes
     ----------
     ring : bool
     left, right : float
         δ and δ̃, the relative displacements held at the ends; 0 is a free end, unused on a ring.
+    piston : Piston, optional
+        Motion of bead 1, for which nothing is held at the left end.
     """
 
     ring: bool
     left: float = 0.0
     right: float = 0.0
+    piston: Piston | None = None
 
 
 def force(u, exponent):
@@ -52,29 +87,33 @@ def force(u, exponent):
     return np.maximum(u, 0.0) ** exponent
 
 
-def forces_on_both_sides(u, boundary, exponent):
+def forces_on_both_sides(u, boundary, exponent, t=0.0):
     """Forces of the contacts n − 1 and n of every bead, each of the shape of `u`.
 
     Parameters
     ----------
     u : ndarray, shape (..., N)
         Relative displacements; with pressure at the ends u_N is the held value.
+    t : float or ndarray, shape (...), optional
+        Time, on which the force behind a piston depends.
     """
     ahead = force(u, exponent)
     behind = np.roll(ahead, 1, axis=-1)
-    if not boundary.ring:
+    if boundary.piston:
+        behind[..., 0] = ahead[..., 0] + boundary.piston.acceleration_at(t)
+    elif not boundary.ring:
         behind[..., 0] = force(boundary.left, exponent)
     return behind, ahead
 
 
-def velocity_correction(u, boundary, beta, gamma):
+def velocity_correction(u, boundary, beta, gamma, t=0.0):
     """ẋ − w of every bead, eq. (31)."""
-    behind, ahead = forces_on_both_sides(u, boundary, beta)
+    behind, ahead = forces_on_both_sides(u, boundary, beta, t)
     return gamma * (behind - ahead)
 
 
 def strain_rates(velocity, u, boundary, beta, gamma):
-    """d_n = w_n − w_{n+1} from velocities; with pressure at the ends d_N = w_N."""
+    """d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
     w = velocity - velocity_correction(u, boundary, beta, gamma)
     ahead = np.roll(w, -1, axis=-1)
     if not boundary.ring:
@@ -82,13 +121,15 @@ def strain_rates(velocity, u, boundary, beta, gamma):
     return w - ahead
 
 
-def velocities(d, u, boundary, beta, gamma, momentum=0.0):
+def velocities(d, u, boundary, beta, gamma, momentum=0.0, t=0.0):
     """Velocities ẋ_n from the strain form: a suffix sum.
 
     Parameters
     ----------
     momentum : float
         Σẋ_n on a ring, where d leaves a common velocity free; not used otherwise.
+    t : float or ndarray, shape (...), optional
+        Time, which matters to a piston.
     """
     if boundary.ring:
         # Rounding leaves a sum over one turn that grows with N; the exact sum is zero.
@@ -96,7 +137,7 @@ def velocities(d, u, boundary, beta, gamma, momentum=0.0):
     w = np.flip(np.cumsum(np.flip(d, axis=-1), axis=-1), axis=-1)
     if boundary.ring:
         w = w + (momentum - w.sum(axis=-1, keepdims=True)) / w.shape[-1]
-    return w + velocity_correction(u, boundary, beta, gamma)
+    return w + velocity_correction(u, boundary, beta, gamma, t)
 
 
 def energy(u, velocity, boundary, alpha):

@@ -11,7 +11,8 @@ Variables of the dataset (names and units are given once, in `granular_fronts.da
   time and bead.
 
 The last bead's entry of a relative displacement is the held value at the right end, or on a ring
-the contact that closes it.
+the contact that closes it.  A piston is bead 1: its velocity is the prescribed one, and the first
+relative displacement is that of its contact.
 """
 
 import numpy as np
@@ -65,7 +66,7 @@ def make_recording(scene, columns):
     extremes = np.full(8, np.nan)
     extremes[[LARGEST, SMALLEST]] = -np.inf, np.inf
     return Recording(
-        stops=np.union1d(snapshots[snapshots > 0.0], float(scene["end_time"])),
+        stops=_stops(scene, snapshots),
         profile_times=profile_times,
         profile_u=np.zeros((profile_times.size, columns)),
         profile_d=np.zeros((profile_times.size, columns)),
@@ -81,6 +82,13 @@ def make_recording(scene, columns):
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),
     )
+
+
+def _stops(scene, snapshots):
+    """Times on which steps land: snapshots, the end of a piston's ramp, the end of the motion."""
+    end_time, ramp = float(scene["end_time"]), float(scene["boundary"].get("ramp", 0.0))
+    inside = np.append(snapshots, ramp)
+    return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
 
 
 def collect(scene, recording, boundary, momentum):
@@ -110,7 +118,8 @@ def _profiles(scene, recording, boundary, momentum):
     d = recording.profile_d[:, 1 : beads + 1]
     if not boundary.ring:
         u[:, -1] = boundary.right
-    velocity = equations.velocities(d, u, boundary, law["beta"], law["gamma"], momentum)
+    times = recording.profile_times
+    velocity = equations.velocities(d, u, boundary, law["beta"], law["gamma"], momentum, times)
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     rows = np.searchsorted(recording.profile_times, snapshots)
     variables = {

@@ -2,6 +2,9 @@
 
 Rest means ẋ = 0, James (2021), section 3.3: where a boundary holds a contact compressed at t = 0,
 the generalised velocity starts at w_1(0) = −γ δ^β.
+
+A piston that rises to its velocity is integrated in two parts, since its acceleration jumps at the
+end of the ramp: a step lands there, and w_1 takes up the jump (see `strain`).
 """
 
 from typing import NamedTuple
@@ -9,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain import equations, integrator, stiff
-from granular_fronts.chain.equations import Boundary
+from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.state import Law, Size, State, make_law, make_state
 from granular_fronts.chain.strain import evaluate_slopes, reach_of
@@ -59,7 +62,7 @@ def prepare(scene):
     law = make_law(**scene["law"])
     boundary = make_boundary(scene)
     u, velocity = initial_state(scene, boundary)
-    size = Size(scene["beads"], scene["beads"] if boundary.ring else scene["beads"] - 1)
+    size = make_size(scene["beads"], boundary)
     with np.errstate(over="ignore", invalid="ignore"):
         state = load_state(law, size, boundary, u, velocity)
     if not (np.isfinite(state.d).all() and np.isfinite(state.force).all()):
@@ -91,6 +94,25 @@ def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STI
     SolveError
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
+    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
+    stops = run.recording.stops
+    if 0.0 < ramp < stops[-1]:
+        rising = run.recording._replace(stops=stops[stops <= ramp])
+        _advance(run._replace(recording=rising), tolerance, after_block, stiff_from)
+        run = _end_ramp(run)
+    _advance(run, tolerance, after_block, stiff_from)
+
+
+def _end_ramp(run):
+    """The run without the acceleration of its piston, whose velocity ẋ_1 stays as it is."""
+    run.state.d[1] += run.law.gamma * run.size.acceleration
+    size = run.size._replace(acceleration=0.0)
+    evaluate_slopes(run.law, size, run.state, run.state.u, 0, run.clock.reach[0])
+    return run._replace(size=size)
+
+
+def _advance(run, tolerance, after_block, stiff_from):
+    """Advance a run to the last of its stops."""
     relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
     is_stiff = stiff.suits(run, stiff_from)
     advance_stiff = stiff.make_advance(run, relative, absolute) if is_stiff else None
@@ -116,11 +138,21 @@ def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STI
 
 
 def make_boundary(scene):
-    """Boundary conditions (25) or (26) of a scene."""
+    """Boundary conditions (25) or (26) of a scene, or its piston."""
     boundary = scene["boundary"]
     if boundary["kind"] == "ring":
         return Boundary(ring=True)
+    if boundary["kind"] == "piston":
+        piston = Piston(float(boundary["velocity"]), float(boundary.get("ramp", 0.0)))
+        return Boundary(ring=False, right=float(boundary["right"]), piston=piston)
     return Boundary(ring=False, left=float(boundary["left"]), right=float(boundary["right"]))
+
+
+def make_size(beads, boundary):
+    """What the kernels need to know of the boundary."""
+    if boundary.piston:
+        return Size(beads, beads - 1, True, float(boundary.piston.acceleration_at(0.0)))
+    return Size(beads, beads if boundary.ring else beads - 1)
 
 
 def initial_state(scene, boundary):
@@ -131,6 +163,8 @@ def initial_state(scene, boundary):
         given = np.asarray(start["relative_displacement"], dtype=float)
         u[: given.size] = given
         velocity[:] = start["velocity"]
+    elif boundary.piston:
+        velocity[0] = boundary.piston.velocity_at(0.0)
     if not boundary.ring:
         u[-1] = boundary.right
     return u, velocity

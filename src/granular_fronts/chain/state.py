@@ -45,10 +45,21 @@ class State(NamedTuple):
 
 
 class Size(NamedTuple):
-    """Number of beads N, of moving contacts (N − 1, or N on a ring)."""
+    """Number of beads N, of moving contacts (N − 1, or N on a ring), and what closes bead 1.
+
+    Attributes
+    ----------
+    beads, contacts : int
+    piston : bool
+        Whether bead 1 is a piston.
+    acceleration : float
+        That of the piston now.
+    """
 
     beads: int
     contacts: int
+    piston: bool = False
+    acceleration: float = 0.0
 
 
 def make_law(alpha, beta, gamma):

@@ -18,7 +18,7 @@ its accuracy comes from a second run, as for the explicit pair.
 
 Limits.  Steps end on every output, since the polynomial of the stages is of order 6 only; a contact
 that opens or closes, a crowd of outputs, or a Newton iteration that fails sends the run back to the
-explicit pair.  Rings, arrivals and extremes are left to it altogether.
+explicit pair.  Rings, pistons, arrivals and extremes are left to it altogether.
 """
 
 import math
@@ -90,6 +90,7 @@ def suits(run, stiff_from=STIFF):
     compression = max(run.boundary.left, run.boundary.right, run.state.u[1:last].max())
     return (
         not run.boundary.ring
+        and not run.boundary.piston
         and not recording.track_extremes
         and math.isnan(recording.level)
         and stiffness(run.law, compression) >= stiff_from

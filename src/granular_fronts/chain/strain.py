@@ -23,6 +23,12 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
   :math:`(\delta^\alpha - \tilde\delta^\alpha)\,h` in every step: a linear law that a Runge-Kutta
   method keeps to round-off.
 - Ring, eq. (26): all contacts 1 … N move, indices are taken modulo N.
+- Piston: as pressure, but bead 1 moves at a prescribed velocity V(t), whose acceleration a is
+  piecewise constant.  Newton's law for this bead, of mass 1 like the others, gives the force behind
+  it: :math:`F_0 = F_1 + a` closes both Laplacians, the mirror image of contact 1 shifted by a.
+  Then :math:`\dot d_1 = a - F_1 + F_2`, and since the viscous closure has the same shift,
+  eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`: g may be read from k here too, and w_1 jumps
+  by γ times the jump of a.
 
 Active window.  Entries beyond the `reach` of the wave are exactly zero and are not visited.
 
@@ -78,10 +84,15 @@ def stage_value_pair(state, a, a_squared, c, h, h_gamma, n):
 
 @kernel(fastmath=_CONTRACT)
 def laplacian(force, slopes, row, size, reach):
-    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach; a ring is closed first."""
+    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach.
+
+    A ring and a piston are closed first.
+    """
     if size.contacts == size.beads:
         force[0] = force[size.beads]
         force[size.beads + 1] = force[1]
+    if size.piston:
+        force[0] = force[1] + size.acceleration
     for n in range(uint64(1), uint64(reach + 1)):
         slopes[row, n] = force[n - uint64(1)] - 2.0 * force[n] + force[n + uint64(1)]
 
