@@ -75,6 +75,15 @@ def test_merge_goes_deep_and_replaces_lists():
     assert below["a"]["c"] == [1, 2, 3]
 
 
+PISTON = {"kind": "piston", "velocity": 0.05, "right": 0}
+
+
+def at_velocity(velocity):
+    """A start of 420 beads of which only the first moves."""
+    velocities = [velocity, *[0.0] * 419]
+    return {"kind": "given", "relative_displacement": [0.0] * 419, "velocity": velocities}
+
+
 REFUSED = [
     ({"law__alpha": 0}, ["law.alpha is 0", "above 0"]),
     ({"law__beta": 0.5}, ["law.beta is 0.5", "limit 1", "give 1 or more"]),
@@ -98,9 +107,21 @@ REFUSED = [
         ["tolerance.relative is 1e-17", f"floor of {RELATIVE_TOLERANCE_FLOOR}", "or more"],
     ),
     ({"tolerance__absolute": 0.0}, ["tolerance.absolute is 0.0", "above 0"]),
-    ({"boundary": {"kind": "rign"}}, ['boundary.kind is "rign"', "pressure or ring"]),
+    ({"boundary": {"kind": "rign"}}, ['boundary.kind is "rign"', "pressure or ring or piston"]),
     ({"boundary__left": -0.1}, ["boundary.left is -0.1", "limit 0"]),
     ({"boundary__kind": "ring"}, ["boundary.left, boundary.right are no keys"]),
+    ({"boundary": PISTON | {"velocity": -1}}, ["boundary.velocity is -1", "above 0"]),
+    ({"boundary": PISTON | {"ramp": -2}}, ["boundary.ramp is -2", "limit 0"]),
+    ({"boundary": PISTON | {"left": 0.1}}, ["boundary.left is no key"]),
+    ({"boundary": {"kind": "piston", "right": 0}}, ["boundary.velocity is missing"]),
+    (
+        {"boundary": PISTON, "start": at_velocity(0.2)},
+        ["start.velocity begins with 0.2", "bead 1 is a piston", "give 0.05 first"],
+    ),
+    (
+        {"boundary": PISTON | {"ramp": 3}, "start": at_velocity(0.05)},
+        ["start.velocity begins with 0.05", "give 0 first"],
+    ),
     ({"boundary": {"kind": "ring"}}, ["start.kind is rest", "ring", "kind given"]),
     ({"start": {"kind": "given"}}, ["start.relative_displacement is missing", "start.velocity"]),
     (

@@ -15,7 +15,7 @@ from granular_fronts.configuration import (
 )
 from granular_fronts.contact import generalised_hertz
 from granular_fronts.laws.materials import evaluate_materials, regime
-from granular_fronts.laws.piston import measure_pistons, push_chain
+from granular_fronts.laws.piston import limit, measure_pistons, push_chain, repetition
 from granular_fronts.laws.regimes import evaluate_regimes
 
 DEFAULT = Path(__file__).parents[1] / "config" / "default.yaml"
@@ -82,22 +82,81 @@ def test_regimes_follow_equation_29():
     assert np.all(np.diff(e.sel(beta=1.25)) == 0.0)
 
 
-@pytest.mark.parametrize("gamma", [0.1, 0.3, 0.65])
-def test_piston_drives_a_front_of_equations_22_and_23(gamma):
-    velocity = 0.05
-    front = push_chain({"alpha": 1.5, "beta": 1.5, "gamma": gamma}, velocity, 160, TIGHT)
-    assert front.expected_compression == pytest.approx(velocity**0.8, rel=1e-14)
-    assert front.expected_speed == pytest.approx(velocity**0.2, rel=1e-14)
-    assert abs(front.speed - front.expected_speed) < front.speed_error < 3e-3
-    assert abs(front.compression - front.expected_compression) < front.compression_error < 1e-5
-    assert front.velocity_drift < 1e-14
+QUANTITIES = ("speed", "compression", "velocity")
+PUSHED = [(1.5, 1.5, 0.3), (1.5, 1.5, 0.65), (1.5, 1.0, 0.3), (1.5, 2.5, 5.0), (2.0, 2.0, 0.3)]
+
+
+@pytest.mark.parametrize("ramp", [0.0, 10.0])
+@pytest.mark.parametrize("law", PUSHED)
+def test_piston_drives_a_front_of_equations_22_and_23(law, ramp):
+    """δ, v_p and c of eqs. (22), (23), whatever the damping, at once or by a ramp."""
+    velocity, power = 0.05, 2.0 / (law[0] + 1.0)
+    front = push_chain(named(law), velocity, ramp, 320, TIGHT)
+    assert front.expected_compression == pytest.approx(velocity**power, rel=1e-14)
+    assert front.expected_speed == pytest.approx(velocity ** (1.0 - power), rel=1e-14)
+    assert front.expected_velocity == pytest.approx(velocity, rel=1e-14)
+    for quantity in QUANTITIES:
+        measured, expected = getattr(front, quantity), getattr(front, f"expected_{quantity}")
+        assert abs(measured.value - expected) < measured.error < 1e-4
+    assert front.velocity_drift < 1e-13
+
+
+def named(law):
+    return dict(zip(("alpha", "beta", "gamma"), law, strict=True))
+
+
+def test_a_ramp_delays_the_front_but_does_not_change_it():
+    """Ramps of a tenth to five times the passage of a bead lead to one front, eq. (23)."""
+    fronts = [push_chain(named(PUSHED[0]), 0.05, ramp, 320, TIGHT) for ramp in (0.2, 2.0, 10.0)]
+    for front in fronts[1:]:
+        for quantity in QUANTITIES:
+            one, other = getattr(fronts[0], quantity), getattr(front, quantity)
+            assert abs(one.value - other.value) < one.error + other.error < 1e-4
 
 
 @pytest.mark.slow
-def test_speed_of_a_long_driven_chain():
-    front = push_chain({"alpha": 1.5, "beta": 1.5, "gamma": 0.3}, 0.05, 1000, TIGHT)
-    assert abs(front.speed / front.expected_speed - 1.0) < 2e-7
-    assert front.speed_error < 4e-6
+@pytest.mark.parametrize("ramp", [0.0, 10.0])
+def test_speed_of_a_long_driven_chain(ramp):
+    front = push_chain(named(PUSHED[0]), 0.05, ramp, 1280, TIGHT)
+    assert abs(front.speed.value - front.expected_speed) < front.speed.error < 1e-6
+
+
+@pytest.mark.parametrize("alpha", [1.1, 1.5, 2.0, 3.0])
+def test_reflection_at_a_front_is_the_repetition_to_the_power_minus_two(alpha):
+    """The jump conditions with a front a little stronger: v' over u', then its reflection."""
+    step = 1e-5
+    weak, strong = (
+        gf.jump_conditions(generalised_hertz(alpha), -delta, 0.0)
+        for delta in (1.0 - step, 1.0 + step)
+    )
+    slope = (strong.velocity_behind - weak.velocity_behind) / (2.0 * step)
+    sound = gf.jump_conditions(generalised_hertz(alpha), -1.0, 0.0).sound_minus
+    reflection = (slope - sound) / (slope + sound)
+    assert reflection == pytest.approx(repetition(alpha) ** -2, rel=1e-6)
+    assert (sound + 1.0) / (sound - 1.0) == pytest.approx(repetition(alpha), rel=1e-12)
+
+
+def test_the_limit_is_what_a_repeating_disturbance_leaves():
+    assert limit(3.0 - 0.5 / repetition(1.5) ** 2, 3.5, 1.5) == pytest.approx(3.0, rel=1e-15)
+
+
+def test_slowness_repeats_itself_with_the_opposite_sign():
+    """In a driven chain, 1/c of the front differs from (23) by an s with s(λn) = −s(n)/λ²."""
+    scene = {
+        "law": named(PUSHED[0]),
+        "beads": 801,
+        "boundary": {"kind": "piston", "velocity": 0.05, "right": 0.0},
+        "start": {"kind": "rest"},
+        "end_time": 760.0 / 0.05**0.2,
+        "tolerance": TIGHT,
+        "record": {"snapshots": [], "arrival_level": 0.5 * 0.05**0.8},
+    }
+    arrivals = gf.simulate_chain(scene)["arrival_time"].values * 0.05**0.2
+    disturbance = np.diff(arrivals) - 1.0
+    near = np.array([60, 70])
+    far = np.round(repetition(1.5) * near).astype(int)
+    ratios = disturbance[far] / disturbance[near]
+    np.testing.assert_allclose(ratios, -(repetition(1.5) ** -2), rtol=0.05)
 
 
 @pytest.mark.parametrize(("beta", "gamma"), [(1.5, 0.65), (1.0, 0.8), (2.5, 0.4)])
@@ -128,11 +187,14 @@ def test_pistons_are_gathered():
         "one": {"alpha": 1.5, "beta": 1.5, "gamma": 0.3},
         "two": {"alpha": 1.2, "beta": 1.2, "gamma": 0.5},
     }
-    found = measure_pistons(cases, 0.2, 32, {"relative": 1e-9, "absolute": 1e-12})
+    found = measure_pistons(cases, 0.2, [0, 3], 64, {"relative": 1e-9, "absolute": 1e-12})
     assert list(found["law"].values) == ["one", "two"]
-    expected = [0.2 ** (0.5 / 2.5), 0.2 ** (0.2 / 2.2)]
+    assert list(found["ramp"].values) == [0.0, 3.0]
+    expected = [[0.2 ** (0.5 / 2.5)] * 2, [0.2 ** (0.2 / 2.2)] * 2]
     np.testing.assert_allclose(found["front_speed_expected"], expected, rtol=1e-14)
-    assert math.isfinite(found["front_speed"].error_estimate)
+    for name in ("front_speed", "compression_behind", "velocity_behind"):
+        assert math.isfinite(found[name].error_estimate)
+        np.testing.assert_allclose(found[name], found[f"{name}_expected"], rtol=0.05)
 
 
 @pytest.mark.parametrize(
@@ -142,7 +204,8 @@ def test_pistons_are_gathered():
         ("materials.beads.steel.youngs_modulus", -1.0, "youngs_modulus is -1.0, but must be above"),
         ("materials.beads.cork.gamma", 0.5, "gamma is 0.5, but must be below 0.438"),
         ("numerical_damping.profile.theta", 0.5, "theta is 0.5, but must be above 0.5"),
-        ("piston.beads", 4, "beads is 4, below its limit 16"),
+        ("piston.beads", 4, "beads is 4, below its limit 32"),
+        ("piston.ramps", [0, -1], r"ramps \(entry 2\) is -1, below its limit 0"),
     ],
 )
 def test_impossible_configuration_is_refused(configuration, path, value, sentence):

@@ -91,7 +91,7 @@ rule measure_pistons:
         "<benchmarks>/measure_pistons.tsv"
     threads: 1
     message:
-        "Driving fronts with a piston of constant velocity."
+        "Driving fronts with a piston, at once and by a ramp."
     conda:
         "../envs/main.yaml"
     script:

@@ -1,4 +1,4 @@
-"""Fronts driven by a piston of constant velocity; James (2021), equations (22) and (23).
+"""Fronts driven by a piston, at once or by a ramp; James (2021), equations (22) and (23).
 
 python workflow/scripts/measure_pistons.py \
     --piston config/default.yaml:laws.piston --dataset piston.nc
@@ -12,7 +12,7 @@ from step import run_step
 
 
 def measure_pistons(piston: dict, dataset: Path) -> None:
-    """Measure speed and compression of the front of each contact law.
+    """Measure speed, compression and velocity of the fronts of each contact law.
 
     Parameters
     ----------

@@ -99,11 +99,11 @@ def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STI
     if 0.0 < ramp < stops[-1]:
         rising = run.recording._replace(stops=stops[stops <= ramp])
         _advance(run._replace(recording=rising), tolerance, after_block, stiff_from)
-        run = _end_ramp(run)
+        run = end_ramp(run)
     _advance(run, tolerance, after_block, stiff_from)
 
 
-def _end_ramp(run):
+def end_ramp(run):
     """The run without the acceleration of its piston, whose velocity ẋ_1 stays as it is."""
     run.state.d[1] += run.law.gamma * run.size.acceleration
     size = run.size._replace(acceleration=0.0)

@@ -73,23 +73,63 @@ def order_of_agreement(dataset):
 
 
 def piston_speed_kuwabara_kono(dataset):
-    """Front speed ahead of a piston over that of (23), β = α."""
-    return _over_expected(dataset, "front_speed", "kuwabara_kono")
+    """Front speed ahead of a piston of constant velocity over that of (23), β = α."""
+    return _over_expected(_at_once(dataset), "front_speed", "kuwabara_kono")
 
 
 def piston_speed_dashpot(dataset):
-    """Front speed ahead of a piston over that of (23), β = 1."""
-    return _over_expected(dataset, "front_speed", "dashpot")
+    """Front speed ahead of a piston of constant velocity over that of (23), β = 1."""
+    return _over_expected(_at_once(dataset), "front_speed", "dashpot")
 
 
 def piston_speed_simon_hunt_crossley(dataset):
-    """Front speed ahead of a piston over that of (23), β = α + 1."""
-    return _over_expected(dataset, "front_speed", "simon_hunt_crossley")
+    """Front speed ahead of a piston of constant velocity over that of (23), β = α + 1."""
+    return _over_expected(_at_once(dataset), "front_speed", "simon_hunt_crossley")
+
+
+def ramp_speed_kuwabara_kono(dataset):
+    """Front speed ahead of a piston with a ramp over that of (23), β = α."""
+    return _over_expected(_by_ramp(dataset), "front_speed", "kuwabara_kono")
+
+
+def ramp_speed_dashpot(dataset):
+    """Front speed ahead of a piston with a ramp over that of (23), β = 1."""
+    return _over_expected(_by_ramp(dataset), "front_speed", "dashpot")
+
+
+def ramp_speed_simon_hunt_crossley(dataset):
+    """Front speed ahead of a piston with a ramp over that of (23), β = α + 1."""
+    return _over_expected(_by_ramp(dataset), "front_speed", "simon_hunt_crossley")
 
 
 def piston_compression_kuwabara_kono(dataset):
-    """Compression behind a front over that of (22), β = α."""
-    return _over_expected(dataset, "compression_behind", "kuwabara_kono")
+    """Compression behind the front of a piston of constant velocity over that of (22), β = α."""
+    return _over_expected(_at_once(dataset), "compression_behind", "kuwabara_kono")
+
+
+def ramp_compression_kuwabara_kono(dataset):
+    """Compression behind the front of a piston with a ramp over that of (22), β = α."""
+    return _over_expected(_by_ramp(dataset), "compression_behind", "kuwabara_kono")
+
+
+def piston_velocity_kuwabara_kono(dataset):
+    """v_p far from a piston of constant velocity over that velocity, β = α."""
+    return _over_expected(_at_once(dataset), "velocity_behind", "kuwabara_kono")
+
+
+def ramp_velocity_kuwabara_kono(dataset):
+    """v_p far from a piston with a ramp over its last velocity, β = α."""
+    return _over_expected(_by_ramp(dataset), "velocity_behind", "kuwabara_kono")
+
+
+def _at_once(dataset):
+    """Fronts of pistons of constant velocity."""
+    return dataset.sel(ramp=0.0)
+
+
+def _by_ramp(dataset):
+    """Fronts of the pistons with the longest ramp."""
+    return dataset.isel(ramp=int(dataset["ramp"].argmax()))
 
 
 def _over_expected(dataset, name, law):
