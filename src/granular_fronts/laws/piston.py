@@ -33,7 +33,7 @@ which they are reflected: both are smaller by a power of n.  The slowness is tak
 which the front (u = δ/2) passes two beads, compression and velocity on the ray :math:`x = ct/4`
 behind it, where t counts from the time at which a piston without a ramp would have had to start.
 The error estimate adds the largest change of the limit over the last doubling of distance and time
-to its change if :math:`q` is taken further ahead by the width of the front.
+to its largest change there if :math:`q` is taken further ahead by the width of the front.
 """
 
 import math
@@ -213,7 +213,7 @@ def _limit_behind(field, first, places, width, alpha):
 
 def _last(limits, shifted, error):
     """The limit from the farthest measurement, with the error of the integration."""
-    changes = np.abs(limits - limits[0]).max() + abs(shifted[0] - limits[0])
+    changes = np.abs(limits - limits[0]).max() + np.abs(shifted - limits).max()
     return Limit(float(limits[0]), float(changes + error))
 
 

@@ -1,0 +1,181 @@
+"""Equations of sections 2 and 3.1 of the paper that no other test names, each on what we compute.
+
+The rest: (1), (3) `test_contact`, (12)-(14), (16)-(18), (20)-(23) `test_jump_conditions`,
+`test_check_jump_conditions` and `test_laws`, (24), (27)-(29) `test_scaling`, (30)
+`test_campaign_kinds`, Remark 6 `test_collision`, and its materials the table of the paper's
+numbers.
+"""
+
+import functools
+
+import numpy as np
+import pytest
+from chains import driven_scene, ring_scene, smooth_ring
+from scipy.integrate import quad
+
+import granular_fronts as gf
+from granular_fronts.contact import fpu, generalised_hertz, toda
+from granular_fronts.jumps import signed_area
+
+LAW = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3}
+CASES = [(generalised_hertz(1.5), -1.0, 0.0), (toda(), -1.2, 0.3), (fpu(1.0, 0.7), 0.9, 0.1)]
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
+SPACING = 1.0e-2
+SLOPE = np.array([-1, 9, -45, 0, 45, -9, 1]) / (60.0 * SPACING)
+"""Weights of a derivative of order 6, from seven values that far apart."""
+
+
+def rates(u, velocity):
+    """Rate u̇ and transmitted force T of each contact between two beads of a driven chain."""
+    rate = velocity[:-1] - velocity[1:]
+    closed = np.maximum(u, 0.0)
+    return rate, closed**1.5 + 0.3 * 1.5 * np.sqrt(closed) * rate
+
+
+def test_potentials_4_make_the_contact_law_2():
+    """−V'(r) − d/dt W'(r) is k u₊^α + γ₀k d/dt u₊^β of a contact with u = −r."""
+    k, damping, u, rate = 3.0, 0.2, np.array([-0.5, 0.0, 1.0e-3, 0.7]), 0.6
+    elastic, viscous = generalised_hertz(1.5, k), generalised_hertz(2.5, damping * k)
+    law = k * np.maximum(u, 0.0) ** 1.5 + damping * k * 2.5 * np.maximum(u, 0.0) ** 1.5 * rate
+    np.testing.assert_allclose(-elastic.first(-u) + viscous.second(-u) * rate, law, rtol=1e-14)
+
+
+def test_lattice_obeys_equation_5():
+    """ẍ = δ⁻(V'(δ⁺x) + d/dt W'(δ⁺x)), with ẍ by differences of recorded velocities."""
+    times = 20.0 + SPACING * np.arange(-3, 4)
+    scene = driven_scene(0.3, 24, 21.0, delta=1.0, record={"snapshots": list(times)})
+    motion = gf.simulate_chain(scene)
+    acceleration = SLOPE @ motion["velocity"].values
+    u, velocity = (motion[name].values[3] for name in ("relative_displacement", "velocity"))
+    _, force = rates(u[:-1], velocity)
+    np.testing.assert_allclose(acceleration[1:-1], force[:-1] - force[1:], atol=1e-10)
+    assert np.abs(acceleration[1:-1]).max() > 0.1
+
+
+def test_energy_density_obeys_equation_6():
+    """e + ∫ δ⁺q = −∫ (δ⁺ẋ)² W'' for every bead, q_n = T_(n−1) ẋ_n, by Gauss quadrature in time."""
+    start, end = 20.0, 20.5
+    times = 0.5 * (start + end) + 0.5 * (end - start) * NODES
+    record = {"snapshots": [start, *times, end]}
+    motion = gf.simulate_chain(driven_scene(0.3, 24, end + 1.0, delta=1.0, record=record))
+    u, velocity = motion["relative_displacement"].values[:, :-1], motion["velocity"].values
+
+    def density(row):
+        return 0.5 * velocity[row, 1:-1] ** 2 + np.maximum(u[row, 1:], 0.0) ** 2.5 / 2.5
+
+    fluxes, losses = [], []
+    for row in range(1, times.size + 1):
+        rate, force = rates(u[row], velocity[row])
+        fluxes.append(np.diff(force * velocity[row, 1:]))
+        losses.append(0.45 * np.sqrt(np.maximum(u[row, 1:], 0.0)) * rate[1:] ** 2)
+    mean = 0.5 * (end - start) * WEIGHTS
+    left = density(-1) - density(0) + mean @ np.array(fluxes)
+    np.testing.assert_allclose(left, -(mean @ np.array(losses)), atol=1e-11)
+    assert np.abs(left).max() > 1e-3
+
+
+@functools.cache
+def front():
+    return gf.solve_front(**LAW)
+
+
+def profile(xi, name="relative_displacement"):
+    return gf.evaluate_front(front(), np.asarray(xi), name)
+
+
+def transmitted(xi):
+    """u^α − cγ d/dξ u^β, the force in the frame of a front with c = 1."""
+    values = profile(np.asarray(xi)[..., None] + SPACING * np.arange(-3, 4)) ** 1.5
+    return profile(xi) ** 1.5 - 0.3 * values @ SLOPE
+
+
+XI = np.linspace(-12.0, 3.0, 31)
+WITHIN_A_BEAD = 0.5 + 0.5 * NODES
+MEAN = 0.5 * WEIGHTS
+
+
+def test_front_obeys_the_first_integral_8():
+    """c ẋ is the mean of the force over one bead, and −c u' what the velocities differ by (7)."""
+    mean = transmitted(XI[:, None] - WITHIN_A_BEAD) @ MEAN
+    np.testing.assert_allclose(profile(XI, "velocity"), mean, atol=1e-9)
+    slope = profile(XI[:, None] + SPACING * np.arange(-3, 4)) @ SLOPE
+    step = profile(XI, "velocity") - profile(XI + 1.0, "velocity")
+    np.testing.assert_allclose(-slope, step, atol=1e-10)
+
+
+def test_front_obeys_the_energy_balance_9():
+    """From ξ to +∞: what passes a bead less what has gathered there is dissipated ahead."""
+
+    def energy(xi):
+        return 0.5 * profile(xi, "velocity") ** 2 + profile(xi) ** 2.5 / 2.5
+
+    def power(xi):
+        rate = profile(xi, "velocity") - profile(xi + 1.0, "velocity")
+        return 0.45 * np.sqrt(np.maximum(profile(xi), 0.0)) * rate**2
+
+    for xi in (-6.0, -1.0, 0.0):
+        within = xi + WITHIN_A_BEAD
+        passing = MEAN @ (transmitted(within - 1.0) * profile(within, "velocity"))
+        lost = sum(MEAN @ power(first + WITHIN_A_BEAD) for first in xi + np.arange(12.0))
+        assert passing - energy(np.array(xi)) == pytest.approx(lost, abs=1e-9)
+
+
+def test_front_has_the_limits_10_to_12():
+    """δ⁺X → R± and X' → R±, of which ẋ_n → −cR±."""
+    far = np.array([-60.0, 30.0])
+    np.testing.assert_allclose(profile(far), [1.0, 0.0], atol=1e-12)
+    np.testing.assert_allclose(profile(far, "velocity"), [1.0, 0.0], atol=1e-12)
+
+
+@pytest.mark.parametrize(("potential", "behind", "ahead"), CASES)
+def test_dissipation_15_is_the_signed_area_19(potential, behind, ahead):
+    """Both are the energy that a front loses per bead, positive in the direction (17)."""
+    front = gf.jump_conditions(potential, behind, ahead)
+    energy, force = (f(np.array([behind, ahead])) for f in (potential.value, potential.first))
+    integrated = 0.5 * front.speed**2 * (ahead**2 - behind**2) + energy[1] - energy[0]
+    integrated += force[0] * behind - force[1] * ahead
+    jump = ahead - behind
+
+    def above_the_chord(s):
+        r = np.array([behind + s * jump])
+        return float(jump * (potential.first(r)[0] - s * force[1] - (1.0 - s) * force[0]))
+
+    area, error = quad(above_the_chord, 0.0, 1.0, epsabs=1e-13)
+    assert signed_area(potential, behind, ahead).value == pytest.approx(area, abs=10.0 * error)
+    assert integrated == pytest.approx(area, rel=1e-11)
+    assert front.direction * area > 0.0
+
+
+@pytest.mark.parametrize("delta", [0.1, 2.0])
+def test_pressure_at_the_ends_25_holds_a_compressed_chain(delta):
+    """x_0 − x_1 = δ = x_N − x_(N+1): a chain of compression δ between them stays at rest."""
+    start = {"kind": "given", "relative_displacement": [delta] * 11, "velocity": [0.0] * 12}
+    scene = driven_scene(0.2, 12, 20.0, delta=delta, start=start)
+    scene["boundary"]["right"] = delta
+    motion = gf.simulate_chain(scene).isel(t=-1)
+    assert (motion["relative_displacement"] == delta).all()
+    assert (motion["velocity"] == 0.0).all()
+
+
+def test_ring_keeps_its_length_26():
+    """Over one turn Σ u_n = −L, at all times."""
+    u, velocity = smooth_ring()
+    motion = gf.simulate_chain(ring_scene(u, velocity, record={"snapshots": [0.0, 5.0, 10.0]}))
+    lengths = -motion["relative_displacement"].sum("bead")
+    np.testing.assert_allclose(lengths, -u.sum(), rtol=2e-15)
+
+
+def test_pressure_sets_the_scales_of_remark_5():
+    """With δ₀ = δ, v₀ and T₀ by (27), a chain under pressure depends on γ of (29) alone."""
+    states = []
+    for delta in (1.0, 0.1):
+        speed = delta**1.25
+        gamma = 0.2 / speed ** (2.0 * 2.5 / 2.5 - 1.0)
+        end = 12.0 * delta / speed
+        tolerance = {"relative": 1e-13, "absolute": 1e-15 * delta}
+        scene = driven_scene(gamma, 16, end, beta=2.5, delta=delta, tolerance=tolerance)
+        motion = gf.simulate_chain(scene).isel(t=-1)
+        scaled = motion["relative_displacement"] / delta, motion["velocity"] / speed
+        states.append(np.concatenate(scaled))
+    np.testing.assert_allclose(states[0], states[1], atol=1e-12)
+    assert np.abs(states[0]).max() > 0.9
