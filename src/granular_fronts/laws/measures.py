@@ -129,7 +129,7 @@ def _at_once(dataset):
 
 def _by_ramp(dataset):
     """Fronts of the pistons with the longest ramp."""
-    return dataset.isel(ramp=int(dataset["ramp"].argmax()))
+    return dataset.sel(ramp=dataset["ramp"].max())
 
 
 def _over_expected(dataset, name, law):
