@@ -9,7 +9,7 @@ by one contact.  With F(u) = max(u, 0)^{3/2}, Δa_n = a_{n+1} − 2a_n + a_{n−
 for the contacts −L … R of a window, u = 1 and d = 0 behind it, u = d = 0 ahead.  L is so large that
 the slowest tail behind the front has died out, R so large that the double-exponential one has.
 
-The flow is that of `make_chain_reference`.  The equations are one more than the unknowns and are
+The flow is integrated by `extrapolation`.  The equations are one more than the unknowns and are
 solved by Gauss-Newton's method with a Jacobian of differences, from the front (46) of the
 logarithmic Burgers equation at strong damping, and from there by continuation in γ.
 
@@ -26,14 +26,8 @@ from pathlib import Path
 
 import numpy as np
 import xarray as xr
-from make_chain_reference import (
-    REAL,
-    Chain,
-    Settings,
-    in_two_doubles,
-    integrate,
-    require_extended_precision,
-)
+from extrapolation import REAL, Flow, Settings, integrate, require_extended_precision
+from stored_states import largest_differences, store
 
 DAMPINGS = (0.65, 0.1)
 # On the way from one to the next.
@@ -47,7 +41,7 @@ DIFFERENCE = REAL("1e-9")
 ITERATIONS = 12
 
 
-class Window(Chain):
+class Window(Flow):
     """Right-hand side of the contacts first … last in (u, d).
 
     Parameters
@@ -61,14 +55,9 @@ class Window(Chain):
     """
 
     def __init__(self, gamma, first, last, state):
-        self.gamma, self.first, self.last = REAL(gamma), first, last
-        self.evaluations = 0
+        super().__init__(gamma)
+        self.contacts = last - first + 1
         self.initial = state
-
-    @property
-    def contacts(self):
-        """All contacts of the window."""
-        return self.last - self.first + 1
 
     def start(self):
         """Return the start."""
@@ -82,10 +71,6 @@ class Window(Chain):
         force *= np.sqrt(force)
         change = force[2:] - 2 * force[1:-1] + force[:-2]
         return np.concatenate([d + self.gamma * change, change])
-
-    def regrow(self, *packed):
-        """Return the arrays as they are."""
-        return packed
 
     def finish(self, state):
         """Return (u, d)."""
@@ -179,16 +164,8 @@ def main():
             "error_method": "largest difference from a longer window with another flow",
         },
     )
-    meanings = {"relative_displacement": "u_n = x_n - x_{n+1}", "velocity": "x_n'"}
-    for index, (name, meaning) in enumerate(meanings.items()):
-        high, low = in_two_doubles(np.array([front[index] for front in kept], dtype=REAL))
-        errors = [
-            float(np.max(np.abs(front[index] - other[index])))
-            for front, other in zip(kept, again, strict=True)
-        ]
-        data[name] = (("state", "bead"), high, {"long_name": meaning, "units": "1"})
-        data[f"{name}_low"] = (("state", "bead"), low, {"long_name": "what double leaves of it"})
-        data[f"{name}_error"] = ("state", errors)
+    errors = [largest_differences(front, [other]) for front, other in zip(kept, again, strict=True)]
+    store(data, kept, errors)
     data.to_netcdf(output)
     print(data["relative_displacement_error"].values, data["velocity_error"].values)
 

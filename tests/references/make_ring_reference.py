@@ -1,7 +1,7 @@
 """Long-double reference states of the ring of James (2021), section 4.3, α = β = 3/2.
 
-The N = 2p − 1 = 159 beads of the ring obey the equations of `make_chain_reference`, whose
-integrator is used, with u_0 = u_N: eq. (26).  With c = δ^{1/4}, ε = 1/(3γc), γ = 0.24 and δ = 5
+The N = 2p − 1 = 159 beads of the ring obey the equations of `make_chain_reference` with u_0 = u_N,
+eq. (26), and are integrated by `extrapolation`.  With c = δ^{1/4}, ε = 1/(3γc), γ = 0.24 and δ = 5
 they start from
 
     u_n = δ y(ε(n − p))^{2/3},   x_n' = δ^{5/4} y(ε(n − p)),
@@ -21,14 +21,8 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from make_chain_reference import (
-    REAL,
-    Chain,
-    Settings,
-    build_dataset,
-    require_extended_precision,
-    solve_case,
-)
+from extrapolation import REAL, Flow, Settings, require_extended_precision
+from stored_states import build_dataset, solve_case
 
 HALF_BEADS, GAMMA, DELTA = 80, 0.24, 5.0
 HALF_WIDTH, FLOOR = 10.0, 1.0e-7
@@ -42,7 +36,7 @@ EVERY_SETTINGS = (
 )
 
 
-class Ring(Chain):
+class Ring(Flow):
     """Right-hand side of the ring in (u_1 … u_N, w_1 … w_N).
 
     Parameters
@@ -52,15 +46,9 @@ class Ring(Chain):
     """
 
     def __init__(self, contacts, velocities):
-        self.gamma = REAL(GAMMA)
-        self.active = self.beads = contacts.size
-        self.evaluations = 0
+        super().__init__(GAMMA)
+        self.contacts = contacts.size
         self.initial = contacts.astype(REAL), velocities.astype(REAL)
-
-    @property
-    def contacts(self):
-        """All N contacts move."""
-        return self.active
 
     def start(self):
         """Return the packed start."""
@@ -83,10 +71,6 @@ class Ring(Chain):
         self.evaluations += 1
         momentum_rate, velocity = self.rates(state)
         return np.concatenate([velocity - np.roll(velocity, -1), momentum_rate])
-
-    def regrow(self, *packed):
-        """Return the arrays as they are: every bead moves."""
-        return packed
 
     def finish(self, state):
         """Return (u_1 … u_N, x_1' … x_N')."""
