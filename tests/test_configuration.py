@@ -14,7 +14,6 @@ import yaml
 from granular_fronts.configuration import (
     RELATIVE_TOLERANCE_FLOOR,
     ConfigurationError,
-    check_chain_scene,
     check_configuration,
     check_scene,
     load_configuration,
@@ -211,7 +210,7 @@ def test_impossible_configuration_outside_scenes_is_refused(configuration, words
 def test_single_scene_is_checked_under_its_own_name(default):
     scene = change(default, law__gamma=-1)["scenes"]["chain"][SCENE]
     with pytest.raises(ConfigurationError, match=r"^Scene mine: law\.gamma is -1"):
-        check_chain_scene(scene, "mine")
+        check_scene("chain", scene, "mine")
 
 
 def test_single_scene_may_hold_numpy_values(default):
@@ -223,7 +222,7 @@ def test_single_scene_may_hold_numpy_values(default):
         boundary={"kind": "ring"},
         start={"kind": "given", "relative_displacement": np.ones(3), "velocity": np.zeros(3)},
     )["scenes"]["chain"][SCENE]
-    checked = check_chain_scene(scene, "mine")
+    checked = check_scene("chain", scene, "mine")
     assert checked["start"]["velocity"] == [0.0, 0.0, 0.0]
     assert type(checked["beads"]) is int
 

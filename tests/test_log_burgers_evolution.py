@@ -9,8 +9,9 @@ from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers import log_burgers_front
-from granular_fronts.continuum.solution import EvolutionError, scaling_of, solve
+from granular_fronts.continuum.solution import EvolutionError, solve
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.slow_scales import scaling_of
 
 
 @pytest.mark.parametrize("name", ["weak", "hertz"])

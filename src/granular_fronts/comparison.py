@@ -36,8 +36,8 @@ from granular_fronts.continuum.evolution import (
     describe,
     solve_twice,
 )
-from granular_fronts.continuum.solution import scaling_of
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.slow_scales import scaling_of
 
 SITES_PER_BEAD = 5
 FLOOR_METHOD = "of the two solutions compared, carried through"

@@ -16,7 +16,7 @@ from pathlib import Path
 import yaml
 
 from granular_fronts.schema import name_entry, tell_violations
-from granular_fronts.slow_scales import SlowScales
+from granular_fronts.slow_scales import scaling_of
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
@@ -91,18 +91,13 @@ def check_configuration(configuration: Mapping) -> None:
     _raise_if_any(sentences)
 
 
-def check_chain_scene(scene: Mapping, name: str) -> dict:
-    """Refuse a chain scene that cannot be computed; see `check_scene`."""
-    return check_scene("chain", scene, name)
-
-
 def check_scene(family: str, scene: Mapping, name: str) -> dict:
     """Refuse a scene that cannot be computed.
 
     Parameters
     ----------
     family : str
-        Key under ``scenes`` of the configuration: ``chain``, ``periodic`` or ``heteroclinic``.
+        Key under ``scenes`` of the configuration, for example ``chain``.
     scene : Mapping
         One entry of that family; numpy arrays and numbers are welcome.
     name : str
@@ -301,7 +296,7 @@ def refuse_start_that_is_not_periodic(scene: Mapping) -> Iterator[str]:
 
 def refuse_plateau_wider_than_ring(scene: Mapping) -> Iterator[str]:
     """Refuse a start (49) that does not fall to its floor within −ℓ ≤ ξ ≤ ℓ."""
-    half_length = _scaling(scene).half_length(scene["half_beads"])
+    half_length = scaling_of(scene).half_length(scene["half_beads"])
     half_width = scene["start"].get("half_width", -1.0)
     if half_width + 1.0 > half_length:
         yield (
@@ -312,7 +307,7 @@ def refuse_plateau_wider_than_ring(scene: Mapping) -> Iterator[str]:
 
 def refuse_grid_too_coarse_for_edge(scene: Mapping) -> Iterator[str]:
     """Refuse cells that are wider than the edge of a wave allows."""
-    length = 2.0 * _scaling(scene).half_length(scene["half_beads"])
+    length = 2.0 * scaling_of(scene).half_length(scene["half_beads"])
     needed = math.ceil(CELLS_PER_EDGE * length)
     equations = scene["equations"]
     counts = {f"{name}.cells": equations[name]["cells"] for name in ("logarithmic", "unlimited")}
@@ -333,11 +328,6 @@ def refuse_equation_tolerance_below_floor(scene: Mapping) -> Iterator[str]:
                 f"equations.{name}.tolerance is {tolerance}, under the solver's floor of "
                 f"{EQUATION_TOLERANCE_FLOOR}: ask for the floor or more."
             )
-
-
-def _scaling(scene: Mapping) -> SlowScales:
-    """Scales of a periodic scene."""
-    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 Refusal = Callable[[Mapping], Iterator[str]]

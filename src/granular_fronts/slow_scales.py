@@ -114,3 +114,8 @@ def make_slow_scales(alpha, gamma, delta):
     if not delta > 0.0:
         raise ValueError(f"delta is {delta}, but must be above 0: give a compression.")
     return SlowScales(float(alpha), float(gamma), float(delta))
+
+
+def scaling_of(scene):
+    """Scales of a checked periodic scene."""
+    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])

@@ -30,9 +30,10 @@ from tqdm import tqdm
 
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.fourier import evolve_fourier
-from granular_fronts.continuum.solution import START_LEVELS, scaling_of, solve
+from granular_fronts.continuum.solution import START_LEVELS, solve
 from granular_fronts.continuum.starts import make_start
 from granular_fronts.datasets import write_dataset
+from granular_fronts.slow_scales import scaling_of
 from step import run_step
 
 TOLERANCE_PER_WIDTH = 0.05

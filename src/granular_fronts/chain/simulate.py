@@ -20,7 +20,7 @@ from tqdm import tqdm
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import SolveError, integrate, prepare, work_done
-from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_chain_scene
+from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_scene
 
 REFINEMENT = 10.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
@@ -71,7 +71,7 @@ def simulate_chain(scene, name="given"):
     SolveError
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
-    scene = check_chain_scene(scene, name)
+    scene = check_scene("chain", scene, name)
     tolerance = scene["tolerance"]
     finer = {
         "relative": max(tolerance["relative"] / REFINEMENT, RELATIVE_TOLERANCE_FLOOR),

@@ -17,7 +17,8 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.configuration import check_scene
-from granular_fronts.continuum.solution import SMOOTH_CELLS, SOLVER, scaling_of, solve
+from granular_fronts.continuum.solution import SMOOTH_CELLS, SOLVER, solve
+from granular_fronts.slow_scales import scaling_of
 
 LOGARITHMIC, UNLIMITED = "logarithmic", "unlimited"
 CELL_REFINEMENT, TOLERANCE_REFINEMENT = 2, 0.1

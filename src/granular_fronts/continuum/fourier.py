@@ -27,8 +27,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy import fft
 
-from granular_fronts.continuum.solution import SMALLEST_ARGUMENT, scaling_of
+from granular_fronts.continuum.solution import SMALLEST_ARGUMENT
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.slow_scales import scaling_of
 
 OVERSAMPLING, START_REFINEMENT = 8, 16
 STEPS_PER_DOUBLING = 16

@@ -29,7 +29,7 @@ import numpy as np
 
 from granular_fronts.continuum import finite_volumes, time_steps
 from granular_fronts.continuum.starts import Given, Plateau, make_start
-from granular_fronts.slow_scales import SlowScales
+from granular_fronts.slow_scales import scaling_of
 
 START_LEVELS, SMOOTH_CELLS = 3, 2.0
 # Below it F(y) = y ln y − y is smaller than the rounding of a sum of order 1.
@@ -91,11 +91,6 @@ class Evolution(NamedTuple):
             self.averages[row], self.half_length, points.ravel(), floor
         )
         return values.reshape(points.shape) ** self.alpha
-
-
-def scaling_of(scene):
-    """Scales of a checked periodic scene."""
-    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cells=SMOOTH_CELLS):

@@ -16,16 +16,15 @@ from scipy.stats import linregress
 
 from granular_fronts.chain.measures import recorded, scene_of
 from granular_fronts.measured import Measured
-from granular_fronts.slow_scales import SlowScales
+from granular_fronts.slow_scales import scaling_of
 
 # What counts as a gap, a negative velocity or a bump, relative to the scale of the pulse.
 NOTICEABLE = 0.01
 
 
-def scaling_of(dataset):
+def scales(dataset):
     """Scales of the scene."""
-    scene = scene_of(dataset)
-    return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+    return scaling_of(scene_of(dataset))
 
 
 def exactly(value):
@@ -35,12 +34,12 @@ def exactly(value):
 
 def epsilon(dataset):
     """Small parameter ε of section 4."""
-    return exactly(scaling_of(dataset).epsilon)
+    return exactly(scales(dataset).epsilon)
 
 
 def half_length(dataset):
     """Half of the ring in ξ, ℓ = (p − 1/2) ε."""
-    return exactly(scaling_of(dataset).half_length(scene_of(dataset)["half_beads"]))
+    return exactly(scales(dataset).half_length(scene_of(dataset)["half_beads"]))
 
 
 def ring_length(dataset):
@@ -120,7 +119,7 @@ def _shock(dataset, name, axis, row):
 
 def _last_fall(dataset, name, axis, row, stride):
     profile = dataset[name].isel({"t": row, axis: slice(None, None, stride)})
-    scene, scaling = scene_of(dataset), scaling_of(dataset)
+    scene, scaling = scene_of(dataset), scales(dataset)
     beads = dataset.sizes["bead"]
     centre = scene["half_beads"] + scaling.frame_speed * float(profile["t"])
     sites = profile[axis].values
@@ -133,7 +132,7 @@ def _last_fall(dataset, name, axis, row, stride):
 
 def gap_time(dataset):
     """First time on the grid at which a gap is wider than 1 % of δ."""
-    level = -NOTICEABLE * scaling_of(dataset).delta
+    level = -NOTICEABLE * scales(dataset).delta
     return _first_time(dataset["relative_displacement_grid"].min("bead") < level)
 
 
@@ -144,20 +143,14 @@ def deepest_gap(dataset):
 
 def negative_velocity_time(dataset):
     """First time on the grid at which a velocity is below −1 % of its scale."""
-    level = -NOTICEABLE * scaling_of(dataset).velocity_scale
+    level = -NOTICEABLE * scales(dataset).velocity_scale
     return _first_time(dataset["velocity_grid"].min("bead") < level)
-
-
-def smallest_velocity(dataset):
-    """Smallest velocity on the space-time grid."""
-    velocity = dataset["velocity_grid"]
-    return Measured(float(velocity.min()), float(velocity.attrs["error_estimate"]))
 
 
 def bump_height(dataset):
     """Largest u/δ − 1 of the whole motion: the bump on top of the plateau when it forms."""
     largest = recorded(dataset, "largest_relative_displacement")
-    delta = scaling_of(dataset).delta
+    delta = scales(dataset).delta
     return Measured(largest.value / delta - 1.0, largest.error / delta)
 
 
@@ -168,7 +161,7 @@ def bump_velocity(dataset):
     the three highest beads; the error is twice the standard error of the slope.
     """
     u = dataset["relative_displacement_grid"]
-    high = u.max("bead").values > (1.0 + NOTICEABLE) * scaling_of(dataset).delta
+    high = u.max("bead").values > (1.0 + NOTICEABLE) * scales(dataset).delta
     start = int(np.argmax(high))
     stop = start + int(np.argmin(np.append(high[start:], False)))
     if not high[start] or stop - start < 3:
