@@ -25,14 +25,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 from granular_fronts.contact import Potential
 from granular_fronts.fronts import tails
+from granular_fronts.fronts.window import DECAY
 from granular_fronts.jumps import jump_conditions
-
-DECAY = 37.0
-"""Natural logarithm of what is left of a tail at the end of the window."""
 
 FARTHEST_ROUND_OFF, NEGLIGIBLE = 1.0e-6, 1.0e-15
 START_REACH, START_POINTS = 25.0, 4001
@@ -161,12 +158,4 @@ def _length_ahead(lattice):
         return ROOM_OF_SHARP_END + float(
             places[long_wave_front(lattice)(places) > NEGLIGIBLE].max(initial=0.0)
         )
-
-    def excess(kappa):
-        bell = (2.0 * math.sinh(0.5 * kappa) / kappa) ** 2
-        return (stiffness + c * viscosity * kappa) * bell - c**2
-
-    top = 1.0
-    while excess(top) < 0.0:
-        top *= 2.0
-    return ROOM + DECAY / brentq(excess, 1e-12, top)
+    return ROOM + DECAY / tails.rate_of_tail_ahead(stiffness, c * viscosity, c)

@@ -11,15 +11,13 @@ min(α, β) from bead to bead once the overdamped front of `seeds` has come to i
 
 import math
 
-from scipy.optimize import brentq
-
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import rear, seeds
+from granular_fronts.fronts.tails import rate_of_tail_ahead
 
 UNTOUCHED_P = 45.0
 FEWEST_BEHIND, MARGIN_AHEAD = 10, 3
 SMALL_TAIL, LARGEST_TAIL = 1.0e-8, 1.0e-2
-SMALLEST_KAPPA, LARGEST_KAPPA = 1.0e-6, 700.0
 
 
 def choose_beads(law, roots):
@@ -86,16 +84,7 @@ def _beads_behind(roots):
 def _length_ahead(law):
     """Distance from u = 1/2 to where u is lost in rounding, from above."""
     if law.beta == 1.0:
-        return UNTOUCHED_P / _rate_ahead_of_dashpots(law.gamma)
+        return UNTOUCHED_P / rate_of_tail_ahead(0.0, law.gamma, 1.0)
     growth = math.log(min(law.alpha, law.beta))
     double_exponential = math.log(UNTOUCHED_P / math.log(2.0)) / growth
     return seeds.overdamped_length(law.alpha, law.gamma, law.beta) + double_exponential
-
-
-def _rate_ahead_of_dashpots(gamma):
-    """The κ > 0 of κ = 4γ sinh²(κ/2)."""
-
-    def defect(kappa):
-        return kappa - 4.0 * gamma * math.sinh(0.5 * kappa) ** 2
-
-    return brentq(defect, SMALLEST_KAPPA, LARGEST_KAPPA)

@@ -38,6 +38,7 @@ import cmath
 import math
 
 import numpy as np
+from scipy.optimize import brentq
 
 from granular_fronts.compiled import kernel
 from granular_fronts.configuration import ConfigurationError
@@ -56,6 +57,9 @@ NEGLIGIBLE = 1e-13
 
 # Largest Re λ for which S is needed; beyond, 1/S is far below the last digit of 1.
 FLAT = 100.0
+
+# Below any rate of a tail ahead.
+SMALLEST_RATE = 1e-12
 
 # Im λ, Re λ from which the complex pair is looked for when two limits have not led to it.
 HEIGHTS = (2.5, 4.0, 5.5, 1.0, 6.1)
@@ -97,6 +101,29 @@ def tail_roots(alpha, gamma, beta=None, count=6):
             "precision: bring gamma closer to 1."
         )
     return roots
+
+
+def rate_of_tail_ahead(stiffness, viscosity, speed):
+    """The κ > 0 of an exponential tail e^(−κξ) ahead of a front.
+
+    The root of c²κ² = (V'' + cW''κ)(2 cosh κ − 2).
+
+    Parameters
+    ----------
+    stiffness, viscosity : float
+        V'' and cW'' of the state ahead, not both 0; V'' below c².
+    speed : float
+        c.
+    """
+
+    def excess(kappa):
+        bell = (2.0 * math.sinh(0.5 * kappa) / kappa) ** 2
+        return (stiffness + viscosity * kappa) * bell - speed**2
+
+    top = 1.0
+    while excess(top) < 0.0:
+        top *= 2.0
+    return brentq(excess, SMALLEST_RATE, top)
 
 
 @kernel

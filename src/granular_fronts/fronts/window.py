@@ -4,7 +4,7 @@ Behind the front u − 1 decays like :math:`e^{\lambda\xi}` with the slowest roo
 relation (`tails`), so that a window of `DECAY`/Re λ reaches down to round-off.  Ahead, for r = 0
 and β > 1, u falls doubly exponentially after a stretch that the long-wave front describes; for
 r > 0 or β = 1 the tail is the exponential :math:`e^{-\kappa\xi}`.  These lengths are estimates: the
-solution itself shows whether its ends are at rest (`lacks`).
+solution itself shows whether its ends are at rest (`profile.lacking_length`).
 
 The grid.  A front with exponent α falls ahead by a factor that grows like a tower, and its sharpest
 part needs some (6 + 4.3α) points per site for the last digits; a wide front with small α − 1 needs
@@ -17,10 +17,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 from granular_fronts.fronts.continuum_start import continuum_front
-from granular_fronts.fronts.tails import lowest_roots_of_all
+from granular_fronts.fronts.tails import lowest_roots_of_all, rate_of_tail_ahead
 
 DECAY = 37.0
 """Natural logarithm of what is left of a tail at the end of the window."""
@@ -57,21 +56,10 @@ def _length_ahead(law):
 
 
 def rate_ahead(law):
-    """κ of the exponential tail ahead, u − r ~ e^(−κξ), for r > 0 or β = 1.
-
-    The positive root of c²κ² = (αr^(α−1) + βr^(β−1) γcκ)(2 cosh κ − 2).
-    """
+    """κ of the exponential tail ahead, u − r ~ e^(−κξ), for r > 0 or β = 1."""
     stiffness = law.alpha * law.ahead ** (law.alpha - 1.0)
     viscosity = law.beta * law.ahead ** (law.beta - 1.0) * law.gamma * law.speed
-
-    def excess(kappa):
-        bell = (2.0 * math.sinh(0.5 * kappa) / kappa) ** 2
-        return (stiffness + viscosity * kappa) * bell - law.speed**2
-
-    top = 1.0
-    while excess(top) < 0.0:
-        top *= 2.0
-    return brentq(excess, 1e-12, top)
+    return rate_of_tail_ahead(stiffness, viscosity, law.speed)
 
 
 def coarse_spacing(law, window):
