@@ -21,6 +21,7 @@ import numpy as np
 
 from granular_fronts.continuum.heteroclinic import UNDERFLOW_P, compute_orbit
 from granular_fronts.continuum.log_burgers import log_burgers_front
+from granular_fronts.continuum.log_kdv_burgers import amplitude_of_chain
 from granular_fronts.slow_scales import make_slow_scales
 
 LOGARITHMIC, UNLIMITED, HETEROCLINIC = "logarithmic", "unlimited", "heteroclinic"
@@ -59,11 +60,6 @@ def continuum_fronts(alpha, gamma, xi):
     }
 
 
-def heteroclinic_damping(alpha, gamma):
-    """Damping μ of eq. (55) for δ = c = 1."""
-    return 2.0 * math.sqrt(3.0) * gamma / math.sqrt(1.0 - 1.0 / alpha)
-
-
 def heteroclinic_front(alpha, gamma, xi):
     """Relative displacement and velocity of the heteroclinic front, with u(0) = 1/2.
 
@@ -74,10 +70,10 @@ def heteroclinic_front(alpha, gamma, xi):
     relative_displacement, velocity : ndarray
         Shape of `xi`; zero where y is below the smallest double.
     """
-    stretch = 2.0 * math.sqrt(3.0) * math.sqrt(1.0 - 1.0 / alpha)
-    mu, half = heteroclinic_damping(alpha, gamma), alpha * math.log(2.0)
+    amplitude = amplitude_of_chain(alpha, gamma)
+    mu, stretch = amplitude.mu, amplitude.s_per_bead
     # The phase lies ahead of s = 0, so that the orbit's tail alone fixes it.
-    start = compute_orbit(mu, 0.0).s_at(half)
+    start = compute_orbit(mu, 0.0).s_at(alpha * math.log(2.0))
     s = start + stretch * xi
     orbit = compute_orbit(mu, min(float(s.min()), 0.0))
     last = orbit.s_at(UNDERFLOW_P)

@@ -11,19 +11,17 @@ import math
 import numpy as np
 import xarray as xr
 
+from granular_fronts.continuum.log_kdv_burgers import amplitude_of_chain
 from granular_fronts.fronts.continuum_fronts import (
     HETEROCLINIC,
     LOGARITHMIC,
     UNLIMITED,
     continuum_fronts,
-    heteroclinic_damping,
 )
 from granular_fronts.fronts.critical_damping import critical_damping
+from granular_fronts.fronts.properties import MEASURES
 from granular_fronts.fronts.solve import NoFrontError, evaluate_front, solve_front
 from granular_fronts.fronts.tails import tail_roots
-
-PROPERTIES = ("overshoot", "width_10_90", "slope", "dissipated_power")
-"""Attributes of a front that the survey keeps, each wrong by at most a few error estimates."""
 
 POINTS = 8001
 """Points at which two fronts are compared, between where both have come to rest."""
@@ -67,14 +65,14 @@ def survey_front(alpha, gamma):
         raise NoFrontError(f"alpha = {alpha}, gamma = {gamma}: {front.attrs['reason']}.")
     root = tail_roots(alpha, gamma, count=1)[0]
     return {
-        **{name: front.attrs[name] for name in PROPERTIES},
+        **{name: front.attrs[name] for name in MEASURES},
         "speed_defect": front.attrs["speed_defect"],
         "residual": front.attrs["residual"],
         "error": front.attrs["error_estimate"],
         "converged": front.attrs["converged"],
         "tail_rate": root.real,
         "tail_frequency": root.imag,
-        "mu_heteroclinic": heteroclinic_damping(alpha, gamma),
+        "mu_heteroclinic": amplitude_of_chain(alpha, gamma).mu,
         **distances(front),
     }
 
