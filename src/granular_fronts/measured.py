@@ -1,10 +1,10 @@
-"""What a measurement on a dataset returns; the modules named `properties` hold the measurements."""
+"""What a measurement on a dataset returns; the modules named `measures` hold the measurements."""
 
 from typing import NamedTuple
 
 
 class Measured(NamedTuple):
-    """A value and an estimate of its absolute error, both dimensionless."""
+    """A value and an estimate of its absolute error."""
 
     value: float
     error: float

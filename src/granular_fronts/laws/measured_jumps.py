@@ -29,7 +29,6 @@ reflects reaches the front.
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -39,6 +38,7 @@ from granular_fronts.fronts.any_law import refine, solve_any_front
 from granular_fronts.fronts.lattice import choose_window, make_lattice
 from granular_fronts.jumps import jump_conditions
 from granular_fronts.laws.named_potentials import make_potential, make_slope
+from granular_fronts.measured import Measured
 
 EPSILON = float(np.finfo(float).eps)
 ROOM_BEHIND = 60
@@ -54,13 +54,6 @@ ERROR_METHODS = {
     "travelling": "change with a tolerance 100 times larger, and rounding of the times",
     "driven": "change on the last doubling of the way, or a quarter of that before",
 }
-
-
-class Measurement(NamedTuple):
-    """A value and an estimate of its absolute error."""
-
-    value: float
-    error: float
 
 
 def measure_jumps(cases, beads, tolerance):
@@ -141,11 +134,11 @@ def _measure(name, case, beads, tolerance):
 
 
 def _changed(value, refined):
-    return Measurement(value, abs(value - refined) + 8.0 * EPSILON * abs(value))
+    return Measured(value, abs(value - refined) + 8.0 * EPSILON * abs(value))
 
 
 def _signed(sign, measurement):
-    return Measurement(sign * measurement.value, measurement.error)
+    return Measured(sign * measurement.value, measurement.error)
 
 
 def travelling_speed(law, front):
@@ -159,7 +152,7 @@ def travelling_speed(law, front):
 
     Returns
     -------
-    Measurement
+    Measured
     """
     lattice = front.lattice
     sites = np.arange(math.floor(front.xi[0]), TRAVEL + math.ceil(front.xi[-1]) + 1.0)
@@ -195,7 +188,7 @@ def drive_front(law, lattice, beads, tolerance):
     Returns
     -------
     dict
-        `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measurement`.
+        `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measured`.
     """
     c, jump = lattice.speed, lattice.behind - lattice.ahead
     window_behind, window_ahead = choose_window(lattice)
@@ -235,7 +228,7 @@ def _settling(early, halfway, late):
     change that happens to vanish in the second is caught by this.
     """
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
-    return Measurement(late, change + 8.0 * EPSILON * abs(late))
+    return Measured(late, change + 8.0 * EPSILON * abs(late))
 
 
 def _room_behind(lattice, beads):
