@@ -122,7 +122,7 @@ def weigh_forces(law, work, h, reach):
 
 @kernel(fastmath=_CONTRACT)
 def residual(state, work, h, reach):
-    """H c d + Δ_d(…) − Z in rows."""
+    """What the stages leave: h c d + Δ_d(…) − Z, in rows."""
     for i in range(radau.STAGES):
         psi, rate = work.weighted[i], h * radau.RATE_TO_ROWS[i]
         w, row = work.increments[i], work.rows[i]

@@ -20,7 +20,6 @@ from granular_fronts.slow_scales import make_slow_scales
 
 FIELDS = ("relative_displacement", "velocity")
 CONTINUUM_METHOD = "a formula, or an orbit solved to a few units of the last digit"
-DRIVEN_METHOD = "difference to a run at a tenth of the tolerance"
 LAST_DIGIT = 2.0**-52
 
 

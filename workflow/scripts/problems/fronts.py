@@ -88,7 +88,7 @@ def run_profile_on_grid(gamma, bead, spacing):
 
 
 def values_at(profile, bead):
-    """U and velocities of a profile at whole ξ."""
+    """Relative displacements and velocities of a profile at whole ξ."""
     positions = profile.positions(bead.astype(float))
     speed = profile.law.speed
     return {
