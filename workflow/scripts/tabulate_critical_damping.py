@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.tables import round_floats, write_table
 from step import run_step
 
 PREFIX = "critical_damping_"
@@ -24,11 +24,7 @@ def tabulate_critical_damping(dataset: Path, csv: Path, markdown: Path) -> None:
     table = curves.to_dataframe().reset_index()
     table.columns = [name.removeprefix(PREFIX).replace("_", " ") for name in table.columns]
     table["tail over long wave"] = table["tail"] / table["long wave"]
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False, float_format="%.17g")
-    rounded = table.map(lambda value: f"{value:.6g}")
-    with complete_file(markdown) as unfinished:
-        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+    write_table(table, round_floats(table, 6), csv, markdown)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.tables import round_floats, write_table
 from step import run_step
 
 PROPERTIES = (
@@ -45,8 +45,9 @@ def tabulate_fronts(
     """
     points = read_dataset(survey).to_dataframe().reset_index()
     points["exact_power"] = (points["alpha"] - 1.0) / (2.0 * (points["alpha"] + 1.0))
-    write_table(points[["alpha", "gamma", *PROPERTIES]], properties_csv, properties_markdown)
-    write_table(compare(points), errors_csv, errors_markdown)
+    properties, errors = points[["alpha", "gamma", *PROPERTIES]], compare(points)
+    write_table(properties, round_floats(properties, 4), properties_csv, properties_markdown)
+    write_table(errors, round_floats(errors, 4), errors_csv, errors_markdown)
 
 
 def compare(points):
@@ -55,15 +56,6 @@ def compare(points):
     errors = distances.set_axis(CONTINUUM.values(), axis=1)
     best = errors.columns.to_numpy()[np.argmin(errors.to_numpy(), axis=1)]
     return pd.concat([points[["alpha", "gamma"]], errors], axis=1).assign(best=best)
-
-
-def write_table(table, csv, markdown):
-    """Write a table with all digits, and rounded for reading."""
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False, float_format="%.17g")
-    rounded = table.map(lambda cell: f"{cell:.4g}" if isinstance(cell, float) else cell)
-    with complete_file(markdown) as unfinished:
-        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
 
 
 if __name__ == "__main__":

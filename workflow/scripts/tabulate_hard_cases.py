@@ -5,7 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.tables import round_floats, write_table
 from step import run_step
 
 
@@ -21,11 +21,7 @@ def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
     """
     data = read_dataset(dataset, "hard_cases")
     table = pd.DataFrame([describe(data.sel(case=name)) for name in data["case"].values])
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False)
-    rounded = table.map(lambda cell: f"{cell:.3g}" if isinstance(cell, float) else cell)
-    with complete_file(markdown) as unfinished:
-        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+    write_table(table, round_floats(table, 3), csv, markdown)
 
 
 def describe(case):

@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.tables import write_table
 from step import run_step
 
 MEASURED = {
@@ -32,10 +32,7 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
     described = [describe(name, cases[name]) for name in names]
     full = [row | all_numbers(data.sel(law=row["law"])) for row in described]
     brief = [row | distances(data.sel(law=row["law"])) for row in described]
-    with complete_file(csv) as unfinished:
-        pd.DataFrame(full).to_csv(unfinished, index=False, float_format="%.17g")
-    with complete_file(markdown) as unfinished:
-        pd.DataFrame(brief).to_markdown(unfinished, index=False, disable_numparse=True)
+    write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown)
 
 
 def describe(name, case):

@@ -8,6 +8,7 @@ import pandas as pd
 
 from granular_fronts.datasets import read_dataset
 from granular_fronts.files import complete_file
+from granular_fronts.tables import round_floats
 from step import run_step
 
 COARSE_ERROR, FINE_ERROR = 1.0e-5, 1.0e-8
@@ -49,7 +50,7 @@ def tabulate_log_burgers(dataset: Path, csv: Path, markdown: Path) -> None:
     ]
     with complete_file(csv) as unfinished:
         runs[COLUMNS].to_csv(unfinished, index=False)
-    rounded = runs[COLUMNS].map(lambda cell: f"{cell:.3g}" if isinstance(cell, float) else cell)
+    rounded = round_floats(runs[COLUMNS], 3)
     table = rounded.replace("nan", "").to_markdown(index=False, disable_numparse=True)
     with complete_file(markdown) as unfinished:
         unfinished.write_text("\n\n".join([table, *sentences]) + "\n", encoding="utf-8")

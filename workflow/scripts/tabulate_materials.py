@@ -5,8 +5,8 @@ from pathlib import Path
 import pandas as pd
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
 from granular_fronts.laws.materials import regime
+from granular_fronts.tables import round_floats, write_table
 from step import run_step
 
 
@@ -28,12 +28,7 @@ def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
         for value in data[dimension].values
     ]
     table = pd.DataFrame(rows)
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False, float_format="%.17g")
-    for column in table.select_dtypes("number"):
-        table[column] = [f"{value:.4g}" for value in table[column]]
-    with complete_file(markdown) as unfinished:
-        table.to_markdown(unfinished, index=False, disable_numparse=True)
+    write_table(table, round_floats(table, 4), csv, markdown)
 
 
 def make_row(one, kind, dimension, value):

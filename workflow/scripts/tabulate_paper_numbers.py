@@ -10,8 +10,8 @@ import pandas as pd
 import yaml
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
 from granular_fronts.measured import Measured
+from granular_fronts.tables import write_table
 from step import run_step
 
 COLUMNS = (
@@ -43,12 +43,11 @@ def tabulate_paper_numbers(numbers: Path, datasets: list[Path], csv: Path, markd
     entries = yaml.safe_load(numbers.read_text(encoding="utf-8"))
     rows = [make_row(entry, data[entry["scene"]]) for entry in entries]
     table = pd.DataFrame(rows, columns=COLUMNS)
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False, float_format="%.17g")
-    table["computed"] = [f"{value:.6g}" for value in table["computed"]]
-    table["error_estimate"] = [f"{value:.1e}" for value in table["error_estimate"]]
-    with complete_file(markdown) as unfinished:
-        table.to_markdown(unfinished, index=False, disable_numparse=True)
+    rounded = table.assign(
+        computed=[f"{value:.6g}" for value in table["computed"]],
+        error_estimate=[f"{value:.1e}" for value in table["error_estimate"]],
+    )
+    write_table(table, rounded, csv, markdown)
 
 
 def make_row(entry, dataset):

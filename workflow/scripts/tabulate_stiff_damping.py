@@ -6,7 +6,7 @@ import pandas as pd
 from tabulate_speed_error import time_to_reach
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.tables import round_floats, write_table
 from step import run_step
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-12)
@@ -26,11 +26,7 @@ def tabulate_stiff_damping(dataset: Path, csv: Path, markdown: Path) -> None:
     cases = (data.sel(gamma=gamma) for gamma in data["gamma"].values)
     rows = [describe(case, level, data.attrs["stiff_from"]) for case in cases for level in LEVELS]
     table = pd.DataFrame(rows)
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False)
-    rounded = table.map(lambda cell: f"{cell:.3g}" if isinstance(cell, float) else cell)
-    with complete_file(markdown) as unfinished:
-        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+    write_table(table, round_floats(table, 3), csv, markdown)
 
 
 def describe(case, level, stiff_from):

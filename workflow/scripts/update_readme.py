@@ -4,11 +4,11 @@ import shutil
 from pathlib import Path
 
 import pandas as pd
+from tabulate_paper_numbers import NOT_JUDGED
 
 from granular_fronts.files import complete_file
 from step import run_step
 
-NOT_JUDGED = "no number printed"
 FIGURE = "fig01_initiation_underdamped.png"
 
 
