@@ -207,6 +207,12 @@ def test_impossible_configuration_outside_scenes_is_refused(configuration, words
     assert words in refusal(configuration)
 
 
+def test_missing_key_is_told_where_a_definition_describes_it(default):
+    del default["exact_fronts"]["survey"]["gamma"]
+    told = "exact_fronts.survey.gamma is missing: add it (Dampings at equal ratios)."
+    assert refusal(default) == told
+
+
 def test_single_scene_is_checked_under_its_own_name(default):
     scene = change(default, law__gamma=-1)["scenes"]["chain"][SCENE]
     with pytest.raises(ConfigurationError, match=r"^Scene mine: law\.gamma is -1"):

@@ -67,7 +67,7 @@ def tell_violations(
     errors = sorted(_Validator(rules).iter_errors(instance), key=lambda error: str(error.path))
     for error in errors:
         scene, key = _locate([*place, *error.absolute_path])
-        yield scene + _sentence(error, key)
+        yield scene + _sentence(error, key, rules["$defs"])
 
 
 def name_entry(key: str, index: int) -> str:
@@ -108,7 +108,7 @@ def _locate(path: Sequence[str | int]) -> tuple[str, str]:
     return scene, key
 
 
-def _sentence(error: ValidationError, key: str) -> str:
+def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     """Say in one sentence what a violation is and how to end it."""
     if "propertyNames" in error.absolute_schema_path:
         return (
@@ -116,7 +116,7 @@ def _sentence(error: ValidationError, key: str) -> str:
             "and underscores, a letter first."
         )
     if error.validator == "required":
-        return _missing_key(error, key)
+        return _missing_key(error, key, definitions)
     if error.validator == "additionalProperties":
         return _unknown_key(error, key)
     if error.validator == "type":
@@ -138,10 +138,13 @@ def _sentence(error: ValidationError, key: str) -> str:
     return f"{key}: {error.message}."
 
 
-def _missing_key(error: ValidationError, key: str) -> str:
+def _missing_key(error: ValidationError, key: str, definitions: dict) -> str:
     # jsonschema reports each missing key by itself, but names it in its message only.
     missing = next(name for name in error.validator_value if error.message.startswith(f"'{name}'"))
-    meaning = error.schema["properties"][missing]["description"].rstrip(".")
+    described = error.schema["properties"][missing]
+    if "description" not in described:
+        described = definitions[described["$ref"].removeprefix("#/$defs/")]
+    meaning = described["description"].rstrip(".")
     return f"{_join(key, missing)} is missing: add it ({meaning})."
 
 
