@@ -189,6 +189,18 @@ def test_merged_file_opens_lazily(solved_folder, tmp_path):
         assert data["overshoot"].attrs["long_name"].startswith("first maximum of u_n")
 
 
+def test_profile_of_chains_stands_at_the_beads_it_was_taken_at(tmp_path):
+    def final_state(count):
+        profile = {"start": 1, "stop": 29, "count": count}
+        asked = campaign(record={"scalars": ["overshoot"], "profile": profile})
+        files = [solve(chunk, tmp_path) for chunk in all_chunks(asked, 10)]
+        return merging.merge_chunks(asked, files)["relative_displacement"]
+
+    few = final_state(4)
+    assert list(few["bead"].values) == [1, 10, 20, 29]
+    xr.testing.assert_equal(few, final_state(29).sel(bead=few["bead"]))
+
+
 def test_failing_point_is_told_and_the_others_are_solved(tmp_path):
     """A run too short for the front to pass the middle fails; the campaign goes on."""
     asked = campaign(

@@ -16,7 +16,7 @@ with the tolerance divided by `REFINEMENT`; the largest difference is the error 
 import numpy as np
 from tqdm import tqdm
 
-from granular_fronts.campaign.kinds import Solved
+from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
@@ -45,7 +45,8 @@ def solve_chunk(points, settings):
     -------
     Solved
     """
-    beads = _profile_beads(settings["profile"])
+    profile = settings["profile"]
+    beads = None if profile is None else KINDS["chain"].profile_points(profile)
     shape = next(iter(points.values())).shape
     values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
     if beads is not None:
@@ -69,13 +70,6 @@ def solve_chunk(points, settings):
         for name, value in values.items():
             value[index] = measured[name]
     return Solved(values, reasons, errors, ERROR_METHOD)
-
-
-def _profile_beads(profile):
-    """Beads whose final relative displacement is recorded, None for no profile."""
-    if profile is None:
-        return None
-    return np.linspace(profile["start"], profile["stop"], profile["count"]).round().astype(int)
 
 
 def _solve_point(point, tolerance, beads):

@@ -9,7 +9,7 @@ where it is real.
 import numpy as np
 from tqdm import tqdm
 
-from granular_fronts.campaign.kinds import Solved
+from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.fronts.sweep import ERROR_METHOD, sweep_fronts
 
@@ -67,7 +67,7 @@ def _error(sweep, name):
 
 def _add_profiles(values, errors, law, reasons, profile):
     """Solve the fronts once more, each by itself, for u at the wanted ξ."""
-    xi = np.linspace(profile["start"], profile["stop"], profile["count"])
+    xi = KINDS["front"].profile_points(profile)
     profiles, worst = np.full((reasons.size, xi.size), np.nan), np.nan
     for index in np.flatnonzero(reasons == ""):
         front = solve_front(*(float(parameter[index]) for parameter in law))

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from tqdm import tqdm
 
-from granular_fronts.campaign.kinds import Solved
+from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.continuum.heteroclinic import compute_orbit, heteroclinic
 from granular_fronts.continuum.survey import measure_rates
 
@@ -35,7 +35,7 @@ def solve_chunk(points, settings):
     Solved
     """
     profile = settings["profile"]
-    s = None if profile is None else np.linspace(*(profile[key] for key in PROFILE_KEYS))
+    s = None if profile is None else KINDS["heteroclinic"].profile_points(profile)
     shape = points["mu"].shape
     values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
     if s is not None:
@@ -51,9 +51,6 @@ def solve_chunk(points, settings):
             value[index], error = measured[name]
             errors[name] = np.fmax(errors[name], error)
     return Solved(values, reasons, errors, ERROR_METHOD)
-
-
-PROFILE_KEYS = ("start", "stop", "count")
 
 
 def _measure(mu, s):

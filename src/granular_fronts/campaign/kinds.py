@@ -52,6 +52,8 @@ class Kind(NamedTuple):
         What may be recorded at each point, with its meaning.
     profile, profile_along : tuple of str
         Name and meaning of the profile that may be recorded, and of its coordinate.
+    profile_counts : bool
+        Whether only whole numbers make sense along the profile.
     """
 
     module: str
@@ -60,6 +62,14 @@ class Kind(NamedTuple):
     scalars: Mapping[str, str]
     profile: tuple[str, str]
     profile_along: tuple[str, str]
+    profile_counts: bool = False
+
+    def profile_points(self, profile) -> "np.ndarray":
+        """Where a profile is recorded, evenly spaced from its start to its stop."""
+        import numpy as np
+
+        points = np.linspace(profile["start"], profile["stop"], profile["count"])
+        return points.round().astype(int) if self.profile_counts else points
 
     def solve_chunk(self, points, settings) -> "Solved":
         """Solve the points of one chunk, in this process."""
@@ -121,6 +131,7 @@ KINDS: dict[str, Kind] = {
         },
         profile=("relative_displacement", "relative displacement over delta at the end"),
         profile_along=("bead", "bead number n"),
+        profile_counts=True,
     ),
     "front": Kind(
         module="granular_fronts.campaign.front_points",

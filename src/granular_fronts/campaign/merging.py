@@ -10,6 +10,7 @@ dimensions and, beside the recorded variables,
 
 import json
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -74,8 +75,52 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
     DatasetError
         If a file is damaged or of another campaign, or points are missing.
     """
+    gathered = _gather(campaign, files)
+    kind = campaign.kind
+    coordinates = _profile_coordinate(kind, campaign.settings["profile"])
+    sizes = [len(campaign.grid[axis]) for axis in campaign.axes]
+    merged = xr.Dataset(coords=coordinates | _axes_of(campaign))
+    for name, value in gathered.values.items():
+        profile_axes = list(coordinates) if name == kind.profile[0] else []
+        attributes = {
+            "long_name": {**kind.scalars, kind.profile[0]: kind.profile[1]}[name],
+            "error_estimate": float(gathered.errors[name]),
+            "error_method": "; ".join(sorted(gathered.methods)),
+        }
+        shape = [*sizes, *(merged.sizes[axis] for axis in profile_axes)]
+        merged[name] = ([*campaign.axes, *profile_axes], value.reshape(shape), attributes)
+    _add_status(merged, campaign, gathered.reasons.reshape(sizes), gathered.texts)
+    merged.attrs = {
+        "kind": campaign.kind_name,
+        "points": campaign.size,
+        "failed_points": int(np.sum(gathered.reasons > 0)),
+        "chunks": len(files),
+        "seconds": gathered.seconds,
+        "seconds_per_point": gathered.seconds / gathered.points,
+        **{
+            name: value
+            for name, (value, *_) in campaign.grid.items()
+            if _is_constant(campaign, name)
+        },
+    }
+    return merged
+
+
+class _Gathered(NamedTuple):
+    """What all chunks hold together: arrays along the grid, and what is told of them."""
+
+    values: dict
+    errors: dict
+    methods: set
+    reasons: np.ndarray
+    texts: list
+    seconds: float
+    points: int
+
+
+def _gather(campaign, files):
+    """Read all chunks and lay their points on the grid."""
     kind, profile = campaign.kind, campaign.settings["profile"]
-    coordinates = _profile_coordinate(kind, profile)
     values = {name: np.full(campaign.size, np.nan) for name in campaign.settings["scalars"]}
     if profile:
         values[kind.profile[0]] = np.full((campaign.size, profile["count"]), np.nan)
@@ -96,32 +141,7 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
             f"Campaign {campaign.name}: {np.sum(reasons < 0)} points are in no chunk: "
             "run the workflow again."
         )
-    sizes = [len(campaign.grid[axis]) for axis in campaign.axes]
-    merged = xr.Dataset(coords=coordinates | _axes_of(campaign))
-    for name, value in values.items():
-        profile_axes = list(coordinates) if name == kind.profile[0] else []
-        attributes = {
-            "long_name": {**kind.scalars, kind.profile[0]: kind.profile[1]}[name],
-            "error_estimate": float(errors[name]),
-            "error_method": "; ".join(sorted(methods)),
-        }
-        shape = [*sizes, *(merged.sizes[axis] for axis in profile_axes)]
-        merged[name] = ([*campaign.axes, *profile_axes], value.reshape(shape), attributes)
-    _add_status(merged, campaign, reasons.reshape(sizes), list(texts))
-    merged.attrs = {
-        "kind": campaign.kind_name,
-        "points": campaign.size,
-        "failed_points": int(np.sum(reasons > 0)),
-        "chunks": len(files),
-        "seconds": seconds,
-        "seconds_per_point": seconds / points,
-        **{
-            name: value
-            for name, (value, *_) in campaign.grid.items()
-            if _is_constant(campaign, name)
-        },
-    }
-    return merged
+    return _Gathered(values, errors, methods, reasons, list(texts), seconds, points)
 
 
 def _read_chunk(file, campaign):
@@ -175,5 +195,4 @@ def _profile_coordinate(kind, profile):
     if profile is None:
         return {}
     name, meaning = kind.profile_along
-    values = np.linspace(profile["start"], profile["stop"], profile["count"])
-    return {name: (name, values, {"long_name": meaning})}
+    return {name: (name, kind.profile_points(profile), {"long_name": meaning})}
