@@ -29,7 +29,8 @@ CONTINUUM_LOOKS = {
 }
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
-CLIPPED_COLOUR = "#d01c1c"
+# What is clipped, failed or singled out.
+ALARM_COLOUR = "#d01c1c"
 # Whose solver it is, in figure 14.
 PACKAGE_COLOURS = {
     "ours": "#000000",
@@ -83,9 +84,15 @@ def new_figure(height, mosaic):
     return plt.subplot_mosaic(mosaic, figsize=(TEXT_WIDTH, height))
 
 
+def fill_rows(names, columns):
+    """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
+    filled = [*names, *["."] * (-len(names) % columns)]
+    return [filled[first : first + columns] for first in range(0, len(filled), columns)]
+
+
 def compression_map():
     """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
-    return matplotlib.colormaps["bone_r"].with_extremes(under=CLIPPED_COLOUR)
+    return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
 
 
 def velocity_map():

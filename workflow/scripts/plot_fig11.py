@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.style import CONTINUUM_LOOKS, new_figure, save_figure
+from granular_fronts.style import CONTINUUM_LOOKS, fill_rows, new_figure, save_figure
 from step import run_step
 
 COLUMNS = 3
@@ -22,8 +22,7 @@ def plot_fig11(dataset: Path, pdf: Path, png: Path) -> None:
     data = read_dataset(dataset)
     exponents = data["alpha"].values
     names = [f"{alpha:g}" for alpha in exponents]
-    names += ["."] * (-len(names) % COLUMNS)
-    rows = [names[first : first + COLUMNS] for first in range(0, len(names), COLUMNS)]
+    rows = fill_rows(names, COLUMNS)
     figure, panels = new_figure(2.3 * len(rows), rows)
     for alpha in exponents:
         draw_errors(panels[f"{alpha:g}"], data.sel(alpha=alpha))

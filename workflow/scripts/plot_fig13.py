@@ -6,11 +6,10 @@ import numpy as np
 
 from granular_fronts.datasets import read_dataset
 from granular_fronts.drawing import finish_grid
-from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure, save_figure
 from step import run_step
 
 MARKERS = ("o", "s", "^", "d")
-PARTS = ("real", "imaginary")
 CIRCLE = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 400))
 
 
@@ -50,7 +49,7 @@ def draw_neighbourhood(axes, data):
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="0.6", linewidth=0.7)
     draw_essential(axes, data)
     draw_multipliers(axes, data)
-    axes.plot(1.0, 0.0, "+", color="#d01c1c", markersize=9, label="translation")
+    axes.plot(1.0, 0.0, "+", color=ALARM_COLOUR, markersize=9, label="translation")
     axes.set(xlim=(0.7, 1.03), ylim=(-0.3, 0.3), ylabel=r"Im $z$")
 
 

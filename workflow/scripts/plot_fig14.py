@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PACKAGE_COLOURS, new_figure, save_figure
+from granular_fronts.style import PACKAGE_COLOURS, fill_rows, new_figure, save_figure
 from step import run_step
 
 COLUMNS = 3
@@ -31,8 +31,7 @@ def plot_fig14(dataset: Path, pdf: Path, png: Path) -> None:
     """
     data = read_dataset(dataset, "speed_error")
     problems = [str(problem) for problem in data["problem"].values]
-    names = problems + ["."] * (-len(problems) % COLUMNS)
-    rows = [names[i : i + COLUMNS] for i in range(0, len(names), COLUMNS)]
+    rows = fill_rows(problems, COLUMNS)
     figure, panels = new_figure(PANEL_HEIGHT * len(rows) + 1.0, rows)
     looks = choose_looks(data)
     for problem in problems:

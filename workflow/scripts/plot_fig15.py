@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.style import CLIPPED_COLOUR, PROBE_COLOURS, new_figure, save_figure
+from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure, save_figure
 from step import run_step
 
 BLUE = PROBE_COLOURS[1]
@@ -47,9 +47,9 @@ def draw_cases(axes, data):
     axes.plot(data["limit"], places, "|", color=GREY, markersize=8, label="limit")
     axes.plot(error[passed], places[passed], "o", color=BLUE, markersize=3.5, label="passed")
     failed = ~passed & ~refused
-    axes.plot(error[failed], places[failed], "D", color=CLIPPED_COLOUR, ms=4, label="failed")
+    axes.plot(error[failed], places[failed], "D", color=ALARM_COLOUR, ms=4, label="failed")
     at_edge = np.full(refused.sum(), SMALLEST_ERROR)
-    axes.plot(at_edge, places[refused], "x", color=CLIPPED_COLOUR, label="no result")
+    axes.plot(at_edge, places[refused], "x", color=ALARM_COLOUR, label="no result")
     axes.set_yticks(places, [label_of(name) for name in data["case"].values], fontsize=7)
     axes.set(xscale="log", xlabel="error", xlim=(0.5 * SMALLEST_ERROR, 1.0e-3))
     axes.grid(axis="y", linewidth=0.3)
