@@ -147,7 +147,7 @@ def test_fig16_shows_the_atlas_with_curves_and_beads(atlas, monkeypatch, tmp_pat
     script = importlib.import_module("plot_fig16")
     kept = []
     monkeypatch.setattr(script, "save_figure", lambda figure, pdf, png: kept.append(figure))
-    beads = {"steel": {"alpha": 1.5, "gamma": 0.05}}
+    beads = {"steel": {"gamma": 0.05}}
     script.plot_fig16(*atlas, beads, tmp_path / "a.pdf", tmp_path / "a.png")
     data, curves = read_dataset(atlas[0]), read_dataset(atlas[1])
     overshoot, width, regime = panels(kept[0])[:3]

@@ -82,7 +82,7 @@ rule plot_fig16:
         pdf="<results>/figures/fig16_campaign_atlas.pdf",
         png="<results>/figures/fig16_campaign_atlas.png",
     params:
-        materials=config["atlas_beads"],
+        materials=config["laws"]["materials"]["beads"],
     log:
         "<logs>/plot_fig16.log",
     benchmark:

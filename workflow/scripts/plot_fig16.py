@@ -8,7 +8,8 @@ from matplotlib.colors import BoundaryNorm, ListedColormap, LogNorm
 from matplotlib.patheffects import withStroke
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
+from granular_fronts.laws.materials import ALPHA
+from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure, save_figure
 from step import run_step
 
 CURVES = {
@@ -19,7 +20,6 @@ CURVES = {
 REGIMES = ("monotone", "oscillating", "by > 1 %")
 REGIME_COLOURS = ("#f2efe6", "#b9cbe0", "#5f7fae")
 VISIBLE = 0.01
-UNSOLVED_COLOUR = "#d01c1c"
 
 
 def plot_fig16(dataset: Path, curves: Path, materials: dict, pdf: Path, png: Path) -> None:
@@ -32,7 +32,7 @@ def plot_fig16(dataset: Path, curves: Path, materials: dict, pdf: Path, png: Pat
     curves : Path
         Critical damping over α.
     materials : dict
-        Contact exponent and damping of beads, by name.
+        Beads of remark 6, by name; their `gamma` at 0.5 m/s.
     pdf, png : Path
         Files to write.
     """
@@ -87,7 +87,7 @@ def colour_plane(axes, values, colour_map, norm, label, *, extend):
 
 def draw_plane(axes, values, colour_map, norm):
     """Colours over α and γ; points that are not solved in red."""
-    shown = colour_map.with_extremes(bad=UNSOLVED_COLOUR, under=colour_map(0.0))
+    shown = colour_map.with_extremes(bad=ALARM_COLOUR, under=colour_map(0.0))
     plane = values.transpose("gamma", "alpha")
     return axes.pcolormesh(
         plane["alpha"],
@@ -110,10 +110,10 @@ def draw_curves(axes, critical):
 def draw_materials(axes, materials):
     """The places of real beads."""
     for name, bead in materials.items():
-        axes.plot(bead["alpha"], bead["gamma"], "o", color=PROBE_COLOURS[0], markersize=3)
+        axes.plot(ALPHA, bead["gamma"], "o", color=PROBE_COLOURS[0], markersize=3)
         axes.annotate(
             name,
-            (bead["alpha"], bead["gamma"]),
+            (ALPHA, bead["gamma"]),
             xytext=(4, 0),
             textcoords="offset points",
             va="center",
