@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from chains import driven_scene
 
-from granular_fronts.chain.recording import regular_times
 from granular_fronts.chain.simulate import solve
+from granular_fronts.grids import regular_points
 
 FINE = 0.002
 
@@ -28,9 +28,9 @@ def motion():
     return solve(scene, scene["tolerance"]).dataset
 
 
-def test_regular_times_include_a_stop_that_the_step_hits_up_to_rounding():
-    assert regular_times(0.0, 0.3, 0.1).size == 4
-    assert regular_times(60.0, 420.0, 0.1)[-1] == pytest.approx(420.0)
+def test_regular_points_include_a_stop_that_the_step_hits_up_to_rounding():
+    assert regular_points(0.0, 0.3, 0.1).size == 4
+    assert regular_points(60.0, 420.0, 0.1)[-1] == pytest.approx(420.0)
 
 
 def test_probes_meet_snapshots_and_grid(motion):

@@ -25,7 +25,6 @@ quotes contain the error of that scheme.
 import numpy as np
 import xarray as xr
 
-from granular_fronts.chain.recording import regular_times
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.configuration import check_scene
 from granular_fronts.continuum import upwind
@@ -37,6 +36,7 @@ from granular_fronts.continuum.evolution import (
     solve_twice,
 )
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.grids import regular_points
 from granular_fronts.slow_scales import scaling_of
 
 SITES_PER_BEAD = 5
@@ -109,7 +109,7 @@ def start_positions(scene, site):
 def _solve_equation(scene, equation, chain):
     """What one equation says, and how far from it the chain is."""
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
-    grid = regular_times(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+    grid = regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
     solutions = solve_twice(scene, equation, np.concatenate([snapshots, grid]))
     beads = bead_numbers(scene)
     site = np.linspace(beads[0], beads[-1], SITES_PER_BEAD * (beads.size - 1) + 1)

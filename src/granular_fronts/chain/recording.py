@@ -20,29 +20,25 @@ import xarray as xr
 
 from granular_fronts.chain import equations
 from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST, Recording
+from granular_fronts.grids import regular_points
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
 # before the far end.
 SPEED_RANGE = (0.5, 0.9)
 
 
-def regular_times(start, stop, step):
-    """start, start + step, … up to and including stop."""
-    return start + step * np.arange(int(np.floor((stop - start) / step * (1 + 1e-12))) + 1)
-
-
 def grid_times(scene):
     """Times of the space-time grid, empty if the scene records none."""
     if "grid" not in scene["record"]:
         return np.empty(0)
-    return regular_times(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+    return regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
 
 
 def probe_samples(scene):
     """All samples of all probe sets: times and beads, each flat, set after set."""
     times, beads = [np.empty(0)], [np.empty(0, dtype=np.int64)]
     for probe in scene["record"].get("probes", {}).values():
-        moments = regular_times(probe["start"], probe["stop"], probe["step"])
+        moments = regular_points(probe["start"], probe["stop"], probe["step"])
         times.append(np.repeat(moments, len(probe["beads"])))
         beads.append(np.tile(np.asarray(probe["beads"], dtype=np.int64), moments.size))
     return np.concatenate(times), np.concatenate(beads)
@@ -147,7 +143,7 @@ def _probes(scene, recording):
     samples[np.argsort(times, kind="stable")] = recording.samples
     dataset, first = xr.Dataset(), 0
     for name, probe in scene["record"].get("probes", {}).items():
-        moments = regular_times(probe["start"], probe["stop"], probe["step"])
+        moments = regular_points(probe["start"], probe["stop"], probe["step"])
         shape = (moments.size, len(probe["beads"]))
         last = first + moments.size * len(probe["beads"])
         dataset[f"relative_displacement_{name}"] = xr.DataArray(

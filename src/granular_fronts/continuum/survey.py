@@ -28,6 +28,7 @@ from granular_fronts.continuum.heteroclinic import (
     turning_points,
 )
 from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, planar_system, potential
+from granular_fronts.grids import regular_points
 
 # Extrema below this deviation from 1 are linear to round-off when ratios of them are taken.
 LINEAR = 1e-9
@@ -63,7 +64,7 @@ def survey_heteroclinic(scene, name="given"):
         If the scene is impossible, or s reaches beyond the underflow of y.
     """
     scene = check_scene("heteroclinic", scene, name)
-    parts = [survey_fronts(scene["mu"], _regular(**scene["profile"]))]
+    parts = [survey_fronts(scene["mu"], regular_points(**scene["profile"]))]
     if "well" in scene:
         parts.append(sample_potential(**scene["well"]))
     if "portrait" in scene:
@@ -156,7 +157,7 @@ def sample_potential(limit, step):
     -------
     xarray.Dataset
     """
-    y = _regular(-limit, limit, step)
+    y = regular_points(-limit, limit, step)
     values = potential(y)
     attributes = error_attributes(values, values, "one unit of the last digit")
     return xr.Dataset({"potential": ("y", values, attributes)}, coords={"y": y})
@@ -181,7 +182,7 @@ def draw_portrait(mu, starts, span, step, limit):
     -------
     xarray.Dataset
     """
-    after = _regular(0.0, span, step)
+    after = regular_points(0.0, span, step)
     s = np.concatenate([-after[:0:-1], after])
 
     def follow(tolerance):
@@ -244,8 +245,3 @@ def follow_trajectory(mu, start, s, limit, tolerance):
     values = np.full((2, s.size), np.nan)
     values[:, : found.t.size] = found.y
     return values
-
-
-def _regular(start, stop, step):
-    """start, start + step, … up to and including stop."""
-    return start + step * np.arange(int(np.floor((stop - start) / step * (1 + 1e-12))) + 1)
