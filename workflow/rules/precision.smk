@@ -13,7 +13,7 @@ PRECISION_REFERENCES = {
 
 rule measure_precision:
     input:
-        kernels="<results>/kernels.json",
+        kernels=rules.compile_front_kernels.output.stamp,
         reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
         modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("fronts/*.py")],
         solvers=sorted(glob("workflow/scripts/problems/*.py") + glob("workflow/scripts/peers/*.*")),
@@ -105,7 +105,7 @@ rule fig14:
 
 rule measure_log_burgers:
     input:
-        kernels="<results>/continuum_kernels.json",
+        kernels=rules.compile_continuum_kernels.output.stamp,
         modules=CONTINUUM_MODULES,
     output:
         dataset="<results>/data/precision/log_burgers.nc",
@@ -127,7 +127,7 @@ rule measure_log_burgers:
 
 rule tabulate_log_burgers:
     input:
-        dataset="<results>/data/precision/log_burgers.nc",
+        dataset=rules.measure_log_burgers.output.dataset,
     output:
         csv="<results>/tables/log_burgers_solvers.csv",
         markdown="<results>/tables/log_burgers_solvers.md",
