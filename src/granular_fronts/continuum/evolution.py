@@ -57,24 +57,7 @@ def evolve_log_burgers(scene, name="given"):
 def evolve_unlimited(scene, name="given"):
     """Solve James (2021), eq. (40), before the limit α → 1, for a periodic scene.
 
-    Parameters
-    ----------
-    scene : mapping
-        One entry of `scenes.periodic` of the configuration.
-    name : str, optional
-        What error messages call the scene.
-
-    Returns
-    -------
-    xarray.Dataset
-        `rescaled_force` y, as `evolve_log_burgers` gives it.
-
-    Raises
-    ------
-    ConfigurationError
-        If the scene is impossible.
-    EvolutionError
-        If the start has negative averages, or the step size collapses.
+    Parameters, result (with y for Y) and errors as of `evolve_log_burgers`.
     """
     return _evolve(scene, name, UNLIMITED)
 
