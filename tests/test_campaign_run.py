@@ -8,15 +8,14 @@ import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
 import yaml
+from projects import ROOT, copy_project
 
 from granular_fronts.datasets import read_dataset
 
-ROOT = Path(__file__).parents[1]
 CAMPAIGN = {
     "kind": "chain",
     "axes": {"delta": [0.1, 0.2, 0.4, 0.8], "gamma": {"linspace": [0.1, 1.0, 100]}},
@@ -50,10 +49,7 @@ def jobs_of(run):
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
     """A copy of the project, with nothing computed."""
-    copy = tmp_path_factory.mktemp("project") / "copy"
-    rebuilt = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*rebuilt))
-    return copy
+    return copy_project(tmp_path_factory.mktemp("project"))
 
 
 @pytest.mark.parametrize(

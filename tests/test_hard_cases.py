@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from test_workflow import ROOT, load_step
+from projects import ROOT, load_step
 
 from granular_fronts.configuration import load_configuration
 from granular_fronts.hard_cases import chain_cases, contact_cases, event_orders, registry

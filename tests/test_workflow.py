@@ -1,8 +1,6 @@
 import contextlib
-import importlib.util
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -15,10 +13,10 @@ import psutil
 import pytest
 import yaml
 from packaging.requirements import Requirement
+from projects import ROOT, copy_project, load_step
 
 from step import from_command_line, from_workflow, load_yaml_or_leaf, run_step
 
-ROOT = Path(__file__).parents[1]
 SCRIPTS = sorted(
     set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
 )
@@ -30,15 +28,6 @@ TARGETS += ["fig15", "hard_cases", "stiff_damping"]
 def snakemake(*arguments, folder=ROOT):
     command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-
-
-def load_step(script):
-    """Import a script without running it; the step carries the script's name."""
-    spec = importlib.util.spec_from_file_location(script.stem, script)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[script.stem] = module
-    spec.loader.exec_module(module)
-    return getattr(module, script.stem)
 
 
 @pytest.fixture
@@ -98,9 +87,7 @@ def test_impossible_configuration_is_refused_before_any_job(nowhere, tmp_path):
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
     """A copy of the project in which the smoke run is done."""
-    copy = tmp_path_factory.mktemp("project") / "copy"
-    rebuilt = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*rebuilt))
+    copy = copy_project(tmp_path_factory.mktemp("project"))
     run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
     assert run.returncode == 0, run.stderr
     return copy
