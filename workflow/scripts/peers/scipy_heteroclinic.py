@@ -39,7 +39,7 @@ def logarithmic(_, state, mu):
 
 
 def tail_slope(p, mu):
-    """V on the stable manifold at a large p."""
+    """The v of the stable manifold at a large p."""
     return np.sqrt(p + 0.5 + 0.25 * mu**2) - 0.5 * mu
 
 
