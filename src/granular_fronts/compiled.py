@@ -15,7 +15,11 @@ import numba
 
 SOURCES = Path(__file__).parent
 
-CALLED_WINGS = {"fronts": ("chain",)}
+CALLED_WINGS = {
+    "chain": ("elementary",),
+    "continuum": ("elementary",),
+    "fronts": ("chain", "elementary"),
+}
 """The folders whose kernels the kernels of a folder call, besides their own."""
 
 

@@ -33,7 +33,8 @@ def campaign_chunks(name):
 def campaign_modules(name):
     """Return the modules that the numbers of a campaign stand on."""
     wings = campaign_of(name).kind.wings
-    return modules("campaign/*.py", "datasets.py", *(f"{wing}/*.py" for wing in wings))
+    folders = ("campaign", "elementary", *wings)
+    return modules("datasets.py", *(f"{folder}/*.py" for folder in folders))
 
 
 def campaign_kernels(name):

@@ -1,6 +1,6 @@
 """Motions of a finite chain, section 3.3 of the paper."""
 
-CHAIN_MODULES = modules("chain/*.py", "grids.py", "datasets.py")
+CHAIN_MODULES = modules("chain/*.py", "elementary/*.py", "grids.py", "datasets.py")
 CHAIN_DATASETS = expand("<results>/data/chain/{scene}.nc", scene=config["scenes"]["chain"])
 
 

@@ -1,7 +1,12 @@
 """Amplitude equations beside a chain, section 4 of the paper, and their fronts, section 5."""
 
 CONTINUUM_MODULES = modules(
-    "continuum/*.py", "grids.py", "slow_scales.py", "configuration.py", "datasets.py"
+    "continuum/*.py",
+    "elementary/*.py",
+    "grids.py",
+    "slow_scales.py",
+    "configuration.py",
+    "datasets.py",
 )
 PERIODIC_DATASETS = expand("<results>/data/periodic/{scene}.nc", scene=config["scenes"]["periodic"])
 HETEROCLINIC_DATASETS = expand(

@@ -4,6 +4,7 @@ FRONT_MODULES = modules(
     "fronts/*.py",
     "continuum/*.py",
     "chain/*.py",
+    "elementary/*.py",
     "grids.py",
     "slow_scales.py",
     "configuration.py",

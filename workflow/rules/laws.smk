@@ -8,6 +8,7 @@ LAWS_MODULES = modules(
     "scaling.py",
     "continuum/log_kdv_burgers.py",
     "fronts/*.py",
+    "elementary/*.py",
     "datasets.py",
 )
 LAWS_DATASETS = expand(

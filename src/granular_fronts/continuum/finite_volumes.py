@@ -43,7 +43,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.compiled import kernel
-from granular_fronts.continuum.vector_functions import exponentials_less_one, logarithms
+from granular_fronts.elementary.vector_functions import exponentials_less_one, logarithms
 
 GHOSTS = 3
 VALUE_WEIGHTS = (37.0 / 60.0, -8.0 / 60.0, 1.0 / 60.0)

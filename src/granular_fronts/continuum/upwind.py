@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.compiled import kernel
-from granular_fronts.continuum.vector_functions import logarithms
+from granular_fronts.elementary.vector_functions import logarithms
 
 PAPER_FRACTION = 0.8
 

@@ -1,4 +1,4 @@
-r"""Logarithm and exponential of an array, written so that a compiler turns them into vector code.
+r"""Logarithm, exponential and power, written so that a compiler turns them into vector code.
 
 The library's functions are called for one number at a time and would take most of the time of a
 right-hand side.
@@ -19,6 +19,13 @@ Exponential less one.  :math:`x = k\ln 2 + r` with :math:`|r| \le \tfrac12\ln 2`
 with the Taylor polynomial of :math:`e^r - 1`, whose remainder is below :math:`10^{-17}`.  Nothing
 cancels where x is small.  Adding :math:`1.5\cdot2^{52}` rounds :math:`x/\ln2` to k and leaves k in
 the last bits of the sum.
+
+Power.  :math:`x^a = e^{a \ln x}` multiplies the relative error of the logarithm by
+:math:`a \ln x`, so the logarithm carries a second double for its own rounding.  Its leading part
+is :math:`k \ln 2 + 2s`: the remainder of the division s and the rounding of the sum are exact, and
+what follows, :math:`s R(s^2)`, is a hundred times smaller than s.  The product with a is split in
+the same way.  What is left is the rounding of r and of the last sum, about one unit of the last
+place together.
 """
 
 import math
@@ -26,7 +33,9 @@ import math
 import numpy as np
 
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.bits import bits_of, double_of, multiply_add
 
+LN2 = math.log(2.0)
 LN2_HIGH, LN2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
 P0, P1, P2, P3, P4, P5, P6 = (
     6.666666666666735130e-01,
@@ -44,6 +53,28 @@ FRACTION, FRACTION_BITS, BIAS = np.int64(0x000FFFFFFFFFFFFF), np.int64(52), np.i
 # Reciprocal factorials: of degree j + 1 in the exponential.
 TAYLOR = tuple(1.0 / math.factorial(j + 1) for j in range(13))
 ROUNDER = 1.5 * 2.0**52
+ROUNDER_BITS = np.int64(0x4338000000000000)
+# Powers of two that a double can hold; the next one above is infinite.
+LOWEST_EXPONENT, INFINITE_EXPONENT = -1022.0, 1024.0
+
+_CONTRACT = {"contract"}
+
+
+@kernel(fastmath=_CONTRACT, forceinline=True)
+def remainder_of_logarithm(s):
+    """R(s²)."""
+    z = s * s
+    w = z * z
+    return z * (P0 + w * (P2 + w * (P4 + w * P6))) + w * (P1 + w * (P3 + w * P5))
+
+
+@kernel(fastmath=_CONTRACT, forceinline=True)
+def small_exponential_less_one(r):
+    """e^r − 1 for |r| ≤ ½ ln 2."""
+    tail = TAYLOR[12]
+    for j in range(11, 0, -1):
+        tail = TAYLOR[j] + r * tail
+    return r + r * r * tail
 
 
 @kernel(error_model="numpy")
@@ -66,11 +97,8 @@ def logarithms(x, exponent, mantissa, result):
     for i in range(x.size):
         k, f = float(exponent[i]), mantissa[i] - 1.0
         s = f / (2.0 + f)
-        z = s * s
-        w = z * z
-        remainder = z * (P0 + w * (P2 + w * (P4 + w * P6))) + w * (P1 + w * (P3 + w * P5))
         half_square = 0.5 * f * f
-        small = s * (half_square + remainder) + k * LN2_LOW
+        small = s * (half_square + remainder_of_logarithm(s)) + k * LN2_LOW
         result[i] = k * LN2_HIGH - ((half_square - small) - f)
 
 
@@ -94,7 +122,42 @@ def exponentials_less_one(x, rounded, power, result):
     for i in range(x.size):
         k = rounded[i] - ROUNDER
         r = (x[i] - k * LN2_HIGH) - k * LN2_LOW
-        tail = TAYLOR[12]
-        for j in range(11, 0, -1):
-            tail = TAYLOR[j] + r * tail
-        result[i] = power[i] * (r + r * r * tail) + (power[i] - 1.0)
+        result[i] = power[i] * small_exponential_less_one(r) + (power[i] - 1.0)
+
+
+@kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
+def power(x, exponent):
+    """x^exponent for a loop that is to be vectorised: no branch, no call.
+
+    Parameters
+    ----------
+    x : float
+        Positive and normal, not checked; any other number gives a number without meaning.
+    exponent : float
+        Below 2⁵⁰ in absolute value, not checked.
+
+    Returns
+    -------
+    float
+        Within two units of the last place; infinite from :math:`2^{1023.5}` on, and no less than
+        about :math:`2^{-1022}`.
+    """
+    shifted = bits_of(x) + (ONE - ROOT_HALF)
+    k = double_of((shifted >> FRACTION_BITS) - BIAS + ROUNDER_BITS) - ROUNDER
+    m = double_of((shifted & FRACTION) + ROOT_HALF)
+    f, denominator = m - 1.0, m + 1.0
+    reciprocal = 1.0 / denominator
+    s = f * reciprocal
+    rounding_of_denominator = m - (denominator - 1.0)
+    division_left = multiply_add(-s, denominator, f) - s * rounding_of_denominator
+    logarithm = k * LN2_HIGH + 2.0 * s
+    small = (2.0 * s - (logarithm - k * LN2_HIGH)) + (
+        2.0 * division_left * reciprocal + s * remainder_of_logarithm(s) + k * LN2_LOW
+    )
+    y = exponent * logarithm
+    small = multiply_add(exponent, logarithm, -y) + exponent * small
+    rounded = min(max(y * (1.0 / LN2), LOWEST_EXPONENT), INFINITE_EXPONENT) + ROUNDER
+    n = rounded - ROUNDER
+    r = ((y - n * LN2_HIGH) - n * LN2_LOW) + small
+    scale = double_of((bits_of(rounded) << FRACTION_BITS) + ONE)
+    return scale * (1.0 + small_exponential_less_one(r))

@@ -1,0 +1,1 @@
+"""Elementary functions of numbers and arrays, for the compiled kernels of every wing."""
