@@ -58,6 +58,16 @@ def test_sparse_rows_are_the_rows_of_the_matrix_and_of_its_square(row):
     np.testing.assert_allclose(dense(columns, a_squared), (rk.A @ rk.A)[row], atol=ROUNDING)
 
 
+@pytest.mark.parametrize("row", range(rk.SLOPES))
+def test_blocks_hold_the_same_rows(row):
+    used = slice(0, rk.ENDS[row])
+    for blocks, matrix in ((rk.A_IN_BLOCKS, rk.A), (rk.A_SQUARED_IN_BLOCKS, rk.A_SQUARED)):
+        full = np.zeros(rk.SLOPES)
+        np.add.at(full, rk.COLUMNS[row, used], blocks[row, used])
+        np.testing.assert_array_equal(full[:row], matrix[row, :row])
+        assert not full[row:].any(), "only slopes that are already known"
+
+
 @pytest.mark.parametrize(
     ("row", "product", "weights"),
     [

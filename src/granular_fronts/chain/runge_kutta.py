@@ -38,6 +38,7 @@ SLOPES = 16
 NEW_SLOPE = 12
 DEGREE = 7
 ROUNDING = 1.0e-15
+BLOCK = 4
 ERROR_EXPONENT = -1.0 / 8.0
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.9, 0.2, 10.0
 
@@ -81,6 +82,18 @@ def _sparse(*weights):
     return tuple(map(int, columns)), *values
 
 
+def _in_blocks():
+    """For each stage: columns with weights, padded by column 0 to whole blocks; A and A² there."""
+    columns, ends = np.zeros((SLOPES, SLOPES), np.int64), np.zeros(SLOPES, np.int64)
+    on_g, on_k = np.zeros((2, SLOPES, SLOPES))
+    for row in range(SLOPES):
+        found = np.flatnonzero((A[row, :row] != 0.0) | (A_SQUARED[row, :row] != 0.0))
+        ends[row] = BLOCK * -(-found.size // BLOCK)
+        columns[row, : found.size] = found
+        on_g[row, : found.size], on_k[row, : found.size] = A[row, found], A_SQUARED[row, found]
+    return columns, ends, on_g, on_k
+
+
 def _times_matrix(weights):
     """Weights times A; sums that the order conditions make zero are set to zero."""
     product = weights @ A
@@ -90,6 +103,8 @@ def _times_matrix(weights):
 A = _coefficient_matrix()
 A_SQUARED = _times_matrix(A)
 STAGE_ROWS = tuple(_sparse(A[row, :row], A_SQUARED[row, :row]) for row in range(SLOPES))
+# The same row by row in blocks, the last of which is filled up with weights 0.
+COLUMNS, ENDS, A_IN_BLOCKS, A_SQUARED_IN_BLOCKS = _in_blocks()
 C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
 B = A[NEW_SLOPE]
 ERROR_5, ERROR_3 = (

@@ -42,13 +42,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from llvmlite import ir
-from numba import int64, types, uint64
-from numba.extending import intrinsic
+from numba import int64, uint64
 
 from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.state import HERTZ, PAIR
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.bits import bits_of, double_of
+from granular_fronts.elementary.vector_functions import power
 
 # A smaller compression exerts no force: it could not influence another bead in double precision,
 # and arithmetic on the subnormal numbers that its powers lead to is a hundred times slower.
@@ -98,23 +98,28 @@ def laplacian(force, slopes, row, size, reach):
 
 
 @kernel(fastmath=_CONTRACT)
-def evaluate_slopes(law, size, state, u, row, reach):
-    """Slopes of the state `u` into row `row` of k (and g)."""
-    force, damping = state.force, state.damping
-    last = min(reach, size.contacts)
-    if law.kind == HERTZ:
+def raise_to(exponent, u, force, last):
+    """Write u₊^exponent of the contacts 1 … last into `force`."""
+    if exponent == 1.5:
         for n in range(uint64(1), uint64(last + 1)):
             compression = u[n] if u[n] > NEGLIGIBLE else 0.0
             force[n] = compression * math.sqrt(compression)
     else:
         for n in range(uint64(1), uint64(last + 1)):
-            compression = u[n] if u[n] > NEGLIGIBLE else 0.0
-            force[n] = compression**law.alpha
-            if law.kind == PAIR:
-                damping[n] = compression**law.beta
-    laplacian(force, state.k, row, size, reach)
+            # Taken of every number, so that there is no branch and the loop is vectorised.
+            whole = power(u[n], exponent)
+            force[n] = whole if u[n] > NEGLIGIBLE else 0.0
+
+
+@kernel(forceinline=True)
+def evaluate_slopes(law, size, state, u, row, reach):
+    """Slopes of the state `u`, which may be row `row` of k, into that row of k (and g)."""
+    last = min(reach, size.contacts)
     if law.kind == PAIR:
-        laplacian(damping, state.g, row, size, reach)
+        raise_to(law.beta, u, state.damping, last)
+        laplacian(state.damping, state.g, row, size, reach)
+    raise_to(law.alpha, u, state.force, last)
+    laplacian(state.force, state.k, row, size, reach)
 
 
 @kernel(fastmath=_CONTRACT, forceinline=True)
@@ -135,22 +140,40 @@ def hertz_stage(law, size, state, row, weights, h, reach):
 
 
 @kernel(fastmath=_CONTRACT)
+def add_slopes(row, on_a, on_a_squared, slopes, u, last):
+    """Add the earlier slopes of stage `row` to the contacts 1 … last, four in one pass."""
+    columns, a, a_squared = rk.COLUMNS, rk.A_IN_BLOCKS, rk.A_SQUARED_IN_BLOCKS
+    for j in range(0, rk.ENDS[row], rk.BLOCK):
+        i0, i1 = columns[row, j], columns[row, j + 1]
+        i2, i3 = columns[row, j + 2], columns[row, j + 3]
+        w0 = on_a * a[row, j] + on_a_squared * a_squared[row, j]
+        w1 = on_a * a[row, j + 1] + on_a_squared * a_squared[row, j + 1]
+        w2 = on_a * a[row, j + 2] + on_a_squared * a_squared[row, j + 2]
+        w3 = on_a * a[row, j + 3] + on_a_squared * a_squared[row, j + 3]
+        for n in range(uint64(1), uint64(last + 1)):
+            u[n] += (w0 * slopes[i0, n] + w1 * slopes[i1, n]) + (
+                w2 * slopes[i2, n] + w3 * slopes[i3, n]
+            )
+
+
+@kernel(fastmath=_CONTRACT)
 def power_stage(law, size, state, row, h, reach):
-    """Stage `row` for general exponents; the powers cost more than all the rest."""
-    a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
-    h_gamma = h * law.gamma
-    for n in range(1, min(reach, size.contacts) + 1):
-        if law.kind == PAIR:
-            value = stage_value_pair(state, a, a_squared, rk.C[row], h, h_gamma, n)
-        else:
-            value = stage_value(state, ALL, a, a_squared, rk.C[row], h, h_gamma, n)
-        compression = value if value > NEGLIGIBLE else 0.0
-        state.force[n] = compression**law.alpha
-        if law.kind == PAIR:
-            state.damping[n] = compression**law.beta
-    laplacian(state.force, state.k, row, size, reach)
+    """Stage `row` for general exponents.
+
+    One loop serves all stages.  Unrolled for each of them it was about a fifth faster, and half as
+    long again to compile.
+    """
+    last = min(reach, size.contacts)
+    h_c, h_gamma = h * rk.C[row], h * law.gamma
+    value, u, d = state.k[row], state.u, state.d
+    for n in range(uint64(1), uint64(last + 1)):
+        value[n] = u[n] + h_c * d[n]
     if law.kind == PAIR:
-        laplacian(state.damping, state.g, row, size, reach)
+        add_slopes(row, h_gamma, 0.0, state.g, value, last)
+        add_slopes(row, 0.0, h * h, state.k, value, last)
+    else:
+        add_slopes(row, h_gamma, h * h, state.k, value, last)
+    evaluate_slopes(law, size, state, value, row, reach)
 
 
 @kernel
@@ -185,26 +208,6 @@ def stages_for_output(law, size, state, h, reach):
     hertz_stage(law, size, state, 13, rows[13], h, reach)
     hertz_stage(law, size, state, 14, rows[14], h, reach)
     hertz_stage(law, size, state, 15, rows[15], h, reach)
-
-
-@intrinsic
-def _bits(typing_context, number):
-    """The 64 bits of a double, as an integer."""
-
-    def generate(context, builder, signature, arguments):
-        return builder.bitcast(arguments[0], ir.IntType(64))
-
-    return types.int64(types.float64), generate
-
-
-@intrinsic
-def _double(typing_context, bits):
-    """The double that 64 bits stand for."""
-
-    def generate(context, builder, signature, arguments):
-        return builder.bitcast(arguments[0], ir.DoubleType())
-
-    return types.float64(types.int64), generate
 
 
 class Largest(NamedTuple):
@@ -260,21 +263,21 @@ def finish_range(law, state, h, first, last):
         next_d = d[n] + h * b_k
         next_u = u[n] + (h * d[n] + (h_gamma * b_g + h_squared * ba_k))
         new_d[n], new_u[n] = next_d, next_u
-        fifth_u = max(fifth_u, _bits(abs(h_gamma * e5_g + h_squared * e5a_k)))
-        third_u = max(third_u, _bits(abs(h_gamma * e3_g + h_squared * e3a_k)))
-        fifth_d = max(fifth_d, _bits(abs(h * e5_k)))
-        third_d = max(third_d, _bits(abs(h * e3_k)))
-        compression = max(compression, _bits(max(u[n], 0.0)))
-        rate = max(rate, _bits(abs(d[n])))
-        total = max(total, _bits(abs(next_u) + abs(next_d)))
+        fifth_u = max(fifth_u, bits_of(abs(h_gamma * e5_g + h_squared * e5a_k)))
+        third_u = max(third_u, bits_of(abs(h_gamma * e3_g + h_squared * e3a_k)))
+        fifth_d = max(fifth_d, bits_of(abs(h * e5_k)))
+        third_d = max(third_d, bits_of(abs(h * e3_k)))
+        compression = max(compression, bits_of(max(u[n], 0.0)))
+        rate = max(rate, bits_of(abs(d[n])))
+        total = max(total, bits_of(abs(next_u) + abs(next_d)))
     return Largest(
-        _double(fifth_u),
-        _double(third_u),
-        _double(fifth_d),
-        _double(third_d),
-        _double(compression),
-        _double(rate),
-        _double(total),
+        double_of(fifth_u),
+        double_of(third_u),
+        double_of(fifth_d),
+        double_of(third_d),
+        double_of(compression),
+        double_of(rate),
+        double_of(total),
     )
 
 

@@ -1,0 +1,54 @@
+"""The power of the kernels, against many digits."""
+
+import mpmath
+import numpy as np
+import pytest
+
+from granular_fronts.chain.strain import NEGLIGIBLE, raise_to
+from granular_fronts.elementary.vector_functions import power
+
+DIGITS = 50
+RANGES = [(1.0e-3, 10.0), (0.99, 1.01), (NEGLIGIBLE, 1.0e-3), (10.0, 1.0e20)]
+
+
+def compiled_powers(x, exponent):
+    """The kernel's loop, which starts at bead 1."""
+    u, force = np.append(0.0, x), np.zeros(x.size + 1)
+    raise_to(exponent, u, force, x.size)
+    return force[1:]
+
+
+@pytest.mark.parametrize("exponent", [1.0 / 3.0, 0.7, 1.0, 1.01, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0])
+@pytest.mark.parametrize(("smallest", "largest"), RANGES)
+def test_power_is_right_to_the_last_places(exponent, smallest, largest):
+    draw = np.random.default_rng(0).uniform(np.log(smallest), np.log(largest), 500)
+    x = np.maximum(np.exp(draw), np.nextafter(smallest, np.inf))
+    with mpmath.workdps(DIGITS):
+        exact = [mpmath.mpf(float(value)) ** mpmath.mpf(exponent) for value in x]
+        errors = [
+            abs(float((mpmath.mpf(float(computed)) - wanted) / np.spacing(float(wanted))))
+            for computed, wanted in zip(compiled_powers(x, exponent), exact, strict=True)
+        ]
+    assert max(errors) < 1.5
+
+
+@pytest.mark.parametrize("exponent", [0.7, 1.2, 1.5, 3.0])
+def test_open_and_negligible_contacts_exert_no_force(exponent):
+    x = np.array([-1.0, -NEGLIGIBLE, -0.0, 0.0, 1.0e-310, NEGLIGIBLE, np.nan])
+    np.testing.assert_array_equal(compiled_powers(x, exponent), 0.0)
+
+
+@pytest.mark.parametrize("exponent", [1.2, 3.0])
+def test_power_rises_across_the_edges_of_the_reduction(exponent):
+    """Where the power of two split off x, or off the result, changes."""
+    edges = [2.0**k * root for k in range(-6, 7) for root in (1.0, 0.5**0.5)]
+    edges += [2.0 ** ((k + 0.5) / exponent) for k in range(-6, 7)]
+    for edge in edges:
+        around = edge * (1.0 + 1.0e-15 * np.arange(-20, 21))
+        relative = compiled_powers(around, exponent) / around**exponent - 1.0
+        assert np.abs(relative).max() < 4.0e-16
+
+
+def test_power_that_no_double_holds_is_infinite():
+    assert power(1.0e200, 2.5) == np.inf
+    assert power(1.0e100, 2.5) == pytest.approx(1.0e250, rel=1.0e-15)
