@@ -1,8 +1,9 @@
 """Momentum law and energy balance of a run, James (2021), section 3.3 and eq. (6).
 
-The laws stand in the docstring of `equations`.  The work at the ends is exact: a constant force
-does work on the displacement of the bead it acts on, and that of a piston follows from momentum and
-positions.  The dissipated energy is integrated by the Runge-Kutta pair beside the motion.
+The laws stand in the docstring of `equations`; energy is measured in u and w, where openings of
+contacts do no harm.  The work at the ends is exact: a constant force does work on the displacement
+of the bead it acts on, and that of a piston follows from momentum and positions.  The dissipated
+energy is integrated beside the motion, by the method of each step.
 """
 
 import math
@@ -89,6 +90,16 @@ def _measure(run):
     if not run.boundary.ring:
         positions = np.flip(np.cumsum(np.flip(u)))
         u[-1] = run.boundary.right
-    law, t = run.law, run.clock.t[0]
-    velocity = equations.velocities(d, u, run.boundary, law.beta, law.gamma, run.momentum, t)
-    return Snapshot(velocity, equations.energy(u, velocity, run.boundary, law.alpha), positions)
+    law, boundary, t = run.law, run.boundary, run.clock.t[0]
+    w = equations.generalised_velocities(d, boundary, run.momentum)
+    velocity = w + equations.velocity_correction(u, boundary, law.beta, law.gamma, t)
+    return Snapshot(velocity, _energy(law, boundary, u, w, velocity), positions)
+
+
+def _energy(law, boundary, u, w, velocity):
+    """H(w, u), with what `equations` adds to it for a piston."""
+    if not boundary.piston:
+        return equations.energy(u, w, boundary, law.alpha)
+    w[0] = velocity[0]
+    at_piston = law.gamma * velocity[0] * equations.force(u[0], law.beta)
+    return equations.energy(u, w, boundary, law.alpha) + at_piston

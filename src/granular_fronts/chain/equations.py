@@ -11,20 +11,34 @@ Three sets of variables describe the same motion: (x, ẋ), (x, w), and the stra
 :math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
 arrays of states; the last axis is the bead n = 1 … N.
 
-Balance laws, summed over the chain with pressure at the ends:
+Balance laws, summed over the chain with pressure at the ends.  The damping forces of the held
+contacts vanish (:math:`\dot u_0 = \dot u_N = 0`), and
+
+.. math:: \frac{d}{dt}\sum_n \dot x_n = \delta^\alpha - \tilde\delta^\alpha .
+
+Contact n transmits :math:`T_n = u_{n,+}^\alpha + \gamma\,\frac{d}{dt}u_{n,+}^\beta`, bead n
+receives :math:`T_{n-1} - T_n`, and the flux :math:`q_n = T_n \dot x_{n+1}` telescopes, so that
+eq. (6) adds up to
 
 .. math::
 
-    \frac{d}{dt}\sum_n \dot x_n = \delta^\alpha - \tilde\delta^\alpha, \qquad
-    \frac{d}{dt} H = \delta^\alpha \dot x_1 - \tilde\delta^\alpha \dot x_N
-      - \sum_{n=1}^{N-1} \beta\gamma\, u_{n,+}^{\beta-1}\, \dot u_n^2, \qquad
-    H = \sum_{n=1}^N \tfrac12 \dot x_n^2 + \sum_{n=1}^{N-1} \frac{u_{n,+}^{\alpha+1}}{\alpha+1} .
+    \frac{d}{dt} H(\dot x, u) = P
+      - \sum_{n=1}^{N-1} \beta\gamma\, u_{n,+}^{\beta-1}\, \dot u_n^2, \quad
+    P = \delta^\alpha \dot x_1 - \tilde\delta^\alpha \dot x_N, \quad
+    H(v, u) = \sum_{n=1}^N \tfrac12 v_n^2 + \sum_{n=1}^{N-1} \frac{u_{n,+}^{\alpha+1}}{\alpha+1} .
 
-The first holds since the damping forces of the held contacts vanish (:math:`\dot u_0 = \dot u_N =
-0`).  The second is eq. (6) summed by parts: contact n transmits
-:math:`T_n = u_{n,+}^\alpha + \gamma\,\frac{d}{dt}u_{n,+}^\beta`, bead n receives
-:math:`T_{n-1} - T_n`, and the flux :math:`q_n = T_n \dot x_{n+1}` telescopes.  On a ring both
-boundary terms are absent and the sums run over all N contacts.
+Where a contact opens, its dissipated power is no smoother than :math:`u_+^{\beta-1}`, and a
+quadrature over steps loses its order.  Subtracting
+:math:`\tfrac{d}{dt}\sum\tfrac12(\dot x_n^2 - w_n^2)` from both sides gives the same law in the
+variables (31)-(32), where all of it is as smooth as the forces:
+
+.. math::
+
+    \frac{d}{dt} H(w, u) = P - \gamma \sum_{n=1}^{N}
+      \bigl(u_{n-1,+}^\alpha - u_{n,+}^\alpha\bigr) \bigl(u_{n-1,+}^\beta - u_{n,+}^\beta\bigr) .
+
+No term of the sum is negative: the damping takes energy in these variables too.  On a ring P is
+absent and both sums run over all N beads and contacts.
 
 A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
 it exerts the unknown force :math:`f = T_1 + \dot V`.  In place of the momentum law stands
@@ -34,6 +48,10 @@ work needs no quadrature while the acceleration :math:`a = \dot V` is constant:
 .. math::
 
     \int f\,V\,dt = \Bigl[ V \sum_n \dot x_n - a \sum_n x_n + \tilde\delta^\alpha x_1 \Bigr] .
+
+The viscous part of :math:`T_1` is no smoother than the power above.  In u and w the law therefore
+holds for :math:`H + \gamma V u_{1,+}^\beta`, with V for the velocity of bead 1; the sum begins with
+bead 2, and :math:`a\,u_{1,+}^\beta` is taken from it.
 """
 
 from typing import NamedTuple
@@ -122,14 +140,26 @@ def strain_rates(velocity, u, boundary, beta, gamma):
 
 
 def velocities(d, u, boundary, beta, gamma, momentum=0.0, t=0.0):
-    """Velocities ẋ_n from the strain form: a suffix sum.
+    """Velocities ẋ_n from the strain form.
 
     Parameters
     ----------
     momentum : float
-        Σẋ_n on a ring, where d leaves a common velocity free; not used otherwise.
+        As in `generalised_velocities`.
     t : float or ndarray, shape (...), optional
         Time, which matters to a piston.
+    """
+    correction = velocity_correction(u, boundary, beta, gamma, t)
+    return generalised_velocities(d, boundary, momentum) + correction
+
+
+def generalised_velocities(d, boundary, momentum=0.0):
+    """w_n from d_n: a suffix sum.
+
+    Parameters
+    ----------
+    momentum : float
+        Σẋ_n = Σw_n on a ring, where d leaves a common velocity free; not used otherwise.
     """
     if boundary.ring:
         # Rounding leaves a sum over one turn that grows with N; the exact sum is zero.
@@ -137,11 +167,11 @@ def velocities(d, u, boundary, beta, gamma, momentum=0.0, t=0.0):
     w = np.flip(np.cumsum(np.flip(d, axis=-1), axis=-1), axis=-1)
     if boundary.ring:
         w = w + (momentum - w.sum(axis=-1, keepdims=True)) / w.shape[-1]
-    return w + velocity_correction(u, boundary, beta, gamma, t)
+    return w
 
 
 def energy(u, velocity, boundary, alpha):
-    """Kinetic plus elastic energy H of the moving contacts."""
+    """H(v, u): kinetic energy of the velocities, ẋ or w, and elastic one of the moving contacts."""
     moving = u if boundary.ring else u[..., :-1]
     kinetic = 0.5 * np.sum(velocity**2, axis=-1)
     return kinetic + np.sum(force(moving, alpha + 1.0), axis=-1) / (alpha + 1.0)

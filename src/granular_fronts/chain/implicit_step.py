@@ -280,22 +280,16 @@ def finish(state, work, h, reach):
 
 
 @kernel(fastmath=_CONTRACT)
-def dissipated_energy(law, size, state, work, h, reach):
-    """Energy lost in the step, from the forces of the converged stages."""
-    g = work.damping if law.kind == PAIR else work.force
+def dissipated_energy(law, work, h, reach):
+    """Energy lost in the step, from the forces of the converged stages on both sides of a bead."""
     energy = 0.0
     for i in range(radau.STAGES):
+        f = work.force[i]
+        g = work.damping[i] if law.kind == PAIR else f
         total = 0.0
-        for n in range(1, min(reach, size.contacts) + 1):
-            u = work.stages[i, n]
-            if u <= NEGLIGIBLE:
-                continue
-            rate = state.d[n] + law.gamma * (g[i, n - 1] - 2.0 * g[i, n] + g[i, n + 1])
-            for j in range(radau.STAGES):
-                f = work.force[j]
-                rate += h * radau.MATRIX[i, j] * (f[n - 1] - 2.0 * f[n] + f[n + 1])
-            total += u ** (law.beta - 1.0) * rate * rate
-        energy += h * radau.WEIGHTS[i] * law.beta * law.gamma * total
+        for n in range(uint64(1), uint64(reach + 1)):
+            total += (f[n - uint64(1)] - f[n]) * (g[n - uint64(1)] - g[n])
+        energy += h * radau.WEIGHTS[i] * law.gamma * total
     return energy
 
 

@@ -203,7 +203,7 @@ def advance(law, size, state, clock, relative, absolute, recording, work, shorte
         if changes_sign(state, min(reach, size.contacts)):
             break
         if recording.track_energy:
-            clock.dissipated[0] += dissipated_energy(law, size, state, work, h, reach)
+            clock.dissipated[0] += dissipated_energy(law, work, h, reach)
         accept(state, work, h, reach)
         clock.t[0] = target if landing else t + h
         write_output(state, clock.t[0], reach, recording)

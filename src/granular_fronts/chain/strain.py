@@ -340,25 +340,36 @@ def reach_of(size, u, d, start):
     return min(blocks * WINDOW_BLOCK, size.beads)
 
 
+@kernel(fastmath=_CONTRACT)
+def compression(law, state, row, h, n):
+    """u₊ of contact n at stage `row`."""
+    a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
+    if law.kind == PAIR:
+        return max(0.0, stage_value_pair(state, a, a_squared, rk.C[row], h, h * law.gamma, n))
+    return max(0.0, stage_value(state, ALL, a, a_squared, rk.C[row], h, h * law.gamma, n))
+
+
 @kernel(fastmath=_REDUCE)
 def dissipated_power(law, size, state, row, h, reach):
-    r"""Sum over contacts of :math:`W''\,\dot u^2`, James (2021), eq. (6), at stage `row`."""
-    a, a_squared = rk.A[row, :row], rk.A_SQUARED[row, :row]
-    k = state.k
-    g = state.g if law.kind == PAIR else state.k
+    r"""Power lost at stage `row`, the sum over beads in the energy balance of `equations`.
+
+    With :math:`f_n = u_{n,+}^\alpha` it is summed by parts,
+    :math:`\gamma \sum_n (f - f_n)(\Delta_d u_+^\beta)_n` with :math:`f = f_0`, since the slopes are
+    stored.  They add up to zero on a ring and to a with a piston, so that any other number f serves
+    there too, but for a term in a.
+    """
+    slopes = state.g if law.kind == PAIR else state.k
     total = 0.0
-    for n in range(1, min(reach, size.contacts) + 1):
-        if law.kind == PAIR:
-            value = stage_value_pair(state, a, a_squared, rk.C[row], h, h * law.gamma, n)
-        else:
-            value = stage_value(state, ALL, a, a_squared, rk.C[row], h, h * law.gamma, n)
-        if value > 0.0:
-            rate = state.d[n] + law.gamma * g[row, n]
-            for j in range(row):
-                rate += h * a[j] * k[j, n]
-            stiffness = math.sqrt(value) if law.beta == 1.5 else value ** (law.beta - 1.0)
-            total += stiffness * rate * rate
-    return law.beta * law.gamma * total
+    for n in range(1, reach + 1):
+        force = state.force[n]
+        if n <= size.contacts:
+            u = compression(law, state, row, h, n)
+            force = u * math.sqrt(u) if law.kind == HERTZ else u**law.alpha
+        total += (state.force[0] - force) * slopes[row, n]
+    if size.acceleration != 0.0:
+        u = compression(law, state, row, h, 1)
+        total += size.acceleration * (u**law.alpha - u**law.beta - state.force[0])
+    return law.gamma * total
 
 
 @kernel
