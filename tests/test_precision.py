@@ -284,6 +284,19 @@ def test_verdict_is_fair_to_others():
     )
 
 
+def test_verdict_names_what_a_user_calls():
+    costs = {"strain_form": 2.0, "strain_form_on_grid": 1.0, "scipy_dop853": 60.0}
+    dataset, _ = measured_family("x", {"one": costs})
+    verdict = tabulating.judge(dataset.sel(problem="one"), 1e-9)
+    seconds = 1e-9**-0.125
+    assert verdict == (
+        f"To 1e-09 use strain_form ({2e3 * seconds:.3g} ms), 30 times faster than scipy_dop853; "
+        f"on a given grid {1e3 * seconds:.3g} ms."
+    )
+    only = dataset.sel({"problem": "one", "method": ["strain_form_on_grid"]})
+    assert tabulating.judge(only, 1e-9).startswith("To 1e-09 use strain_form_on_grid (")
+
+
 def test_figure_14_draws_every_point_and_names_failures(merged, monkeypatch, tmp_path):
     kept = []
     monkeypatch.setattr(drawing, "save_figure", lambda figure, pdf, png: kept.append(figure))

@@ -12,6 +12,8 @@ from step import run_step
 LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)
 JUDGED_LEVELS = (1e-4, 1e-6, 1e-9, 1e-12)
 PAPERS_WAY = ("scilab_ode", "upwind")
+# Ending of a method that is told its grid: to be timed, while users call the one that chooses it.
+ON_GIVEN_GRID = "_on_grid"
 PACKAGES = ("diffrax", "numbalsoda", "scilab", "scipy", "sundials", "upwind")
 BUSY = "timed while the machine was busy"
 
@@ -115,11 +117,13 @@ def time_to_reach(chosen, level):
 def judge(data, level):
     """A sentence on what to use for one problem to reach one error.
 
-    Nothing is said where the reference is no better than the error.
+    Nothing is said where the reference is no better than the error.  A method on a given grid is
+    told of beside the one that finds its grid itself, which is what a user calls.
     """
     if level < float(data["reference_error"]):
         return ""
-    times, own = times_to_reach(data, level), str(data["own_method"].item())
+    reached, own = times_to_reach(data, level), str(data["own_method"].item())
+    times = without_given_grids(reached)
     if not times:
         best = data["error"].min("tolerance")
         closest = best["method"].values[int(best.argmin("method"))]
@@ -134,9 +138,17 @@ def judge(data, level):
     ]
     sentence = f"To {level:.0e} use {fastest} ({times[fastest]:.3g} ms)"
     sentence += f", {' and '.join(told)}" if told else ", which alone reached it"
-    named = [fastest, *others]
+    given = f"{fastest}{ON_GIVEN_GRID}"
+    alone = [f"on a given grid {reached[given]:.3g} ms"] if given in reached else []
+    named = [fastest, *others, *([given] if alone else [])]
     busy = (data["disturbed"].sel({"method": named}) == 1.0).any()
-    return "; ".join([sentence, *unreached, *([BUSY] if busy else [])]) + "."
+    return "; ".join([sentence, *alone, *unreached, *([BUSY] if busy else [])]) + "."
+
+
+def without_given_grids(times):
+    """The methods that find their grid themselves, or all where none of these is left."""
+    found = {name: time for name, time in times.items() if not name.endswith(ON_GIVEN_GRID)}
+    return found or times
 
 
 def rivals(times, fastest, own):
