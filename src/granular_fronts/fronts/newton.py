@@ -13,9 +13,11 @@ working precision, with solutions that satisfy all equations and are false.
 from typing import NamedTuple
 
 import numpy as np
+from numba import uint64
 
 from granular_fronts.compiled import kernel
-from granular_fronts.fronts.band import factorise, substitute
+from granular_fronts.elementary.vector_functions import power
+from granular_fronts.fronts.band import factorise, product, substitute
 
 SETTLED, WANDERING, NOT_FINITE = range(3)
 
@@ -38,6 +40,9 @@ KEEP_FACTORS = 1e-5
 # and over how many sites their factors settle.
 STEADY = 1e-4
 SETTLING = 16.0
+
+# The power is taken of normal numbers only.
+SMALLEST = 1e-300
 
 # Steps of this size that stop to shrink are round-off.
 ROUND_OFF = 1e-11
@@ -94,8 +99,10 @@ def iterate(law, hat, jump, spacing, middle, half, tolerance, u, speed, history)
             break
         if fresh:
             steady = steady_points(u, middle, STEADY * min(1.0, last))
-            prefix = min(steady, width + int(SETTLING / spacing))
-            skipped = steady - prefix if steady - prefix > width else 0
+            prefix = width + int(SETTLING / spacing)
+            skipped = steady - prefix
+            if skipped <= width:
+                prefix, skipped = points, 0
             band = np.empty((points - skipped, 2 * width + 2))
             corner = assemble(
                 law, hat, jump, middle, u, speed[0], damping, prefix, skipped, band, border, z
@@ -127,18 +134,32 @@ def forces(law, width, u, force, damping):
     for k in range(width):
         force[k], damping[k] = 1.0 - rest, 1.0 - drag
         force[force.size - 1 - k] = damping[force.size - 1 - k] = 0.0
-    for k in range(u.size):
-        value = max(u[k], 0.0)
-        force[width + k] = power(value, law.alpha) - rest
-        damping[width + k] = (
-            force[width + k] if law.beta == law.alpha else power(value, law.beta) - drag
-        )
+    inside = slice(width, width + u.size)
+    raise_to(law.alpha, u, force[inside])
+    if law.beta == law.alpha:
+        damping[inside] = force[inside]
+    else:
+        raise_to(law.beta, u, damping[inside])
+    force[inside] -= rest
+    damping[inside] -= drag
 
 
-@kernel
-def power(value, exponent):
-    """A power of a number of 0 or more, fast for the exponent of Hertz."""
-    return value * np.sqrt(value) if exponent == 1.5 else value**exponent
+@kernel(fastmath={"contract"})
+def raise_to(exponent, u, result):
+    """Write u₊^exponent, by roots where they do and else by the vectorised power."""
+    if exponent == 1.5:
+        for k in range(uint64(u.size)):
+            value = max(u[k], 0.0)
+            result[k] = value * np.sqrt(value)
+    elif exponent == 0.5:
+        for k in range(uint64(u.size)):
+            result[k] = np.sqrt(max(u[k], 0.0))
+    elif exponent == 0.0:
+        result[:] = 1.0
+    else:
+        for k in range(uint64(u.size)):
+            whole = power(u[k], exponent)
+            result[k] = whole if u[k] > SMALLEST else 0.0
 
 
 @kernel(fastmath=True)
@@ -188,11 +209,10 @@ def assemble(law, hat, jump, middle, u, speed, damping, prefix, skipped, band, b
         shift = 1 if k < middle else 0
         equation = k + shift
         band[i, 0] = band[i, 2 * width + 1] = 0.0
-        for j in range(2 * width + 1):
-            band[i, j + shift] = -(
-                hat[j] * stiffness[equation + j] + drag[j] * viscosity[equation + j]
-            )
-        band[i, width + shift] += speed * speed
+        row, elastic, viscous = band[i, shift:], stiffness[equation:], viscosity[equation:]
+        for j in range(uint64(hat.size)):
+            row[j] = -(hat[j] * elastic[j] + drag[j] * viscous[j])
+        row[width] += speed * speed
     band[middle - skipped, :] = 0.0
     band[middle - skipped, width] = 1.0
     for k in range(points):
@@ -209,32 +229,21 @@ def slopes(law, width, u, stiffness, viscosity):
     """Fill in αu₊^(α−1) and βu₊^(β−1); zero outside the window, where u is given."""
     stiffness[:] = 0.0
     viscosity[:] = 0.0
-    for k in range(u.size):
-        value = max(u[k], 0.0)
-        stiffness[width + k] = law.alpha * (
-            np.sqrt(value) if law.alpha == 1.5 else value ** (law.alpha - 1.0)
-        )
-        viscosity[width + k] = (
-            stiffness[width + k] if law.beta == law.alpha else law.beta * value ** (law.beta - 1.0)
-        )
+    inside = slice(width, width + u.size)
+    raise_to(law.alpha - 1.0, u, stiffness[inside])
+    stiffness[inside] *= law.alpha
+    if law.beta == law.alpha:
+        viscosity[inside] = stiffness[inside]
+    else:
+        raise_to(law.beta - 1.0, u, viscosity[inside])
+        viscosity[inside] *= law.beta
 
 
 @kernel(fastmath=True)
 def speed_slope(law, jump, u, speed, damping, equation):
     """Derivative of one equation with respect to c."""
-    total = 0.0
-    for j in range(jump.size):
-        total += jump[j] * damping[equation + j]
-    return 2.0 * speed * (u[equation] - law.ahead) - law.gamma * total
-
-
-@kernel
-def product(border, x):
-    """The border row, which ends after a few entries, times a vector."""
-    total = 0.0
-    for k in range(border.size):
-        total += border[k] * x[k]
-    return total
+    drag = law.gamma * product(jump, damping[equation:])
+    return 2.0 * speed * (u[equation] - law.ahead) - drag
 
 
 @kernel

@@ -75,9 +75,8 @@ def measures(law, spacing, u):
     rise = find_level(u, law.ahead + 0.9 * jump, 1.0, law.ahead)
     fall = find_level(u, law.ahead + 0.1 * jump, 1.0, law.ahead)
     slopes = derivative(u, 1.0, law.ahead) / spacing
-    power = 0.0
-    for k in range(u.size):
-        viscosity = law.beta * law.gamma * max(u[k], 0.0) ** (law.beta - 1.0)
-        power += viscosity * (law.speed * slopes[k]) ** 2
+    stiffness = np.empty(u.size)
+    newton.raise_to(law.beta - 1.0, u, stiffness)
+    power = law.beta * law.gamma * law.speed**2 * spacing * np.sum(stiffness * slopes**2)
     overshoot = max(largest(u, 1.0, law.ahead) - 1.0, 0.0)
-    return overshoot, spacing * (fall - rise), largest(-slopes, 0.0, 0.0), spacing * power
+    return overshoot, spacing * (fall - rise), largest(-slopes, 0.0, 0.0), power
