@@ -6,6 +6,13 @@ import pytest
 import granular_fronts as gf
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.datasets import read_dataset, write_dataset
+from granular_fronts.fronts.prediction import (
+    LARGEST_WEIGHT,
+    REMEMBERED,
+    extrapolation_weights,
+    predict,
+    remember,
+)
 
 
 @pytest.mark.parametrize(("alpha", "beta"), [(1.5, None), (1.5, 1.0), (3.0, 4.0)])
@@ -27,6 +34,40 @@ def test_sweep_agrees_with_single_fronts_in_any_order(alpha, beta):
         root = gf.tail_roots(alpha, gamma, beta, count=1)[0]
         assert point["tail_rate"] == root.real
         assert point["tail_frequency"] == root.imag
+
+
+def test_repeated_dampings_have_one_front():
+    once, twice = (gf.sweep_fronts(1.5, gammas) for gammas in ([0.3, 0.2], [0.3, 0.2, 0.3]))
+    np.testing.assert_array_equal(twice["gamma"], [0.3, 0.2, 0.3])
+    np.testing.assert_array_equal(twice["overshoot"], once["overshoot"].values[[0, 1, 0]])
+
+
+@pytest.mark.parametrize("known", range(1, 8))
+def test_prediction_is_exact_for_polynomials_of_the_place(known):
+    """Cubic in ln γ from four fronts on, of windows whose middles move; rows are reused."""
+    center, columns, degree = 30, 50, min(known, REMEMBERED) - 1
+    places = np.linspace(0.0, -1.0, 11)
+    xi = np.arange(columns) - center
+    past = np.full((REMEMBERED, columns), np.nan)
+
+    def front(place):
+        return 0.5 - 0.01 * xi * (1.0 + 0.3 * place) ** degree
+
+    for k in range(known):
+        first = 3 + k % 3
+        remember(front(places[k])[first:], first, 0.0, past[k % REMEMBERED])
+    start = predict(past, known, places[:known], places[known], 6, 2)
+    np.testing.assert_allclose(start, front(places[known])[6:], atol=1.0e-13)
+
+
+def test_prediction_takes_fewer_fronts_for_a_long_step():
+    places = np.array([0.0, -0.1, -0.2, -0.3])
+    sizes = [extrapolation_weights(places, -0.3 - step).size for step in (0.1, 0.2, 0.5, 10.0)]
+    assert sizes == [4, 3, 2, 1]
+    for step in (0.1, 0.2, 0.5, 10.0):
+        weights = extrapolation_weights(places, -0.3 - step)
+        assert weights.sum() == pytest.approx(1.0, abs=1.0e-14)
+        assert np.abs(weights).sum() <= LARGEST_WEIGHT
 
 
 def test_a_point_that_fails_is_named_and_the_sweep_goes_on():

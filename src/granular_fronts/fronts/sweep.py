@@ -1,10 +1,11 @@
 """Many exact fronts: one after the other along the damping, each from the ones before it.
 
-The fronts are solved from strong to weak damping on one grid, in compiled code.  The window grows
-with the tail; the start of each is extrapolated in ln γ from the two before.  Where Newton's
-iteration does not settle, the grid becomes too coarse or a front fails another check, the sweep
-starts anew at that γ with a window and a grid of its own, and so does a front whose error turns out
-too large.  Where this fails too, the values are NaN with a reason, and the sweep goes on.
+The fronts are solved from strong to weak damping on one grid, in compiled code.  The window follows
+the tail; the start of each is extrapolated from those before (`prediction`), so that in a dense
+sweep two steps of Newton's iteration are left.  Where the iteration does not settle, the grid
+becomes too coarse or a front fails another check, the sweep starts anew at that γ with a window and
+a grid of its own, and so does a front whose error turns out too large.  Where this fails too, the
+values are NaN with a reason, and the sweep goes on.
 
 Accuracy.  Every stretch is swept a second time on a finer grid, by another order, on a longer
 window (`profile.refine`); the differences are the error estimates.
@@ -19,6 +20,7 @@ from granular_fronts.compiled import kernel
 from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import newton
 from granular_fronts.fronts.newton import Law
+from granular_fronts.fronts.prediction import REMEMBERED, predict, remember
 from granular_fronts.fronts.profile import (
     AT_REST,
     BELOW,
@@ -83,23 +85,28 @@ def sweep_fronts(alpha, gammas, beta=None):
         raise ConfigurationError(f"gammas has shape {gammas.shape}, but must be a list of numbers.")
     for gamma in gammas:
         alpha, _, beta = check_law(alpha, gamma, beta)
-    order = np.argsort(-gammas, kind="stable")
+    distinct, place = np.unique(-gammas, return_inverse=True)
+    fronts = _describe(alpha, beta, *_sweep(alpha, beta, -distinct))
+    return fronts.isel(gamma=place)
+
+
+def _sweep(alpha, beta, gammas):
+    """Decreasing γ, the values on two grids, error estimates and reasons."""
     values, others = np.full((2, gammas.size, len(COLUMNS)), math.nan)
     reasons = np.full(gammas.size, "", dtype=object)
     first = 0
     while first < gammas.size:
-        ahead = order[first:]
-        found, again, reason = _stretch(make_law(alpha, gammas[ahead[0]], beta), gammas[ahead])
-        reached = ahead[: max(len(found), 1)]
-        reasons[reached] = reason
-        values[reached[: len(found)]], others[reached[: len(again)]] = found, again
-        first += reached.size
+        found, again, reason = _stretch(make_law(alpha, gammas[first], beta), gammas[first:])
+        end = first + max(len(found), 1)
+        reasons[first:end] = reason
+        values[first : first + len(found)], others[first : first + len(again)] = found, again
+        first = end
     estimates = _estimates(values, _errors(values, others))
     for k in np.flatnonzero(estimates > ACCEPTED_ERROR):
         found, again, estimate = _alone(make_law(alpha, gammas[k], beta))
         if estimate < estimates[k]:
             values[k], others[k], estimates[k] = found, again, estimate
-    return _describe(alpha, beta, gammas, values, others, estimates, reasons)
+    return gammas, values, others, estimates, reasons
 
 
 def _stretch(law, gammas):
@@ -178,49 +185,36 @@ def follow(start_law, gammas, spacing, rule, difference, decay, start_middle, st
     -------
     int
     """
-    history = np.empty(STEPS + 1)
-    middle, u = start_middle, start
-    last_middle, last = middle, u
+    history, places = np.empty(STEPS + 1), np.log(gammas)
+    middles = np.empty(gammas.size, dtype=np.int64)
+    for k in range(gammas.size):
+        damping = start_law.beta * gammas[k] / start_law.alpha
+        root = lowest_roots_of_all(start_law.alpha, damping, 1)[0]
+        values[k, 6], values[k, 7] = root.real, root.imag
+        middles[k] = math.ceil(decay / (root.real * spacing))
+    center = max(np.max(middles), start_middle)
+    past = np.empty((REMEMBERED, center - start_middle + start.size))
+    remember(start, center - start_middle, start_law.ahead, past[0])
     for k in range(gammas.size):
         law = Law(start_law.alpha, start_law.beta, gammas[k], start_law.ahead, start_law.speed)
-        root = lowest_roots_of_all(law.alpha, law.beta * law.gamma / law.alpha, 1)[0]
-        new_middle = math.ceil(decay / (root.real * spacing))
-        step = 0.0
-        if k > 1 and gammas[k - 1] < gammas[k - 2]:
-            step = math.log(gammas[k] / gammas[k - 1]) / math.log(gammas[k - 1] / gammas[k - 2])
-        new = predict(middle, u, last_middle, last, step, new_middle, MARGIN / spacing)
-        last_middle, last = middle, u
-        middle, u = new_middle, new
+        # The front that the sweep starts from is that of the first γ.
+        known = max(k, 1)
+        first, margin = center - middles[k], int(MARGIN / spacing)
+        u = predict(past, known, places[:known], places[k], first, margin)
+        u[middles[k]] = 0.5
         speed = np.array([law.speed])
         count, status = newton.iterate(
-            law, rule[0], rule[1], spacing, middle, 0.5, TOLERANCE, u, speed, history
+            law, rule[0], rule[1], spacing, middles[k], 0.5, TOLERANCE, u, speed, history
         )
-        passes = status == newton.SETTLED and is_front(law, middle, u, speed[0], history[count])
+        settled = status == newton.SETTLED
+        passes = settled and is_front(law, middles[k], u, speed[0], history[count])
         defect = newton.largest_convolution(law, difference[0], difference[1], u)
         if not (passes and defect <= 1.5 * DEFECT):
             return k
+        remember(u, first, law.ahead, past[k % REMEMBERED])
         values[k, :4] = measures(law, spacing, u)
         values[k, 4], values[k, 5] = history[count], speed[0] / law.speed - 1.0
-        values[k, 6], values[k, 7] = root.real, root.imag
     return gammas.size
-
-
-@kernel
-def predict(middle, u, last_middle, last, step, new_middle, margin):
-    """The start for the next front, extrapolated from two, 1 behind them and trimmed ahead."""
-    end = u.size
-    while end > middle + 1 and abs(u[end - 1]) < 1e-17:
-        end -= 1
-    ahead = min(u.size - middle, end - middle + int(margin))
-    new = np.ones(new_middle + ahead)
-    for k in range(new.size):
-        here, before = k - new_middle + middle, k - new_middle + last_middle
-        if here >= 0:
-            new[k] = u[here]
-            if 0 <= before < last.size:
-                new[k] += step * (u[here] - last[before])
-    new[new_middle] = 0.5
-    return new
 
 
 @kernel
