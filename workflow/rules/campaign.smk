@@ -8,7 +8,7 @@ rule solve_chunk:
     input:
         kernels=lambda wildcards: campaign_kernels(wildcards.campaign),
         request="<results>/data/campaigns/{campaign}/{chunk}.json",
-        modules=lambda wildcards: campaign_modules(wildcards.campaign),
+        modules=campaign_sources,
     output:
         dataset="<results>/data/campaigns/{campaign}/{chunk}.nc",
     log:
@@ -30,6 +30,7 @@ rule solve_chunk:
 rule merge_campaign:
     input:
         chunks=lambda wildcards: campaign_chunks(wildcards.campaign),
+        modules=sources("merge_campaign"),
     output:
         dataset="<results>/data/campaigns/{campaign}.nc",
     params:
@@ -54,6 +55,7 @@ rule merge_campaign:
 rule summarise_campaign:
     input:
         dataset="<results>/data/campaigns/{campaign}.nc",
+        modules=sources("summarise_campaign"),
     output:
         csv="<results>/tables/campaign_{campaign}.csv",
         markdown="<results>/tables/campaign_{campaign}.md",
@@ -77,7 +79,7 @@ rule plot_fig16:
     input:
         dataset="<results>/data/campaigns/fronts_atlas.nc",
         curves=rules.map_critical_damping.output.dataset,
-        modules=modules("style.py"),
+        modules=sources("plot_fig16"),
     output:
         pdf="<results>/figures/fig16_campaign_atlas.pdf",
         png="<results>/figures/fig16_campaign_atlas.png",

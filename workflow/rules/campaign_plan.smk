@@ -1,7 +1,5 @@
 """The plan of a campaign, made when a campaign is asked for and not before."""
 
-from functools import cache
-
 CAMPAIGNS = os.path.join(workflow.basedir, "config", "campaigns")
 
 
@@ -29,12 +27,9 @@ def campaign_chunks(name):
     return [os.path.join(folder, f"{chunk}.nc") for chunk in chunks]
 
 
-@cache
-def campaign_modules(name):
-    """Return the modules that the numbers of a campaign stand on."""
-    wings = campaign_of(name).kind.wings
-    folders = ("campaign", "elementary", *wings)
-    return modules("datasets.py", *(f"{folder}/*.py" for folder in folders))
+def campaign_sources(wildcards):
+    """Return the files that the numbers of a campaign stand on."""
+    return source_files("solve_chunk", campaign_of(wildcards.campaign).kind.module)
 
 
 def campaign_kernels(name):
@@ -42,7 +37,7 @@ def campaign_kernels(name):
 
     Measuring what a point costs has compiled the other kernels.
     """
-    return rules.compile_kernels.output.stamp if "chain" in campaign_of(name).kind.wings else []
+    return rules.compile_kernels.output.stamp if campaign_of(name).kind_name == "chain" else []
 
 
 def named_campaign(wildcards):

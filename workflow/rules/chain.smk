@@ -1,13 +1,12 @@
 """Motions of a finite chain, section 3.3 of the paper."""
 
-CHAIN_MODULES = modules("chain/*.py", "elementary/*.py", "grids.py", "datasets.py")
 CHAIN_DATASETS = expand("<results>/data/chain/{scene}.nc", scene=config["scenes"]["chain"])
 
 
 # Otherwise jobs that start together would each compile the same kernels.
 rule compile_kernels:
     input:
-        modules=CHAIN_MODULES,
+        modules=sources("compile_kernels", "granular_fronts.chain"),
     output:
         stamp="<results>/kernels.json",
     params:
@@ -28,7 +27,7 @@ rule compile_kernels:
 rule initiate_front:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=CHAIN_MODULES,
+        modules=sources("initiate_front"),
     output:
         dataset="<results>/data/chain/{scene}.nc",
     params:

@@ -14,6 +14,7 @@ rule check_results:
         ],
         figures=FIGURES,
         tables=rules.tables.input,
+        modules=sources("check_results"),
     output:
         verdict="<results>/checks.txt",
     params:

@@ -3,6 +3,7 @@
 import hashlib
 import os
 import sys
+from functools import cache
 from glob import glob
 from pathlib import Path
 
@@ -15,21 +16,34 @@ os.environ.update(
     NUMBA_CACHE_DIR=os.path.join(workflow.basedir, ".numba_cache"),
 )
 
+from granular_fronts.imports import import_closure, module_files
+
+MODULES = module_files(Path(SOURCE), Path(workflow.basedir, "workflow", "scripts"))
+# It hands a script what the rule names, and has no part in what comes out.
+del MODULES["step"]
+
 
 wildcard_constraints:
     scene="[a-z][a-z0-9_]*",
 
 
-def modules(*names):
-    """Return the files of the package that a stage stands on, each name a file or a pattern.
+@cache
+def source_files(*names):
+    """Return the files of some modules and of all that these import.
 
     Snakemake sees that a script has changed, but not what the script imports.
     """
-    return [
-        os.path.relpath(file, workflow.basedir)
-        for name in names
-        for file in sorted(glob(os.path.join(SOURCE, "granular_fronts", name)))
-    ]
+    imported = import_closure(names, MODULES)
+    return sorted(os.path.relpath(MODULES[name], workflow.basedir) for name in imported)
+
+
+def sources(*names):
+    """Return an input function that finds the files of a script and of all that it imports.
+
+    What a script imports by a string is named after it, with wildcards. Nothing is read before a
+    job is planned.
+    """
+    return lambda wildcards: source_files(*(name.format(wildcards=wildcards) for name in names))
 
 
 def contents(files):

@@ -1,13 +1,5 @@
 """Amplitude equations beside a chain, section 4 of the paper, and their fronts, section 5."""
 
-CONTINUUM_MODULES = modules(
-    "continuum/*.py",
-    "elementary/*.py",
-    "grids.py",
-    "slow_scales.py",
-    "configuration.py",
-    "datasets.py",
-)
 PERIODIC_DATASETS = expand("<results>/data/periodic/{scene}.nc", scene=config["scenes"]["periodic"])
 HETEROCLINIC_DATASETS = expand(
     "<results>/data/continuum/{scene}.nc", scene=config["scenes"]["heteroclinic"]
@@ -16,7 +8,7 @@ HETEROCLINIC_DATASETS = expand(
 
 rule compile_continuum_kernels:
     input:
-        modules=CONTINUUM_MODULES,
+        modules=sources("compile_kernels", "granular_fronts.continuum"),
     output:
         stamp="<results>/continuum_kernels.json",
     params:
@@ -37,7 +29,7 @@ rule compile_continuum_kernels:
 rule compute_heteroclinic:
     input:
         kernels=rules.compile_continuum_kernels.output.stamp,
-        modules=CONTINUUM_MODULES,
+        modules=sources("compute_heteroclinic"),
     output:
         dataset="<results>/data/continuum/{scene}.nc",
     params:
@@ -60,7 +52,7 @@ rule compute_heteroclinic:
 
 rule evaluate_fronts:
     input:
-        modules=CONTINUUM_MODULES,
+        modules=sources("evaluate_fronts"),
     output:
         dataset="<results>/data/continuum/log_burgers_fronts.nc",
     params:
@@ -84,7 +76,7 @@ rule compare_periodic_chain:
             rules.compile_kernels.output.stamp,
             rules.compile_continuum_kernels.output.stamp,
         ],
-        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("comparison.py")],
+        modules=sources("compare_periodic_chain"),
     output:
         dataset="<results>/data/periodic/{scene}.nc",
     params:

@@ -4,7 +4,7 @@
 rule plot_fig01:
     input:
         dataset="<results>/data/chain/initiation_underdamped.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig01"),
     output:
         pdf="<results>/figures/fig01_initiation_underdamped.pdf",
         png="<results>/figures/fig01_initiation_underdamped.png",
@@ -24,7 +24,7 @@ rule plot_fig01:
 rule plot_fig02:
     input:
         dataset="<results>/data/chain/initiation_underdamped.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig02"),
     output:
         pdf="<results>/figures/fig02_spacetime_underdamped.pdf",
         png="<results>/figures/fig02_spacetime_underdamped.png",
@@ -44,7 +44,7 @@ rule plot_fig02:
 rule plot_fig03:
     input:
         dataset="<results>/data/chain/initiation_overdamped.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig03"),
     output:
         pdf="<results>/figures/fig03_initiation_overdamped.pdf",
         png="<results>/figures/fig03_initiation_overdamped.png",
@@ -64,7 +64,7 @@ rule plot_fig03:
 rule plot_fig04:
     input:
         dataset="<results>/data/continuum/log_burgers_fronts.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig04"),
     output:
         pdf="<results>/figures/fig04_log_burgers_fronts.pdf",
         png="<results>/figures/fig04_log_burgers_fronts.png",
@@ -85,7 +85,7 @@ rule plot_fig05:
     input:
         weak="<results>/data/periodic/weak.nc",
         hertz="<results>/data/periodic/hertz.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig05"),
     output:
         pdf="<results>/figures/fig05_initial_conditions.pdf",
         png="<results>/figures/fig05_initial_conditions.png",
@@ -105,7 +105,7 @@ rule plot_fig05:
 rule plot_fig06:
     input:
         dataset="<results>/data/periodic/weak.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig06"),
     output:
         pdf="<results>/figures/fig06_periodic_chain_weak.pdf",
         png="<results>/figures/fig06_periodic_chain_weak.png",
@@ -125,7 +125,7 @@ rule plot_fig06:
 rule plot_fig07:
     input:
         dataset="<results>/data/periodic/hertz.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig07"),
     output:
         pdf="<results>/figures/fig07_periodic_chain_hertz.pdf",
         png="<results>/figures/fig07_periodic_chain_hertz.png",
@@ -146,7 +146,7 @@ rule plot_fig07b:
     input:
         weak="<results>/data/periodic/weak.nc",
         hertz="<results>/data/periodic/hertz.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig07b"),
     output:
         pdf="<results>/figures/fig07b_model_error.pdf",
         png="<results>/figures/fig07b_model_error.png",
@@ -166,7 +166,7 @@ rule plot_fig07b:
 rule plot_fig08:
     input:
         dataset="<results>/data/continuum/front_profiles.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig08"),
     output:
         pdf="<results>/figures/fig08_heteroclinic.pdf",
         png="<results>/figures/fig08_heteroclinic.png",
@@ -187,7 +187,7 @@ rule plot_fig09:
     input:
         underdamped="<results>/data/fronts/underdamped.nc",
         overdamped="<results>/data/fronts/overdamped.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig09"),
     output:
         pdf="<results>/figures/fig09_exact_fronts.pdf",
         png="<results>/figures/fig09_exact_fronts.png",
@@ -207,7 +207,7 @@ rule plot_fig09:
 rule plot_fig10:
     input:
         scenes=FRONT_DATASETS,
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig10"),
     output:
         pdf="<results>/figures/fig10_fronts_compared.pdf",
         png="<results>/figures/fig10_fronts_compared.png",
@@ -227,7 +227,7 @@ rule plot_fig10:
 rule plot_fig11:
     input:
         dataset="<results>/data/fronts/survey.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig11"),
     output:
         pdf="<results>/figures/fig11_continuum_errors.pdf",
         png="<results>/figures/fig11_continuum_errors.png",
@@ -247,7 +247,7 @@ rule plot_fig11:
 rule plot_fig12:
     input:
         dataset="<results>/data/fronts/critical_damping.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig12"),
     output:
         pdf="<results>/figures/fig12_critical_damping.pdf",
         png="<results>/figures/fig12_critical_damping.png",
@@ -267,7 +267,7 @@ rule plot_fig12:
 rule plot_fig13:
     input:
         dataset="<results>/data/fronts/multipliers.nc",
-        modules=modules("drawing.py", "style.py"),
+        modules=sources("plot_fig13"),
     output:
         pdf="<results>/figures/fig13_multipliers.pdf",
         png="<results>/figures/fig13_multipliers.png",
@@ -287,7 +287,7 @@ rule plot_fig13:
 rule plot_fig17:
     input:
         dataset="<results>/data/laws/jump_conditions.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig17"),
     output:
         pdf="<results>/figures/fig17_jump_conditions.pdf",
         png="<results>/figures/fig17_jump_conditions.png",
@@ -307,7 +307,7 @@ rule plot_fig17:
 rule plot_fig18:
     input:
         dataset="<results>/data/laws/damping_regimes.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig18"),
     output:
         pdf="<results>/figures/fig18_damping_regimes.pdf",
         png="<results>/figures/fig18_damping_regimes.png",
@@ -327,7 +327,7 @@ rule plot_fig18:
 rule plot_fig19:
     input:
         dataset="<results>/data/laws/numerical_damping.nc",
-        modules=modules("style.py"),
+        modules=sources("plot_fig19"),
     output:
         pdf="<results>/figures/fig19_numerical_damping.pdf",
         png="<results>/figures/fig19_numerical_damping.png",

@@ -1,15 +1,5 @@
 """Exact fronts of the lattice, section 6 of the paper."""
 
-FRONT_MODULES = modules(
-    "fronts/*.py",
-    "continuum/*.py",
-    "chain/*.py",
-    "elementary/*.py",
-    "grids.py",
-    "slow_scales.py",
-    "configuration.py",
-    "datasets.py",
-)
 FRONT_DATASETS = expand("<results>/data/fronts/{scene}.nc", scene=config["scenes"]["front"])
 FRONT_SURVEYS = expand(
     "<results>/data/fronts/{name}.nc", name=["survey", "critical_damping", "multipliers"]
@@ -22,7 +12,7 @@ rule compile_front_kernels:
             rules.compile_kernels.output.stamp,
             rules.compile_continuum_kernels.output.stamp,
         ],
-        modules=FRONT_MODULES,
+        modules=sources("compile_kernels", "granular_fronts.fronts"),
     output:
         stamp="<results>/front_kernels.json",
     params:
@@ -43,7 +33,7 @@ rule compile_front_kernels:
 rule shoot_front:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=FRONT_MODULES,
+        modules=sources("shoot_front"),
     output:
         dataset="<results>/data/fronts/{scene}.nc",
     params:
@@ -67,7 +57,7 @@ rule shoot_front:
 rule survey_fronts:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=FRONT_MODULES,
+        modules=sources("survey_fronts"),
     output:
         dataset="<results>/data/fronts/survey.nc",
     params:
@@ -88,7 +78,7 @@ rule survey_fronts:
 rule map_critical_damping:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=FRONT_MODULES,
+        modules=sources("map_critical_damping"),
     output:
         dataset="<results>/data/fronts/critical_damping.nc",
     params:
@@ -109,7 +99,7 @@ rule map_critical_damping:
 rule compute_multipliers:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=FRONT_MODULES,
+        modules=sources("compute_multipliers"),
     output:
         dataset="<results>/data/fronts/multipliers.nc",
     params:
@@ -130,6 +120,7 @@ rule compute_multipliers:
 rule tabulate_fronts:
     input:
         survey=rules.survey_fronts.output.dataset,
+        modules=sources("tabulate_fronts"),
     output:
         properties_csv="<results>/tables/front_properties.csv",
         properties_markdown="<results>/tables/front_properties.md",
@@ -151,6 +142,7 @@ rule tabulate_fronts:
 rule tabulate_critical_damping:
     input:
         dataset=rules.map_critical_damping.output.dataset,
+        modules=sources("tabulate_critical_damping"),
     output:
         csv="<results>/tables/critical_damping.csv",
         markdown="<results>/tables/critical_damping.md",

@@ -4,7 +4,7 @@
 rule measure_hard_cases:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=[*FRONT_MODULES, *modules("hard_cases/*.py")],
+        modules=sources("measure_hard_cases"),
     output:
         dataset="<results>/data/precision/hard_cases.nc",
     params:
@@ -25,6 +25,7 @@ rule measure_hard_cases:
 rule tabulate_hard_cases:
     input:
         dataset=rules.measure_hard_cases.output.dataset,
+        modules=sources("tabulate_hard_cases"),
     output:
         csv="<results>/tables/hard_cases.csv",
         markdown="<results>/tables/hard_cases.md",
@@ -44,7 +45,7 @@ rule tabulate_hard_cases:
 rule plot_fig15:
     input:
         dataset=rules.measure_hard_cases.output.dataset,
-        modules=modules("style.py"),
+        modules=sources("plot_fig15"),
     output:
         pdf="<results>/figures/fig15_hard_cases.pdf",
         png="<results>/figures/fig15_hard_cases.png",
@@ -71,7 +72,7 @@ rule fig15:
 rule measure_stiff_damping:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=CHAIN_MODULES,
+        modules=sources("measure_stiff_damping"),
     output:
         dataset="<results>/data/precision/stiff_damping.nc",
     params:
@@ -92,6 +93,7 @@ rule measure_stiff_damping:
 rule tabulate_stiff_damping:
     input:
         dataset=rules.measure_stiff_damping.output.dataset,
+        modules=sources("tabulate_stiff_damping"),
     output:
         csv="<results>/tables/stiff_damping.csv",
         markdown="<results>/tables/stiff_damping.md",

@@ -1,16 +1,5 @@
 """Contact laws at work: materials, damping regimes, numerical damping; section 3.1 of the paper."""
 
-LAWS_MODULES = modules(
-    "laws/*.py",
-    "collision.py",
-    "contact.py",
-    "jumps.py",
-    "scaling.py",
-    "continuum/log_kdv_burgers.py",
-    "fronts/*.py",
-    "elementary/*.py",
-    "datasets.py",
-)
 LAWS_DATASETS = expand(
     "<results>/data/laws/{name}.nc",
     name=["materials", "damping_regimes", "numerical_damping", "jump_conditions", "piston"],
@@ -19,7 +8,7 @@ LAWS_DATASETS = expand(
 
 rule evaluate_materials:
     input:
-        modules=LAWS_MODULES,
+        modules=sources("evaluate_materials"),
     output:
         dataset="<results>/data/laws/materials.nc",
     params:
@@ -39,7 +28,7 @@ rule evaluate_materials:
 
 rule evaluate_damping_regimes:
     input:
-        modules=LAWS_MODULES,
+        modules=sources("evaluate_damping_regimes"),
     output:
         dataset="<results>/data/laws/damping_regimes.nc",
     params:
@@ -60,7 +49,7 @@ rule evaluate_damping_regimes:
 rule measure_numerical_damping:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=[*CHAIN_MODULES, *LAWS_MODULES],
+        modules=sources("measure_numerical_damping"),
     output:
         dataset="<results>/data/laws/numerical_damping.nc",
     params:
@@ -81,7 +70,7 @@ rule measure_numerical_damping:
 rule measure_pistons:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=[*CHAIN_MODULES, *LAWS_MODULES],
+        modules=sources("measure_pistons"),
     output:
         dataset="<results>/data/laws/piston.nc",
     params:
@@ -102,7 +91,7 @@ rule measure_pistons:
 rule check_jump_conditions:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=[*CHAIN_MODULES, *LAWS_MODULES],
+        modules=sources("check_jump_conditions"),
     output:
         dataset="<results>/data/laws/jump_conditions.nc",
     params:
@@ -123,7 +112,7 @@ rule check_jump_conditions:
 rule tabulate_jump_conditions:
     input:
         dataset=rules.check_jump_conditions.output.dataset,
-        modules=modules("datasets.py"),
+        modules=sources("tabulate_jump_conditions"),
     output:
         csv="<results>/tables/jump_conditions.csv",
         markdown="<results>/tables/jump_conditions.md",
@@ -143,7 +132,7 @@ rule tabulate_jump_conditions:
 rule tabulate_materials:
     input:
         dataset=rules.evaluate_materials.output.dataset,
-        modules=LAWS_MODULES,
+        modules=sources("tabulate_materials"),
     output:
         csv="<results>/tables/materials.csv",
         markdown="<results>/tables/materials.md",

@@ -15,8 +15,8 @@ rule measure_precision:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
         reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
-        modules=[*CHAIN_MODULES, *CONTINUUM_MODULES, *modules("fronts/*.py")],
-        solvers=sorted(glob("workflow/scripts/problems/*.py") + glob("workflow/scripts/peers/*.*")),
+        scilab="workflow/scripts/peers/scilab.sce",
+        modules=sources("measure_precision", "problems.{wildcards.family}"),
     output:
         dataset="<results>/data/precision/{family}.nc",
     params:
@@ -40,6 +40,7 @@ rule measure_precision:
 rule merge_precision:
     input:
         datasets=expand("<results>/data/precision/{family}.nc", family=config["precision"]),
+        modules=sources("merge_precision"),
     output:
         dataset="<results>/data/precision/speed_error.nc",
     log:
@@ -58,6 +59,7 @@ rule merge_precision:
 rule tabulate_speed_error:
     input:
         dataset=rules.merge_precision.output.dataset,
+        modules=sources("tabulate_speed_error"),
     output:
         csv="<results>/tables/speed_error.csv",
         markdown="<results>/tables/speed_error.md",
@@ -79,7 +81,7 @@ rule tabulate_speed_error:
 rule plot_fig14:
     input:
         dataset=rules.merge_precision.output.dataset,
-        modules=modules("style.py"),
+        modules=sources("plot_fig14"),
     output:
         pdf="<results>/figures/fig14_speed_error.pdf",
         png="<results>/figures/fig14_speed_error.png",
@@ -106,7 +108,7 @@ rule fig14:
 rule measure_log_burgers:
     input:
         kernels=rules.compile_continuum_kernels.output.stamp,
-        modules=CONTINUUM_MODULES,
+        modules=sources("measure_log_burgers"),
     output:
         dataset="<results>/data/precision/log_burgers.nc",
     params:
@@ -128,6 +130,7 @@ rule measure_log_burgers:
 rule tabulate_log_burgers:
     input:
         dataset=rules.measure_log_burgers.output.dataset,
+        modules=sources("tabulate_log_burgers"),
     output:
         csv="<results>/tables/log_burgers_solvers.csv",
         markdown="<results>/tables/log_burgers_solvers.md",

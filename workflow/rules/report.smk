@@ -52,6 +52,7 @@ rule write_report:
             rules.check_results.benchmark,
         ],
         verdict=rules.check_results.output.verdict,
+        modules=sources("write_report"),
     output:
         page="<results>/report.html",
     params:

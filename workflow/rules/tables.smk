@@ -1,5 +1,8 @@
 """Tables: numbers read from the data, set beside those the paper prints."""
 
+# The list of printed numbers names functions of these modules.
+MEASURES = [name for name in MODULES if name.endswith(".measures")]
+
 
 rule tabulate_paper_numbers:
     input:
@@ -9,6 +12,7 @@ rule tabulate_paper_numbers:
         + HETEROCLINIC_DATASETS
         + FRONT_DATASETS
         + LAWS_DATASETS,
+        modules=sources("tabulate_paper_numbers", *MEASURES),
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",

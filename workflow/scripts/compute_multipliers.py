@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-import granular_fronts as gf
 from granular_fronts.datasets import write_dataset
-from granular_fronts.fronts.stability import compressed_chain_multipliers
+from granular_fronts.fronts.solve import solve_front
+from granular_fronts.fronts.stability import compressed_chain_multipliers, front_multipliers
 from step import run_step
 
 WAVENUMBERS = 401
@@ -57,10 +57,10 @@ def spectra_of(law, windows):
     -------
     xarray.Dataset
     """
-    front = gf.solve_front(**law)
+    front = solve_front(**law)
     if not front.attrs["converged"]:
         raise ValueError(f"The front of {law} is not solved: {front.attrs['reason']}.")
-    found = [gf.front_multipliers(front, beads_behind=behind) for behind in windows]
+    found = [front_multipliers(front, beads_behind=behind) for behind in windows]
     spectra = xr.concat(
         [split(values) for values in found],
         dim=xr.DataArray(windows, dims="beads_behind", name="beads_behind"),

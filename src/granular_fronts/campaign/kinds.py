@@ -45,8 +45,6 @@ class Kind(NamedTuple):
     ----------
     module : str
         Module with `solve_chunk`.
-    wings : tuple of str
-        Folders of the package that its numbers stand on.
     parameters : mapping of str to Parameter
     scalars : mapping of str to str
         What may be recorded at each point, with its meaning.
@@ -57,7 +55,6 @@ class Kind(NamedTuple):
     """
 
     module: str
-    wings: tuple[str, ...]
     parameters: Mapping[str, Parameter]
     scalars: Mapping[str, str]
     profile: tuple[str, str]
@@ -104,7 +101,6 @@ GAMMA = Parameter("strength of the viscous force", 0.0)
 KINDS: dict[str, Kind] = {
     "chain": Kind(
         module="granular_fronts.campaign.chain_points",
-        wings=("chain",),
         parameters={
             "alpha": ALPHA,
             "beta": BETA,
@@ -135,7 +131,6 @@ KINDS: dict[str, Kind] = {
     ),
     "front": Kind(
         module="granular_fronts.campaign.front_points",
-        wings=("fronts",),
         parameters={
             "alpha": ALPHA,
             "beta": BETA,
@@ -156,7 +151,6 @@ KINDS: dict[str, Kind] = {
     ),
     "heteroclinic": Kind(
         module="granular_fronts.campaign.heteroclinic_points",
-        wings=("continuum",),
         parameters={"mu": Parameter("damping of the logarithmic KdV-Burgers equation", 0.0)},
         scalars={
             "overshoot": "deviation y - 1 at the first maximum, 0 for a monotone front",
