@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.tables import round_floats, write_table
 from step import run_step
 
 LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)
@@ -49,17 +49,8 @@ def tabulate_speed_error(
             if (verdict := judge(data.sel(problem=problem), level))
         ]
     )
-    write_both(table, csv, markdown)
-    write_both(verdicts, verdicts_csv, verdicts_markdown)
-
-
-def write_both(table, csv, markdown):
-    """Write a table in full precision and rounded for reading."""
-    with complete_file(csv) as unfinished:
-        table.to_csv(unfinished, index=False)
-    rounded = table.map(lambda cell: f"{cell:.3g}" if isinstance(cell, float) else cell)
-    with complete_file(markdown) as unfinished:
-        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+    write_table(table, round_floats(table, 3), csv, markdown)
+    write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown)
 
 
 def compare_methods(data, level):
