@@ -80,6 +80,15 @@ def test_comparison_holds_every_road():
     assert compared["residual_history_profile"].values[-1] < 1e-14
 
 
+def test_window_is_kept_at_the_step_asked_for():
+    """A step that does not divide the window ends before its stop, and is not stretched."""
+    window = {"start": -10.0, "stop": 5.0, "step": 0.4}
+    xi = compare_front(SCENE | {"window": window})["xi"].values
+    np.testing.assert_allclose(np.diff(xi), 0.4, rtol=1e-13)
+    assert xi[0] == -10.0
+    assert 4.6 < xi[-1] <= 5.0
+
+
 def test_survey_and_map_tell_what_single_fronts_tell():
     survey = survey_fronts([1.3], [0.1, 0.5])
     plane = map_critical_damping(np.array([1.3]), np.array([0.1, 0.5]), 1e-3)

@@ -16,6 +16,7 @@ from granular_fronts.configuration import check_scene
 from granular_fronts.fronts.continuum_fronts import continuum_fronts
 from granular_fronts.fronts.driven import drive_front
 from granular_fronts.fronts.solve import NoFrontError, evaluate_front, solve_front
+from granular_fronts.grids import regular_points
 from granular_fronts.slow_scales import make_slow_scales
 
 FIELDS = ("relative_displacement", "velocity")
@@ -52,7 +53,7 @@ def compare_front(scene, name="given"):
     scene = check_scene("front", scene, name)
     alpha, gamma = scene["law"]["alpha"], normalised_damping(scene)
     front, shot = (_solve(alpha, gamma, method, name) for method in ("profile", "shooting"))
-    xi = make_grid(scene["window"])
+    xi = regular_points(**scene["window"])
     coordinate = {"xi": ("xi", xi, front["xi"].attrs)}
     dataset = xr.Dataset(coords=coordinate, attrs=front.attrs)
     for field in FIELDS:
@@ -82,12 +83,6 @@ def normalised_damping(scene):
     """γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
     law = scene["law"]
     return law["gamma"] * make_slow_scales(**law, delta=scene["displacement"]).speed
-
-
-def make_grid(window):
-    """Regular ξ from start to stop, both included."""
-    count = round((window["stop"] - window["start"]) / window["step"]) + 1
-    return np.linspace(window["start"], window["stop"], count)
 
 
 def _solve(alpha, gamma, method, name):
