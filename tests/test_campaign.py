@@ -53,6 +53,10 @@ REFUSED = [
     ({"fixed": {"alpha": 1.5}}, ["beads is missing", "number of beads N"]),
     ({"record": {"scalars": ["speed"]}}, ["record.scalars names speed", "front_speed"]),
     ({"record": {"profile": {"start": 3, "stop": 1, "count": 2}}}, ["profile.start is 3"]),
+    (
+        {"record": {"profile": {"start": 1, "stop": 20, "count": 40}}},
+        ["profile.count is 40, but from 1 to 20 there are 20 beads"],
+    ),
     ({"kind": "frnt"}, ["kind is", "choose chain or front or heteroclinic"]),
     ({"tolerance": 0}, ["tolerance is 0", "above 0"]),
     ({"colour": 1}, ["colour is no key"]),
@@ -68,6 +72,16 @@ def test_impossible_campaign_is_refused_in_a_sentence(changes, words):
     assert sentence.endswith((".", "?"))
     for word in words:
         assert word in sentence
+
+
+@pytest.mark.parametrize("start", [1, 1.5, 2.25])
+@pytest.mark.parametrize("stop", [7, 7.5, 9.75])
+def test_profile_of_a_chain_keeps_no_bead_twice(start, stop):
+    most = math.floor(stop) - math.ceil(start) + 1
+    profile = {"start": start, "stop": stop, "count": most}
+    beads = campaign(record={"profile": profile}).kind.profile_points(profile)
+    assert np.all(np.diff(beads) >= 1)
+    assert f"there are {most} beads" in refusal(record={"profile": profile | {"count": most + 1}})
 
 
 def test_large_campaign_says_how_large_and_how_long():

@@ -119,6 +119,8 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     kind = KINDS[given["kind"]]
     fixed, record = given.get("fixed", {}), given.get("record", {})
     _refuse(name, _tell_unknown_names(given["kind"], kind, given["axes"], fixed, record))
+    if "profile" in record:
+        _refuse(name, _tell_bad_profile(kind, **record["profile"]))
     for axis, values in given["axes"].items():
         _refuse(name, tell_bad_spacing(axis, values))
     varied = {axis: tuple(expand_axis(values)) for axis, values in given["axes"].items()}
@@ -197,11 +199,21 @@ def _tell_unknown_names(kind_name, kind, axes, fixed, record) -> Iterator[str]:
                 f"record.scalars names {name}, which kind {kind_name} does not record: "
                 f"{_advice(name, kind.scalars)}."
             )
-    profile = record.get("profile")
-    if profile and profile["start"] >= profile["stop"]:
+
+
+def _tell_bad_profile(kind, start, stop, count) -> Iterator[str]:
+    """Say that a profile runs backwards, or keeps a bead twice."""
+    if start >= stop:
         yield (
-            f"record.profile.start is {profile['start']}, but must come before its stop "
-            f"{profile['stop']}: start earlier or stop later."
+            f"record.profile.start is {start}, but must come before its stop {stop}: start "
+            "earlier or stop later."
+        )
+        return
+    beads = math.floor(stop) - math.ceil(start) + 1
+    if kind.profile_counts and count > beads:
+        yield (
+            f"record.profile.count is {count}, but from {start} to {stop} there are {beads} "
+            "beads: ask for no more points than beads."
         )
 
 
