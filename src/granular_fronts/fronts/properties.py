@@ -58,13 +58,6 @@ def measure(profile):
     return dict(zip(MEASURES, measures(profile.law, spacing, profile.u), strict=True))
 
 
-def exact_dissipated_power(law):
-    """The power that any front with these exponents and end states dissipates."""
-    mean_force = 0.5 * (1.0 - law.ahead) * (1.0 + law.ahead**law.alpha)
-    energy = (1.0 - law.ahead ** (law.alpha + 1.0)) / (law.alpha + 1.0)
-    return law.speed * (mean_force - energy)
-
-
 MEASURES = ("overshoot", "width_10_90", "slope", "dissipated_power")
 
 
