@@ -37,6 +37,7 @@ from granular_fronts.continuum.evolution import (
 )
 from granular_fronts.continuum.starts import make_start
 from granular_fronts.grids import regular_points
+from granular_fronts.measured import error_attributes
 from granular_fronts.slow_scales import scaling_of
 
 SITES_PER_BEAD = 5
@@ -120,7 +121,11 @@ def _solve_equation(scene, equation, chain):
     dataset = xr.Dataset(coords={"t": snapshots, "t_grid": grid, "site": site, "bead": beads})
     for field, scale, convert in _fields(scene):
         curve, finer_curve = map(convert, curves)
-        dataset[f"{field}_{equation}"] = (("t", "site"), curve, _error(curve, finer_curve))
+        dataset[f"{field}_{equation}"] = (
+            ("t", "site"),
+            curve,
+            error_attributes(curve, finer_curve, ERROR_METHOD),
+        )
         distances = _distances(chain[f"{field}_grid"], *map(convert, at_beads), scale)
         for kind, distance in distances.items():
             dataset[f"{field}_{kind}_{equation}"] = distance
@@ -184,8 +189,3 @@ def _solve_upwind(scene, dataset):
         }
         told[f"{field}_upwind"] = (("t", "site"), curve, attributes)
     return told
-
-
-def _error(values, finer):
-    estimate = max(float(np.abs(values - finer).max()), float(np.spacing(np.abs(values).max())))
-    return {"error_estimate": estimate, "error_method": ERROR_METHOD}

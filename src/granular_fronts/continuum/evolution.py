@@ -11,13 +11,12 @@ the error estimate.  Space is of sixth order and steps of fourth, so that the es
 the error itself.
 """
 
-import math
-
 import numpy as np
 import xarray as xr
 
 from granular_fronts.configuration import check_scene
 from granular_fronts.continuum.solution import SMOOTH_CELLS, SOLVER, solve
+from granular_fronts.measured import error_attributes
 from granular_fronts.slow_scales import scaling_of
 
 LOGARITHMIC, UNLIMITED = "logarithmic", "unlimited"
@@ -71,8 +70,7 @@ def _evolve(scene, name, equation):
     rows = range(times.size)
     force = np.array([solution.rescaled_force(row, xi) for row in rows])
     finer = np.array([refined.rescaled_force(row, xi) for row in rows])
-    estimate = max(float(np.abs(force - finer).max()), math.ulp(1.0))
-    attributes = {"error_estimate": estimate, "error_method": ERROR_METHOD}
+    attributes = error_attributes(force, finer, ERROR_METHOD)
     return xr.Dataset(
         {"rescaled_force": (("t", "xi"), force, attributes)},
         {"t": times, "xi": xi, "slow_time": ("t", scaling_of(scene).slow_rate * times)},

@@ -26,6 +26,7 @@ from granular_fronts.continuum.log_kdv_burgers import check_mu, linear_rates
 from granular_fronts.continuum.slow_manifold import FEWER_TERMS, STIFF_DAMPING, TERMS, slow_orbit
 from granular_fronts.continuum.taylor import REST
 from granular_fronts.continuum.traced_orbit import REFINED, USUAL, trace_orbit
+from granular_fronts.measured import error_attributes
 
 UNDERFLOW_P = 1074.0 * math.log(2.0)
 """−ln of the smallest double above zero: the end of the tail."""
@@ -93,8 +94,8 @@ def heteroclinic(mu, s=None):
         for name, value, other in zip(_TURNS, turns, other_turns, strict=True)
     }
     logarithm, ahead = variables["log_rescaled_force"], s >= 0.0
-    relative = _largest(1.0 - others[2][ahead] / values[2][ahead])
-    logarithm[2]["relative_error_estimate"] = max(relative, RESOLUTION)
+    relative = np.max(np.abs(1.0 - others[2][ahead] / values[2][ahead]), initial=0.0)
+    logarithm[2]["relative_error_estimate"] = max(float(relative), RESOLUTION)
     error = variables["rescaled_force"][2]["error_estimate"]
     return xr.Dataset(
         variables,
@@ -260,27 +261,3 @@ def _turns(orbit, first):
 def _error_method(mu):
     kind = "expansion" if mu >= STIFF_DAMPING else "series"
     return ERROR_METHODS[kind].format(REFINED)
-
-
-def error_attributes(value, other, method):
-    """Attributes that say how wrong a variable can be.
-
-    Parameters
-    ----------
-    value, other : ndarray, same shape
-        Two computations; where they agree, one unit of the last digit stands in.
-    method : str
-        How the second was made.
-
-    Returns
-    -------
-    dict
-        `error_estimate` and `error_method`.
-    """
-    largest = _largest(value)
-    estimate = max(_largest(value - other), float(np.spacing(largest)) if largest else 0.0)
-    return {"error_estimate": estimate, "error_method": method}
-
-
-def _largest(values):
-    return float(np.max(np.abs(values), initial=0.0))

@@ -22,13 +22,13 @@ from scipy.integrate import solve_ivp
 from granular_fronts.configuration import check_scene
 from granular_fronts.continuum.heteroclinic import (
     compute_orbit,
-    error_attributes,
     heteroclinic,
     squared_slope_at_one,
     turning_points,
 )
 from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, planar_system, potential
 from granular_fronts.grids import regular_points
+from granular_fronts.measured import error_attributes
 
 # Extrema below this deviation from 1 are linear to round-off when ratios of them are taken.
 LINEAR = 1e-9
