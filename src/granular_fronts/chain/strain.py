@@ -333,11 +333,20 @@ def accept(state, reach):
 @kernel
 def reach_of(size, u, d, start):
     """Last bead the wave can touch within one step, looking down from bead `start`."""
+    return end_of_window(u, d, 0.0, WINDOW_MARGIN, start, size.beads)
+
+
+@kernel
+def end_of_window(u, d, ahead, margin, start, end):
+    """The bead `margin` beyond the last one of 1 … start that differs from u = `ahead`, d = 0.
+
+    Rounded up to whole blocks, and at most `end`.
+    """
     n = start
-    while n > 1 and abs(u[n]) <= NEGLIGIBLE and abs(d[n]) <= NEGLIGIBLE:
+    while n > 1 and abs(u[n] - ahead) <= NEGLIGIBLE and abs(d[n]) <= NEGLIGIBLE:
         n -= 1
-    blocks = (n + WINDOW_MARGIN + WINDOW_BLOCK - 1) // WINDOW_BLOCK
-    return min(blocks * WINDOW_BLOCK, size.beads)
+    blocks = (n + margin + WINDOW_BLOCK - 1) // WINDOW_BLOCK
+    return min(blocks * WINDOW_BLOCK, end)
 
 
 @kernel(fastmath=_CONTRACT)
