@@ -216,14 +216,16 @@ def _slopes(state, size, row, reach):
 
 
 @kernel(fastmath={"contract"}, forceinline=True)
-def _stage(law, size, state, row, weights, h, reach):
-    """Slopes of stage `row`; the sum over earlier slopes is unrolled, so that it vectorises."""
-    columns, a, a_squared = weights
+def _stage(law, size, state, row, on_g, on_k, h, reach):
+    """Slopes of stage `row`; the sums over earlier slopes are unrolled, so that they vectorise."""
+    (columns_g, a), (columns_k, a_squared) = on_g, on_k
     u, d, k, g, force = state.u, state.d, state.k, state.g, state.force
     for n in range(uint64(1), uint64(reach + 1)):
         value = u[n] + rk.C[row] * h * d[n]
         for j in range(len(a)):
-            value += h * a[j] * g[columns[j], n] + h * h * a_squared[j] * k[columns[j], n]
+            value += h * a[j] * g[columns_g[j], n]
+        for j in range(len(a_squared)):
+            value += h * h * a_squared[j] * k[columns_k[j], n]
         force[n] = value
     law(force, state.damping, reach)
     _slopes(state, size, row, reach)
@@ -231,18 +233,18 @@ def _stage(law, size, state, row, weights, h, reach):
 
 @kernel
 def _stages(law, size, state, h, reach):
-    rows = rk.STAGE_ROWS
-    _stage(law, size, state, 1, rows[1], h, reach)
-    _stage(law, size, state, 2, rows[2], h, reach)
-    _stage(law, size, state, 3, rows[3], h, reach)
-    _stage(law, size, state, 4, rows[4], h, reach)
-    _stage(law, size, state, 5, rows[5], h, reach)
-    _stage(law, size, state, 6, rows[6], h, reach)
-    _stage(law, size, state, 7, rows[7], h, reach)
-    _stage(law, size, state, 8, rows[8], h, reach)
-    _stage(law, size, state, 9, rows[9], h, reach)
-    _stage(law, size, state, 10, rows[10], h, reach)
-    _stage(law, size, state, 11, rows[11], h, reach)
+    a, a_squared = rk.A_ROWS, rk.A_SQUARED_ROWS
+    _stage(law, size, state, 1, a[1], a_squared[1], h, reach)
+    _stage(law, size, state, 2, a[2], a_squared[2], h, reach)
+    _stage(law, size, state, 3, a[3], a_squared[3], h, reach)
+    _stage(law, size, state, 4, a[4], a_squared[4], h, reach)
+    _stage(law, size, state, 5, a[5], a_squared[5], h, reach)
+    _stage(law, size, state, 6, a[6], a_squared[6], h, reach)
+    _stage(law, size, state, 7, a[7], a_squared[7], h, reach)
+    _stage(law, size, state, 8, a[8], a_squared[8], h, reach)
+    _stage(law, size, state, 9, a[9], a_squared[9], h, reach)
+    _stage(law, size, state, 10, a[10], a_squared[10], h, reach)
+    _stage(law, size, state, 11, a[11], a_squared[11], h, reach)
 
 
 @kernel
@@ -256,8 +258,19 @@ def _stages_for_output(law, size, state, h, reach):
 
 
 @kernel
+def _level_is_passed(u, new_u, level, last):
+    """Whether any of the contacts 1 … last passes the level: without a branch, in vector code."""
+    passages = 0
+    for n in range(uint64(1), uint64(last + 1)):
+        passages += (u[n] < level) ^ (new_u[n] < level)
+    return passages > 0
+
+
+@kernel
 def _write_arrivals(law, size, state, t, h, reach, level, arrivals):
     """Times of first passage through the level within the step."""
+    if not _level_is_passed(state.u, state.new_u, level, reach):
+        return
     have_polynomials = False
     coefficients = np.empty(rk.DEGREE + 1)
     for n in range(1, reach + 1):

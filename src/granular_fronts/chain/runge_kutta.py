@@ -103,6 +103,11 @@ def _times_matrix(weights):
 A = _coefficient_matrix()
 A_SQUARED = _times_matrix(A)
 STAGE_ROWS = tuple(_sparse(A[row, :row], A_SQUARED[row, :row]) for row in range(SLOPES))
+# The columns of A and of A² apart, where each has slopes of its own.  The first stages have no A².
+A_ROWS = tuple(_sparse(A[row, :row]) for row in range(SLOPES))
+A_SQUARED_ROWS = (((0,), (0.0,)),) * 2 + tuple(
+    _sparse(A_SQUARED[row, :row]) for row in range(2, SLOPES)
+)
 # The same row by row in blocks, the last of which is filled up with weights 0.
 COLUMNS, ENDS, A_IN_BLOCKS, A_SQUARED_IN_BLOCKS = _in_blocks()
 C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
