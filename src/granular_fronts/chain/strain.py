@@ -104,6 +104,9 @@ def raise_to(exponent, u, force, last):
         for n in range(uint64(1), uint64(last + 1)):
             compression = u[n] if u[n] > NEGLIGIBLE else 0.0
             force[n] = compression * math.sqrt(compression)
+    elif exponent == 1.0:
+        for n in range(uint64(1), uint64(last + 1)):
+            force[n] = u[n] if u[n] > NEGLIGIBLE else 0.0
     else:
         for n in range(uint64(1), uint64(last + 1)):
             # Taken of every number, so that there is no branch and the loop is vectorised.
@@ -158,11 +161,7 @@ def add_slopes(row, on_a, on_a_squared, slopes, u, last):
 
 @kernel(fastmath=_CONTRACT)
 def power_stage(law, size, state, row, h, reach):
-    """Stage `row` for general exponents.
-
-    One loop serves all stages.  Unrolled for each of them it was about a fifth faster, and half as
-    long again to compile.
-    """
+    """Stage `row` for general exponents; one loop serves all stages, which compiles sooner."""
     last = min(reach, size.contacts)
     h_c, h_gamma = h * rk.C[row], h * law.gamma
     value, u, d = state.k[row], state.u, state.d
