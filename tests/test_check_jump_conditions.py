@@ -216,6 +216,53 @@ def test_the_chain_is_that_of_the_specialised_engine():
     np.testing.assert_allclose(-chain.strain[1:beads], u, atol=1e-11)
 
 
+@pytest.mark.parametrize("origin", [4, 31])
+@by_case
+def test_contacts_ahead_of_the_wave_need_no_visit(name, origin):
+    """The same steps, strains and times of passage where the window is the whole chain.
+
+    The jump stands within a block and at the end of one; the first step is long.
+    """
+    contacts = 300
+    behind, ahead = map(float, CASES[name]["states"])
+    sites, middle = np.arange(contacts + 2), 0.5 * (behind + ahead)
+    strain = np.where(sites < origin, behind, np.where(sites == origin, middle, ahead))
+    rate = np.where(sites == origin, behind - ahead, 0.0)
+    chain, whole = (make_chain(compiled(name), strain, rate, 0.2) for _ in range(2))
+    whole.reach[0] = contacts
+    times, all_times = np.full((2, contacts + 2), math.nan)
+    run_chain(chain, 30.0, 1e-10, middle, times)
+    run_chain(whole, 30.0, 1e-10, middle, all_times)
+    assert 32 < chain.reach[0] < whole.reach[0]
+    np.testing.assert_array_equal(chain.counts, whole.counts)
+    # Loops of another length are rounded differently at their end, by a unit in every step.
+    rounding = {"rtol": 0.0, "atol": 4.0 * np.finfo(float).eps * whole.counts.sum()}
+    np.testing.assert_allclose(chain.strain, whole.strain, **rounding)
+    np.testing.assert_allclose(chain.strain_rate, whole.strain_rate, **rounding)
+    np.testing.assert_allclose(times, all_times, rtol=1e-14, atol=0.0)
+
+
+def test_the_window_ends_ahead_of_every_disturbance():
+    """Of the strain or of its rate, and at most at the last contact."""
+    strain = np.zeros(202)
+    strain[150] = -1e-12
+    assert make_chain(compiled("toda"), strain, np.zeros(202), 0.1).reach[0] == 192
+    strain[190] = -1e-12
+    assert make_chain(compiled("toda"), strain, np.zeros(202), 0.1).reach[0] == 200
+    assert make_chain(compiled("toda"), np.zeros(202), strain, 0.1).reach[0] == 200
+
+
+@pytest.mark.parametrize("exponent", [0.5, 1.0, 1.5, 2.5, 1.3])
+def test_a_compiled_power_is_good_to_round_off(exponent):
+    """As V' and, halved, as W'; exponents of which it makes square roots, and one of which not."""
+    law = compile_law(lambda r: r**exponent, lambda r: 0.5 * r**exponent)
+    strain = np.geomspace(1e-9, 10.0, 203)
+    chain = make_chain(law, strain, np.zeros(203), 0.1)
+    expected = strain**exponent
+    np.testing.assert_allclose(chain.state.force[: strain.size], expected, rtol=1e-15)
+    np.testing.assert_allclose(chain.state.damping[: strain.size], 0.5 * expected, rtol=1e-15)
+
+
 def test_steps_that_collapse_are_refused():
     law = compile_law(lambda r: r / (1.0 - r) if r < 1.0 else math.nan, lambda r: 0.0 * r)
     strain = np.array([0.0, 0.5, 0.0, 0.0])

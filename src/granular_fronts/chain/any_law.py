@@ -19,6 +19,11 @@ program, in a fraction of a second.  Contact events are not located, since the k
 law are unknown: laws that are not smooth are solved as accurately as the tolerance makes them,
 which a run with another tolerance shows.
 
+Active window.  Ahead of the wave :math:`r = r_{N+1}` and :math:`d = 0`; these contacts are at rest
+and are not visited.  A step moves a disturbance by one contact per stage.  The window ends farther
+ahead than that of the last contact that differs from rest by more than `NEGLIGIBLE`, so that every
+larger disturbance is followed, wherever the wave starts.
+
 The tolerance is absolute, the largest estimated error of a step in r and in d.
 """
 
@@ -51,11 +56,12 @@ LOOP = types.void(types.float64[::1], types.float64[::1], types.int64)
 """Type of a compiled law: strains to be replaced by V', room for W', number of contacts."""
 
 FAST = {"contract", "afn"}
-"""A multiply and an add may fuse, and powers of constant exponents 1/2, 1, 3/2, … be products and
-square roots, within a unit of the last place: loops of them vectorise, ten times faster."""
+"""Rules for the arithmetic of a law: a multiply and an add may fuse, and a power whose constant
+exponent is a multiple of 1/2 becomes products and a square root, which vectorise and are ten times
+faster.  It is good to about as many units of the last place as its exponent."""
 
 WINDOW_MARGIN = rk.STAGES + 1
-"""Contacts that twelve stages and the slopes of the new state reach from the last disturbed one."""
+"""Contacts from the last disturbed one to the last whose slopes at the end of a step differ."""
 
 UNIT = Law(PAIR, math.nan, math.nan, 1.0)
 """What the kernels of `strain` need to know of the law."""
