@@ -5,6 +5,9 @@ BIN := .venv/bin
 # Twice quiet leaves the errors: warnings here tell of a machine's own settings, not of the project.
 PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip --quiet --quiet
 
+# The workflow compiles its kernels into this folder; the tests find them there.
+export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
+
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
