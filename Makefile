@@ -22,7 +22,7 @@ test: lint
 	@$(BIN)/pytest
 
 slow: .venv/installed
-	@echo "Running the slow tests (about seven minutes)."
+	@echo "Running the slow tests (seven to eleven minutes)."
 	@$(BIN)/pytest -m slow
 
 lint: .venv/installed

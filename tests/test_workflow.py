@@ -1,4 +1,5 @@
 import contextlib
+import functools
 import os
 import re
 import signal
@@ -172,7 +173,13 @@ def test_killed_run_leaves_no_half_file_and_the_next_call_ends_it(finished, vict
     arguments += [f"results=results/{victim}", "--", "fig01"]
     command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
     process = subprocess.Popen(
-        command, cwd=finished, stderr=subprocess.PIPE, text=True, start_new_session=True
+        command,
+        cwd=finished,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        # Where the tests run in the background, interrupts are ignored, by their children too.
+        preexec_fn=functools.partial(signal.signal, signal.SIGINT, signal.default_int_handler),
     )
     job = wait_for_job(process, "initiate_front.py")
     time.sleep(2.0)
