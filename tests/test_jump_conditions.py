@@ -5,6 +5,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
+import sympy
 
 from granular_fronts.contact import (
     NO_DISSIPATION,
@@ -153,6 +154,11 @@ def test_impossible_front_is_refused_with_its_theorem(
 ):
     with pytest.raises(ValueError, match=sentence):
         jump_conditions(potential, R_minus, R_plus, dissipation=dissipation)
+
+
+def test_what_is_no_potential_is_refused_with_the_way_to_one():
+    with pytest.raises(ValueError, match=r"The potential is r\*\*4, no .* potential_from_expr"):
+        jump_conditions(sympy.Symbol("r") ** 4, -1.0, 0.0)
 
 
 @pytest.mark.parametrize("mass", [0.0, -1.0, np.nan])

@@ -39,6 +39,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.contact import Potential
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 SPLIT = 0.4
 """Where the interval is cut in two; off the middle, since symmetry hides a kink there."""
@@ -291,6 +293,11 @@ def _sound_speed(potential, R, mass):
 
 
 def _refuse_impossible_states(potential, R_minus, R_plus, mass):
+    if not isinstance(potential, Potential):
+        raise ValueError(
+            f"The potential is {potential!r}, no granular_fronts.contact.Potential: make one with "
+            "potential_from_expression or potential_from_functions."
+        )
     if not (mass > 0.0 and math.isfinite(mass)):
         raise ValueError(f"mass is {mass}, but must be above 0 and finite: give the bead's mass.")
     low, high = potential.domain
