@@ -15,7 +15,7 @@ quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
 all: .venv/installed
 	@echo "Rebuilding every figure, table and the report in results/."
-	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default
+	@$(BIN)/snakemake -c2
 
 test: lint
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
@@ -58,8 +58,8 @@ environment.txt:
 # The README shows the numbers and the figure of the last run of both targets.
 readme: .venv/installed
 	@echo "Bringing the numbers and the figure of the README up to date."
-	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default precision
-	@$(BIN)/snakemake -c2 --workflow-profile workflow/profiles/default
+	@$(BIN)/snakemake -c2 precision
+	@$(BIN)/snakemake -c2
 	@$(BIN)/python workflow/scripts/update_readme.py --readme README.md --results results
 
 clean:

@@ -21,23 +21,34 @@ pathvars:
     benchmarks="<results>/benchmarks",
 
 
-rule all:
-    input:
-        "<results>/report.html",
-        "<results>/checks.txt",
-    message:
-        "Done: open {input[0]}."
+# Not for a dry run, which writes nothing.
+onstart:
+    hold_results_folder()
 
 
+include: "workflow/rules/questions.smk"
+include: "workflow/rules/products.smk"
+include: "workflow/rules/figures.smk"
 include: "workflow/rules/chain.smk"
 include: "workflow/rules/continuum.smk"
 include: "workflow/rules/fronts.smk"
 include: "workflow/rules/laws.smk"
-include: "workflow/rules/figures.smk"
-include: "workflow/rules/figure_targets.smk"
-include: "workflow/rules/tables.smk"
-include: "workflow/rules/checks.smk"
-include: "workflow/rules/report.smk"
 include: "workflow/rules/precision.smk"
 include: "workflow/rules/hard_cases.smk"
 include: "workflow/rules/campaign.smk"
+include: "workflow/rules/tables.smk"
+include: "workflow/rules/checks.smk"
+include: "workflow/rules/report.smk"
+
+
+rule all:
+    default_target: True
+    input:
+        report="<results>/report.html",
+        verdict="<results>/checks.txt",
+        # Nothing is up to date while something that it was made from is missing.
+        figures=DRAWN_FILES,
+        tables=WRITTEN_FILES,
+        datasets=DATASETS,
+    message:
+        "Done: open {input.report}."

@@ -1,9 +1,16 @@
-"""The project as its tests see it: its folder, copies of it, and the step of a script."""
+"""The project as its tests see it: its folder, copies of it, its scripts, calls of its workflow."""
 
+import contextlib
 import importlib.util
 import shutil
+import subprocess
 import sys
+import time
 from pathlib import Path
+
+import psutil
+
+from figure_step import make_step
 
 ROOT = Path(__file__).parents[1]
 REBUILT = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
@@ -17,9 +24,28 @@ def copy_project(folder):
 
 
 def load_step(script):
-    """Import a script without running it; the step carries the script's name."""
+    """Import a script without running it; its step carries the script's name, or draws a figure."""
     spec = importlib.util.spec_from_file_location(script.stem, script)
     module = importlib.util.module_from_spec(spec)
     sys.modules[script.stem] = module
     spec.loader.exec_module(module)
-    return getattr(module, script.stem)
+    function = getattr(module, script.stem)
+    return make_step(function) if script.stem.startswith("plot_") else function
+
+
+def snakemake(*arguments, folder=ROOT):
+    """Call the workflow in a folder and wait for its end."""
+    command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def wait_for_job(process, name):
+    """The process of a running job, whose command line holds `name`."""
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline:
+        for child in psutil.Process(process.pid).children(recursive=True):
+            with contextlib.suppress(psutil.NoSuchProcess):
+                if any(name in word for word in child.cmdline()):
+                    return child
+        time.sleep(0.1)
+    raise AssertionError(f"{name} did not start.")

@@ -10,7 +10,7 @@ from tabulate_paper_numbers import find_measure, judge
 
 from granular_fronts.comparison import compare_with_chain, make_chain_scene
 from granular_fronts.configuration import check_scene, load_configuration
-from granular_fronts.drawing import draw_both_rings, draw_comparison
+from granular_fronts.drawing import draw_comparison, draw_rings
 from granular_fronts.periodic import measures
 
 CONFIG = Path(__file__).parents[1] / "config"
@@ -96,7 +96,7 @@ def test_figures_of_the_rings_draw_every_bead_and_one_legend(compared):
 
 
 def test_distances_of_both_rings_are_drawn_beside_the_solvers_share(compared):
-    figure, rows = draw_both_rings(5.0, compared, compared, draw_distances)
+    figure, rows = draw_rings(5.0, [compared, compared], draw_distances)
     assert len(figure.axes) == 4
     for axes, field in zip(rows[0], ["relative_displacement", "velocity"], strict=True):
         curves = {line.get_label(): line.get_ydata() for line in axes.get_lines()}

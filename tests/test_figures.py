@@ -2,16 +2,20 @@
 
 import importlib
 
+import jinja2
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray as xr
 from chains import driven_scene
 
+from figure_step import make_step
 from granular_fronts.campaign.chunks import cut
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.merging import chunk_dataset, merge_chunks
 from granular_fronts.chain import simulate_chain
-from granular_fronts.datasets import read_dataset, write_dataset
+from granular_fronts.datasets import configuration_of, read_dataset, write_dataset
+from granular_fronts.provenance import read_record
 
 BEADS = 24
 
@@ -34,15 +38,12 @@ def path(tmp_path_factory):
 
 
 @pytest.fixture
-def draw(path, monkeypatch, tmp_path):
-    """Run a plot script and hand out its figure before it is saved, and its data."""
+def draw(path):
+    """Draw the figure of a script; hand it out with its data."""
 
     def run(name):
-        script = importlib.import_module(name)
-        kept = []
-        monkeypatch.setattr(script, "save_figure", lambda figure, pdf, png: kept.append(figure))
-        getattr(script, name)(path, tmp_path / "a.pdf", tmp_path / "a.png")
-        return kept[0], read_dataset(path)
+        data = read_dataset(path)
+        return getattr(importlib.import_module(name), name)(data), data
 
     yield run
     plt.close("all")
@@ -83,7 +84,7 @@ def test_figure_2_draws_both_space_time_diagrams_and_clips_the_gaps(draw):
     assert_draws_grid(displacement, data["relative_displacement_grid"].isel(bead=slice(None, -1)))
     assert_draws_grid(velocity, data["velocity_grid"])
     image = displacement.collections[0]
-    assert image.get_clim() == (-0.14, 0.14)
+    assert image.get_clim() == pytest.approx((-0.14, 0.14))
     red, green, blue, _ = image.cmap(-0.5)
     assert red > 0.7
     assert max(green, blue) < 0.2
@@ -96,15 +97,70 @@ def test_figure_3_draws_probes_and_a_space_time_diagram(draw):
     assert_draws_grid(displacement, data["relative_displacement_grid"].isel(bead=slice(None, -1)))
 
 
-def test_saved_files_are_reproducible(path, tmp_path):
-    from plot_fig03 import plot_fig03
+ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst", "record": "json"}
 
+
+def make_files(path, stem, caption, reference=None):
+    """Run the step of figure 3, with a caption and a title of the test's."""
+    template = stem.with_suffix(".template")
+    template.write_text(caption, encoding="utf-8")
+    make_step(importlib.import_module("plot_fig03").plot_fig03)(
+        data=path,
+        template=template,
+        title="Damping {{ data.law.gamma }}",
+        alt="{{ data.beads }} beads",
+        reference=reference or {},
+        **{name: stem.with_suffix(f".{ending}") for name, ending in ENDINGS.items()},
+    )
+
+
+def test_saved_files_are_reproducible(path, tmp_path):
+    (tmp_path / "one").mkdir()
+    (tmp_path / "two").mkdir()
     for name in ("one", "two"):
-        plot_fig03(path, tmp_path / f"{name}.pdf", tmp_path / f"{name}.png")
-    for ending in ("pdf", "png"):
-        one, two = (tmp_path / f"{name}.{ending}" for name in ("one", "two"))
+        make_files(path, tmp_path / name / "fig", "A caption.")
+    for ending in ENDINGS.values():
+        one, two = (tmp_path / name / f"fig.{ending}" for name in ("one", "two"))
         assert one.read_bytes() == two.read_bytes()
-    assert len(list(tmp_path.iterdir())) == 4
+    assert len(list((tmp_path / "one").iterdir())) == 5
+
+
+def test_texts_are_filled_with_what_was_computed(path, tmp_path):
+    scene = configuration_of(read_dataset(path))
+    make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", {"scene": scene})
+    assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
+    record = read_record(tmp_path / "fig.json")
+    assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
+
+
+def test_caption_that_names_what_no_dataset_has_is_an_error(path, tmp_path):
+    with pytest.raises(jinja2.UndefinedError, match="strength"):
+        make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")
+
+
+def test_caption_says_where_the_scene_is_not_the_papers(path, tmp_path):
+    scene = configuration_of(read_dataset(path))
+    paper = scene | {"law": scene["law"] | {"gamma": 0.21}}
+    make_files(path, tmp_path / "fig", "A caption.", {"scene": paper})
+    caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
+    assert "law.gamma is 0.06, not 0.21." in caption
+    make_files(path, tmp_path / "fig", "A caption.", {})
+    caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
+    assert "Scene scene is not one of the paper's." in caption
+
+
+def test_both_pictures_and_the_record_name_the_data(path, tmp_path):
+    make_files(path, tmp_path / "fig", "A caption.")
+    [made_from] = read_record(tmp_path / "fig.json")["made_from"]
+    attributes = read_dataset(path).attrs
+    assert made_from == {
+        "scene": "scene",
+        "question": attributes["config_digest"],
+        "data": attributes["data_digest"],
+    }
+    for ending in ("pdf", "png"):
+        keyword = ":".join(made_from.values()).encode()
+        assert keyword in (tmp_path / f"fig.{ending}").read_bytes()
 
 
 def lightness(colour):
@@ -143,14 +199,11 @@ def atlas(tmp_path_factory):
     return folder / "atlas.nc", folder / "curves.nc"
 
 
-def test_fig16_shows_the_atlas_with_curves_and_beads(atlas, monkeypatch, tmp_path):
-    script = importlib.import_module("plot_fig16")
-    kept = []
-    monkeypatch.setattr(script, "save_figure", lambda figure, pdf, png: kept.append(figure))
-    beads = {"steel": {"gamma": 0.05}}
-    script.plot_fig16(*atlas, beads, tmp_path / "a.pdf", tmp_path / "a.png")
-    data, curves = read_dataset(atlas[0]), read_dataset(atlas[1])
-    overshoot, width, regime = panels(kept[0])[:3]
+def test_fig16_shows_the_atlas_with_curves_and_beads(atlas):
+    data, curves = map(read_dataset, atlas)
+    beads = xr.Dataset({"gamma_printed": ("material", [0.05])}, {"material": ["steel"]})
+    figure = importlib.import_module("plot_fig16").plot_fig16(data, curves, beads)
+    overshoot, width, regime = panels(figure)[:3]
     shown = width.collections[0].get_array().reshape(3, 3)
     np.testing.assert_array_equal(shown, data["width_10_90"].transpose("gamma", "alpha"))
     shown = regime.collections[0].get_array().reshape(3, 3)

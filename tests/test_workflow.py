@@ -1,4 +1,3 @@
-import contextlib
 import functools
 import os
 import re
@@ -10,25 +9,19 @@ import tomllib
 from inspect import signature
 from pathlib import Path
 
-import psutil
 import pytest
 import yaml
 from packaging.requirements import Requirement
-from projects import ROOT, copy_project, load_step
+from projects import ROOT, load_step, snakemake, wait_for_job
 
 from step import from_command_line, from_workflow, load_yaml_or_leaf, run_step
 
-SCRIPTS = sorted(
-    set((ROOT / "workflow/scripts").glob("*.py")) - {ROOT / "workflow/scripts/step.py"}
-)
-FIGURES = [f"fig{number:02}" for number in (*range(1, 14), 17, 18, 19)] + ["fig07b"]
-TARGETS = ["all", "figures", *FIGURES, "tables", "report", "check_results", "fig14", "precision"]
+NO_STEPS = {ROOT / "workflow/scripts/step.py", ROOT / "workflow/scripts/figure_step.py"}
+SCRIPTS = sorted(set((ROOT / "workflow/scripts").glob("*.py")) - NO_STEPS)
+FIGURES = yaml.safe_load((ROOT / "workflow/figures.yaml").read_text(encoding="utf-8"))
+DRAWN = [figure for figure, described in FIGURES.items() if not described.get("on_demand")]
+TARGETS = ["all", "figures", *DRAWN, "tables", "report", "check_results", "fig14", "precision"]
 TARGETS += ["fig15", "hard_cases", "stiff_damping"]
-
-
-def snakemake(*arguments, folder=ROOT):
-    command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
 @pytest.fixture
@@ -40,7 +33,7 @@ def nowhere(tmp_path):
 def test_dry_run_of_all_targets_together(nowhere):
     run = snakemake("--dry-run", "--config", nowhere, "--", *TARGETS)
     assert run.returncode == 0, run.stderr
-    plots = [f"plot_{figure}" for figure in FIGURES]
+    plots = [f"plot_{figure}" for figure in DRAWN]
     for rule in ["initiate_front", "compute_heteroclinic", *plots, "write_report"]:
         assert rule in run.stdout
 
@@ -85,15 +78,6 @@ def test_impossible_configuration_is_refused_before_any_job(nowhere, tmp_path):
     assert not (tmp_path / "results").exists()
 
 
-@pytest.fixture(scope="module")
-def finished(tmp_path_factory):
-    """A copy of the project in which the smoke run is done."""
-    copy = copy_project(tmp_path_factory.mktemp("project"))
-    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
-    assert run.returncode == 0, run.stderr
-    return copy
-
-
 def jobs_due(project):
     """Dry-run the finished smoke run; return the names of the rules that are due."""
     run = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=project)
@@ -104,7 +88,7 @@ def jobs_due(project):
 @pytest.mark.slow
 def test_smoke_run_makes_everything(finished):
     page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
-    assert page.count("data:image/png;base64,") == len(FIGURES)
+    assert page.count("data:image/png;base64,") == len(DRAWN)
     for words in [
         "Figure 1.",
         "initiation_underdamped:",
@@ -149,18 +133,6 @@ def test_changed_damping_solves_only_its_scene(finished, changed, tmp_path):
 
 
 LONG_SCENE = {"scenes": {"chain": {"initiation_underdamped": {"end_time": 1000000}}}}
-
-
-def wait_for_job(process, name):
-    """The process of a running job, whose command line holds `name`."""
-    deadline = time.monotonic() + 60.0
-    while time.monotonic() < deadline:
-        for child in psutil.Process(process.pid).children(recursive=True):
-            with contextlib.suppress(psutil.NoSuchProcess):
-                if any(name in word for word in child.cmdline()):
-                    return child
-        time.sleep(0.1)
-    raise AssertionError(f"{name} did not start.")
 
 
 @pytest.mark.slow

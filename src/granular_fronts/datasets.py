@@ -15,12 +15,14 @@ import importlib.metadata
 import json
 from pathlib import Path
 
+import netCDF4
 import numpy as np
 import xarray as xr
 
 import granular_fronts
 from granular_fronts.compiled import source_digest
 from granular_fronts.files import complete_file
+from granular_fronts.provenance import data_digest, origin, question_digest
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
@@ -184,7 +186,7 @@ def write_dataset(dataset, path, *, scene_id, config):
         Final name of the netCDF file.
     scene_id : str
     config : mapping
-        The scene, stored as JSON.
+        The part of the configuration that was computed, stored as JSON with its digest.
     """
     described = dataset.copy()
     for name, variable in described.variables.items():
@@ -198,6 +200,8 @@ def write_dataset(dataset, path, *, scene_id, config):
         "history": f"written by granular_fronts {code_version()}",
         "scene": scene_id,
         "config": json.dumps(config, sort_keys=True),
+        "config_digest": question_digest(config),
+        "data_digest": data_digest(described),
         "software": ", ".join(f"{name} {importlib.metadata.version(name)}" for name in _PACKAGES),
         "code_version": code_version(),
         **{key: _plain(value) for key, value in dataset.attrs.items()},
@@ -239,6 +243,35 @@ def read_dataset(path, scene_id=None):
             f"{path} holds scene {loaded.attrs['scene']}, but {scene_id} is expected: {remedy}"
         )
     return loaded
+
+
+def read_origins(folder, names):
+    """Read what identifies the datasets of a results folder.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder of all data.
+    names : iterable of str
+        Names of files below it, without ending.
+
+    Returns
+    -------
+    dict of str to dict
+        As `provenance.origin` gives, by name; a dataset that is missing is left out.
+    """
+    origins = {}
+    for name in names:
+        path = Path(folder, f"{name}.nc")
+        if path.exists():
+            with netCDF4.Dataset(path) as dataset:
+                origins[name] = origin({key: dataset.getncattr(key) for key in dataset.ncattrs()})
+    return origins
+
+
+def configuration_of(dataset):
+    """The part of the configuration that a dataset was computed with."""
+    return json.loads(dataset.attrs["config"])
 
 
 def code_version():

@@ -1,5 +1,6 @@
 """What several figures share: each function draws what a dataset holds and computes nothing."""
 
+from granular_fronts.datasets import configuration_of
 from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
@@ -101,14 +102,14 @@ def draw_comparison(data):
     return figure
 
 
-def draw_both_rings(height, weak, hertz, draw):
-    """Figure with a row for each ring of section 4.3 and a column for each field.
+def draw_rings(height, rings, draw):
+    """Figure with a row for each ring and a column for each field.
 
     Parameters
     ----------
     height : float
         In inches.
-    weak, hertz : xarray.Dataset
+    rings : sequence of xarray.Dataset
         Comparisons.
     draw : callable
         Draws one panel, given its axes, the ring's dataset, the field, and the exponent in words.
@@ -118,11 +119,11 @@ def draw_both_rings(height, weak, hertz, draw):
     figure : matplotlib.figure.Figure
     rows : list of list of matplotlib.axes.Axes
     """
-    rings = {r"$\alpha = 1.1$": weak, r"$\alpha = 3/2$": hertz}
-    names = [[f"{exponent} {field}" for field in FIELD_LABELS] for exponent in rings]
+    names = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(len(rings))]
     figure, panels = new_figure(height, names)
     rows = [[panels[name] for name in row] for row in names]
-    for row, (exponent, data) in zip(rows, rings.items(), strict=True):
+    for row, data in zip(rows, rings, strict=True):
+        exponent = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
         for axes, field in zip(row, FIELD_LABELS, strict=True):
             draw(axes, data, field, exponent)
     return figure, rows

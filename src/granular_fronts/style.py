@@ -100,12 +100,20 @@ def velocity_map():
     return matplotlib.colormaps["viridis_r"]
 
 
-def save_figure(figure, pdf, png):
+def save_figure(figure, pdf, png, origins):
     """Save both formats, each appearing under its name only when complete.
 
     The PDF carries no date, so that equal data give equal files.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+    pdf, png : Path
+    origins : list of dict
+        What the figure was drawn from, as `provenance.origin` gives, kept in both files.
     """
-    for path, metadata in ((pdf, {"CreationDate": None}), (png, None)):
+    keywords = " ".join("{scene}:{question}:{data}".format(**origin) for origin in origins)
+    for path, metadata in ((pdf, {"CreationDate": None}), (png, {})):
         with complete_file(path) as unfinished:
-            figure.savefig(unfinished, metadata=metadata)
+            figure.savefig(unfinished, metadata={"Keywords": keywords, **metadata})
     plt.close(figure)

@@ -1,10 +1,11 @@
 """The one place that writes tables: each for machines with all digits, and rounded for people."""
 
 from granular_fronts.files import complete_file
+from granular_fronts.provenance import origin, write_record
 
 
-def write_table(table, rounded, csv, markdown):
-    """Write both files, each appearing under its name only when it is complete.
+def write_table(table, rounded, csv, markdown, sources):
+    """Write both files and their record, each appearing under its name only when it is complete.
 
     Parameters
     ----------
@@ -13,12 +14,17 @@ def write_table(table, rounded, csv, markdown):
     rounded : pandas.DataFrame
         What people read, its numbers as text.
     csv, markdown : Path
-        Files to write.
+        Files to write. The record of what the table was made from, see `provenance`, is the JSON
+        file of the same stem.
+    sources : list of xarray.Dataset
+        The datasets whose numbers it holds.
     """
     with complete_file(csv) as unfinished:
         table.to_csv(unfinished, index=False)
     with complete_file(markdown) as unfinished:
         rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+    origins = [origin(dataset.attrs) for dataset in sources]
+    write_record(csv.with_suffix(".json"), [csv, markdown], origins)
 
 
 def round_floats(table, digits):

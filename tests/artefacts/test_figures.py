@@ -1,37 +1,41 @@
-"""Each figure is there, as a whole file of its kind."""
+"""Each figure is there, as whole files of their kinds, with a caption, and says what it shows."""
+
+import re
 
 import pytest
+from conftest import listed_as_made
 
-FIGURES = [
-    "fig01_initiation_underdamped",
-    "fig02_spacetime_underdamped",
-    "fig03_initiation_overdamped",
-    "fig04_log_burgers_fronts",
-    "fig05_initial_conditions",
-    "fig06_periodic_chain_weak",
-    "fig07_periodic_chain_hertz",
-    "fig07b_model_error",
-    "fig08_heteroclinic",
-    "fig09_exact_fronts",
-    "fig10_fronts_compared",
-    "fig11_continuum_errors",
-    "fig12_critical_damping",
-    "fig13_multipliers",
-    "fig17_jump_conditions",
-    "fig18_damping_regimes",
-    "fig19_numerical_damping",
-]
+from granular_fronts.provenance import read_record
+
+FIGURES = listed_as_made().figures
 
 
-@pytest.mark.parametrize("name", FIGURES)
-def test_png_is_whole(results, name):
-    content = (results / "figures" / f"{name}.png").read_bytes()
+@pytest.mark.parametrize("stem", FIGURES)
+def test_png_is_whole(results, stem):
+    content = (results / f"{stem}.png").read_bytes()
     assert content.startswith(b"\x89PNG")
     assert b"IEND" in content[-12:]
 
 
-@pytest.mark.parametrize("name", FIGURES)
-def test_pdf_is_whole(results, name):
-    content = (results / "figures" / f"{name}.pdf").read_bytes()
+@pytest.mark.parametrize("stem", FIGURES)
+def test_pdf_is_whole(results, stem):
+    content = (results / f"{stem}.pdf").read_bytes()
     assert content.startswith(b"%PDF")
     assert b"%%EOF" in content[-12:]
+
+
+@pytest.mark.parametrize("stem", FIGURES)
+def test_picture_names_what_it_was_drawn_from(results, stem):
+    for made_from in read_record(results / f"{stem}.json")["made_from"]:
+        keyword = "{scene}:{question}:{data}".format(**made_from).encode()
+        for ending in ("png", "pdf"):
+            assert keyword in (results / f"{stem}.{ending}").read_bytes()
+
+
+@pytest.mark.parametrize("stem", FIGURES)
+def test_texts_are_filled(results, stem):
+    record = read_record(results / f"{stem}.json")
+    caption = (results / f"{stem}.rst").read_text(encoding="utf-8")
+    for text in (caption, record["title"], record["alt"]):
+        assert text.strip()
+        assert not re.search(r"[{}]{2}|\bNone\b", text)

@@ -58,7 +58,7 @@ def project(tmp_path_factory):
 
 
 def command_of(*arguments):
-    profile = ["--workflow-profile", "workflow/profiles/slurm"]
+    profile = ["--workflow-profile", "profiles/slurm"]
     named = ["--config", "campaign=mine"]
     return [sys.executable, "-m", "snakemake", *profile, *arguments, "campaign", *named]
 

@@ -75,37 +75,6 @@ rule summarise_campaign:
         "../scripts/summarise_campaign.py"
 
 
-rule plot_fig16:
-    input:
-        dataset="<results>/data/campaigns/fronts_atlas.nc",
-        curves=rules.map_critical_damping.output.dataset,
-        modules=sources("plot_fig16"),
-    output:
-        pdf="<results>/figures/fig16_campaign_atlas.pdf",
-        png="<results>/figures/fig16_campaign_atlas.png",
-    params:
-        materials=config["laws"]["materials"]["beads"],
-    log:
-        "<logs>/plot_fig16.log",
-    benchmark:
-        "<benchmarks>/plot_fig16.tsv"
-    threads: 1
-    message:
-        "Drawing figure 16: overshoot, width and regime of exact fronts."
-    conda:
-        "../envs/main.yaml"
-    localrule: True
-    script:
-        "../scripts/plot_fig16.py"
-
-
-rule fig16:
-    input:
-        rules.plot_fig16.output,
-    message:
-        "Figure 16 is drawn."
-
-
 rule campaign:
     input:
         named_campaign,

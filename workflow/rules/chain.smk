@@ -1,7 +1,5 @@
 """Motions of a finite chain, section 3.3 of the paper."""
 
-CHAIN_DATASETS = expand("<results>/data/chain/{scene}.nc", scene=config["scenes"]["chain"])
-
 
 # Otherwise jobs that start together would each compile the same kernels.
 rule compile_kernels:

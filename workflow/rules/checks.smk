@@ -4,21 +4,15 @@
 rule check_results:
     input:
         tests=sorted(glob("tests/artefacts/*.py")),
-        datasets=[
-            *CHAIN_DATASETS,
-            *PERIODIC_DATASETS,
-            *HETEROCLINIC_DATASETS,
-            *FRONT_DATASETS,
-            *FRONT_SURVEYS,
-            *LAWS_DATASETS,
-        ],
-        figures=FIGURES,
-        tables=rules.tables.input,
+        datasets=DATASETS,
+        figures=DRAWN_FILES,
+        tables=WRITTEN_FILES,
         modules=sources("check_results"),
     output:
         verdict="<results>/checks.txt",
     params:
         results=subpath(output.verdict, parent=True),
+        configuration=config,
     log:
         "<logs>/check_results.log",
     benchmark:

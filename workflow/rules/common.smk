@@ -8,19 +8,38 @@ from glob import glob
 from pathlib import Path
 
 SOURCE = os.path.join(workflow.basedir, "src")
+LIBRARY = os.path.join(workflow.basedir, "workflow", "lib")
 
 # The package and its compiled kernels are found without an installation, here and by the jobs.
-sys.path.insert(0, SOURCE)
+sys.path[:0] = [SOURCE, LIBRARY]
 os.environ.update(
-    PYTHONPATH=os.pathsep.join(filter(None, [SOURCE, os.environ.get("PYTHONPATH")])),
+    PYTHONPATH=os.pathsep.join(filter(None, [SOURCE, LIBRARY, os.environ.get("PYTHONPATH")])),
     NUMBA_CACHE_DIR=os.path.join(workflow.basedir, ".numba_cache"),
+    # A job ends when the process with this number does, see `step`.
+    GRANULAR_FRONTS_RUN=str(os.getpid()),
 )
 
-from granular_fronts.imports import import_closure, module_files
+from imports import import_closure, module_files
+from run_lock import FolderInUseError, lock_folder
 
-MODULES = module_files(Path(SOURCE), Path(workflow.basedir, "workflow", "scripts"))
+MODULES = module_files(Path(SOURCE), Path(LIBRARY), Path(workflow.basedir, "workflow", "scripts"))
 # It hands a script what the rule names, and has no part in what comes out.
 del MODULES["step"]
+
+
+HELD = []
+
+
+def hold_results_folder():
+    """Let no other run into the results folder until this one ends."""
+    try:
+        HELD.append(lock_folder(Path(config["results"])))
+    except FolderInUseError as error:
+        sys.exit(str(error))
+
+
+# Of a timing, which must run alone: Snakemake cuts it down to the cores of the call.
+ALL_CORES = os.cpu_count()
 
 
 wildcard_constraints:

@@ -1,10 +1,5 @@
 """Amplitude equations beside a chain, section 4 of the paper, and their fronts, section 5."""
 
-PERIODIC_DATASETS = expand("<results>/data/periodic/{scene}.nc", scene=config["scenes"]["periodic"])
-HETEROCLINIC_DATASETS = expand(
-    "<results>/data/continuum/{scene}.nc", scene=config["scenes"]["heteroclinic"]
-)
-
 
 rule compile_continuum_kernels:
     input:

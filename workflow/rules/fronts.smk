@@ -1,10 +1,5 @@
 """Exact fronts of the lattice, section 6 of the paper."""
 
-FRONT_DATASETS = expand("<results>/data/fronts/{scene}.nc", scene=config["scenes"]["front"])
-FRONT_SURVEYS = expand(
-    "<results>/data/fronts/{name}.nc", name=["survey", "critical_damping", "multipliers"]
-)
-
 
 rule compile_front_kernels:
     input:
@@ -126,6 +121,10 @@ rule tabulate_fronts:
         properties_markdown="<results>/tables/front_properties.md",
         errors_csv="<results>/tables/front_errors.csv",
         errors_markdown="<results>/tables/front_errors.md",
+        properties_record="<results>/tables/front_properties.json",
+        errors_record="<results>/tables/front_errors.json",
+    params:
+        asked=asked("fronts/survey"),
     log:
         "<logs>/tabulate_fronts.log",
     benchmark:
@@ -146,6 +145,9 @@ rule tabulate_critical_damping:
     output:
         csv="<results>/tables/critical_damping.csv",
         markdown="<results>/tables/critical_damping.md",
+        record="<results>/tables/critical_damping.json",
+    params:
+        asked=asked("fronts/critical_damping"),
     log:
         "<logs>/tabulate_critical_damping.log",
     benchmark:

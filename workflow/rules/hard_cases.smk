@@ -29,6 +29,9 @@ rule tabulate_hard_cases:
     output:
         csv="<results>/tables/hard_cases.csv",
         markdown="<results>/tables/hard_cases.md",
+        record="<results>/tables/hard_cases.json",
+    params:
+        asked=asked("precision/hard_cases"),
     log:
         "<logs>/tabulate_hard_cases.log",
     benchmark:
@@ -40,33 +43,6 @@ rule tabulate_hard_cases:
         "../envs/main.yaml"
     script:
         "../scripts/tabulate_hard_cases.py"
-
-
-rule plot_fig15:
-    input:
-        dataset=rules.measure_hard_cases.output.dataset,
-        modules=sources("plot_fig15"),
-    output:
-        pdf="<results>/figures/fig15_hard_cases.pdf",
-        png="<results>/figures/fig15_hard_cases.png",
-    log:
-        "<logs>/plot_fig15.log",
-    benchmark:
-        "<benchmarks>/plot_fig15.tsv"
-    threads: 1
-    message:
-        "Drawing figure 15: the hard cases."
-    conda:
-        "../envs/main.yaml"
-    script:
-        "../scripts/plot_fig15.py"
-
-
-rule fig15:
-    input:
-        rules.plot_fig15.output,
-    message:
-        "Figure 15 is drawn."
 
 
 rule measure_stiff_damping:
@@ -81,7 +57,7 @@ rule measure_stiff_damping:
         "<logs>/measure_stiff_damping.log",
     benchmark:
         "<benchmarks>/measure_stiff_damping.tsv"
-    threads: workflow.cores
+    threads: ALL_CORES
     message:
         "Measuring explicit and implicit steps over the damping."
     conda:
@@ -97,6 +73,9 @@ rule tabulate_stiff_damping:
     output:
         csv="<results>/tables/stiff_damping.csv",
         markdown="<results>/tables/stiff_damping.md",
+        record="<results>/tables/stiff_damping.json",
+    params:
+        asked=asked("precision/stiff_damping"),
     log:
         "<logs>/tabulate_stiff_damping.log",
     benchmark:
@@ -120,6 +99,6 @@ rule stiff_damping:
 rule hard_cases:
     input:
         rules.tabulate_hard_cases.output,
-        rules.plot_fig15.output,
+        rules.fig15.input,
     message:
         "The hard cases are tabulated and drawn: {input}."

@@ -1,10 +1,5 @@
 """Contact laws at work: materials, damping regimes, numerical damping; section 3.1 of the paper."""
 
-LAWS_DATASETS = expand(
-    "<results>/data/laws/{name}.nc",
-    name=["materials", "damping_regimes", "numerical_damping", "jump_conditions", "piston"],
-)
-
 
 rule evaluate_materials:
     input:
@@ -116,6 +111,9 @@ rule tabulate_jump_conditions:
     output:
         csv="<results>/tables/jump_conditions.csv",
         markdown="<results>/tables/jump_conditions.md",
+        record="<results>/tables/jump_conditions.json",
+    params:
+        asked=asked("laws/jump_conditions"),
     log:
         "<logs>/tabulate_jump_conditions.log",
     benchmark:
@@ -136,6 +134,9 @@ rule tabulate_materials:
     output:
         csv="<results>/tables/materials.csv",
         markdown="<results>/tables/materials.md",
+        record="<results>/tables/materials.json",
+    params:
+        asked=asked("laws/materials"),
     log:
         "<logs>/tabulate_materials.log",
     benchmark:

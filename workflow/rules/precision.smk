@@ -26,7 +26,7 @@ rule measure_precision:
         "<logs>/measure_precision/{family}.log",
     benchmark:
         "<benchmarks>/measure_precision/{family}.tsv"
-    threads: workflow.cores
+    threads: ALL_CORES
     message:
         "Measuring speed against error: {wildcards.family}."
     conda:
@@ -65,6 +65,10 @@ rule tabulate_speed_error:
         markdown="<results>/tables/speed_error.md",
         verdicts_csv="<results>/tables/speed_verdicts.csv",
         verdicts_markdown="<results>/tables/speed_verdicts.md",
+        record="<results>/tables/speed_error.json",
+        verdicts_record="<results>/tables/speed_verdicts.json",
+    params:
+        asked=asked("precision/speed_error"),
     log:
         "<logs>/tabulate_speed_error.log",
     benchmark:
@@ -76,33 +80,6 @@ rule tabulate_speed_error:
         "../envs/main.yaml"
     script:
         "../scripts/tabulate_speed_error.py"
-
-
-rule plot_fig14:
-    input:
-        dataset=rules.merge_precision.output.dataset,
-        modules=sources("plot_fig14"),
-    output:
-        pdf="<results>/figures/fig14_speed_error.pdf",
-        png="<results>/figures/fig14_speed_error.png",
-    log:
-        "<logs>/plot_fig14.log",
-    benchmark:
-        "<benchmarks>/plot_fig14.tsv"
-    threads: 1
-    message:
-        "Drawing figure 14: time against error of all methods."
-    conda:
-        "../envs/main.yaml"
-    script:
-        "../scripts/plot_fig14.py"
-
-
-rule fig14:
-    input:
-        rules.plot_fig14.output,
-    message:
-        "Figure 14 is drawn."
 
 
 rule measure_log_burgers:
@@ -118,7 +95,7 @@ rule measure_log_burgers:
         "<logs>/measure_log_burgers.log",
     benchmark:
         "<benchmarks>/measure_log_burgers.tsv"
-    threads: workflow.cores
+    threads: ALL_CORES
     message:
         "Measuring speed against error of the solvers of the logarithmic Burgers equation."
     conda:
@@ -134,6 +111,9 @@ rule tabulate_log_burgers:
     output:
         csv="<results>/tables/log_burgers_solvers.csv",
         markdown="<results>/tables/log_burgers_solvers.md",
+        record="<results>/tables/log_burgers_solvers.json",
+    params:
+        asked=asked("precision/log_burgers"),
     log:
         "<logs>/tabulate_log_burgers.log",
     benchmark:
@@ -150,7 +130,7 @@ rule tabulate_log_burgers:
 rule precision:
     input:
         rules.tabulate_speed_error.output,
-        rules.plot_fig14.output,
+        rules.fig14.input,
         rules.tabulate_log_burgers.output,
     message:
         "Speed against error is measured; the next report shows it: {input}."

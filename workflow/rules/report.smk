@@ -1,31 +1,14 @@
 """One page with figures, captions, tables, configuration and run times."""
 
-# Speed is measured only on demand, by the target precision. The page shows what is there when the
-# workflow starts: as files that no rule is asked for, so that the page never causes a measurement.
-SPEED_FILES = [
-    file
-    for name in [
-        "figures/fig14_speed_error.png",
-        "tables/speed_verdicts.csv",
-        "tables/speed_error.csv",
-    ]
-    if os.path.exists(file := os.path.join(config["results"], name))
-]
-
 
 rule write_report:
     input:
         template="workflow/report/page.html.j2",
-        figures=[rule.output.png for rule in FIGURE_RULES.values()],
-        captions=expand("workflow/report/{figure}.rst", figure=FIGURE_RULES),
-        speed_caption="workflow/report/fig14.rst",
-        tables=[
-            rules.tabulate_paper_numbers.output.csv,
-            rules.tabulate_fronts.output.errors_csv,
-            rules.tabulate_critical_damping.output.csv,
-            rules.tabulate_materials.output.csv,
-            rules.tabulate_jump_conditions.output.csv,
-        ],
+        texts="workflow/tables.yaml",
+        figures=[f"<results>/{stem_of(figure)}.json" for figure in DRAWN],
+        tables=[f"<results>/tables/{name}.json" for name in WRITTEN],
+        files=DRAWN_FILES + WRITTEN_FILES,
+        datasets=DATASETS,
         benchmarks=[
             rules.compile_kernels.benchmark,
             rules.compile_continuum_kernels.benchmark,
@@ -40,7 +23,7 @@ rule write_report:
             rules.compute_multipliers.benchmark,
             rules.tabulate_fronts.benchmark,
             rules.tabulate_critical_damping.benchmark,
-            [rule.benchmark for rule in FIGURE_RULES.values()],
+            [f"<benchmarks>/plot_{figure}.tsv" for figure in DRAWN],
             rules.evaluate_materials.benchmark,
             rules.evaluate_damping_regimes.benchmark,
             rules.measure_numerical_damping.benchmark,
@@ -57,8 +40,11 @@ rule write_report:
         page="<results>/report.html",
     params:
         configuration=config,
-        speed=SPEED_FILES,
-        speed_contents=contents(SPEED_FILES),
+        results=subpath(output.page, parent=True),
+        asked=asked(*questions(config)),
+        on_demand=ON_DEMAND,
+        asked_on_demand=asked(*datasets_on_demand()),
+        contents=contents(ON_DEMAND),
     log:
         "<logs>/write_report.log",
     benchmark:
@@ -75,5 +61,9 @@ rule write_report:
 rule report:
     input:
         rules.write_report.output,
+        # A page is not up to date while something that it shows is missing.
+        DRAWN_FILES,
+        WRITTEN_FILES,
+        DATASETS,
     message:
-        "The report is written: {input}."
+        "The report is written: {input[0]}."

@@ -1,4 +1,7 @@
-"""Tables: numbers read from the data, set beside those the paper prints."""
+"""Tables: numbers read from the data, set beside those the paper prints.
+
+They are listed with their titles and captions in workflow/tables.yaml.
+"""
 
 # The list of printed numbers names functions of these modules.
 MEASURES = [name for name in MODULES if name.endswith(".measures")]
@@ -7,15 +10,14 @@ MEASURES = [name for name in MODULES if name.endswith(".measures")]
 rule tabulate_paper_numbers:
     input:
         numbers="config/paper_numbers.yaml",
-        datasets=CHAIN_DATASETS
-        + PERIODIC_DATASETS
-        + HETEROCLINIC_DATASETS
-        + FRONT_DATASETS
-        + LAWS_DATASETS,
+        datasets=DATASETS,
         modules=sources("tabulate_paper_numbers", *MEASURES),
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",
+        record="<results>/tables/paper_numbers.json",
+    params:
+        asked=asked(*questions(config)),
     log:
         "<logs>/tabulate_paper_numbers.log",
     benchmark:
@@ -31,10 +33,7 @@ rule tabulate_paper_numbers:
 
 rule tables:
     input:
-        rules.tabulate_paper_numbers.output,
-        rules.tabulate_materials.output,
-        rules.tabulate_fronts.output,
-        rules.tabulate_critical_damping.output,
-        rules.tabulate_jump_conditions.output,
+        WRITTEN_FILES,
+        DATASETS,
     message:
         "All tables are written."

@@ -1,24 +1,29 @@
 """Test the finished files of a results folder.
 
-python workflow/scripts/check_results.py --results results --verdict checks.txt
+python workflow/scripts/check_results.py --results results --configuration config/default.yaml
+    --verdict checks.txt
 """
 
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
+import yaml
 
 from step import run_step
 
 TESTS = Path(__file__).parents[2] / "tests" / "artefacts"
 
 
-def check_results(results: Path, verdict: Path) -> None:
+def check_results(results: Path, configuration: dict, verdict: Path) -> None:
     """Run the tests of finished files and write down that they passed.
 
     Parameters
     ----------
     results : Path
         The folder that holds data, figures and tables.
+    configuration : dict
+        The merged configuration that was computed.
     verdict : Path
         Text file that says how many tests passed; not written when one fails.
 
@@ -28,7 +33,11 @@ def check_results(results: Path, verdict: Path) -> None:
         When a test fails.
     """
     outcome = Outcome()
-    exit_code = pytest.main([str(TESTS), f"--results={results}", "-q"], plugins=[outcome])
+    with TemporaryDirectory() as folder:
+        asked = Path(folder, "configuration.yaml")
+        asked.write_text(yaml.safe_dump(configuration), encoding="utf-8")
+        options = [f"--results={results}", f"--configuration={asked}", "-q"]
+        exit_code = pytest.main([str(TESTS), *options], plugins=[outcome])
     if exit_code != pytest.ExitCode.OK:
         raise ValueError(
             f"The files in {results} do not pass their tests, named above: "

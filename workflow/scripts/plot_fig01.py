@@ -1,31 +1,32 @@
 """Figure 1: a front is initiated by constant pressure, weak damping; James (2021), figure 1."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
 from granular_fronts.drawing import draw_probes, label_peaks
-from granular_fronts.style import new_figure, save_figure
-from step import run_step
+from granular_fronts.style import new_figure
 
 
-def plot_fig01(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig01(data: xr.Dataset) -> Figure:
     """Draw relative displacements of single beads and a snapshot of the velocities.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Scene initiation_underdamped.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     figure, panels = new_figure(4.8, [["steady", "snapshot"], ["transient", "transient"]])
     draw_probes(panels["steady"], data, "steady")
     label_peaks(panels["steady"])
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right")
     draw_velocities(panels["snapshot"], data)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_velocities(axes, data):
@@ -37,4 +38,4 @@ def draw_velocities(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig01, globals().get("snakemake"))
+    run_figure(plot_fig01, globals().get("snakemake"))

@@ -1,33 +1,36 @@
 """Figure 2: space-time diagrams of a front and its reflections; James (2021), figure 2."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
+from granular_fronts.datasets import configuration_of
 from granular_fronts.drawing import draw_spacetime
-from granular_fronts.style import compression_map, new_figure, save_figure, velocity_map
-from step import run_step
+from granular_fronts.style import compression_map, new_figure, velocity_map
 
-# The paper clips its colours here: gaps wider than the largest compression are red.
-CLIP = 0.14
+# The paper clips its colours at 0.14 where δ = 0.1: gaps wider than any compression are red.
+CLIP_OVER_DELTA = 1.4
 
 
-def plot_fig02(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig02(data: xr.Dataset) -> Figure:
     """Draw u_n(t) and the velocities in the (n, t) plane, through two reflections.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Scene initiation_underdamped.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
+    clip = CLIP_OVER_DELTA * configuration_of(data)["boundary"]["left"]
     figure, panels = new_figure(4.4, [["displacement", "velocity"]])
     draw_spacetime(
         panels["displacement"],
         data["relative_displacement_grid"].isel(bead=slice(None, -1)),
         colour_map=compression_map(),
-        limits=(-CLIP, CLIP),
+        limits=(-clip, clip),
         extend="min",
         label="$u_n(t)$",
     )
@@ -40,8 +43,8 @@ def plot_fig02(dataset: Path, pdf: Path, png: Path) -> None:
         label=r"$\dot x_n(t)$",
     )
     panels["velocity"].set_ylabel("")
-    save_figure(figure, pdf, png)
+    return figure
 
 
 if __name__ == "__main__":
-    run_step(plot_fig02, globals().get("snakemake"))
+    run_figure(plot_fig02, globals().get("snakemake"))

@@ -1,24 +1,25 @@
 """Figure 3: a front is initiated by constant pressure, strong damping; James (2021), figure 3."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
 from granular_fronts.drawing import draw_probes, draw_spacetime
-from granular_fronts.style import compression_map, new_figure, save_figure
-from step import run_step
+from granular_fronts.style import compression_map, new_figure
 
 
-def plot_fig03(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig03(data: xr.Dataset) -> Figure:
     """Draw relative displacements of the first beads, and of all beads in the (n, t) plane.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Scene initiation_overdamped.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     figure, panels = new_figure(4.0, [["transient", "displacement"]])
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right")
@@ -30,8 +31,8 @@ def plot_fig03(dataset: Path, pdf: Path, png: Path) -> None:
         extend="neither",
         label="$u_n(t)$",
     )
-    save_figure(figure, pdf, png)
+    return figure
 
 
 if __name__ == "__main__":
-    run_step(plot_fig03, globals().get("snakemake"))
+    run_figure(plot_fig03, globals().get("snakemake"))

@@ -1,23 +1,24 @@
 """Figure 4: fluxes and stationary fronts of the amplitude equations; James (2021), figure 4."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import EXPONENT_COLOURS, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import EXPONENT_COLOURS, new_figure
 
 
-def plot_fig04(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig04(data: xr.Dataset) -> Figure:
     """Draw f_α and y^(1/α) against y, and the fronts of (46) and (45).
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Tabulated fluxes and fronts.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     figure, panels = new_figure(3.0, [["flux", "front"]])
     for alpha, colour in zip(data["alpha"].values, EXPONENT_COLOURS, strict=False):
         case = data.sel(alpha=alpha)
@@ -32,8 +33,8 @@ def plot_fig04(dataset: Path, pdf: Path, png: Path) -> None:
     panels["flux"].set(xlabel="$y$", ylabel=r"$f_\alpha(y)$, dotted $y^{1/\alpha}$", xlim=(0, 1))
     panels["front"].set(xlabel=r"$\xi$", ylabel=r"$y_\alpha^{1/\alpha}$", xlim=(-6, 4))
     panels["front"].legend()
-    save_figure(figure, pdf, png)
+    return figure
 
 
 if __name__ == "__main__":
-    run_step(plot_fig04, globals().get("snakemake"))
+    run_figure(plot_fig04, globals().get("snakemake"))

@@ -1,27 +1,28 @@
 """Figure 5: start of the comparison of ring and equation; James (2021), figure 5."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.drawing import draw_both_rings, draw_chain_dots
-from granular_fronts.style import save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.drawing import draw_chain_dots, draw_rings
 
 
-def plot_fig05(weak: Path, hertz: Path, pdf: Path, png: Path) -> None:
+def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     """Draw relative displacements and velocities at t = 0, a row for each exponent.
 
     Parameters
     ----------
-    weak, hertz : Path
+    weak, hertz : xarray.Dataset
         The two periodic scenes.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    figure, rows = draw_both_rings(3.6, read_dataset(weak), read_dataset(hertz), draw_start)
+    figure, rows = draw_rings(3.6, [weak, hertz], draw_start)
     for axes in rows[-1]:
         axes.set_xlabel("$n$")
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_start(axes, data, field, exponent):
@@ -31,4 +32,4 @@ def draw_start(axes, data, field, exponent):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig05, globals().get("snakemake"))
+    run_figure(plot_fig05, globals().get("snakemake"))

@@ -1,25 +1,26 @@
 """Figure 7: ring and logarithmic Burgers equation, Hertz's law; James (2021), figure 7."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
 from granular_fronts.drawing import draw_comparison
-from granular_fronts.style import save_figure
-from step import run_step
 
 
-def plot_fig07(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig07(data: xr.Dataset) -> Figure:
     """Draw relative displacements and velocities at every snapshot.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Periodic scene hertz.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    save_figure(draw_comparison(read_dataset(dataset)), pdf, png)
+    return draw_comparison(data)
 
 
 if __name__ == "__main__":
-    run_step(plot_fig07, globals().get("snakemake"))
+    run_figure(plot_fig07, globals().get("snakemake"))

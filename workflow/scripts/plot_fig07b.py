@@ -3,12 +3,12 @@
 The distances are defined in granular_fronts.comparison.
 """
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.drawing import draw_both_rings, finish_grid
-from granular_fronts.style import EQUATION_COLOUR, UNLIMITED_COLOUR, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.drawing import draw_rings, finish_grid
+from granular_fronts.style import EQUATION_COLOUR, UNLIMITED_COLOUR
 
 EQUATIONS = {
     "logarithmic": ("(41)", EQUATION_COLOUR),
@@ -21,21 +21,23 @@ TITLES = {
 }
 
 
-def plot_fig07b(weak: Path, hertz: Path, pdf: Path, png: Path) -> None:
+def plot_fig07b(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     """Draw distances and solver errors, a row for each exponent, a column for each field.
 
     Parameters
     ----------
-    weak, hertz : Path
+    weak, hertz : xarray.Dataset
         The two periodic scenes.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    figure, rows = draw_both_rings(5.2, read_dataset(weak), read_dataset(hertz), draw_distances)
+    figure, rows = draw_rings(5.2, [weak, hertz], draw_distances)
     for row in rows:
         row[0].set_ylabel("difference chain to equation")
     finish_grid(figure, rows[-1], "$t$")
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_distances(axes, data, field, exponent):
@@ -50,4 +52,4 @@ def draw_distances(axes, data, field, exponent):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig07b, globals().get("snakemake"))
+    run_figure(plot_fig07b, globals().get("snakemake"))

@@ -1,12 +1,11 @@
 """Figure 8: the heteroclinic orbit, weakly and critically damped; James (2021), figure 8."""
 
-from pathlib import Path
-
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import PROBE_COLOURS, fill_rows, new_figure
 
 BLACK, BLUE = PROBE_COLOURS[:2]
 GREY = "0.55"
@@ -15,23 +14,26 @@ GREY = "0.55"
 ARROW_POINTS = 2
 
 
-def plot_fig08(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig08(data: xr.Dataset) -> Figure:
     """Draw the double well, the phase portrait, and the fronts.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Scene front_profiles.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
-    figure, panels = new_figure(5.0, [["well", "portrait"], ["first", "second"]])
+    fronts = [f"front {mu:g}" for mu in data["mu"].values]
+    rows = [["well", "portrait"], *fill_rows(fronts, 2)]
+    figure, panels = new_figure(2.5 * len(rows), rows)
     draw_well(panels["well"], data)
     draw_portrait(panels["portrait"], data)
-    for panel, mu in zip(("first", "second"), data["mu"].values, strict=True):
+    for panel, mu in zip(fronts, data["mu"].values, strict=True):
         draw_front(panels[panel], data.sel(mu=mu))
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_well(axes, data):
@@ -97,4 +99,4 @@ def title_of(mu):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig08, globals().get("snakemake"))
+    run_figure(plot_fig08, globals().get("snakemake"))

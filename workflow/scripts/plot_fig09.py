@@ -1,27 +1,28 @@
 """Figure 9: exact fronts of the lattice by two methods; after James (2021), section 6."""
 
-from pathlib import Path
-
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 METHODS = {"profile": (EQUATION_COLOUR, "-", "s"), "shooting": (CHAIN_COLOUR, ":", "o")}
 
 
-def plot_fig09(underdamped: Path, overdamped: Path, pdf: Path, png: Path) -> None:
+def plot_fig09(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
     """Draw profiles, the difference of the methods, and their residuals.
 
     Parameters
     ----------
-    underdamped, overdamped : Path
+    underdamped, overdamped : xarray.Dataset
         Front scenes of these names.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    scenes = [read_dataset(underdamped), read_dataset(overdamped)]
+    scenes = [underdamped, overdamped]
     rows = [[f"{row} {column}" for column in range(2)] for row in ("u", "difference", "residual")]
     figure, panels = new_figure(6.4, rows)
     for column, data in enumerate(scenes):
@@ -30,7 +31,7 @@ def plot_fig09(underdamped: Path, overdamped: Path, pdf: Path, png: Path) -> Non
         draw_residuals(panels[f"residual {column}"], data)
     panels["u 0"].legend(loc="lower left")
     panels["residual 0"].legend(loc="upper right")
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_profiles(axes, data):
@@ -79,4 +80,4 @@ def draw_residuals(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig09, globals().get("snakemake"))
+    run_figure(plot_fig09, globals().get("snakemake"))

@@ -1,36 +1,37 @@
 """Figure 10: exact fronts, driven chains and continuum fronts; after James (2021), section 6.3."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
 from granular_fronts.drawing import finish_grid
-from granular_fronts.style import CHAIN_COLOUR, CONTINUUM_LOOKS, new_figure, save_figure
-from step import run_step
+from granular_fronts.style import CHAIN_COLOUR, CONTINUUM_LOOKS, new_figure
 
 FIELDS = {"relative_displacement": r"$u/\delta$", "velocity": r"$\dot x/\delta^{(\alpha+1)/2}$"}
 
 
-def plot_fig10(scenes: list[Path], pdf: Path, png: Path) -> None:
+def plot_fig10(scenes: list[xr.Dataset]) -> Figure:
     """Draw relative displacements and velocities of every scene.
 
     Parameters
     ----------
-    scenes : list of Path
+    scenes : list of xarray.Dataset
         Front scenes, one for each row.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
     rows = [[f"{field} {row}" for field in FIELDS] for row in range(len(scenes))]
     figure, panels = new_figure(1.75 * len(rows), rows)
-    for names, path in zip(rows, scenes, strict=True):
-        data = read_dataset(path)
+    for names, data in zip(rows, scenes, strict=True):
         for name, field in zip(names, FIELDS, strict=True):
-            draw_roads(panels[name], data, field)
+            draw_models(panels[name], data, field)
     finish_grid(figure, [panels[name] for name in rows[-1]], r"$\xi = n - ct$", columns=5)
-    save_figure(figure, pdf, png)
+    return figure
 
 
-def draw_roads(axes, data, field):
+def draw_models(axes, data, field):
     """One field of one front: exact, driven, and the three continuum models."""
     driven = data[f"{field}_driven"]
     axes.plot(
@@ -49,4 +50,4 @@ def draw_roads(axes, data, field):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig10, globals().get("snakemake"))
+    run_figure(plot_fig10, globals().get("snakemake"))

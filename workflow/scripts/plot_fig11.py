@@ -1,25 +1,26 @@
 """Figure 11: how far each continuum front is from the exact one, over the damping."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import CONTINUUM_LOOKS, fill_rows, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import CONTINUUM_LOOKS, fill_rows, new_figure
 
 COLUMNS = 3
 
 
-def plot_fig11(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig11(data: xr.Dataset) -> Figure:
     """Draw the sup-norm errors of u, a panel for each exponent.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         The survey of exact fronts.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     exponents = data["alpha"].values
     names = [f"{alpha:g}" for alpha in exponents]
     rows = fill_rows(names, COLUMNS)
@@ -32,7 +33,7 @@ def plot_fig11(dataset: Path, pdf: Path, png: Path) -> None:
         if name != ".":
             panels[name].set_xlabel(r"$\gamma c$")
     panels[names[0]].legend(loc="lower left")
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_errors(axes, data):
@@ -46,4 +47,4 @@ def draw_errors(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig11, globals().get("snakemake"))
+    run_figure(plot_fig11, globals().get("snakemake"))

@@ -1,13 +1,12 @@
 """Figure 12: critical damping in its several meanings, over the overshoot of the exact front."""
 
-from pathlib import Path
-
 import numpy as np
+import xarray as xr
 from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import PROBE_COLOURS, new_figure
 
 CURVES = {
     "tail": ("tail: what governs the decay", PROBE_COLOURS[0], "-"),
@@ -18,17 +17,18 @@ CURVES = {
 SMALLEST_SHOWN = 1e-8
 
 
-def plot_fig12(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig12(data: xr.Dataset) -> Figure:
     """Draw the curves and the overshoot as colour.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         The damping map.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     figure, panels = new_figure(4.4, [["plane"]])
     axes = panels["plane"]
     draw_overshoot(axes, data)
@@ -39,7 +39,7 @@ def plot_fig12(dataset: Path, pdf: Path, png: Path) -> None:
     axes.axvline(data.attrs["exchange_exponent"], color="0.4", linewidth=0.7, linestyle=":")
     axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma c$", yscale="log")
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_overshoot(axes, data):
@@ -58,4 +58,4 @@ def draw_overshoot(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig12, globals().get("snakemake"))
+    run_figure(plot_fig12, globals().get("snakemake"))

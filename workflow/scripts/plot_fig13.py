@@ -1,29 +1,29 @@
 """Figure 13: multipliers of exact fronts, flow over a bead-time and shift back."""
 
-from pathlib import Path
-
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
 from granular_fronts.drawing import finish_grid
-from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 MARKERS = ("o", "s", "^", "d")
 CIRCLE = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 400))
 
 
-def plot_fig13(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig13(data: xr.Dataset) -> Figure:
     """Draw the spectra in the complex plane, and how the gap closes with the window.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         The multipliers.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     fronts = list(data["scene"].values)
     figure, panels = new_figure(6.2, [fronts, [f"{front} near 1" for front in fronts]])
     for front in fronts:
@@ -32,7 +32,7 @@ def plot_fig13(dataset: Path, pdf: Path, png: Path) -> None:
         draw_neighbourhood(panels[f"{front} near 1"], one)
     lowest = [panels[f"{front} near 1"] for front in fronts]
     finish_grid(figure, lowest, r"Re $z$", columns=3)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_spectrum(axes, data):
@@ -81,4 +81,4 @@ def draw_multipliers(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig13, globals().get("snakemake"))
+    run_figure(plot_fig13, globals().get("snakemake"))

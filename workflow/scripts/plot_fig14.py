@@ -1,15 +1,15 @@
 """Figure 14: time against error of all methods on every problem."""
 
 import json
-from pathlib import Path
 
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PACKAGE_COLOURS, fill_rows, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import PACKAGE_COLOURS, fill_rows, new_figure
 
 COLUMNS = 3
 PANEL_HEIGHT = 2.3
@@ -19,17 +19,18 @@ MARKERS = "osD^vPX<>*"
 SMALLEST_ERROR = 1e-17
 
 
-def plot_fig14(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig14(data: xr.Dataset) -> Figure:
     """Draw a panel for each problem.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Written by merge_precision.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset, "speed_error")
     problems = [str(problem) for problem in data["problem"].values]
     rows = fill_rows(problems, COLUMNS)
     figure, panels = new_figure(PANEL_HEIGHT * len(rows) + 1.0, rows)
@@ -48,7 +49,7 @@ def plot_fig14(dataset: Path, pdf: Path, png: Path) -> None:
     note = missing(data)
     if note:
         figure.supxlabel(note, fontsize=6.5)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def choose_looks(data):
@@ -114,4 +115,4 @@ def missing(data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig14, globals().get("snakemake"))
+    run_figure(plot_fig14, globals().get("snakemake"))

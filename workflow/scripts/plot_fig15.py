@@ -1,13 +1,13 @@
 """Figure 15: errors of the hard cases beside their limits, and order through contact events."""
 
 import re
-from pathlib import Path
 
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 BLUE = PROBE_COLOURS[1]
 GREY = "0.55"
@@ -20,22 +20,23 @@ METHODS = {
 MARKERS = ("o", "s", "^")
 
 
-def plot_fig15(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig15(data: xr.Dataset) -> Figure:
     """Draw all errors against their limits, and errors against steps.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Written by measure_hard_cases.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset, "hard_cases")
     height = 2.8 + 0.13 * data.sizes["case"]
     figure, panels = new_figure(height, [["cases", "orders"]])
     draw_cases(panels["cases"], data)
     draw_orders(panels["orders"], data)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_cases(axes, data):
@@ -84,4 +85,4 @@ def draw_orders(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig15, globals().get("snakemake"))
+    run_figure(plot_fig15, globals().get("snakemake"))

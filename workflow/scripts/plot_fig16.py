@@ -1,16 +1,15 @@
 """Figure 16: overshoot, width and regime of exact fronts over the plane of exponent and damping."""
 
-from pathlib import Path
-
 import matplotlib
 import numpy as np
+import xarray as xr
 from matplotlib.colors import BoundaryNorm, ListedColormap, LogNorm
+from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
 from granular_fronts.laws.materials import ALPHA
-from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 CURVES = {
     "tail": ("tail turns real", PROBE_COLOURS[0], "-"),
@@ -22,27 +21,28 @@ REGIME_COLOURS = ("#f2efe6", "#b9cbe0", "#5f7fae")
 VISIBLE = 0.01
 
 
-def plot_fig16(dataset: Path, curves: Path, materials: dict, pdf: Path, png: Path) -> None:
+def plot_fig16(atlas: xr.Dataset, curves: xr.Dataset, materials: xr.Dataset) -> Figure:
     """Draw the atlas of fronts.
 
     Parameters
     ----------
-    dataset : Path
+    atlas : xarray.Dataset
         Campaign fronts_atlas.
-    curves : Path
+    curves : xarray.Dataset
         Critical damping over α.
-    materials : dict
-        Beads of remark 6, by name; their `gamma` at 0.5 m/s.
-    pdf, png : Path
-        Files to write.
+    materials : xarray.Dataset
+        Beads of remark 6.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    atlas, critical = read_dataset(dataset), read_dataset(curves)
     figure, panels = new_figure(3.6, [["overshoot", "width", "regime"]])
     draw_overshoot(panels["overshoot"], atlas)
     draw_width(panels["width"], atlas)
     draw_regime(panels["regime"], atlas)
     for axes in panels.values():
-        draw_curves(axes, critical)
+        draw_curves(axes, curves)
         draw_materials(axes, materials)
         gamma, alpha = atlas["gamma"].values, atlas["alpha"].values
         axes.set(xlabel=r"$\alpha$", yscale="log", xlim=(alpha[0], alpha[-1]))
@@ -50,7 +50,7 @@ def plot_fig16(dataset: Path, curves: Path, materials: dict, pdf: Path, png: Pat
     panels["overshoot"].set_ylabel(r"$\gamma c$")
     handles, labels = panels["overshoot"].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=3)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_overshoot(axes, atlas):
@@ -109,11 +109,11 @@ def draw_curves(axes, critical):
 
 def draw_materials(axes, materials):
     """The places of real beads."""
-    for name, bead in materials.items():
-        axes.plot(ALPHA, bead["gamma"], "o", color=PROBE_COLOURS[0], markersize=3)
+    for bead in materials["gamma_printed"]:
+        axes.plot(ALPHA, bead, "o", color=PROBE_COLOURS[0], markersize=3)
         axes.annotate(
-            name,
-            (ALPHA, bead["gamma"]),
+            str(bead["material"].values),
+            (ALPHA, float(bead)),
             xytext=(4, 0),
             textcoords="offset points",
             va="center",
@@ -123,4 +123,4 @@ def draw_materials(axes, materials):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig16, globals().get("snakemake"))
+    run_figure(plot_fig16, globals().get("snakemake"))

@@ -1,12 +1,11 @@
 """Figure 17: jump conditions against measured fronts of several lattices; James (2021), sect. 2."""
 
-from pathlib import Path
-
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import PROBE_COLOURS, new_figure
 
 WAYS = {
     "speed_exact": ("speed, exact front", "o"),
@@ -29,17 +28,18 @@ PROFILES = 6
 SHOWN_XI = (-12, 15)
 
 
-def plot_fig17(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig17(data: xr.Dataset) -> Figure:
     """Draw distances from theory over stated errors, stated errors, and profiles.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Written by check_jump_conditions.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset, "jump_conditions")
     figure, panels = new_figure(6.2, [["ratio", "error"], ["profile", "profile"]])
     laws = [spell(name) for name in data["law"].values]
     places = np.arange(len(laws))[::-1]
@@ -60,7 +60,7 @@ def plot_fig17(dataset: Path, pdf: Path, png: Path) -> None:
     panels["error"].set_yticklabels([])
     draw_profiles(panels["profile"], data)
     figure.legend(*panels["ratio"].get_legend_handles_labels(), loc="outside upper center", ncols=3)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def spell(name):
@@ -87,4 +87,4 @@ def draw_profiles(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig17, globals().get("snakemake"))
+    run_figure(plot_fig17, globals().get("snakemake"))

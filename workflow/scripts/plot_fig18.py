@@ -1,25 +1,26 @@
 """Figure 18: where damping is weak, for four laws of damping; James (2021), section 3.1."""
 
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.style import PROBE_COLOURS, new_figure, save_figure
-from step import run_step
+from figure_step import run_figure
+from granular_fronts.style import PROBE_COLOURS, new_figure
 
 SHOWN_GAMMA = (0.03, 30.0)
 
 
-def plot_fig18(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig18(data: xr.Dataset) -> Figure:
     """Draw γ of a front and e of a collision against the reference velocity.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Damping regimes.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     figure, panels = new_figure(3.2, [["gamma", "restitution"]])
     for beta, colour in zip(data["beta"].values, PROBE_COLOURS, strict=False):
         law = data.sel(beta=beta)
@@ -38,7 +39,7 @@ def plot_fig18(dataset: Path, pdf: Path, png: Path) -> None:
     )
     panels["restitution"].set(xlabel="$v_0/v_c$", ylabel="restitution $e$", xlim=ends, ylim=(0, 1))
     figure.legend(loc="outside upper center", ncols=data.sizes["beta"])
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_gamma(axes, law, colour):
@@ -51,4 +52,4 @@ def draw_gamma(axes, law, colour):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig18, globals().get("snakemake"))
+    run_figure(plot_fig18, globals().get("snakemake"))

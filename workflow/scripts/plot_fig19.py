@@ -1,41 +1,41 @@
 """Figure 19: the theta-method damps like the Kuwabara–Kono law; James (2021), section 1."""
 
-import json
-from pathlib import Path
+import xarray as xr
+from matplotlib.figure import Figure
 
-from granular_fronts.datasets import read_dataset
+from figure_step import run_figure
+from granular_fronts.datasets import configuration_of
 from granular_fronts.style import (
     CHAIN_COLOUR,
     EQUATION_COLOUR,
     PROBE_COLOURS,
     new_figure,
-    save_figure,
 )
-from step import run_step
 
 MARKERS = "os^v"
 
 
-def plot_fig19(dataset: Path, pdf: Path, png: Path) -> None:
+def plot_fig19(data: xr.Dataset) -> Figure:
     """Draw a front of the method beside damped and conservative chains, and their distances.
 
     Parameters
     ----------
-    dataset : Path
+    data : xarray.Dataset
         Numerical damping.
-    pdf, png : Path
-        Files to write.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
-    data = read_dataset(dataset)
     figure, panels = new_figure(3.2, [["profile", "order"]])
     draw_profile(panels["profile"], data)
     draw_distances(panels["order"], data)
-    save_figure(figure, pdf, png)
+    return figure
 
 
 def draw_profile(axes, data):
     """u_n of the three chains."""
-    profile = json.loads(data.attrs["config"])["profile"]
+    profile = configuration_of(data)["profile"]
     gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
     lines = [
         ("conservative", "-", "#b0b0b0", "conservative chain"),
@@ -75,4 +75,4 @@ def draw_distances(axes, data):
 
 
 if __name__ == "__main__":
-    run_step(plot_fig19, globals().get("snakemake"))
+    run_figure(plot_fig19, globals().get("snakemake"))

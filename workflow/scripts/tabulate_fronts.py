@@ -43,11 +43,15 @@ def tabulate_fronts(
     errors_csv, errors_markdown : Path
         Sup-norm error of u of every continuum front, and which is best.
     """
-    points = read_dataset(survey).to_dataframe().reset_index()
+    fronts = read_dataset(survey)
+    points = fronts.to_dataframe().reset_index()
     points["exact_power"] = (points["alpha"] - 1.0) / (2.0 * (points["alpha"] + 1.0))
     properties, errors = points[["alpha", "gamma", *PROPERTIES]], compare(points)
-    write_table(properties, round_floats(properties, 4), properties_csv, properties_markdown)
-    write_table(errors, round_floats(errors, 4), errors_csv, errors_markdown)
+    for table, csv, markdown in (
+        (properties, properties_csv, properties_markdown),
+        (errors, errors_csv, errors_markdown),
+    ):
+        write_table(table, round_floats(table, 4), csv, markdown, [fronts])
 
 
 def compare(points):

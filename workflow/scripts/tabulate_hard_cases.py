@@ -21,7 +21,7 @@ def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
     """
     data = read_dataset(dataset, "hard_cases")
     table = pd.DataFrame([describe(data.sel(case=name)) for name in data["case"].values])
-    write_table(table, round_floats(table, 3), csv, markdown)
+    write_table(table, round_floats(table, 3), csv, markdown, [data])
 
 
 def describe(case):

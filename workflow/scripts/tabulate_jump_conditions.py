@@ -1,11 +1,10 @@
 """Speed, velocity jump and power of fronts by theory and as measured; James (2021), section 2."""
 
-import json
 from pathlib import Path
 
 import pandas as pd
 
-from granular_fronts.datasets import read_dataset
+from granular_fronts.datasets import configuration_of, read_dataset
 from granular_fronts.tables import write_table
 from step import run_step
 
@@ -27,12 +26,12 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
         Tables to write: all numbers in full precision, and distances from theory for reading.
     """
     data = read_dataset(dataset, "jump_conditions")
-    cases = json.loads(data.attrs["config"])["cases"]
+    cases = configuration_of(data)["cases"]
     names = [str(name) for name in data["law"].values]
     described = [describe(name, cases[name]) for name in names]
     full = [row | all_numbers(data.sel(law=row["law"])) for row in described]
     brief = [row | distances(data.sel(law=row["law"])) for row in described]
-    write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown)
+    write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown, [data])
 
 
 def describe(name, case):

@@ -1,13 +1,13 @@
 """Errors, times and observed orders of the solvers of the logarithmic Burgers equation."""
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from granular_fronts.datasets import read_dataset
+from granular_fronts.datasets import configuration_of, read_dataset
 from granular_fronts.files import complete_file
+from granular_fronts.provenance import origin, write_record
 from granular_fronts.tables import round_floats
 from step import run_step
 
@@ -39,7 +39,7 @@ def tabulate_log_burgers(dataset: Path, csv: Path, markdown: Path) -> None:
         Tables to write; below the second stands a sentence for each exponent.
     """
     data = read_dataset(dataset, "precision_log_burgers")
-    problems = json.loads(data.attrs["config"])
+    problems = configuration_of(data)
     runs = data.to_dataframe().reset_index(drop=True)
     runs["milliseconds"] = 1e3 * runs["seconds"]
     groups = runs.groupby(["scene", "start", "scheme"], sort=False)
@@ -54,6 +54,7 @@ def tabulate_log_burgers(dataset: Path, csv: Path, markdown: Path) -> None:
     table = rounded.replace("nan", "").to_markdown(index=False, disable_numparse=True)
     with complete_file(markdown) as unfinished:
         unfinished.write_text("\n\n".join([table, *sentences]) + "\n", encoding="utf-8")
+    write_record(csv.with_suffix(".json"), [csv, markdown], [origin(data.attrs)])
 
 
 def observed_order(group):

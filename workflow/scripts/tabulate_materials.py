@@ -28,7 +28,7 @@ def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
         for value in data[dimension].values
     ]
     table = pd.DataFrame(rows)
-    write_table(table, round_floats(table, 4), csv, markdown)
+    write_table(table, round_floats(table, 4), csv, markdown, [data])
 
 
 def make_row(one, kind, dimension, value):

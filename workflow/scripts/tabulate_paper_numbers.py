@@ -47,7 +47,7 @@ def tabulate_paper_numbers(numbers: Path, datasets: list[Path], csv: Path, markd
         computed=[f"{value:.6g}" for value in table["computed"]],
         error_estimate=[f"{value:.1e}" for value in table["error_estimate"]],
     )
-    write_table(table, rounded, csv, markdown)
+    write_table(table, rounded, csv, markdown, list(data.values()))
 
 
 def make_row(entry, dataset):

@@ -49,8 +49,8 @@ def tabulate_speed_error(
             if (verdict := judge(data.sel(problem=problem), level))
         ]
     )
-    write_table(table, round_floats(table, 3), csv, markdown)
-    write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown)
+    write_table(table, round_floats(table, 3), csv, markdown, [data])
+    write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown, [data])
 
 
 def compare_methods(data, level):

@@ -26,7 +26,7 @@ def tabulate_stiff_damping(dataset: Path, csv: Path, markdown: Path) -> None:
     cases = (data.sel(gamma=gamma) for gamma in data["gamma"].values)
     rows = [describe(case, level, data.attrs["stiff_from"]) for case in cases for level in LEVELS]
     table = pd.DataFrame(rows)
-    write_table(table, round_floats(table, 3), csv, markdown)
+    write_table(table, round_floats(table, 3), csv, markdown, [data])
 
 
 def describe(case, level, stiff_from):

@@ -1,30 +1,41 @@
 """Write one page with figures, captions, tables, configuration and run times.
 
-The page holds everything in itself, so it can be mailed or archived as one file. Snakemake's own
-report shows neither the configuration nor the figures before a click, hence this one.
+The page holds everything in itself, so it can be mailed or archived as one file; its links lead to
+the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
+click, hence this one.
+
+Nothing is shown that does not belong together: the step compares the records of all figures and
+tables with the data that lie there and with the configuration, and ends with a sentence where they
+disagree. What is made on demand is left out, and named, where it answers another configuration.
 """
 
 import csv
+import json
 import os
 from base64 import b64encode
 from pathlib import Path
+from typing import Any
 
 import jinja2
 import yaml
 from docutils.core import publish_parts
 from tabulate import tabulate
 
+from granular_fronts.datasets import read_origins
 from granular_fronts.files import complete_file
+from granular_fronts.provenance import disagreements, read_record
 from step import run_step
 
 
 def write_report(
     template: Path,
+    texts: Path,
     figures: list[Path],
-    captions: list[Path],
     tables: list[Path],
-    speed: list[Path],
-    speed_caption: Path,
+    on_demand: list[Path],
+    asked: dict,
+    asked_on_demand: dict,
+    results: Path,
     benchmarks: list[Path],
     verdict: Path,
     configuration: dict,
@@ -36,16 +47,16 @@ def write_report(
     ----------
     template : Path
         Jinja2 template of the page.
-    figures : list of Path
-        PNG files, in the order of the page.
-    captions : list of Path
-        A reStructuredText file for each figure.
-    tables : list of Path
-        CSV files with a header.
-    speed : list of Path
-        Figure and tables of the target precision, as far as they are there.
-    speed_caption : Path
-        A reStructuredText file for that figure.
+    texts : Path
+        Titles and captions of the tables, a YAML file.
+    figures, tables : list of Path
+        Records of figures and tables, in the order of the page; their files lie beside them.
+    on_demand : list of Path
+        Records of what was made on demand.
+    asked, asked_on_demand : dict
+        The parts of the configuration that the datasets must answer, by their names.
+    results : Path
+        The folder that holds data, figures and tables.
     benchmarks : list of Path
         Snakemake's measurements, a TSV file for each job.
     verdict : Path
@@ -54,30 +65,75 @@ def write_report(
         The merged configuration that was computed.
     page : Path
         The HTML file to write.
+
+    Raises
+    ------
+    ValueError
+        If figures, tables, data and configuration do not belong together.
     """
-    speed_figures = [file for file in speed if file.suffix == ".png"]
+    origins = read_origins(results / "data", [*asked, *asked_on_demand])
+    if found := list(disagreements([*figures, *tables], origins, asked)):
+        raise ValueError("\n".join(found))
+    every = asked | asked_on_demand
     shown = [
-        *zip(figures, captions, strict=True),
-        *((file, speed_caption) for file in speed_figures),
+        record
+        for record in on_demand
+        if not any(disagreements([record], origins, questions_behind(record, origins, every)))
     ]
-    tables = [*tables, *(file for file in speed if file.suffix == ".csv")]
+    figures = sorted([*figures, *(record for record in shown if is_figure(record))])
+    tables = [*tables, *(record for record in shown if not is_figure(record))]
+    described = yaml.safe_load(texts.read_text(encoding="utf-8"))
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
-        figures=[
-            {"name": figure.stem, "image": embed(figure), "caption": render(caption)}
-            for figure, caption in shown
-        ],
-        tables=[
-            {"name": table.stem.replace("_", " "), "html": tabulate_csv(table)} for table in tables
-        ],
+        figures=[describe_figure(record) for record in figures],
+        tables=[describe_table(record, described[record.stem]) for record in tables],
+        outdated=[record.stem for record in on_demand if record not in shown],
         run_times=tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
+        made_from=json.dumps({record.stem: read_record(record) for record in [*figures, *tables]}),
         configuration=yaml.safe_dump(
             configuration, sort_keys=False, allow_unicode=True, default_flow_style=None
         ),
     )
     with complete_file(page) as unfinished:
         unfinished.write_text(html, encoding="utf-8")
+
+
+def questions_behind(record: Path, origins: dict, asked: dict) -> dict[str, Any]:
+    """The part of `asked` that the datasets behind a record must answer."""
+    scenes = {made_from["scene"] for made_from in read_record(record)["made_from"]}
+    names = [name for name, origin in origins.items() if origin["scene"] in scenes]
+    return {name: asked[name] for name in names}
+
+
+def is_figure(record: Path) -> bool:
+    """Whether a record is that of a figure, which alone has a caption of its own."""
+    return record.with_suffix(".rst").exists()
+
+
+def describe_figure(record: Path) -> dict[str, Any]:
+    """What the page shows of a figure."""
+    described = read_record(record)
+    return {
+        "name": record.stem,
+        "number": record.stem.partition("_")[0].removeprefix("fig").lstrip("0"),
+        "title": described["title"],
+        "alt": described["alt"],
+        "image": embed(record.with_suffix(".png")),
+        "caption": render(record.with_suffix(".rst").read_text(encoding="utf-8")),
+        "files": [f"{record.parent.name}/{record.stem}.{ending}" for ending in ("pdf", "png")],
+    }
+
+
+def describe_table(record: Path, described: dict[str, str]) -> dict[str, Any]:
+    """What the page shows of a table."""
+    return {
+        "name": record.stem,
+        "title": described["title"],
+        "caption": render(described["caption"]),
+        "html": tabulate_csv(record.with_suffix(".csv")),
+        "files": [f"{record.parent.name}/{record.stem}.{ending}" for ending in ("csv", "md")],
+    }
 
 
 def embed(figure: Path) -> str:
@@ -96,20 +152,20 @@ def embed(figure: Path) -> str:
     return f"data:image/png;base64,{b64encode(figure.read_bytes()).decode('ascii')}"
 
 
-def render(caption: Path) -> str:
+def render(caption: str) -> str:
     """Turn a caption into HTML.
 
     Parameters
     ----------
-    caption : Path
-        A reStructuredText file.
+    caption : str
+        reStructuredText.
 
     Returns
     -------
     str
         The HTML of its paragraphs.
     """
-    return publish_parts(caption.read_text(encoding="utf-8"), writer="html5")["fragment"]
+    return publish_parts(caption, writer="html5")["fragment"]
 
 
 def tabulate_csv(table: Path) -> str:

@@ -1,0 +1,13 @@
+"""What several test modules are given."""
+
+import pytest
+from projects import copy_project, snakemake
+
+
+@pytest.fixture(scope="session")
+def finished(tmp_path_factory):
+    """A copy of the project in which the smoke run is done."""
+    copy = copy_project(tmp_path_factory.mktemp("project"))
+    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
+    assert run.returncode == 0, run.stderr
+    return copy

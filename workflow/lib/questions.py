@@ -1,0 +1,60 @@
+"""What each dataset of the workflow answers: the part of the configuration its rule is given.
+
+A figure or a table depends on the questions behind its data, not on the data alone: when a job
+fails, Snakemake has already removed the dataset, and with it every trace that what was drawn
+earlier belongs to another question.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+FAMILIES = {
+    "chain": "chain",
+    "periodic": "periodic",
+    "continuum": "heteroclinic",
+    "fronts": "front",
+}
+"""Folder of the data of each family of scenes, and the key of the family under ``scenes``."""
+
+
+def questions(configuration: Mapping[str, Any]) -> dict[str, Any]:
+    """All datasets that the configuration asks for, by the names of their files.
+
+    Parameters
+    ----------
+    configuration : mapping
+        The merged configuration.
+
+    Returns
+    -------
+    dict of str to object
+        For each ``folder/name`` under ``results/data`` the part of the configuration that the
+        dataset answers, as it stands in the dataset itself.
+    """
+    asked = {
+        f"{folder}/{name}": scene
+        for folder, family in FAMILIES.items()
+        for name, scene in configuration["scenes"][family].items()
+    }
+    asked["continuum/log_burgers_fronts"] = {"exponents": configuration["front_exponents"]}
+    asked |= {f"fronts/{name}": part for name, part in configuration["exact_fronts"].items()}
+    asked |= {f"laws/{name}": part for name, part in configuration["laws"].items()}
+    return asked
+
+
+def questions_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
+    """Datasets that are computed only when they are asked for by name, as `questions`."""
+    precision = dict(configuration["precision"])
+    rings = {
+        name: {"problem": problem, "scene": configuration["scenes"]["periodic"][name]}
+        for name, problem in precision.pop("log_burgers").items()
+    }
+    return {
+        "precision/log_burgers": rings,
+        "precision/speed_error": {
+            **{f"precision_{family}": problems for family, problems in precision.items()},
+            "precision_log_burgers": rings,
+        },
+        "precision/hard_cases": {"cases": configuration["hard_cases"]},
+        "precision/stiff_damping": configuration["stiff_damping"],
+    }

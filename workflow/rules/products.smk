@@ -1,0 +1,99 @@
+"""Figures and tables: what they are made from, and the files of each."""
+
+FIGURES = load_yaml("workflow", "figures.yaml")
+TABLES = load_yaml("workflow", "tables.yaml")
+FOLDERS = {family: folder for folder, family in FAMILIES.items()}
+
+
+def made_at_once(described):
+    """Return the names of those that a plain call makes; the others wait until they are asked for."""
+    return [name for name, one in described.items() if not one.get("on_demand")]
+
+
+DRAWN, WRITTEN = made_at_once(FIGURES), made_at_once(TABLES)
+
+
+def data_file(dataset):
+    """Return the file of a dataset."""
+    return f"<results>/data/{dataset}.nc"
+
+
+def drawn_from(figure):
+    """Return the datasets behind a figure: for each argument of its script one, or a list."""
+    return {
+        argument: (
+            [f"{FOLDERS[named['family']]}/{scene}" for scene in config["scenes"][named["family"]]]
+            if isinstance(named, dict)
+            else named
+        )
+        for argument, named in FIGURES[figure]["data"].items()
+    }
+
+
+def datasets_of(figure):
+    """Return all datasets behind a figure."""
+    given = drawn_from(figure).values()
+    return [name for one in given for name in (one if isinstance(one, list) else [one])]
+
+
+def figure_inputs(figure):
+    """Return the files of the datasets behind a figure, for each argument of its script."""
+    return {
+        argument: [data_file(name) for name in one] if isinstance(one, list) else data_file(one)
+        for argument, one in drawn_from(figure).items()
+    }
+
+
+def stem_of(figure):
+    """Return what the names of all files of a figure begin with."""
+    return f"figures/{figure}_{FIGURES[figure]['name']}"
+
+
+def number_of(figure):
+    """Return how a text names a figure: 7b for fig07b."""
+    return figure.removeprefix("fig").lstrip("0")
+
+
+def figure_files(figure):
+    """Return the picture in two formats, its caption, and the record of what it was drawn from."""
+    return [f"<results>/{stem_of(figure)}.{ending}" for ending in ("pdf", "png", "rst", "json")]
+
+
+def table_files(table):
+    """Return the table in two formats, and the record of what it was made from."""
+    return [f"<results>/tables/{table}.{ending}" for ending in ("csv", "md", "json")]
+
+
+DRAWN_FILES = [file for figure in DRAWN for file in figure_files(figure)]
+WRITTEN_FILES = [file for table in WRITTEN for file in table_files(table)]
+
+
+def verbatim(text):
+    """Return a function for `params` that gives a text whose braces are no wildcards."""
+    return lambda wildcards: text
+
+
+def records_on_demand():
+    """Return the records of what was made on demand.
+
+    The report shows what is there when the workflow starts, and never causes a measurement.
+    """
+    stems = [stem_of(figure) for figure in FIGURES if figure not in DRAWN]
+    stems += [f"tables/{table}" for table in TABLES if table not in WRITTEN]
+    files = [os.path.join(config["results"], f"{stem}.json") for stem in stems]
+    return [file for file in files if os.path.exists(file)]
+
+
+ON_DEMAND = records_on_demand()
+
+
+def datasets_on_demand():
+    """Return the datasets that something on demand may be made from; a campaign only if it was."""
+    campaigns = {
+        dataset
+        for figure in FIGURES
+        if os.path.join(config["results"], f"{stem_of(figure)}.json") in ON_DEMAND
+        for dataset in datasets_of(figure)
+        if dataset.startswith("campaigns/")
+    }
+    return [*questions_on_demand(config), *sorted(campaigns)]

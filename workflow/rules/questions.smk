@@ -1,0 +1,50 @@
+"""What each dataset answers, and what the paper asks of the same dataset."""
+
+import yaml
+
+from questions import FAMILIES, questions, questions_on_demand
+
+ASKED = questions(config) | questions_on_demand(config)
+DATASETS = expand("<results>/data/{dataset}.nc", dataset=questions(config))
+
+
+def load_yaml(*path):
+    """Read a YAML file of the project."""
+    with open(os.path.join(workflow.basedir, *path), encoding="utf-8") as file:
+        return yaml.safe_load(file)
+
+
+def question(dataset):
+    """Return the part of the configuration that a dataset answers."""
+    folder, _, name = dataset.partition("/")
+    return campaign_of(name).given if folder == "campaigns" else ASKED[dataset]
+
+
+def asked(*datasets):
+    """Return a function for `params`: the questions behind the data of a figure or a table.
+
+    Whatever is made from data depends on them even while the data are missing, as they are after a
+    job failed.
+    """
+    return lambda wildcards: {dataset: question(dataset) for dataset in datasets}
+
+
+@cache
+def paper_questions():
+    """Return what the paper asks, by the name of the scene."""
+    configuration = load_yaml("config", "default.yaml")
+    every = questions(configuration) | questions_on_demand(configuration)
+    return {dataset.rpartition("/")[2]: part for dataset, part in every.items()}
+
+
+def reference(*datasets):
+    """Return a function for `params`: what the paper asks of these datasets, by scene.
+
+    A campaign is ours, and its own reference.
+    """
+    scenes = {dataset.rpartition("/")[2]: dataset for dataset in datasets}
+    return lambda wildcards: {
+        scene: question(dataset) if dataset.startswith("campaigns/") else paper_questions()[scene]
+        for scene, dataset in scenes.items()
+        if dataset.startswith("campaigns/") or scene in paper_questions()
+    }

@@ -1,0 +1,176 @@
+"""Run a script that draws a figure: datasets in; picture, caption and record out.
+
+A plot script holds one function that is given datasets and returns a figure, and ends with ::
+
+    if __name__ == "__main__":
+        run_figure(plot_fig01, globals().get("snakemake"))
+
+Under Snakemake the rule's named input become the datasets. By hand, name their files, the files to
+write, and the texts: ``python workflow/scripts/plot_fig01.py --help``.
+
+The caption is a Jinja template.  Its variables are the names of the datasets, and each stands for
+the configuration that the dataset was computed with, so that a caption cannot speak of other values
+than the picture shows.  Where these are not the paper's, the caption ends with the difference.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from inspect import Parameter, Signature, signature
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import xarray as xr
+from matplotlib.figure import Figure
+
+from granular_fronts.datasets import configuration_of, read_dataset
+from granular_fronts.departures import departures
+from granular_fronts.files import complete_file
+from granular_fronts.provenance import origin, write_record
+from granular_fronts.style import save_figure
+from step import run_step
+
+OUTPUTS = ("pdf", "png", "caption", "record")
+MOST_DEPARTURES = 3
+"""Differences from the paper that a caption names before it counts the others."""
+
+
+def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
+    """Draw a figure with the workflow's or the command line's values.
+
+    Parameters
+    ----------
+    draw : callable
+        Its parameters are datasets or lists of datasets; it returns a figure.
+    snakemake : object, optional
+        The object Snakemake puts into a script; none on the command line.
+    """
+    run_step(make_step(draw), snakemake)
+
+
+def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
+    """Make the step that reads the datasets of a figure and writes its files.
+
+    Parameters
+    ----------
+    draw : callable
+        As for `run_figure`.
+
+    Returns
+    -------
+    callable
+        A step with a path for each dataset, then `template`, `title`, `alt`, `reference`, and the
+        files `pdf`, `png`, `caption` and `record`.
+    """
+
+    def step(
+        template: Path, title: str, alt: str, reference: dict, **paths: Path | list[Path]
+    ) -> None:
+        outputs = {name: paths.pop(name) for name in OUTPUTS}
+        data = {name: read(path) for name, path in paths.items()}
+        every = [dataset for given in data.values() for dataset in listed(given)]
+        origins = [origin(dataset.attrs) for dataset in every]
+        save_figure(draw(**data), outputs["pdf"], outputs["png"], origins)
+        computed = {name: configurations(given) for name, given in data.items()}
+        notes = departure_notes(every, reference)
+        text = "\n\n".join([fill(template.read_text(encoding="utf-8"), computed).strip(), *notes])
+        with complete_file(outputs["caption"]) as unfinished:
+            unfinished.write_text(f"{text}\n", encoding="utf-8")
+        files = [outputs[name] for name in ("pdf", "png", "caption")]
+        write_record(
+            outputs["record"], files, origins, title=fill(title, computed), alt=fill(alt, computed)
+        )
+
+    step.__name__, step.__module__ = draw.__name__, draw.__module__
+    step.__doc__ = draw.__doc__
+    step.__signature__ = step_signature(draw)
+    return step
+
+
+def step_signature(draw: Callable[..., Figure]) -> Signature:
+    """The parameters of a step: paths for the datasets of `draw`, texts, and files to write."""
+    paths = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
+    asked = {
+        name: paths[parameter.annotation]
+        for name, parameter in signature(draw, eval_str=True).parameters.items()
+    }
+    asked |= {"template": Path, "title": str, "alt": str, "reference": dict}
+    asked |= dict.fromkeys(OUTPUTS, Path)
+    return Signature(
+        [
+            Parameter(name, Parameter.KEYWORD_ONLY, annotation=annotation)
+            for name, annotation in asked.items()
+        ],
+        return_annotation=None,
+    )
+
+
+def read(path: Path | list[Path]) -> xr.Dataset | list[xr.Dataset]:
+    """Read one dataset or several."""
+    return [read_dataset(one) for one in path] if isinstance(path, list) else read_dataset(path)
+
+
+def listed(given: xr.Dataset | list[xr.Dataset]) -> list[xr.Dataset]:
+    """One dataset or several, as a list."""
+    return given if isinstance(given, list) else [given]
+
+
+def configurations(given: xr.Dataset | list[xr.Dataset]) -> Any:
+    """What one dataset or several were computed with."""
+    if isinstance(given, list):
+        return [configuration_of(dataset) for dataset in given]
+    return configuration_of(given)
+
+
+def fill(template: str, computed: Mapping[str, Any]) -> str:
+    """Fill a text with the values that were computed.
+
+    Parameters
+    ----------
+    template : str
+        Jinja; a name that is unknown is an error.
+    computed : mapping
+        Configuration of each dataset, by the name it has in the figure.
+
+    Returns
+    -------
+    str
+    """
+    environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=False)
+    environment.filters["number"] = "{:g}".format
+    return environment.from_string(template).render(computed)
+
+
+def departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) -> Iterator[str]:
+    """Say for each dataset where its parameters are not the paper's.
+
+    Parameters
+    ----------
+    datasets : list of xarray.Dataset
+    reference : mapping
+        What the paper computes, by scene: the default configuration.
+
+    Yields
+    ------
+    str
+        A paragraph of the caption; none for a dataset as in the paper.
+    """
+    for dataset in datasets:
+        scene = dataset.attrs["scene"]
+        if scene not in reference:
+            yield f"**Scene {scene} is not one of the paper's.**"
+            continue
+        found = departures(configuration_of(dataset), reference[scene])
+        if found:
+            named = "; ".join(
+                f"{key} is {show(value)}, not {show(printed)}"
+                for key, value, printed in islice(found, MOST_DEPARTURES)
+            )
+            others = len(found) - MOST_DEPARTURES
+            more = f"; and {others} more" if others > 0 else ""
+            yield f"**Not the paper's parameters** in scene {scene}: {named}{more}."
+
+
+def show(value: Any) -> str:
+    """A value of a configuration, as a caption names it."""
+    return "absent" if value is None else str(value).replace("_", r"\_").replace("*", r"\*")
