@@ -1,0 +1,194 @@
+"""A figure, a table or a report is never older than its question, whatever a run was broken by.
+
+Each test asks the finished smoke run another question, breaks the job that would answer it, and
+gives the same command again.
+"""
+
+import contextlib
+import functools
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import time
+
+import psutil
+import pytest
+import yaml
+from projects import snakemake, wait_for_job
+
+from granular_fronts.provenance import question_digest, read_record
+
+pytestmark = pytest.mark.slow
+
+SCENE = "initiation_underdamped"
+DATA = f"results/smoke/data/chain/{SCENE}.nc"
+FIGURE = f"results/smoke/figures/fig01_{SCENE}.json"
+TABLE = "results/smoke/tables/paper_numbers.json"
+# The chain is compiled and its file written within it; the file of the scene is larger.
+LARGEST_FILE = 60_000
+LONG = {"end_time": 1000000}
+
+
+def ask(project, name, change):
+    """Lay a change of the scene over the smoke run; return the options and the scene asked for."""
+    overlay = project / f"{name}.yaml"
+    overlay.write_text(yaml.safe_dump({"scenes": {"chain": {SCENE: change}}}))
+    return ["--configfile", "config/smoke.yaml", overlay]
+
+
+def question_of(record, scene=SCENE):
+    """Digest of the question that a figure or a table answers."""
+    return {one["scene"]: one["question"] for one in read_record(record)["made_from"]}[scene]
+
+
+def question_of_data(project):
+    """Digest of the question that the data answer, from the configuration they carry."""
+    script = (
+        "import json, sys; from granular_fronts.datasets import read_dataset, configuration_of;"
+        "from granular_fronts.provenance import question_digest;"
+        f"print(question_digest(configuration_of(read_dataset('{DATA}'))))"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", script], cwd=project, capture_output=True, text=True, check=True
+    )
+    return run.stdout.strip()
+
+
+def start(project, *arguments, prepare=lambda: None):
+    """Start the workflow, and do not wait for its end."""
+
+    def before():
+        # Where the tests run in the background, interrupts are ignored, by their children too.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        prepare()
+
+    return subprocess.Popen(
+        [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)],
+        cwd=project,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=before,
+    )
+
+
+def fail_in_script(project, options):
+    """Let the script of the job raise; then put it back as if it had never changed."""
+    script = project / "workflow/scripts/initiate_front.py"
+    text, times = script.read_bytes(), script.stat()
+    script.write_bytes(text.replace(b"write_dataset(sim", b"raise RuntimeError(sim"))
+    run = snakemake(*options, "--", "fig01", folder=project)
+    script.write_bytes(text)
+    os.utime(script, ns=(times.st_atime_ns, times.st_mtime_ns))
+    assert run.returncode != 0
+
+
+def fill_disk(project, options):
+    """Let no file grow beyond a size that the data need."""
+    limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (LARGEST_FILE,) * 2)
+    process = start(project, *options, "--", "fig01", prepare=limit)
+    process.communicate(timeout=120.0)
+    assert process.returncode != 0
+
+
+def kill_worker(project, options):
+    """Kill the job outright."""
+    process = start(project, *options, "--", "fig01")
+    job = wait_for_job(process, "initiate_front.py")
+    time.sleep(2.0)
+    job.kill()
+    process.communicate(timeout=60.0)
+    assert process.returncode != 0
+
+
+def kill_workflow(project, options):
+    """Kill Snakemake outright; its job must end too, before it writes what nobody asks any more."""
+    process = start(project, *options, "--", "fig01")
+    job = wait_for_job(process, "initiate_front.py")
+    time.sleep(2.0)
+    os.kill(process.pid, signal.SIGKILL)
+    process.communicate(timeout=60.0)
+    with contextlib.suppress(psutil.NoSuchProcess):
+        job.wait(timeout=10.0)
+
+
+def interrupt(project, options):
+    """Press Ctrl-C."""
+    process = start(project, *options, "--", "fig01")
+    wait_for_job(process, "initiate_front.py")
+    time.sleep(2.0)
+    os.killpg(process.pid, signal.SIGINT)
+    process.communicate(timeout=60.0)
+    assert process.returncode != 0
+
+
+BREAKS = {
+    fail_in_script: {"law": {"gamma": 0.21}},
+    fill_disk: {"law": {"gamma": 0.22}},
+    kill_worker: {"law": {"gamma": 0.23}} | LONG,
+    kill_workflow: {"law": {"gamma": 0.24}} | LONG,
+    interrupt: {"law": {"gamma": 0.25}} | LONG,
+}
+
+
+@pytest.mark.parametrize("break_run", BREAKS, ids=lambda break_run: break_run.__name__)
+def test_the_same_command_again_makes_what_is_asked(finished, break_run):
+    options = ask(finished, break_run.__name__, BREAKS[break_run])
+    before = question_of(finished / FIGURE)
+    break_run(finished, options)
+    assert not (finished / DATA).exists(), "the job was not broken"
+    assert question_of(finished / FIGURE) == before, "the figure was drawn again"
+    for target, job in [
+        ("fig01", "plot_fig01"),
+        ("figures", "plot_fig01"),
+        ("tables", "tabulate_paper_numbers"),
+        ("report", "write_report"),
+        ("all", "write_report"),
+        (FIGURE, "plot_fig01"),
+    ]:
+        plan = snakemake("--dry-run", *options, "--", target, folder=finished)
+        assert re.search(rf"^{job} +1$", plan.stdout, re.MULTILINE), (target, plan.stdout)
+    run = snakemake(*options, "--", "fig01", folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert question_of(finished / FIGURE) == question_of_data(finished) != before
+
+
+def test_removed_data_are_made_again_and_what_was_drawn_from_them(finished):
+    options = ["--configfile", "config/smoke.yaml"]
+    assert snakemake(*options, "--", "fig01", folder=finished).returncode == 0
+    (finished / DATA).unlink()
+    for target in ("fig01", "figures", "tables", "report", "all"):
+        plan = snakemake("--dry-run", *options, "--", target, folder=finished)
+        assert re.search(r"^initiate_front +1$", plan.stdout, re.MULTILINE), target
+    changed = ask(finished, "after_removal", {"law": {"gamma": 0.26}})
+    # The file itself, not the target that also asks for the data.
+    run = snakemake(*changed, "--", FIGURE, folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert question_of(finished / FIGURE) == question_of_data(finished)
+
+
+def test_report_after_a_broken_run_is_of_one_piece(finished):
+    options = ask(finished, "report", {"law": {"gamma": 0.27}})
+    fail_in_script(finished, options)
+    run = snakemake(*options, folder=finished)
+    assert run.returncode == 0, run.stderr
+    page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
+    found = re.search(r'<script [^>]*id="made-from">(.*?)</script>', page, re.DOTALL)[1]
+    questions = {
+        one["question"]
+        for record in json.loads(found).values()
+        for one in record["made_from"]
+        if one["scene"] == SCENE
+    }
+    configuration = yaml.safe_load(
+        re.search(r"<pre[^>]*>(.*?)</pre>", page, re.DOTALL)[1].replace("&#39;", "'")
+    )
+    assert questions == {question_digest(configuration["scenes"]["chain"][SCENE])}
+    assert "law.gamma is 0.27, not 0.06" in page
+    # Back to the smoke run, for the tests after this one.
+    assert snakemake("--configfile", "config/smoke.yaml", folder=finished).returncode == 0
