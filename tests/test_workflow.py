@@ -102,6 +102,38 @@ def test_smoke_run_makes_everything(finished):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
+    "option",
+    ["--unlock", "--summary", "--dag", "--rulegraph", "--list", "--report", "--archive"],
+)
+def test_options_that_run_no_job_work_bare(finished, option, tmp_path):
+    files = {"--report": ["report.html"], "--archive": ["archive.tar.gz"]}.get(option, [])
+    command = [sys.executable, "-m", "snakemake", option, *(str(tmp_path / file) for file in files)]
+    run = subprocess.run(
+        [*command, "--configfile", "config/smoke.yaml"],
+        cwd=finished,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    assert all((tmp_path / file).stat().st_size > 10_000 for file in files)
+
+
+@pytest.mark.slow
+def test_own_report_of_snakemake_shows_every_figure_with_its_caption(finished, tmp_path):
+    page = tmp_path / "report.html"
+    run = snakemake("--report", page, "--configfile", "config/smoke.yaml", folder=finished)
+    assert run.returncode == 0, run.stderr
+    shown = page.read_text(encoding="utf-8")
+    for figure in DRAWN:
+        assert f"{figure}_{FIGURES[figure]['name']}.png" in shown
+        caption = finished / f"results/smoke/figures/{figure}_{FIGURES[figure]['name']}.rst"
+        first_words = re.search(r"Figure \w+\.", caption.read_text(encoding="utf-8"))[0]
+        assert first_words in shown
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
     ("module", "solver"),
     [
         ("style.py", None),

@@ -19,7 +19,7 @@ rule solve_chunk:
     message:
         "Solving chunk {wildcards.chunk} of campaign {wildcards.campaign}."
     conda:
-        "../envs/main.yaml"
+        environment
     wildcard_constraints:
         campaign="[a-z][a-z0-9_]*",
         chunk="[0-9a-f]{16}",
@@ -44,7 +44,7 @@ rule merge_campaign:
     message:
         "Merging the chunks of campaign {wildcards.campaign}."
     conda:
-        "../envs/main.yaml"
+        environment
     wildcard_constraints:
         campaign="[a-z][a-z0-9_]*",
     localrule: True
@@ -67,7 +67,7 @@ rule summarise_campaign:
     message:
         "Summing up campaign {wildcards.campaign}."
     conda:
-        "../envs/main.yaml"
+        environment
     wildcard_constraints:
         campaign="[a-z][a-z0-9_]*",
     localrule: True

@@ -17,7 +17,7 @@ rule compile_kernels:
     message:
         "Compiling the kernels of the chain."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/compile_kernels.py"
 
@@ -39,6 +39,6 @@ rule initiate_front:
     message:
         "Solving the chain of scene {wildcards.scene}."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/initiate_front.py"

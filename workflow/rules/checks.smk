@@ -21,6 +21,6 @@ rule check_results:
     message:
         "Testing the finished files."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/check_results.py"

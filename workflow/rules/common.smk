@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import shutil
 import sys
 from functools import cache
 from glob import glob
@@ -25,6 +26,14 @@ from run_lock import FolderInUseError, lock_folder
 MODULES = module_files(Path(SOURCE), Path(LIBRARY), Path(workflow.basedir, "workflow", "scripts"))
 # It hands a script what the rule names, and has no part in what comes out.
 del MODULES["step"]
+
+
+def environment(wildcards):
+    """Return the conda environment of a rule; where there is no conda, environment.txt is it.
+
+    Otherwise `snakemake --archive` would ask for conda, which nothing here needs.
+    """
+    return "../envs/main.yaml" if shutil.which("conda") else None
 
 
 HELD = []

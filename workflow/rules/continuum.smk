@@ -16,7 +16,7 @@ rule compile_continuum_kernels:
     message:
         "Compiling the kernels of the amplitude equations."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/compile_kernels.py"
 
@@ -38,7 +38,7 @@ rule compute_heteroclinic:
     message:
         "Computing the heteroclinic orbits of scene {wildcards.scene}."
     conda:
-        "../envs/main.yaml"
+        environment
     wildcard_constraints:
         scene="|".join(config["scenes"]["heteroclinic"]),
     script:
@@ -60,7 +60,7 @@ rule evaluate_fronts:
     message:
         "Evaluating fluxes and fronts of the amplitude equations."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/evaluate_fronts.py"
 
@@ -85,6 +85,6 @@ rule compare_periodic_chain:
     message:
         "Solving the ring of scene {wildcards.scene} and its amplitude equations."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/compare_periodic_chain.py"

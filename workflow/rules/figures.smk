@@ -11,7 +11,7 @@ for figure in FIGURES:
         input:
             **figure_inputs(figure),
             template=f"workflow/report/{figure}.rst",
-            modules=sources(f"plot_{figure}"),
+            modules=sources("figure_step", f"plot_{figure}"),
         output:
             pdf=f"<results>/{stem_of(figure)}.pdf",
             png=report(
@@ -23,7 +23,6 @@ for figure in FIGURES:
             caption=f"<results>/{stem_of(figure)}.rst",
             record=f"<results>/{stem_of(figure)}.json",
         params:
-            # The path of a script is read when the job starts, after this loop has ended.
             script=f"plot_{figure}",
             title=verbatim(FIGURES[figure]["title"]),
             alt=verbatim(FIGURES[figure]["alt"]),
@@ -37,10 +36,10 @@ for figure in FIGURES:
         message:
             f"Drawing figure {number_of(figure)}: {FIGURES[figure]['title']}."
         conda:
-            "../envs/main.yaml"
+            environment
         localrule: True
         script:
-            "../scripts/{params.script}.py"
+            "../scripts/figure_step.py"
 
     rule:
         name:

@@ -20,7 +20,7 @@ rule compile_front_kernels:
     message:
         "Compiling the kernels of the exact fronts."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/compile_kernels.py"
 
@@ -42,7 +42,7 @@ rule shoot_front:
     message:
         "Solving the exact front of scene {wildcards.scene}, and what approximates it."
     conda:
-        "../envs/main.yaml"
+        environment
     wildcard_constraints:
         scene="|".join(config["scenes"]["front"]),
     script:
@@ -65,7 +65,7 @@ rule survey_fronts:
     message:
         "Solving exact fronts over exponents and dampings."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/survey_fronts.py"
 
@@ -86,7 +86,7 @@ rule map_critical_damping:
     message:
         "Mapping critical damping and overshoot."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/map_critical_damping.py"
 
@@ -107,7 +107,7 @@ rule compute_multipliers:
     message:
         "Computing the multipliers of exact fronts."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/compute_multipliers.py"
 
@@ -133,7 +133,7 @@ rule tabulate_fronts:
     message:
         "Tabulating the properties of exact fronts and the errors of continuum fronts."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_fronts.py"
 
@@ -156,6 +156,6 @@ rule tabulate_critical_damping:
     message:
         "Tabulating the meanings of critical damping."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_critical_damping.py"

@@ -17,7 +17,7 @@ rule measure_hard_cases:
     message:
         "Solving the hard cases."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/measure_hard_cases.py"
 
@@ -40,7 +40,7 @@ rule tabulate_hard_cases:
     message:
         "Tabulating the hard cases."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_hard_cases.py"
 
@@ -61,7 +61,7 @@ rule measure_stiff_damping:
     message:
         "Measuring explicit and implicit steps over the damping."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/measure_stiff_damping.py"
 
@@ -84,7 +84,7 @@ rule tabulate_stiff_damping:
     message:
         "Comparing explicit and implicit steps at equal error."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_stiff_damping.py"
 

@@ -16,7 +16,7 @@ rule evaluate_materials:
     message:
         "Finding the damping of glass, steel and cork."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/evaluate_materials.py"
 
@@ -36,7 +36,7 @@ rule evaluate_damping_regimes:
     message:
         "Finding where damping is weak."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/evaluate_damping_regimes.py"
 
@@ -57,7 +57,7 @@ rule measure_numerical_damping:
     message:
         "Measuring the damping that the theta-method brings."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/measure_numerical_damping.py"
 
@@ -78,7 +78,7 @@ rule measure_pistons:
     message:
         "Driving fronts with a piston, at once and by a ramp."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/measure_pistons.py"
 
@@ -99,7 +99,7 @@ rule check_jump_conditions:
     message:
         "Measuring fronts of any potentials against the jump conditions."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/check_jump_conditions.py"
 
@@ -122,7 +122,7 @@ rule tabulate_jump_conditions:
     message:
         "Writing the table of jump conditions."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_jump_conditions.py"
 
@@ -145,6 +145,6 @@ rule tabulate_materials:
     message:
         "Writing the table of materials."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_materials.py"

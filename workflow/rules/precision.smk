@@ -30,7 +30,7 @@ rule measure_precision:
     message:
         "Measuring speed against error: {wildcards.family}."
     conda:
-        "../envs/main.yaml"
+        environment
     wildcard_constraints:
         family="|".join(PRECISION_REFERENCES),
     script:
@@ -51,7 +51,7 @@ rule merge_precision:
     message:
         "Joining the measurements of all families of problems."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/merge_precision.py"
 
@@ -77,7 +77,7 @@ rule tabulate_speed_error:
     message:
         "Comparing the methods at equal error."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_speed_error.py"
 
@@ -99,7 +99,7 @@ rule measure_log_burgers:
     message:
         "Measuring speed against error of the solvers of the logarithmic Burgers equation."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/measure_log_burgers.py"
 
@@ -122,7 +122,7 @@ rule tabulate_log_burgers:
     message:
         "Comparing the solvers of the logarithmic Burgers equation."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_log_burgers.py"
 

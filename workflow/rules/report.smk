@@ -53,7 +53,7 @@ rule write_report:
     message:
         "Writing the report."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/write_report.py"
 

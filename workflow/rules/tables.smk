@@ -26,7 +26,7 @@ rule tabulate_paper_numbers:
     message:
         "Comparing the numbers printed in the paper with ours."
     conda:
-        "../envs/main.yaml"
+        environment
     script:
         "../scripts/tabulate_paper_numbers.py"
 

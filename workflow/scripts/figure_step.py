@@ -5,15 +5,18 @@ A plot script holds one function that is given datasets and returns a figure, an
     if __name__ == "__main__":
         run_figure(plot_fig01, globals().get("snakemake"))
 
-Under Snakemake the rule's named input become the datasets. By hand, name their files, the files to
-write, and the texts: ``python workflow/scripts/plot_fig01.py --help``.
+Under Snakemake this file runs for every figure; the rule names the script and the datasets. By
+hand, run the script, with the files to read and to write and the texts: ``python
+workflow/scripts/plot_fig01.py --help``.
 
 The caption is a Jinja template.  Its variables are the names of the datasets, and each stands for
 the configuration that the dataset was computed with, so that a caption cannot speak of other values
 than the picture shows.  Where these are not the paper's, the caption ends with the difference.
 """
 
+import sys
 from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
 from inspect import Parameter, Signature, signature
 from itertools import islice
 from pathlib import Path
@@ -174,3 +177,10 @@ def departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) ->
 def show(value: Any) -> str:
     """A value of a configuration, as a caption names it."""
     return "absent" if value is None else str(value).replace("_", r"\_").replace("*", r"\*")
+
+
+if __name__ == "__main__":
+    if "snakemake" not in globals():
+        sys.exit("Run the script of a figure, for example workflow/scripts/plot_fig01.py.")
+    rule = globals()["snakemake"]
+    run_figure(getattr(import_module(rule.params.script), rule.params.script), rule)
