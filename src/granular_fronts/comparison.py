@@ -52,7 +52,7 @@ def compare_with_chain(scene, name="given"):
     scene : mapping
         One entry of `scenes.periodic` of the configuration.
     name : str, optional
-        What error messages call the scene.
+        What error messages and progress bars call the scene.
 
     Returns
     -------
