@@ -52,28 +52,3 @@ def named_campaign():
             "letters, digits and underscores, a letter first."
         )
     return name
-
-
-checkpoint plan_campaign:
-    input:
-        kernels=campaign_kernels,
-        modules=campaign_sources("plan_campaign"),
-    output:
-        plan="<results>/data/campaigns/{campaign}/plan.json",
-    params:
-        campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
-        name="{campaign}",
-        chunk_seconds=config["chunk_seconds"],
-    log:
-        "<logs>/plan_campaign/{campaign}.log",
-    benchmark:
-        "<benchmarks>/plan_campaign/{campaign}.tsv"
-    threads: 1
-    message:
-        "Planning campaign {wildcards.campaign}."
-    conda:
-        "../envs/main.yaml"
-    wildcard_constraints:
-        campaign=CAMPAIGN_NAME,
-    script:
-        "../scripts/plan_campaign.py"
