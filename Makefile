@@ -11,21 +11,29 @@ export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
-.PHONY: all test slow lint readme clean
+.PHONY: all help test slow lint readme clean
 
-all: .venv/installed
+all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
 	@$(BIN)/snakemake -c2
 
-test: lint
+help: ## Print these targets, and those of the workflow where it is installed.
+	@echo "make TARGET, where TARGET is one of"
+	@awk -F ':.*## ' '/^[a-z.]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@if test -x $(BIN)/snakemake; then \
+	    echo "source .venv/bin/activate; snakemake -c2 TARGET, where TARGET is one of"; \
+	    $(BIN)/snakemake -c1 --quiet host progress reason -- help 2>&1 | grep '^  '; \
+	else echo "The targets of the workflow are shown once make has installed it."; fi
+
+test: lint ## Check the style and run the fast tests.
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
 	@$(BIN)/pytest
 
-slow: .venv/installed
+slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests (seven to eleven minutes)."
 	@$(BIN)/pytest -m slow
 
-lint: .venv/installed
+lint: .venv/installed ## Check the style and the workflow's rules.
 	@echo "Checking style and the workflow's rules."
 	$(call quietly,$(BIN)/ruff check .)
 	$(call quietly,$(BIN)/ruff format --check .)
@@ -47,7 +55,7 @@ lint: .venv/installed
 ifeq ($(MAKECMDGOALS),environment.txt)
 .PHONY: environment.txt
 endif
-environment.txt:
+environment.txt: ## Pin every dependency again.
 	@command -v uv >/dev/null || { \
 	    echo "Remaking environment.txt needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
 	@echo "Pinning every dependency of pyproject.toml in environment.txt."
@@ -56,12 +64,12 @@ environment.txt:
 	    --custom-compile-command "make environment.txt" --output-file $@ pyproject.toml
 
 # The README shows the numbers and the figure of the last run of both targets.
-readme: .venv/installed
+readme: .venv/installed ## Bring the numbers and the figure of the README up to date.
 	@echo "Bringing the numbers and the figure of the README up to date."
 	@$(BIN)/snakemake -c2 precision
 	@$(BIN)/snakemake -c2
 	@$(BIN)/python workflow/scripts/update_readme.py --readme README.md --results results
 
-clean:
+clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."
 	@rm -rf results .snakemake .numba_cache .pytest_cache .ruff_cache .hypothesis

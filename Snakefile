@@ -39,6 +39,7 @@ include: "workflow/rules/campaign.smk"
 include: "workflow/rules/tables.smk"
 include: "workflow/rules/checks.smk"
 include: "workflow/rules/report.smk"
+include: "workflow/rules/help.smk"
 
 
 rule all:

@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 import yaml
 from campaigns import CHAINS, ORBITS, ROOT, all_chunks, campaign, pretend_solved, refusal, solve
+from projects import load_step
 from test_configuration import schema_nodes
 
-from granular_fronts.campaign import chunks, cost, definition, planning
+from granular_fronts.campaign import chunks, cost, definition, plan, planning
 from granular_fronts.campaign.axes import expand_axis
 from granular_fronts.configuration import ConfigurationError
+from granular_fronts.datasets import read_dataset
 
 # Axes.
 
@@ -104,8 +106,11 @@ def test_shipped_campaigns_are_accepted(file):
     definition.load_campaign(file.parent, file.stem)
 
 
-def test_checking_waits_for_no_heavy_import():
-    code = "import granular_fronts.campaign.definition, sys; print({'numpy'} & {*sys.modules})"
+def test_checking_and_reading_a_plan_wait_for_no_heavy_import():
+    code = (
+        "import granular_fronts.campaign.definition, granular_fronts.campaign.plan, sys; "
+        "print({'numpy'} & {*sys.modules})"
+    )
     command = [sys.executable, "-c", code]
     environment = {"PYTHONPATH": str(ROOT / "src")}
     run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
@@ -236,23 +241,80 @@ def test_folder_of_another_campaign_is_refused(tmp_path):
 # Planning.
 
 
+def plan_names(asked, folder):
+    return planning.plan_campaign(asked, folder, chunk_seconds=20.0).chunks
+
+
 def test_plan_is_the_same_list_until_chunks_are_solved(tmp_path):
     asked = campaign(ORBITS, chunk_points=2)
-    names = planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0)
+    names = plan_names(asked, tmp_path)
     assert len(names) == 3
-    assert planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0) == names
+    assert plan_names(asked, tmp_path) == names
     for name in names:
         solve(chunks.read_request(tmp_path / f"{name}.json"), tmp_path)
-    assert sorted(planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0)) == sorted(names)
-    assert "5 of 5 points, 3 of 3 chunks" in planning.tell_progress(tmp_path)
+    again = planning.plan_campaign(asked, tmp_path, chunk_seconds=20.0)
+    assert sorted(again.solved) == sorted(names)
+    assert again.missing == {}
+
+
+def test_plan_is_read_as_it_was_written(tmp_path):
+    made = plan.Plan(7, ["a"], {"b": 2, "c": 1})
+    plan.write_plan(made, tmp_path / "plan.json")
+    assert plan.read_plan(tmp_path / "plan.json") == made
+    assert made.chunks == ["a", "b", "c"]
+
+
+def test_planning_anew_keeps_the_dates_of_requests_and_removes_leftovers(tmp_path):
+    asked = campaign(ORBITS, chunk_points=2)
+    names = plan_names(asked, tmp_path)
+    dates = [(tmp_path / f"{name}.json").stat().st_mtime_ns for name in names]
+    solve(chunks.read_request(tmp_path / f"{names[1]}.json"), tmp_path)
+    (tmp_path / "unfinished-99999999-0123456789abcdef.nc").touch()
+    assert sorted(plan_names(asked, tmp_path)) == sorted(names)
+    assert [(tmp_path / f"{name}.json").stat().st_mtime_ns for name in names] == dates
+    assert not list(tmp_path.glob("unfinished*"))
+
+
+@pytest.mark.parametrize(
+    ("done", "seconds_per_point", "line"),
+    [
+        ([], 0.0, "4 of 7 points, 1 of 3 chunks, 0 min 00 s of processor time left."),
+        (["b"], 40.0, "6 of 7 points, 2 of 3 chunks, 0 min 40 s of processor time left."),
+        (["b", "c", "z"], 1e9, "7 of 7 points, 3 of 3 chunks, 0 min 00 s of processor time left."),
+        ([], 3600.0, "4 of 7 points, 1 of 3 chunks, 3 h 00 min of processor time left."),
+    ],
+)
+def test_progress_counts_what_lies_beside_the_plan(tmp_path, done, seconds_per_point, line):
+    file = tmp_path / "plan.json"
+    plan.write_plan(plan.Plan(7, ["a"], {"b": 2, "c": 1}), file)
+    for name in done:
+        (tmp_path / f"{name}.nc").touch()
+    described = plan.describe_progress(file, seconds_per_point)
+    assert described == f"Campaign {tmp_path.name}: {line}"
+
+
+@pytest.mark.parametrize(
+    "content", [None, "", "{", "[]", '{"points": 0, "solved": [], "missing": {}}', '{"points": 3}']
+)
+def test_no_plan_however_broken_loses_a_solved_chunk(tmp_path, content):
+    """The chunk of this request may belong to a plan that another run has replaced."""
+    solve_chunk = load_step(ROOT / "workflow/scripts/solve_chunk.py")
+    [chunk] = all_chunks(campaign(ORBITS, axes={"mu": [1.0]}), 1)
+    chunks.write_request(chunk, tmp_path)
+    if content is not None:
+        (tmp_path / "plan.json").write_text(content)
+    data = tmp_path / f"{chunk.name}.nc"
+    solve_chunk(tmp_path / f"{chunk.name}.json", data)
+    assert read_dataset(data, scene_id=chunk.name).attrs["points"] == 1
 
 
 def test_chunks_fill_the_wanted_time(tmp_path, monkeypatch):
     monkeypatch.setattr(cost, "measure", lambda campaign: 0.5)
     axes = {"mu": {"linspace": [0.5, 3.0, 90]}}
-    names = planning.plan_campaign(campaign(ORBITS, axes=axes), tmp_path, chunk_seconds=15.0)
-    sizes = [chunks.read_request(tmp_path / f"{name}.json").size for name in names]
-    assert sizes == [30, 30, 30]
+    made = planning.plan_campaign(campaign(ORBITS, axes=axes), tmp_path, chunk_seconds=15.0)
+    assert list(made.missing.values()) == [30, 30, 30]
+    for name, size in made.missing.items():
+        assert chunks.read_request(tmp_path / f"{name}.json").size == size
 
 
 def test_cost_is_measured_once_for_a_campaign_as_it_stands(tmp_path, monkeypatch):

@@ -167,7 +167,7 @@ def test_merged_grid_may_have_its_axes_turned_or_cut(solved_folder):
     assert part["overshoot"].equals(expected)
 
 
-def test_missing_chunk_is_told(solved_folder):
+def test_missing_chunk_is_named(solved_folder):
     asked, files = solved_folder
     with pytest.raises(DatasetError, match="points are in no chunk"):
         merging.merge_chunks(asked, files[1:])
@@ -201,7 +201,7 @@ def test_profile_of_chains_stands_at_the_beads_it_was_taken_at(tmp_path):
     xr.testing.assert_equal(few, final_state(29).sel(bead=few["bead"]))
 
 
-def test_failing_point_is_told_and_the_others_are_solved(tmp_path):
+def test_failing_point_has_a_reason_and_the_others_are_solved(tmp_path):
     """A run too short for the front to pass the middle fails; the campaign goes on."""
     asked = campaign(
         axes={"crossings": [0.3, 1.2], "gamma": [0.1, 0.3]},

@@ -1,6 +1,7 @@
 """Compiled code: a kernel's cache must notice a change in every function the kernel calls."""
 
 import importlib
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -46,6 +47,39 @@ def test_kernel_decorates_with_and_without_options():
     assert kernel(double)(3) == with_options(3) == 6
     assert with_options.targetoptions["fastmath"]
     assert isinstance(with_options, numba.core.registry.CPUDispatcher)
+
+
+STEP_ON_A_GRID = """
+from granular_fronts.continuum import upwind
+for _ in range(2):
+    upwind.evolve_upwind([0.5] * 8, 1.0, 1.0e-3)
+"""
+NOTICE = (
+    "Compiling the kernels of the amplitude equations; this happens once and takes up to a "
+    "minute.\n"
+)
+
+
+def test_one_line_says_that_kernels_are_compiled_and_none_where_they_are_cached(tmp_path):
+    environment = {
+        **os.environ,
+        "NUMBA_CACHE_DIR": str(tmp_path),
+        "PYTHONPATH": str(SOURCES.parent),
+    }
+    command = [sys.executable, "-c", STEP_ON_A_GRID]
+    for expected in (NOTICE, ""):
+        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        assert run.stderr == expected
+        assert run.stdout == ""
+
+
+def test_compiling_what_is_no_kernel_is_not_announced(capsys):
+    @numba.njit
+    def user_law(r):
+        return r * r
+
+    assert user_law(2.0) == 4.0
+    assert capsys.readouterr().err == ""
 
 
 COUNT_AFTER_WARM_UP = """

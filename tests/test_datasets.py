@@ -10,7 +10,6 @@ from chains import driven_scene
 
 from granular_fronts.chain import simulate_chain
 from granular_fronts.datasets import DatasetError, long_name, read_dataset, write_dataset
-from granular_fronts.files import complete_file
 
 
 @pytest.fixture(scope="module")
@@ -90,24 +89,3 @@ def test_foreign_file_is_refused(tmp_path):
 def test_file_of_another_scene_is_refused(path):
     with pytest.raises(DatasetError, match="holds scene short, but long is expected"):
         read_dataset(path, "long")
-
-
-def test_a_failed_write_leaves_nothing(tmp_path):
-    def fail():
-        with complete_file(tmp_path / "result.txt") as unfinished:
-            unfinished.write_text("half")
-            raise RuntimeError
-
-    with pytest.raises(RuntimeError):
-        fail()
-    assert not list(tmp_path.iterdir())
-
-
-def test_an_interrupted_write_keeps_the_old_file(tmp_path):
-    target = tmp_path / "result.txt"
-    target.write_text("old")
-    with complete_file(target) as unfinished:
-        unfinished.write_text("new")
-        assert target.read_text() == "old"
-    assert target.read_text() == "new"
-    assert list(tmp_path.iterdir()) == [target]

@@ -94,15 +94,14 @@ def test_unknown_module_is_refused():
 
 def test_every_rule_stands_on_the_imports_of_its_script():
     text = "\n".join(file.read_text() for file in sorted((ROOT / "workflow/rules").glob("*.smk")))
-    rules = [
-        rule for rule in re.split(r"^(?=rule )", text, flags=re.MULTILINE) if "script:" in rule
-    ]
+    parts = re.split(r"^(?=rule |checkpoint )", text, flags=re.MULTILINE)
+    rules = [rule for rule in parts if "script:" in rule]
     for rule in rules:
         script = re.search(r"/scripts/(\w+)\.py", rule)[1]
         by_string = "import_module(" in FILES[script].read_text()
         asked = f'=sources("{script}", ' if by_string else f'=sources("{script}")'
-        if script == "solve_chunk":  # What it imports depends on the campaign.
-            asked = "=campaign_sources"
+        if script in ("plan_campaign", "solve_chunk"):  # What they import depends on the campaign.
+            asked = f'=campaign_sources("{script}")'
         assert asked in rule, f"{script} is not asked for"
 
 

@@ -52,7 +52,7 @@ def compare_with_chain(scene, name="given"):
     scene : mapping
         One entry of `scenes.periodic` of the configuration.
     name : str, optional
-        What error messages call the scene.
+        What error messages and progress bars call the scene.
 
     Returns
     -------
@@ -71,8 +71,8 @@ def compare_with_chain(scene, name="given"):
     scene = check_scene("periodic", scene, name)
     dataset = simulate_chain(make_chain_scene(scene), name)
     for equation in (LOGARITHMIC, UNLIMITED):
-        told = _solve_equation(scene, equation, dataset)
-        dataset = dataset.merge(told, combine_attrs="no_conflicts")
+        solved = _solve_equation(scene, equation, dataset)
+        dataset = dataset.merge(solved, combine_attrs="no_conflicts")
     return dataset.merge(_solve_upwind(scene, dataset), combine_attrs="no_conflicts")
 
 
@@ -180,12 +180,12 @@ def _solve_upwind(scene, dataset):
         positions = start_positions(scene, dataset["site"]) - moved
         rows[t] = np.interp(positions, xi, values, period=2.0 * half_length)
     force = np.array([rows[t] for t in scene["record"]["snapshots"]])
-    told = xr.Dataset(coords={"t": dataset["t"], "site": dataset["site"]})
+    solved = xr.Dataset(coords={"t": dataset["t"], "site": dataset["site"]})
     for field, _, convert in _fields(scene):
         accurate, curve = dataset[f"{field}_{LOGARITHMIC}"], convert(force)
         attributes = {
             "error_estimate": float(np.abs(accurate.values - curve).max()),
             "error_method": "largest difference to the sixth-order finite volumes",
         }
-        told[f"{field}_upwind"] = (("t", "site"), curve, attributes)
-    return told
+        solved[f"{field}_upwind"] = (("t", "site"), curve, attributes)
+    return solved

@@ -4,14 +4,20 @@ Numba notices a change in the file of a compiled function, but not in the files 
 calls.  Here the cache folder of a kernel carries a digest of its own wing and of the wings that
 this one calls, so that stale machine code cannot be used, and a change in one wing leaves the
 kernels of the others alone.
+
+Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
+while.  Numba itself reports each compilation, so that the line comes when there is one and not
+otherwise.
 """
 
 import functools
 import hashlib
 import os
+import sys
 from pathlib import Path
 
 import numba
+from numba.core import event
 
 SOURCES = Path(__file__).parent
 
@@ -21,6 +27,43 @@ CALLED_WINGS = {
     "fronts": ("chain", "elementary"),
 }
 """The folders whose kernels the kernels of a folder call, besides their own."""
+
+WINGS_IN_WORDS = {
+    "chain": "the chain",
+    "continuum": "the amplitude equations",
+    "fronts": "the exact fronts",
+}
+
+_wing_of_kernel = {}
+"""The wing of each function that `kernel` compiles; a user's functions are not among them."""
+
+
+class CompilationNotice(event.Listener):
+    """Says for each wing, once in a process, that kernels of it are compiled."""
+
+    def __init__(self):
+        self.depth = 0
+        self.announced = set()
+
+    def on_start(self, event):
+        """Announce the wing of a kernel that is compiled for itself and not for one calling it."""
+        wing = _wing_of_kernel.get(event.data["dispatcher"].py_func)
+        if self.depth == 0 and wing and wing not in self.announced:
+            self.announced.add(wing)
+            print(
+                f"Compiling the kernels of {WINGS_IN_WORDS.get(wing, wing)}; this happens once "
+                "and takes up to a minute.",
+                file=sys.stderr,
+                flush=True,
+            )
+        self.depth += 1
+
+    def on_end(self, event):
+        """Come back to the kernel that calls the compiled one, if any."""
+        self.depth -= 1
+
+
+event.register("numba:compile", CompilationNotice())
 
 
 def kernel(function=None, /, **options):
@@ -42,6 +85,7 @@ def kernel(function=None, /, **options):
     def compile_cached(function):
         wing = Path(function.__code__.co_filename).parent.name
         numba.config.CACHE_DIR = str(cache_folder(wing))
+        _wing_of_kernel[function] = wing
         return numba.njit(cache=True, **options)(function)
 
     return compile_cached(function) if function else compile_cached

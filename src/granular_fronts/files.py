@@ -1,9 +1,30 @@
-"""Files that appear under their name only when they are complete."""
+"""Files that appear under their name only when they are complete, and a full disk named as such.
 
+A file is written under the name ``unfinished-PID-NAME`` and renamed once all of it is on the disk.
+A process that is killed leaves its unfinished file behind; the next one that writes the same file
+removes it.
+"""
+
+import errno
 import os
+import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+
+FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT})
+"""What the system answers where a disk, or the user's share of it, is full."""
+
+PROBE_BYTES = 2**20
+
+
+class NoSpaceError(OSError):
+    """A file that did not fit on its disk: in which folder."""
+
+    def __init__(self, folder: Path | str):
+        super().__init__(
+            f"There is no space left in {folder}: free some and run the same command again."
+        )
 
 
 @contextmanager
@@ -19,12 +40,75 @@ def complete_file(path: Path | str) -> Iterator[Path]:
     ------
     Path
         A name in the same folder and with the same ending. If the block fails, nothing is left.
+
+    Raises
+    ------
+    NoSpaceError
+        If the block fails because the disk is full.
     """
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
     unfinished = path.with_name(f"unfinished-{os.getpid()}-{path.name}")
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        remove_leftovers(path.parent, path.name)
         yield unfinished
+        _store(unfinished)
         os.replace(unfinished, path)
+    except (OSError, RuntimeError) as error:
+        # The netCDF library says "HDF error", and not why a write failed.
+        if is_full(error) or _is_disk_full(unfinished):
+            raise NoSpaceError(path.parent) from error
+        raise
     finally:
-        unfinished.unlink(missing_ok=True)
+        with suppress(FileNotFoundError, NotADirectoryError):
+            unfinished.unlink()
+
+
+def is_full(error: BaseException) -> bool:
+    """Whether an error is the system's answer that a disk is full."""
+    return isinstance(error, OSError) and error.errno in FULL_DISK
+
+
+def remove_leftovers(folder: Path, name: str | None = None) -> None:
+    """Remove the unfinished files of processes that have ended.
+
+    Parameters
+    ----------
+    folder : Path
+    name : str, optional
+        Final name of the files; all names by default.
+    """
+    pattern = re.compile(rf"unfinished-(\d+)-{'.+' if name is None else re.escape(name)}")
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            match = pattern.fullmatch(entry.name)
+            if match and not _is_running(int(match[1])):
+                Path(entry.path).unlink(missing_ok=True)
+
+
+def _is_running(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except PermissionError:
+        return True
+    return True
+
+
+def _store(file: Path) -> None:
+    """Wait until a file is on the disk, so that a machine that stops leaves no empty one."""
+    with open(file, "rb") as opened:
+        os.fsync(opened.fileno())
+
+
+def _is_disk_full(file: Path) -> bool:
+    """Whether a file that could not be written has no room to grow, found by trying it."""
+    try:
+        with open(file, "ab") as opened:
+            opened.write(bytes(PROBE_BYTES))
+            opened.flush()
+            os.fsync(opened.fileno())
+    except OSError as error:
+        return is_full(error)
+    return False

@@ -4,11 +4,36 @@
 include: "campaign_plan.smk"
 
 
+checkpoint plan_campaign:
+    input:
+        kernels=campaign_kernels,
+        modules=campaign_sources("plan_campaign"),
+    output:
+        plan="<results>/data/campaigns/{campaign}/plan.json",
+    params:
+        campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
+        name="{campaign}",
+        chunk_seconds=config["chunk_seconds"],
+    log:
+        "<logs>/plan_campaign/{campaign}.log",
+    benchmark:
+        "<benchmarks>/plan_campaign/{campaign}.tsv"
+    threads: 1
+    message:
+        "Planning campaign {wildcards.campaign}."
+    conda:
+        environment
+    wildcard_constraints:
+        campaign=CAMPAIGN_NAME,
+    script:
+        "../scripts/plan_campaign.py"
+
+
 rule solve_chunk:
     input:
-        kernels=lambda wildcards: campaign_kernels(wildcards.campaign),
+        # A request has no rule: planning writes those that are not there, and none anew.
         request="<results>/data/campaigns/{campaign}/{chunk}.json",
-        modules=campaign_sources,
+        modules=campaign_sources("solve_chunk"),
     output:
         dataset="<results>/data/campaigns/{campaign}/{chunk}.nc",
     log:
@@ -21,7 +46,7 @@ rule solve_chunk:
     conda:
         environment
     wildcard_constraints:
-        campaign="[a-z][a-z0-9_]*",
+        campaign=CAMPAIGN_NAME,
         chunk="[0-9a-f]{16}",
     script:
         "../scripts/solve_chunk.py"
@@ -46,7 +71,7 @@ rule merge_campaign:
     conda:
         environment
     wildcard_constraints:
-        campaign="[a-z][a-z0-9_]*",
+        campaign=CAMPAIGN_NAME,
     localrule: True
     script:
         "../scripts/merge_campaign.py"
@@ -69,7 +94,7 @@ rule summarise_campaign:
     conda:
         environment
     wildcard_constraints:
-        campaign="[a-z][a-z0-9_]*",
+        campaign=CAMPAIGN_NAME,
     localrule: True
     script:
         "../scripts/summarise_campaign.py"
@@ -77,6 +102,8 @@ rule summarise_campaign:
 
 rule campaign:
     input:
-        named_campaign,
+        table=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}.md",
+        dataset=lambda wildcards: f"{config['results']}/data/campaigns/{named_campaign()}.nc",
+        chunks=lambda wildcards: campaign_chunks(named_campaign()),
     message:
-        "The campaign is done: {input}."
+        "The campaign is done: {input.table}, {input.dataset}."

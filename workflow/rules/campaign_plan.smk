@@ -1,6 +1,14 @@
-"""The plan of a campaign, made when a campaign is asked for and not before."""
+"""Campaigns are planned by a job; a dry run measures nothing and writes nothing."""
+
+import re
 
 CAMPAIGNS = os.path.join(workflow.basedir, "config", "campaigns")
+CAMPAIGN_NAME = "[a-z][a-z0-9_]*"
+KERNELS_OF_KIND = {
+    "chain": rules.compile_kernels.output.stamp,
+    "front": rules.compile_front_kernels.output.stamp,
+    "heteroclinic": rules.compile_continuum_kernels.output.stamp,
+}
 
 
 @cache
@@ -14,34 +22,33 @@ def campaign_of(name):
         sys.exit(f"The campaign cannot be computed.\n{error}")
 
 
-@cache
+def campaign_kernels(wildcards):
+    """Return the stamp of the kernels that solve a campaign."""
+    return KERNELS_OF_KIND[campaign_of(wildcards.campaign).kind_name]
+
+
+def campaign_sources(script):
+    """Return an input function that finds the files that a script and a campaign's kind stand on."""
+    return lambda wildcards: source_files(script, campaign_of(wildcards.campaign).kind.module)
+
+
 def campaign_chunks(name):
-    """Plan a campaign; return the files of its chunks."""
-    from granular_fronts.campaign.planning import plan_campaign
+    """Return the files of the chunks of a campaign, once it is planned."""
+    from granular_fronts.campaign.plan import read_plan
 
-    folder = os.path.join(config["results"], "data", "campaigns", name)
-    try:
-        chunks = plan_campaign(campaign_of(name), Path(folder), config["chunk_seconds"])
-    except ConfigurationError as error:
-        sys.exit(f"The campaign cannot be computed.\n{error}")
-    return [os.path.join(folder, f"{chunk}.nc") for chunk in chunks]
+    file = checkpoints.plan_campaign.get(campaign=name).output.plan
+    return [os.path.join(os.path.dirname(file), f"{chunk}.nc") for chunk in read_plan(file).chunks]
 
 
-def campaign_sources(wildcards):
-    """Return the files that the numbers of a campaign stand on."""
-    return source_files("solve_chunk", campaign_of(wildcards.campaign).kind.module)
-
-
-def campaign_kernels(name):
-    """Return the stamp of the chain's kernels where a campaign moves chains.
-
-    Measuring what a point costs has compiled the other kernels.
-    """
-    return rules.compile_kernels.output.stamp if campaign_of(name).kind_name == "chain" else []
-
-
-def named_campaign(wildcards):
-    """Return the table of the campaign that the command names."""
+def named_campaign():
+    """Return the name that the command gives, of a campaign that can be computed."""
     if "campaign" not in config:
         sys.exit("Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke.")
-    return f"{config['results']}/tables/campaign_{config['campaign']}.md"
+    name = str(config["campaign"])
+    campaign_of(name)
+    if not re.fullmatch(CAMPAIGN_NAME, name):
+        sys.exit(
+            f"Campaign {name} cannot be computed under this name: give its file one of lower-case "
+            "letters, digits and underscores, a letter first."
+        )
+    return name

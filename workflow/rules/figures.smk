@@ -47,6 +47,7 @@ for figure in FIGURES:
         input:
             figure_files(figure),
             [data_file(dataset) for dataset in datasets_of(figure)],
+            campaign_chunks_behind(figure),
         message:
             f"Figure {number_of(figure)} is drawn."
 

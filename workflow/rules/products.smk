@@ -59,6 +59,17 @@ def figure_files(figure):
     return [f"<results>/{stem_of(figure)}.{ending}" for ending in ("pdf", "png", "rst", "json")]
 
 
+def campaign_chunks_behind(figure):
+    """Return a function that finds the chunks of the campaigns behind a figure.
+
+    A chunk that a failed or killed job has lost is missed, even where an older merged file is.
+    """
+    campaigns = [name for name in datasets_of(figure) if name.startswith("campaigns/")]
+    return lambda wildcards: [
+        chunk for name in campaigns for chunk in campaign_chunks(name.removeprefix("campaigns/"))
+    ]
+
+
 def table_files(table):
     """Return the table in two formats, and the record of what it was made from."""
     return [f"<results>/tables/{table}.{ending}" for ending in ("csv", "md", "json")]

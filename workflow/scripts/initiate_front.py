@@ -23,7 +23,8 @@ def initiate_front(scene: dict, scene_id: str, dataset: Path) -> None:
     dataset : Path
         The netCDF file to write.
     """
-    write_dataset(simulate_chain(scene), dataset, scene_id=scene_id, config=scene)
+    solved = simulate_chain(scene, scene_id)
+    write_dataset(solved, dataset, scene_id=scene_id, config=scene)
 
 
 if __name__ == "__main__":

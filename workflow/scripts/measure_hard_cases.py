@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
-from tqdm import tqdm
 
 from granular_fronts.datasets import write_dataset
 from granular_fronts.hard_cases.event_orders import fitted_order, measure_orders
 from granular_fronts.hard_cases.registry import run_case
+from granular_fronts.progress import counted
 from step import run_step
 
 REFUSED = dict.fromkeys(("problem", "expected", "criterion", "quantity"), "") | dict.fromkeys(
@@ -30,7 +30,7 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
     dataset : Path
         The netCDF file to write, on (case) and (method, rung).
     """
-    rows = [measure_case(name) for name in tqdm(cases, desc="hard cases", delay=2.0)]
+    rows = [measure_case(name) for name in counted(cases, "hard cases", "case")]
     measured = pd.DataFrame(rows).set_index("case").to_xarray()
     measured["seconds"].attrs["units"] = "s"
     error_method = "this is the distance to an answer known another way, see criterion"

@@ -26,13 +26,13 @@ from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
-from tqdm import tqdm
 
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.fourier import evolve_fourier
 from granular_fronts.continuum.solution import START_LEVELS, solve
 from granular_fronts.continuum.starts import make_start
 from granular_fronts.datasets import write_dataset
+from granular_fronts.progress import counted
 from granular_fronts.slow_scales import scaling_of
 from step import run_step
 
@@ -119,7 +119,7 @@ def measure_scene(name: str, problem: dict, scene: dict) -> list[dict]:
         run.solve()
     seconds, finish = [np.inf] * len(runs), [None] * len(runs)
     turns = list(product(range(problem["repeats"]), enumerate(runs)))
-    for _, (index, run) in tqdm(turns, desc=f"precision, {name}", delay=2.0):
+    for _, (index, run) in counted(turns, f"precision, {name}", "run"):
         least, finish[index] = time_turn(run.solve)
         seconds[index] = min(seconds[index], least)
     outcomes = [last() for last in finish]

@@ -20,9 +20,9 @@ from peers import one_thread  # noqa: F401
 # isort: split
 import pandas as pd
 import xarray as xr
-from tqdm import tqdm
 
 from granular_fronts.datasets import write_dataset
+from granular_fronts.progress import counted
 from peers.record import Run
 from problems.problem import errors_of
 from step import LOGGER, run_step
@@ -123,7 +123,7 @@ def measure(name, problem, settings, methods):
     points.sort(key=lambda point: -point[1])
     best = {}
     turns = product(range(settings["repeats"]), points)
-    for _, point in tqdm(list(turns), desc=f"precision, {name}", delay=2.0):
+    for _, point in counted(turns, f"precision, {name}", "run"):
         if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
             continue
         run = attempt(problem, *point)

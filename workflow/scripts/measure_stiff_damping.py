@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
-from tqdm import tqdm
 
 from granular_fronts.chain import stiff
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
 from granular_fronts.datasets import write_dataset
+from granular_fronts.progress import counted
 from step import run_step
 
 METHODS = {"explicit": math.inf, "implicit": 0.0}
@@ -35,7 +35,7 @@ def measure_stiff_damping(problem: dict, dataset: Path) -> None:
         The netCDF file to write, on (gamma, method, tolerance).
     """
     rows, own_errors, stiffnesses = [], [], []
-    for gamma in tqdm(problem["gammas"], desc="stiff damping", delay=2.0):
+    for gamma in counted(problem["gammas"], "stiff damping", "damping"):
         references = {name: run_once(problem, gamma, name, TIGHTEST)["state"] for name in METHODS}
         expected = references["implicit"]
         own_errors.append(np.abs(references["explicit"] - expected).max())

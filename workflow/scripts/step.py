@@ -7,20 +7,44 @@ A script holds one function with named, typed arguments and ends with ::
 
 Under Snakemake the rule's named input, output and params become the arguments. By hand, ``python
 workflow/scripts/<script>.py --help`` lists them: the command line is made from the same function.
+
+The log file of a rule begins with the step and its arguments. It holds all that the step and its
+libraries print, and where a step fails its traceback; the last line is then the sentence that the
+terminal shows.
 """
 
 import argparse
 import logging
+import os
 import re
 import sys
-from collections.abc import Callable
+import threading
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout, suppress
+from datetime import datetime
 from inspect import signature
 from pathlib import Path
-from typing import Any
+from textwrap import shorten
+from typing import Any, TextIO
 
 import yaml
 
+from granular_fronts.files import NoSpaceError, is_full
+
 LOGGER = logging.getLogger("granular_fronts")
+
+EXIT_INTERRUPTED = 130
+"""What a program ends with that Ctrl-C has stopped."""
+
+RUN = "GRANULAR_FRONTS_RUN"
+"""Environment variable with the process number of the workflow's run, set by its rules."""
+
+SECONDS_BETWEEN_LOOKS = 0.5
+
+LONGEST_ARGUMENT = 80
+"""Characters that the log file shows of an argument."""
 
 
 def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
@@ -29,22 +53,100 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
     Parameters
     ----------
     function : callable
-        The step. A ValueError it raises ends the run with its sentence alone; the log file of
-        the rule also keeps where it came from.
+        The step. A ValueError it raises, or a full disk, ends the run with its sentence alone; the
+        log file of the rule also keeps where it came from.
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.
     """
+    if run := os.environ.get(RUN):
+        end_with(int(run))
     arguments = from_workflow(function, snakemake) if snakemake else from_command_line(function)
-    start_log(next(iter(snakemake.log), None) if snakemake else None)
+    file = next(iter(snakemake.log), None) if snakemake else None
+    with copied_output(file) as write_to_log, messages_on_terminal():
+        write_to_log(describe_call(function, arguments))
+        try:
+            function(**arguments)
+        except KeyboardInterrupt:
+            write_to_log(traceback.format_exc())
+            LOGGER.error("Interrupted: run the same command again to go on.")
+            sys.exit(EXIT_INTERRUPTED)
+        except (ValueError, NoSpaceError) as error:
+            write_to_log(traceback.format_exc())
+            LOGGER.error("%s", error)
+            sys.exit(1)
+        except Exception as error:
+            traceback.print_exc()
+            LOGGER.error("%s", describe_unexpected(error))
+            sys.exit(1)
+
+
+def end_with(run: int) -> None:
+    """End this process when the run that started it has ended, however it did.
+
+    A job that outlives a killed run could write over what a later run has made for another
+    configuration.
+
+    Parameters
+    ----------
+    run : int
+        Process number of the run.
+    """
+
+    def watch() -> None:
+        while is_alive(run):
+            time.sleep(SECONDS_BETWEEN_LOOKS)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def is_alive(process: int) -> bool:
+    """Whether there is a process of this number."""
     try:
-        function(**arguments)
-    except ValueError as error:
-        LOGGER.error("%s", error)
-        LOGGER.debug("The sentence above was raised here:", exc_info=True)
-        sys.exit(1)
-    except Exception:
-        LOGGER.exception("The step failed unexpectedly.")
-        sys.exit(1)
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        return True
+    return True
+
+
+def describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> str:
+    """The first line of a log file: when which step started, and with which arguments.
+
+    Parameters
+    ----------
+    function : callable
+        The step.
+    arguments : dict
+        Its arguments, shown up to `LONGEST_ARGUMENT` characters each.
+
+    Returns
+    -------
+    str
+    """
+    given = (
+        f"{name}={shorten(str(value), LONGEST_ARGUMENT, placeholder=' …')}"
+        for name, value in arguments.items()
+    )
+    return f"{datetime.now():%Y-%m-%d %H:%M:%S} {function.__name__}: {', '.join(given)}\n"
+
+
+def describe_unexpected(error: Exception) -> str:
+    """The sentence for an error that no sentence was written for; a full disk is named as such.
+
+    Parameters
+    ----------
+    error : Exception
+
+    Returns
+    -------
+    str
+    """
+    if is_full(error):
+        return str(NoSpaceError(Path(error.filename or ".").absolute().parent))
+    reason = " ".join(str(error).split())
+    return f"The step failed unexpectedly, {type(error).__name__}: {reason}"
 
 
 def from_workflow(function: Callable[..., None], snakemake: Any) -> dict[str, Any]:
@@ -160,17 +262,111 @@ def load_yaml_or_leaf(text: str) -> Any:
     return value
 
 
-def start_log(file: str | None) -> None:
-    """Send the project's messages to the terminal and to the log file of the rule.
+@contextmanager
+def messages_on_terminal() -> Iterator[None]:
+    """Show the project's warnings and errors while the block runs."""
+    terminal = logging.StreamHandler()
+    LOGGER.addHandler(terminal)
+    try:
+        yield
+    finally:
+        LOGGER.removeHandler(terminal)
+
+
+@contextmanager
+def copied_output(file: str | None) -> Iterator[Callable[[str], None]]:
+    """Copy what the block prints into a log file.
+
+    What libraries print past Python goes into the log file alone.
 
     Parameters
     ----------
     file : str or None
-        The log file; none on the command line.
+        The log file; without one nothing is copied. Where it cannot be written, since its disk is
+        full, the terminal still shows everything.
+
+    Yields
+    ------
+    callable
+        Writes a text into the log file alone.
     """
-    LOGGER.setLevel(logging.DEBUG)
-    terminal = logging.StreamHandler()
-    terminal.setLevel(logging.WARNING if file else logging.INFO)
-    LOGGER.addHandler(terminal)
-    if file:
-        LOGGER.addHandler(logging.FileHandler(file, mode="w", encoding="utf-8"))
+    if file is None:
+        yield lambda text: None
+        return
+    with ExitStack() as stack:
+        log = stack.enter_context(open_log(file))
+
+        def write_to_log(text: str) -> None:
+            with suppress(OSError):
+                log.write(text.encode())
+
+        streams = [stack.enter_context(own_stream(stream)) for stream in (sys.stdout, sys.stderr)]
+        for descriptor in (1, 2):
+            stack.enter_context(redirected(descriptor, log.fileno()))
+        stdout, stderr = (CopyingStream(stream, write_to_log) for stream in streams)
+        for stream in (stdout, stderr):
+            stack.callback(stream.end_line)
+        stack.enter_context(redirect_stdout(stdout))
+        stack.enter_context(redirect_stderr(stderr))
+        yield write_to_log
+
+
+def open_log(file: str) -> Any:
+    """Open a log file, or nothing where there is no space for one."""
+    try:
+        return open(file, "wb", buffering=0)
+    except OSError:
+        return open(os.devnull, "wb", buffering=0)
+
+
+@contextmanager
+def own_stream(stream: TextIO) -> Iterator[TextIO]:
+    """A stream to the same terminal on a descriptor of its own, or itself where it has none."""
+    try:
+        descriptor = os.dup(stream.fileno())
+    except OSError:
+        yield stream
+        return
+    with open(descriptor, "w", encoding="utf-8", errors="replace", buffering=1) as own:
+        yield own
+
+
+@contextmanager
+def redirected(descriptor: int, target: int) -> Iterator[None]:
+    """Let what is written to a descriptor go to another while the block runs."""
+    saved = os.dup(descriptor)
+    os.dup2(target, descriptor)
+    try:
+        yield
+    finally:
+        os.dup2(saved, descriptor)
+        os.close(saved)
+
+
+class CopyingStream:
+    """A stream to the terminal whose lines are copied, in all else the terminal's.
+
+    Parameters
+    ----------
+    terminal : text stream
+    copy : callable
+        Takes each line; of a progress bar its last state.
+    """
+
+    def __init__(self, terminal: TextIO, copy: Callable[[str], None]):
+        self._terminal, self._copy, self._line = terminal, copy, ""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._terminal, name)
+
+    def write(self, text: str) -> int:
+        """Write to the terminal, and copy the lines that end here."""
+        *lines, self._line = (self._line + text).split("\n")
+        for line in lines:
+            self._copy(line.rpartition("\r")[2] + "\n")
+        return self._terminal.write(text)
+
+    def end_line(self) -> None:
+        """Copy the line that has not ended."""
+        if self._line:
+            self._copy(self._line.rpartition("\r")[2] + "\n")

@@ -1,4 +1,4 @@
-"""Tell how a campaign ended: points solved and failed, why, the range of every scalar, the work.
+"""Sum up a campaign: points solved and failed, why, the range of every scalar, the work.
 
 python workflow/scripts/summarise_campaign.py --dataset results/data/campaigns/smoke.nc
     --csv smoke.csv --markdown smoke.md
@@ -31,7 +31,7 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
     scalars = describe_scalars(merged)
     with complete_file(csv) as unfinished:
         scalars.to_csv(unfinished, index=False)
-    opening = tell_work(merged)
+    opening = describe_work(merged)
     with complete_file(markdown) as unfinished:
         shown = scalars.copy()
         for column, style in FORMATS.items():
@@ -45,7 +45,7 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
     print(opening, file=sys.stderr)
 
 
-def tell_work(merged):
+def describe_work(merged):
     """One sentence on points, failures and the processor time they took."""
     attributes = merged.attrs
     return (

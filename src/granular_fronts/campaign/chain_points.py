@@ -14,12 +14,12 @@ with the tolerance divided by `REFINEMENT`; the largest difference is the error 
 """
 
 import numpy as np
-from tqdm import tqdm
 
 from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.progress import counted
 
 REFINED_EVERY = 25
 REFINEMENT = 10.0
@@ -31,7 +31,7 @@ ARRIVAL_LEVEL = 0.5
 ABSOLUTE_TO_RELATIVE = 0.01
 
 
-def solve_chunk(points, settings):
+def solve_chunk(points, settings, activity):
     """Solve driven chains one after the other.
 
     Parameters
@@ -40,6 +40,8 @@ def solve_chunk(points, settings):
         Parameters of kind ``chain``.
     settings : dict
         `tolerance` (relative, per step), `scalars`, `profile` in bead numbers.
+    activity : str
+        What the progress bar says.
 
     Returns
     -------
@@ -55,7 +57,7 @@ def solve_chunk(points, settings):
     errors = dict.fromkeys(values, np.nan)
     tolerance = settings["tolerance"]
     indices = list(np.ndindex(shape))
-    for number, index in enumerate(tqdm(indices, desc="solving", unit="point", delay=2.0)):
+    for number, index in enumerate(counted(indices, activity, "point")):
         point = {name: value[index] for name, value in points.items()}
         try:
             measured = _solve_point(point, tolerance, beads)

@@ -99,7 +99,7 @@ def find_missing(campaign: Campaign, folder: Path) -> tuple[list[str], np.ndarra
 
 
 def claim_folder(campaign: Campaign, folder: Path) -> None:
-    """Mark a folder as a campaign's, or refuse one that belongs to another.
+    """Mark a folder as a campaign's, or raise if it belongs to another.
 
     Parameters
     ----------

@@ -69,7 +69,7 @@ def time_sample(sample: list[Chunk]) -> float:
     """Solve pieces and return the processor time of a point."""
     start = time.process_time()
     for chunk in sample:
-        KINDS[chunk.kind].solve_chunk(chunk.points(), chunk.settings)
+        KINDS[chunk.kind].solve_chunk(chunk.points(), chunk.settings, "measuring the cost")
     return (time.process_time() - start) / sum(chunk.size for chunk in sample)
 
 

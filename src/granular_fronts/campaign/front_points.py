@@ -7,11 +7,11 @@ where it is real.
 """
 
 import numpy as np
-from tqdm import tqdm
 
 from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.fronts.sweep import ERROR_METHOD, sweep_fronts
+from granular_fronts.progress import count_bar
 
 SWEPT_AS = {"profile_error": "error_estimate"}
 """Scalars that the sweep knows by another name."""
@@ -19,7 +19,7 @@ SWEPT_AS = {"profile_error": "error_estimate"}
 EXACT_TO_ROUNDING = ("tail_rate", "tail_frequency")
 
 
-def solve_chunk(points, settings):
+def solve_chunk(points, settings, activity):
     """Solve fronts.
 
     Parameters
@@ -28,6 +28,8 @@ def solve_chunk(points, settings):
         Parameters of kind ``front``.
     settings : dict
         `scalars`, and `profile` in ξ; a front is always solved to round-off.
+    activity : str
+        What the progress bar says.
 
     Returns
     -------
@@ -37,7 +39,7 @@ def solve_chunk(points, settings):
     values = {name: np.full(gamma.size, np.nan) for name in settings["scalars"]}
     reasons, errors = np.full(gamma.size, "", dtype=object), dict.fromkeys(values, np.nan)
     laws, law_of_point = np.unique(np.stack([alpha, beta]), axis=1, return_inverse=True)
-    with tqdm(total=gamma.size, desc="solving", unit="point", delay=2.0) as progress:
+    with count_bar(activity, gamma.size, "point") as bar:
         for number, (law_alpha, law_beta) in enumerate(laws.T):
             members = np.flatnonzero(law_of_point.ravel() == number)
             sweep = sweep_fronts(law_alpha, gamma[members], law_beta)
@@ -45,7 +47,7 @@ def solve_chunk(points, settings):
                 values[name][members] = sweep[SWEPT_AS.get(name, name)]
                 errors[name] = np.fmax(errors[name], _error(sweep, name))
             reasons[members] = sweep["reason"].values
-            progress.update(members.size)
+            bar.update(members.size)
     if settings["profile"] is not None:
         _add_profiles(values, errors, (alpha, gamma, beta), reasons, settings["profile"])
     for value in values.values():

@@ -7,11 +7,11 @@ another order; rates from its extrema.  See `granular_fronts.continuum.heterocli
 import math
 
 import numpy as np
-from tqdm import tqdm
 
 from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.continuum.heteroclinic import compute_orbit, heteroclinic
 from granular_fronts.continuum.survey import measure_rates
+from granular_fronts.progress import counted
 
 ERROR_METHOD = (
     "largest difference to the orbit traced with another order; of a rate, its change along the "
@@ -20,7 +20,7 @@ ERROR_METHOD = (
 RESOLVED = 2.0**-52
 
 
-def solve_chunk(points, settings):
+def solve_chunk(points, settings, activity):
     """Compute heteroclinic orbits one after the other.
 
     Parameters
@@ -29,6 +29,8 @@ def solve_chunk(points, settings):
         Parameter `mu`.
     settings : dict
         `scalars`, and `profile` in s; the orbit is always traced to round-off.
+    activity : str
+        What the progress bar says.
 
     Returns
     -------
@@ -41,7 +43,7 @@ def solve_chunk(points, settings):
     if s is not None:
         values["rescaled_force"] = np.full((*shape, s.size), np.nan)
     reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(values, np.nan)
-    for index in tqdm(list(np.ndindex(shape)), desc="solving", unit="point", delay=2.0):
+    for index in counted(np.ndindex(shape), activity, "point"):
         try:
             measured = _measure(float(points["mu"][index]), s)
         except (ValueError, ArithmeticError) as error:

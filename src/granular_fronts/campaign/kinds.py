@@ -1,8 +1,9 @@
 """The kinds of campaign: which parameters each has, what it records, and where it is solved.
 
-A kind is solved by one function ``solve_chunk(points, settings)`` in its module.  `points` holds
-an array of shape (lines, fast) for each parameter of the kind; the answer is a `Solved`.  This
-module imports nothing heavy, since every campaign is checked against it before any job.
+A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module.
+`points` holds an array of shape (lines, fast) for each parameter of the kind, `activity` heads the
+progress bar; the answer is a `Solved`.  This module imports nothing heavy, since every campaign is
+checked against it before any job.
 """
 
 from collections.abc import Mapping
@@ -68,9 +69,9 @@ class Kind(NamedTuple):
         points = np.linspace(profile["start"], profile["stop"], profile["count"])
         return points.round().astype(int) if self.profile_counts else points
 
-    def solve_chunk(self, points, settings) -> "Solved":
+    def solve_chunk(self, points, settings, activity="solving") -> "Solved":
         """Solve the points of one chunk, in this process."""
-        return import_module(self.module).solve_chunk(points, settings)
+        return import_module(self.module).solve_chunk(points, settings, activity)
 
 
 class Solved(NamedTuple):

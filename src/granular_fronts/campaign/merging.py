@@ -107,7 +107,7 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
 
 
 class _Gathered(NamedTuple):
-    """What all chunks hold together: arrays along the grid, and what is told of them."""
+    """What all chunks hold together: arrays along the grid, and the facts about them."""
 
     values: dict
     errors: dict

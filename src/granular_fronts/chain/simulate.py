@@ -15,12 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from tqdm import tqdm
 
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import SolveError, integrate, prepare, work_done
 from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_scene
+from granular_fronts.progress import time_bar
 
 REFINEMENT = 10.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
@@ -55,7 +55,7 @@ def simulate_chain(scene, name="given"):
         Law, beads, boundary, start, end_time, tolerance, record; dimensionless, James (2021),
         eq. (28).
     name : str, optional
-        What error messages call the scene.
+        What error messages and progress bars call the scene.
 
     Returns
     -------
@@ -100,13 +100,13 @@ def solve(scene, tolerance, activity="solving"):
     try:
         run = prepare(scene)
         balances = Balances(run)
-        with tqdm(total=float(scene["end_time"]), desc=activity, unit="t", delay=2.0) as progress:
+        with time_bar(activity, scene["end_time"]) as show_time:
 
-            def report(run):
-                progress.update(run.clock.t[0] - progress.n)
+            def after_block(run):
+                show_time(run.clock.t[0])
                 balances.check(run)
 
-            integrate(run, tolerance, report)
+            integrate(run, tolerance, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
     dataset = collect(scene, run.recording, run.boundary, run.momentum)

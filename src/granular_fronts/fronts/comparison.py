@@ -60,7 +60,7 @@ def compare_front(scene, name="given"):
         exact = evaluate_front(front, xi, field)
         dataset[field] = ("xi", exact, _errors(front[field]))
     seen = shot.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_shooting")
-    driven = drive_front(alpha, gamma, scene["driven_bead"])
+    driven = drive_front(alpha, gamma, scene["driven_bead"], name)
     driven = driven.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_driven")
     for road, other in (("shooting", seen), ("driven", driven)):
         for field in FIELDS:

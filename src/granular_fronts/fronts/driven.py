@@ -13,7 +13,7 @@ BEADS_AHEAD = 60
 TOLERANCE = {"relative": 1e-12, "absolute": 1e-14}
 
 
-def drive_front(alpha, gamma, bead):
+def drive_front(alpha, gamma, bead, name="driven"):
     """Press on a chain at rest and look at the front when it has come to a bead.
 
     Parameters
@@ -22,6 +22,8 @@ def drive_front(alpha, gamma, bead):
         Exponent of both forces, and γc.
     bead : int
         Number n₀ of the bead.
+    name : str, optional
+        What error messages and progress bars call the scene.
 
     Returns
     -------
@@ -42,7 +44,7 @@ def drive_front(alpha, gamma, bead):
         "tolerance": TOLERANCE,
         "record": {"snapshots": [], "arrival_level": 0.5},
     }
-    moment = float(simulate_chain(scene)["arrival_time"].sel(bead=bead))
+    moment = float(simulate_chain(scene, name)["arrival_time"].sel(bead=bead))
     scene |= {"end_time": moment, "record": {"snapshots": [moment]}}
-    snapshot = simulate_chain(scene).isel(t=0, drop=True)
+    snapshot = simulate_chain(scene, name).isel(t=0, drop=True)
     return snapshot.assign_coords(bead=snapshot["bead"] - bead).rename(bead="xi")

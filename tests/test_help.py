@@ -1,0 +1,45 @@
+"""Help in words names every target there is, and no other."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+from projects import ROOT
+
+
+def target_rules():
+    """Names of the rules that make nothing themselves; one that tests is asked for by name too."""
+    names = {"check_results"}
+    for file in [ROOT / "Snakefile", *ROOT.glob("workflow/rules/*.smk")]:
+        for part in re.split(r"^(?=rule |checkpoint )", file.read_text(), flags=re.MULTILINE)[1:]:
+            if "    output:" not in part:
+                names.add(re.match(r"rule (\w+):", part)[1])
+    return names
+
+
+@pytest.fixture(scope="module")
+def workflow_help():
+    """Targets of the workflow and their words."""
+    command = [sys.executable, "-m", "snakemake", "--cores", "1", "help"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return dict(
+        re.findall(r"^  (\w+) +(\S.*)$", run.stdout + run.stderr.partition("Job 0")[2], re.M)
+    )
+
+
+def test_help_of_the_workflow_names_every_target(workflow_help):
+    assert set(workflow_help) == target_rules()
+    assert all(words.endswith(".") for words in workflow_help.values())
+
+
+def test_help_of_make_names_its_targets_and_those_of_the_workflow(workflow_help):
+    run = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True)
+    shown = dict(re.findall(r"^  ([\w.]+) +(\S.*)$", run.stdout, re.MULTILINE))
+    makefile = (ROOT / "Makefile").read_text()
+    phony = re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split()
+    own = run.stdout.partition("source .venv")[0]
+    assert set(re.findall(r"^  ([\w.]+) ", own, re.MULTILINE)) == {*phony, "environment.txt"}
+    assert {name: shown[name] for name in workflow_help if name not in phony} == {
+        name: words for name, words in workflow_help.items() if name not in phony
+    }

@@ -1,0 +1,141 @@
+"""The log file of a step holds the whole story and ends with the sentence."""
+
+import errno
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from projects import ROOT
+from test_workflow import Job
+
+from step import run_step
+
+
+def run_failing(step, log, **params):
+    with pytest.raises(SystemExit, match="1"):
+        run_step(step, Job(log, **params))
+    return log.read_text().splitlines()
+
+
+def test_log_of_a_refusal_begins_with_the_call_and_ends_with_the_sentence(tmp_path, capsys):
+    def refuse(page: Path, scene: dict) -> None:
+        """Print in every way, and refuse."""
+        print("to stdout")
+        print("to stderr", file=sys.stderr)
+        print("\rsolving: 10%\rsolving: 100%", end="", file=sys.stderr)
+        print(file=sys.stderr)
+        os.write(2, b"past Python\n")
+        raise ValueError(f"{page} cannot be written: name another.")
+
+    lines = run_failing(refuse, tmp_path / "log", scene={"beads": list(range(200))})
+    assert " refuse: page=d.html, scene={'beads': [0, 1, 2," in lines[0]
+    assert len(lines[0]) < 160
+    story = "\n".join(lines)
+    for words in ["to stdout\nto stderr\nsolving: 100%\npast Python\n", "Traceback"]:
+        assert words in story
+    assert "10%\r" not in story
+    sentence = "d.html cannot be written: name another."
+    assert lines[-1] == sentence
+    shown = capsys.readouterr()
+    assert shown.out == "to stdout\n"
+    assert shown.err.endswith(f"{sentence}\n")
+    assert "Traceback" not in shown.err
+
+
+def test_unexpected_error_is_named_last(tmp_path, capsys):
+    def stumble(page: Path) -> None:
+        """Fail without a sentence."""
+        raise KeyError("mu")
+
+    lines = run_failing(stumble, tmp_path / "log")
+    assert lines[-1] == "The step failed unexpectedly, KeyError: 'mu'"
+    assert any(line.startswith("Traceback") for line in lines)
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_full_disk_is_a_sentence_even_without_a_log(tmp_path, capsys):
+    def fill(page: Path) -> None:
+        """Fail as a write outside of the project's own functions does."""
+        raise OSError(errno.ENOSPC, "No space left on device", "/some/folder/file")
+
+    sentence = "There is no space left in /some/folder: free some and run the same command again.\n"
+    run_failing(fill, tmp_path / "log")
+    assert capsys.readouterr().err.endswith(sentence)
+    with pytest.raises(SystemExit, match="1"):
+        run_step(fill, Job("/dev/full"))
+    assert capsys.readouterr().err.endswith(sentence)
+
+
+def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path, capsys):
+    def finish(page: Path) -> None:
+        """Print half a line."""
+        print("half", end="", file=sys.stderr)
+
+    streams = sys.stdout, sys.stderr
+    run_step(finish, Job(tmp_path / "log"))
+    assert (sys.stdout, sys.stderr) == streams
+    call, printed = (tmp_path / "log").read_text().splitlines()
+    assert call.endswith(" finish: page=d.html")
+    assert printed == "half"
+    os.write(2, b"")
+    assert capsys.readouterr().err == "half"
+
+
+INTERRUPTED = """
+import sys
+sys.path.insert(0, {tests!r})
+from pathlib import Path
+from test_workflow import Job
+from step import run_step
+
+def wait(page: Path):
+    "Wait for Ctrl-C."
+    raise KeyboardInterrupt
+
+run_step(wait, Job({log!r}))
+"""
+
+
+def test_interrupted_step_says_how_to_go_on(tmp_path):
+    """A process of its own, whose descriptors are real ones."""
+    code = INTERRUPTED.format(tests=str(ROOT / "tests"), log=str(tmp_path / "log"))
+    paths = os.pathsep.join([str(ROOT / "src"), str(ROOT / "workflow/scripts")])
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": paths},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    sentence = "Interrupted: run the same command again to go on."
+    assert run.returncode == 130
+    assert run.stderr == f"{sentence}\n"
+    assert (tmp_path / "log").read_text().splitlines()[-1] == sentence
+
+
+def test_a_job_ends_with_the_run_that_started_it(tmp_path):
+    """The run is a process that is killed outright while a step works."""
+    script = tmp_path / "wait.py"
+    script.write_text(
+        "import time\n"
+        "from step import run_step\n"
+        "def wait(seconds: float) -> None:\n"
+        '    """Wait."""\n'
+        "    time.sleep(seconds)\n"
+        "run_step(wait)\n"
+    )
+    run = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"])
+    job = subprocess.Popen(
+        [sys.executable, str(script), "--seconds", "60"],
+        env={
+            "PYTHONPATH": f"{ROOT}/src:{ROOT}/workflow/scripts",
+            "GRANULAR_FRONTS_RUN": str(run.pid),
+        },
+    )
+    time.sleep(2.0)
+    assert job.poll() is None
+    run.kill()
+    run.wait()
+    assert job.wait(timeout=10.0) == 1

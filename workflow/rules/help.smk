@@ -1,0 +1,33 @@
+"""What can be asked for by name, in words: `snakemake help`."""
+
+TARGETS_IN_WORDS = {
+    "all": "The report and the tests of all finished files; made when no target is named.",
+    "figures": "All figures but 14 to 16, which only their own targets make.",
+    "tables": "All tables of these figures.",
+    "report": "One page with figures, tables, configuration and run times.",
+    "check_results": "The tests of the finished files.",
+    "precision": "Time against error of all solvers, with figure 14; a quarter of an hour.",
+    "hard_cases": "Problems at the edge, with figure 15.",
+    "stiff_damping": "Explicit and implicit steps compared at strong damping.",
+    "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",
+    "help": "This list.",
+}
+
+
+# A figure has the words of the rule that draws it.
+TARGETS_IN_WORDS |= {
+    drawing.name.removeprefix("plot_"): drawing.message.replace("Drawing figure", "Figure")
+    for drawing in workflow.rules
+    if drawing.name.startswith("plot_")
+}
+
+
+rule help:
+    message:
+        "\n".join(
+            [
+                "name one or more targets, for example: snakemake -c2 fig01 tables",
+                *(f"  {target:14} {words}" for target, words in TARGETS_IN_WORDS.items()),
+            ]
+        )
+    localrule: True
