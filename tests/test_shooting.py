@@ -9,7 +9,7 @@ from chains import driven_scene
 from scipy.integrate import romb
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import front_equations
 from granular_fronts.fronts.sampling import sample_window
 from granular_fronts.fronts.seeds import Seed, chain_seed
@@ -168,7 +168,7 @@ def test_overshoot_of_weak_damping_and_none_of_strong():
     ],
 )
 def test_impossible_input_is_refused_in_words(arguments, words):
-    with pytest.raises(ConfigurationError, match=words):
+    with pytest.raises(InputError, match=words):
         shoot_front(**arguments)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.critical_damping import meaning_changes_at
 
 LAWS = list(
@@ -142,5 +142,5 @@ def test_critical_damping_scales_with_beta():
     ],
 )
 def test_impossible_laws_are_refused(call, words):
-    with pytest.raises(ConfigurationError, match=words):
+    with pytest.raises(InputError, match=words):
         call()

@@ -21,11 +21,11 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum.log_kdv_burgers import check_mu, linear_rates
 from granular_fronts.continuum.slow_manifold import FEWER_TERMS, STIFF_DAMPING, TERMS, slow_orbit
 from granular_fronts.continuum.taylor import REST
 from granular_fronts.continuum.traced_orbit import REFINED, USUAL, trace_orbit
+from granular_fronts.errors import InputError
 from granular_fronts.measured import error_attributes
 
 UNDERFLOW_P = 1074.0 * math.log(2.0)
@@ -71,7 +71,7 @@ def heteroclinic(mu, s=None):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
         underflow of y, or over more turns than can be followed.
     """
@@ -124,7 +124,7 @@ def turning_points(mu):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If mu is below 0 or not finite, or so small that the turns are too many to follow.
     """
     mu = check_mu(mu)
@@ -174,7 +174,7 @@ def squared_slope_at_one(mu):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If mu is below 0 or not finite.
     """
     mu = check_mu(mu)
@@ -220,10 +220,10 @@ def gaussian_centre():
 def _check_s(s):
     s = np.atleast_1d(np.asarray(s, dtype=float))
     if s.ndim != 1 or s.size == 0:
-        raise ConfigurationError(f"s has shape {s.shape}, but must be a list: give one or more s.")
+        raise InputError(f"s has shape {s.shape}, but must be a list: give one or more s.")
     if not np.isfinite(s).all():
         value = s[~np.isfinite(s)][0]
-        raise ConfigurationError(f"s holds {value}, but must be finite: leave that point out.")
+        raise InputError(f"s holds {value}, but must be finite: leave that point out.")
     return s
 
 
@@ -231,13 +231,13 @@ def _refuse_underflow(mu, s, orbit):
     """Refuse s at which y is below the smallest double above zero."""
     last = orbit.s_at(UNDERFLOW_P)
     if s.max() > last:
-        raise ConfigurationError(
+        raise InputError(
             f"s reaches to {s.max():.17g}, but for mu = {mu} y falls below the smallest double, "
             f"4.9e-324, at s = {last:.6f}: let s end there or earlier."
         )
     first = 2.0 * gaussian_centre() - last
     if mu == 0.0 and s.min() < first:
-        raise ConfigurationError(
+        raise InputError(
             f"s reaches to {s.min():.17g}, but without damping y falls below the smallest double, "
             f"4.9e-324, at s = {first:.6f} too: let s begin there or later."
         )

@@ -41,7 +41,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 
 CRITICAL_DAMPING = 2.0
 """Value of μ at which the focus (1, 0) becomes a node."""
@@ -89,7 +89,7 @@ def amplitude_of_chain(alpha, gamma, delta=1.0):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a value is outside its range.
     """
     _refuse_unless(alpha > 1.0, f"alpha is {alpha}", "above 1, where fronts are compressive")
@@ -121,14 +121,14 @@ def damping_of_mu(mu, alpha, delta=1.0):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a value is outside its range.
     """
     return check_mu(mu) / amplitude_of_chain(alpha, 1.0, delta).mu
 
 
 def check_mu(mu):
-    """Give μ as a float, or refuse it in a sentence (ConfigurationError).
+    """Give μ as a float, or refuse it in a sentence (InputError).
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def check_mu(mu):
 
 def _refuse_unless(holds, found, limit):
     if not holds:
-        raise ConfigurationError(f"{found}, but must be {limit}: give such a number.")
+        raise InputError(f"{found}, but must be {limit}: give such a number.")
 
 
 def potential(y):

@@ -38,7 +38,7 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.profile import make_law, solve_profile
 from granular_fronts.fronts.properties import measure
 from granular_fronts.fronts.refusals import check_alpha, check_beta
@@ -77,13 +77,13 @@ def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range or the definition does not apply.
     """
     alpha = check_alpha(alpha)
     beta = check_beta(alpha, beta)
     if definition not in (*_MEANINGS, "overshoot"):
-        raise ConfigurationError(
+        raise InputError(
             f"definition is {definition!r}, but must be one of {', '.join(_MEANINGS)}, overshoot."
         )
     if definition == "overshoot":
@@ -108,7 +108,7 @@ def _tail(alpha):
 def _double_root(alpha):
     last = meaning_changes_at()
     if alpha > last:
-        raise ConfigurationError(
+        raise InputError(
             f"alpha is {alpha}, but the tail has no double root above alpha* = {last:.6f}: use "
             'definition "tail", the crossing of real parts.'
         )
@@ -170,7 +170,7 @@ _MEANINGS = {"tail": _tail, "double-root": _double_root, "long-wave": _long_wave
 def _vanishing_overshoot(alpha, beta, cut):
     """The γ at which the overshoot of the exact front equals the cut."""
     if not SMALLEST_CUT <= cut <= LARGEST_CUT:
-        raise ConfigurationError(
+        raise InputError(
             f"cut is {cut}, but must lie between {SMALLEST_CUT:g} and {LARGEST_CUT:g}, where the "
             "overshoot is resolved and reached for every alpha."
         )
@@ -178,7 +178,7 @@ def _vanishing_overshoot(alpha, beta, cut):
     def excess(gamma):
         profile = solve_profile(make_law(alpha, gamma, beta))
         if profile.reason:
-            raise ConfigurationError(
+            raise InputError(
                 f"The front for alpha = {alpha}, beta = {beta}, gamma = {gamma:.6g} was not found "
                 f"({profile.reason}): choose another cut."
             )

@@ -11,7 +11,7 @@ min(α, β) from bead to bead once the overdamped front of `seeds` has come to i
 
 import math
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import rear, seeds
 from granular_fronts.fronts.tails import rate_of_tail_ahead
 
@@ -41,12 +41,12 @@ def refuse_short_window(roots, behind, ahead):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If there are too few beads; the sentence says how many are needed.
     """
     needed = _beads_behind(roots)
     if behind < needed or ahead < 1:
-        raise ConfigurationError(
+        raise InputError(
             f"beads is {behind} behind and {ahead} ahead, but the tail decays like "
             f"exp({roots[0].real:.3g} xi) and needs {needed} behind, and at least 1 is needed "
             "ahead: give more, or leave beads out."

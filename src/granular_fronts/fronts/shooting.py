@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain.state import make_law
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import bead_map, front_equations, rear, seeds
 from granular_fronts.fronts.front_equations import Window, join, split
 from granular_fronts.fronts.gauss_newton import descend
@@ -103,7 +103,7 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the law has no front, or the window is too short for its tail.
     """
     law = _check_law(alpha, gamma, beta)
@@ -249,17 +249,17 @@ def bead_velocities(window, amplitudes, state, time):
 def _check_law(alpha, gamma, beta):
     beta = alpha if beta is None else beta
     if not (alpha > 1.0 and math.isfinite(alpha)):
-        raise ConfigurationError(
+        raise InputError(
             f"alpha is {alpha}, but a front from 1 to 0 that runs forwards needs alpha above 1, "
             "eq. (21): give a finite number above 1."
         )
     if not (gamma > 0.0 and math.isfinite(gamma)):
-        raise ConfigurationError(
+        raise InputError(
             f"gamma is {gamma}, but without damping there is no front: give a finite number above "
             "0."
         )
     if not (beta >= 1.0 and math.isfinite(beta)):
-        raise ConfigurationError(
+        raise InputError(
             f"beta is {beta}, but below 1 the motion is not known to be unique: give a finite "
             "number of at least 1."
         )

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError, NoFrontError
 from granular_fronts.fronts import shooting
 from granular_fronts.fronts.interpolation import interpolate_all
 from granular_fronts.fronts.newton import Law
@@ -55,10 +55,6 @@ class Solution(NamedTuple):
     speed_defect: float
 
 
-class NoFrontError(ValueError):
-    """A front was not found; the message says why."""
-
-
 def solve_front(alpha, gamma, beta=None, method="profile", right_state=0.0):
     """The travelling front from compression 1 behind to `right_state` ahead.
 
@@ -90,11 +86,11 @@ def solve_front(alpha, gamma, beta=None, method="profile", right_state=0.0):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range, or no such front exists.
     """
     if method not in METHODS:
-        raise ConfigurationError(
+        raise InputError(
             f"method is {method!r}, but must be one of {', '.join(METHODS)}: choose one of these."
         )
     alpha, gamma, beta = check_law(alpha, gamma, beta)
@@ -124,11 +120,11 @@ def evaluate_front(front, xi, name="relative_displacement"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the front has not converged.
     """
     if not front.attrs["converged"]:
-        raise ConfigurationError(
+        raise InputError(
             f"The front has not converged ({front.attrs['reason']}): there is nothing to evaluate."
         )
     xi = np.asarray(xi, dtype=float)
@@ -162,7 +158,7 @@ def by_profile(law):
 def by_shooting(law):
     """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
     if law.ahead > 0.0:
-        raise ConfigurationError(
+        raise InputError(
             f"right_state is {law.ahead}, but shooting closes its window on a chain at rest: use "
             'method "profile".'
         )

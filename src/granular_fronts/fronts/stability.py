@@ -53,7 +53,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain.state import make_law
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import bead_map, rear
 from granular_fronts.fronts.seeds import Seed, fit
 
@@ -88,7 +88,7 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If ξ = 0 is not among the points, or the integers are not.
     """
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
@@ -225,7 +225,7 @@ def _at_beads(front, beta, gamma):
     whole = np.abs(xi - bead) < INTEGER_XI
     bead = bead[whole]
     if 0 not in bead or np.any(np.diff(bead) != 1):
-        raise ConfigurationError(
+        raise InputError(
             f"xi runs from {xi[0]:.6g} to {xi[-1]:.6g} and holds {bead.size} integers, but every "
             "integer around 0 is needed: evaluate the front with a whole number of points per site."
         )

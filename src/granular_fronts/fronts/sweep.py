@@ -17,7 +17,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.compiled import kernel
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import newton
 from granular_fronts.fronts.newton import Law
 from granular_fronts.fronts.prediction import REMEMBERED, predict, remember
@@ -77,12 +77,12 @@ def sweep_fronts(alpha, gammas, beta=None):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range.
     """
     gammas = np.atleast_1d(np.asarray(gammas, dtype=float))
     if gammas.ndim != 1 or gammas.size == 0:
-        raise ConfigurationError(f"gammas has shape {gammas.shape}, but must be a list of numbers.")
+        raise InputError(f"gammas has shape {gammas.shape}, but must be a list of numbers.")
     for gamma in gammas:
         alpha, _, beta = check_law(alpha, gamma, beta)
     distinct, place = np.unique(-gammas, return_inverse=True)

@@ -41,7 +41,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from granular_fronts.compiled import kernel
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.refusals import check_law
 
 BEND = 2.3469413041671690
@@ -88,15 +88,15 @@ def tail_roots(alpha, gamma, beta=None, count=6):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     if count < 1:
-        raise ConfigurationError(f"count is {count}, but must be at least 1: ask for one root.")
+        raise InputError(f"count is {count}, but must be at least 1: ask for one root.")
     roots = lowest_roots_of_all(alpha, gamma * beta / alpha, count)
     if not np.isfinite(roots).all():
-        raise ConfigurationError(
+        raise InputError(
             f"A tail root for alpha = {alpha}, beta = {beta} and gamma = {gamma} is beyond double "
             "precision: bring gamma closer to 1."
         )
