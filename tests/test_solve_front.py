@@ -198,7 +198,7 @@ def test_a_failure_is_a_record_with_a_reason():
         ({"gamma": 0.0}, "conservative chain"),
         ({"gamma": -1.0}, r"gamma is -1\.0"),
         ({"beta": 0.9}, "at least 1"),
-        ({"right_state": 1.0}, r"right_state is 1\.0.*\[0, 1\)"),
+        ({"right_state": 1.0}, r"right_state is 1\.0.*at least 0 and below 1"),
         ({"right_state": -0.1}, r"right_state is -0\.1"),
         ({"method": "guess"}, "method is 'guess'"),
     ],

@@ -92,7 +92,7 @@ def test_a_sweep_can_be_written_and_read(tmp_path):
 
 
 def test_impossible_sweeps_are_refused():
-    with pytest.raises(InputError, match="gamma is 0"):
+    with pytest.raises(InputError, match="gammas holds 0"):
         gf.sweep_fronts(1.5, [0.1, 0.0])
     with pytest.raises(InputError, match="must be a list"):
         gf.sweep_fronts(1.5, [])

@@ -21,6 +21,7 @@ import math
 import numpy as np
 import xarray as xr
 
+from granular_fronts.arguments import sequence
 from granular_fronts.continuum.log_kdv_burgers import check_mu, linear_rates
 from granular_fronts.continuum.slow_manifold import FEWER_TERMS, STIFF_DAMPING, TERMS, slow_orbit
 from granular_fronts.continuum.taylor import REST
@@ -76,12 +77,12 @@ def heteroclinic(mu, s=None):
         underflow of y, or over more turns than can be followed.
     """
     mu = check_mu(mu)
-    s = None if s is None else _check_s(s)
+    s = None if s is None else sequence("s", s, advice="leave that point out")
     first = min(_first_of_default(mu) if s is None else float(s.min()), 0.0)
     orbit, again = compute_orbit(mu, first), compute_orbit(mu, first, refined=True)
     if s is None:
         s = np.linspace(first, orbit.s_at(TAIL_P), DEFAULT_POINTS)
-    _refuse_underflow(mu, s, orbit)
+    _check_underflow(mu, s, orbit)
     values, others = _profile(orbit, s), _profile(again, s)
     turns, other_turns = _turns(orbit, first), _turns(again, first)
     common = min(turns[0].size, other_turns[0].size)
@@ -217,18 +218,8 @@ def gaussian_centre():
     return -2.0 * math.sqrt(0.5 + math.log(2.0))
 
 
-def _check_s(s):
-    s = np.atleast_1d(np.asarray(s, dtype=float))
-    if s.ndim != 1 or s.size == 0:
-        raise InputError(f"s has shape {s.shape}, but must be a list: give one or more s.")
-    if not np.isfinite(s).all():
-        value = s[~np.isfinite(s)][0]
-        raise InputError(f"s holds {value}, but must be finite: leave that point out.")
-    return s
-
-
-def _refuse_underflow(mu, s, orbit):
-    """Refuse s at which y is below the smallest double above zero."""
+def _check_underflow(mu, s, orbit):
+    """Raise an InputError where y is below the smallest double above zero."""
     last = orbit.s_at(UNDERFLOW_P)
     if s.max() > last:
         raise InputError(

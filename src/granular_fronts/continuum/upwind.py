@@ -22,6 +22,7 @@ import numpy as np
 
 from granular_fronts.compiled import kernel
 from granular_fronts.elementary.vector_functions import logarithms
+from granular_fronts.errors import InputError
 
 PAPER_FRACTION = 0.8
 
@@ -66,12 +67,12 @@ def evolve_upwind(values, half_length, end, step=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If a value is not positive, or the step exceeds the limit of stability.
     """
     values = np.array(values, dtype=float)
     if not values.min() > 0.0:
-        raise ValueError(
+        raise InputError(
             f"The smallest value of the start is {values.min():.6g}, where the wind ln Y of the "
             "explicit upwind scheme is infinite: give positive values."
         )
@@ -79,7 +80,7 @@ def evolve_upwind(values, half_length, end, step=None):
     limit = largest_step(spacing, np.abs(np.log(values)).max())
     step = PAPER_FRACTION * limit if step is None else step
     if step > limit:
-        raise ValueError(
+        raise InputError(
             f"The step {step:.6g} exceeds {limit:.6g}, the limit of stability of the explicit "
             f"scheme for {values.size} points, and would blow up: take a step below the limit."
         )

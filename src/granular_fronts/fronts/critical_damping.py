@@ -38,10 +38,11 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
+from granular_fronts.arguments import choice, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.profile import make_law, solve_profile
 from granular_fronts.fronts.properties import measure
-from granular_fronts.fronts.refusals import check_alpha, check_beta
+from granular_fronts.fronts.validation import check_alpha, check_beta
 
 SMALLEST_CUT, LARGEST_CUT = 1e-8, 0.1
 RESOLUTION = 2.0**-52
@@ -82,11 +83,14 @@ def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
     """
     alpha = check_alpha(alpha)
     beta = check_beta(alpha, beta)
-    if definition not in (*_MEANINGS, "overshoot"):
-        raise InputError(
-            f"definition is {definition!r}, but must be one of {', '.join(_MEANINGS)}, overshoot."
-        )
-    if definition == "overshoot":
+    cut = scalar(
+        "cut",
+        cut,
+        least=SMALLEST_CUT,
+        most=LARGEST_CUT,
+        advice="the overshoot is resolved there, and reached for every alpha",
+    )
+    if choice("definition", definition, (*_MEANINGS, "overshoot")) == "overshoot":
         return _vanishing_overshoot(alpha, beta, cut)
     return alpha / beta * _MEANINGS[definition](alpha)
 
@@ -169,11 +173,6 @@ _MEANINGS = {"tail": _tail, "double-root": _double_root, "long-wave": _long_wave
 
 def _vanishing_overshoot(alpha, beta, cut):
     """The γ at which the overshoot of the exact front equals the cut."""
-    if not SMALLEST_CUT <= cut <= LARGEST_CUT:
-        raise InputError(
-            f"cut is {cut}, but must lie between {SMALLEST_CUT:g} and {LARGEST_CUT:g}, where the "
-            "overshoot is resolved and reached for every alpha."
-        )
 
     def excess(gamma):
         profile = solve_profile(make_law(alpha, gamma, beta))
