@@ -50,6 +50,7 @@ from granular_fronts.chain.integrator import (
 from granular_fronts.chain.radau import STAGES
 from granular_fronts.chain.strain import evaluate_slopes, reach_of
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 STIFF = 80.0
 # Outputs closer together than this many explicit steps are left to the explicit pair.
@@ -167,7 +168,7 @@ def advance(law, size, state, clock, relative, absolute, recording, work, shorte
     counts, cursor, stops, reach = clock.counts, recording.cursor, recording.stops, clock.reach[0]
     status = RUNNING
     rejected = False
-    while True:
+    while not interrupted():
         if cursor[STOP] == stops.size:
             status = FINISHED
             break

@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.elementary.vector_functions import logarithms
 from granular_fronts.errors import InputError
 
@@ -98,6 +99,8 @@ def march(values, spacing, step, steps):
     left, right = padded[:-2], padded[2:]
     advection, diffusion = step / spacing, step / spacing**2
     for _ in range(steps):
+        if interrupted():
+            break
         padded[1:-1] = values
         padded[0], padded[n + 1] = values[n - 1], values[0]
         logarithms(values, exponent, mantissa, wind)

@@ -18,6 +18,7 @@ import xarray as xr
 
 from granular_fronts.arguments import sequence
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.fronts import newton
 from granular_fronts.fronts.newton import Law
 from granular_fronts.fronts.prediction import REMEMBERED, predict, remember
@@ -185,6 +186,8 @@ def follow(start_law, gammas, spacing, rule, difference, decay, start_middle, st
     history, places = np.empty(STEPS + 1), np.log(gammas)
     middles = np.empty(gammas.size, dtype=np.int64)
     for k in range(gammas.size):
+        if interrupted():
+            return 0
         damping = start_law.beta * gammas[k] / start_law.alpha
         root = lowest_roots_of_all(start_law.alpha, damping, 1)[0]
         values[k, 6], values[k, 7] = root.real, root.imag

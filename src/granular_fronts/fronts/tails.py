@@ -42,6 +42,7 @@ from scipy.optimize import brentq
 
 from granular_fronts import arguments
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.validation import check_law
 
@@ -141,6 +142,8 @@ def lowest_roots_of_all(alpha, damping, count):
             roots[found - 1] = strip_root(alpha, damping, strip)
         roots[:found] = roots[:found][np.argsort(roots[:found].real)]
         strip += 1
+        if interrupted():
+            break
     return roots[:count]
 
 
