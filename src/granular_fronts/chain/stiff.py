@@ -168,7 +168,7 @@ def advance(law, size, state, clock, relative, absolute, recording, work, shorte
     counts, cursor, stops, reach = clock.counts, recording.cursor, recording.stops, clock.reach[0]
     status = RUNNING
     rejected = False
-    while not interrupted():
+    while True:
         if cursor[STOP] == stops.size:
             status = FINISHED
             break
@@ -218,6 +218,8 @@ def advance(law, size, state, clock, relative, absolute, recording, work, shorte
         work.step[0] = max(grown, work.step[0]) if landing else grown
         work.step[2] *= RECOVERY
         rejected = False
+        if interrupted():
+            break
     clock.reach[0] = reach
     evaluate_slopes(law, size, state, state.u, 0, reach)
     return status
