@@ -9,8 +9,9 @@ from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers import log_burgers_front
-from granular_fronts.continuum.solution import EvolutionError, solve
+from granular_fronts.continuum.solution import solve
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.errors import SolveError
 from granular_fronts.slow_scales import scaling_of
 
 
@@ -182,7 +183,7 @@ def test_start_that_rings_below_zero_is_refused():
     """Point values of a step make a trigonometric polynomial that undershoots."""
     step = [0.0] * 20 + [1.0] * 25 + [0.0] * 20
     scene = scene_with(start={"kind": "given", "rescaled_force": step})
-    with pytest.raises(EvolutionError, match=r"smallest cell average of the start is -.*smoother"):
+    with pytest.raises(SolveError, match=r"smallest cell average of the start is -.*smoother"):
         gf.evolve_log_burgers(scene)
 
 
@@ -190,7 +191,7 @@ def test_step_size_collapse_is_reported():
     """A start of 1e100 cannot be followed with an absolute error of 1e-6."""
     force = [1.0e100, 2.0e100] * 32 + [1.0e100]
     scene = scene_with(start={"kind": "given", "rescaled_force": force})
-    with pytest.raises(EvolutionError, match="step size collapsed"):
+    with pytest.raises(SolveError, match="step size collapsed"):
         gf.evolve_log_burgers(scene)
 
 

@@ -65,7 +65,7 @@ def compare_with_chain(scene, name="given"):
     ------
     ConfigurationError
         If the scene is impossible.
-    SolveError, EvolutionError
+    SolveError
         If a solver stops.
     """
     scene = check_scene("periodic", scene, name)

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import yaml
 
+from granular_fronts.errors import InputError
 from granular_fronts.schema import name_entry, tell_violations
 from granular_fronts.slow_scales import scaling_of
 
@@ -28,7 +29,7 @@ CELLS_PER_EDGE = 2
 """Fewest cells over a unit of ξ, the width of the falling edge of eq. (49)."""
 
 
-class ConfigurationError(ValueError):
+class ConfigurationError(InputError):
     """A configuration or a scene that cannot be computed; the message is for people."""
 
 

@@ -18,8 +18,9 @@ import xarray as xr
 
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
-from granular_fronts.chain.run import SolveError, integrate, prepare, work_done
+from granular_fronts.chain.run import integrate, prepare, work_done
 from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_scene
+from granular_fronts.errors import SolveError
 from granular_fronts.progress import time_bar
 
 REFINEMENT = 10.0

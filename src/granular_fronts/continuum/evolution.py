@@ -47,7 +47,7 @@ def evolve_log_burgers(scene, name="given"):
     ------
     ConfigurationError
         If the scene is impossible; the sentence names key, value, limit and the way out.
-    EvolutionError
+    SolveError
         If the start has negative averages, or the step size collapses.
     """
     return _evolve(scene, name, LOGARITHMIC)
