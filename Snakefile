@@ -7,10 +7,11 @@ configfile: "config/default.yaml"
 include: "workflow/rules/common.smk"
 
 
-from granular_fronts.configuration import ConfigurationError, check_configuration
+from granular_fronts.scenes.configuration import validate_configuration
+from granular_fronts.scenes.errors import ConfigurationError
 
 try:
-    check_configuration(config)
+    validate_configuration(config, workflow.configfiles, workflow.config_settings.config)
 except ConfigurationError as error:
     sys.exit(f"The configuration cannot be computed.\n{error}")
 

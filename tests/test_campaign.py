@@ -12,7 +12,7 @@ from test_configuration import schema_nodes
 
 from granular_fronts.campaign import chunks, cost, definition, planning
 from granular_fronts.campaign.axes import expand_axis
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.scenes.errors import ConfigurationError
 
 # Axes.
 
@@ -43,7 +43,7 @@ REFUSED = [
     ({"axes": {"gamma": {"linspace": [1.0, 0.1, 5]}}}, ["must increase"]),
     ({"axes": {"gamma": {"linspace": [0.1, 1.0, 2.5]}}}, ["asks for 2.5 values", "whole number"]),
     ({"axes": {"gamma": {"logspace": [0.0, 1.0, 5]}}}, ["above 0", "linspace"]),
-    ({"axes": {"gamma": [0.1, math.inf]}}, ["axes.gamma holds a value that is not finite"]),
+    ({"axes": {"gamma": [0.1, math.inf]}}, ["axes.gamma (entry 2) is inf", "finite"]),
     ({"axes": {"mu": [1.0]}}, ["axes.mu is given", "kind chain has no parameter mu"]),
     ({"axes": {"gama": [1.0]}}, ["did you mean gamma"]),
     ({"axes": {"gamma": [-0.1, 1.0]}}, ["reaches down to -0.1", "must be 0 or more"]),
@@ -87,11 +87,11 @@ def test_profile_of_a_chain_keeps_no_bead_twice(start, stop):
 def test_large_campaign_says_how_large_and_how_long():
     axes = {"delta": {"linspace": [0.1, 1, 1001]}, "gamma": {"linspace": [0.1, 1, 1000]}}
     with pytest.raises(ConfigurationError) as caught:
-        definition.refuse_large(campaign(axes=axes), seconds_per_point=0.0036)
+        definition.check_points(campaign(axes=axes), seconds_per_point=0.0036)
     assert "1,001,000 points" in str(caught.value)
     assert "1.0 hours" in str(caught.value)
     assert "allow_large: true" in str(caught.value)
-    definition.refuse_large(campaign(axes=axes, allow_large=True), seconds_per_point=0.0036)
+    definition.check_points(campaign(axes=axes, allow_large=True), seconds_per_point=0.0036)
 
 
 def test_unknown_campaign_names_those_there_are():

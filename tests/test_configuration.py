@@ -11,14 +11,11 @@ import numpy as np
 import pytest
 import yaml
 
-from granular_fronts.configuration import (
-    RELATIVE_TOLERANCE_FLOOR,
-    ConfigurationError,
-    check_configuration,
-    check_scene,
-    load_configuration,
-    merge,
-)
+from granular_fronts.scenes.configuration import check_configuration
+from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.errors import ConfigurationError
+from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.yaml_files import load_configuration, merge
 
 ROOT = Path(__file__).parents[1]
 DEFAULT = ROOT / "config" / "default.yaml"
@@ -181,7 +178,8 @@ def test_heteroclinic_scene_may_leave_out_what_only_the_figure_needs():
 
 
 def test_checking_waits_for_no_heavy_import():
-    code = "import granular_fronts.configuration, sys; print({'numpy', 'numba'} & set(sys.modules))"
+    module = "granular_fronts.scenes.configuration"
+    code = f"import {module}, sys; print({{'numpy', 'numba'}} & set(sys.modules))"
     environment = {"PYTHONPATH": str(ROOT / "src")}
     command = [sys.executable, "-c", code]
     run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)

@@ -5,12 +5,12 @@ import pytest
 from rings import at_end, coarsen, scene_with, slope_and_residual
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers import log_burgers_front
 from granular_fronts.continuum.solution import EvolutionError, solve
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.scenes.errors import ConfigurationError
 from granular_fronts.slow_scales import scaling_of
 
 

@@ -9,7 +9,6 @@ import pytest
 from heteroclinic_reference import DIGITS, Reference
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import heteroclinic as orbit_module
 from granular_fronts.continuum.heteroclinic import (
     UNDERFLOW_P,
@@ -33,6 +32,7 @@ from granular_fronts.continuum.slow_manifold import (
     state_on_manifold,
 )
 from granular_fronts.continuum.traced_orbit import REFINED, Accuracy, trace_orbit
+from granular_fronts.scenes.errors import ConfigurationError
 
 ACCURACY = 1.0e-13
 CASES = [

@@ -9,11 +9,11 @@ from chains import driven_scene
 from scipy.integrate import romb
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import front_equations
 from granular_fronts.fronts.sampling import sample_window
 from granular_fronts.fronts.seeds import Seed, chain_seed
 from granular_fronts.fronts.shooting import error_estimate, shoot_front
+from granular_fronts.scenes.errors import ConfigurationError
 
 DRIVEN = [0.06 * 0.1**0.25, 0.65 * 0.1**0.25]
 LAWS = [

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.contact import generalised_hertz
 from granular_fronts.fronts.interpolation import interpolate_all
+from granular_fronts.scenes.errors import ConfigurationError
 
 LAWS = [
     (1.02, 0.1, None),

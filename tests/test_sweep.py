@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.datasets import read_dataset, write_dataset
 from granular_fronts.fronts.prediction import (
     LARGEST_WEIGHT,
@@ -13,6 +12,7 @@ from granular_fronts.fronts.prediction import (
     predict,
     remember,
 )
+from granular_fronts.scenes.errors import ConfigurationError
 
 
 @pytest.mark.parametrize(("alpha", "beta"), [(1.5, None), (1.5, 1.0), (3.0, 4.0)])

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts.critical_damping import meaning_changes_at
+from granular_fronts.scenes.errors import ConfigurationError
 
 LAWS = list(
     itertools.product((1.001, 1.1, 1.18, 1.5, 3.0, 10.0), (1e-3, 0.03, 0.19, 0.4, 3.0, 50.0))

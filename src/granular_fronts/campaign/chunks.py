@@ -20,8 +20,8 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.campaign.definition import Campaign
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.files import complete_file
+from granular_fronts.scenes.errors import ConfigurationError
 
 IDENTITY = "campaign.json"
 

@@ -20,7 +20,8 @@ from tqdm import tqdm
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import SolveError, integrate, prepare, work_done
-from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_scene
+from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.validation import check_scene
 
 REFINEMENT = 10.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"

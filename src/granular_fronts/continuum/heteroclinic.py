@@ -21,12 +21,12 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum.log_kdv_burgers import check_mu, linear_rates
 from granular_fronts.continuum.slow_manifold import FEWER_TERMS, STIFF_DAMPING, TERMS, slow_orbit
 from granular_fronts.continuum.taylor import REST
 from granular_fronts.continuum.traced_orbit import REFINED, USUAL, trace_orbit
 from granular_fronts.measured import error_attributes
+from granular_fronts.scenes.errors import ConfigurationError
 
 UNDERFLOW_P = 1074.0 * math.log(2.0)
 """−ln of the smallest double above zero: the end of the tail."""

@@ -41,7 +41,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.scenes.errors import ConfigurationError
 
 CRITICAL_DAMPING = 2.0
 """Value of μ at which the focus (1, 0) becomes a node."""

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum.slow_manifold import expand, state_on_manifold
 from granular_fronts.continuum.taylor import (
     AT_REST,
@@ -23,6 +22,7 @@ from granular_fronts.continuum.taylor import (
     series_slope,
     series_sum,
 )
+from granular_fronts.scenes.errors import ConfigurationError
 
 START_P = 760.0
 """p at which the trace starts: y = e^(−745) is the last double above zero."""

@@ -38,10 +38,10 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts.profile import make_law, solve_profile
 from granular_fronts.fronts.properties import measure
 from granular_fronts.fronts.refusals import check_alpha, check_beta
+from granular_fronts.scenes.errors import ConfigurationError
 
 SMALLEST_CUT, LARGEST_CUT = 1e-8, 0.1
 RESOLUTION = 2.0**-52

@@ -11,9 +11,9 @@ min(α, β) from bead to bead once the overdamped front of `seeds` has come to i
 
 import math
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import rear, seeds
 from granular_fronts.fronts.tails import rate_of_tail_ahead
+from granular_fronts.scenes.errors import ConfigurationError
 
 UNTOUCHED_P = 45.0
 FEWEST_BEHIND, MARGIN_AHEAD = 10, 3

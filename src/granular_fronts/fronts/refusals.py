@@ -2,7 +2,7 @@
 
 import math
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.scenes.errors import ConfigurationError
 
 
 def check_law(alpha, gamma, beta=None):

@@ -24,11 +24,11 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain.state import make_law
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import bead_map, front_equations, rear, seeds
 from granular_fronts.fronts.front_equations import Window, join, split
 from granular_fronts.fronts.gauss_newton import descend
 from granular_fronts.fronts.reach import choose_beads, lacking_beads, refuse_short_window
+from granular_fronts.scenes.errors import ConfigurationError
 
 TOLERANCE = 1.0e-13
 FEWEST_STEPS, MOST_STEPS = 16, 512

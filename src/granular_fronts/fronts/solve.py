@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import shooting
 from granular_fronts.fronts.interpolation import interpolate_all
 from granular_fronts.fronts.newton import Law
@@ -18,6 +17,7 @@ from granular_fronts.fronts.profile import ORDER, REFINED_ORDER, make_law, refin
 from granular_fronts.fronts.properties import MEASURES, measure, velocity
 from granular_fronts.fronts.refusals import check_law, check_right_state
 from granular_fronts.fronts.sampling import sample_front
+from granular_fronts.scenes.errors import ConfigurationError
 
 ACCEPTED_ERROR = 1e-12
 """Error estimate of u up to which a front is called converged."""

@@ -53,9 +53,9 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain.state import make_law
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import bead_map, rear
 from granular_fronts.fronts.seeds import Seed, fit
+from granular_fronts.scenes.errors import ConfigurationError
 
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300

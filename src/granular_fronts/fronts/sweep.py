@@ -17,7 +17,6 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.compiled import kernel
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import newton
 from granular_fronts.fronts.newton import Law
 from granular_fronts.fronts.prediction import REMEMBERED, predict, remember
@@ -41,6 +40,7 @@ from granular_fronts.fronts.quadrature import kernel_weights
 from granular_fronts.fronts.refusals import check_law
 from granular_fronts.fronts.solve import ACCEPTED_ERROR, RESOLUTION
 from granular_fronts.fronts.tails import lowest_roots_of_all
+from granular_fronts.scenes.errors import ConfigurationError
 
 COLUMNS = (*MEASURES, "residual", "speed_defect", "tail_rate", "tail_frequency")
 

@@ -41,8 +41,8 @@ import numpy as np
 from scipy.optimize import brentq
 
 from granular_fronts.compiled import kernel
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts.refusals import check_law
+from granular_fronts.scenes.errors import ConfigurationError
 
 BEND = 2.3469413041671690
 """Where the bell 1/S(λ) changes its curvature and falls most steeply."""
