@@ -44,4 +44,5 @@ def named_campaign(wildcards):
     """Return the table of the campaign that the command names."""
     if "campaign" not in config:
         sys.exit("Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke.")
+    campaign_of(config["campaign"])
     return f"{config['results']}/tables/campaign_{config['campaign']}.md"

@@ -199,13 +199,13 @@ def _size_errors(kind, given) -> Iterator[str]:
     record, axes = given.get("record", {}), given["axes"]
     counts = {f"axes.{axis}": count_values(values) for axis, values in axes.items()}
     kept = len(record.get("scalars", kind.scalars)) + record.get("profile", {}).get("count", 0)
-    largest = max(counts, key=counts.get)
-    parts = [Part(axis, NUMBERS_PER_VALUE * float(count)) for axis, count in counts.items()]
-    parts.append(Part(largest, float(math.prod(counts.values())) * kept))
+    parts = [Part((axis,), (), NUMBERS_PER_VALUE * float(count)) for axis, count in counts.items()]
+    parts.append(Part(tuple(counts), (), float(math.prod(counts.values())) * kept))
     if "beads" in given.get("fixed", {}):
-        parts.append(Part("fixed.beads", NUMBERS_PER_BEAD * float(given["fixed"]["beads"])))
+        parts.append(Part(("fixed.beads",), (), NUMBERS_PER_BEAD * float(given["fixed"]["beads"])))
     if "beads" in axes:
-        parts.append(Part("axes.beads", NUMBERS_PER_BEAD * float(_last_value(axes["beads"]))))
+        most = float(_last_value(axes["beads"]))
+        parts.append(Part(("axes.beads",), (), NUMBERS_PER_BEAD * most))
     yield from part_errors(given, parts)
 
 

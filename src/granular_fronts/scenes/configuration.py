@@ -13,7 +13,7 @@ from granular_fronts.scenes.constraints import CONSTRAINTS
 from granular_fronts.scenes.dataset_names import name_errors
 from granular_fronts.scenes.figure_needs import need_errors
 from granular_fronts.scenes.schema import violations
-from granular_fronts.scenes.validation import raise_if_any, section_errors
+from granular_fronts.scenes.validation import raise_if_any, section_errors, section_label
 from granular_fronts.scenes.yaml_files import yaml_errors
 
 UNUSABLE_LETTERS = "{}<>*?|\"'\n\t\\"
@@ -132,5 +132,5 @@ def _errors_at(path: str, configuration: Mapping) -> Iterator[str]:
     for parent in parents:
         node = node[parent]
     for name, section in node.items() if last == "*" else [(last, node[last])]:
-        label = f"Scene {name}: " if parents[:1] == ["scenes"] else f"{'.'.join([*parents, name])}."
+        label = section_label(".".join([*parents, name]))
         yield from (label + error for error in section_errors(path, section))

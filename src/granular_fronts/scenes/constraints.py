@@ -94,8 +94,12 @@ def decades_of_displacement(scene: Mapping) -> float:
     displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
     displacements += start.get("relative_displacement", [])
     velocities = [boundary.get("velocity", 0.0), *start.get("velocity", [])]
-    compressed = 2.0 / (scene["law"]["alpha"] + 1.0)
-    return max(max(map(_decades, displacements)), compressed * max(map(_decades, velocities)))
+    return max(max(map(_decades, displacements)), _compressed(scene["law"]["alpha"], velocities))
+
+
+def _compressed(alpha, velocities):
+    """Decimal logarithm of the compression that the largest of some velocities makes."""
+    return 2.0 / (alpha + 1.0) * max(map(_decades, velocities))
 
 
 def energies_are_representable(scene: Mapping) -> Iterator[str]:
@@ -125,7 +129,10 @@ def energies_are_representable(scene: Mapping) -> Iterator[str]:
 
 def absolute_tolerance_resolves_motion(scene: Mapping) -> Iterator[str]:
     """The absolute tolerance lies between rounding and the size of the motion."""
-    absolute, decades = scene["tolerance"]["absolute"], decades_of_displacement(scene)
+    yield from _absolute_errors(scene["tolerance"]["absolute"], decades_of_displacement(scene))
+
+
+def _absolute_errors(absolute, decades):
     above = math.log10(absolute) - decades
     if above < math.log10(ABSOLUTE_TOLERANCE_FLOOR):
         limit, side, advice = ABSOLUTE_TOLERANCE_FLOOR, "below", "more"
@@ -136,7 +143,7 @@ def absolute_tolerance_resolves_motion(scene: Mapping) -> Iterator[str]:
     size = 10.0**decades
     yield (
         f"tolerance.absolute is {absolute}, {side} {limit:g} of the largest relative displacement, "
-        f"about {size:.3g}, of the scene: give {limit * size:.1e} or {advice}."
+        f"which is about {size:.3g}: give {limit * size:.1e} or {advice}."
     )
 
 
@@ -339,6 +346,16 @@ def theta_steps_meet_end(section: Mapping) -> Iterator[str]:
             )
 
 
+def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
+    """The absolute tolerance suits the compression that the piston makes with each law."""
+    for law in section["cases"].values():
+        decades = _compressed(law["alpha"], [section["velocity"]])
+        errors = [*_absolute_errors(section["tolerance"]["absolute"], decades)]
+        if errors:
+            yield from errors
+            return
+
+
 def states_differ(section: Mapping) -> Iterator[str]:
     """The two states that a front joins are not the same."""
     for name, case in section["cases"].items():
@@ -367,6 +384,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "scenes.heteroclinic.*": (portrait_leaves_equilibria, portrait_has_its_orbit),
     "scenes.periodic.*": (
         relative_tolerance_above_floor,
+        absolute_tolerance_resolves_motion,
         start_does_not_pull,
         start_is_periodic,
         plateau_fits_ring,
@@ -382,7 +400,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "laws.damping_regimes": (),
     "laws.numerical_damping": (theta_steps_meet_end,),
     "laws.jump_conditions": (states_differ,),
-    "laws.piston": (relative_tolerance_above_floor,),
+    "laws.piston": (relative_tolerance_above_floor, piston_tolerance_resolves_motion),
     "precision.log_burgers.*": (),
     "precision.chain.*": (),
     "precision.ring.*": (),

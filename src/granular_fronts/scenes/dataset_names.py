@@ -38,10 +38,10 @@ def name_errors(configuration: Mapping) -> Iterator[str]:
         for name in scenes:
             if name in owners:
                 yield (
-                    f"scenes.{family}.{name} has the name of {owners[name]}, and a name belongs to "
-                    "one result: give the scene another name."
+                    f"scenes.{family}.{name} has the name of {owners[name]}, but a name belongs to "
+                    "one result only: rename a scene."
                 )
-            owners.setdefault(name, f"the scene scenes.{family}.{name}")
+            owners.setdefault(name, f"scenes.{family}.{name}")
     rings = configuration["scenes"]["periodic"]
     for name in configuration["precision"]["log_burgers"]:
         if name not in rings:

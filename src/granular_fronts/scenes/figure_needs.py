@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from granular_fronts.scenes.validation import section_label
+
 
 class Need(NamedTuple):
     """A key that must be there and not be empty, and the values that a list must hold.
@@ -87,19 +89,20 @@ def need_errors(configuration: Mapping) -> Iterator[str]:
                 "does."
             )
             continue
+        place = section_label(path)
         for need in needs:
             found = _look_up(section, need.key)
             if not found:
                 yield (
-                    f"{path}.{need.key} is {'missing' if found is None else 'empty or off'}, but "
+                    f"{place}{need.key} is {'missing' if found is None else 'empty or off'}, but "
                     f"{need.user} needs it: give it as config/default.yaml does."
                 )
                 continue
             missing = [f"{value:g}" for value in need.values if value not in found]
             if missing:
                 yield (
-                    f"{path}.{need.key} is {found}, but {need.user} needs {', '.join(missing)} "
-                    "too: add it."
+                    f"{place}{need.key} is {found}, but {need.user} needs {', '.join(missing)} "
+                    f"too: add {'it' if len(missing) == 1 else 'them'}."
                 )
 
 

@@ -160,7 +160,9 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
         return f"{key} is {value}, no multiple of {limit}: give a multiple of {limit}."
     if error.validator == "uniqueItems":
         return _repeated_entry(error, key)
-    if error.validator in ("minItems", "minProperties", "minLength") and not error.instance:
+    if error.validator == "minLength":
+        return f"{key} is empty: give a name."
+    if error.validator in ("minItems", "minProperties") and not error.instance:
         return f"{key} is empty: give at least {'one entry' if limit == 1 else limit}."
     if error.validator == "minItems":
         return f"{key} has {_count(error.instance)}, below its limit {limit}: list {limit} or more."

@@ -32,36 +32,53 @@ NUMBERS_PER_BEAD = 64
 COLUMNS_PER_ROW = 4
 """Numbers kept for each bead and time: two fields, and the arrays that they are made from."""
 
+NUMBERS_PER_FRONT = 16
+"""Properties of an exact front that are kept."""
+
 SECONDS_PER_CROSSING = 5.0e-7
-SECONDS_PER_POINT = 1.0e-9
+
+SECONDS_PER_POINT = 5.0e-9
 """Of a grid, for each step in time or each evaluation."""
 
 SECONDS_PER_FRONT = 1.0e-4
 """An exact front, found by continuation from its neighbour."""
+
+SECONDS_PER_RUN = 1.0e-4
+"""The shortest run whose time is measured."""
+
+SECONDS_PER_OPERATION = 1.0e-10
+"""Of dense linear algebra."""
+
+BEADS_OF_PROBLEMS = 100.0
+"""Beads that move on the average in the problems whose solution is stored."""
 
 LARGEST = 1.0e300
 """Stands for what overflows."""
 
 
 class Part(NamedTuple):
-    """What one key contributes to the size of a section.
+    """What some keys together contribute to the size of a section.
 
     Attributes
     ----------
-    key : str
-        Dotted key inside the section.
+    large, small : tuple of str
+        Dotted keys inside the section, of counts and of spacings: the size grows with the former
+        and falls with the latter.
     numbers : float
         Numbers held at once.
     seconds : float
         Time on one core.
-    remedy : str
-        What to do with the key.
     """
 
-    key: str
-    numbers: float
+    large: tuple[str, ...]
+    small: tuple[str, ...] = ()
+    numbers: float = 0.0
     seconds: float = 0.0
-    remedy: str = "give less"
+
+    @property
+    def memory(self) -> float:
+        """Bytes held at once."""
+        return min(BYTES_PER_NUMBER * self.numbers, LARGEST)
 
 
 def size_errors(path: str, section: Mapping) -> Iterator[str]:
@@ -77,27 +94,26 @@ def size_errors(path: str, section: Mapping) -> Iterator[str]:
     Yields
     ------
     str
-        One sentence if it is too large: the key that contributes most, and the size.
+        One sentence if it is too large: the keys that contribute most, and the size.
     """
-    yield from part_errors(section, list(SIZES.get(path, _no_parts)(section)))
+    if path in SIZES:
+        yield from part_errors(section, list(SIZES[path](section)))
 
 
 def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
     """Compare the sum of some parts with the limits; see `size_errors`."""
-    memory = BYTES_PER_NUMBER * sum(_capped(part.numbers) for part in parts)
-    seconds = sum(_capped(part.seconds) for part in parts)
+    memory = sum(part.memory for part in parts)
+    seconds = min(sum(part.seconds for part in parts), LARGEST)
     if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
         return
-    largest = max(
-        parts,
-        key=lambda part: max(
-            BYTES_PER_NUMBER * part.numbers / MOST_MEMORY, part.seconds / LONGEST_TIME
-        ),
-    )
+    most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
+    keys = [f"{key} = {_look_up(section, key)}" for key in (*most.large, *most.small)]
+    remedies = [f"lower {' or '.join(most.large)}"] if most.large else []
+    remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
     yield (
-        f"{largest.key} is {_look_up(section, largest.key)}, which takes at least "
+        f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
         f"{show_memory(memory)} of memory and {show_time(seconds)} on one core, above the limit of "
-        f"{show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: {largest.remedy}."
+        f"{show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: {', or '.join(remedies)}."
     )
 
 
@@ -115,7 +131,7 @@ def show_time(seconds: float) -> str:
     for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
         if seconds >= 2.0 * length:
             return f"{_show_number(seconds / length)} {unit}"
-    return f"{seconds:.0f} seconds"
+    return f"{seconds:.0f} s"
 
 
 def _show_number(value):
@@ -128,68 +144,65 @@ def _look_up(section, key):
     return section
 
 
-def _no_parts(_section):
-    return ()
-
-
-def _capped(value):
-    return min(value, LARGEST)
-
-
 # Scenes.
 
 
 def size_of_chain(scene: Mapping) -> Iterator[Part]:
     """A motion of `beads` beads up to `end_time`, and its record."""
-    beads, record = float(scene["beads"]), scene["record"]
-    yield Part("beads", NUMBERS_PER_BEAD * beads)
-    yield Part("end_time", 0.0, _crossing_time(scene, beads))
-    yield Part("record.snapshots", COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
+    beads, end, record = float(scene["beads"]), scene["end_time"], scene["record"]
+    yield Part(("beads",), (), NUMBERS_PER_BEAD * beads)
+    yield Part(("beads", "end_time"), (), 0.0, _crossing_time(scene, beads))
+    yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
     for name, probe in record.get("probes", {}).items():
-        samples = _points(probe) * len(probe["beads"])
-        yield Part(f"record.probes.{name}.step", COLUMNS_PER_ROW * samples, 0.0, "give more")
+        key, samples = f"record.probes.{name}", _points(probe) * len(probe["beads"])
+        yield _grid_part((f"{key}.stop",), (f"{key}.step",), COLUMNS_PER_ROW * samples)
     if "grid" in record:
-        rows = scene["end_time"] / record["grid"]["step"]
-        yield Part("record.grid.step", COLUMNS_PER_ROW * rows * beads, 0.0, "give more")
+        rows = end / record["grid"]["step"]
+        numbers = COLUMNS_PER_ROW * rows * beads
+        yield _grid_part(("beads", "end_time"), ("record.grid.step",), numbers)
 
 
 def size_of_orbits(scene: Mapping) -> Iterator[Part]:
     """Heteroclinic orbits, with a profile for each damping; the well and the portrait."""
-    profile, orbits = scene["profile"], len(scene["mu"])
-    yield _step_part("profile.step", COLUMNS_PER_ROW * orbits * _points(profile))
+    numbers = COLUMNS_PER_ROW * len(scene["mu"]) * _points(scene["profile"])
+    yield _grid_part(("profile.stop",), ("profile.step",), numbers)
     if "well" in scene:
-        well = scene["well"]
-        yield _step_part("well.step", COLUMNS_PER_ROW * 2.0 * well["limit"] / well["step"])
+        points = 2.0 * scene["well"]["limit"] / scene["well"]["step"]
+        yield _grid_part(("well.limit",), ("well.step",), COLUMNS_PER_ROW * points)
     if "portrait" in scene:
         portrait = scene["portrait"]
         points = len(portrait["starts"]) * 2.0 * portrait["span"] / portrait["step"]
-        yield _step_part("portrait.step", COLUMNS_PER_ROW * points)
+        yield _grid_part(("portrait.span",), ("portrait.step",), COLUMNS_PER_ROW * points)
 
 
 def size_of_ring(scene: Mapping) -> Iterator[Part]:
     """A ring of 2p − 1 beads, and its amplitude equations on their grids."""
     beads, end, scaling = 2.0 * scene["half_beads"], scene["end_time"], scaling_of(scene)
     equations, rows = scene["equations"], end / scene["record"]["grid"]["step"]
-    slow_end = scaling.slow_rate * end
-    points = float(equations["upwind"]["points"])
-    per_length = points / (2.0 * scaling.half_length(scene["half_beads"]))
-    steps = slow_end * per_length * per_length
-    yield Part("half_beads", NUMBERS_PER_BEAD * beads)
-    yield Part("end_time", 0.0, scaling.speed * end * beads * SECONDS_PER_CROSSING)
-    yield Part("record.grid.step", 3.0 * COLUMNS_PER_ROW * rows * beads, 0.0, "give more")
+    yield Part(
+        ("half_beads", "end_time"),
+        (),
+        NUMBERS_PER_BEAD * beads,
+        scaling.speed * end * beads * SECONDS_PER_CROSSING,
+    )
+    numbers = 3.0 * COLUMNS_PER_ROW * rows * beads
+    yield _grid_part(("half_beads", "end_time"), ("record.grid.step",), numbers)
     for name in ("logarithmic", "unlimited"):
         cells = float(equations[name]["cells"])
-        yield Part(f"equations.{name}.cells", NUMBERS_PER_BEAD * cells)
-    yield Part(
-        "equations.upwind.points", NUMBERS_PER_BEAD * points, points * steps * SECONDS_PER_POINT
-    )
+        yield _grid_part((f"equations.{name}.cells",), (), NUMBERS_PER_BEAD * cells)
+    points = float(equations["upwind"]["points"])
+    per_length = points / (2.0 * scaling.half_length(scene["half_beads"]))
+    seconds = points * per_length * per_length * scaling.slow_rate * end * SECONDS_PER_POINT
+    yield Part(("equations.upwind.points", "end_time"), (), NUMBERS_PER_BEAD * points, seconds)
 
 
 def size_of_front(scene: Mapping) -> Iterator[Part]:
     """An exact front on a window, and a chain driven up to a bead."""
-    bead = float(scene["driven_bead"])
-    yield _step_part("window.step", 6.0 * COLUMNS_PER_ROW * _points(scene["window"]))
-    yield Part("driven_bead", NUMBERS_PER_BEAD * bead, 0.5 * bead**2 * SECONDS_PER_CROSSING)
+    numbers, bead = 6.0 * COLUMNS_PER_ROW * _points(scene["window"]), float(scene["driven_bead"])
+    yield _grid_part(("window.stop",), ("window.step",), numbers)
+    yield Part(
+        ("driven_bead",), (), NUMBERS_PER_BEAD * bead, 0.5 * bead * bead * SECONDS_PER_CROSSING
+    )
 
 
 # Many exact fronts.
@@ -197,21 +210,20 @@ def size_of_front(scene: Mapping) -> Iterator[Part]:
 
 def size_of_survey(section: Mapping) -> Iterator[Part]:
     """A front for each exponent and each damping."""
-    yield _front_part("gamma.num", len(section["alpha"]) * float(section["gamma"]["num"]))
+    yield _front_part(("gamma.num",), len(section["alpha"]) * float(section["gamma"]["num"]))
 
 
 def size_of_damping_map(section: Mapping) -> Iterator[Part]:
     """A front for each point of the plane."""
-    exponents, dampings = float(section["alpha"]["num"]), float(section["gamma"]["num"])
-    largest = "alpha.num" if exponents > dampings else "gamma.num"
-    yield _front_part(largest, exponents * dampings)
+    fronts = float(section["alpha"]["num"]) * section["gamma"]["num"]
+    yield _front_part(("alpha.num", "gamma.num"), fronts)
 
 
 def size_of_multipliers(section: Mapping) -> Iterator[Part]:
     """A dense matrix of two rows a bead, and its eigenvalues, for each front and window."""
     rows = 2.0 * max(section["beads_behind"])
-    flops = 25.0 * rows**3 * len(section["fronts"])
-    yield Part("beads_behind", 3.0 * rows**2, 1.0e-10 * flops)
+    operations = 25.0 * rows * rows * rows * len(section["fronts"])
+    yield Part(("beads_behind",), (), 3.0 * rows * rows, operations * SECONDS_PER_OPERATION)
 
 
 # Contact laws at work.
@@ -219,27 +231,31 @@ def size_of_multipliers(section: Mapping) -> Iterator[Part]:
 
 def size_of_regimes(section: Mapping) -> Iterator[Part]:
     """A front and a collision for each law and each velocity."""
-    points = float(section["points"]) * len(section["betas"])
-    yield Part("points", COLUMNS_PER_ROW * points, points * SECONDS_PER_FRONT)
+    yield _front_part(("points",), float(section["points"]) * len(section["betas"]))
 
 
 def size_of_theta_method(section: Mapping) -> Iterator[Part]:
     """A motion by equal steps for each θ and each step."""
     order, profile = section["order"], section["profile"]
-    for name, motion, steps, motions in [
-        ("order", order, order["steps"], len(order["thetas"])),
-        ("profile", profile, [profile["step"]], 1),
+    for name, motion, step_key, steps, motions in [
+        ("order", order, "order.steps", order["steps"], len(order["thetas"])),
+        ("profile", profile, "profile.step", [profile["step"]], 1),
     ]:
         beads = float(motion["beads"])
         work = motions * beads * motion["end_time"] / min(steps)
-        yield Part(f"{name}.beads", NUMBERS_PER_BEAD * beads)
-        yield Part(f"{name}.end_time", 0.0, work * SECONDS_PER_POINT, "give less, or larger steps")
+        yield Part(
+            (f"{name}.beads", f"{name}.end_time"),
+            (step_key,),
+            NUMBERS_PER_BEAD * beads,
+            work * SECONDS_PER_POINT,
+        )
 
 
 def size_of_driven_fronts(section: Mapping) -> Iterator[Part]:
     """Fronts that run through `beads` beads, one for each law (and each ramp of a piston)."""
     fronts, beads = len(section["cases"]) * len(section.get("ramps", [0])), float(section["beads"])
-    yield Part("beads", NUMBERS_PER_BEAD * beads, 0.5 * fronts * beads**2 * SECONDS_PER_CROSSING)
+    seconds = 0.5 * fronts * beads * beads * SECONDS_PER_CROSSING
+    yield Part(("beads",), (), NUMBERS_PER_BEAD * beads, seconds)
 
 
 # Measurements of speed.
@@ -248,9 +264,10 @@ def size_of_driven_fronts(section: Mapping) -> Iterator[Part]:
 def size_of_repeated_runs(problem: Mapping) -> Iterator[Part]:
     """Every method at every tolerance, some times over."""
     runs = len(problem["methods"]) * len(problem["tolerances"])
-    seconds = 420.0 * 0.56 * problem.get("end_time", 1.0) * SECONDS_PER_CROSSING
-    yield Part("end_time" if "end_time" in problem else "repeats", 0.0, runs * seconds)
-    yield Part("repeats", 0.0, runs * problem["repeats"] * 1.0e-4)
+    yield Part(("repeats",), (), 0.0, runs * problem["repeats"] * SECONDS_PER_RUN)
+    if "end_time" in problem:
+        crossings = runs * BEADS_OF_PROBLEMS * float(problem["end_time"])
+        yield Part(("end_time",), (), 0.0, crossings * SECONDS_PER_CROSSING)
 
 
 def size_of_log_burgers(problem: Mapping) -> Iterator[Part]:
@@ -262,31 +279,27 @@ def size_of_log_burgers(problem: Mapping) -> Iterator[Part]:
         ("reference.cells", reference["cells"]),
         ("reference.points", reference["points"]),
     ]:
-        yield Part(key, NUMBERS_PER_BEAD * float(cells), 1.0e-4 * cells * SECONDS_PER_POINT)
-    upwind = float(max(problem["upwind_points"]))
-    yield Part("upwind_points", 0.0, 1.0e-4 * upwind**3 * SECONDS_PER_POINT)
+        yield _grid_part((key,), (), NUMBERS_PER_BEAD * float(cells))
     for key, step in [
         ("reference.longest_step", reference["longest_step"]),
         ("longest_steps", min(problem["longest_steps"])),
     ]:
-        yield Part(key, 0.0, reference["points"] / step * SECONDS_PER_POINT, "give more")
-    yield Part("repeats", 0.0, problem["repeats"] * 1.0e-3)
+        yield Part((), (key,), 0.0, reference["points"] / step * SECONDS_PER_POINT)
+    yield Part(("repeats",), (), 0.0, problem["repeats"] * SECONDS_PER_RUN)
 
 
 def size_of_stiff_damping(section: Mapping) -> Iterator[Part]:
     """One motion for each damping and tolerance, some times over."""
     runs = len(section["gammas"]) * len(section["relative_tolerances"])
+    beads = float(section["beads"])
     motion = {
         "law": {"alpha": 1.5},
-        "boundary": {"left": section["displacement"]},
-        "start": {},
+        "displacement": section["displacement"],
         "end_time": section["end_time"],
     }
-    beads = float(section["beads"])
     seconds = runs * _crossing_time(motion, beads)
-    yield Part("beads", NUMBERS_PER_BEAD * beads)
-    yield Part("end_time", 0.0, seconds)
-    yield Part("repeats", 0.0, runs * section["repeats"] * 1.0e-4)
+    yield Part(("beads", "end_time"), (), NUMBERS_PER_BEAD * beads, seconds)
+    yield Part(("repeats",), (), 0.0, runs * section["repeats"] * SECONDS_PER_RUN)
 
 
 SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
@@ -315,12 +328,12 @@ def _points(axis):
     return (axis["stop"] - axis["start"]) / axis["step"]
 
 
-def _step_part(key, numbers):
-    return Part(key, numbers, numbers * SECONDS_PER_POINT, "give more")
+def _grid_part(large, small, numbers):
+    return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
 
 
-def _front_part(key, fronts):
-    return Part(key, NUMBERS_PER_BEAD * fronts, fronts * SECONDS_PER_FRONT)
+def _front_part(keys, fronts):
+    return Part(keys, (), NUMBERS_PER_FRONT * fronts, fronts * SECONDS_PER_FRONT)
 
 
 def _crossing_time(scene, beads):

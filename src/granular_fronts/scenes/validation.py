@@ -76,6 +76,18 @@ def section_errors(path: str, section: Mapping) -> list[str]:
     )
 
 
+def section_label(path: str) -> str:
+    """What stands before a key of a section in a sentence, for example ``Scene weak: ``.
+
+    Parameters
+    ----------
+    path : str
+        Of the section in the configuration.
+    """
+    names = path.split(".")
+    return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
+
+
 def raise_if_any(sentences: Sequence[str]) -> None:
     """Raise a ConfigurationError of some sentences, one a line, if there are any."""
     if sentences:
