@@ -158,7 +158,8 @@ def _repeated_keys(node):
 def _syntax_error(file, error):
     mark = getattr(error, "problem_mark", None)
     if mark is None:
-        return f"{file} is no YAML ({error}): correct it."
+        reason = " ".join(str(error).split())
+        return f"{file} is no YAML ({reason}): correct it."
     return f"{_position(file, mark)}: this is no YAML ({error.problem}): correct it there."
 
 
