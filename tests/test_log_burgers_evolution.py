@@ -5,13 +5,12 @@ import pytest
 from rings import at_end, coarsen, scene_with, slope_and_residual
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers import log_burgers_front
 from granular_fronts.continuum.solution import solve
 from granular_fronts.continuum.starts import make_start
-from granular_fronts.errors import SolveError
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.slow_scales import scaling_of
 
 
@@ -173,7 +172,7 @@ REFUSED = [
 
 @pytest.mark.parametrize(("changes", "words"), REFUSED, ids=[str(c)[:50] for c, _ in REFUSED])
 def test_impossible_scene_is_refused_in_a_sentence(changes, words):
-    with pytest.raises(ConfigurationError, match=r"^Scene mine: ") as caught:
+    with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
         gf.evolve_log_burgers(scene_with(**changes), "mine")
     for word in words:
         assert word in str(caught.value)
