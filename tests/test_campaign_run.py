@@ -32,12 +32,9 @@ SHORT = {
     "chunk_points": 2,
 }
 
-# What the default profile gives to those who call Snakemake in the project's folder.
-OPTIONS = ["--cores", "1", "--rerun-incomplete", "--nolock"]
-
 
 def command_of(*arguments):
-    return [sys.executable, "-m", "snakemake", *OPTIONS, "campaign", *map(str, arguments)]
+    return [sys.executable, "-m", "snakemake", "--cores", "1", "campaign", *map(str, arguments)]
 
 
 def run_campaign(folder, *arguments, name="mine"):

@@ -5,16 +5,19 @@ import subprocess
 import sys
 
 import pytest
+import yaml
 from projects import ROOT
 
 
 def target_rules():
-    """Names of the rules that make nothing themselves; one that tests is asked for by name too."""
-    names = {"check_results"}
+    """Names of the figures and of the rules that make nothing themselves; and that of the tests."""
+    figures = (ROOT / "workflow/figures.yaml").read_text(encoding="utf-8")
+    names = {"check_results", *yaml.safe_load(figures)}
     for file in [ROOT / "Snakefile", *ROOT.glob("workflow/rules/*.smk")]:
         for part in re.split(r"^(?=rule |checkpoint )", file.read_text(), flags=re.MULTILINE)[1:]:
-            if "    output:" not in part:
-                names.add(re.match(r"rule (\w+):", part)[1])
+            name = re.match(r"rule (\w+):", part)
+            if name and "    output:" not in part:
+                names.add(name[1])
     return names
 
 

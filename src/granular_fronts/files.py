@@ -82,11 +82,12 @@ def remove_leftovers(folder: Path, name: str | None = None) -> None:
     with os.scandir(folder) as entries:
         for entry in entries:
             match = pattern.fullmatch(entry.name)
-            if match and not _is_running(int(match[1])):
+            if match and not is_running(int(match[1])):
                 Path(entry.path).unlink(missing_ok=True)
 
 
-def _is_running(process: int) -> bool:
+def is_running(process: int) -> bool:
+    """Whether there is a process of this number on this machine."""
     try:
         os.kill(process, 0)
     except (ProcessLookupError, OverflowError):
