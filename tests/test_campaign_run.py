@@ -154,7 +154,7 @@ def kill_snakemake_and_worker(process, worker):
 
 
 def kill_snakemake(process, worker):
-    """Kill the workflow alone; its worker goes on, and its chunk may be solved twice."""
+    """Kill the workflow alone; its worker ends with it, or has just written its chunk."""
     process.kill()
 
 
