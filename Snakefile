@@ -1,18 +1,30 @@
 """Figures, tables and report of the paper from nothing: `snakemake -c2`, or name one target."""
 
 
-configfile: "config/default.yaml"
-
-
 include: "workflow/rules/common.smk"
 
 
-from granular_fronts.configuration import ConfigurationError, check_configuration
+from granular_fronts.scenes.configuration import validate_configuration
+from granular_fronts.errors import InputError
+from granular_fronts.scenes.yaml_files import load_configuration
 
-try:
-    check_configuration(config)
-except ConfigurationError as error:
-    sys.exit(f"The configuration cannot be computed.\n{error}")
+
+def checked(check, *arguments):
+    """Make a check, and end with its sentences where it fails."""
+    try:
+        check(*arguments)
+    except InputError as error:
+        sys.exit(f"The configuration cannot be computed.\n{error}")
+
+
+# Of a YAML error Snakemake itself says neither line nor column.
+checked(load_configuration, "config/default.yaml")
+
+
+configfile: "config/default.yaml"
+
+
+checked(validate_configuration, config, workflow.configfiles, workflow.config_settings.config)
 
 
 pathvars:

@@ -8,8 +8,8 @@ import pytest
 
 from granular_fronts.campaign import chunks, definition, merging
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.datasets import write_dataset
+from granular_fronts.errors import InputError
 
 ROOT = Path(__file__).parents[1]
 CHAINS = {
@@ -26,7 +26,7 @@ def campaign(given=CHAINS, **changes):
 
 
 def refusal(given=CHAINS, **changes):
-    with pytest.raises(ConfigurationError) as caught:
+    with pytest.raises(InputError) as caught:
         campaign(given, **changes)
     return str(caught.value)
 

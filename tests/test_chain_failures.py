@@ -3,8 +3,8 @@
 import pytest
 from chains import driven_scene, ring_scene, smooth_ring
 
-from granular_fronts.chain.run import SolveError
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import SolveError
 
 
 def test_opening_contact_below_linear_is_refused():

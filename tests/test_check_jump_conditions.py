@@ -10,12 +10,8 @@ import yaml
 
 import granular_fronts as gf
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
-from granular_fronts.configuration import (
-    ConfigurationError,
-    check_configuration,
-    load_configuration,
-)
 from granular_fronts.contact import fpu, generalised_hertz, toda
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.any_law import (
     FIRST_SPACING,
     ORDER,
@@ -26,6 +22,8 @@ from granular_fronts.fronts.any_law import (
 from granular_fronts.fronts.lattice import choose_window, long_wave_front, make_lattice
 from granular_fronts.laws.measured_jumps import measure_jumps, travelling_speed
 from granular_fronts.laws.named_potentials import make_potential, make_slope
+from granular_fronts.scenes.configuration import check_configuration
+from granular_fronts.scenes.yaml_files import load_configuration
 
 FILE = Path(__file__).parents[1] / "config" / "default.yaml"
 SCENE = load_configuration(FILE)["laws"]["jump_conditions"]
@@ -321,5 +319,5 @@ def test_a_state_pair_without_a_front_is_refused_with_theory():
 def test_impossible_configuration_is_refused(tmp_path, change, sentence):
     above = tmp_path / "above.yaml"
     above.write_text(yaml.safe_dump({"laws": {"jump_conditions": change}}))
-    with pytest.raises(ConfigurationError, match=sentence):
+    with pytest.raises(InputError, match=sentence):
         check_configuration(load_configuration(FILE, above))

@@ -145,10 +145,10 @@ def test_restitution_falls_with_damping():
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ((-0.1,), "gamma is -0.1, but must be 0 or more"),
+        ((-0.1,), "gamma is -0.1, but must be a finite number, at least 0"),
         ((math.nan,), "gamma is nan"),
-        ((0.1, 0.0), "alpha is 0.0, but must be above 0"),
-        ((0.1, 1.5, 0.5), "beta is 0.5, but must be 1 or more"),
+        ((0.1, 0.0), "alpha is 0.0, but must be a finite number, above 0"),
+        ((0.1, 1.5, 0.5), "beta is 0.5, but must be a finite number, at least 1"),
     ],
 )
 def test_impossible_collision_is_refused(arguments, sentence):
@@ -158,5 +158,5 @@ def test_impossible_collision_is_refused(arguments, sentence):
 
 @pytest.mark.parametrize("e", [0.0, -0.5, 1.0001, math.nan])
 def test_impossible_restitution_is_refused(e):
-    with pytest.raises(ValueError, match=f"The coefficient of restitution is {e}, but lies"):
+    with pytest.raises(ValueError, match=f"e is {e}, .* above 0 and at most 1"):
         damping_for_restitution(e)

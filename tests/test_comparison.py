@@ -9,9 +9,10 @@ from plot_fig07b import draw_distances
 from tabulate_paper_numbers import find_measure, judge
 
 from granular_fronts.comparison import compare_with_chain, make_chain_scene
-from granular_fronts.configuration import check_scene, load_configuration
 from granular_fronts.drawing import draw_comparison, draw_rings
 from granular_fronts.periodic import measures
+from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.yaml_files import load_configuration
 
 CONFIG = Path(__file__).parents[1] / "config"
 SCENE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")["scenes"]["periodic"][

@@ -88,7 +88,7 @@ sys.path.insert(0, {tests!r})
 from test_compiled import WINGS, kernels_in
 from granular_fronts import chain, continuum, fronts
 from granular_fronts.comparison import compare_with_chain
-from granular_fronts.configuration import load_configuration
+from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.continuum.survey import survey_heteroclinic
 from granular_fronts.fronts.comparison import compare_front
 

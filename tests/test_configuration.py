@@ -1,5 +1,6 @@
 import copy
 import functools
+import json
 import math
 import operator
 import re
@@ -11,14 +12,15 @@ import numpy as np
 import pytest
 import yaml
 
-from granular_fronts.configuration import (
-    RELATIVE_TOLERANCE_FLOOR,
-    ConfigurationError,
+from granular_fronts.errors import InputError
+from granular_fronts.scenes.configuration import (
+    argument_errors,
     check_configuration,
-    check_scene,
-    load_configuration,
-    merge,
+    folder_errors,
 )
+from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.yaml_files import load_configuration, merge
 
 ROOT = Path(__file__).parents[1]
 DEFAULT = ROOT / "config" / "default.yaml"
@@ -43,7 +45,7 @@ def change(configuration, family="chain", scene=SCENE, **changes):
 
 
 def refusal(configuration):
-    with pytest.raises(ConfigurationError) as caught:
+    with pytest.raises(InputError) as caught:
         check_configuration(configuration)
     return str(caught.value)
 
@@ -139,6 +141,30 @@ REFUSED = [
     ),
     ({"record__probes__steady__beads": [0]}, ["probes.steady.beads (entry 1) is 0", "limit 1"]),
     ({"record__probes__Fig 1": {}}, ['"Fig 1" in record.probes is no usable name']),
+    ({"tolerance__relative": 1.0e3}, ["tolerance.relative is 1000.0", "limit 0.1", "or less"]),
+    (
+        {"tolerance__absolute": 1.0e-300},
+        ["tolerance.absolute is 1e-300, below 1e-20", "about 0.1", "give 1.0e-21 or more"],
+    ),
+    ({"tolerance__absolute": 1.0e3}, ["above 0.1 of the largest", "give 1.0e-02 or less"]),
+    ({"law__gamma": 1.0e300}, ["law.gamma is 1e+300", "1e±140", "nearer to 1"]),
+    ({"law__alpha": 1.0e3}, ["law.alpha is 1000.0", "energies of about 1e-1001", "nearer to 1"]),
+    ({"beads": 10**9}, ["beads = 1000000000", "16,004 GiB", "limit of 16 GiB", "lower beads"]),
+    ({"beads": 10**30}, ["beads is 1000", "beyond what an array can hold"]),
+    ({"end_time": 1.0e300}, ["end_time = 1e+300", "years on one core", "lower beads or end_time"]),
+    ({"record__grid__step": 1.0e-9}, ["record.grid.step = 1e-09", "raise record.grid.step"]),
+    (
+        {"record__probes__steady__step": 1.0e-9},
+        ["probes.steady.step = 1e-09", "53,644 GiB", "raise record.probes.steady.step"],
+    ),
+    ({"record__snapshots": [450, 450.0]}, ["record.snapshots (entry 2) is 450.0", "list it once"]),
+    (
+        {"record__probes__grid": {"beads": [1], "start": 0, "stop": 1, "step": 1}},
+        ["record.probes.grid has the name", "another name"],
+    ),
+    ({"record__snapshots": []}, ["record.snapshots is empty", "figure 1 needs it"]),
+    ({"record__probes__transient": ...}, ["probes.transient is missing", "figure 1 needs it"]),
+    ({"record__extremes": False}, ["record.extremes is empty or off", "printed numbers"]),
     ({"record__extremes": "yes"}, ['record.extremes is "yes"', "true or false"]),
 ]
 
@@ -159,6 +185,10 @@ HETEROCLINIC_REFUSED = [
     ({"mu": [0.3, 2, 0.3]}, ["mu (entry 3) is 0.3", "list it once"]),
     ({"profile__start": 10}, ["profile.start is 10", "stop 10"]),
     ({"profile__step": 0}, ["profile.step is 0", "above 0"]),
+    ({"profile__step": 1.0e-9}, ["profile.step = 1e-09", "2,980 GiB", "raise profile.step"]),
+    ({"portrait__step": 1.0e-9}, ["portrait.step = 1e-09", "GiB", "raise portrait.step"]),
+    ({"portrait__mu": 0.5}, ["portrait.mu is 0.5", "one of mu [0.3, 2]", "add 0.5 to mu"]),
+    ({"well": ...}, ["well is missing", "figure 8 needs it"]),
     ({"portrait__starts": []}, ["portrait.starts is empty"]),
     ({"portrait__starts": [[0.5, 0], [-1, 0]]}, ["starts (entry 2) is [-1, 0]", "equilibrium"]),
     ({"well__limit": -1}, ["well.limit is -1", "above 0"]),
@@ -181,14 +211,15 @@ def test_heteroclinic_scene_may_leave_out_what_only_the_figure_needs():
 
 
 def test_checking_waits_for_no_heavy_import():
-    code = "import granular_fronts.configuration, sys; print({'numpy', 'numba'} & set(sys.modules))"
+    module = "granular_fronts.scenes.configuration"
+    code = f"import {module}, sys; print({{'numpy', 'numba'}} & set(sys.modules))"
     environment = {"PYTHONPATH": str(ROOT / "src")}
     command = [sys.executable, "-c", code]
     run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     assert run.stdout == "set()\n"
 
 
-def test_every_mistake_is_told_at_once(default):
+def test_every_mistake_is_named_at_once(default):
     sentences = refusal(change(default, law__alpha=-1, beads=0)).splitlines()
     assert len(sentences) == 2
 
@@ -207,15 +238,194 @@ def test_impossible_configuration_outside_scenes_is_refused(configuration, words
     assert words in refusal(configuration)
 
 
-def test_missing_key_is_told_where_a_definition_describes_it(default):
+def set_value(configuration, path, value):
+    """Set the value at a dotted path."""
+    # Anchors of YAML let sections share a mapping; JSON writes each of them out.
+    changed = json.loads(json.dumps(configuration))
+    *parents, last = path.split(".")
+    node = functools.reduce(operator.getitem, parents, changed)
+    node[last] = value
+    return changed
+
+
+FRONT = {
+    "law": {"alpha": 1.5, "gamma": 0.06},
+    "displacement": 0.1,
+    "window": {"start": -40, "stop": 5, "step": 0.02},
+    "driven_bead": 400,
+}
+ORBIT = {"mu": [1], "profile": {"start": -1, "stop": 1, "step": 0.5}}
+MATERIAL = "laws.materials.beads.glass"
+SECTIONS_REFUSED = [
+    # Numbers that are not finite.
+    ("exact_fronts.survey.alpha", [1.1, math.nan], ["alpha (entry 2) is nan", "finite"]),
+    ("exact_fronts.critical_damping.overshoot_cut", math.nan, ["is nan", "finite"]),
+    ("laws.materials.impact_velocity", math.nan, ["is nan", "finite"]),
+    ("laws.piston.velocity", math.nan, ["is nan", "finite"]),
+    ("stiff_damping.gammas", [math.nan], ["gammas (entry 1) is nan", "finite"]),
+    ("front_exponents", [1.5, math.inf], ["front_exponents (entry 2) is inf", "finite"]),
+    ("chunk_seconds", math.inf, ["is inf", "finite"]),
+    # Entries listed twice.
+    ("exact_fronts.survey.alpha", [1.1, 1.5, 1.1], ["alpha (entry 3) is 1.1", "list it once"]),
+    ("front_exponents", [1.5, 1.5], ["front_exponents (entry 2) is 1.5", "list it once"]),
+    ("laws.damping_regimes.betas", [1, 1.0], ["betas (entry 2) is 1.0", "list it once"]),
+    ("laws.piston.ramps", [0, 10, 10], ["ramps (entry 3) is 10", "list it once"]),
+    ("hard_cases", ["delta_1e8"] * 2, ['hard_cases (entry 2) is "delta_1e8"', "list it once"]),
+    # Names that clash.
+    ("scenes.front.survey", FRONT, ["scenes.front.survey has the name of the survey", "rename"]),
+    ("scenes.front.multipliers", FRONT, ["has the name of the multipliers", "rename"]),
+    ("scenes.front.critical_damping", FRONT, ["has the name of the map", "rename"]),
+    ("scenes.heteroclinic.log_burgers_fronts", ORBIT, ["has the name of the fluxes", "rename"]),
+    ("scenes.heteroclinic.weak", ORBIT, ["has the name of scenes.heteroclinic.weak", "rename"]),
+    ("scenes.front.piston", FRONT, ["has the name of the fronts driven by pistons", "rename"]),
+    # Sizes.
+    ("exact_fronts.survey.gamma.num", 10**9, ["gamma.num = 1000000000", "GiB", "lower gamma.num"]),
+    ("exact_fronts.critical_damping.alpha.num", 10**9, ["alpha.num = 1000000000", "74 days"]),
+    ("exact_fronts.multipliers.beads_behind", [10**6], ["beads_behind = [1000000]", "years"]),
+    ("scenes.front.underdamped.window.step", 1e-9, ["window.step = 1e-09", "GiB", "raise window"]),
+    ("scenes.front.underdamped.driven_bead", 10**9, ["driven_bead = 1000000000", "years"]),
+    ("scenes.periodic.weak.record.grid.step", 1e-9, ["record.grid.step = 1e-09", "GiB"]),
+    ("scenes.periodic.weak.equations.upwind.points", 10**7, ["upwind.points = 10000000", "years"]),
+    ("laws.damping_regimes.points", 10**9, ["points = 1000000000", "GiB"]),
+    ("laws.piston.beads", 10**9, ["beads = 1000000000", "years", "lower beads"]),
+    ("laws.jump_conditions.beads", 10**9, ["beads = 1000000000", "years", "lower beads"]),
+    ("laws.numerical_damping.profile.step", 1e-12, ["profile.step = 1e-12", "days"]),
+    ("stiff_damping.repeats", 10**12, ["repeats = 1000000000000", "years", "lower repeats"]),
+    ("precision.chain.contact_loss.end_time", 1e300, ["end_time = 1e+300", "years"]),
+    ("precision.log_burgers.weak.longest_steps", [1e-30], ["longest_steps = [1e-30]", "raise"]),
+    # What figures and tables need.
+    ("scenes.periodic.weak.record.snapshots", [10, 20], ["figure 5 needs 0 too", "add it"]),
+    ("scenes.heteroclinic.damping_sweep.mu", [1, 2], ["needs 0, 0.3, 3 too", "add them"]),
+    ("laws.damping_regimes.betas", [1, 2], ["needs 1.25, 1.5, 2.5 too", "add them"]),
+    # Units.
+    (f"{MATERIAL}.radius", 19.6, ["radius is 19.6", "density of 2.5e-06 kg/m³", "give metres"]),
+    (f"{MATERIAL}.mass", 78.8, ["its mass 78.8", "2.5e+06 kg/m³", "kilograms"]),
+    (f"{MATERIAL}.youngs_modulus", 70, ["youngs_modulus is 70 Pa", "70 GPa are 7.0e+10"]),
+    (f"{MATERIAL}.radius", 1e-200, ["radius is 1e-200", "below its limit"]),
+    # Ranges and steps.
+    ("exact_fronts.survey.gamma.start", 2, ["gamma.start is 2", "its stop 2", "raise stop"]),
+    ("laws.numerical_damping.profile.step", 0.7, ["no whole number of such steps ends at"]),
+    ("laws.numerical_damping.order.steps", [0.24], ["has 1 entry, below its limit 3"]),
+    ("laws.jump_conditions.cases.toda.states", [-2, -2], ["two different states"]),
+    ("laws.piston.tolerance.absolute", 1e-300, ["below 1e-20 of the largest", "or more"]),
+    ("scenes.periodic.weak.tolerance.absolute", 1e-300, ["below 1e-20 of the largest", "or more"]),
+    ("precision.log_burgers.weak.reference.points", 9, ["no multiple of 2"]),
+    (
+        "precision.chain.contact_loss.own_tolerances",
+        {"scipy_rk54": [1e-4]},
+        ['"scipy_rk54"', "is unknown: choose strain_form or"],
+    ),
+]
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "words"),
+    SECTIONS_REFUSED,
+    ids=[f"{path} {value}"[:70] for path, value, _ in SECTIONS_REFUSED],
+)
+def test_impossible_section_is_refused_in_a_sentence(default, path, value, words):
+    [sentence] = refusal(set_value(default, path, value)).splitlines()
+    assert sentence.endswith(".")
+    for word in words:
+        assert word in sentence
+
+
+def test_log_burgers_problem_names_a_ring(default):
+    problems = default["precision"]["log_burgers"]
+    problems["nosuch"] = problems["weak"]
+    assert "nosuch names no periodic scene: choose one of weak, hertz" in refusal(default)
+
+
+def test_what_is_large_but_possible_is_accepted(default):
+    """A hundred thousand beads for an hour, a thousand snapshots, ten million samples."""
+    large = change(
+        default,
+        beads=100_000,
+        record__grid__step=500,
+        record__probes__steady__step=3.6e-5,
+    )
+    check_configuration(large)
+
+
+@pytest.mark.parametrize(
+    ("results", "words"),
+    [
+        ("~/x", ["results is ~/x", f"write {Path.home()}/x"]),
+        ("a{b}", ["'{}'", "use letters"]),
+        (" a", ["blanks", "use letters"]),
+        ("pyproject.toml/results", ["pyproject.toml is a file", "name a folder"]),
+    ],
+)
+def test_folder_that_cannot_receive_results_is_refused(monkeypatch, results, words):
+    monkeypatch.chdir(ROOT)
+    [sentence] = folder_errors(results)
+    for word in words:
+        assert word in sentence
+
+
+def test_folder_that_is_not_writable_is_refused(monkeypatch, tmp_path):
+    monkeypatch.setattr("os.access", lambda path, mode: path != tmp_path)
+    [sentence] = folder_errors(str(tmp_path / "new" / "results"))
+    assert f"nothing can be written into {tmp_path}" in sentence
+
+
+@pytest.mark.parametrize("results", ["results", "results/smoke", "/tmp", "resultate-2é"])
+def test_usual_folder_is_accepted(results):
+    assert not [*folder_errors(results)]
+
+
+def test_mapping_after_config_names_the_way():
+    [sentence] = argument_errors({"scenes": {"chain": {}}, "results": "x", "chunk_seconds": 3})
+    assert "--config scenes=…" in sentence
+    assert "--configfile mine.yaml" in sentence
+
+
+YAML_REFUSED = [
+    ("a: b: c", ["line 1, column 5", "no YAML", "correct it"]),
+    ("a:\n\tb: 1", ["line 2, column 1", "no YAML"]),
+    ("a: 1\nb: {c: 1, d: 2, c: 3}", ["line 2, column 17", "the key c stands twice", "keep one"]),
+    ("a: 1\nb: 2\na: 3", ["line 3, column 1", "the key a stands twice"]),
+    ("[1, 2]", ["holds no mapping", "write key: value"]),
+    ("a: \x00", ["is no YAML"]),
+]
+
+
+@pytest.mark.parametrize(("text", "words"), YAML_REFUSED)
+def test_wrong_yaml_is_refused_with_its_place(tmp_path, text, words):
+    file = tmp_path / "mine.yaml"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        load_configuration(DEFAULT, file)
+    [sentence] = str(caught.value).splitlines()
+    assert sentence.startswith(str(file))
+    for word in words:
+        assert word in sentence
+
+
+def test_missing_file_is_refused_in_a_sentence(tmp_path):
+    with pytest.raises(InputError, match=r"nosuch\.yaml cannot be read .* name a text file"):
+        load_configuration(tmp_path / "nosuch.yaml")
+
+
+def test_merged_keys_may_be_overridden(tmp_path):
+    """The key that overrides a merged one stands once; so it does where it is merged again."""
+    file = tmp_path / "mine.yaml"
+    text = "a: &a {x: 1, y: 2}\nb: &b\n  <<: *a\n  x: 3\nc:\n  <<: *b\n  y: 4\nd: *b"
+    file.write_text(text, encoding="utf-8")
+    loaded = load_configuration(file)
+    assert loaded["c"] == {"x": 3, "y": 4}
+    assert loaded["d"] == {"x": 3, "y": 2}
+
+
+def test_missing_key_is_described_by_its_definition(default):
     del default["exact_fronts"]["survey"]["gamma"]
-    told = "exact_fronts.survey.gamma is missing: add it (Dampings at equal ratios)."
-    assert refusal(default) == told
+    sentence = "exact_fronts.survey.gamma is missing: add it (Dampings at equal ratios)."
+    assert refusal(default) == sentence
 
 
 def test_single_scene_is_checked_under_its_own_name(default):
     scene = change(default, law__gamma=-1)["scenes"]["chain"][SCENE]
-    with pytest.raises(ConfigurationError, match=r"^Scene mine: law\.gamma is -1"):
+    with pytest.raises(InputError, match=r"^Scene mine: law\.gamma is -1"):
         check_scene("chain", scene, "mine")
 
 

@@ -116,7 +116,7 @@ def test_short_interval_does_not_raise_a_false_alarm(width):
 @pytest.mark.parametrize(
     ("make_it", "sentence"),
     [
-        (lambda: generalised_hertz(0.0), "alpha is 0.0, but must be a number above 0"),
+        (lambda: generalised_hertz(0.0), "alpha is 0.0, but must be a finite number, above 0"),
         (lambda: generalised_hertz(1.5, -1.0), "stiffness is -1.0"),
         (lambda: toda(rate=0.0), "rate is 0.0"),
         (lambda: morse(depth=np.nan), "depth is nan"),

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from granular_fronts.configuration import ConfigurationError, check_scene
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.comparison import compare_front, normalised_damping
 from granular_fronts.fronts.continuum_fronts import continuum_fronts
 from granular_fronts.fronts.damping_map import map_critical_damping
 from granular_fronts.fronts.driven import drive_front
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.fronts.survey import distances, survey_fronts
+from granular_fronts.scenes.validation import check_scene
 
 XI = np.linspace(-40.0, 40.0, 2001)
 SCENE = {
@@ -110,5 +111,5 @@ def test_survey_and_map_tell_what_single_fronts_tell():
     ],
 )
 def test_impossible_scenes_are_refused(change, sentence):
-    with pytest.raises(ConfigurationError, match=sentence):
+    with pytest.raises(InputError, match=sentence):
         check_scene("front", SCENE | change, "mine")

@@ -144,8 +144,8 @@ def test_spinodal_state_has_no_sound():
         (fpu(1.0, 0.0, 1.0), -1.0, 1.0, NO_DISSIPATION, r"speed 1\.41421 .* Remark 4"),
         (toda(), -1.0, 0.0, fpu(-1.0), r"W'' of FPU potential is -1 .*convex"),
         (toda(), -0.1, -0.1, None, "both -0.1, but a front joins two different states"),
-        (toda(), -np.inf, 0.0, None, "R_minus is -inf, but must be finite"),
-        (lennard_jones(), -2.0, 0.0, None, "R_minus is -2.0, outside the interval from -1 to inf"),
+        (toda(), -np.inf, 0.0, None, "R_minus is -inf, but must be a finite"),
+        (lennard_jones(), -2.0, 0.0, None, "R_minus is -2.0, .* defined from -1 to inf"),
         (lennard_jones(), -1.0, 0.0, None, "V of Lennard-Jones potential is inf at r = -1"),
     ],
 )
@@ -157,13 +157,13 @@ def test_impossible_front_is_refused_with_its_theorem(
 
 
 def test_what_is_no_potential_is_refused_with_the_way_to_one():
-    with pytest.raises(ValueError, match=r"The potential is r\*\*4, no .* potential_from_expr"):
+    with pytest.raises(ValueError, match=r"potential is r\*\*4, .* potential_from_expr"):
         jump_conditions(sympy.Symbol("r") ** 4, -1.0, 0.0)
 
 
 @pytest.mark.parametrize("mass", [0.0, -1.0, np.nan])
 def test_impossible_mass_is_refused(mass):
-    with pytest.raises(ValueError, match=f"mass is {mass}, but must be above 0"):
+    with pytest.raises(ValueError, match=f"mass is {mass}, but must be a finite number, above 0"):
         jump_conditions(toda(), -1.0, 0.0, mass=mass)
 
 

@@ -8,15 +8,13 @@ import pytest
 from chains import driven_scene
 
 import granular_fronts as gf
-from granular_fronts.configuration import (
-    ConfigurationError,
-    check_configuration,
-    load_configuration,
-)
 from granular_fronts.contact import generalised_hertz
+from granular_fronts.errors import InputError
 from granular_fronts.laws.materials import evaluate_materials, regime
 from granular_fronts.laws.piston import limit, measure_pistons, push_chain, repetition
 from granular_fronts.laws.regimes import evaluate_regimes
+from granular_fronts.scenes.configuration import check_configuration
+from granular_fronts.scenes.yaml_files import load_configuration
 
 DEFAULT = Path(__file__).parents[1] / "config" / "default.yaml"
 TIGHT = {"relative": 1.0e-12, "absolute": 1.0e-14}
@@ -215,5 +213,5 @@ def test_impossible_configuration_is_refused(configuration, path, value, sentenc
     for parent in parents:
         node = node[parent]
     node[last] = value
-    with pytest.raises(ConfigurationError, match=sentence):
+    with pytest.raises(InputError, match=sentence):
         check_configuration(changed)

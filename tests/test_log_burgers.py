@@ -86,5 +86,5 @@ def test_impossible_fluxes_and_fronts_are_refused():
         with pytest.raises(ValueError, match=r"alpha is 1\.0.*above 1"):
             function(0.5, 1.0)
     for function in (limit_flux, lambda y: flux(y, 1.5)):
-        with pytest.raises(ValueError, match=r"y is -0\.1.*cannot pull"):
+        with pytest.raises(ValueError, match=r"y holds -0\.1.*cannot pull"):
             function([-0.1, 0.5])

@@ -5,12 +5,12 @@ import pytest
 from rings import at_end, coarsen, scene_with, slope_and_residual
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers import log_burgers_front
-from granular_fronts.continuum.solution import EvolutionError, solve
+from granular_fronts.continuum.solution import solve
 from granular_fronts.continuum.starts import make_start
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.slow_scales import scaling_of
 
 
@@ -172,7 +172,7 @@ REFUSED = [
 
 @pytest.mark.parametrize(("changes", "words"), REFUSED, ids=[str(c)[:50] for c, _ in REFUSED])
 def test_impossible_scene_is_refused_in_a_sentence(changes, words):
-    with pytest.raises(ConfigurationError, match=r"^Scene mine: ") as caught:
+    with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
         gf.evolve_log_burgers(scene_with(**changes), "mine")
     for word in words:
         assert word in str(caught.value)
@@ -182,7 +182,7 @@ def test_start_that_rings_below_zero_is_refused():
     """Point values of a step make a trigonometric polynomial that undershoots."""
     step = [0.0] * 20 + [1.0] * 25 + [0.0] * 20
     scene = scene_with(start={"kind": "given", "rescaled_force": step})
-    with pytest.raises(EvolutionError, match=r"smallest cell average of the start is -.*smoother"):
+    with pytest.raises(SolveError, match=r"smallest cell average of the start is -.*smoother"):
         gf.evolve_log_burgers(scene)
 
 
@@ -190,7 +190,7 @@ def test_step_size_collapse_is_reported():
     """A start of 1e100 cannot be followed with an absolute error of 1e-6."""
     force = [1.0e100, 2.0e100] * 32 + [1.0e100]
     scene = scene_with(start={"kind": "given", "rescaled_force": force})
-    with pytest.raises(EvolutionError, match="step size collapsed"):
+    with pytest.raises(SolveError, match="step size collapsed"):
         gf.evolve_log_burgers(scene)
 
 

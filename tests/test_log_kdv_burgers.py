@@ -9,7 +9,6 @@ import pytest
 from heteroclinic_reference import DIGITS, Reference
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum import heteroclinic as orbit_module
 from granular_fronts.continuum.heteroclinic import (
     UNDERFLOW_P,
@@ -33,6 +32,7 @@ from granular_fronts.continuum.slow_manifold import (
     state_on_manifold,
 )
 from granular_fronts.continuum.traced_orbit import REFINED, Accuracy, trace_orbit
+from granular_fronts.errors import InputError
 
 ACCURACY = 1.0e-13
 CASES = [
@@ -283,7 +283,7 @@ def test_far_behind_the_front_the_force_is_one():
 @pytest.mark.parametrize(
     ("mu", "s", "words"),
     [
-        (-0.1, None, ["mu is -0.1", "0 or more"]),
+        (-0.1, None, ["mu is -0.1", "at least 0"]),
         (1.0e-300, None, ["mu is 1e-300", "at least 1e-280"]),
         (math.nan, None, ["mu is nan", "finite"]),
         (math.inf, None, ["mu is inf", "finite"]),
@@ -296,7 +296,7 @@ def test_far_behind_the_front_the_force_is_one():
     ],
 )
 def test_impossible_request_is_refused_in_a_sentence(mu, s, words):
-    with pytest.raises(ConfigurationError) as caught:
+    with pytest.raises(InputError) as caught:
         gf.heteroclinic(mu, s)
     assert str(caught.value).endswith(".")
     for word in words:
@@ -304,7 +304,7 @@ def test_impossible_request_is_refused_in_a_sentence(mu, s, words):
 
 
 def test_turning_points_too_many_to_follow_are_refused():
-    with pytest.raises(ConfigurationError, match="turns so often"):
+    with pytest.raises(InputError, match="turns so often"):
         turning_points(1.0e-5)
 
 
@@ -329,7 +329,7 @@ def test_critical_damping_is_that_of_the_paper():
     [(1.0, 0.1, 1.0, "alpha is 1.0"), (1.5, -1.0, 1.0, "gamma is -1"), (1.5, 0.1, 0.0, "delta")],
 )
 def test_chain_without_amplitude_equation_is_refused(alpha, gamma, delta, words):
-    with pytest.raises(ConfigurationError, match=words):
+    with pytest.raises(InputError, match=words):
         amplitude_of_chain(alpha, gamma, delta)
 
 

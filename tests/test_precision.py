@@ -16,8 +16,8 @@ import xarray as xr
 from update_readme import speed
 from write_report import write_report
 
-from granular_fronts.configuration import load_configuration
 from granular_fronts.datasets import read_dataset, write_dataset
+from granular_fronts.scenes.yaml_files import load_configuration
 from peers.record import Run, Stopwatch
 from problems import chain, fronts, heteroclinic, ring
 from problems.problem import Problem, Reference, errors_of

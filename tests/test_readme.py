@@ -63,7 +63,8 @@ def test_python_example_runs(code, capsys):
 
 @pytest.mark.parametrize("text", blocks("yaml"))
 def test_shown_configuration_is_possible(text, tmp_path):
-    from granular_fronts.configuration import check_configuration, load_configuration
+    from granular_fronts.scenes.configuration import check_configuration
+    from granular_fronts.scenes.yaml_files import load_configuration
 
     override = tmp_path / "mine.yaml"
     override.write_text(text)

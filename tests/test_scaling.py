@@ -151,8 +151,11 @@ def test_sphere_agrees_with_hertz_in_two_steps():
 @pytest.mark.parametrize(
     ("make_it", "sentence"),
     [
-        (lambda: sphere_stiffness(0.01, -1.0, 0.3), "youngs_modulus is -1.0, but must be above 0"),
-        (lambda: sphere_stiffness(0.01, 1.0e9, 0.5), "poisson_ratio is 0.5, but lies between"),
+        (
+            lambda: sphere_stiffness(0.01, -1.0, 0.3),
+            "modulus is -1.0, .* above 0",
+        ),
+        (lambda: sphere_stiffness(0.01, 1.0e9, 0.5), "poisson_ratio is 0.5, .* solid"),
         (lambda: sphere_stiffness(0.01, 1.0e9, -1.0), "poisson_ratio is -1.0"),
         (lambda: sphere_stiffness(0.0, 1.0e9, 0.3), "radius is 0.0"),
         (lambda: sphere_mass(0.01, math.nan), "density is nan"),
@@ -162,11 +165,14 @@ def test_sphere_agrees_with_hertz_in_two_steps():
         (lambda: gf.Scaling(**STEEL | {"velocity": math.inf}), "velocity is inf"),
         (lambda: gf.Scaling(**STEEL, alpha=0.0, beta=1.0), "alpha is 0.0"),
         (lambda: gf.Scaling(**STEEL, beta=0.9), "beta is 0.9"),
-        (lambda: damping_from_restitution(1.2, 0.5, 0.1, 1e9), "restitution is 1.2, but lies"),
+        (lambda: damping_from_restitution(1.2, 0.5, 0.1, 1e9), "e is 1.2, .* restitution"),
         (lambda: damping_from_restitution(0.9, -0.5, 0.1, 1e9), "velocity is -0.5"),
         (lambda: velocity_of_compression(-1e-6, 0.1, 1e9), "delta is -1e-06"),
         (lambda: velocity_of_force(0.0, 0.1, 1e9), "force is 0.0"),
-        (lambda: gf.Scaling(**STEEL).to_physical(1.0, "mass"), "'mass' is no quantity"),
+        (
+            lambda: gf.Scaling(**STEEL).to_physical(1.0, "mass"),
+            "quantity is 'mass'",
+        ),
     ],
 )
 def test_impossible_beads_are_refused(make_it, sentence):

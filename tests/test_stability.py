@@ -8,7 +8,7 @@ import xarray as xr
 from chains import driven_scene
 
 from granular_fronts.chain.simulate import solve
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.sampling import sample_window
 from granular_fronts.fronts.shooting import shoot_front
 from granular_fronts.fronts.stability import (
@@ -219,7 +219,7 @@ def test_unstable_state_shows_outside_the_circle():
 def test_coordinates_without_the_integers_are_refused():
     front = front_dataset(*STRONG, 1.5)
     shifted = front.assign_coords(xi=front["xi"] + 0.1)
-    with pytest.raises(ConfigurationError, match="whole number of points"):
+    with pytest.raises(InputError, match="whole number of points"):
         front_multipliers(shifted)
 
 

@@ -86,6 +86,7 @@ def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path,
 
 INTERRUPTED = """
 import sys
+import time
 sys.path.insert(0, {tests!r})
 from pathlib import Path
 from test_workflow import Job

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.datasets import read_dataset, write_dataset
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.prediction import (
     LARGEST_WEIGHT,
     REMEMBERED,
@@ -92,7 +92,7 @@ def test_a_sweep_can_be_written_and_read(tmp_path):
 
 
 def test_impossible_sweeps_are_refused():
-    with pytest.raises(ConfigurationError, match="gamma is 0"):
+    with pytest.raises(InputError, match="gammas holds 0"):
         gf.sweep_fronts(1.5, [0.1, 0.0])
-    with pytest.raises(ConfigurationError, match="must be a list"):
+    with pytest.raises(InputError, match="must be a list"):
         gf.sweep_fronts(1.5, [])

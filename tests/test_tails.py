@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.critical_damping import meaning_changes_at
 
 LAWS = list(
@@ -142,5 +142,12 @@ def test_critical_damping_scales_with_beta():
     ],
 )
 def test_impossible_laws_are_refused(call, words):
-    with pytest.raises(ConfigurationError, match=words):
+    with pytest.raises(InputError, match=words):
         call()
+
+
+def test_critical_damping_of_a_stiff_law_keeps_its_digits():
+    """γ → α/π (β = α); what is left falls like 1/α down to the last digit."""
+    for alpha in (1e3, 1e6, 1e12, 1e50):
+        excess = math.pi * gf.critical_damping(alpha) / alpha - 1.0
+        assert abs(excess + 0.5 / alpha) < 2.0 / alpha**2 + 1e-14

@@ -54,6 +54,8 @@ from scipy.integrate import DOP853
 from scipy.optimize import brentq
 from scipy.special import beta as euler_beta
 
+from granular_fronts.arguments import scalar
+
 TOLERANCE = 3.0e-14
 ABSOLUTE_TOLERANCE = 1.0e-20
 LARGEST_STEP = 0.1
@@ -84,13 +86,11 @@ def restitution(gamma, alpha=1.5, beta=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If a parameter is impossible.
     """
-    beta = alpha if beta is None else beta
     nu = reduced_exponent(alpha, beta)
-    if not (gamma >= 0.0 and math.isfinite(gamma)):
-        raise ValueError(f"gamma is {gamma}, but must be 0 or more and finite: give a damping.")
+    gamma = scalar("gamma", gamma, least=0.0, advice="give a damping")
     return math.exp(log_restitution(nu, _strength(gamma, alpha, nu)))
 
 
@@ -111,12 +111,11 @@ def damping_for_restitution(e, alpha=1.5, beta=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If e or an exponent is impossible.
     """
-    beta = alpha if beta is None else beta
     nu = reduced_exponent(alpha, beta)
-    refuse_impossible_restitution(e)
+    e = scalar("e", e, above=0.0, most=1.0, advice="give a coefficient of restitution")
     if e == 1.0:
         return 0.0
     wanted = math.log(e)
@@ -142,26 +141,15 @@ def weak_damping_slope(alpha=1.5, beta=None):
     alpha, beta : float, optional
         As in `restitution`.
     """
-    nu = reduced_exponent(alpha, alpha if beta is None else beta)
+    nu = reduced_exponent(alpha, beta)
     return 2.0 / (_strength(1.0, alpha, nu) * float(euler_beta(nu + 1.0, 0.5)))
 
 
-def reduced_exponent(alpha, beta):
-    """ν = β/(α + 1), once both are possible."""
-    if not (alpha > 0.0 and math.isfinite(alpha)):
-        raise ValueError(f"alpha is {alpha}, but must be above 0 and finite: give an exponent.")
-    if not (beta >= 1.0 and math.isfinite(beta)):
-        raise ValueError(f"beta is {beta}, but must be 1 or more and finite: give an exponent.")
+def reduced_exponent(alpha, beta=None):
+    """ν = β/(α + 1), β = α by default."""
+    alpha = scalar("alpha", alpha, above=0.0, advice="give an exponent")
+    beta = scalar("beta", alpha if beta is None else beta, least=1.0, advice="give an exponent")
     return beta / (alpha + 1.0)
-
-
-def refuse_impossible_restitution(e):
-    """Refuse a coefficient of restitution outside (0, 1]."""
-    if not 0.0 < e <= 1.0:
-        raise ValueError(
-            f"The coefficient of restitution is {e}, but lies above 0 and is at most 1: give one "
-            "between."
-        )
 
 
 def log_restitution(nu, strength, largest_step=LARGEST_STEP):

@@ -26,7 +26,6 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.configuration import check_scene
 from granular_fronts.continuum import upwind
 from granular_fronts.continuum.evolution import (
     ERROR_METHOD,
@@ -38,6 +37,7 @@ from granular_fronts.continuum.evolution import (
 from granular_fronts.continuum.starts import make_start
 from granular_fronts.grids import regular_points
 from granular_fronts.measured import error_attributes
+from granular_fronts.scenes.validation import check_scene
 from granular_fronts.slow_scales import scaling_of
 
 SITES_PER_BEAD = 5
@@ -63,9 +63,9 @@ def compare_with_chain(scene, name="given"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the scene is impossible.
-    SolveError, EvolutionError
+    SolveError
         If a solver stops.
     """
     scene = check_scene("periodic", scene, name)

@@ -24,6 +24,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.arguments import scalar, sequence
+from granular_fronts.errors import InputError
+
 CHECKED_POINTS = 12
 DIFFERENCE_STEP = 1.0e-4
 """Step of the finite differences that check a user's derivatives, relative to the interval."""
@@ -67,8 +70,7 @@ def generalised_hertz(alpha, stiffness=1.0):
     stiffness : float, optional
         k, above 0.
     """
-    _refuse_unless(alpha > 0.0, "alpha", alpha, "above 0")
-    _refuse_unless(stiffness > 0.0, "stiffness", stiffness, "above 0")
+    alpha, stiffness = _positive(alpha=alpha, stiffness=stiffness)
 
     def power(r, exponent, factor):
         compression = np.maximum(-np.asarray(r, dtype=float), 0.0)
@@ -95,6 +97,8 @@ def fpu(quadratic=1.0, cubic=0.0, quartic=0.0):
     quadratic, cubic, quartic : float
         κ, a and b.
     """
+    given = {"quadratic": quadratic, "cubic": cubic, "quartic": quartic}
+    quadratic, cubic, quartic = (scalar(name, value) for name, value in given.items())
     polynomial = np.polynomial.Polynomial(
         [0.0, 0.0, quadratic / 2.0, cubic / 3.0, quartic / 4.0], symbol="r"
     )
@@ -115,8 +119,7 @@ def toda(strength=1.0, rate=1.0):
     strength, rate : float
         a and b, above 0.
     """
-    _refuse_unless(strength > 0.0, "strength", strength, "above 0")
-    _refuse_unless(rate > 0.0, "rate", rate, "above 0")
+    strength, rate = _positive(strength=strength, rate=rate)
     return Potential(
         "Toda potential",
         lambda r: strength / rate * (np.expm1(-rate * r) + rate * r),
@@ -134,8 +137,7 @@ def morse(depth=1.0, rate=1.0):
     depth, rate : float
         D and b, above 0.
     """
-    _refuse_unless(depth > 0.0, "depth", depth, "above 0")
-    _refuse_unless(rate > 0.0, "rate", rate, "above 0")
+    depth, rate = _positive(depth=depth, rate=rate)
 
     def decay(r):
         return np.exp(-rate * r)
@@ -157,8 +159,7 @@ def lennard_jones(depth=1.0, distance=1.0):
     depth, distance : float
         D and the distance d of the particles at rest, above 0. It holds for r > −d.
     """
-    _refuse_unless(depth > 0.0, "depth", depth, "above 0")
-    _refuse_unless(distance > 0.0, "distance", distance, "above 0")
+    depth, distance = _positive(depth=depth, distance=distance)
 
     def derivative(order):
         # The n-th derivative of s^(-p) is (-1)^n p (p + 1) … (p + n − 1) s^(-p - n).
@@ -203,13 +204,11 @@ def potential_from_functions(value, first, second, third=None, *, interval, name
 
     Raises
     ------
-    ValueError
+    InputError
         If a function is not vectorised or returns no finite numbers inside the interval, or if a
         derivative disagrees with a finite difference of the function before it.
     """
-    low, high = map(float, interval)
-    if not low < high:
-        raise ValueError(f"interval is ({low}, {high}), but must grow: give its ends in order.")
+    low, high = _check_interval(interval)
     functions = {"V": value, "V'": first, "V''": second}
     if third is not None:
         functions["V'''"] = third
@@ -243,14 +242,14 @@ def potential_from_expression(expression, symbol, *, interval, name=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If the expression has other symbols, or fails the check of `potential_from_functions`.
     """
     import sympy
 
     others = sorted(map(str, sympy.sympify(expression).free_symbols - {symbol}))
     if others:
-        raise ValueError(
+        raise InputError(
             f"The expression {expression} depends on {', '.join(others)} besides {symbol}: "
             "substitute numbers for everything else."
         )
@@ -259,6 +258,14 @@ def potential_from_expression(expression, symbol, *, interval, name=None):
         for order in range(4)
     ]
     return potential_from_functions(*functions, interval=interval, name=name or str(expression))
+
+
+def _check_interval(interval):
+    """Both ends of an interval, in their order."""
+    ends = sequence("interval", interval)
+    if ends.size != 2 or not ends[0] < ends[1]:
+        raise InputError(f"interval is {interval}, but must grow: give its two ends in order.")
+    return map(float, ends)
 
 
 def _on_arrays(function):
@@ -272,20 +279,20 @@ def _check_values(function, nodes, symbol, name):
         with np.errstate(all="ignore"):
             values = np.asarray(function(nodes), dtype=float)
     except (TypeError, ValueError) as error:
-        raise ValueError(
+        raise InputError(
             f"{symbol} of {name} is not vectorised: given an array it fails with '{error}'. Use "
             "functions of numpy, or numpy.vectorize."
         ) from error
     if values.shape != nodes.shape:
-        raise ValueError(
+        raise InputError(
             f"{symbol} of {name} is not vectorised: given {nodes.size} values of r it returns an "
             f"array of shape {values.shape}. Return one number for each r."
         )
     if not np.isfinite(values).all():
         bad = int(np.argmin(np.isfinite(values)))
-        raise ValueError(
-            f"{symbol} of {name} is {values[bad]} at r = {nodes[bad]:.6g}: mend it, or choose an "
-            "interval in which the potential is finite."
+        raise InputError(
+            f"{symbol} of {name} is {values[bad]} at r = {nodes[bad]:.6g}: correct it, or choose "
+            "an interval in which the potential is finite."
         )
 
 
@@ -299,9 +306,9 @@ def _check_derivative(function, derivative, nodes, step, symbol, name):
     distances = np.abs(quotients - given)
     worst = int(np.argmax(distances))
     if distances[worst] > DIFFERENCE_TOLERANCE * np.abs(quotients).max() + rounding:
-        raise ValueError(
+        raise InputError(
             f"{symbol} of {name} is {given[worst]:.6g} at r = {nodes[worst]:.6g}, but the finite "
-            f"difference there is {quotients[worst]:.6g}: mend the derivative, or choose an "
+            f"difference there is {quotients[worst]:.6g}: correct the derivative, or choose an "
             "interval in which it exists."
         )
 
@@ -310,6 +317,6 @@ def _gauss_nodes(count):
     return np.polynomial.legendre.leggauss(count)[0]
 
 
-def _refuse_unless(possible, name, value, limit):
-    if not (possible and math.isfinite(value)):
-        raise ValueError(f"{name} is {value}, but must be a number {limit}: give one.")
+def _positive(**values):
+    """The values as floats above 0, in the order given."""
+    return [scalar(name, value, above=0.0) for name, value in values.items()]

@@ -39,7 +39,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.arguments import instance, scalar
 from granular_fronts.contact import Potential
+from granular_fronts.errors import InputError
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 SPLIT = 0.4
@@ -137,20 +139,23 @@ def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If the states exclude a front, with the statement of James (2021) that excludes it; or if
         an argument is impossible.
     """
-    R_minus, R_plus = float(R_minus), float(R_plus)
-    _refuse_impossible_states(potential, R_minus, R_plus, mass)
+    _check_potential("potential", potential)
+    if dissipation is not None:
+        _check_potential("dissipation", dissipation)
+    mass = scalar("mass", mass, above=0.0, advice="give the bead's mass")
+    R_minus, R_plus = _check_states(potential, R_minus=R_minus, R_plus=R_plus)
     stiffnesses = _stiffnesses(potential, R_minus, R_plus)
-    _refuse_straight_or_concave(potential, stiffnesses)
+    _check_curvature(potential, stiffnesses)
     square = _squared_speed(potential, R_minus, R_plus)
-    _refuse_force_against_strain(potential, square, R_minus, R_plus)
+    _check_squared_speed(potential, square, R_minus, R_plus)
     area = signed_area(potential, R_minus, R_plus)
     if dissipation is not None:
-        _refuse_wrong_dissipation(potential, dissipation, area, R_minus, R_plus)
-    _refuse_vanishing_area(potential, area, R_minus, R_plus)
+        _check_dissipation(potential, dissipation, area, R_minus, R_plus)
+    _check_area(potential, area, R_minus, R_plus)
     direction = 1 if area.value > 0.0 else -1
     speed = direction * math.sqrt(square.value / mass)
     sounds = [_sound_speed(potential, R, mass) for R in (R_minus, R_plus)]
@@ -280,9 +285,9 @@ def _finite(potential, symbol, function, points):
         values = np.asarray(function(points), dtype=float)
     if not np.isfinite(values).all():
         bad = int(np.argmin(np.isfinite(values)))
-        raise ValueError(
+        raise InputError(
             f"{symbol} of {potential.name} is {values[bad]} at r = {points[bad]:.6g}, in the range "
-            "of the states: mend the potential, or choose states where it is finite."
+            "of the states: correct the potential, or choose states where it is finite."
         )
     return values
 
@@ -292,79 +297,80 @@ def _sound_speed(potential, R, mass):
     return math.sqrt(stiffness / mass) if stiffness >= 0.0 else math.nan
 
 
-def _refuse_impossible_states(potential, R_minus, R_plus, mass):
-    if not isinstance(potential, Potential):
-        raise ValueError(
-            f"The potential is {potential!r}, no granular_fronts.contact.Potential: make one with "
-            "potential_from_expression or potential_from_functions."
-        )
-    if not (mass > 0.0 and math.isfinite(mass)):
-        raise ValueError(f"mass is {mass}, but must be above 0 and finite: give the bead's mass.")
+def _check_potential(name, potential):
+    instance(
+        name,
+        potential,
+        Potential,
+        "make one with potential_from_expression or potential_from_functions of "
+        "granular_fronts.contact",
+    )
+
+
+def _check_states(potential, **states):
+    """Two different states inside the potential's domain, as floats."""
     low, high = potential.domain
-    for name, R in (("R_minus", R_minus), ("R_plus", R_plus)):
-        if not math.isfinite(R):
-            raise ValueError(f"{name} is {R}, but must be finite: give a relative displacement.")
-        if not low <= R <= high:
-            raise ValueError(
-                f"{name} is {R}, outside the interval from {low:g} to {high:g} in which "
-                f"{potential.name} is defined: give a state inside."
-            )
+    advice = f"{potential.name} is defined from {low:g} to {high:g}, so give a state inside"
+    R_minus, R_plus = (
+        scalar(name, R, least=low, most=high, advice=advice) for name, R in states.items()
+    )
     if R_minus == R_plus:
-        raise ValueError(
+        raise InputError(
             f"R_minus and R_plus are both {R_minus}, but a front joins two different states "
             "(James 2021, section 2): give two."
         )
+    return R_minus, R_plus
 
 
-def _refuse_straight_or_concave(potential, stiffnesses):
+def _check_curvature(potential, stiffnesses):
     spread = stiffnesses.max() - stiffnesses.min()
     if spread <= 8.0 * EPSILON * np.abs(stiffnesses).max():
-        raise ValueError(
+        raise InputError(
             f"{potential.name} is quadratic between the states (V'' is {stiffnesses[0]:.6g} "
             "throughout), and then there is no front (James 2021, Remark 3): choose states "
             "between which V'' changes."
         )
     if (stiffnesses < 0.0).all():
-        raise ValueError(
+        raise InputError(
             f"{potential.name} is strictly concave between the states, and then there is no front "
             "(James 2021, Remark 1): choose states between which V'' is positive."
         )
 
 
-def _refuse_force_against_strain(potential, square, R_minus, R_plus):
+def _check_squared_speed(potential, square, R_minus, R_plus):
     if square.value <= square.error:
-        raise ValueError(
+        raise InputError(
             f"[[V']]/[[R]] of {potential.name} is {square.value:.6g} between {R_minus:g} and "
             f"{R_plus:g}, but it is the square of a speed (James 2021, eq. 13) and must be above "
             "0: choose states with the force [[V']] of the sign of [[R]]."
         )
 
 
-def _refuse_vanishing_area(potential, area, R_minus, R_plus):
+def _check_area(potential, area, R_minus, R_plus):
     if abs(area.value) <= area.error:
-        raise ValueError(
+        raise InputError(
             f"[[V]] - [[R]] (V'(R_-) + V'(R_+))/2 of {potential.name} vanishes between {R_minus:g} "
             f"and {R_plus:g} (it is {area.value:.1e}, with an error of {area.error:.1e}), and then "
             "there is no dissipative front (James 2021, eq. 18): choose other states."
         )
 
 
-def _refuse_wrong_dissipation(potential, dissipation, area, R_minus, R_plus):
+def _check_dissipation(potential, dissipation, area, R_minus, R_plus):
     resistances = _stiffnesses(dissipation, R_minus, R_plus)
     if (resistances < 0.0).any():
-        raise ValueError(
+        raise InputError(
             f"W'' of {dissipation.name} is {resistances.min():.6g} somewhere between the states, "
-            "but W must be convex, or it would feed the front (James 2021, eq. 6): mend W."
+            "but W must be convex, or it would feed the front (James 2021, eq. 6): correct W."
         )
     if (resistances > 0.0).any():
         return
     if abs(area.value) > area.error:
-        raise ValueError(
+        raise InputError(
             "Nothing dissipates between the states, and the signed area of eq. (20) is "
             f"{area.value:.6g} where a front of a conservative chain needs 0, as it never is where "
             "V''' has one sign (James 2021, Remark 4): add dissipation."
         )
-    raise ValueError(
+    raise InputError(
         "Nothing dissipates between the states and the signed area of eq. (20) is 0: if a front "
         f"of speed {math.sqrt(max(_squared_speed(potential, R_minus, R_plus).value, 0.0)):.6g} "
         "(for mass 1) exists it may run either way, and no direction follows (James 2021, "

@@ -31,7 +31,9 @@ with :math:`k u^{3/2}`, :math:`k = E\sqrt{2R}/(3(1-\nu^2))` (Hertz).
 import math
 from dataclasses import dataclass
 
-from granular_fronts.collision import damping_for_restitution, refuse_impossible_restitution
+from granular_fronts.arguments import choice, scalar
+from granular_fronts.collision import damping_for_restitution
+from granular_fronts.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class Scaling:
 
     Raises
     ------
-    ValueError
+    InputError
         If a value is impossible.
     """
 
@@ -65,18 +67,19 @@ class Scaling:
     beta: float | None = None
 
     def __post_init__(self):
-        if self.beta is None:
-            object.__setattr__(self, "beta", self.alpha)
-        for name in ("mass", "stiffness", "velocity", "alpha"):
-            _refuse_unless_positive(name, getattr(self, name))
-        if not (self.damping >= 0.0 and math.isfinite(self.damping)):
-            raise ValueError(
-                f"damping is {self.damping}, but must be 0 or more and finite: give gamma_0."
-            )
-        if not (self.beta >= 1.0 and math.isfinite(self.beta)):
-            raise ValueError(
-                f"beta is {self.beta}, but must be 1 or more and finite: give an exponent."
-            )
+        beta = self.alpha if self.beta is None else self.beta
+        checked = {
+            **_positive(
+                mass=self.mass,
+                stiffness=self.stiffness,
+                velocity=self.velocity,
+                alpha=self.alpha,
+            ),
+            "damping": scalar("damping", self.damping, least=0.0, advice="give gamma_0"),
+            "beta": scalar("beta", beta, least=1.0, advice="give an exponent"),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
 
     @property
     def time(self):
@@ -107,12 +110,12 @@ class Scaling:
 
         Raises
         ------
-        ValueError
+        InputError
             If β = (α + 1)/2 or γ₀ = 0, where γ does not depend on the velocity.
         """
         power = self.power_of_velocity
         if power == 0.0 or self.damping == 0.0:
-            raise ValueError(
+            raise InputError(
                 f"gamma is {self.gamma:.6g} at every velocity, since beta = (alpha + 1)/2 or the "
                 "damping is 0 (James 2021, eq. 29): there is no velocity v_c."
             )
@@ -162,11 +165,7 @@ class Scaling:
             "force": self.force,
             "energy": self.mass * self.velocity**2,
         }
-        if quantity not in scales:
-            raise ValueError(
-                f"{quantity!r} is no quantity with a scale: choose {', '.join(scales)}."
-            )
-        return scales[quantity]
+        return scales[choice("quantity", quantity, scales)]
 
 
 def sphere_mass(radius, density):
@@ -179,8 +178,7 @@ def sphere_mass(radius, density):
     density : float
         In kg/m³.
     """
-    _refuse_unless_positive("radius", radius)
-    _refuse_unless_positive("density", density)
+    radius, density = _positive(radius=radius, density=density).values()
     return 4.0 / 3.0 * math.pi * radius**3 * density
 
 
@@ -198,17 +196,18 @@ def sphere_stiffness(radius, youngs_modulus, poisson_ratio):
 
     Raises
     ------
-    ValueError
+    InputError
         If a value is impossible.
     """
-    _refuse_unless_positive("radius", radius)
-    _refuse_unless_positive("youngs_modulus", youngs_modulus)
-    if not -1.0 < poisson_ratio < 0.5:
-        raise ValueError(
-            f"poisson_ratio is {poisson_ratio}, but lies between -1 and 1/2 in every stable "
-            "isotropic solid: give one between."
-        )
-    return youngs_modulus * math.sqrt(2.0 * radius) / (3.0 * (1.0 - poisson_ratio**2))
+    radius, modulus = _positive(radius=radius, youngs_modulus=youngs_modulus).values()
+    poisson_ratio = scalar(
+        "poisson_ratio",
+        poisson_ratio,
+        above=-1.0,
+        below=0.5,
+        advice="every stable isotropic solid has one between",
+    )
+    return modulus * math.sqrt(2.0 * radius) / (3.0 * (1.0 - poisson_ratio**2))
 
 
 def velocity_of_compression(delta, mass, stiffness, alpha=1.5):
@@ -219,18 +218,15 @@ def velocity_of_compression(delta, mass, stiffness, alpha=1.5):
     delta, mass, stiffness, alpha : float
         δ, m, k and α, all above 0.
     """
-    for name, value in (("delta", delta), ("mass", mass), ("stiffness", stiffness)):
-        _refuse_unless_positive(name, value)
-    _refuse_unless_positive("alpha", alpha)
+    given = _positive(delta=delta, mass=mass, stiffness=stiffness, alpha=alpha)
+    delta, mass, stiffness, alpha = given.values()
     return math.sqrt(stiffness / mass) * delta ** ((alpha + 1.0) / 2.0)
 
 
 def velocity_of_force(force, mass, stiffness, alpha=1.5):
     """v₀ in m/s of a chain pressed by a force in newtons, through its compression (F/k)^(1/α)."""
-    _refuse_unless_positive("force", force)
-    _refuse_unless_positive("stiffness", stiffness)
-    _refuse_unless_positive("alpha", alpha)
-    return velocity_of_compression((force / stiffness) ** (1.0 / alpha), mass, stiffness, alpha)
+    force, k, alpha = _positive(force=force, stiffness=stiffness, alpha=alpha).values()
+    return velocity_of_compression((force / k) ** (1.0 / alpha), mass, stiffness, alpha)
 
 
 def damping_from_restitution(e, impact_velocity, mass, stiffness, alpha=1.5, beta=None):
@@ -250,13 +246,13 @@ def damping_from_restitution(e, impact_velocity, mass, stiffness, alpha=1.5, bet
     float
         γ₀ in s m^(α − β).
     """
-    refuse_impossible_restitution(e)
-    per_damping = Scaling(mass, stiffness, 1.0, impact_velocity, alpha, beta).gamma
-    return damping_for_restitution(e, alpha, beta) / per_damping
+    gamma = damping_for_restitution(e, alpha, beta)
+    return gamma / Scaling(mass, stiffness, 1.0, impact_velocity, alpha, beta).gamma
 
 
-def _refuse_unless_positive(name, value):
-    if not (value > 0.0 and math.isfinite(value)):
-        raise ValueError(
-            f"{name} is {value}, but must be above 0 and finite: give one in SI units."
-        )
+def _positive(**values):
+    """The values as floats above 0, by name, in the order given."""
+    return {
+        name: scalar(name, value, above=0.0, advice="give one in SI units")
+        for name, value in values.items()
+    }

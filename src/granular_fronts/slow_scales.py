@@ -22,6 +22,8 @@ This module imports neither numpy nor numba, since the configuration is checked 
 
 from typing import NamedTuple
 
+from granular_fronts.arguments import scalar
+
 
 class SlowScales(NamedTuple):
     """Scales between the chain and its amplitude equations; all dimensionless.
@@ -98,22 +100,24 @@ def make_slow_scales(alpha, gamma, delta):
 
     Raises
     ------
-    ValueError
+    InputError
         Unless α > 1, γ > 0 and δ > 0.
     """
-    if not alpha > 1.0:
-        raise ValueError(
-            f"alpha is {alpha}, but the amplitude equations of section 4 hold for alpha above 1, "
-            "where a front runs into an uncompressed chain: give a number above 1."
-        )
-    if not gamma > 0.0:
-        raise ValueError(
-            f"gamma is {gamma}, but without damping the scale epsilon of section 4 is infinite: "
-            "give a number above 0."
-        )
-    if not delta > 0.0:
-        raise ValueError(f"delta is {delta}, but must be above 0: give a compression.")
-    return SlowScales(float(alpha), float(gamma), float(delta))
+    return SlowScales(
+        scalar(
+            "alpha",
+            alpha,
+            above=1.0,
+            advice="a front runs into an uncompressed chain for such an alpha only",
+        ),
+        scalar(
+            "gamma",
+            gamma,
+            above=0.0,
+            advice="without damping the scale epsilon of section 4 is infinite",
+        ),
+        scalar("delta", delta, above=0.0, advice="give a compression"),
+    )
 
 
 def scaling_of(scene):

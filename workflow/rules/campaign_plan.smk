@@ -18,7 +18,7 @@ def campaign_of(name):
 
     try:
         return load_campaign(CAMPAIGNS, name)
-    except ConfigurationError as error:
+    except InputError as error:
         sys.exit(f"The campaign cannot be computed.\n{error}")
 
 

@@ -37,7 +37,15 @@ def round_value(value: float) -> float:
     return value if isinstance(value, int) else float(f"{value:.{DIGITS}g}")
 
 
-def tell_bad_spacing(name: str, given: Sequence[float] | Mapping) -> Iterator[str]:
+def count_values(given: Sequence[float] | Mapping) -> int:
+    """Number of values of an axis, without writing them out."""
+    if not isinstance(given, Mapping):
+        return len(given)
+    [(_, _, count)] = given.values()
+    return count
+
+
+def spacing_errors(name: str, given: Sequence[float] | Mapping) -> Iterator[str]:
     """Say why an axis cannot be written out.
 
     Parameters
@@ -67,7 +75,7 @@ def tell_bad_spacing(name: str, given: Sequence[float] | Mapping) -> Iterator[st
         )
 
 
-def tell_disorder(name: str, values: Sequence[float]) -> Iterator[str]:
+def order_errors(name: str, values: Sequence[float]) -> Iterator[str]:
     """Say where the values of an axis do not increase.
 
     Parameters

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.campaign.definition import Campaign
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.files import complete_file
 
 IDENTITY = "campaign.json"
@@ -108,7 +108,7 @@ def claim_folder(campaign: Campaign, folder: Path) -> None:
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If it carries another name or kind.
     """
     identity = {"campaign": campaign.name, "kind": campaign.kind_name}
@@ -119,7 +119,7 @@ def claim_folder(campaign: Campaign, folder: Path) -> None:
         return
     found = json.loads(mark.read_text(encoding="utf-8"))
     if found != identity:
-        raise ConfigurationError(
+        raise InputError(
             f"Campaign {campaign.name}: {folder} holds the results of campaign "
             f"{found['campaign']} of kind {found['kind']}, not of {campaign.name} of kind "
             f"{campaign.kind_name}: name another results folder, or remove that one."

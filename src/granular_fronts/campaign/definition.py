@@ -1,21 +1,29 @@
 """What a campaign file asks for: read, checked, its axes written out.
 
 The schema ``workflow/schemas/campaign.schema.yaml`` says which keys there are; what depends on the
-kind, or ties two keys together, is refused here.  Each refusal is a sentence, before any job.
+kind, or ties two keys together, is checked here.  Each error is a sentence, before any job.
 """
 
 import difflib
 import math
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-import yaml
-
-from granular_fronts.campaign.axes import expand_axis, tell_bad_spacing, tell_disorder
+from granular_fronts.campaign.axes import count_values, expand_axis, order_errors, spacing_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
-from granular_fronts.configuration import ConfigurationError
-from granular_fronts.schema import tell_violations
+from granular_fronts.errors import InputError
+from granular_fronts.scenes.constraints import ranges_increase
+from granular_fronts.scenes.schema import violations
+from granular_fronts.scenes.sizes import NUMBERS_PER_BEAD, Part, part_errors
+from granular_fronts.scenes.yaml_files import read_yaml
+
+NAME = re.compile(r"[a-z][a-z0-9_]*")
+"""A campaign's name, which becomes part of file names."""
+
+NUMBERS_PER_VALUE = 4
+"""Memory of a value of an axis while it is written out, in numbers."""
 
 MOST_POINTS = 1_000_000
 """Points of a campaign that need not be asked for with ``allow_large: true``."""
@@ -84,16 +92,21 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
 
     Raises
     ------
-    ConfigurationError
-        With a sentence for each thing that is wrong.
+    InputError
+        With a sentence for each thing that is wrong: the name, the file's YAML, its contents.
     """
-    file = Path(folder) / f"{name}.yaml"
-    if not file.is_file():
-        known = ", ".join(sorted(path.stem for path in Path(folder).glob("*.yaml")))
-        raise ConfigurationError(
-            f"There is no campaign {name} in {folder}: choose one of {known}, or write {file}."
+    files = {path.stem: path for path in sorted(Path(folder).glob("*.yaml"))}
+    if name not in files:
+        raise InputError(
+            f"There is no campaign {name} in {folder}: choose one of {', '.join(files)}, or write "
+            f"{Path(folder) / name}.yaml."
         )
-    return check_campaign(yaml.safe_load(file.read_text(encoding="utf-8")), name)
+    if not NAME.fullmatch(name):
+        raise InputError(
+            f"Campaign {name}: a name has lower-case letters, digits and underscores only, a "
+            f"letter first: rename {files[name]}."
+        )
+    return check_campaign(read_yaml(files[name]), name)
 
 
 def check_campaign(given: Mapping, name: str) -> Campaign:
@@ -112,17 +125,19 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
 
     Raises
     ------
-    ConfigurationError
+    InputError
         With a sentence for each thing that is wrong.
     """
-    _refuse(name, tell_violations(given, schema="campaign"))
+    raise_if_any(name, violations(given, schema="campaign"))
     kind = KINDS[given["kind"]]
     fixed, record = given.get("fixed", {}), given.get("record", {})
-    _refuse(name, _tell_unknown_names(given["kind"], kind, given["axes"], fixed, record))
+    raise_if_any(name, _name_errors(given["kind"], kind, given["axes"], fixed, record))
+    raise_if_any(name, ranges_increase(given))
     if "profile" in record:
-        _refuse(name, _tell_bad_profile(kind, **record["profile"]))
+        raise_if_any(name, _profile_errors(kind, **record["profile"]))
     for axis, values in given["axes"].items():
-        _refuse(name, tell_bad_spacing(axis, values))
+        raise_if_any(name, spacing_errors(axis, values))
+    raise_if_any(name, _size_errors(kind, given))
     varied = {axis: tuple(expand_axis(values)) for axis, values in given["axes"].items()}
     constant = {
         parameter: (fixed.get(parameter, described.default),)
@@ -130,7 +145,7 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
         if parameter not in varied
     }
     grid = constant | varied
-    _refuse(name, _tell_bad_values(kind, grid, varied))
+    raise_if_any(name, _value_errors(kind, grid, varied))
     scalars = record.get("scalars", list(kind.scalars))
     return Campaign(
         name=name,
@@ -148,8 +163,8 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     )
 
 
-def refuse_large(campaign: Campaign, seconds_per_point: float) -> None:
-    """Refuse a campaign above `MOST_POINTS` that does not say it is meant.
+def check_points(campaign: Campaign, seconds_per_point: float) -> None:
+    """Check that a campaign above `MOST_POINTS` says that it is meant.
 
     Parameters
     ----------
@@ -159,12 +174,12 @@ def refuse_large(campaign: Campaign, seconds_per_point: float) -> None:
 
     Raises
     ------
-    ConfigurationError
+    InputError
         The sentence says how large it is and how long it takes.
     """
     if campaign.size > MOST_POINTS and not campaign.allow_large:
         hours = campaign.size * seconds_per_point / 3600.0
-        raise ConfigurationError(
+        raise InputError(
             f"Campaign {campaign.name}: its axes make {campaign.size:,} points, above "
             f"{MOST_POINTS:,}, about {hours:,.1f} hours on one core at the "
             f"{1e3 * seconds_per_point:.2g} ms measured for a point: shorten an axis, or write "
@@ -172,13 +187,37 @@ def refuse_large(campaign: Campaign, seconds_per_point: float) -> None:
         )
 
 
-def _refuse(name: str, sentences: Iterator[str]) -> None:
-    told = [f"Campaign {name}: {sentence}" for sentence in sentences]
-    if told:
-        raise ConfigurationError("\n".join(told))
+def raise_if_any(name: str, sentences: Iterator[str]) -> None:
+    """Raise a InputError of some sentences about a campaign, one a line, if any."""
+    errors = [f"Campaign {name}: {sentence}" for sentence in sentences]
+    if errors:
+        raise InputError("\n".join(errors))
 
 
-def _tell_unknown_names(kind_name, kind, axes, fixed, record) -> Iterator[str]:
+def _size_errors(kind, given) -> Iterator[str]:
+    """Say that the points, or the beads of one, do not fit into memory."""
+    record, axes = given.get("record", {}), given["axes"]
+    counts = {f"axes.{axis}": count_values(values) for axis, values in axes.items()}
+    kept = len(record.get("scalars", kind.scalars)) + record.get("profile", {}).get("count", 0)
+    parts = [Part((axis,), (), NUMBERS_PER_VALUE * float(count)) for axis, count in counts.items()]
+    parts.append(Part(tuple(counts), (), float(math.prod(counts.values())) * kept))
+    if "beads" in given.get("fixed", {}):
+        parts.append(Part(("fixed.beads",), (), NUMBERS_PER_BEAD * float(given["fixed"]["beads"])))
+    if "beads" in axes:
+        most = float(_last_value(axes["beads"]))
+        parts.append(Part(("axes.beads",), (), NUMBERS_PER_BEAD * most))
+    yield from part_errors(given, parts)
+
+
+def _last_value(axis):
+    """The largest value of an increasing axis."""
+    if not isinstance(axis, Mapping):
+        return axis[-1]
+    [(_, stop, _)] = axis.values()
+    return stop
+
+
+def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
     """Say which axes, fixed parameters and scalars the kind does not have, or lacks."""
     for place, names in (("axes", axes), ("fixed", fixed)):
         for name in names:
@@ -201,14 +240,8 @@ def _tell_unknown_names(kind_name, kind, axes, fixed, record) -> Iterator[str]:
             )
 
 
-def _tell_bad_profile(kind, start, stop, count) -> Iterator[str]:
-    """Say that a profile runs backwards, or keeps a bead twice."""
-    if start >= stop:
-        yield (
-            f"record.profile.start is {start}, but must come before its stop {stop}: start "
-            "earlier or stop later."
-        )
-        return
+def _profile_errors(kind, start, stop, count) -> Iterator[str]:
+    """Say that a profile keeps a bead twice."""
     beads = math.floor(stop) - math.ceil(start) + 1
     if kind.profile_counts and count > beads:
         yield (
@@ -217,16 +250,13 @@ def _tell_bad_profile(kind, start, stop, count) -> Iterator[str]:
         )
 
 
-def _tell_bad_values(kind, grid, varied) -> Iterator[str]:
+def _value_errors(kind, grid, varied) -> Iterator[str]:
     """Say which values are disordered, out of range or not whole."""
     for name, values in grid.items():
         if values == (None,):
             continue
         place = f"{'axes' if name in varied else 'fixed'}.{name}"
-        if not all(map(math.isfinite, values)):
-            yield f"{place} holds a value that is not finite: give numbers."
-            continue
-        yield from tell_disorder(name, values)
+        yield from order_errors(name, values)
         parameter = kind.parameters[name]
         least = min(values)
         if least < parameter.least or (parameter.above and least == parameter.least):

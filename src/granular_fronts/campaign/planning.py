@@ -8,7 +8,7 @@ from pathlib import Path
 
 from granular_fronts.campaign.chunks import claim_folder, cut, find_missing, write_request
 from granular_fronts.campaign.cost import points_per_chunk, seconds_per_point
-from granular_fronts.campaign.definition import MOST_POINTS, Campaign, refuse_large
+from granular_fronts.campaign.definition import MOST_POINTS, Campaign, check_points
 from granular_fronts.campaign.plan import Plan
 from granular_fronts.files import remove_leftovers
 
@@ -30,13 +30,13 @@ def plan_campaign(campaign: Campaign, folder: Path, chunk_seconds: float) -> Pla
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the folder holds another campaign, or the campaign is too large to be meant.
     """
     claim_folder(campaign, folder)
     remove_leftovers(folder)
     if campaign.size > MOST_POINTS:
-        refuse_large(campaign, seconds_per_point(campaign, folder))
+        check_points(campaign, seconds_per_point(campaign, folder))
     solved, missing = find_missing(campaign, folder)
     if not missing.any():
         return Plan(campaign.size, solved, {})

@@ -51,6 +51,7 @@ from granular_fronts.chain.strain import (
     stage_value_pair,
 )
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 LOOP = types.void(types.float64[::1], types.float64[::1], types.int64)
 """Type of a compiled law: strains to be replaced by V', room for W', number of contacts."""
@@ -293,7 +294,7 @@ def _write_arrivals(law, size, state, t, h, reach, level, arrivals):
 @kernel
 def _advance(law, size, state, clock, window, counts, end, tolerance, level, arrivals):
     """Integrate up to `end`; FINISHED or COLLAPSED."""
-    while clock[0] < end:
+    while clock[0] < end and not interrupted():
         t = clock[0]
         landing = t + clock[1] >= end
         t_new = end if landing else t + clock[1]

@@ -38,6 +38,7 @@ from granular_fronts.chain.strain import (
     try_step,
 )
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
 
@@ -316,7 +317,7 @@ def advance(law, size, state, clock, relative, absolute, recording, most_steps):
     output_time = next_output(recording)
     after_rejection = False
     steps = 0
-    while steps < most_steps:
+    while steps < most_steps and not interrupted():
         if cursor[STOP] == stops.size:
             return FINISHED
         t, stop = clock.t[0], stops[cursor[STOP]]

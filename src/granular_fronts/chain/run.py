@@ -16,15 +16,12 @@ from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.state import Law, Size, State, make_law, make_state
 from granular_fronts.chain.strain import evaluate_slopes, reach_of
+from granular_fronts.errors import SolveError
 
 FIRST_STEP = 1.0e-6
 STEPS_PER_BLOCK = 2000
 # Where a stiff run needs the explicit pair for a while, it tries the implicit steps this often.
 STEPS_BETWEEN_ATTEMPTS = 100
-
-
-class SolveError(ValueError):
-    """A solve that stopped: when, at which bead, and why."""
 
 
 class Run(NamedTuple):

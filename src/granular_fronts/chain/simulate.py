@@ -18,9 +18,11 @@ import xarray as xr
 
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
-from granular_fronts.chain.run import SolveError, integrate, prepare, work_done
-from granular_fronts.configuration import RELATIVE_TOLERANCE_FLOOR, check_scene
+from granular_fronts.chain.run import integrate, prepare, work_done
+from granular_fronts.errors import SolveError
 from granular_fronts.progress import time_bar
+from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.validation import check_scene
 
 REFINEMENT = 10.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
@@ -66,7 +68,7 @@ def simulate_chain(scene, name="given"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the scene is impossible; the sentence names key, value, limit and the way out.
     SolveError
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.

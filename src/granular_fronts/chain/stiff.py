@@ -50,6 +50,7 @@ from granular_fronts.chain.integrator import (
 from granular_fronts.chain.radau import STAGES
 from granular_fronts.chain.strain import evaluate_slopes, reach_of
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 STIFF = 80.0
 # Outputs closer together than this many explicit steps are left to the explicit pair.
@@ -217,6 +218,8 @@ def advance(law, size, state, clock, relative, absolute, recording, work, shorte
         work.step[0] = max(grown, work.step[0]) if landing else grown
         work.step[2] *= RECOVERY
         rejected = False
+        if interrupted():
+            break
     clock.reach[0] = reach
     evaluate_slopes(law, size, state, state.u, 0, reach)
     return status

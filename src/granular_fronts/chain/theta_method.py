@@ -33,6 +33,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 NEWTON_LIMIT = 50
 NEWTON_TOLERANCE = 1.0e-14
@@ -115,6 +116,8 @@ def advance(u, d, alpha, theta, step, steps):
     iterations = 0
     evaluate_force(u, alpha, force, stiffness)
     for _ in range(steps):
+        if interrupted():
+            break
         for n in range(1, size - 1):
             slope[n] = force[n - 1] - 2.0 * force[n] + force[n + 1]
             explicit = step * d[n] + step**2 * theta * (1.0 - theta) * slope[n]

@@ -14,9 +14,9 @@ the error itself.
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import check_scene
 from granular_fronts.continuum.solution import SMOOTH_CELLS, SOLVER, solve
 from granular_fronts.measured import error_attributes
+from granular_fronts.scenes.validation import check_scene
 from granular_fronts.slow_scales import scaling_of
 
 LOGARITHMIC, UNLIMITED = "logarithmic", "unlimited"
@@ -45,9 +45,9 @@ def evolve_log_burgers(scene, name="given"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the scene is impossible; the sentence names key, value, limit and the way out.
-    EvolutionError
+    SolveError
         If the start has negative averages, or the step size collapses.
     """
     return _evolve(scene, name, LOGARITHMIC)

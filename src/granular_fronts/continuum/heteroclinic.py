@@ -21,11 +21,12 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.arguments import sequence
 from granular_fronts.continuum.log_kdv_burgers import check_mu, linear_rates
 from granular_fronts.continuum.slow_manifold import FEWER_TERMS, STIFF_DAMPING, TERMS, slow_orbit
 from granular_fronts.continuum.taylor import REST
 from granular_fronts.continuum.traced_orbit import REFINED, USUAL, trace_orbit
+from granular_fronts.errors import InputError
 from granular_fronts.measured import error_attributes
 
 UNDERFLOW_P = 1074.0 * math.log(2.0)
@@ -71,17 +72,17 @@ def heteroclinic(mu, s=None):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
         underflow of y, or over more turns than can be followed.
     """
     mu = check_mu(mu)
-    s = None if s is None else _check_s(s)
+    s = None if s is None else sequence("s", s, advice="leave that point out")
     first = min(_first_of_default(mu) if s is None else float(s.min()), 0.0)
     orbit, again = compute_orbit(mu, first), compute_orbit(mu, first, refined=True)
     if s is None:
         s = np.linspace(first, orbit.s_at(TAIL_P), DEFAULT_POINTS)
-    _refuse_underflow(mu, s, orbit)
+    _check_underflow(mu, s, orbit)
     values, others = _profile(orbit, s), _profile(again, s)
     turns, other_turns = _turns(orbit, first), _turns(again, first)
     common = min(turns[0].size, other_turns[0].size)
@@ -124,7 +125,7 @@ def turning_points(mu):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If mu is below 0 or not finite, or so small that the turns are too many to follow.
     """
     mu = check_mu(mu)
@@ -174,7 +175,7 @@ def squared_slope_at_one(mu):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If mu is below 0 or not finite.
     """
     mu = check_mu(mu)
@@ -217,27 +218,17 @@ def gaussian_centre():
     return -2.0 * math.sqrt(0.5 + math.log(2.0))
 
 
-def _check_s(s):
-    s = np.atleast_1d(np.asarray(s, dtype=float))
-    if s.ndim != 1 or s.size == 0:
-        raise ConfigurationError(f"s has shape {s.shape}, but must be a list: give one or more s.")
-    if not np.isfinite(s).all():
-        value = s[~np.isfinite(s)][0]
-        raise ConfigurationError(f"s holds {value}, but must be finite: leave that point out.")
-    return s
-
-
-def _refuse_underflow(mu, s, orbit):
-    """Refuse s at which y is below the smallest double above zero."""
+def _check_underflow(mu, s, orbit):
+    """Raise an InputError where y is below the smallest double above zero."""
     last = orbit.s_at(UNDERFLOW_P)
     if s.max() > last:
-        raise ConfigurationError(
+        raise InputError(
             f"s reaches to {s.max():.17g}, but for mu = {mu} y falls below the smallest double, "
             f"4.9e-324, at s = {last:.6f}: let s end there or earlier."
         )
     first = 2.0 * gaussian_centre() - last
     if mu == 0.0 and s.min() < first:
-        raise ConfigurationError(
+        raise InputError(
             f"s reaches to {s.min():.17g}, but without damping y falls below the smallest double, "
             f"4.9e-324, at s = {first:.6f} too: let s begin there or later."
         )

@@ -35,6 +35,8 @@ The scales and the velocities that belong to y are in `granular_fronts.slow_scal
 
 import numpy as np
 
+from granular_fronts.arguments import array, scalar
+
 
 def flux(y, alpha):
     """Flux f_α(y) of James (2021), eq. (40), accurate however close α is to 1.
@@ -53,19 +55,19 @@ def flux(y, alpha):
 
     Raises
     ------
-    ValueError
+    InputError
         If α ≤ 1 or some y < 0.
     """
-    _refuse_alpha(alpha)
+    alpha = _check_alpha(alpha)
     exponent = 1.0 - 1.0 / alpha
-    y = _non_negative(y)
+    y = _check_force(y)
     with np.errstate(divide="ignore"):
         return -y * np.expm1(-exponent * np.log(np.where(y > 0.0, y, 1.0))) / exponent
 
 
 def limit_flux(y):
     """The limit y ln y of f_α for α → 1⁺, eq. (41); zero at y = 0."""
-    y = _non_negative(y)
+    y = _check_force(y)
     return y * np.log(np.where(y > 0.0, y, 1.0))
 
 
@@ -88,14 +90,14 @@ def log_burgers_front(xi, alpha=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If α ≤ 1.
     """
-    xi = np.asarray(xi, dtype=float)
+    xi = array("xi", xi)
     if alpha is None:
         with np.errstate(over="ignore"):
             return np.exp2(-np.exp(xi))
-    _refuse_alpha(alpha)
+    alpha = _check_alpha(alpha)
     reduction = -np.expm1((1.0 - alpha) * np.log(2.0))
     taken = np.exp(np.minimum(xi + np.log(reduction), 0.0))
     with np.errstate(divide="ignore"):
@@ -104,23 +106,14 @@ def log_burgers_front(xi, alpha=None):
 
 def front_end(alpha):
     """ξ₀ of eq. (46), from which on the front is zero."""
-    _refuse_alpha(alpha)
+    alpha = _check_alpha(alpha)
     return -np.log(-np.expm1((1.0 - alpha) * np.log(2.0)))
 
 
-def _refuse_alpha(alpha):
-    if not alpha > 1.0:
-        raise ValueError(
-            f"alpha is {alpha}, but equation (40) and its front need alpha above 1: give a number "
-            "above 1, or use the limit for alpha that tends to 1."
-        )
+def _check_alpha(alpha):
+    advice = "equation (40) and its front need it, so use the limit for alpha that tends to 1"
+    return scalar("alpha", alpha, above=1.0, advice=advice)
 
 
-def _non_negative(y):
-    y = np.asarray(y, dtype=float)
-    if np.any(y < 0.0):
-        raise ValueError(
-            f"The rescaled force y is {y.min():.6g} somewhere, but a contact cannot pull: give "
-            "values of 0 or more."
-        )
-    return y
+def _check_force(y):
+    return array("y", y, least=0.0, advice="a contact cannot pull")

@@ -41,7 +41,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.arguments import scalar
+from granular_fronts.errors import InputError
 
 CRITICAL_DAMPING = 2.0
 """Value of μ at which the focus (1, 0) becomes a node."""
@@ -89,12 +90,12 @@ def amplitude_of_chain(alpha, gamma, delta=1.0):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a value is outside its range.
     """
-    _refuse_unless(alpha > 1.0, f"alpha is {alpha}", "above 1, where fronts are compressive")
-    _refuse_unless(gamma >= 0.0, f"gamma is {gamma}", "0 or more")
-    _refuse_unless(delta > 0.0, f"delta is {delta}", "above 0")
+    alpha = scalar("alpha", alpha, above=1.0, advice="fronts are compressive there")
+    gamma = scalar("gamma", gamma, least=0.0)
+    delta = scalar("delta", delta, above=0.0)
     epsilon = math.sqrt(1.0 - 1.0 / alpha)
     speed = delta ** ((alpha - 1.0) / 2.0)
     return Amplitude(
@@ -121,14 +122,14 @@ def damping_of_mu(mu, alpha, delta=1.0):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a value is outside its range.
     """
     return check_mu(mu) / amplitude_of_chain(alpha, 1.0, delta).mu
 
 
 def check_mu(mu):
-    """Give μ as a float, or refuse it in a sentence (ConfigurationError).
+    """The damping μ as a float, once it is possible.
 
     Parameters
     ----------
@@ -138,21 +139,19 @@ def check_mu(mu):
     Returns
     -------
     float
+
+    Raises
+    ------
+    InputError
+        If it is none.
     """
-    mu = float(mu)
-    _refuse_unless(math.isfinite(mu), f"mu is {mu}", "finite")
-    _refuse_unless(mu >= 0.0, f"mu is {mu}", "0 or more, since contacts dissipate")
-    _refuse_unless(
-        mu == 0.0 or mu >= SMALLEST_DAMPING,
-        f"mu is {mu}",
-        f"0, or at least {SMALLEST_DAMPING} for the energy of the orbit to be a normal double",
-    )
+    mu = scalar("mu", mu, least=0.0, advice="contacts dissipate")
+    if 0.0 < mu < SMALLEST_DAMPING:
+        raise InputError(
+            f"mu is {mu}, but must be 0, or at least {SMALLEST_DAMPING} for the energy of the "
+            "orbit to be a normal double: give such a number."
+        )
     return mu
-
-
-def _refuse_unless(holds, found, limit):
-    if not holds:
-        raise ConfigurationError(f"{found}, but must be {limit}: give such a number.")
 
 
 def potential(y):

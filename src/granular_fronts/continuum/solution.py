@@ -29,6 +29,7 @@ import numpy as np
 
 from granular_fronts.continuum import finite_volumes, time_steps
 from granular_fronts.continuum.starts import Given, Plateau, make_start
+from granular_fronts.errors import SolveError
 from granular_fronts.slow_scales import scaling_of
 
 START_LEVELS, SMOOTH_CELLS = 3, 2.0
@@ -41,10 +42,6 @@ SOLVER = (
     "sixth-order finite volumes, strong-stability-preserving Runge-Kutta steps of order 4, "
     f"{2**START_LEVELS} times finer cells at the start"
 )
-
-
-class EvolutionError(ValueError):
-    """An evolution that cannot start or go on: when, and why."""
 
 
 class Evolution(NamedTuple):
@@ -119,7 +116,7 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cel
 
     Raises
     ------
-    EvolutionError
+    SolveError
         If the start has negative averages, or the step size collapses.
     """
     times = np.asarray(times, dtype=float)
@@ -148,7 +145,7 @@ def make_equation(alpha, averages, lowest, width):
     """The equation of the kernels; y ≥ `lowest` bounds averages from below, wherever cells lie."""
     smallest = float(averages.min())
     if smallest < 0.0:
-        raise EvolutionError(
+        raise SolveError(
             f"The smallest cell average of the start is {smallest:.3g}, but a rescaled force is 0 "
             "or more: give more points of the start, or a smoother one."
         )
@@ -167,7 +164,7 @@ def smoothing_time(equation, smooth_cells):
 def _advance(equation, state, clock, tolerance, slow_time):
     status = time_steps.advance(equation, state, clock, tolerance, slow_time)
     if status == time_steps.COLLAPSED:
-        raise EvolutionError(
+        raise SolveError(
             f"At slow time {clock.t[0]:.6g} the step size collapsed to {clock.h[0]:.3g}: the "
             f"tolerance {tolerance:g} cannot be met in double precision; raise it."
         )

@@ -19,7 +19,6 @@ import numpy as np
 import xarray as xr
 from scipy.integrate import solve_ivp
 
-from granular_fronts.configuration import check_scene
 from granular_fronts.continuum.heteroclinic import (
     compute_orbit,
     heteroclinic,
@@ -29,6 +28,7 @@ from granular_fronts.continuum.heteroclinic import (
 from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, planar_system, potential
 from granular_fronts.grids import regular_points
 from granular_fronts.measured import error_attributes
+from granular_fronts.scenes.validation import check_scene
 
 # Extrema below this deviation from 1 are linear to round-off when ratios of them are taken.
 LINEAR = 1e-9
@@ -60,7 +60,7 @@ def survey_heteroclinic(scene, name="given"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the scene is impossible, or s reaches beyond the underflow of y.
     """
     scene = check_scene("heteroclinic", scene, name)

@@ -33,6 +33,7 @@ import numpy as np
 
 from granular_fronts.compiled import kernel
 from granular_fronts.continuum import finite_volumes
+from granular_fronts.elementary.interrupts import interrupted
 
 STAGES = 10
 # Ten times the weights of order 3 less those of order 4, which are all 1/10.
@@ -134,7 +135,7 @@ def advance(equation, state, clock, tolerance, stop):
     int
         FINISHED, or COLLAPSED if the step size fell below `RESOLUTION` of it.
     """
-    while clock.t[0] < stop:
+    while clock.t[0] < stop and not interrupted():
         remaining = stop - clock.t[0]
         h = min(clock.h[0], largest_stable_step(equation, state.averages))
         lands = h >= remaining

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.continuum.slow_manifold import expand, state_on_manifold
 from granular_fronts.continuum.taylor import (
     AT_REST,
@@ -23,6 +22,7 @@ from granular_fronts.continuum.taylor import (
     series_slope,
     series_sum,
 )
+from granular_fronts.errors import InputError
 
 START_P = 760.0
 """p at which the trace starts: y = e^(−745) is the last double above zero."""
@@ -140,7 +140,7 @@ def trace_orbit(mu, s_stop, accuracy=USUAL):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If s_stop is more than `MOST_STEPS` steps away.
     """
     v = math.sqrt(START_P + 0.5 + 0.25 * mu**2) - 0.5 * mu
@@ -161,7 +161,7 @@ def _collect(mu, accuracy, state, s_stop, p_stop, energies):
     starts, jets, total, status, room = [], [], 0, RUNNING, ROOM
     while status == RUNNING:
         if total >= MOST_STEPS:
-            raise ConfigurationError(
+            raise InputError(
                 f"For mu = {mu} the orbit turns so often that {MOST_STEPS} steps lead only to "
                 f"s = {state[0]:.6g}: ask for nothing before that, or for a larger mu."
             )

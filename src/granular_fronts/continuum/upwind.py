@@ -21,7 +21,9 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.elementary.vector_functions import logarithms
+from granular_fronts.errors import InputError
 
 PAPER_FRACTION = 0.8
 
@@ -66,12 +68,12 @@ def evolve_upwind(values, half_length, end, step=None):
 
     Raises
     ------
-    ValueError
+    InputError
         If a value is not positive, or the step exceeds the limit of stability.
     """
     values = np.array(values, dtype=float)
     if not values.min() > 0.0:
-        raise ValueError(
+        raise InputError(
             f"The smallest value of the start is {values.min():.6g}, where the wind ln Y of the "
             "explicit upwind scheme is infinite: give positive values."
         )
@@ -79,7 +81,7 @@ def evolve_upwind(values, half_length, end, step=None):
     limit = largest_step(spacing, np.abs(np.log(values)).max())
     step = PAPER_FRACTION * limit if step is None else step
     if step > limit:
-        raise ValueError(
+        raise InputError(
             f"The step {step:.6g} exceeds {limit:.6g}, the limit of stability of the explicit "
             f"scheme for {values.size} points, and would blow up: take a step below the limit."
         )
@@ -97,6 +99,8 @@ def march(values, spacing, step, steps):
     left, right = padded[:-2], padded[2:]
     advection, diffusion = step / spacing, step / spacing**2
     for _ in range(steps):
+        if interrupted():
+            break
         padded[1:-1] = values
         padded[0], padded[n + 1] = values[n - 1], values[0]
         logarithms(values, exponent, mantissa, wind)

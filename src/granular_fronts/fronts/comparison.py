@@ -12,11 +12,12 @@ difference over the window.  There is no freedom to shift in it, since all have 
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import check_scene
+from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.continuum_fronts import continuum_fronts
 from granular_fronts.fronts.driven import drive_front
-from granular_fronts.fronts.solve import NoFrontError, evaluate_front, solve_front
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.grids import regular_points
+from granular_fronts.scenes.validation import check_scene
 from granular_fronts.slow_scales import make_slow_scales
 
 FIELDS = ("relative_displacement", "velocity")
@@ -45,7 +46,7 @@ def compare_front(scene, name="given"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the scene is impossible.
     NoFrontError
         If one of the two methods does not converge.

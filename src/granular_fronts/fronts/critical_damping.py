@@ -23,7 +23,8 @@ y² and by y leaves two equations for αg,
     2\alpha g \sinh x\,\frac{\sin y}{y} = 4q\cosh x\,\frac{\sin^2(y/2)}{y^2} - 1, \qquad
     2\alpha g (\cosh x\cos y - 1) = 2q\sinh x\,\frac{\sin y}{y} - 2x ,
 
-that are regular down to y = 0, which is α*.  Eliminating αg gives x(y) and α(y) = q + αg x.
+that are regular down to y = 0, which is α*.  Eliminating αg gives x(y) and α(y) = q + αg x.  As
+α → ∞, 2π − y → π/α; the unknown is therefore :math:`z = 2\pi - y`, which keeps all digits.
 
 Long waves.  As α → 1 the double root tends to λ = 6g and :math:`g = ((1 - 1/\alpha)/3)^{1/2}`, the
 value μ = 2 of the logarithmic KdV–Burgers equation (James 2021, section 5).
@@ -38,10 +39,11 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.arguments import choice, scalar
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.profile import make_law, solve_profile
 from granular_fronts.fronts.properties import measure
-from granular_fronts.fronts.refusals import check_alpha, check_beta
+from granular_fronts.fronts.validation import check_alpha, check_beta
 
 SMALLEST_CUT, LARGEST_CUT = 1e-8, 0.1
 RESOLUTION = 2.0**-52
@@ -50,7 +52,10 @@ SERIES = np.arange(1, 26)
 """Orders k of S(x) − 1 = Σ 2x^(2k)/(2k+2)!, enough for x ≤ 3."""
 
 COEFFICIENTS = np.array([2.0 / math.factorial(2 * k + 2) for k in SERIES])
-TIGHT = {"xtol": 1e-300, "rtol": 4.0 * np.finfo(float).eps}
+TIGHT = {"xtol": 1e-300, "rtol": 4.0 * np.finfo(float).eps, "maxiter": 1000}
+
+LARGEST_ALPHA = 1e50
+"""Up to it the products of the equations of the crossing do not underflow."""
 
 
 def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
@@ -77,16 +82,19 @@ def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range or the definition does not apply.
     """
     alpha = check_alpha(alpha)
     beta = check_beta(alpha, beta)
-    if definition not in (*_MEANINGS, "overshoot"):
-        raise ConfigurationError(
-            f"definition is {definition!r}, but must be one of {', '.join(_MEANINGS)}, overshoot."
-        )
-    if definition == "overshoot":
+    cut = scalar(
+        "cut",
+        cut,
+        least=SMALLEST_CUT,
+        most=LARGEST_CUT,
+        advice="the overshoot is resolved there, and reached for every alpha",
+    )
+    if choice("definition", definition, (*_MEANINGS, "overshoot")) == "overshoot":
         return _vanishing_overshoot(alpha, beta, cut)
     return alpha / beta * _MEANINGS[definition](alpha)
 
@@ -108,7 +116,7 @@ def _tail(alpha):
 def _double_root(alpha):
     last = meaning_changes_at()
     if alpha > last:
-        raise ConfigurationError(
+        raise InputError(
             f"alpha is {alpha}, but the tail has no double root above alpha* = {last:.6f}: use "
             'definition "tail", the crossing of real parts.'
         )
@@ -121,43 +129,44 @@ def _double_root(alpha):
 
 def _crossing(alpha):
     """The g at which a pair x ± iy and a real root x share their real part."""
-    y = brentq(lambda y: _alpha_of_crossing(y) - alpha, 0.0, 2.0 * math.pi, **TIGHT)
-    return _slope_of_line(_crossing_real_part(y), y) / alpha
+    scalar("alpha", alpha, most=LARGEST_ALPHA, advice="the damping is alpha^2/(pi beta) beyond")
+    z = brentq(lambda z: _alpha_of_crossing(z) - alpha, 1.0 / alpha, 2.0 * math.pi, **TIGHT)
+    return _slope_of_line(_crossing_real_part(z), z) / alpha
 
 
-def _alpha_of_crossing(y):
-    """α = q + αg x, from α* at y = 0 to infinity at y = 2π."""
-    if y == 2.0 * math.pi:
-        return math.inf
-    x = _crossing_real_part(y)
-    return 1.0 / (1.0 + _bell_series(x)[0]) + _slope_of_line(x, y) * x
+def _alpha_of_crossing(z):
+    """α = q + αg x, from α* at z = 2π to infinity at z = 0."""
+    x = _crossing_real_part(z)
+    return 1.0 / (1.0 + _bell_series(x)[0]) + _slope_of_line(x, z) * x
 
 
-def _crossing_real_part(y):
-    """x(y): both equations for αg agree."""
+def _crossing_real_part(z):
+    """x(z): both equations for αg agree."""
 
     def disagreement(x):
-        a, b, c, d = _equations(x, y)
+        a, b, c, d = _equations(x, z)
         return a * d - b * c
 
-    # x(y) falls from the bend to 0; at y = 0 both equations agree at x = 0 too.
-    return brentq(disagreement, 1.0 if y < 3.0 else 0.0, 3.0, **TIGHT)
+    # x(z) grows from 0 to the bend, below z; at z = 2π both equations agree at x = 0 too.
+    return brentq(disagreement, 1.0 if z > 3.3 else 0.0, 3.0, **TIGHT)
 
 
-def _slope_of_line(x, y):
+def _slope_of_line(x, z):
     """αg from both equations; one alone fails where its coefficient vanishes."""
-    a, b, c, d = _equations(x, y)
+    a, b, c, d = _equations(x, z)
     return (a * c + b * d) / (c * c + d * d)
 
 
-def _equations(x, y):
+def _equations(x, z):
     """Right-hand sides a, b and coefficients c, d of αg."""
-    q = 1.0 / (1.0 + _bell_series(x)[0])
-    sine = np.sinc(y / math.pi)
+    q, y = 1.0 / (1.0 + _bell_series(x)[0]), 2.0 * math.pi - z
+    sine = np.sinc(y / math.pi) if y < 3.0 else -math.sin(z) / y
     half_sine = np.sinc(0.5 * y / math.pi)
     a = q * math.cosh(x) * half_sine**2 - 1.0
     b = 2.0 * q * math.sinh(x) * sine - 2.0 * x
-    return a, b, 2.0 * math.sinh(x) * sine, 2.0 * math.cosh(x) * math.cos(y) - 2.0
+    # cosh x cos y − 1 without cancellation.
+    d = 4.0 * math.sinh(0.5 * x) ** 2 * math.cos(z) - 4.0 * math.sin(0.5 * z) ** 2
+    return a, b, 2.0 * math.sinh(x) * sine, d
 
 
 def _long_wave(alpha):
@@ -169,16 +178,11 @@ _MEANINGS = {"tail": _tail, "double-root": _double_root, "long-wave": _long_wave
 
 def _vanishing_overshoot(alpha, beta, cut):
     """The γ at which the overshoot of the exact front equals the cut."""
-    if not SMALLEST_CUT <= cut <= LARGEST_CUT:
-        raise ConfigurationError(
-            f"cut is {cut}, but must lie between {SMALLEST_CUT:g} and {LARGEST_CUT:g}, where the "
-            "overshoot is resolved and reached for every alpha."
-        )
 
     def excess(gamma):
         profile = solve_profile(make_law(alpha, gamma, beta))
         if profile.reason:
-            raise ConfigurationError(
+            raise InputError(
                 f"The front for alpha = {alpha}, beta = {beta}, gamma = {gamma:.6g} was not found "
                 f"({profile.reason}): choose another cut."
             )

@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.contact import Potential
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import tails
 from granular_fronts.fronts.window import DECAY
 from granular_fronts.jumps import jump_conditions
@@ -105,7 +106,7 @@ def make_lattice(potential, dissipation, R_minus, R_plus):
 
     Raises
     ------
-    ValueError
+    InputError
         If `jump_conditions` excludes the front, or if it does not decay exponentially to the state
         behind, or if sound is not slower than the front ahead of it and faster behind.
     """
@@ -114,13 +115,13 @@ def make_lattice(potential, dissipation, R_minus, R_plus):
     lattice = Lattice(potential, dissipation, 1.0, behind, ahead, abs(theory.speed))
     (faster, resistance), (slower, _) = lattice.curvatures(1.0), lattice.curvatures(0.0)
     if not math.isfinite(faster + resistance):
-        raise ValueError(
+        raise InputError(
             f"V'' or W'' is infinite at R = {behind:g}, the state behind the front (V'' is "
             f"{faster:g}, W'' is {resistance:g}), and no exponential leads to it: choose a state "
             "where both are finite."
         )
     if not faster > theory.speed**2 > slower:
-        raise ValueError(
+        raise InputError(
             f"V'' is {faster:.6g} behind the front and {slower:.6g} ahead, but a front is sought "
             f"with c² = {theory.speed**2:.6g} between them: choose states between which V''' has "
             "one sign."

@@ -16,6 +16,7 @@ import numpy as np
 from numba import uint64
 
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.elementary.vector_functions import power
 from granular_fronts.fronts.band import factorise, product, substitute
 
@@ -95,7 +96,7 @@ def iterate(law, hat, jump, spacing, middle, half, tolerance, u, speed, history)
             if solved and (remaining < tolerance or 0.5 * last < change < ROUND_OFF):
                 return step, SETTLED
             last = change
-        if step + 1 == history.size:
+        if step + 1 == history.size or interrupted():
             break
         if fresh:
             steady = steady_points(u, middle, STEADY * min(1.0, last))

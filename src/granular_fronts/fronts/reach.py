@@ -11,7 +11,7 @@ min(α, β) from bead to bead once the overdamped front of `seeds` has come to i
 
 import math
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.arguments import count
 from granular_fronts.fronts import rear, seeds
 from granular_fronts.fronts.tails import rate_of_tail_ahead
 
@@ -36,21 +36,14 @@ def choose_beads(law, roots):
     return _beads_behind(roots), math.ceil(_length_ahead(law)) + MARGIN_AHEAD
 
 
-def refuse_short_window(roots, behind, ahead):
-    """Refuse a window that ends where the tail is not yet a sum of modes.
-
-    Raises
-    ------
-    ConfigurationError
-        If there are too few beads; the sentence says how many are needed.
-    """
+def check_window(roots, behind, ahead):
+    """Beads behind and ahead, unless the window ends where the tail is not yet a sum of modes."""
+    advice = f"the tail decays like exp({roots[0].real:.3g} xi): give more, or leave beads out"
     needed = _beads_behind(roots)
-    if behind < needed or ahead < 1:
-        raise ConfigurationError(
-            f"beads is {behind} behind and {ahead} ahead, but the tail decays like "
-            f"exp({roots[0].real:.3g} xi) and needs {needed} behind, and at least 1 is needed "
-            "ahead: give more, or leave beads out."
-        )
+    return (
+        count("beads behind", behind, least=needed, advice=advice),
+        count("beads ahead", ahead, advice="give more, or leave beads out"),
+    )
 
 
 def lacking_beads(roots, relative_displacement):

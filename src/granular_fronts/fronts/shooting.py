@@ -24,11 +24,11 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain.state import make_law
-from granular_fronts.configuration import ConfigurationError
 from granular_fronts.fronts import bead_map, front_equations, rear, seeds
 from granular_fronts.fronts.front_equations import Window, join, split
 from granular_fronts.fronts.gauss_newton import descend
-from granular_fronts.fronts.reach import choose_beads, lacking_beads, refuse_short_window
+from granular_fronts.fronts.reach import check_window, choose_beads, lacking_beads
+from granular_fronts.fronts.validation import check_law
 
 TOLERANCE = 1.0e-13
 FEWEST_STEPS, MOST_STEPS = 16, 512
@@ -103,13 +103,13 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the law has no front, or the window is too short for its tail.
     """
-    law = _check_law(alpha, gamma, beta)
+    alpha, gamma, beta = check_law(alpha, gamma, beta)
+    law = make_law(alpha, beta, gamma)
     roots = rear.slow_roots(law.alpha, law.gamma, law.beta)
-    behind, ahead = choose_beads(law, roots) if beads is None else map(int, beads)
-    refuse_short_window(roots, behind, ahead)
+    behind, ahead = choose_beads(law, roots) if beads is None else check_window(roots, *beads)
     shot = _shoot_in_window(law, roots, np.arange(-behind, ahead + 1), guess, tolerance)
     lacking = lacking_beads(roots, shot.relative_displacement)
     if beads is None and lacking:
@@ -244,26 +244,6 @@ def bead_velocities(window, amplitudes, state, time):
     u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
     w = np.cumsum(state[::-1, 1])[::-1]
     return w - law.gamma * np.diff(np.maximum(u, 0.0) ** law.beta)
-
-
-def _check_law(alpha, gamma, beta):
-    beta = alpha if beta is None else beta
-    if not (alpha > 1.0 and math.isfinite(alpha)):
-        raise ConfigurationError(
-            f"alpha is {alpha}, but a front from 1 to 0 that runs forwards needs alpha above 1, "
-            "eq. (21): give a finite number above 1."
-        )
-    if not (gamma > 0.0 and math.isfinite(gamma)):
-        raise ConfigurationError(
-            f"gamma is {gamma}, but without damping there is no front: give a finite number above "
-            "0."
-        )
-    if not (beta >= 1.0 and math.isfinite(beta)):
-        raise ConfigurationError(
-            f"beta is {beta}, but below 1 the motion is not known to be unique: give a finite "
-            "number of at least 1."
-        )
-    return make_law(alpha, beta, gamma)
 
 
 def _largest(values):

@@ -10,14 +10,15 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.arguments import array, choice
+from granular_fronts.errors import InputError, NoFrontError
 from granular_fronts.fronts import shooting
 from granular_fronts.fronts.interpolation import interpolate_all
 from granular_fronts.fronts.newton import Law
 from granular_fronts.fronts.profile import ORDER, REFINED_ORDER, make_law, refine, solve_profile
 from granular_fronts.fronts.properties import MEASURES, measure, velocity
-from granular_fronts.fronts.refusals import check_law, check_right_state
 from granular_fronts.fronts.sampling import sample_front
+from granular_fronts.fronts.validation import check_front, check_law, check_right_state
 
 ACCEPTED_ERROR = 1e-12
 """Error estimate of u up to which a front is called converged."""
@@ -55,10 +56,6 @@ class Solution(NamedTuple):
     speed_defect: float
 
 
-class NoFrontError(ValueError):
-    """A front was not found; the message says why."""
-
-
 def solve_front(alpha, gamma, beta=None, method="profile", right_state=0.0):
     """The travelling front from compression 1 behind to `right_state` ahead.
 
@@ -90,13 +87,10 @@ def solve_front(alpha, gamma, beta=None, method="profile", right_state=0.0):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range, or no such front exists.
     """
-    if method not in METHODS:
-        raise ConfigurationError(
-            f"method is {method!r}, but must be one of {', '.join(METHODS)}: choose one of these."
-        )
+    choice("method", method, METHODS)
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     law = make_law(alpha, gamma, beta, check_right_state(right_state))
     try:
@@ -124,15 +118,13 @@ def evaluate_front(front, xi, name="relative_displacement"):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If the front has not converged.
     """
-    if not front.attrs["converged"]:
-        raise ConfigurationError(
-            f"The front has not converged ({front.attrs['reason']}): there is nothing to evaluate."
-        )
-    xi = np.asarray(xi, dtype=float)
+    check_front(front)
+    xi = array("xi", xi, advice="leave that point out")
     ends = _ends(front.attrs["speed"], front.attrs["right_state"])
+    choice("name", name, ends)
     positions = _positions(front["xi"].values, xi.ravel())
     return interpolate_all(front[name].values, positions, *ends[name]).reshape(xi.shape)
 
@@ -162,7 +154,7 @@ def by_profile(law):
 def by_shooting(law):
     """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
     if law.ahead > 0.0:
-        raise ConfigurationError(
+        raise InputError(
             f"right_state is {law.ahead}, but shooting closes its window on a chain at rest: use "
             'method "profile".'
         )

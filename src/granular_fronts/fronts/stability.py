@@ -52,14 +52,19 @@ import math
 import numpy as np
 import xarray as xr
 
+from granular_fronts.arguments import count
 from granular_fronts.chain.state import make_law
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.errors import InputError
 from granular_fronts.fronts import bead_map, rear
 from granular_fronts.fronts.seeds import Seed, fit
+from granular_fronts.fronts.validation import check_front
 
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300
 UNTOUCHED = 1.0e-16
+MOST_BEADS = 1000
+"""On either side; the eigenvalues of twice as many unknowns take a minute."""
+
 LARGEST_DEFECT = 1.0e-6
 INTEGER_XI = 1.0e-9
 
@@ -88,17 +93,21 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If ξ = 0 is not among the points, or the integers are not.
     """
+    check_front(front)
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
     seed = _at_beads(front, beta, gamma)
+    limits = {"most": MOST_BEADS, "advice": "give a number of beads, or leave it out"}
     if beads_behind is None:
         needed = rear.tail_length(rear.slow_roots(alpha, gamma, beta))
         beads_behind = math.ceil(min(max(needed, FEWEST_BEHIND), MOST_BEHIND))
     if beads_ahead is None:
-        touched = (seed.bead > 0) & (seed.relative_displacement > UNTOUCHED)
-        beads_ahead = 1 + int(np.argmin(touched[seed.bead > 0]))
+        ahead = seed.relative_displacement[seed.bead > 0]
+        beads_ahead = 1 + int(np.argmin(np.append(ahead, 0.0) > UNTOUCHED))
+    beads_behind = count("beads_behind", beads_behind, **limits)
+    beads_ahead = count("beads_ahead", beads_ahead, **limits)
     u, d = fit(seed, np.arange(-beads_behind, beads_ahead + 1)).T
     values = multipliers(u, d, alpha, gamma, beta)
     residual = flow_residual(u, d, alpha, gamma, beta)
@@ -225,7 +234,7 @@ def _at_beads(front, beta, gamma):
     whole = np.abs(xi - bead) < INTEGER_XI
     bead = bead[whole]
     if 0 not in bead or np.any(np.diff(bead) != 1):
-        raise ConfigurationError(
+        raise InputError(
             f"xi runs from {xi[0]:.6g} to {xi[-1]:.6g} and holds {bead.size} integers, but every "
             "integer around 0 is needed: evaluate the front with a whole number of points per site."
         )

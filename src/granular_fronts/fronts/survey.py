@@ -12,6 +12,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.continuum.log_kdv_burgers import amplitude_of_chain
+from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.continuum_fronts import (
     HETEROCLINIC,
     LOGARITHMIC,
@@ -20,7 +21,7 @@ from granular_fronts.fronts.continuum_fronts import (
 )
 from granular_fronts.fronts.critical_damping import critical_damping
 from granular_fronts.fronts.properties import MEASURES
-from granular_fronts.fronts.solve import NoFrontError, evaluate_front, solve_front
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.fronts.tails import tail_roots
 
 POINTS = 8001

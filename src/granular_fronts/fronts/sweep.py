@@ -16,8 +16,9 @@ import math
 import numpy as np
 import xarray as xr
 
+from granular_fronts.arguments import sequence
 from granular_fronts.compiled import kernel
-from granular_fronts.configuration import ConfigurationError
+from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.fronts import newton
 from granular_fronts.fronts.newton import Law
 from granular_fronts.fronts.prediction import REMEMBERED, predict, remember
@@ -38,9 +39,9 @@ from granular_fronts.fronts.profile import (
 )
 from granular_fronts.fronts.properties import MEASURES, measures
 from granular_fronts.fronts.quadrature import kernel_weights
-from granular_fronts.fronts.refusals import check_law
 from granular_fronts.fronts.solve import ACCEPTED_ERROR, RESOLUTION
 from granular_fronts.fronts.tails import lowest_roots_of_all
+from granular_fronts.fronts.validation import check_alpha, check_beta
 
 COLUMNS = (*MEASURES, "residual", "speed_defect", "tail_rate", "tail_frequency")
 
@@ -77,14 +78,11 @@ def sweep_fronts(alpha, gammas, beta=None):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range.
     """
-    gammas = np.atleast_1d(np.asarray(gammas, dtype=float))
-    if gammas.ndim != 1 or gammas.size == 0:
-        raise ConfigurationError(f"gammas has shape {gammas.shape}, but must be a list of numbers.")
-    for gamma in gammas:
-        alpha, _, beta = check_law(alpha, gamma, beta)
+    alpha, beta = check_alpha(alpha), check_beta(alpha, beta)
+    gammas = sequence("gammas", gammas, above=0.0, advice="without damping there is no front")
     distinct, place = np.unique(-gammas, return_inverse=True)
     fronts = _describe(alpha, beta, *_sweep(alpha, beta, -distinct))
     return fronts.isel(gamma=place)
@@ -188,6 +186,8 @@ def follow(start_law, gammas, spacing, rule, difference, decay, start_middle, st
     history, places = np.empty(STEPS + 1), np.log(gammas)
     middles = np.empty(gammas.size, dtype=np.int64)
     for k in range(gammas.size):
+        if interrupted():
+            return 0
         damping = start_law.beta * gammas[k] / start_law.alpha
         root = lowest_roots_of_all(start_law.alpha, damping, 1)[0]
         values[k, 6], values[k, 7] = root.real, root.imag

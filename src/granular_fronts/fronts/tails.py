@@ -40,9 +40,11 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
+from granular_fronts import arguments
 from granular_fronts.compiled import kernel
-from granular_fronts.configuration import ConfigurationError
-from granular_fronts.fronts.refusals import check_law
+from granular_fronts.elementary.interrupts import interrupted
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.validation import check_law
 
 BEND = 2.3469413041671690
 """Where the bell 1/S(λ) changes its curvature and falls most steeply."""
@@ -88,15 +90,14 @@ def tail_roots(alpha, gamma, beta=None, count=6):
 
     Raises
     ------
-    ConfigurationError
+    InputError
         If a parameter is out of range.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
-    if count < 1:
-        raise ConfigurationError(f"count is {count}, but must be at least 1: ask for one root.")
+    count = arguments.count("count", count, advice="ask for one root or more")
     roots = lowest_roots_of_all(alpha, gamma * beta / alpha, count)
     if not np.isfinite(roots).all():
-        raise ConfigurationError(
+        raise InputError(
             f"A tail root for alpha = {alpha}, beta = {beta} and gamma = {gamma} is beyond double "
             "precision: bring gamma closer to 1."
         )
@@ -141,6 +142,8 @@ def lowest_roots_of_all(alpha, damping, count):
             roots[found - 1] = strip_root(alpha, damping, strip)
         roots[:found] = roots[:found][np.argsort(roots[:found].real)]
         strip += 1
+        if interrupted():
+            break
     return roots[:count]
 
 
@@ -149,7 +152,7 @@ def beyond(alpha, damping, strip, real_part):
     """Whether all half-strips from this one on hold only roots with a larger real part."""
     height = 2.0 * math.pi * (strip - 1)
     smallest = height * height / (alpha * (1.0 + damping * height))
-    # A root that is not finite is told to the caller, not looked for without end.
+    # A root that is not finite is left to the caller, not looked for without end.
     return not smallest <= 4.0 * math.cosh(0.5 * real_part) ** 2
 
 

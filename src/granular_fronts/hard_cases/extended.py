@@ -21,16 +21,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.errors import SolveError
+
 REAL = np.longdouble
 SEQUENCES = ((2, 4, 6, 8, 12, 16, 24, 32), (2, 4, 6, 8, 10, 12, 14))
 TOLERANCES = (REAL("1e-17"), REAL("1e-16"))
 FEWEST_COLUMNS = 4
 FIRST_STEP = REAL("1e-4")
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 2.0
-
-
-class ExtendedPrecisionError(ValueError):
-    """A machine without 80-bit arithmetic, or a motion that the reference does not serve."""
 
 
 class Reference(NamedTuple):
@@ -66,11 +64,11 @@ def reference_state(motion, end_time):
 
     Raises
     ------
-    ExtendedPrecisionError
+    SolveError
         If `numpy.longdouble` has no 64-bit significand here.
     """
     if np.finfo(REAL).nmant < 63:
-        raise ExtendedPrecisionError(
+        raise SolveError(
             f"numpy.longdouble has a significand of {np.finfo(REAL).nmant + 1} bits here and 64 "
             "are needed for a reference: measure the hard cases on an x86-64 machine."
         )

@@ -1,20 +1,22 @@
-"""The strict schema of the configuration, and its violations told in sentences.
+"""The strict schema of the configuration, and a sentence for each of its violations.
 
 A sentence names the scene, the key, its value, the limit and the way out. What a schema cannot
-express is refused in ``granular_fronts.configuration``.
+express, because it ties two keys together, stands in ``granular_fronts.scenes.constraints``.
 """
 
 import difflib
 import functools
 import json
+import math
 import re
-import textwrap
+import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import yaml
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
+
+from granular_fronts.scenes.yaml_files import read_yaml
 
 _KIND = {
     "array": "a list",
@@ -26,18 +28,37 @@ _KIND = {
 }
 
 
+LARGEST_WHOLE = 2**63 - 1
+"""Largest whole number that an array can hold."""
+
+
+LONGEST_SHOWN = 60
+"""Letters of a value that a sentence quotes."""
+
+
 def _is_whole(_checker: object, value: object) -> bool:
     # JSON Schema also calls 420.0 an integer, but a count of beads is used as an index.
-    return isinstance(value, int) and not isinstance(value, bool)
+    return _is_plain(value, int) and abs(value) <= LARGEST_WHOLE
+
+
+def _is_finite(_checker: object, value: object) -> bool:
+    # YAML reads .nan and .inf, and every comparison with a limit lets them pass.
+    return _is_plain(value, int | float) and abs(value) <= sys.float_info.max
+
+
+def _is_plain(value: object, kind: object) -> bool:
+    return isinstance(value, kind) and not isinstance(value, bool)
 
 
 _Validator = validators.extend(
     Draft202012Validator,
-    type_checker=Draft202012Validator.TYPE_CHECKER.redefine("integer", _is_whole),
+    type_checker=Draft202012Validator.TYPE_CHECKER.redefine_many(
+        {"integer": _is_whole, "number": _is_finite}
+    ),
 )
 
 
-def tell_violations(
+def violations(
     instance: object,
     definition: str | None = None,
     place: Sequence[str] = (),
@@ -93,8 +114,8 @@ def _schema(name: str) -> dict:
     file = Path(__file__).with_name(f"{name}.schema.yaml")
     if not file.exists():
         # A checkout keeps the schema with the workflow that it describes.
-        file = Path(__file__).parents[2] / "workflow" / "schemas" / file.name
-    return yaml.safe_load(file.read_text(encoding="utf-8"))
+        file = Path(__file__).parents[3] / "workflow" / "schemas" / file.name
+    return read_yaml(file)
 
 
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:
@@ -111,6 +132,8 @@ def _locate(path: Sequence[str | int]) -> tuple[str, str]:
 def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     """Say in one sentence what a violation is and how to end it."""
     if "propertyNames" in error.absolute_schema_path:
+        if error.validator == "enum":
+            return f"{_show(error.instance)} in {key} is unknown: choose {_choice(error)}."
         return (
             f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
             "and underscores, a letter first."
@@ -132,10 +155,37 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     if error.validator == "exclusiveMaximum":
         return f"{key} is {value}, but must be below {limit}: give a number below {limit}."
     if error.validator == "enum":
-        return f"{key} is {value}, which is unknown: choose {' or '.join(limit)}."
-    if error.validator in ("minItems", "minProperties", "minLength"):
-        return f"{key} is empty: give at least one entry."
+        return f"{key} is {value}, which is unknown: choose {_choice(error)}."
+    if error.validator == "multipleOf":
+        return f"{key} is {value}, no multiple of {limit}: give a multiple of {limit}."
+    if error.validator == "uniqueItems":
+        return _repeated_entry(error, key)
+    if error.validator == "minLength":
+        return f"{key} is empty: give a name."
+    if error.validator in ("minItems", "minProperties") and not error.instance:
+        return f"{key} is empty: give at least {'one entry' if limit == 1 else limit}."
+    if error.validator == "minItems":
+        return f"{key} has {_count(error.instance)}, below its limit {limit}: list {limit} or more."
+    if error.validator == "maxItems":
+        return f"{key} has {_count(error.instance)}, above its limit {limit}: list {limit} or less."
     return f"{key}: {error.message}."
+
+
+def _choice(error: ValidationError) -> str:
+    return " or ".join(error.validator_value)
+
+
+def _count(entries: Sequence) -> str:
+    return "1 entry" if len(entries) == 1 else f"{len(entries)} entries"
+
+
+def _repeated_entry(error: ValidationError, key: str) -> str:
+    entries = error.instance
+    index = next(i for i, entry in enumerate(entries) if entry in entries[:i])
+    return (
+        f"{name_entry(key, index)} is {_show(entries[index])}, which stands before it already: "
+        "list it once."
+    )
 
 
 def _missing_key(error: ValidationError, key: str, definitions: dict) -> str:
@@ -161,7 +211,12 @@ def _wrong_type(error: ValidationError, key: str) -> str:
     allowed = error.validator_value
     kinds = [allowed] if isinstance(allowed, str) else allowed
     expected = " or ".join(_KIND[kind] for kind in kinds)
-    key = key or "this"
+    key = key or "the whole"
+    if not {"number", "integer"}.isdisjoint(kinds) and _is_plain(error.instance, int | float):
+        if isinstance(error.instance, int):
+            return f"{key} is {_show(error.instance)}, beyond what an array can hold: give less."
+        if not math.isfinite(error.instance):
+            return f"{key} is {error.instance}, but must be finite: give {expected}."
     if expected == "a number" and isinstance(error.instance, str):
         number = _with_point_and_sign(error.instance)
         if number is not None:
@@ -189,4 +244,5 @@ def _join(key: str, name: object) -> str:
 
 
 def _show(value: object) -> str:
-    return textwrap.shorten(json.dumps(value, default=str, ensure_ascii=False), width=60)
+    text = json.dumps(value, default=str, ensure_ascii=False, skipkeys=True)
+    return text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]} …"

@@ -1,0 +1,198 @@
+"""Arguments of functions: what a computation needs, or one sentence that says why it cannot be.
+
+A number, a count, an array of numbers, one of several names, an object of a kind.  Each function
+below returns the argument as plain float, int, ndarray, ... and otherwise raises an `InputError`
+that names the argument, shows what was given, and says what is needed and the way out.  Text, None,
+truth values, complex numbers, arrays where one number belongs, nan and inf are never numbers.
+
+Only arrays need numpy, which is imported where one is checked: the workflow checks its
+configuration at each start without it.
+"""
+
+import math
+import numbers
+import reprlib
+
+from granular_fronts.errors import InputError
+
+
+def scalar(
+    name, value, *, above=None, least=None, below=None, most=None, advice="give such a number"
+):
+    """A finite real number within limits.
+
+    Parameters
+    ----------
+    name : str
+        What the sentence calls the argument.
+    value : object
+        What was given; numpy scalars and arrays without dimensions are numbers too.
+    above, least, below, most : float, optional
+        Limits: larger than, at least, smaller than, at most.
+    advice : str, optional
+        End of the sentence: why the limit, or the way out.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    number = _real(value)
+    if math.isfinite(number) and _lies_within(number, above, least, below, most):
+        return number
+    limits = _limits_in_words(above, least, below, most)
+    raise InputError(f"{name} is {_shown(value)}, but must be a finite number{limits}: {advice}.")
+
+
+def count(name, value, *, least=1, most=None, advice="give such a number"):
+    """A whole number; parameters and errors as of `scalar`.
+
+    Returns
+    -------
+    int
+    """
+    number = _real(value)
+    if number.is_integer() and _lies_within(number, None, least, None, most):
+        return int(number)
+    limits = _limits_in_words(None, least, None, most)
+    raise InputError(f"{name} is {_shown(value)}, but must be a whole number{limits}: {advice}.")
+
+
+def array(
+    name, values, *, above=None, least=None, below=None, most=None, advice="give such numbers"
+):
+    """Finite real numbers within limits, in an array of any shape.
+
+    Parameters
+    ----------
+    values : array_like
+    name, above, least, below, most, advice
+        As of `scalar`.
+
+    Returns
+    -------
+    ndarray of float
+
+    Raises
+    ------
+    InputError
+        If it is none; the sentence shows the first number that is wrong.
+    """
+    import numpy as np
+
+    try:
+        given = np.asarray(values)
+    except (TypeError, ValueError):
+        given = np.empty(0, dtype=object)
+    if given.dtype.kind not in "iuf":
+        raise InputError(f"{name} is {_shown(values)}, but must hold real numbers: {advice}.")
+    found = given.astype(float)
+    good = np.isfinite(found) & _lies_within(found, above, least, below, most)
+    if good.all():
+        return found
+    limits = _limits_in_words(above, least, below, most)
+    raise InputError(
+        f"{name} holds {found[~good][0]}, but must hold finite numbers{limits}: {advice}."
+    )
+
+
+def sequence(name, values, **limits):
+    """One number or more in a row, as an array of one dimension; a number alone is a row of one.
+
+    Parameters, result and errors as of `array`.
+    """
+    import numpy as np
+
+    found = np.atleast_1d(array(name, values, **limits))
+    if found.ndim != 1 or found.size == 0:
+        raise InputError(
+            f"{name} has shape {found.shape}, but must be a list of one or more numbers: give one."
+        )
+    return found
+
+
+def choice(name, value, choices):
+    """One of several names.
+
+    Parameters
+    ----------
+    name : str
+    value : object
+    choices : iterable of str
+
+    Returns
+    -------
+    str
+    """
+    if isinstance(value, str) and value in choices:
+        return value
+    raise InputError(
+        f"{name} is {_shown(value)}, but must be one of {', '.join(choices)}: choose one of these."
+    )
+
+
+def instance(name, value, kind, advice):
+    """An object of a kind.
+
+    Parameters
+    ----------
+    name : str
+    value : object
+    kind : type
+    advice : str
+        Where to get one.
+
+    Returns
+    -------
+    object of that kind
+    """
+    if isinstance(value, kind):
+        return value
+    raise InputError(f"{name} is {_shown(value)}, but must be a {kind.__name__}: {advice}.")
+
+
+def _real(value):
+    """The number as a float, nan if it is none, infinite if it is too large for one."""
+    if getattr(value, "ndim", None) == 0:
+        value = value.item()
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        return math.nan
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
+
+
+def _lies_within(found, above, least, below, most):
+    """Whether a number, or each of an array, keeps all limits that are given."""
+    kept = found == found
+    if above is not None:
+        kept = kept & (found > above)
+    if least is not None:
+        kept = kept & (found >= least)
+    if below is not None:
+        kept = kept & (found < below)
+    if most is not None:
+        kept = kept & (found <= most)
+    return kept
+
+
+def _limits_in_words(above, least, below, most):
+    words = ("above", above), ("at least", least), ("below", below), ("at most", most)
+    limits = [
+        f"{word} {limit:g}" for word, limit in words if limit is not None and math.isfinite(limit)
+    ]
+    return f", {' and '.join(limits)}" if limits else ""
+
+
+def _shown(value):
+    """What was given, short and on one line."""
+    if getattr(value, "shape", ()):
+        return f"an array of shape {tuple(value.shape)}"
+    if getattr(value, "ndim", None) == 0:
+        value = value.item()
+    return " ".join(reprlib.repr(value).split())

@@ -1,0 +1,18 @@
+"""Errors as sentences for people: the one place where the classes of errors are defined.
+
+A message names what was found, the limit it breaks and the way out.  The classes say who can help:
+an `InputError` is cured by another argument or configuration, a `SolveError` says where a
+computation ended that looked possible when it began.  Both are kinds of `ValueError`.
+"""
+
+
+class InputError(ValueError):
+    """An argument, or a configuration, that cannot be computed: its value, limit and way out."""
+
+
+class SolveError(ValueError):
+    """A solve that stopped: where, and why."""
+
+
+class NoFrontError(SolveError):
+    """A front that was not found, and why."""

@@ -1,0 +1,431 @@
+"""Constraints that tie two keys of a section together, and so stand in no schema.
+
+Each constraint is a function of one section of the configuration, a scene for example, that obeys
+the schema.  It yields a sentence for each violation, which begins with the key inside the section
+and names the value, the limit and the way out.  `CONSTRAINTS` lists them by the path of a section
+in the configuration; ``*`` stands for any name.
+
+This module imports neither numpy nor numba: the workflow checks its configuration at each start.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+
+from granular_fronts.scenes.schema import name_entry
+from granular_fronts.slow_scales import scaling_of
+
+RELATIVE_TOLERANCE_FLOOR = 1.0e-15
+"""Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
+
+ABSOLUTE_TOLERANCE_FLOOR = 1.0e-20
+"""Smallest absolute tolerance over the largest relative displacement: far below its round-off.
+
+From rest the integrator's first steps shrink with it: at 1e-25 some laws take minutes, and none is
+more exact.
+"""
+
+ABSOLUTE_TOLERANCE_CEILING = 0.1
+"""Largest absolute tolerance over the largest relative displacement."""
+
+EQUATION_TOLERANCE_FLOOR = 1.0e-13
+"""Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
+
+CELLS_PER_EDGE = 2
+"""Fewest cells over a unit of ξ, the width of the falling edge of eq. (49)."""
+
+MOST_DECADES = 140
+"""Decades on either side of 1 within which the square of a number is a double too."""
+
+DENSITIES = 1.0, 30_000.0
+"""Densities of solid beads in kg/m³, from foams to beyond osmium (22 590)."""
+
+MODULI = 1.0e4, 2.0e12
+"""Young's moduli of solid beads in Pa, from gels to beyond diamond (1.2e12)."""
+
+THETA_END_ERROR = 1.0e-9
+"""Rounding of end_time over a step of the θ-method, relative to end_time."""
+
+
+# Any section.
+
+
+def ranges_increase(section: Mapping) -> Iterator[str]:
+    """Every range starts before it stops."""
+    for key, mapping in _mappings(section):
+        if {"start", "stop"} <= mapping.keys() and _is_empty(mapping["start"], mapping["stop"]):
+            yield (
+                f"{key}.start is {mapping['start']}, but must come before its stop "
+                f"{mapping['stop']}: lower start or raise stop."
+            )
+
+
+def _is_empty(start, stop):
+    return not isinstance(start, Mapping) and start >= stop
+
+
+def relative_tolerance_above_floor(section: Mapping) -> Iterator[str]:
+    """No solver in double precision honours less."""
+    relative = section["tolerance"]["relative"]
+    if relative < RELATIVE_TOLERANCE_FLOOR:
+        yield (
+            f"tolerance.relative is {relative}, under the solver's floor of "
+            f"{RELATIVE_TOLERANCE_FLOOR}, which double precision sets: "
+            "ask for the floor or more."
+        )
+
+
+# Scenes with a contact law.
+
+
+def decades_of_displacement(scene: Mapping) -> float:
+    """Decimal logarithm of the largest relative displacement that drives a scene.
+
+    A velocity v compresses contacts by about v^(2/(α + 1)).
+
+    Parameters
+    ----------
+    scene : mapping
+        A scene with a law that obeys the schema.
+
+    Returns
+    -------
+    float
+        −∞ where nothing moves.
+    """
+    if "displacement" in scene:
+        return _decades(scene["displacement"])
+    boundary, start = scene["boundary"], scene["start"]
+    displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
+    displacements += start.get("relative_displacement", [])
+    velocities = [boundary.get("velocity", 0.0), *start.get("velocity", [])]
+    return max(max(map(_decades, displacements)), _compressed(scene["law"]["alpha"], velocities))
+
+
+def _compressed(alpha, velocities):
+    """Decimal logarithm of the compression that the largest of some velocities makes."""
+    return 2.0 / (alpha + 1.0) * max(map(_decades, velocities))
+
+
+def energies_are_representable(scene: Mapping) -> Iterator[str]:
+    """Energies δ^(α + 1) of a scene with a law, and the damping, neither overflow nor vanish."""
+    if "law" not in scene:
+        return
+    law, decades = scene["law"], decades_of_displacement(scene)
+    if math.isfinite(decades):
+        for name in law.keys() & {"alpha", "beta"}:
+            found = (law[name] + 1.0) * decades
+            if abs(found) > MOST_DECADES:
+                yield (
+                    f"law.{name} is {law[name]}, which with relative displacements of about "
+                    f"1e{decades:+.0f} makes energies of about 1e{found:+.0f}, beyond the "
+                    f"1e±{MOST_DECADES} that double precision can square: bring both nearer to 1."
+                )
+    found = _decades(law["gamma"])
+    if math.isfinite(found) and abs(found) > MOST_DECADES:
+        yield (
+            f"law.gamma is {law['gamma']}, beyond the 1e±{MOST_DECADES} that double precision can "
+            "square: bring it nearer to 1, or give 0 for no damping."
+        )
+
+
+# Chains.
+
+
+def absolute_tolerance_resolves_motion(scene: Mapping) -> Iterator[str]:
+    """The absolute tolerance lies between rounding and the size of the motion."""
+    yield from _absolute_errors(scene["tolerance"]["absolute"], decades_of_displacement(scene))
+
+
+def _absolute_errors(absolute, decades):
+    above = math.log10(absolute) - decades
+    if above < math.log10(ABSOLUTE_TOLERANCE_FLOOR):
+        limit, side, advice = ABSOLUTE_TOLERANCE_FLOOR, "below", "more"
+    elif math.isfinite(above) and above > math.log10(ABSOLUTE_TOLERANCE_CEILING):
+        limit, side, advice = ABSOLUTE_TOLERANCE_CEILING, "above", "less"
+    else:
+        return
+    size = 10.0**decades
+    yield (
+        f"tolerance.absolute is {absolute}, {side} {limit:g} of the largest relative displacement, "
+        f"which is about {size:.3g}: give {limit * size:.1e} or {advice}."
+    )
+
+
+def ring_is_set_in_motion(scene: Mapping) -> Iterator[str]:
+    """A ring has a given start, since nothing pushes it."""
+    if scene["boundary"]["kind"] == "ring" and scene["start"]["kind"] != "given":
+        yield (
+            f"start.kind is {scene['start']['kind']}, but nothing sets a ring in motion: "
+            "use kind given, with relative_displacement and velocity."
+        )
+
+
+def start_lists_every_bead(scene: Mapping) -> Iterator[str]:
+    """A given start lists a number for each bead and each contact."""
+    if scene["start"]["kind"] != "given":
+        return
+    beads = scene["beads"]
+    contacts = beads if scene["boundary"]["kind"] == "ring" else beads - 1
+    for key, expected in [("relative_displacement", contacts), ("velocity", beads)]:
+        found = len(scene["start"][key])
+        if found != expected:
+            yield (
+                f"start.{key} has {found} numbers, but {beads} beads with boundary "
+                f"{scene['boundary']['kind']} need {expected}: give one for each."
+            )
+
+
+def start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
+    """The given velocity of bead 1 is the one its piston begins with."""
+    boundary, start = scene["boundary"], scene["start"]
+    if boundary["kind"] != "piston" or start["kind"] != "given":
+        return
+    begins = 0 if boundary.get("ramp") else boundary["velocity"]
+    found = start["velocity"][0] if start["velocity"] else begins
+    if found != begins:
+        yield (
+            f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
+            f"velocity {begins}: give {begins} first."
+        )
+
+
+def softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
+    """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
+    alpha = scene["law"]["alpha"]
+    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
+    if alpha < 1 and smallest <= 0:
+        yield (
+            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
+            f"infinite, and the smallest relative displacement at the start is {smallest}: "
+            "take alpha of 1 or more, or a start compressed everywhere."
+        )
+
+
+def probes_are_on_chain(scene: Mapping) -> Iterator[str]:
+    """Every probe stands on a bead, under a name that no other record has."""
+    for name, probe in scene["record"].get("probes", {}).items():
+        if name == "grid":
+            yield (
+                "record.probes.grid has the name of the record of the space–time grid: give the "
+                "probe another name."
+            )
+        for bead in probe["beads"]:
+            if bead > scene["beads"]:
+                yield (
+                    f"record.probes.{name}.beads names bead {bead}, but the chain has "
+                    f"{scene['beads']} beads: choose one of 1 to {scene['beads']}."
+                )
+
+
+def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
+    """Nothing is recorded after the motion."""
+    record, end_time = scene["record"], scene["end_time"]
+    times = {f"record.probes.{n}.stop": p["stop"] for n, p in record.get("probes", {}).items()}
+    times |= {name_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
+    if "grid" in record:
+        times["record.grid.step"] = record["grid"]["step"]
+    for key, time in times.items():
+        if time > end_time:
+            yield (
+                f"{key} is {time}, beyond the end of the motion at end_time {end_time}: "
+                f"give {end_time} or less, or raise end_time."
+            )
+
+
+# Heteroclinic orbits.
+
+
+def portrait_leaves_equilibria(scene: Mapping) -> Iterator[str]:
+    """No trajectory of the plane starts in an equilibrium, where it would stay."""
+    for index, (y, z) in enumerate(scene.get("portrait", {}).get("starts", [])):
+        if z == 0 and y in (-1, 0, 1):
+            yield (
+                f"{name_entry('portrait.starts', index)} is [{y}, {z}], an equilibrium, where "
+                "nothing moves: start beside it."
+            )
+
+
+def portrait_has_its_orbit(scene: Mapping) -> Iterator[str]:
+    """The damping of a portrait is one of those whose orbit is computed."""
+    mu = scene.get("portrait", {}).get("mu")
+    if mu is not None and mu not in scene["mu"]:
+        yield (
+            f"portrait.mu is {mu}, but the orbit shown in the portrait is one of mu "
+            f"{scene['mu']}: choose one of these, or add {mu} to mu."
+        )
+
+
+# Rings.
+
+
+def start_does_not_pull(scene: Mapping) -> Iterator[str]:
+    """A rescaled force is not negative, since no contact pulls."""
+    smallest = min(scene["start"].get("rescaled_force", [0.0]))
+    if smallest < 0:
+        yield (
+            f"start.rescaled_force has {smallest} as its smallest value, but a contact cannot "
+            "pull: give values of 0 or more."
+        )
+
+
+def start_is_periodic(scene: Mapping) -> Iterator[str]:
+    """The values at −ℓ and ℓ are equal, since these are one point of the ring."""
+    first, *_, last = scene["start"].get("rescaled_force", [0.0, 0.0])
+    if first != last:
+        yield (
+            f"start.rescaled_force begins with {first} and ends with {last}, but on a ring both "
+            "ends are one point: give a periodic start."
+        )
+
+
+def plateau_fits_ring(scene: Mapping) -> Iterator[str]:
+    """A start (49) falls to its floor within −ℓ ≤ ξ ≤ ℓ."""
+    half_length = scaling_of(scene).half_length(scene["half_beads"])
+    half_width = scene["start"].get("half_width", -1.0)
+    if half_width + 1.0 > half_length:
+        yield (
+            f"start.half_width is {half_width}, and with its edge of width 1 the plateau exceeds "
+            f"half the ring, ℓ = (p − 1/2) ε = {half_length:.6g}: lower it or raise half_beads."
+        )
+
+
+def grids_hold_edge(scene: Mapping) -> Iterator[str]:
+    """Cells are no wider than the edge of a wave allows."""
+    length = 2.0 * scaling_of(scene).half_length(scene["half_beads"])
+    needed = math.ceil(CELLS_PER_EDGE * length)
+    equations = scene["equations"]
+    counts = {f"{name}.cells": equations[name]["cells"] for name in ("logarithmic", "unlimited")}
+    for name, found in (counts | {"upwind.points": equations["upwind"]["points"]}).items():
+        if found < needed:
+            yield (
+                f"equations.{name} is {found}, too coarse to hold the edge of the wave, of width 1 "
+                f"on a ring of length 2ℓ = {length:.6g}: give {needed} or more."
+            )
+
+
+def equation_tolerances_above_floor(scene: Mapping) -> Iterator[str]:
+    """No error per step drowns in rounding."""
+    for name in ("logarithmic", "unlimited"):
+        tolerance = scene["equations"][name]["tolerance"]
+        if tolerance < EQUATION_TOLERANCE_FLOOR:
+            yield (
+                f"equations.{name}.tolerance is {tolerance}, under the solver's floor of "
+                f"{EQUATION_TOLERANCE_FLOOR}: ask for the floor or more."
+            )
+
+
+# Contact laws at work.
+
+
+def beads_are_solid(materials: Mapping) -> Iterator[str]:
+    """Mass, radius and Young's modulus are those of a solid in SI units."""
+    for name, bead in materials["beads"].items():
+        density = 0.75 * bead["mass"] / math.pi / bead["radius"] ** 3
+        lightest, heaviest = DENSITIES
+        if not lightest <= density <= heaviest:
+            yield (
+                f"beads.{name}.radius is {bead['radius']} and its mass {bead['mass']}, a density "
+                f"of {density:.2g} kg/m³, outside {lightest:g} to {heaviest:g} of solids: give "
+                "metres and kilograms."
+            )
+        softest, stiffest = MODULI
+        if not softest <= bead["youngs_modulus"] <= stiffest:
+            yield (
+                f"beads.{name}.youngs_modulus is {bead['youngs_modulus']} Pa, outside "
+                f"{softest:g} to {stiffest:g} Pa of solids: give pascals; 70 GPa are 7.0e+10."
+            )
+
+
+def theta_steps_meet_end(section: Mapping) -> Iterator[str]:
+    """The end of each motion by the θ-method is a multiple of each of its steps."""
+    order, profile = section["order"], section["profile"]
+    steps = {name_entry("order.steps", i): (s, order) for i, s in enumerate(order["steps"])}
+    for key, (step, motion) in (steps | {"profile.step": (profile["step"], profile)}).items():
+        end = motion["end_time"]
+        whole = math.floor(end / step + 0.5) if end / step < math.inf else 0
+        if whole < 1 or abs(whole * step - end) > THETA_END_ERROR * end:
+            yield (
+                f"{key} is {step}, and no whole number of such steps ends at end_time {end}: give "
+                "a step that divides end_time."
+            )
+
+
+def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
+    """The absolute tolerance suits the compression that the piston makes with each law."""
+    for law in section["cases"].values():
+        decades = _compressed(law["alpha"], [section["velocity"]])
+        errors = [*_absolute_errors(section["tolerance"]["absolute"], decades)]
+        if errors:
+            yield from errors
+            return
+
+
+def states_differ(section: Mapping) -> Iterator[str]:
+    """The two states that a front joins are not the same."""
+    for name, case in section["cases"].items():
+        behind, ahead = case["states"]
+        if behind == ahead:
+            yield (
+                f"cases.{name}.states are {behind} and {ahead}, but a front joins two different "
+                "states: change one."
+            )
+
+
+Constraint = Callable[[Mapping], Iterator[str]]
+
+CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
+    "scenes.chain.*": (
+        relative_tolerance_above_floor,
+        absolute_tolerance_resolves_motion,
+        energies_are_representable,
+        ring_is_set_in_motion,
+        start_lists_every_bead,
+        start_agrees_with_piston,
+        softening_start_is_compressed,
+        probes_are_on_chain,
+        record_ends_with_motion,
+    ),
+    "scenes.heteroclinic.*": (portrait_leaves_equilibria, portrait_has_its_orbit),
+    "scenes.periodic.*": (
+        relative_tolerance_above_floor,
+        absolute_tolerance_resolves_motion,
+        start_does_not_pull,
+        start_is_periodic,
+        plateau_fits_ring,
+        grids_hold_edge,
+        equation_tolerances_above_floor,
+        record_ends_with_motion,
+    ),
+    "scenes.front.*": (),
+    "exact_fronts.survey": (),
+    "exact_fronts.critical_damping": (),
+    "exact_fronts.multipliers": (),
+    "laws.materials": (beads_are_solid,),
+    "laws.damping_regimes": (),
+    "laws.numerical_damping": (theta_steps_meet_end,),
+    "laws.jump_conditions": (states_differ,),
+    "laws.piston": (relative_tolerance_above_floor, piston_tolerance_resolves_motion),
+    "precision.log_burgers.*": (),
+    "precision.chain.*": (),
+    "precision.ring.*": (),
+    "precision.heteroclinic.*": (),
+    "precision.fronts.*": (),
+    "stiff_damping": (),
+}
+"""Constraints by the path of a section.
+
+`ranges_increase` and `energies_are_representable` bind every section.
+"""
+
+
+def _mappings(value: object, key: str = "") -> Iterator[tuple[str, Mapping]]:
+    """Every mapping inside a value, with its dotted key."""
+    if isinstance(value, Mapping):
+        yield key, value
+        for name, item in value.items():
+            yield from _mappings(item, f"{key}.{name}" if key else name)
+
+
+def _decades(value: float) -> float:
+    """Decimal logarithm of a size, −∞ for none."""
+    return math.log10(abs(value)) if value else -math.inf

@@ -1,0 +1,346 @@
+"""Memory and time that a section of the configuration takes at the least.
+
+The estimates are lower bounds by orders of magnitude, since they decide only what is refused: what
+can be computed is never refused, and what no computer finishes is refused before it starts.
+
+A motion of a chain is followed in *crossings*: a front of height δ runs through a bead in the time
+1/c, c = δ^((α − 1)/2), so that N beads over a time t ask for ctN crossings, or half of (ct)² while
+the front has not reached the last bead.  Each crossing takes several steps of the integrator, and a
+step of one bead about 1e-8 s at the least.
+
+Every function below yields a `Part` for each key that decides on the size of a section.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from granular_fronts.scenes.constraints import decades_of_displacement
+from granular_fronts.slow_scales import scaling_of
+
+MOST_MEMORY = 16 * 2**30
+"""Bytes that one job may hold."""
+
+LONGEST_TIME = 30 * 86400.0
+"""Seconds on one core that one job may take."""
+
+BYTES_PER_NUMBER = 8
+
+NUMBERS_PER_BEAD = 64
+"""State and stages of the integrator, and what is followed at each bead."""
+
+COLUMNS_PER_ROW = 4
+"""Numbers kept for each bead and time: two fields, and the arrays that they are made from."""
+
+NUMBERS_PER_FRONT = 16
+"""Properties of an exact front that are kept."""
+
+SECONDS_PER_CROSSING = 5.0e-7
+
+SECONDS_PER_POINT = 5.0e-9
+"""Of a grid, for each step in time or each evaluation."""
+
+SECONDS_PER_FRONT = 1.0e-4
+"""An exact front, found by continuation from its neighbour."""
+
+SECONDS_PER_RUN = 1.0e-4
+"""The shortest run whose time is measured."""
+
+SECONDS_PER_OPERATION = 1.0e-10
+"""Of dense linear algebra."""
+
+BEADS_OF_PROBLEMS = 100.0
+"""Beads that move on the average in the problems whose solution is stored."""
+
+LARGEST = 1.0e300
+"""Stands for what overflows."""
+
+
+class Part(NamedTuple):
+    """What some keys together contribute to the size of a section.
+
+    Attributes
+    ----------
+    large, small : tuple of str
+        Dotted keys inside the section, of counts and of spacings: the size grows with the former
+        and falls with the latter.
+    numbers : float
+        Numbers held at once.
+    seconds : float
+        Time on one core.
+    """
+
+    large: tuple[str, ...]
+    small: tuple[str, ...] = ()
+    numbers: float = 0.0
+    seconds: float = 0.0
+
+    @property
+    def memory(self) -> float:
+        """Bytes held at once."""
+        return min(BYTES_PER_NUMBER * self.numbers, LARGEST)
+
+
+def size_errors(path: str, section: Mapping) -> Iterator[str]:
+    """Compare the size of a section with `MOST_MEMORY` and `LONGEST_TIME`.
+
+    Parameters
+    ----------
+    path : str
+        Of the section in the configuration, with ``*`` for a name, as in `SIZES`.
+    section : Mapping
+        One that obeys the schema and its constraints.
+
+    Yields
+    ------
+    str
+        One sentence if it is too large: the keys that contribute most, and the size.
+    """
+    if path in SIZES:
+        yield from part_errors(section, list(SIZES[path](section)))
+
+
+def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
+    """Compare the sum of some parts with the limits; see `size_errors`."""
+    memory = sum(part.memory for part in parts)
+    seconds = min(sum(part.seconds for part in parts), LARGEST)
+    if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
+        return
+    most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
+    keys = [f"{key} = {_look_up(section, key)}" for key in (*most.large, *most.small)]
+    remedies = [f"lower {' or '.join(most.large)}"] if most.large else []
+    remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
+    yield (
+        f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
+        f"{show_memory(memory)} of memory and {show_time(seconds)} on one core, above the limit of "
+        f"{show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: {', or '.join(remedies)}."
+    )
+
+
+def show_memory(memory: float) -> str:
+    """Bytes in words, for example ``16 GiB``."""
+    for unit in ("bytes", "KiB", "MiB"):
+        if memory < 1000.0:
+            return f"{memory:.0f} {unit}"
+        memory /= 1024.0
+    return f"{_show_number(memory)} GiB"
+
+
+def show_time(seconds: float) -> str:
+    """A duration in words, for example ``30 days``."""
+    for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
+        if seconds >= 2.0 * length:
+            return f"{_show_number(seconds / length)} {unit}"
+    return f"{seconds:.0f} s"
+
+
+def _show_number(value):
+    return f"{value:,.0f}" if value < 1e6 else f"{value:.0e}"
+
+
+def _look_up(section, key):
+    for name in key.split("."):
+        section = section[name]
+    return section
+
+
+# Scenes.
+
+
+def size_of_chain(scene: Mapping) -> Iterator[Part]:
+    """A motion of `beads` beads up to `end_time`, and its record."""
+    beads, end, record = float(scene["beads"]), scene["end_time"], scene["record"]
+    yield Part(("beads",), (), NUMBERS_PER_BEAD * beads)
+    yield Part(("beads", "end_time"), (), 0.0, _crossing_time(scene, beads))
+    yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
+    for name, probe in record.get("probes", {}).items():
+        key, samples = f"record.probes.{name}", _points(probe) * len(probe["beads"])
+        yield _grid_part((f"{key}.stop",), (f"{key}.step",), COLUMNS_PER_ROW * samples)
+    if "grid" in record:
+        rows = end / record["grid"]["step"]
+        numbers = COLUMNS_PER_ROW * rows * beads
+        yield _grid_part(("beads", "end_time"), ("record.grid.step",), numbers)
+
+
+def size_of_orbits(scene: Mapping) -> Iterator[Part]:
+    """Heteroclinic orbits, with a profile for each damping; the well and the portrait."""
+    numbers = COLUMNS_PER_ROW * len(scene["mu"]) * _points(scene["profile"])
+    yield _grid_part(("profile.stop",), ("profile.step",), numbers)
+    if "well" in scene:
+        points = 2.0 * scene["well"]["limit"] / scene["well"]["step"]
+        yield _grid_part(("well.limit",), ("well.step",), COLUMNS_PER_ROW * points)
+    if "portrait" in scene:
+        portrait = scene["portrait"]
+        points = len(portrait["starts"]) * 2.0 * portrait["span"] / portrait["step"]
+        yield _grid_part(("portrait.span",), ("portrait.step",), COLUMNS_PER_ROW * points)
+
+
+def size_of_ring(scene: Mapping) -> Iterator[Part]:
+    """A ring of 2p − 1 beads, and its amplitude equations on their grids."""
+    beads, end, scaling = 2.0 * scene["half_beads"], scene["end_time"], scaling_of(scene)
+    equations, rows = scene["equations"], end / scene["record"]["grid"]["step"]
+    yield Part(
+        ("half_beads", "end_time"),
+        (),
+        NUMBERS_PER_BEAD * beads,
+        scaling.speed * end * beads * SECONDS_PER_CROSSING,
+    )
+    numbers = 3.0 * COLUMNS_PER_ROW * rows * beads
+    yield _grid_part(("half_beads", "end_time"), ("record.grid.step",), numbers)
+    for name in ("logarithmic", "unlimited"):
+        cells = float(equations[name]["cells"])
+        yield _grid_part((f"equations.{name}.cells",), (), NUMBERS_PER_BEAD * cells)
+    points = float(equations["upwind"]["points"])
+    per_length = points / (2.0 * scaling.half_length(scene["half_beads"]))
+    seconds = points * per_length * per_length * scaling.slow_rate * end * SECONDS_PER_POINT
+    yield Part(("equations.upwind.points", "end_time"), (), NUMBERS_PER_BEAD * points, seconds)
+
+
+def size_of_front(scene: Mapping) -> Iterator[Part]:
+    """An exact front on a window, and a chain driven up to a bead."""
+    numbers, bead = 6.0 * COLUMNS_PER_ROW * _points(scene["window"]), float(scene["driven_bead"])
+    yield _grid_part(("window.stop",), ("window.step",), numbers)
+    yield Part(
+        ("driven_bead",), (), NUMBERS_PER_BEAD * bead, 0.5 * bead * bead * SECONDS_PER_CROSSING
+    )
+
+
+# Many exact fronts.
+
+
+def size_of_survey(section: Mapping) -> Iterator[Part]:
+    """A front for each exponent and each damping."""
+    yield _front_part(("gamma.num",), len(section["alpha"]) * float(section["gamma"]["num"]))
+
+
+def size_of_damping_map(section: Mapping) -> Iterator[Part]:
+    """A front for each point of the plane."""
+    fronts = float(section["alpha"]["num"]) * section["gamma"]["num"]
+    yield _front_part(("alpha.num", "gamma.num"), fronts)
+
+
+def size_of_multipliers(section: Mapping) -> Iterator[Part]:
+    """A dense matrix of two rows a bead, and its eigenvalues, for each front and window."""
+    rows = 2.0 * max(section["beads_behind"])
+    operations = 25.0 * rows * rows * rows * len(section["fronts"])
+    yield Part(("beads_behind",), (), 3.0 * rows * rows, operations * SECONDS_PER_OPERATION)
+
+
+# Contact laws at work.
+
+
+def size_of_regimes(section: Mapping) -> Iterator[Part]:
+    """A front and a collision for each law and each velocity."""
+    yield _front_part(("points",), float(section["points"]) * len(section["betas"]))
+
+
+def size_of_theta_method(section: Mapping) -> Iterator[Part]:
+    """A motion by equal steps for each θ and each step."""
+    order, profile = section["order"], section["profile"]
+    for name, motion, step_key, steps, motions in [
+        ("order", order, "order.steps", order["steps"], len(order["thetas"])),
+        ("profile", profile, "profile.step", [profile["step"]], 1),
+    ]:
+        beads = float(motion["beads"])
+        work = motions * beads * motion["end_time"] / min(steps)
+        yield Part(
+            (f"{name}.beads", f"{name}.end_time"),
+            (step_key,),
+            NUMBERS_PER_BEAD * beads,
+            work * SECONDS_PER_POINT,
+        )
+
+
+def size_of_driven_fronts(section: Mapping) -> Iterator[Part]:
+    """Fronts that run through `beads` beads, one for each law (and each ramp of a piston)."""
+    fronts, beads = len(section["cases"]) * len(section.get("ramps", [0])), float(section["beads"])
+    seconds = 0.5 * fronts * beads * beads * SECONDS_PER_CROSSING
+    yield Part(("beads",), (), NUMBERS_PER_BEAD * beads, seconds)
+
+
+# Measurements of speed.
+
+
+def size_of_repeated_runs(problem: Mapping) -> Iterator[Part]:
+    """Every method at every tolerance, some times over."""
+    runs = len(problem["methods"]) * len(problem["tolerances"])
+    yield Part(("repeats",), (), 0.0, runs * problem["repeats"] * SECONDS_PER_RUN)
+    if "end_time" in problem:
+        crossings = runs * BEADS_OF_PROBLEMS * float(problem["end_time"])
+        yield Part(("end_time",), (), 0.0, crossings * SECONDS_PER_CROSSING)
+
+
+def size_of_log_burgers(problem: Mapping) -> Iterator[Part]:
+    """Every scheme on every grid, some times over."""
+    reference = problem["reference"]
+    for key, cells in [
+        ("upwind_points", max(problem["upwind_points"])),
+        ("cells", max(problem["cells"])),
+        ("reference.cells", reference["cells"]),
+        ("reference.points", reference["points"]),
+    ]:
+        yield _grid_part((key,), (), NUMBERS_PER_BEAD * float(cells))
+    for key, step in [
+        ("reference.longest_step", reference["longest_step"]),
+        ("longest_steps", min(problem["longest_steps"])),
+    ]:
+        yield Part((), (key,), 0.0, reference["points"] / step * SECONDS_PER_POINT)
+    yield Part(("repeats",), (), 0.0, problem["repeats"] * SECONDS_PER_RUN)
+
+
+def size_of_stiff_damping(section: Mapping) -> Iterator[Part]:
+    """One motion for each damping and tolerance, some times over."""
+    runs = len(section["gammas"]) * len(section["relative_tolerances"])
+    beads = float(section["beads"])
+    motion = {
+        "law": {"alpha": 1.5},
+        "displacement": section["displacement"],
+        "end_time": section["end_time"],
+    }
+    seconds = runs * _crossing_time(motion, beads)
+    yield Part(("beads", "end_time"), (), NUMBERS_PER_BEAD * beads, seconds)
+    yield Part(("repeats",), (), 0.0, runs * section["repeats"] * SECONDS_PER_RUN)
+
+
+SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
+    "scenes.chain.*": size_of_chain,
+    "scenes.heteroclinic.*": size_of_orbits,
+    "scenes.periodic.*": size_of_ring,
+    "scenes.front.*": size_of_front,
+    "exact_fronts.survey": size_of_survey,
+    "exact_fronts.critical_damping": size_of_damping_map,
+    "exact_fronts.multipliers": size_of_multipliers,
+    "laws.damping_regimes": size_of_regimes,
+    "laws.numerical_damping": size_of_theta_method,
+    "laws.jump_conditions": size_of_driven_fronts,
+    "laws.piston": size_of_driven_fronts,
+    "precision.chain.*": size_of_repeated_runs,
+    "precision.ring.*": size_of_repeated_runs,
+    "precision.heteroclinic.*": size_of_repeated_runs,
+    "precision.fronts.*": size_of_repeated_runs,
+    "precision.log_burgers.*": size_of_log_burgers,
+    "stiff_damping": size_of_stiff_damping,
+}
+"""Sizes by the path of a section in the configuration; ``*`` stands for a name."""
+
+
+def _points(axis):
+    return (axis["stop"] - axis["start"]) / axis["step"]
+
+
+def _grid_part(large, small, numbers):
+    return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
+
+
+def _front_part(keys, fronts):
+    return Part(keys, (), NUMBERS_PER_FRONT * fronts, fronts * SECONDS_PER_FRONT)
+
+
+def _crossing_time(scene, beads):
+    """Time that the crossings of a motion take."""
+    decades = decades_of_displacement(scene)
+    if not math.isfinite(decades):
+        return 0.0
+    speed = 10.0 ** (0.5 * (scene["law"]["alpha"] - 1.0) * decades)
+    distance = speed * scene["end_time"]
+    return distance * (beads if distance > beads else 0.5 * distance) * SECONDS_PER_CROSSING

@@ -1,0 +1,105 @@
+"""Validate one scene, or any section of a configuration, before anything is computed.
+
+Four levels of checks each rely on those before: the schema in ``workflow/schemas`` says which keys
+exist, what each means and in which range it lies; energies must be numbers that a computer can
+hold; constraints tie keys together; and the whole must fit into memory and a month.
+
+This module imports neither numpy nor numba: the workflow checks its configuration at each start.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from granular_fronts.errors import InputError
+from granular_fronts.scenes.constraints import (
+    CONSTRAINTS,
+    energies_are_representable,
+    ranges_increase,
+)
+from granular_fronts.scenes.schema import violations
+from granular_fronts.scenes.sizes import size_errors
+
+
+def check_scene(family: str, scene: Mapping, name: str) -> dict:
+    """Validate a scene.
+
+    Parameters
+    ----------
+    family : str
+        Key under ``scenes`` of the configuration, for example ``chain``.
+    scene : Mapping
+        One entry of that family; numpy arrays and numbers are welcome.
+    name : str
+        What the sentences call the scene.
+
+    Returns
+    -------
+    dict
+        The scene in plain Python values, as a configuration file would hold it.
+
+    Raises
+    ------
+    InputError
+        With one sentence for each thing that is wrong.
+    """
+    scene = _plain(scene)
+    place = ("scenes", family, name)
+    raise_if_any(
+        [*violations(scene, definition=f"{family}_scene", place=place)]
+        or [f"Scene {name}: {error}" for error in section_errors(f"scenes.{family}.*", scene)]
+    )
+    return scene
+
+
+def section_errors(path: str, section: Mapping) -> list[str]:
+    """Say what is wrong with a section that obeys the schema.
+
+    Parameters
+    ----------
+    path : str
+        Of the section in the configuration, with ``*`` for a name, as in `CONSTRAINTS`.
+    section : Mapping
+        The section in plain Python values.
+
+    Returns
+    -------
+    list of str
+        Sentences that begin with a key inside the section.
+    """
+    return (
+        [*energies_are_representable(section)]
+        or [
+            error
+            for constraint in (ranges_increase, *CONSTRAINTS[path])
+            for error in constraint(section)
+        ]
+        or [*size_errors(path, section)]
+    )
+
+
+def section_label(path: str) -> str:
+    """What stands before a key of a section in a sentence, for example ``Scene weak: ``.
+
+    Parameters
+    ----------
+    path : str
+        Of the section in the configuration.
+    """
+    names = path.split(".")
+    return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
+
+
+def raise_if_any(sentences: Sequence[str]) -> None:
+    """Raise a InputError of some sentences, one a line, if there are any."""
+    if sentences:
+        raise InputError("\n".join(sentences))
+
+
+def _plain(value: object) -> object:
+    """Turn numpy values and mappings into what YAML would have given."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value

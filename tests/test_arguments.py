@@ -1,0 +1,210 @@
+"""Every argument of every public function: what is impossible is refused in one sentence."""
+
+import inspect
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import granular_fronts as gf
+from granular_fronts import arguments
+from granular_fronts.contact import generalised_hertz
+from granular_fronts.errors import InputError
+
+HUGE = 10**400
+
+
+def a_front(**attributes):
+    """A dataset that looks like a front, without solving for one."""
+    xi = np.linspace(-4.0, 4.0, 9)
+    u = 1.0 / (1.0 + np.exp(3.0 * xi))
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3, "right_state": 0.0, "speed": 1.0}
+    return xr.Dataset(
+        {"relative_displacement": ("xi", u), "velocity": ("xi", u)},
+        {"xi": xi},
+        law | {"converged": 1, "reason": ""} | attributes,
+    )
+
+
+LAW = {"alpha": 1.5, "gamma": 0.3, "beta": 1.5}
+CHAIN = {
+    "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1},
+    "beads": 4,
+    "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
+    "start": {"kind": "rest"},
+    "end_time": 1.0,
+    "tolerance": {"relative": 1.0e-6, "absolute": 1.0e-8},
+    "record": {"snapshots": [1.0]},
+}
+
+# A possible value of every parameter of every public function; its type says what is impossible.
+POSSIBLE = {
+    "Scaling": {
+        "mass": 0.1,
+        "stiffness": 1.0e9,
+        "damping": 1.0e-5,
+        "velocity": 0.5,
+        "alpha": 1.5,
+        "beta": 1.5,
+    },
+    "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
+    "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
+    "evolve_log_burgers": {"scene": {}, "name": "given"},
+    "front_multipliers": {"front": a_front(), "beads_behind": 20, "beads_ahead": 5},
+    "heteroclinic": {"mu": 1.0, "s": np.array([0.0, 1.0])},
+    "jump_conditions": {
+        "potential": generalised_hertz(1.5),
+        "R_minus": -1.0,
+        "R_plus": 0.0,
+        "mass": 1.0,
+        "dissipation": generalised_hertz(1.5),
+    },
+    "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
+    "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
+    "simulate_chain": {"scene": CHAIN, "name": "given"},
+    "solve_front": LAW | {"method": "profile", "right_state": 0.0},
+    "sweep_fronts": LAW | {"gammas": np.array([0.3, 0.2])},
+    "tail_roots": LAW | {"count": 6},
+}
+del POSSIBLE["sweep_fronts"]["gamma"]
+
+# The name of a scene is what messages call it, whatever it is.
+FREE = {("evolve_log_burgers", "name"), ("simulate_chain", "name")}
+
+NEVER_A_NUMBER = ["1.5", b"1.5", 1.5j, True, {}, {"a": 1.0}, math.nan, math.inf, -math.inf, HUGE]
+SEVERAL = [[1.5], np.array([1.5, 2.0]), np.array([]), (1.5, "x")]
+IMPOSSIBLE = {
+    float: [*NEVER_A_NUMBER, *SEVERAL],
+    int: [*NEVER_A_NUMBER, *SEVERAL, 1.5, 0, -5, 20.5],
+    np.ndarray: [*NEVER_A_NUMBER, [0.5, math.nan], [0.5, None], [[1.0], [1.0, 2.0]], ["0.5"]],
+    str: ["nothing of the kind", b"tail", 1.5, ["tail"], np.array([1.0, 2.0])],
+    dict: ["text", 1.5, 1.5j, [1.5], np.array([1.0, 2.0])],
+}
+NO_OBJECTS = ["text", 1.5, 1.5j, math.nan, {}, [1.5], np.array([1.0, 2.0])]
+
+OUT_OF_RANGE = [
+    *[(name, "alpha", v) for name in ("Scaling", "restitution") for v in (0.0, -1.5)],
+    *[
+        (name, "alpha", v)
+        for name in ("critical_damping", "solve_front", "sweep_fronts", "tail_roots")
+        for v in (1.0, 0.5, 0, -2)
+    ],
+    *[(name, "beta", v) for name in ("Scaling", "restitution", "solve_front") for v in (0.5, -1)],
+    *[(name, "gamma", v) for name in ("solve_front", "tail_roots") for v in (0.0, -0.1)],
+    *[("Scaling", name, v) for name in ("mass", "stiffness", "velocity") for v in (0.0, -1.0)],
+    ("Scaling", "damping", -1.0),
+    ("critical_damping", "cut", 1e-9),
+    ("critical_damping", "cut", 0.2),
+    ("heteroclinic", "mu", -0.1),
+    ("heteroclinic", "s", []),
+    ("heteroclinic", "s", [[0.0]]),
+    ("jump_conditions", "mass", 0.0),
+    ("log_burgers_front", "alpha", 1.0),
+    ("restitution", "gamma", -0.1),
+    ("solve_front", "right_state", 1.0),
+    ("solve_front", "right_state", -0.1),
+    ("sweep_fronts", "gammas", [0.1, 0.0]),
+    ("sweep_fronts", "gammas", []),
+    ("sweep_fronts", "gammas", [[0.1]]),
+    ("front_multipliers", "front", a_front(converged=0, reason="a test")),
+    ("evaluate_front", "front", a_front(converged=0, reason="a test")),
+    ("front_multipliers", "front", a_front().drop_vars("velocity")),
+    ("front_multipliers", "beads_behind", 10**6),
+]
+
+
+def parameters_of(name):
+    return inspect.signature(getattr(gf, name)).parameters
+
+
+def impossible_values(name, parameter):
+    value = POSSIBLE[name][parameter]
+    values = IMPOSSIBLE.get(type(value), NO_OBJECTS)
+    needed = parameters_of(name)[parameter].default is not None
+    return [*values, None] if needed else values
+
+
+CASES = [
+    (name, parameter)
+    for name in sorted(POSSIBLE)
+    for parameter in POSSIBLE[name]
+    if (name, parameter) not in FREE
+]
+
+
+def sentence_for(function, possible, parameter, value):
+    """The sentence with which a function refuses a value, or nothing if it does not."""
+    try:
+        function(**possible | {parameter: value})
+    except InputError as error:
+        return str(error)
+    return ""
+
+
+def check_sentence(sentence, parameter):
+    assert parameter in sentence.replace("Scene", "scene")
+    assert sentence.endswith(".")
+    assert "\n" not in sentence
+
+
+def test_no_public_function_and_no_parameter_is_forgotten():
+    assert {name: set(POSSIBLE[name]) for name in POSSIBLE} == {
+        name: set(parameters_of(name)) for name in gf.__all__
+    }
+
+
+@pytest.mark.parametrize(("name", "parameter"), CASES)
+def test_impossible_arguments_are_refused_in_a_sentence(name, parameter):
+    function = getattr(gf, name)
+    for value in impossible_values(name, parameter):
+        check_sentence(sentence_for(function, POSSIBLE[name], parameter, value), parameter)
+
+
+@pytest.mark.parametrize(("name", "parameter", "value"), OUT_OF_RANGE)
+def test_numbers_out_of_range_are_refused_in_a_sentence(name, parameter, value):
+    check_sentence(sentence_for(getattr(gf, name), POSSIBLE[name], parameter, value), parameter)
+
+
+@pytest.mark.parametrize("name", sorted(set(POSSIBLE) - {"evolve_log_burgers"}))
+def test_possible_arguments_pass(name):
+    assert getattr(gf, name)(**POSSIBLE[name]) is not None
+
+
+def test_a_function_without_checks_does_not_pass_this_test():
+    def unchecked(gamma):
+        return [gamma] * 2
+
+    with pytest.raises(AssertionError):
+        check_sentence(sentence_for(unchecked, {"gamma": 0.1}, "gamma", math.nan), "gamma")
+
+
+@pytest.mark.parametrize(
+    "value",
+    [2, 2.0, np.float32(2.0), np.int64(2), np.array(2.0), xr.DataArray(2.0), Fraction(2)],
+)
+def test_every_kind_of_real_number_is_a_number(value):
+    found = arguments.scalar("x", value, above=1.0, most=2.0)
+    assert (found, type(found)) == (2.0, float)
+    found = arguments.count("n", value, least=2, most=2)
+    assert (found, type(found)) == (2, int)
+
+
+def test_sentences_say_what_was_given_and_what_is_needed():
+    with pytest.raises(InputError, match=r"^x is 2\.5, but must be a finite number, above 1 and "):
+        arguments.scalar("x", 2.5, above=1.0, most=2.0)
+    with pytest.raises(InputError, match=r"^x is an array of shape \(3, 1\), but"):
+        arguments.scalar("x", np.ones((3, 1)))
+    with pytest.raises(InputError, match=r"^n is 1\.5, but must be a whole number, at least 1: "):
+        arguments.count("n", 1.5)
+    with pytest.raises(InputError, match=r"^s holds 3\.0, but must hold finite numbers, below 3"):
+        arguments.array("s", [[1.0, 3.0], [4.0, 5.0]], below=3.0)
+    with pytest.raises(InputError, match=r"^way is 'c', but must be one of a, b: "):
+        arguments.choice("way", "c", ("a", "b"))
+
+
+def test_arrays_keep_their_shape_and_lists_have_one_dimension():
+    assert arguments.array("x", np.float32(1.0)).shape == ()
+    assert arguments.array("x", [[1, 2]]).dtype == float
+    np.testing.assert_array_equal(arguments.sequence("s", 3), [3.0])
