@@ -76,7 +76,7 @@ def project(tmp_path_factory):
     [
         (["--config", "campaign=nosuch"], ["There is no campaign nosuch", "smoke"]),
         (["--config", "campaign=Smoke"], ["There is no campaign Smoke", "smoke"]),
-        (["--config", "campaign=../campaigns/smoke"], ["under this name", "lower-case letters"]),
+        (["--config", "campaign=../smoke"], ["There is no campaign ../smoke", "choose one of"]),
         ([], ["Name the campaign", "--config campaign=smoke"]),
     ],
     ids=["unknown", "capital", "path", "unnamed"],
@@ -97,6 +97,14 @@ def test_impossible_campaign_is_refused_before_any_job(project):
     assert "Campaign mine: axes.gamma has 0.2 after 0.3" in run.stderr
     assert "Traceback" not in run.stderr
     assert not (project / "results").exists()
+
+
+def test_campaign_file_that_is_no_yaml_is_refused_in_a_sentence(project):
+    (project / "config/campaigns/broken.yaml").write_text("kind: chain\naxes: [\n")
+    run = run_campaign(project, "--dry-run", name="broken")
+    assert run.returncode == 1
+    assert "broken.yaml" in run.stderr
+    assert "Traceback" not in run.stderr
 
 
 def test_dry_run_measures_and_writes_nothing(project):

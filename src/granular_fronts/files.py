@@ -12,19 +12,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from granular_fronts.errors import NoSpaceError
+
 FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT})
 """What the system answers where a disk, or the user's share of it, is full."""
 
 PROBE_BYTES = 2**20
-
-
-class NoSpaceError(OSError):
-    """A file that did not fit on its disk: in which folder."""
-
-    def __init__(self, folder: Path | str):
-        super().__init__(
-            f"There is no space left in {folder}: free some and run the same command again."
-        )
 
 
 @contextmanager

@@ -31,7 +31,8 @@ from typing import Any, TextIO
 
 import yaml
 
-from granular_fronts.files import NoSpaceError, is_full, is_running
+from granular_fronts.errors import NoSpaceError
+from granular_fronts.files import is_full, is_running
 
 LOGGER = logging.getLogger("granular_fronts")
 
