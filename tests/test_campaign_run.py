@@ -32,12 +32,9 @@ SHORT = {
     "chunk_points": 2,
 }
 
-# What the default profile gives to those who call Snakemake in the project's folder.
-OPTIONS = ["--cores", "1", "--rerun-incomplete", "--nolock"]
-
 
 def command_of(*arguments):
-    return [sys.executable, "-m", "snakemake", *OPTIONS, "campaign", *map(str, arguments)]
+    return [sys.executable, "-m", "snakemake", "--cores", "1", "campaign", *map(str, arguments)]
 
 
 def run_campaign(folder, *arguments, name="mine"):
@@ -79,7 +76,7 @@ def project(tmp_path_factory):
     [
         (["--config", "campaign=nosuch"], ["There is no campaign nosuch", "smoke"]),
         (["--config", "campaign=Smoke"], ["There is no campaign Smoke", "smoke"]),
-        (["--config", "campaign=../campaigns/smoke"], ["under this name", "lower-case letters"]),
+        (["--config", "campaign=../smoke"], ["There is no campaign ../smoke", "choose one of"]),
         ([], ["Name the campaign", "--config campaign=smoke"]),
     ],
     ids=["unknown", "capital", "path", "unnamed"],
@@ -100,6 +97,14 @@ def test_impossible_campaign_is_refused_before_any_job(project):
     assert "Campaign mine: axes.gamma has 0.2 after 0.3" in run.stderr
     assert "Traceback" not in run.stderr
     assert not (project / "results").exists()
+
+
+def test_campaign_file_that_is_no_yaml_is_refused_in_a_sentence(project):
+    (project / "config/campaigns/broken.yaml").write_text("kind: chain\naxes: [\n")
+    run = run_campaign(project, "--dry-run", name="broken")
+    assert run.returncode == 1
+    assert "broken.yaml" in run.stderr
+    assert "Traceback" not in run.stderr
 
 
 def test_dry_run_measures_and_writes_nothing(project):
@@ -157,7 +162,7 @@ def kill_snakemake_and_worker(process, worker):
 
 
 def kill_snakemake(process, worker):
-    """Kill the workflow alone; its worker goes on, and its chunk may be solved twice."""
+    """Kill the workflow alone; its worker ends with it, or has just written its chunk."""
     process.kill()
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from granular_fronts.files import NoSpaceError, complete_file, remove_leftovers
+from granular_fronts.errors import NoSpaceError
+from granular_fronts.files import complete_file, remove_leftovers
 
 ABOVE_ANY_PROCESS = 2**22 + 1
 """Linux numbers no process above 2^22."""

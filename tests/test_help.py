@@ -15,8 +15,9 @@ def target_rules():
     names = {"check_results", *figures}
     for file in [ROOT / "Snakefile", *ROOT.glob("workflow/rules/*.smk")]:
         for part in re.split(r"^(?=rule |checkpoint )", file.read_text(), flags=re.MULTILINE)[1:]:
-            if "    output:" not in part:
-                names.add(re.match(r"rule (\w+):", part)[1])
+            name = re.match(r"rule (\w+):", part)
+            if name and "    output:" not in part:
+                names.add(name[1])
     return names
 
 

@@ -2,8 +2,11 @@
 
 A message names what was found, the limit it breaks and the way out.  The classes say who can help:
 an `InputError` is cured by another argument or configuration, a `SolveError` says where a
-computation ended that looked possible when it began.  Both are kinds of `ValueError`.
+computation ended that looked possible when it began.  Both are kinds of `ValueError`.  A
+`NoSpaceError` is no fault of either, and a kind of `OSError`.
 """
+
+from pathlib import Path
 
 
 class InputError(ValueError):
@@ -16,3 +19,12 @@ class SolveError(ValueError):
 
 class NoFrontError(SolveError):
     """A front that was not found, and why."""
+
+
+class NoSpaceError(OSError):
+    """A file that did not fit on its disk: in which folder."""
+
+    def __init__(self, folder: Path | str):
+        super().__init__(
+            f"There is no space left in {folder}: free some and run the same command again."
+        )

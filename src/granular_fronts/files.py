@@ -12,19 +12,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from granular_fronts.errors import NoSpaceError
+
 FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT})
 """What the system answers where a disk, or the user's share of it, is full."""
 
 PROBE_BYTES = 2**20
-
-
-class NoSpaceError(OSError):
-    """A file that did not fit on its disk: in which folder."""
-
-    def __init__(self, folder: Path | str):
-        super().__init__(
-            f"There is no space left in {folder}: free some and run the same command again."
-        )
 
 
 @contextmanager
@@ -82,11 +75,12 @@ def remove_leftovers(folder: Path, name: str | None = None) -> None:
     with os.scandir(folder) as entries:
         for entry in entries:
             match = pattern.fullmatch(entry.name)
-            if match and not _is_running(int(match[1])):
+            if match and not is_running(int(match[1])):
                 Path(entry.path).unlink(missing_ok=True)
 
 
-def _is_running(process: int) -> bool:
+def is_running(process: int) -> bool:
+    """Whether there is a process of this number on this machine."""
     try:
         os.kill(process, 0)
     except (ProcessLookupError, OverflowError):

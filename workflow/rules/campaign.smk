@@ -100,6 +100,8 @@ rule summarise_campaign:
         "../scripts/summarise_campaign.py"
 
 
+# The chunks stand beside what is made of them: one that a failed or killed job has lost is then
+# missed, even where an older merged file is there.
 rule campaign:
     input:
         table=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}.md",

@@ -23,8 +23,7 @@ def initiate_front(scene: dict, scene_id: str, dataset: Path) -> None:
     dataset : Path
         The netCDF file to write.
     """
-    solved = simulate_chain(scene, scene_id)
-    write_dataset(solved, dataset, scene_id=scene_id, config=scene)
+    write_dataset(simulate_chain(scene, scene_id), dataset, scene_id=scene_id, config=scene)
 
 
 if __name__ == "__main__":

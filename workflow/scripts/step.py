@@ -31,7 +31,8 @@ from typing import Any, TextIO
 
 import yaml
 
-from granular_fronts.files import NoSpaceError, is_full
+from granular_fronts.errors import NoSpaceError
+from granular_fronts.files import is_full, is_running
 
 LOGGER = logging.getLogger("granular_fronts")
 
@@ -93,22 +94,11 @@ def end_with(run: int) -> None:
     """
 
     def watch() -> None:
-        while is_alive(run):
+        while is_running(run):
             time.sleep(SECONDS_BETWEEN_LOOKS)
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
-
-
-def is_alive(process: int) -> bool:
-    """Whether there is a process of this number."""
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:
-        return True
-    return True
 
 
 def describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> str:
