@@ -271,5 +271,5 @@ def _value_errors(kind, grid, varied) -> Iterator[str]:
 
 
 def _advice(name, known) -> str:
-    near = difflib.get_close_matches(name, known, n=1)
+    near = difflib.get_close_matches(str(name), known, n=1)
     return f"did you mean {near[0]}" if near else f"it has {', '.join(known)}"
