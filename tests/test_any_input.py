@@ -140,8 +140,8 @@ def chains(draw):
     delta = draw(st.sampled_from([1e-12, 1e-8, 1e-3, 0.1, 7.0, 1e3, 1e8]))
     damping = draw(st.sampled_from([0.0, 1e-9, 1e-2, 0.3, 3.0]))
     beads = draw(st.integers(2, 6))
-    crossings = draw(st.floats(0.1, 2.0))
-    relative = draw(st.sampled_from([1e-12, 1e-8, 1e-5]))
+    crossings = draw(st.floats(0.5, 2.0))
+    relative = draw(st.sampled_from([1e-12, 1e-10, 1e-8]))
     return alpha, beta, delta, damping, beads, crossings, relative
 
 

@@ -99,7 +99,7 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
     if name not in files:
         raise ConfigurationError(
             f"There is no campaign {name} in {folder}: choose one of {', '.join(files)}, or write "
-            f"{Path(folder) / name}.yaml."
+            f"{folder}/{name}.yaml."
         )
     if not NAME.fullmatch(name):
         raise ConfigurationError(
