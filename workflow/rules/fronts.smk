@@ -2,7 +2,7 @@
 
 FRONT_DATASETS = expand("<results>/data/fronts/{scene}.nc", scene=config["scenes"]["front"])
 FRONT_SURVEYS = expand(
-    "<results>/data/fronts/{name}.nc", name=["survey", "critical_damping", "multipliers"]
+    "<results>/data/fronts/{name}.nc", name=["survey", "critical_damping", "multipliers", "trends"]
 )
 
 
@@ -94,6 +94,27 @@ rule map_critical_damping:
         "../envs/main.yaml"
     script:
         "../scripts/map_critical_damping.py"
+
+
+rule follow_trends:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=sources("follow_trends"),
+    output:
+        dataset="<results>/data/fronts/trends.nc",
+    params:
+        scene=config["exact_fronts"]["trends"],
+    log:
+        "<logs>/follow_trends.log",
+    benchmark:
+        "<benchmarks>/follow_trends.tsv"
+    threads: 1
+    message:
+        "Following fronts over velocity, pressure and exponent."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/follow_trends.py"
 
 
 rule compute_multipliers:

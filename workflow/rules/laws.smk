@@ -2,7 +2,15 @@
 
 LAWS_DATASETS = expand(
     "<results>/data/laws/{name}.nc",
-    name=["materials", "damping_regimes", "numerical_damping", "jump_conditions", "piston"],
+    name=[
+        "materials",
+        "damping_regimes",
+        "numerical_damping",
+        "jump_conditions",
+        "choice_of_variables",
+        "limiting_cases",
+        "piston",
+    ],
 )
 
 
@@ -86,6 +94,48 @@ rule measure_pistons:
         "../envs/main.yaml"
     script:
         "../scripts/measure_pistons.py"
+
+
+rule compare_variables:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=sources("compare_variables"),
+    output:
+        dataset="<results>/data/laws/choice_of_variables.nc",
+    params:
+        scene=config["laws"]["choice_of_variables"],
+    log:
+        "<logs>/compare_variables.log",
+    benchmark:
+        "<benchmarks>/compare_variables.tsv"
+    threads: 1
+    message:
+        "Comparing the variables (x, w) and (x, velocity)."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/compare_variables.py"
+
+
+rule measure_limiting_cases:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=sources("measure_limiting_cases"),
+    output:
+        dataset="<results>/data/laws/limiting_cases.nc",
+    params:
+        scene=config["laws"]["limiting_cases"],
+    log:
+        "<logs>/measure_limiting_cases.log",
+    benchmark:
+        "<benchmarks>/measure_limiting_cases.tsv"
+    threads: 1
+    message:
+        "Measuring waves without fronts, softening forces and elastic collisions."
+    conda:
+        "../envs/main.yaml"
+    script:
+        "../scripts/measure_limiting_cases.py"
 
 
 rule check_jump_conditions:

@@ -9,7 +9,11 @@ MEASURED_DATASETS = (
     + HETEROCLINIC_DATASETS
     + FRONT_DATASETS
     + LAWS_DATASETS
-    + [rules.evaluate_fronts.output.dataset, rules.map_critical_damping.output.dataset]
+    + [
+        rules.evaluate_fronts.output.dataset,
+        rules.map_critical_damping.output.dataset,
+        rules.follow_trends.output.dataset,
+    ]
 )
 
 

@@ -1,8 +1,10 @@
 """What the paper says of fronts in numbers, measured on exact fronts.
 
-A measure takes the dataset of a front scene (see `comparison`), or that of the curves of critical
-damping (see `damping_map`), and returns a `Measured`.
+A measure takes the dataset of a front scene (see `comparison`), of the curves of critical damping
+(see `damping_map`) or of families of fronts (see `trends`), and returns a `Measured`.
 """
+
+import json
 
 import numpy as np
 
@@ -64,3 +66,60 @@ def critical_damping(curves, alpha):
     """Critical damping of the lattice by its tail, γc."""
     value = float(curves["critical_damping_tail"].sel(alpha=alpha))
     return Measured(value, FEW_DIGITS * value)
+
+
+def tail_contrast(trends, beta):
+    """Im λ of the slowest tail at the smallest velocity v_p less that at the largest.
+
+    Above 0 if a front oscillates at small velocities, below 0 if it does at large ones.
+    """
+    frequency = trends["tail_frequency"].sel(beta=beta)
+    contrast = float(frequency[0] - frequency[-1])
+    return Measured(contrast, 2.0 * frequency.attrs["error_estimate"])
+
+
+def critical_power_of_pressure(trends):
+    """Power of δ in the γ at which the tail ceases to oscillate."""
+    gamma = trends["critical_gamma"]
+    span = np.log(gamma["displacement"].values[-1] / gamma["displacement"].values[0])
+    power = float(np.log(gamma.values[-1] / gamma.values[0]) / span)
+    return Measured(power, 2.0 * gamma.attrs["error_estimate"] / float(gamma.min() * span))
+
+
+def critical_power_of_velocity(trends):
+    """Power of v_p = δ^((α + 1)/2) in the same γ."""
+    alpha = json.loads(trends.attrs["config"])["alpha"]
+    power = critical_power_of_pressure(trends)
+    share = 2.0 / (alpha + 1.0)
+    return Measured(share * power.value, share * power.error)
+
+
+def width_power(trends):
+    """Power of 1 − 1/α in the width of fronts at fixed μ, from the two α closest to 1.
+
+    The error is the change from the next pair.
+    """
+    alpha = trends["exponent"].values[:3]
+    logarithms = np.log(1.0 - 1.0 / alpha), np.log(trends["width_of_exponent"].values[:3])
+    closest, next_pair = np.diff(logarithms[1]) / np.diff(logarithms[0])
+    return Measured(float(closest), abs(float(closest - next_pair)))
+
+
+def narrowing(trends):
+    """Width of the front at the smallest δ over that at the largest, γ and α fixed."""
+    width = trends["width_of_displacement"].sortby("displacement")
+    ratio = float(width[0] / width[-1])
+    return Measured(ratio, (1.0 + ratio) * width.attrs["error_estimate"] / float(width[-1]))
+
+
+def gaussian_distance(trends, exponent):
+    """Largest distance of u of a solitary wave to the Gaussian, both over their peaks."""
+    distance = trends["gaussian_distance"].sel(exponent=exponent)
+    return Measured(float(distance), distance.attrs["error_estimate"])
+
+
+def solitary_force(trends, exponent):
+    """Largest force u^α of a solitary wave over e^(1/2), that of the Gaussian."""
+    peak = trends["solitary_peak"].sel(exponent=exponent)
+    force = float(peak) ** exponent / np.exp(0.5)
+    return Measured(float(force), exponent * float(force) * peak.attrs["error_estimate"])

@@ -49,6 +49,82 @@ def order_of_agreement(dataset):
     return Measured(float(order.min()), float(order.attrs["error_estimate"]))
 
 
+def order_of_two_stages(dataset):
+    """The same for the explicit scheme of two stages."""
+    order = dataset["order_two_stages"]
+    return Measured(float(order.min()), float(order.attrs["error_estimate"]))
+
+
+def quotient_power(dataset, variables, beta):
+    """Power of h in the difference quotient of the right-hand side where a contact closes."""
+    return _with_its_error(dataset.sel(variables=variables, beta=beta), "quotient_power")
+
+
+def observed_order(dataset, variables, scheme):
+    """Order with which a scheme with fixed steps passes a collision."""
+    return _with_its_error(dataset.sel(variables=variables, scheme=scheme), "observed_order")
+
+
+def order_gain(dataset, scheme):
+    """Order of a scheme in (x, w) less that in (x, ẋ)."""
+    good, bad = (
+        observed_order(dataset, variables, scheme)
+        for variables in ("positions_and_w", "positions_and_velocities")
+    )
+    return Measured(good.value - bad.value, good.error + bad.error)
+
+
+def _with_its_error(dataset, name):
+    return Measured(float(dataset[name]), float(dataset[f"{name}_error"]))
+
+
+def conserved_velocity_drift(dataset):
+    """Largest distance of w_n to v_p far behind a front, at all times."""
+    drift = dataset["conserved_velocity_drift"]
+    return Measured(float(drift), float(drift.attrs["error_estimate"]))
+
+
+def persistence(dataset, gamma):
+    """Range of u behind a wave at the end over that at a quarter of the time."""
+    return _late_over_early(dataset.sel(gamma=gamma), "oscillation")
+
+
+def spreading(dataset, alpha):
+    """Width of a wave at the end over that at a quarter of the time."""
+    return _late_over_early(dataset.sel(alpha=alpha), "width")
+
+
+def _late_over_early(dataset, name):
+    early, late = (_with_its_error(dataset.isel(t=row), name) for row in (0, -1))
+    ratio = late.value / early.value
+    return Measured(ratio, (late.error + ratio * early.error) / early.value)
+
+
+def softening_speed(dataset):
+    """Speed (14) of the front of a softening force into the smallest compression ahead."""
+    speeds = dataset["softening_speed"]
+    smallest = speeds.sortby("strain_ahead")[0]
+    return Measured(float(smallest), float(speeds.attrs["error_estimate"]))
+
+
+def contact_time_power(dataset):
+    """Power of the velocity in the time of contact of two beads."""
+    return _power_of(dataset["contact_time"])
+
+
+def indentation_power(dataset):
+    """Power of the velocity in the largest compression of two beads."""
+    return _power_of(dataset["indentation"])
+
+
+def _power_of(values):
+    """Slope of ln value over ln velocity, from the smallest to the largest velocity."""
+    velocity, value = values["impact_velocity"].values[[0, -1]], values.values[[0, -1]]
+    span = math.log(velocity[1] / velocity[0])
+    errors = float(values.attrs["error_estimate"]) / value
+    return Measured(math.log(value[1] / value[0]) / span, float(errors.sum()) / span)
+
+
 def front_speed(dataset, law, ramp):
     """Front speed ahead of a piston over that of (23)."""
     return _over_expected(dataset, "front_speed", law, ramp)
