@@ -32,12 +32,26 @@ def dissipated_power(front):
 
 
 def velocity_overshoot(front):
-    """Largest ẋ/v_p − 1 on the window of the scene; the vertex of a parabola through the top."""
-    velocity = front["velocity"].values
-    top = int(np.argmax(velocity))
-    left, middle, right = velocity[top - 1 : top + 2]
+    """Largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
+    largest = _vertex(front["velocity"].values, 1.0)
+    return Measured(largest.value - 1.0, largest.error + front["velocity"].error_estimate)
+
+
+def smallest_velocity_behind(front):
+    """Smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
+    smallest = _vertex(front["velocity"].where(front["xi"] < 0.0, drop=True).values, -1.0)
+    return Measured(smallest.value, smallest.error + front["velocity"].error_estimate)
+
+
+def _vertex(values, sign):
+    """Largest (sign 1) or smallest (−1) value, by the parabola through three points.
+
+    The error is as large as what the parabola adds to the grid.
+    """
+    top = int(np.argmax(sign * values))
+    left, middle, right = values[top - 1 : top + 2]
     rise = 0.125 * (left - right) ** 2 / (2.0 * middle - left - right)
-    return Measured(float(middle + rise - 1.0), float(rise) + front["velocity"].error_estimate)
+    return Measured(float(middle + rise), abs(float(rise)))
 
 
 def distance(front, field, limit):
