@@ -173,7 +173,7 @@ def test_a_statement_becomes_a_row():
 def test_other_parameters_are_named_and_not_judged():
     row = row_of(SPEED, boundary={"left": 0.2}, beads=40)
     assert row["verdict"] == OTHER_PARAMETERS
-    assert row["remark"] == "boundary.left is 0.2, the paper's 0.1; beads is 40, the paper has none"
+    assert row["remark"] == "boundary.left is 0.2 instead of 0.1; beads is 40, by default absent"
     assert row["computed"] == pytest.approx(0.2**0.25)
 
 
@@ -208,7 +208,7 @@ def test_several_scenes_are_measured_together():
     row = evaluate(statement, data, {"weak": weaker, "hertz": config})
     assert (row["scene"], row["verdict"]) == ("weak, hertz", HOLDS)
     other = evaluate(statement, data, {"weak": weaker, "hertz": weaker})
-    assert other["remark"] == "law.alpha is 1.5, the paper's 1.1"
+    assert other["remark"] == "law.alpha is 1.5 instead of 1.1"
 
 
 def test_an_unexpected_verdict_is_named():

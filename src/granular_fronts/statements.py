@@ -180,8 +180,8 @@ def describe(differences):
 def describe_one(key, value, reference):
     """One difference in words."""
     if reference is ABSENT:
-        return f"{key} is {value}, the paper has none"
-    return f"{key} is {'absent' if value is ABSENT else value}, the paper's {reference}"
+        return f"{key} is {value}, by default absent"
+    return f"{key} is {'absent' if value is ABSENT else value} instead of {reference}"
 
 
 def reference_scenes(configuration):

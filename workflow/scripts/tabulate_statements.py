@@ -1,5 +1,6 @@
 """Set statements, of the paper or of this project, beside the numbers computed here, and judge."""
 
+import math
 from pathlib import Path
 
 import pandas as pd
@@ -51,10 +52,15 @@ def tabulate_statements(
     rows = pd.DataFrame([evaluate(statement, data, references) for statement in listed])
     table = rows[[column for column in COLUMNS if column in rows]].rename(columns=COLUMNS)
     readable = table.drop(columns=FOR_MACHINES).assign(
-        computed=[f"{value:.6g}" for value in rows["computed"]],
-        **{"numerical error": [f"{value:.1e}" for value in rows["numerical_error"]]},
+        computed=[rounded(value, ".6g") for value in rows["computed"]],
+        **{"numerical error": [rounded(value, ".1e") for value in rows["numerical_error"]]},
     )
     write_table(table, readable, csv, markdown)
+
+
+def rounded(value, form):
+    """A number as text; a dash where there is none."""
+    return "–" if math.isnan(value) else format(value, form)
 
 
 if __name__ == "__main__":
