@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from tabulate_statements import find_measure
 
 from granular_fronts.judgement import Range, half_unit, judge, range_of_criterion
 from granular_fronts.measured import Measured
@@ -23,7 +24,6 @@ from granular_fronts.statements import (
     UNDECIDED,
     criterion_of,
     evaluate,
-    find_measure,
     reference_scenes,
     scenes_of,
     unexpected_verdicts,
@@ -160,7 +160,8 @@ SPEED = {
 
 def row_of(statement, **changes):
     dataset = xr.Dataset(attrs={"config": json.dumps(REFERENCE | changes)})
-    return evaluate(statement, {"chain": dataset}, {"chain": REFERENCE})
+    measure = find_measure(statement["measure"])
+    return evaluate(statement, measure, {"chain": dataset}, {"chain": REFERENCE})
 
 
 def test_a_statement_becomes_a_row():
@@ -205,9 +206,10 @@ def test_several_scenes_are_measured_together():
         "scene": ["weak", "hertz"],
         "measure": "periodic.plateau_ratio",
     }
-    row = evaluate(statement, data, {"weak": weaker, "hertz": config})
+    measure = find_measure(statement["measure"])
+    row = evaluate(statement, measure, data, {"weak": weaker, "hertz": config})
     assert (row["scene"], row["verdict"]) == ("weak, hertz", HOLDS)
-    other = evaluate(statement, data, {"weak": weaker, "hertz": weaker})
+    other = evaluate(statement, measure, data, {"weak": weaker, "hertz": weaker})
     assert other["remark"] == "law.alpha is 1.5 instead of 1.1"
 
 

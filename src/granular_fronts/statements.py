@@ -22,8 +22,6 @@ tolerances may differ.
 
 import json
 import math
-from functools import partial
-from importlib import import_module
 
 from granular_fronts.departures import ABSENT, departures
 from granular_fronts.judgement import half_unit, judge, range_of_criterion
@@ -43,22 +41,6 @@ ANSWERS = {
 
 NAMED_DEPARTURES = 3
 UNMEASURED = Measured(math.nan, math.nan)
-
-
-def find_measure(name):
-    """Find a measure by its name.
-
-    Parameters
-    ----------
-    name : str
-        `wing.function`, for example `chain.front_speed`.
-
-    Returns
-    -------
-    callable
-    """
-    wing, _, function = name.rpartition(".")
-    return getattr(import_module(f"granular_fronts.{wing}.measures"), function)
 
 
 def scenes_of(statement):
@@ -111,12 +93,14 @@ def verdict_on(statement, measured):
     return true if answer else false
 
 
-def evaluate(statement, datasets, references):
+def evaluate(statement, function, datasets, references):
     """Measure a statement and judge it.
 
     Parameters
     ----------
     statement : mapping
+    function : callable
+        The measure that the statement names.
     datasets : mapping
         Of scene name to its dataset, which carries its configuration.
     references : mapping
@@ -132,10 +116,12 @@ def evaluate(statement, datasets, references):
     differences = [
         difference for name in names for difference in departed(datasets[name], references[name])
     ]
-    measured = measure(statement, [datasets[name] for name in names], bool(differences))
+    measured_on, arguments = [datasets[name] for name in names], statement.get("arguments", {})
     if differences:
+        measured = measure_departed(function, measured_on, arguments)
         verdict, remark = OTHER_PARAMETERS, describe(differences)
     else:
+        measured = function(*measured_on, **arguments)
         verdict = verdict_on(statement, measured)
         remark = statement.get("not_judged", statement.get("remark", ""))
     return {
@@ -149,17 +135,23 @@ def evaluate(statement, datasets, references):
     }
 
 
-def measure(statement, datasets, other_parameters):
-    """Apply the measure of a statement to its datasets.
+def measure_departed(function, datasets, arguments):
+    """Measure a statement on other parameters, which may leave out what it needs.
 
-    Other parameters may leave out what it needs, for example a bead or a material: then there is no
-    number.
+    Parameters
+    ----------
+    function : callable
+    datasets : list of xarray.Dataset
+    arguments : mapping
+        Of names to values, for example a bead or a material.
+
+    Returns
+    -------
+    Measured
+        Not a number where there is nothing to measure.
     """
-    function = partial(find_measure(statement["measure"]), **statement.get("arguments", {}))
-    if not other_parameters:
-        return function(*datasets)
     try:
-        return function(*datasets)
+        return function(*datasets, **arguments)
     except (LookupError, ValueError):
         return UNMEASURED
 

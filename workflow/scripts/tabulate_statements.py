@@ -1,6 +1,7 @@
 """Set statements, of the paper or of this project, beside the numbers computed here, and judge."""
 
 import math
+from importlib import import_module
 from pathlib import Path
 
 import pandas as pd
@@ -49,13 +50,24 @@ def tabulate_statements(
     references = reference_scenes(yaml.safe_load(reference.read_text(encoding="utf-8")))
     needed = {name for statement in listed for name in scenes_of(statement)}
     data = {path.stem: read_dataset(path, path.stem) for path in datasets if path.stem in needed}
-    rows = pd.DataFrame([evaluate(statement, data, references) for statement in listed])
+    rows = pd.DataFrame(
+        [
+            evaluate(statement, find_measure(statement["measure"]), data, references)
+            for statement in listed
+        ]
+    )
     table = rows[[column for column in COLUMNS if column in rows]].rename(columns=COLUMNS)
     readable = table.drop(columns=FOR_MACHINES).assign(
         computed=[rounded(value, ".6g") for value in rows["computed"]],
         **{"numerical error": [rounded(value, ".1e") for value in rows["numerical_error"]]},
     )
     write_table(table, readable, csv, markdown)
+
+
+def find_measure(name):
+    """Find a measure, `wing.function`, among the functions of `granular_fronts.wing.measures`."""
+    wing, _, function = name.rpartition(".")
+    return getattr(import_module(f"granular_fronts.{wing}.measures"), function)
 
 
 def rounded(value, form):
