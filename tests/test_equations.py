@@ -1,9 +1,10 @@
 """Equations of sections 2 and 3.1 of the paper that no other test names, each on what we compute.
 
-The rest: (1), (3) `test_contact`, (12)-(14), (16)-(18), (20)-(23) `test_jump_conditions`,
-`test_check_jump_conditions` and `test_laws`, (24), (27)-(29) `test_scaling`, (30)
-`test_campaign_kinds`, Remark 6 `test_collision`, and its materials the table of the paper's
-numbers.
+The rest: the potentials of (3) `test_contact`, (12)-(14), (16)-(18), (20)-(23)
+`test_jump_conditions`, `test_check_jump_conditions` and `test_laws`, (24), (27)-(29)
+`test_scaling`, (30) `test_campaign_kinds`, Remark 6 `test_collision`, and its materials the table
+of materials.  That (x, w) and (x, ẋ) are one motion is tested by `test_chain_accuracy`, what (31)
+and (32) gain by `test_limiting_cases`.
 """
 
 import functools
@@ -38,6 +39,57 @@ def test_potentials_4_make_the_contact_law_2():
     elastic, viscous = generalised_hertz(1.5, k), generalised_hertz(2.5, damping * k)
     law = k * np.maximum(u, 0.0) ** 1.5 + damping * k * 2.5 * np.maximum(u, 0.0) ** 1.5 * rate
     np.testing.assert_allclose(-elastic.first(-u) + viscous.second(-u) * rate, law, rtol=1e-14)
+
+
+def record_around(t, **changes):
+    """A driven chain at seven times around t, `SPACING` apart: u with u_0 = 1 in front, and ẋ."""
+    times = t + SPACING * np.arange(-3, 4)
+    scene = driven_scene(0.3, 24, t + 1.0, delta=1.0, record={"snapshots": list(times)}, **changes)
+    motion = gf.simulate_chain(scene)
+    u = np.pad(motion["relative_displacement"].values, ((0, 0), (1, 0)), constant_values=1.0)
+    return u, motion["velocity"].values
+
+
+def test_chain_obeys_equations_1_and_3():
+    """ẍ_n = F_(n−1) − F_n at every bead, ends included, with F = −V'(−δ) − d/dt W'(−δ)."""
+    elastic, viscous = generalised_hertz(1.5), generalised_hertz(1.5, 0.3)
+    u, velocity = record_around(20.0)
+    force = -elastic.first(-u) - SLOPE @ viscous.first(-u)
+    acceleration = SLOPE @ velocity
+    np.testing.assert_allclose(acceleration, force[3, :-1] - force[3, 1:], atol=1e-9)
+    assert np.abs(acceleration).max() > 0.1
+
+
+def test_generalised_velocity_obeys_equations_31_and_32():
+    """w = ẋ − γ(u_(n−1)^β − u_n^β) changes by the elastic forces alone, for another β too."""
+    law = {"alpha": 1.5, "beta": 2.5, "gamma": 0.3}
+    u, velocity = record_around(20.0, law=law)
+    closed = np.maximum(u, 0.0)
+    w = velocity + 0.3 * np.diff(closed**2.5, axis=1)
+    elastic = -np.diff(closed[3] ** 1.5)
+    np.testing.assert_allclose(SLOPE @ w, elastic, atol=1e-9)
+    # The velocity itself does not.
+    assert np.abs(SLOPE @ velocity - elastic).max() > 0.01
+
+
+def test_limits_33_and_34_do_not_change():
+    """Far on both sides of a front relative displacements, and far to the left w, keep theirs."""
+    compressed = np.arange(100) < 70
+    start = {
+        "kind": "given",
+        "relative_displacement": list(compressed[:-1].astype(float)),
+        "velocity": list(compressed.astype(float)),
+    }
+    scene = driven_scene(0.3, 100, 10.0, delta=1.0, start=start)
+    motion = gf.simulate_chain(scene).isel(t=-1)
+    u, velocity = motion["relative_displacement"].values, motion["velocity"].values
+    force = np.pad(np.maximum(u, 0.0) ** 1.5, (1, 0), constant_values=1.0)
+    w = velocity + 0.3 * np.diff(force)
+    np.testing.assert_allclose(u[:10], 1.0, rtol=1e-13)
+    np.testing.assert_allclose(w[:10], 1.0, rtol=1e-13)
+    np.testing.assert_allclose(velocity[:10], 1.0, rtol=1e-13)
+    assert np.abs(u[-10:]).max() == 0.0
+    assert np.abs(w - 1.0).max() > 0.5
 
 
 def test_lattice_obeys_equation_5():

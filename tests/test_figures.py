@@ -143,7 +143,7 @@ def test_caption_says_where_the_scene_is_not_the_papers(path, tmp_path):
     paper = scene | {"law": scene["law"] | {"gamma": 0.21}}
     make_files(path, tmp_path / "fig", "A caption.", {"scene": paper})
     caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
-    assert "law.gamma is 0.06, not 0.21." in caption
+    assert "law.gamma is 0.06 instead of 0.21." in caption
     make_files(path, tmp_path / "fig", "A caption.", {})
     caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
     assert "Scene scene is not one of the paper's." in caption

@@ -1,52 +1,252 @@
-"""Verdicts on printed numbers, and the list of them."""
+"""Verdicts on statements of the paper and on findings of this project, and the lists of them."""
 
+import json
 import math
+from itertools import chain
 from pathlib import Path
 
+import numpy as np
 import pytest
+import xarray as xr
 import yaml
-from tabulate_paper_numbers import (
+from tabulate_statements import find_measure
+
+from granular_fronts.judgement import Range, half_unit, judge, range_of_criterion
+from granular_fronts.measured import Measured
+from granular_fronts.statements import (
+    ANSWERS,
+    DOES_NOT_HOLD,
+    HOLDS,
     NOT_JUDGED,
     NOT_REPRODUCED,
+    OTHER_PARAMETERS,
     REPRODUCED,
-    find_measure,
-    judge,
+    UNDECIDED,
+    criterion_of,
+    evaluate,
+    scenes_of,
+    unexpected_verdicts,
+    verdict_on,
 )
+from questions import questions
 
-from granular_fronts.measured import Measured
-
-ENTRIES = yaml.safe_load(
-    (Path(__file__).parents[1] / "config/paper_numbers.yaml").read_text("utf-8")
-)
+CONFIG = Path(__file__).parents[1] / "config"
+LISTS = {
+    name: yaml.safe_load((CONFIG / f"{name}.yaml").read_text("utf-8"))
+    for name in ("paper_numbers", "findings")
+}
+STATEMENTS = list(chain(*LISTS.values()))
+DEFAULTS = yaml.safe_load((CONFIG / "default.yaml").read_text("utf-8"))
 
 
 @pytest.mark.parametrize(
-    ("printed", "value", "within", "verdict"),
+    ("criterion", "allowed"),
     [
-        ("0.56", 0.5649, None, REPRODUCED),
-        ("0.56", 0.5651, None, NOT_REPRODUCED),
-        ("-9.83", -9.8325, None, REPRODUCED),
-        ("2326", 2326.6, None, NOT_REPRODUCED),
-        ("750", 746.0, 5, REPRODUCED),
-        ("1.6", 1.66, None, NOT_REPRODUCED),
-        ("> 1", 1.5, None, REPRODUCED),
-        (">= 0", -1e-3, None, NOT_REPRODUCED),
-        ("very small", 0.3, None, NOT_JUDGED),
-        ("0.56", math.nan, None, NOT_REPRODUCED),
-        ("> 1", math.nan, None, NOT_REPRODUCED),
+        ("1 within 0.01", Range(0.99, 1.01)),
+        ("-0.2 within 1e-12", Range(-0.2 - 1e-12, -0.2 + 1e-12)),
+        ("0.4 to 0.6, a tenth of δ", Range(0.4, 0.6)),
+        ("at least 0", Range(0.0, math.inf)),
+        (">= 0", Range(0.0, math.inf)),
+        ("above 0, in beads", Range(0.0, math.inf, strict=True)),
+        ("> 0", Range(0.0, math.inf, strict=True)),
+        ("at most -1.5e-3", Range(-math.inf, -1.5e-3)),
+        ("< 1", Range(-math.inf, 1.0, strict=True)),
     ],
 )
-def test_half_a_unit_of_the_last_digit_decides(printed, value, within, verdict):
-    assert judge(printed, Measured(value, 0.0), within) == verdict
+def test_criteria_are_read(criterion, allowed):
+    assert range_of_criterion(criterion) == allowed
 
 
-def test_error_counts_in_favour_of_the_printed_number():
-    assert judge("0.56", Measured(0.567, 0.003)) == REPRODUCED
+@pytest.mark.parametrize("criterion", ["", "small", "1", "about 1", "1 within", "above one"])
+def test_a_criterion_without_number_is_an_error(criterion):
+    with pytest.raises(ValueError, match="cannot be read"):
+        range_of_criterion(criterion)
 
 
-@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry["quantity"])
-def test_every_entry_names_a_measure_and_a_place(entry):
-    assert callable(find_measure(entry["measure"]))
-    assert entry["paper_place"]
-    assert entry["remark"]
-    assert isinstance(entry["printed"], str)
+@pytest.mark.parametrize(
+    ("printed", "half"), [("0.56", 0.005), ("2326", 0.5), ("-9.83", 0.005), ("5.5e-3", 5e-5)]
+)
+def test_half_a_unit_of_the_last_digit(printed, half):
+    assert float(half_unit(printed)) == pytest.approx(half, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("printed", "value", "verdict"),
+    [
+        ("0.56", 0.5649, REPRODUCED),
+        ("0.56", 0.5651, NOT_REPRODUCED),
+        ("-9.83", -9.8325, REPRODUCED),
+        ("2326", 2326.6, NOT_REPRODUCED),
+        ("1.6", 1.66, NOT_REPRODUCED),
+    ],
+)
+def test_half_a_unit_decides_on_a_printed_number(printed, value, verdict):
+    statement = {"kind": "number", "printed": printed}
+    assert verdict_on(statement, Measured(value, 1e-9)) == verdict
+
+
+def test_another_half_width_decides_where_it_is_given():
+    statement = {"kind": "number", "printed": "750", "within": 5}
+    assert verdict_on(statement, Measured(746.0, 0.1)) == REPRODUCED
+    assert verdict_on(statement, Measured(744.0, 0.1)) == NOT_REPRODUCED
+
+
+@pytest.mark.parametrize(
+    ("criterion", "value", "answer"),
+    [
+        ("> 0", 0.0, False),
+        (">= 0", 0.0, True),
+        ("< 0", 0.0, False),
+        ("<= 0", 0.0, True),
+        ("> 0", 1e-300, True),
+        ("< 0", 1.0, False),
+    ],
+)
+def test_a_strict_inequality_leaves_out_its_limit(criterion, value, answer):
+    assert judge(range_of_criterion(criterion), Measured(value, 0.0)) is answer
+
+
+@pytest.mark.parametrize("value", [-1e-3, 0.0, 1e-3])
+@pytest.mark.parametrize("criterion", ["> 0", ">= 0", "< 0", "<= 0"])
+def test_an_error_over_a_limit_leaves_it_undecided(criterion, value):
+    assert judge(range_of_criterion(criterion), Measured(value, 2e-3)) is None
+
+
+def test_an_error_never_counts_in_favour():
+    """Neither for a number just outside, nor for one just inside, nor for an inequality."""
+    allowed = range_of_criterion("0.56 within 0.005")
+    assert judge(allowed, Measured(0.567, 0.003)) is None
+    assert judge(allowed, Measured(0.563, 0.003)) is None
+    assert judge(range_of_criterion("> 1"), Measured(0.9, 0.2)) is None
+
+
+@pytest.mark.parametrize("value", [0.56, 0.57, 100.0])
+def test_an_error_above_half_a_unit_decides_nothing(value):
+    statement = {"kind": "number", "printed": "0.56"}
+    assert verdict_on(statement, Measured(value, 0.006)) == UNDECIDED
+
+
+@pytest.mark.parametrize("measured", [Measured(math.nan, 0.0), Measured(0.56, math.nan)])
+@pytest.mark.parametrize("printed", ["0.56", "> 0"])
+def test_what_is_not_a_number_decides_nothing(printed, measured):
+    kind = "number" if printed == "0.56" else "inequality"
+    assert verdict_on({"kind": kind, "printed": printed}, measured) == UNDECIDED
+
+
+def test_words_are_judged_by_their_criterion_alone():
+    statement = {"kind": "words", "printed": "very small", "criterion": "at most 0.01"}
+    assert criterion_of(statement) == "at most 0.01"
+    assert verdict_on(statement, Measured(0.001, 0.0)) == HOLDS
+    assert verdict_on(statement, Measured(0.1, 0.0)) == DOES_NOT_HOLD
+
+
+def test_a_statement_that_cannot_be_judged_is_not():
+    statement = {"kind": "number", "printed": "0.05", "not_judged": "circular"}
+    assert criterion_of(statement) == ""
+    assert verdict_on(statement, Measured(0.05, 0.0)) == NOT_JUDGED
+
+
+REFERENCE = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5}, "tolerance": {"relative": 1e-13}}
+SPEED = {
+    "quantity": "front speed",
+    "kind": "number",
+    "printed": "0.56",
+    "scene": "chain",
+    "measure": "chain.predicted_speed",
+    "expected": REPRODUCED,
+    "remark": "a remark",
+}
+
+
+def row_of(statement, **changes):
+    dataset = xr.Dataset(attrs={"config": json.dumps(REFERENCE | changes)})
+    measure = find_measure(statement["measure"])
+    return evaluate(statement, measure, {"chain": dataset}, {"chain": REFERENCE})
+
+
+def test_a_statement_becomes_a_row():
+    row = row_of(SPEED)
+    assert row["computed"] == pytest.approx(0.5623, abs=1e-4)
+    assert (row["verdict"], row["criterion"]) == (REPRODUCED, "0.56 within 0.005")
+    assert row["remark"] == "a remark"
+
+
+def test_other_parameters_are_named_and_not_judged():
+    row = row_of(SPEED, boundary={"left": 0.2}, beads=40)
+    assert row["verdict"] == OTHER_PARAMETERS
+    assert row["remark"] == "boundary.left is 0.2 instead of 0.1; beads is 40, by default absent"
+    assert row["computed"] == pytest.approx(0.2**0.25)
+
+
+def test_another_tolerance_is_not_another_parameter():
+    assert row_of(SPEED, tolerance={"relative": 1e-9})["verdict"] == REPRODUCED
+
+
+def test_other_parameters_may_leave_nothing_to_measure():
+    statement = SPEED | {"measure": "chain.crossings", "arguments": {"bead": 170}}
+    row = row_of(statement, beads=40)
+    assert row["verdict"] == OTHER_PARAMETERS
+    assert math.isnan(row["computed"])
+    with pytest.raises(KeyError):
+        row_of(statement)
+
+
+def test_several_scenes_are_measured_together():
+    config = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5, "start": {"half_width": 10}}
+    weaker = config | {"law": {"alpha": 1.1, "gamma": 0.24}}
+    data = {
+        name: xr.Dataset(attrs={"config": json.dumps(scene)})
+        for name, scene in (("weak", weaker), ("hertz", config))
+    }
+    statement = {
+        "quantity": "plateau",
+        "kind": "words",
+        "printed": "less broad",
+        "criterion": "below 1",
+        "scene": ["weak", "hertz"],
+        "measure": "periodic.plateau_ratio",
+    }
+    measure = find_measure(statement["measure"])
+    row = evaluate(statement, measure, data, {"weak": weaker, "hertz": config})
+    assert (row["scene"], row["verdict"]) == ("weak, hertz", HOLDS)
+    other = evaluate(statement, measure, data, {"weak": weaker, "hertz": weaker})
+    assert other["remark"] == "law.alpha is 1.5 instead of 1.1"
+
+
+def test_an_unexpected_verdict_is_named():
+    expected = [row_of(SPEED), row_of(SPEED, beads=40)]
+    assert unexpected_verdicts(expected) == []
+    changed = {**row_of(SPEED), "verdict": NOT_REPRODUCED}
+    (sentence,) = unexpected_verdicts([*expected, changed])
+    assert sentence == ("front speed: the verdict is 'not reproduced', expected is 'reproduced'.")
+
+
+@pytest.mark.parametrize("statement", STATEMENTS, ids=lambda statement: statement["quantity"])
+def test_every_statement_can_be_measured_and_judged(statement):
+    assert callable(find_measure(statement["measure"]))
+    assert set(scenes_of(statement)) <= {name.rpartition("/")[2] for name in questions(DEFAULTS)}
+    assert statement["paper_place"]
+    if statement["expected"] == NOT_JUDGED:
+        assert statement["not_judged"]
+    else:
+        assert statement["expected"] in (*ANSWERS[statement["kind"]], UNDECIDED)
+        assert statement["remark"]
+        assert np.diff(range_of_criterion(criterion_of(statement))[:2]) > 0.0
+    assert "|" not in "".join(map(str, statement.values()))
+
+
+def test_findings_print_nothing_and_the_paper_finds_nothing():
+    """What the paper does not print must not stand beside it, and the other way round."""
+    assert all("printed" not in entry for entry in LISTS["findings"])
+    assert {entry["kind"] for entry in LISTS["findings"]} == {"finding"}
+    assert all(entry["printed"] for entry in LISTS["paper_numbers"])
+    assert {entry["kind"] for entry in LISTS["paper_numbers"]} == {"number", "inequality", "words"}
+
+
+def test_every_statement_stands_once():
+    stated = [(entry["quantity"], entry.get("printed")) for entry in STATEMENTS]
+    assert len(set(stated)) == len(stated)
+
+
+def test_a_measure_has_a_dotted_name():
+    assert find_measure("chain.front_speed").__module__ == "granular_fronts.chain.measures"

@@ -189,6 +189,6 @@ def test_report_after_a_broken_run_is_of_one_piece(finished):
         re.search(r"<pre[^>]*>(.*?)</pre>", page, re.DOTALL)[1].replace("&#39;", "'")
     )
     assert questions == {question_digest(configuration["scenes"]["chain"][SCENE])}
-    assert "law.gamma is 0.27, not 0.06" in page
+    assert "law.gamma is 0.27 instead of 0.06" in page
     # Back to the smoke run, for the tests after this one.
     assert snakemake("--configfile", "config/smoke.yaml", folder=finished).returncode == 0

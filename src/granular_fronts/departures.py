@@ -11,6 +11,9 @@ from typing import Any
 ABSENT = None
 """Stands for a leaf that only the other mapping has."""
 
+NAMED_DEPARTURES = 3
+"""Differences that a sentence names before it counts the others."""
+
 
 def departures(asked: Any, reference: Any) -> list[tuple[str, Any, Any]]:
     """List the leaves in which a configuration differs from a reference.
@@ -60,3 +63,43 @@ def leaves(configuration: Any, key: str = "") -> Iterator[tuple[str, Any]]:
             yield from leaves(value, f"{key}.{name}" if key else str(name))
     else:
         yield key, configuration
+
+
+def physical_departures(asked: Any, reference: Any) -> list[tuple[str, Any, Any]]:
+    """List the differences that change the question, not how accurately it is answered.
+
+    Parameters
+    ----------
+    asked, reference : mapping
+        As for `departures`.
+
+    Returns
+    -------
+    list of (str, object, object)
+        As of `departures`, without tolerances.
+    """
+    differences = departures(asked, reference)
+    return [difference for difference in differences if "tolerance" not in difference[0].split(".")]
+
+
+def describe(differences: list[tuple[str, Any, Any]]) -> str:
+    """Say the first differences in words, with both values.
+
+    Parameters
+    ----------
+    differences : list of (str, object, object)
+        As `departures` gives.
+
+    Returns
+    -------
+    str
+    """
+    named = [_describe_one(*difference) for difference in differences[:NAMED_DEPARTURES]]
+    more = len(differences) - len(named)
+    return "; ".join([*named, f"and {more} more"] if more else named)
+
+
+def _describe_one(key: str, value: Any, reference: Any) -> str:
+    if reference is ABSENT:
+        return f"{key} is {value}, by default absent"
+    return f"{key} is {'absent' if value is ABSENT else value} instead of {reference}"

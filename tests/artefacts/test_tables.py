@@ -1,28 +1,45 @@
-"""The table of the paper's numbers is complete and reads the same in both formats."""
+"""The tables of statements are complete, read the same in both formats, and hold no surprise."""
 
 import csv
 
-COLUMNS = [
-    "quantity",
-    "paper_place",
-    "printed",
-    "computed",
-    "error_estimate",
-    "scene",
-    "verdict",
-    "remark",
-]
-VERDICTS = {"reproduced", "not reproduced", "no number printed"}
+import pytest
+
+from granular_fronts.statements import (
+    ANSWERS,
+    NOT_JUDGED,
+    OTHER_PARAMETERS,
+    UNDECIDED,
+    unexpected_verdicts,
+)
+
+JUDGED = ["criterion", "computed", "numerical error", "scene", "verdict", "expected", "remark"]
+COLUMNS = {
+    "paper_numbers": ["quantity", "paper_place", "kind", "printed", *JUDGED],
+    "findings": ["quantity", "paper_place", "kind", *JUDGED],
+}
+TABLES = pytest.mark.parametrize("name", COLUMNS)
 
 
-def test_paper_numbers(results):
-    with (results / "tables" / "paper_numbers.csv").open(newline="", encoding="utf-8") as lines:
+def read_table(results, name):
+    with (results / "tables" / f"{name}.csv").open(newline="", encoding="utf-8") as lines:
         reader = csv.DictReader(lines)
-        rows = list(reader)
-    assert reader.fieldnames == COLUMNS
-    assert {row["verdict"] for row in rows} <= VERDICTS
+        return reader.fieldnames, list(reader)
+
+
+@TABLES
+def test_statements_are_complete(results, name):
+    heads, rows = read_table(results, name)
+    assert heads == COLUMNS[name]
     for row in rows:
-        assert row["computed"] == "" or float(row["computed"]) == float(row["computed"])
+        answers = (*ANSWERS[row["kind"]], UNDECIDED, NOT_JUDGED, OTHER_PARAMETERS)
+        assert row["verdict"] in answers
         assert row["scene"]
-    markdown = (results / "tables" / "paper_numbers.md").read_text(encoding="utf-8").splitlines()
+        assert row["remark"]
+    markdown = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").splitlines()
     assert len(markdown) == len(rows) + 2
+
+
+@TABLES
+def test_verdicts_are_the_expected_ones(results, name):
+    _, rows = read_table(results, name)
+    assert unexpected_verdicts(rows) == []

@@ -91,6 +91,27 @@ rule map_critical_damping:
         "../scripts/map_critical_damping.py"
 
 
+rule follow_trends:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+        modules=sources("follow_trends"),
+    output:
+        dataset="<results>/data/fronts/trends.nc",
+    params:
+        scene=config["exact_fronts"]["trends"],
+    log:
+        "<logs>/follow_trends.log",
+    benchmark:
+        "<benchmarks>/follow_trends.tsv"
+    threads: 1
+    message:
+        "Following fronts over velocity, pressure and exponent."
+    conda:
+        environment
+    script:
+        "../scripts/follow_trends.py"
+
+
 rule compute_multipliers:
     input:
         kernels=rules.compile_front_kernels.output.stamp,

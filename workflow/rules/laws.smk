@@ -83,6 +83,48 @@ rule measure_pistons:
         "../scripts/measure_pistons.py"
 
 
+rule compare_variables:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=sources("compare_variables"),
+    output:
+        dataset="<results>/data/laws/choice_of_variables.nc",
+    params:
+        scene=config["laws"]["choice_of_variables"],
+    log:
+        "<logs>/compare_variables.log",
+    benchmark:
+        "<benchmarks>/compare_variables.tsv"
+    threads: 1
+    message:
+        "Comparing the variables (x, w) and (x, velocity)."
+    conda:
+        environment
+    script:
+        "../scripts/compare_variables.py"
+
+
+rule measure_limiting_cases:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+        modules=sources("measure_limiting_cases"),
+    output:
+        dataset="<results>/data/laws/limiting_cases.nc",
+    params:
+        scene=config["laws"]["limiting_cases"],
+    log:
+        "<logs>/measure_limiting_cases.log",
+    benchmark:
+        "<benchmarks>/measure_limiting_cases.tsv"
+    threads: 1
+    message:
+        "Measuring waves without fronts, softening forces and elastic collisions."
+    conda:
+        environment
+    script:
+        "../scripts/measure_limiting_cases.py"
+
+
 rule check_jump_conditions:
     input:
         kernels=rules.compile_kernels.output.stamp,

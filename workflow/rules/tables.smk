@@ -3,20 +3,21 @@
 They are listed with their titles and captions in workflow/tables.yaml.
 """
 
-# The list of printed numbers names functions of these modules.
+# Statements name functions of these modules.
 MEASURES = [name for name in MODULES if name.endswith(".measures")]
 
 
 rule tabulate_paper_numbers:
     input:
-        numbers="config/paper_numbers.yaml",
+        statements="config/paper_numbers.yaml",
         datasets=DATASETS,
-        modules=sources("tabulate_paper_numbers", *MEASURES),
+        modules=sources("tabulate_statements", *MEASURES),
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",
         record="<results>/tables/paper_numbers.json",
     params:
+        reference=reference(*questions(config)),
         asked=asked(*questions(config)),
     log:
         "<logs>/tabulate_paper_numbers.log",
@@ -24,11 +25,36 @@ rule tabulate_paper_numbers:
         "<benchmarks>/tabulate_paper_numbers.tsv"
     threads: 1
     message:
-        "Comparing the numbers printed in the paper with ours."
+        "Comparing the numbers and words of the paper with ours."
     conda:
         environment
     script:
-        "../scripts/tabulate_paper_numbers.py"
+        "../scripts/tabulate_statements.py"
+
+
+rule tabulate_findings:
+    input:
+        statements="config/findings.yaml",
+        datasets=DATASETS,
+        modules=sources("tabulate_statements", *MEASURES),
+    output:
+        csv="<results>/tables/findings.csv",
+        markdown="<results>/tables/findings.md",
+        record="<results>/tables/findings.json",
+    params:
+        reference=reference(*questions(config)),
+        asked=asked(*questions(config)),
+    log:
+        "<logs>/tabulate_findings.log",
+    benchmark:
+        "<benchmarks>/tabulate_findings.tsv"
+    threads: 1
+    message:
+        "Judging our own checks and findings."
+    conda:
+        environment
+    script:
+        "../scripts/tabulate_statements.py"
 
 
 rule tables:

@@ -14,11 +14,11 @@ the configuration that the dataset was computed with, so that a caption cannot s
 than the picture shows.  Where these are not the paper's, the caption ends with the difference.
 """
 
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from inspect import Parameter, Signature, signature
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -27,15 +27,13 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from granular_fronts.datasets import configuration_of, read_dataset
-from granular_fronts.departures import departures
+from granular_fronts.departures import describe, physical_departures
 from granular_fronts.files import complete_file
 from granular_fronts.provenance import origin, write_record
 from granular_fronts.style import save_figure
 from step import run_step
 
 OUTPUTS = ("pdf", "png", "caption", "record")
-MOST_DEPARTURES = 3
-"""Differences from the paper that a caption names before it counts the others."""
 
 
 def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
@@ -163,20 +161,9 @@ def departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) ->
         if scene not in reference:
             yield f"**Scene {scene} is not one of the paper's.**"
             continue
-        found = departures(configuration_of(dataset), reference[scene])
-        if found:
-            named = "; ".join(
-                f"{key} is {show(value)}, not {show(printed)}"
-                for key, value, printed in islice(found, MOST_DEPARTURES)
-            )
-            others = len(found) - MOST_DEPARTURES
-            more = f"; and {others} more" if others > 0 else ""
-            yield f"**Not the paper's parameters** in scene {scene}: {named}{more}."
-
-
-def show(value: Any) -> str:
-    """A value of a configuration, as a caption names it."""
-    return "absent" if value is None else str(value).replace("_", r"\_").replace("*", r"\*")
+        if found := physical_departures(configuration_of(dataset), reference[scene]):
+            words = re.sub(r"([_*`|\\])", r"\\\1", describe(found))
+            yield f"**Not the paper's parameters** in scene {scene}: {words}."
 
 
 if __name__ == "__main__":

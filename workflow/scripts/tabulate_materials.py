@@ -31,6 +31,13 @@ def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
     write_table(table, round_floats(table, 4), csv, markdown, [data])
 
 
+RESTS_ON = {
+    "piston": "gamma, v_0",
+    "force": "gamma, v_0, R; mass and elastic constants from handbooks",
+}
+"""What the damping of a front follows from; the paper prints the mass of cork alone."""
+
+
 def make_row(one, kind, dimension, value):
     """One row of the table, as a dict."""
     front = one.sel({dimension: value})
@@ -46,7 +53,8 @@ def make_row(one, kind, dimension, value):
         "gamma_of_front": gamma,
         "mu": float(front[f"mu_front_{kind}"]),
         "regime": regime(gamma),
-        "error_estimate": float(one[f"gamma_front_{kind}"].attrs["error_estimate"]),
+        "rests_on": RESTS_ON[kind],
+        "numerical error": float(one[f"gamma_front_{kind}"].attrs["error_estimate"]),
     }
 
 

@@ -4,7 +4,6 @@ import shutil
 from pathlib import Path
 
 import pandas as pd
-from tabulate_paper_numbers import NOT_JUDGED
 
 from granular_fronts.files import complete_file
 from step import run_step
@@ -33,13 +32,13 @@ def update_readme(readme: Path, results: Path) -> None:
 def paper_numbers(results):
     """The numbers that the paper prints beside ours, as Markdown."""
     table = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
-    table = table[table["verdict"] != NOT_JUDGED]
+    table = table[table["kind"] != "words"]
     shown = pd.DataFrame(
         {
             "quantity": table["quantity"],
             "printed": table["printed"],
             "computed": [f"{float(value):.6g}" for value in table["computed"]],
-            "error": [f"{float(value):.0e}" for value in table["error_estimate"]],
+            "numerical error": [f"{float(value):.0e}" for value in table["numerical error"]],
             "verdict": table["verdict"],
         }
     )

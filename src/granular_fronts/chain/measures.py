@@ -106,6 +106,27 @@ def smallest_velocity(dataset):
     return Measured(float(velocity.min()), float(velocity.attrs["error_estimate"]))
 
 
+def smallest_velocity_behind(dataset):
+    """Smallest velocity over v_p, on the space-time grid, of beads that the front has passed.
+
+    The error is the change that leaving out every other time makes.
+    """
+    velocity = dataset["velocity_grid"]
+    passed = velocity.where(velocity["t_grid"] >= dataset["arrival_time"])
+    scale = applied_displacement(dataset) * predicted_speed(dataset).value
+    value = float(passed.min()) / scale
+    coarse = float(passed.isel(t_grid=slice(None, None, 2)).min()) / scale
+    return Measured(value, abs(value - coarse) + velocity.attrs["error_estimate"] / scale)
+
+
+def velocity_growth(dataset):
+    """Σẋ_n at the end over what it is when the front first reaches the free end."""
+    total = dataset["total_velocity"]
+    early = float(total.sel(t_grid=dataset["arrival_time"].max(), method="nearest"))
+    error = 2.0 * total.attrs["error_estimate"] / early
+    return Measured(float(total[-1]) / early, error)
+
+
 def momentum_growth(dataset):
     """Σẋ_n at the end of the run over δ^α t, the law quoted in section 3.3."""
     total = dataset["total_velocity"].isel(t_grid=-1)
@@ -114,28 +135,138 @@ def momentum_growth(dataset):
     return Measured(float(total) / exact, dataset["total_velocity"].attrs["error_estimate"] / exact)
 
 
+def velocity_front(dataset):
+    """Bead at which the velocity falls through v_p/2 in the first snapshot.
+
+    The error is the change that leaving out every other bead makes.
+    """
+    velocity = dataset["velocity"].isel(t=0)
+    scale = applied_displacement(dataset) * predicted_speed(dataset).value
+    profile, beads = velocity.values / scale, velocity["bead"].values
+    place = last_fall(profile, beads, 0.5)
+    return Measured(place, abs(place - last_fall(profile[::2], beads[::2], 0.5)))
+
+
+def peak_spread(dataset, beads):
+    """Largest less smallest first peak of u/δ at some beads."""
+    peaks = dataset["first_peak"].sel(bead=beads)
+    delta = applied_displacement(dataset)
+    error = 2.0 * peaks.attrs["error_estimate"] / delta
+    return Measured(float(peaks.max() - peaks.min()) / delta, error)
+
+
+def spacing_defect(dataset, beads):
+    """Largest relative deviation of times of travel between some beads from (21)."""
+    arrival = dataset["arrival_time"].sel(bead=beads).values
+    ratios = predicted_speed(dataset).value * np.diff(arrival) / np.diff(beads)
+    error = 2.0 * dataset["arrival_time"].attrs["error_estimate"] / np.diff(arrival).min()
+    return Measured(float(np.abs(ratios - 1.0).max()), error)
+
+
+def crossings(dataset, bead):
+    """Number of times that u of a bead of the steady regime passes through δ."""
+    u = dataset["relative_displacement_steady"].sel(bead_steady=bead)
+    sides = np.sign(u.values - applied_displacement(dataset))
+    return Measured(float(np.count_nonzero(np.diff(sides))), 0.0)
+
+
+def second_arrival_time(dataset):
+    """When the second shock reaches the end: the last beads gain velocity fastest after T.
+
+    The first shock has been at the end at the last arrival time T, and returns there after
+    reflection at both ends, hence the search starts at 2 T; uncertain by one step of the grid.
+    """
+    velocity = dataset["velocity_grid"].isel(bead=-2)
+    late = velocity.sel(t_grid=slice(2.0 * float(dataset["arrival_time"].max()), None))
+    times, gains = late["t_grid"].values, np.diff(late.values)
+    i = int(np.argmax(gains))
+    return Measured(0.5 * (times[i] + times[i + 1]), float(times[i + 1] - times[i]))
+
+
+def openings_after_the_widest_gap(dataset):
+    """Number of contacts seen to open after the time of the smallest relative displacement."""
+    start = float(dataset["smallest_relative_displacement_time"])
+    u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
+    # What is closer to 0 than its error may be open or closed.
+    level = u.attrs["error_estimate"]
+    later = u.sel(t_grid=slice(start, None)).values
+    opened = (later[:-1] > level) & (later[1:] < -level)
+    return Measured(float(opened.any(axis=0).sum()), 0.0)
+
+
+def openings(dataset):
+    """Number of contacts that are seen open on the space-time grid."""
+    u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
+    return Measured(float((u < -u.attrs["error_estimate"]).any("t_grid").sum()), 0.0)
+
+
 def thickening(dataset):
     """Width of the first reflected front late in its way back, over its width early.
 
     The reflected front runs from the free end, reached at the last arrival time T, towards bead 1;
     its width is the distance over which u falls from 0.9 δ to 0.1 δ, taken at 1.2 T and 1.7 T.
     """
+    return _width_ratio(dataset, (1.7,), (1.2,))
+
+
+def forward_thickening(dataset):
+    """The same ratio for the front on its way to the free end.
+
+    The front is not much wider than the distance of two beads, which is why its width is averaged,
+    from 0.7 T to 0.9 T and from 0.2 T to 0.4 T.
+    """
+    return _width_ratio(dataset, np.linspace(0.7, 0.9, 21), np.linspace(0.2, 0.4, 21))
+
+
+def backward_over_forward_width(dataset):
+    """Width of the first reflected front at 1.7 T over that of the front before its reflection."""
+    return _width_ratio(dataset, (1.7,), np.linspace(0.7, 0.9, 21))
+
+
+def _width_ratio(dataset, late, early):
+    """Mean width at some times over that at others, both in units of the last arrival time.
+
+    The error is the change that leaving out every other bead makes.
+    """
     end_reached = float(dataset["arrival_time"].max())
 
     def ratio(grid):
-        return reflected_width(grid, dataset, 1.7 * end_reached) / reflected_width(
-            grid, dataset, 1.2 * end_reached
-        )
+        widths = [
+            np.mean([_width(grid, dataset, part * end_reached) for part in parts])
+            for parts in (late, early)
+        ]
+        return float(widths[0] / widths[1])
 
     grid = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
     value = ratio(grid)
     return Measured(value, abs(value - ratio(grid.isel(bead=slice(None, None, 2)))))
 
 
-def reflected_width(grid, dataset, t):
+def _width(grid, dataset, t):
     """Distance in beads over which u falls from 0.9 δ to 0.1 δ at the grid time nearest to t."""
     profile = grid.sel(t_grid=t, method="nearest").values / applied_displacement(dataset)
-    beads = grid["bead"].values
-    # The profile falls with n; np.interp wants it rising.
-    falling = np.minimum.accumulate(profile)[::-1]
-    return np.interp(0.1, falling, beads[::-1]) - np.interp(0.9, falling, beads[::-1])
+    ends = (last_fall(profile, grid["bead"].values, level) for level in (0.1, 0.9))
+    return next(ends) - next(ends)
+
+
+def last_fall(profile, places, level):
+    """Last place at which a profile falls through a level, by linear interpolation.
+
+    Parameters
+    ----------
+    profile, places : ndarray, shape (n,)
+        Values, and where they are, rising.
+    level : float
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    IndexError
+        If the profile does not fall through the level.
+    """
+    i = np.flatnonzero((profile[:-1] >= level) & (profile[1:] < level))[-1]
+    share = (profile[i] - level) / (profile[i] - profile[i + 1])
+    return float(places[i] + share * (places[i + 1] - places[i]))

@@ -114,6 +114,23 @@ def integrate_fixed(form, law, ends, y, h, steps):
 
 
 @kernel
+def integrate_by_stages(form, law, ends, y, h, steps, nodes, weights):
+    """`steps` steps of constant size h of a method whose stages each use the one before alone.
+
+    Euler's method has the nodes [0] and weights [1], the classical one of order 4 the nodes
+    [0, 1/2, 1/2, 1] and weights [1, 2, 2, 1]/6.
+    """
+    slope = np.zeros_like(y)
+    for _ in range(steps):
+        increment = np.zeros_like(y)
+        for stage in range(nodes.size):
+            derivative(form, law, ends, y + h * nodes[stage] * slope, slope)
+            increment += weights[stage] * slope
+        y = y + h * increment
+    return y
+
+
+@kernel
 def integrate_adaptive(form, law, ends, y, h, end_time, relative, absolute):
     """From 0 to `end_time` with error control; returns the state and the accepted steps.
 

@@ -1,6 +1,6 @@
 """Numbers measured on fronts of the amplitude equations, for comparison with the paper.
 
-A measure takes the dataset of a scene (see `survey`) and returns a `Measured`.
+A measure takes the dataset of a scene (see `survey` and `log_burgers`) and returns a `Measured`.
 """
 
 import math
@@ -11,21 +11,24 @@ from granular_fronts.continuum.heteroclinic import gaussian_centre
 from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, linear_rates
 from granular_fronts.measured import Measured
 
-# Dampings of the sweep that the paper's statements about rates are tested at.
-OSCILLATING, MONOTONE = 0.3, 3.0
-
 # For larger μ below 2 the squared slope is so small that one may take it for zero.
 CLEARLY_UNDERDAMPED = 1.5
 
+# Where both y and 1 − y are larger than this, the slope of a front is far above its error.
+INSIDE = 1.0e-6
 
-def squared_slope_at_critical_damping(dataset):
-    """q(1) of (59) for μ = 2."""
-    return _squared_slope(dataset.sel(mu=[CRITICAL_DAMPING]), max)
+# Weights of a derivative of order 6, from seven equidistant values.
+SLOPE = np.array([-1, 9, -45, 0, 45, -9, 1]) / 60.0
+
+
+def squared_slope(dataset, mu):
+    """q(1) of (59), the squared slope of the front at y = 1."""
+    return _squared_slope(dataset.sel(mu=[mu]), max)
 
 
 def squared_slope_overdamped(dataset):
-    """Largest q(1) for μ above 2."""
-    return _squared_slope(dataset.sel(mu=dataset["mu"] > CRITICAL_DAMPING), max)
+    """Largest q(1) for μ of 2 and above."""
+    return _squared_slope(dataset.sel(mu=dataset["mu"] >= CRITICAL_DAMPING), max)
 
 
 def squared_slope_underdamped(dataset):
@@ -38,6 +41,60 @@ def _squared_slope(dataset, pick):
     return Measured(float(pick(squares.values)), float(squares.attrs["error_estimate"]))
 
 
+def smallest_steepness(dataset):
+    """Smallest −y'/(y(1 − y)) before any front first reaches y = 1: above 0 where q is."""
+    return Measured(min(map(_steepness, _each_mu(dataset))), _steepness_error(dataset))
+
+
+def largest_overdamped_slope(dataset):
+    """Largest y'/(y(1 − y)) of all fronts with μ of 2 and above; none rises."""
+    overdamped = dataset.sel(mu=dataset["mu"] >= CRITICAL_DAMPING)
+    return Measured(-min(map(_steepness, _each_mu(overdamped))), _steepness_error(dataset))
+
+
+def _each_mu(dataset):
+    return [dataset.sel(mu=mu) for mu in dataset["mu"].values]
+
+
+def _steepness(front):
+    """Smallest −y'/(y(1 − y)) of a front, from where it first reaches 1 on, far from both ends."""
+    y, slope = front["rescaled_force"].values, front["slope"].values
+    reached = np.flatnonzero(y >= 1.0)
+    ahead = np.arange(y.size) > (reached[-1] if reached.size else -1)
+    inside = ahead & (y > INSIDE) & (y < 1.0 - INSIDE)
+    return float((-slope[inside] / (y[inside] * (1.0 - y[inside]))).min())
+
+
+def _steepness_error(dataset):
+    errors = (dataset[name].attrs["error_estimate"] for name in ("slope", "rescaled_force"))
+    return float(sum(errors)) / INSIDE
+
+
+def residual_of_orbits(dataset, smallest_mu):
+    """Largest defect of z' = μz − y ln y, which is (59), on the orbits from some μ on.
+
+    z' comes from differences of order 6, whose error is what is left where the orbit is exact: over
+    twice the spacing the defect is 2⁶ times as large, which the error estimate assumes.
+    """
+    sweep = _each_mu(dataset.sel(mu=dataset["mu"] >= smallest_mu))
+    fine, coarse = np.max([_orbit_defects(orbit) for orbit in sweep], axis=0)
+    return Measured(float(fine), float(coarse) / 2.0**6)
+
+
+def _orbit_defects(orbit):
+    """Largest defects with differences over one and over two grid points."""
+    s, y, slope = (orbit[name].values for name in ("s", "rescaled_force", "slope"))
+    logarithm = orbit["log_rescaled_force"].values
+    right = float(orbit["mu"]) * slope - y * logarithm
+    defects = []
+    for stride in (1, 2):
+        h, margin = stride * (s[1] - s[0]), 3 * stride
+        values = [slope[k * stride : slope.size - (6 - k) * stride] for k in range(7)]
+        derivative = np.tensordot(SLOPE, values, 1) / h
+        defects.append(np.abs(derivative - right[margin : slope.size - margin]).max())
+    return defects
+
+
 def gaussian_defect(dataset):
     """Largest difference between the front for μ = 0 and the Gaussian of Remark 8."""
     y = dataset["rescaled_force"].sel(mu=0.0)
@@ -45,19 +102,21 @@ def gaussian_defect(dataset):
     return Measured(float(abs(y - exact).max()), float(y.attrs["error_estimate"]))
 
 
-def growth_of_oscillations(dataset):
-    """Measured growth rate over Re λ, oscillating front."""
-    return _ratio(dataset, "growth_rate", OSCILLATING, linear_rates(OSCILLATING)[1].real)
+def growth_rate(dataset, mu):
+    """Measured rate at which a front leaves (1, 0) over the smallest Re λ there."""
+    return _ratio(
+        dataset, "growth_rate", mu, linear_rates(mu)[0 if mu > CRITICAL_DAMPING else 1].real
+    )
 
 
-def frequency_of_oscillations(dataset):
-    """Measured angular frequency over Im λ, oscillating front."""
-    return _ratio(dataset, "angular_frequency", OSCILLATING, linear_rates(OSCILLATING)[1].imag)
+def absolute_growth_rate(dataset, mu):
+    """Measured rate at which a front leaves (1, 0)."""
+    return _ratio(dataset, "growth_rate", mu, 1.0)
 
 
-def slow_growth(dataset):
-    """Measured growth rate over the smaller λ, monotone front."""
-    return _ratio(dataset, "growth_rate", MONOTONE, linear_rates(MONOTONE)[0].real)
+def frequency(dataset, mu):
+    """Measured angular frequency of an oscillating front over Im λ."""
+    return _ratio(dataset, "angular_frequency", mu, linear_rates(mu)[1].imag)
 
 
 def _ratio(dataset, name, mu, exact):
@@ -73,3 +132,21 @@ def transition(dataset):
     errors = 2.0 * oscillating["angular_frequency"] * oscillating["angular_frequency_error"]
     mu = math.sqrt(-value / slope)
     return Measured(mu, float(errors.max()) / (2.0 * mu * abs(slope)))
+
+
+def flux_distance(dataset, alpha, smallest=0.0):
+    """Largest |f_α(y) − y ln y| for y from `smallest` to 1, over the largest |y ln y|, 1/e."""
+    flux, limit = dataset["flux"].sel(alpha=alpha), dataset["flux_limit"]
+    difference = abs(flux - limit).where(dataset["force"] >= smallest)
+    return _sampled_maximum(difference * math.e)
+
+
+def profile_distance(dataset, alpha):
+    """Largest distance of u/δ of the front (46) to that of (45)."""
+    return _sampled_maximum(abs(dataset["front"].sel(alpha=alpha) - dataset["front_limit"]))
+
+
+def _sampled_maximum(values):
+    """Largest value on a grid, and what leaving out every other point changes."""
+    value = float(values.max())
+    return Measured(value, abs(value - float(values[::2].max())) + 1.0e-15)

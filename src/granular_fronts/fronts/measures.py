@@ -1,6 +1,17 @@
-"""What the paper says of fronts in numbers, measured on the exact front of a scene."""
+"""What the paper says of fronts in numbers, measured on exact fronts.
+
+A measure takes the dataset of a front scene (see `comparison`), of the curves of critical damping
+(see `damping_map`) or of families of fronts (see `trends`), and returns a `Measured`.
+"""
+
+import json
+
+import numpy as np
 
 from granular_fronts.measured import Measured
+
+FEW_DIGITS = 1.0e-14
+"""Relative error of critical damping, a few units of the last digit."""
 
 
 def force_overshoot(front):
@@ -18,3 +29,111 @@ def displacement_overshoot(front):
 def dissipated_power(front):
     """Power that all contacts dissipate, in units of the front."""
     return Measured(front.attrs["dissipated_power"], front.attrs["dissipated_power_error"])
+
+
+def velocity_overshoot(front):
+    """Largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
+    largest = _vertex(front["velocity"].values, 1.0)
+    return Measured(largest.value - 1.0, largest.error + front["velocity"].error_estimate)
+
+
+def smallest_velocity_behind(front):
+    """Smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
+    smallest = _vertex(front["velocity"].where(front["xi"] < 0.0, drop=True).values, -1.0)
+    return Measured(smallest.value, smallest.error + front["velocity"].error_estimate)
+
+
+def _vertex(values, sign):
+    """Largest (sign 1) or smallest (−1) value, by the parabola through three points.
+
+    The error is as large as what the parabola adds to the grid.
+    """
+    top = int(np.argmax(sign * values))
+    left, middle, right = values[top - 1 : top + 2]
+    rise = 0.125 * (left - right) ** 2 / (2.0 * middle - left - right)
+    return Measured(float(middle + rise), abs(float(rise)))
+
+
+def distance(front, field, limit):
+    """Largest difference of a continuum front to the exact one, over the jump of the field.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+    field : {"relative_displacement", "velocity"}
+    limit : {"logarithmic", "unlimited", "heteroclinic"}
+        (45) with (48), (46) with (44), or the front of section 5.
+    """
+    value = front[f"{field}_{limit}"]
+    errors = value.attrs["error_estimate"] + front[field].attrs["error_estimate"]
+    return Measured(float(value.attrs["distance"]), float(errors))
+
+
+def tail_over_long_wave(curves, alpha):
+    """Critical damping of the lattice, by its tail, over that of section 5, μ = 2."""
+    one = curves.sel(alpha=alpha)
+    ratio = float(one["critical_damping_tail"] / one["critical_damping_long_wave"])
+    return Measured(ratio, FEW_DIGITS * ratio)
+
+
+def critical_damping(curves, alpha):
+    """Critical damping of the lattice by its tail, γc."""
+    value = float(curves["critical_damping_tail"].sel(alpha=alpha))
+    return Measured(value, FEW_DIGITS * value)
+
+
+def tail_contrast(trends, beta):
+    """Im λ of the slowest tail at the smallest velocity v_p less that at the largest.
+
+    Above 0 if a front oscillates at small velocities, below 0 if it does at large ones.
+    """
+    frequency = trends["tail_frequency"].sel(beta=beta)
+    contrast = float(frequency[0] - frequency[-1])
+    return Measured(contrast, 2.0 * frequency.attrs["error_estimate"])
+
+
+def critical_power_of_pressure(trends):
+    """Power of δ in the γ at which the tail ceases to oscillate."""
+    gamma = trends["critical_gamma"]
+    span = np.log(gamma["displacement"].values[-1] / gamma["displacement"].values[0])
+    power = float(np.log(gamma.values[-1] / gamma.values[0]) / span)
+    return Measured(power, 2.0 * gamma.attrs["error_estimate"] / float(gamma.min() * span))
+
+
+def critical_power_of_velocity(trends):
+    """Power of v_p = δ^((α + 1)/2) in the same γ."""
+    alpha = json.loads(trends.attrs["config"])["alpha"]
+    power = critical_power_of_pressure(trends)
+    share = 2.0 / (alpha + 1.0)
+    return Measured(share * power.value, share * power.error)
+
+
+def width_power(trends):
+    """Power of 1 − 1/α in the width of fronts at fixed μ, from the two α closest to 1.
+
+    The error is the change from the next pair.
+    """
+    alpha = trends["exponent"].values[:3]
+    logarithms = np.log(1.0 - 1.0 / alpha), np.log(trends["width_of_exponent"].values[:3])
+    closest, next_pair = np.diff(logarithms[1]) / np.diff(logarithms[0])
+    return Measured(float(closest), abs(float(closest - next_pair)))
+
+
+def narrowing(trends):
+    """Width of the front at the smallest δ over that at the largest, γ and α fixed."""
+    width = trends["width_of_displacement"].sortby("displacement")
+    ratio = float(width[0] / width[-1])
+    return Measured(ratio, (1.0 + ratio) * width.attrs["error_estimate"] / float(width[-1]))
+
+
+def gaussian_distance(trends, exponent):
+    """Largest distance of u of a solitary wave to the Gaussian, both over their peaks."""
+    distance = trends["gaussian_distance"].sel(exponent=exponent)
+    return Measured(float(distance), distance.attrs["error_estimate"])
+
+
+def solitary_force(trends, exponent):
+    """Largest force u^α of a solitary wave over e^(1/2), that of the Gaussian."""
+    peak = trends["solitary_peak"].sel(exponent=exponent)
+    force = float(peak) ** exponent / np.exp(0.5)
+    return Measured(float(force), exponent * float(force) * peak.attrs["error_estimate"])

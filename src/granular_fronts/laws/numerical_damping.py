@@ -10,6 +10,14 @@ accurately and starts as the method's own modified equation does: rest of the me
 falls as h² where h alone is made smaller and γ falls with it; the distance of the method to the
 conservative chain falls as h only.  The order sets in late: behind a front of damping γ about 1/γ
 oscillations follow, and their shifts add up.
+
+Other schemes.  To first order in h any Runge-Kutta method of order 1 solves :math:`\dot y = f +
+(\sum_i b_i c_i - \tfrac12)h\,f'f`, so that the class which damps like this is that of all schemes
+with :math:`\sum_i b_i c_i = \theta`.  The explicit one of two stages,
+
+.. math:: y' = y + h f\bigl(y + \theta h f(y)\bigr),
+
+stands beside the θ-method; large steps make it unstable, which is why it takes the smallest three.
 """
 
 from typing import NamedTuple
@@ -47,12 +55,13 @@ def measure_order(case, thetas, steps):
     -------
     xarray.Dataset
         `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step);
-        on (theta,) the observed `order` of the first distance at the last two steps.
+        on (theta,) the observed `order` of the first distance at the last two steps, and
+        `order_two_stages` of the explicit scheme of two stages.
     """
     conservative, rounding = damped_chain(case, 0.0)
     shape = (len(thetas), len(steps))
     to_damped, to_conservative = np.empty(shape), np.empty(shape)
-    errors = [rounding]
+    errors, explicit = [rounding], np.full(shape, np.nan)
     for row, theta in enumerate(thetas):
         for column, step in enumerate(steps):
             method, newton_error = theta_chain(case, theta, step)
@@ -60,9 +69,10 @@ def measure_order(case, thetas, steps):
             to_damped[row, column] = np.abs(method - damped).max() / case.displacement
             to_conservative[row, column] = np.abs(method - conservative).max() / case.displacement
             errors.append(error + newton_error)
+            if column >= len(steps) - 3:
+                stages = two_stage_chain(case, theta, step)
+                explicit[row, column] = np.abs(stages - damped).max() / case.displacement
     distance = {"error_estimate": max(errors) / case.displacement, "error_method": ERROR_METHOD}
-    orders = np.log(to_damped[:, :-1] / to_damped[:, 1:]) / np.log(np.divide(steps[:-1], steps[1:]))
-    change = float(np.abs(orders[:, -1] - orders[:, -2]).max())
     return xr.Dataset(
         {
             "gamma": (
@@ -72,14 +82,19 @@ def measure_order(case, thetas, steps):
             ),
             "damping_distance": (("theta", "step"), to_damped, distance),
             "conservative_distance": (("theta", "step"), to_conservative, distance),
-            "order": (
-                "theta",
-                orders[:, -1],
-                {"error_estimate": change, "error_method": ORDER_METHOD},
-            ),
+            "order": _last_orders(to_damped, steps),
+            "order_two_stages": _last_orders(explicit, steps),
         },
         {"theta": list(thetas), "step": list(steps)},
     )
+
+
+def _last_orders(distances, steps):
+    """Observed orders at the last two steps, on (theta,)."""
+    orders = np.log(distances[:, -3:-1] / distances[:, -2:])
+    orders /= np.log(np.divide(steps[-3:-1], steps[-2:]))
+    change = float(np.abs(orders[:, 1] - orders[:, 0]).max())
+    return "theta", orders[:, 1], {"error_estimate": change, "error_method": ORDER_METHOD}
 
 
 def compare_profiles(case, theta, step):
@@ -132,6 +147,20 @@ def theta_chain(case, theta, step):
             f"Newton's method fails for theta {theta} and step {step}: give a smaller step."
         )
     return motion.u, NEWTON_TOLERANCE * count * case.displacement
+
+
+def two_stage_chain(case, theta, step):
+    """Relative displacements at the end by the explicit scheme of two stages."""
+
+    def slopes(state):
+        u, d = state
+        force = np.concatenate([[case.displacement], np.maximum(u, 0.0), [0.0]]) ** case.alpha
+        return np.array([d, force[:-2] - 2.0 * force[1:-1] + force[2:]])
+
+    state = np.zeros((2, case.beads - 1))
+    for _ in range(round(case.end_time / step)):
+        state = state + step * slopes(state + theta * step * slopes(state))
+    return state[0]
 
 
 def damped_chain(case, gamma):

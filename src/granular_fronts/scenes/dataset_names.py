@@ -11,10 +11,13 @@ RESULTS = {
     "survey": "the survey of exact fronts",
     "critical_damping": "the map of critical damping",
     "multipliers": "the multipliers of exact fronts",
+    "trends": "the families of exact fronts",
     "materials": "the materials of remark 6",
     "damping_regimes": "the damping regimes",
     "numerical_damping": "the numerical damping",
     "jump_conditions": "the fronts measured against the jump conditions",
+    "choice_of_variables": "the comparison of variables",
+    "limiting_cases": "the limiting cases",
     "piston": "the fronts driven by pistons",
 }
 """Results that the workflow names itself, and what they are."""

@@ -1,0 +1,179 @@
+"""Measures on data whose answer is known, each with a case in which it must answer otherwise."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from granular_fronts.chain import measures as chain
+from granular_fronts.continuum import measures as continuum
+from granular_fronts.continuum.log_burgers import flux, limit_flux
+from granular_fronts.fronts import measures as fronts
+from granular_fronts.laws import measures as laws
+
+EXACT = {"error_estimate": 1e-15, "error_method": "given"}
+DRIVEN = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5, "gamma": 0.06}}
+SPEED = 0.1**0.25
+
+
+def driven(**variables):
+    """A dataset of a driven chain from variables and their dimensions."""
+    described = {name: (dims, values, EXACT) for name, (dims, values) in variables.items()}
+    coordinates = {}
+    for dims, values in variables.values():
+        for axis, size in zip(np.atleast_1d(dims), np.shape(values), strict=True):
+            first = 1 if axis.startswith("bead") else 0
+            coordinates[axis] = np.arange(first, first + size)
+    return xr.Dataset(described, coordinates, {"config": json.dumps(DRIVEN)})
+
+
+def test_last_fall_is_where_a_line_crosses():
+    places = np.array([1.0, 2.0, 4.0])
+    assert chain.last_fall(np.array([1.0, 0.8, 0.0]), places, 0.4) == pytest.approx(3.0)
+    # The last of two falls counts, and a rise does not.
+    falling_twice = np.array([1.0, 0.0, 1.0, 0.0])
+    assert chain.last_fall(falling_twice, np.arange(4.0), 0.5) == pytest.approx(2.5)
+    with pytest.raises(IndexError):
+        chain.last_fall(np.array([0.0, 1.0]), np.arange(2.0), 0.5)
+
+
+def test_spread_and_spacing_of_peaks():
+    beads = np.arange(1, 101)
+    steady = driven(first_peak=("bead", np.full(100, 0.13)), arrival_time=("bead", beads / SPEED))
+    assert chain.peak_spread(steady, [10, 50, 90]).value == 0.0
+    assert chain.spacing_defect(steady, [10, 50, 90]).value == pytest.approx(0.0, abs=1e-12)
+    growing = driven(
+        first_peak=("bead", 0.1 + 1e-3 * beads), arrival_time=("bead", 1.1 * beads / SPEED)
+    )
+    assert chain.peak_spread(growing, [10, 50, 90]).value == pytest.approx(0.8)
+    assert chain.spacing_defect(growing, [10, 50, 90]).value == pytest.approx(0.1)
+
+
+def test_passages_through_the_applied_compression_are_counted():
+    times = np.arange(0.0, 10.0, 0.01)
+    waves = 0.1 + 0.01 * np.sin(2.0 * np.pi * times + 0.3)
+    probe = driven(relative_displacement_steady=(("t_steady", "bead_steady"), waves[:, None]))
+    assert chain.crossings(probe, 1).value == 20
+    above = driven(
+        relative_displacement_steady=(("t_steady", "bead_steady"), waves[:, None] + 0.02)
+    )
+    assert chain.crossings(above, 1).value == 0
+
+
+@pytest.mark.parametrize(("late", "opened"), [(-0.01, 1), (0.01, 0)])
+def test_contacts_that_open_later_are_counted(late, opened):
+    u = np.full((5, 4), 0.05)
+    u[1, 0] = -0.5
+    u[4, 2] = late
+    grid = driven(relative_displacement_grid=(("t_grid", "bead"), u))
+    grid["smallest_relative_displacement_time"] = 2.0
+    assert chain.openings_after_the_widest_gap(grid).value == opened
+    assert chain.openings(grid).value == 1 + opened
+
+
+@pytest.mark.parametrize("rate", [0.0, 0.02])
+def test_width_of_a_front_that_spreads(rate):
+    beads, times = np.arange(1, 402), np.arange(0.0, 2001.0, 5.0)
+    arrival = beads / 0.5
+    place = np.where(times < 802.0, 0.5 * times, 802.0 - 0.5 * times)[:, None]
+    width = 10.0 + rate * times[:, None]
+    u = 0.1 * np.clip(0.5 - (beads - place) / width, 0.0, 1.0)
+    grid = driven(
+        relative_displacement_grid=(("t_grid", "bead"), u), arrival_time=("bead", arrival)
+    )
+    grid = grid.assign_coords(t_grid=times)
+    ratio = chain.thickening(grid)
+    exact = (10.0 + rate * 1363.4) / (10.0 + rate * 962.4)
+    assert ratio.value == pytest.approx(exact, abs=0.01)
+    assert (chain.forward_thickening(grid).value > 1.1) is (rate > 0.0)
+    assert (chain.backward_over_forward_width(grid).value > 1.1) is (rate > 0.0)
+
+
+def test_velocities_ahead_of_the_front_do_not_count():
+    velocity = np.array([[0.0, 0.0], [0.05, 0.0], [0.03, 0.06]])
+    grid = driven(velocity_grid=(("t_grid", "bead"), velocity), arrival_time=("bead", [0.5, 1.5]))
+    assert chain.smallest_velocity_behind(grid).value == pytest.approx(0.03 / 0.1**1.25)
+    velocity[2, 0] = -0.01
+    grid = driven(velocity_grid=(("t_grid", "bead"), velocity), arrival_time=("bead", [0.5, 1.5]))
+    assert chain.smallest_velocity_behind(grid).value < 0.0
+
+
+def gaussian_sweep(defect=0.0, mu=0.0):
+    s = np.arange(-8.0, 8.05, 0.1)
+    y = np.exp(0.5 - 0.25 * s**2)
+    slope = -0.5 * s * y * (1.0 + defect)
+    fields = {"rescaled_force": y, "slope": slope, "log_rescaled_force": 0.5 - 0.25 * s**2}
+    variables = {name: (("mu", "s"), values[None], EXACT) for name, values in fields.items()}
+    return xr.Dataset(variables, {"mu": [mu], "s": s})
+
+
+def test_residual_finds_an_orbit_that_is_none():
+    exact = continuum.residual_of_orbits(gaussian_sweep(), 0.0)
+    assert exact.value < 1e-7
+    assert exact.value <= 1.1 * exact.error
+    assert continuum.residual_of_orbits(gaussian_sweep(1e-3), 0.0).value > 1e-4
+    assert continuum.residual_of_orbits(gaussian_sweep(mu=0.1), 0.0).value > 0.05
+
+
+def test_steepness_is_taken_ahead_of_where_the_front_first_reaches_one():
+    """The Gaussian falls behind its peak too, where it is above 1 and does not count."""
+    assert continuum.smallest_steepness(gaussian_sweep()).value > 0.5
+    rising = gaussian_sweep()
+    rising["slope"] = -rising["slope"]
+    assert continuum.smallest_steepness(rising).value < 0.0
+
+
+def test_flux_distance_is_relative_to_the_largest_flux():
+    y = np.linspace(0.0, 1.0, 401)
+    tabulated = xr.Dataset(
+        {"flux": (("alpha", "force"), [flux(y, 1.5)]), "flux_limit": ("force", limit_flux(y))},
+        {"alpha": [1.5], "force": y},
+    )
+    everywhere = continuum.flux_distance(tabulated, 1.5)
+    y = np.linspace(1e-6, 1.0, 100_001)
+    exact = math.e * np.abs(flux(y, 1.5) - limit_flux(y)).max()
+    assert everywhere.value == pytest.approx(exact, abs=1e-4)
+    assert continuum.flux_distance(tabulated, 1.5, 0.5).value < 0.5 * everywhere.value
+
+
+def test_extremes_of_a_velocity_are_located_between_grid_points():
+    xi = np.arange(-6.0, 3.0, 0.1)
+    velocity = np.where(xi < 1.0, 1.0 + 0.3 * np.cos(1.7 * xi), 0.0)
+    front = xr.Dataset({"velocity": ("xi", velocity, EXACT)}, {"xi": xi})
+    assert fronts.velocity_overshoot(front).value == pytest.approx(0.3, abs=1e-5)
+    smallest = fronts.smallest_velocity_behind(front)
+    assert smallest.value == pytest.approx(0.7, abs=1e-5)
+    assert abs(smallest.value - 0.7) <= smallest.error
+
+
+def test_powers_of_families_are_slopes():
+    alpha, delta = np.array([1.02, 1.05, 1.1]), np.array([1e-2, 1e-1, 1.0])
+    trends = xr.Dataset(
+        {
+            "width_of_exponent": ("exponent", 3.0 * (1.0 - 1.0 / alpha) ** -0.5, EXACT),
+            "critical_gamma": ("displacement", 0.3 * delta**-0.25, EXACT),
+            "width_of_displacement": ("displacement", [1.0, 2.0, 4.0], EXACT),
+        },
+        {"exponent": alpha, "displacement": delta},
+        {"config": json.dumps({"alpha": 1.5})},
+    )
+    assert fronts.width_power(trends).value == pytest.approx(-0.5)
+    assert fronts.critical_power_of_pressure(trends).value == pytest.approx(-0.25)
+    assert fronts.critical_power_of_velocity(trends).value == pytest.approx(-0.2)
+    assert fronts.narrowing(trends).value == 0.25
+    bent = trends.assign(width_of_exponent=("exponent", [3.0, 2.0, 1.9]))
+    assert fronts.width_power(bent).error > 0.3
+
+
+def test_late_over_early_carries_both_errors():
+    waves = xr.Dataset(
+        {
+            "width": (("alpha", "t"), [[10.0, 20.0]]),
+            "width_error": (("alpha", "t"), [[0.1, 0.4]]),
+        },
+        {"alpha": [1.0], "t": [1.0, 4.0]},
+    )
+    value, error = laws.spreading(waves, 1.0)
+    assert (value, error) == (2.0, pytest.approx(0.06))

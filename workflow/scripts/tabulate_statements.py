@@ -1,0 +1,78 @@
+"""Set statements, of the paper or of this project, beside the numbers computed here, and judge."""
+
+import math
+from importlib import import_module
+from pathlib import Path
+
+import pandas as pd
+import yaml
+
+from granular_fronts.datasets import read_dataset
+from granular_fronts.statements import evaluate, scenes_of
+from granular_fronts.tables import write_table
+from step import run_step
+
+COLUMNS = {
+    "quantity": "quantity",
+    "paper_place": "paper_place",
+    "kind": "kind",
+    "printed": "printed",
+    "criterion": "criterion",
+    "computed": "computed",
+    "numerical_error": "numerical error",
+    "scene": "scene",
+    "verdict": "verdict",
+    "expected": "expected",
+    "remark": "remark",
+}
+"""Columns and their heads; a table has those that its statements fill."""
+
+FOR_MACHINES = ["kind", "expected"]
+
+
+def tabulate_statements(
+    statements: Path, reference: dict, datasets: list[Path], csv: Path, markdown: Path
+) -> None:
+    """Measure and judge each statement on its scenes, and write the table.
+
+    Parameters
+    ----------
+    statements : Path
+        Statements of the paper, config/paper_numbers.yaml, or findings, config/findings.yaml.
+    reference : dict
+        The paper's parameters of every scene, by its name.
+    datasets : list of Path
+        Result files of all scenes.
+    csv, markdown : Path
+        Tables to write: full precision, and rounded for reading.
+    """
+    listed = yaml.safe_load(statements.read_text(encoding="utf-8"))
+    needed = {name for statement in listed for name in scenes_of(statement)}
+    data = {path.stem: read_dataset(path, path.stem) for path in datasets if path.stem in needed}
+    rows = pd.DataFrame(
+        [
+            evaluate(statement, find_measure(statement["measure"]), data, reference)
+            for statement in listed
+        ]
+    )
+    table = rows[[column for column in COLUMNS if column in rows]].rename(columns=COLUMNS)
+    readable = table.drop(columns=FOR_MACHINES).assign(
+        computed=[rounded(value, ".6g") for value in rows["computed"]],
+        **{"numerical error": [rounded(value, ".1e") for value in rows["numerical_error"]]},
+    )
+    write_table(table, readable, csv, markdown, list(data.values()))
+
+
+def find_measure(name):
+    """Find a measure, `wing.function`, among the functions of `granular_fronts.wing.measures`."""
+    wing, _, function = name.rpartition(".")
+    return getattr(import_module(f"granular_fronts.{wing}.measures"), function)
+
+
+def rounded(value, form):
+    """A number as text; a dash where there is none."""
+    return "–" if math.isnan(value) else format(value, form)
+
+
+if __name__ == "__main__":
+    run_step(tabulate_statements, globals().get("snakemake"))
