@@ -5,26 +5,19 @@ include: "workflow/rules/common.smk"
 
 
 from granular_fronts.scenes.configuration import validate_configuration
-from granular_fronts.errors import InputError
+from granular_fronts.errors import InputError, exit_on_error
 from granular_fronts.scenes.yaml_files import load_configuration
 
-
-def checked(check, *arguments):
-    """Make a check, and end with its sentences where it fails."""
-    try:
-        check(*arguments)
-    except InputError as error:
-        sys.exit(f"The configuration cannot be computed.\n{error}")
-
-
 # Of a YAML error Snakemake itself says neither line nor column.
-checked(load_configuration, "config/default.yaml")
+with exit_on_error("The configuration cannot be computed."):
+    load_configuration("config/default.yaml")
 
 
 configfile: "config/default.yaml"
 
 
-checked(validate_configuration, config, workflow.configfiles, workflow.config_settings.config)
+with exit_on_error("The configuration cannot be computed."):
+    validate_configuration(config, workflow.configfiles, workflow.config_settings.config)
 
 
 pathvars:

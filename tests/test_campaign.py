@@ -62,6 +62,17 @@ REFUSED = [
     ({"kind": "frnt"}, ["kind is", "choose chain or front or heteroclinic"]),
     ({"tolerance": 0}, ["tolerance is 0", "above 0"]),
     ({"colour": 1}, ["colour is no key"]),
+    ({"tolerance": 1e3}, ["tolerance is 1000.0", "limit 0.1", "or less"]),
+    ({"record": {"scalars": ["overshoot"] * 2}}, ["record.scalars (entry 2)", "list it once"]),
+    (
+        {"axes": {"gamma": {"linspace": [0.1, 1.0, 10**10]}}},
+        ["axes.gamma = {'linspace': [0.1, 1.0, 10000000000]}", "GiB", "lower axes"],
+    ),
+    ({"fixed": {"alpha": 1.5, "beads": 10**9}}, ["fixed.beads = 1000000000", "477 GiB", "lower"]),
+    (
+        {"record": {"profile": {"start": 1, "stop": 1e9, "count": 10**9}}},
+        ["GiB", "above the limit of 16 GiB"],
+    ),
 ]
 
 
@@ -96,9 +107,28 @@ def test_large_campaign_says_how_large_and_how_long():
     definition.check_points(campaign(axes=axes, allow_large=True), seconds_per_point=0.0036)
 
 
-def test_unknown_campaign_names_those_there_are():
-    with pytest.raises(InputError, match=r"choose one of .*smoke"):
-        definition.load_campaign(ROOT / "config/campaigns", "smok")
+@pytest.mark.parametrize("name", ["smok", "Smoke", "", "../default", 5])
+def test_unknown_campaign_names_those_there_are(name):
+    with pytest.raises(InputError, match=rf"There is no campaign {name} .*one of .*smoke"):
+        definition.load_campaign(ROOT / "config/campaigns", name)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("mine", "kind: chain\naxes: {gamma: [1", ["line 3, column 1", "no YAML"]),
+        ("mine", "kind: chain\nkind: front", ["line 2, column 1", "key kind stands twice"]),
+        ("mine", "", ["Campaign mine: the whole is null", "give a mapping"]),
+        ("Mine", "kind: chain", ["Campaign Mine: a name has lower-case", "rename"]),
+    ],
+)
+def test_unreadable_campaign_file_is_refused_in_a_sentence(tmp_path, name, text, words):
+    (tmp_path / f"{name}.yaml").write_text(f"{text}\n", encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        definition.load_campaign(tmp_path, name)
+    [sentence] = str(caught.value).splitlines()
+    for word in words:
+        assert word in sentence
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "config/campaigns").glob("*.yaml")), ids=str)

@@ -188,6 +188,10 @@ HETEROCLINIC_REFUSED = [
     ({"profile__step": 1.0e-9}, ["profile.step = 1e-09", "2,980 GiB", "raise profile.step"]),
     ({"portrait__step": 1.0e-9}, ["portrait.step = 1e-09", "GiB", "raise portrait.step"]),
     ({"portrait__mu": 0.5}, ["portrait.mu is 0.5", "one of mu [0.3, 2]", "add 0.5 to mu"]),
+    ({"mu": [0.3, 1e-300]}, ["mu (entry 2) is 1e-300", "give 0, or 1e-280 or more"]),
+    ({"mu": [0.3, 0], "profile__stop": 53}, ["profile.stop is 53", "mu = 0", "s = 52.40"]),
+    ({"mu": [0.3, 0], "profile__start": -57}, ["profile.start is -57", "s = -56.77"]),
+    ({"profile__stop": 1e6}, ["profile.stop is 1000000.0", "s = 54.50"]),
     ({"well": ...}, ["well is missing", "figure 8 needs it"]),
     ({"portrait__starts": []}, ["portrait.starts is empty"]),
     ({"portrait__starts": [[0.5, 0], [-1, 0]]}, ["starts (entry 2) is [-1, 0]", "equilibrium"]),
@@ -504,3 +508,43 @@ def test_default_shows_every_optional_key(schema, default):
     assert (
         record.keys() == schema["$defs"]["chain_scene"]["properties"]["record"]["properties"].keys()
     )
+
+
+def dry_run(*arguments):
+    command = [sys.executable, "-m", "snakemake", "--cores", "1", "--dry-run", *arguments]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+
+
+def test_workflow_finds_a_repeated_key_in_the_file_of_the_user(tmp_path):
+    """Snakemake hands over the merged values only, in which one of the two is lost."""
+    file = tmp_path / "mine.yaml"
+    file.write_text("results: results/a\nresults: results/b\n", encoding="utf-8")
+    run = dry_run("fig04", "--configfile", str(file))
+    assert run.returncode == 1
+    assert f"{file}, line 2, column 1: the key results stands twice" in run.stderr
+    assert "Traceback" not in run.stderr
+
+
+def test_workflow_names_the_way_beside_mappings_on_the_command_line():
+    run = dry_run("fig04", "--config", "scenes={chain: {a: {law: {gamma: 0.2}}}}")
+    assert run.returncode == 1
+    assert "--configfile mine.yaml" in run.stderr
+    assert "Traceback" not in run.stderr
+
+
+@pytest.mark.parametrize("name", ["Smoke", "nosuch"])
+def test_workflow_says_which_campaigns_there_are(name):
+    run = dry_run("campaign", "--config", f"campaign={name}")
+    assert run.returncode == 1
+    assert f"There is no campaign {name}" in run.stderr
+    assert "choose one of driven_chain" in run.stderr
+
+
+def test_wrong_file_is_located_from_the_command_line(tmp_path):
+    file = tmp_path / "mine.yaml"
+    file.write_text("a: b: c", encoding="utf-8")
+    command = [sys.executable, "-m", "granular_fronts.scenes", DEFAULT, file]
+    environment = {"PYTHONPATH": str(ROOT / "src")}
+    run = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert run.returncode == 1
+    assert run.stderr.startswith(f"{file}, line 1, column 5: this is no YAML")

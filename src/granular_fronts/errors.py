@@ -6,6 +6,9 @@ computation ended that looked possible when it began.  Both are kinds of `ValueE
 `NoSpaceError` is no fault of either, and a kind of `OSError`.
 """
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 
@@ -28,3 +31,18 @@ class NoSpaceError(OSError):
         super().__init__(
             f"There is no space left in {folder}: free some and run the same command again."
         )
+
+
+@contextmanager
+def exit_on_error(heading: str) -> Iterator[None]:
+    """End the program with a heading and the sentences of an InputError, if one is raised.
+
+    Parameters
+    ----------
+    heading : str
+        A sentence, for example ``The configuration cannot be computed.``
+    """
+    try:
+        yield
+    except InputError as error:
+        sys.exit(f"{heading}\n{error}")

@@ -99,7 +99,7 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
     if name not in files:
         raise InputError(
             f"There is no campaign {name} in {folder}: choose one of {', '.join(files)}, or write "
-            f"{Path(folder) / name}.yaml."
+            f"{folder}/{name}.yaml."
         )
     if not NAME.fullmatch(name):
         raise InputError(
@@ -188,7 +188,7 @@ def check_points(campaign: Campaign, seconds_per_point: float) -> None:
 
 
 def raise_if_any(name: str, sentences: Iterator[str]) -> None:
-    """Raise a InputError of some sentences about a campaign, one a line, if any."""
+    """Raise an InputError of some sentences about a campaign, one a line, if any."""
     errors = [f"Campaign {name}: {sentence}" for sentence in sentences]
     if errors:
         raise InputError("\n".join(errors))
@@ -271,5 +271,5 @@ def _value_errors(kind, grid, varied) -> Iterator[str]:
 
 
 def _advice(name, known) -> str:
-    near = difflib.get_close_matches(name, known, n=1)
+    near = difflib.get_close_matches(str(name), known, n=1)
     return f"did you mean {near[0]}" if near else f"it has {', '.join(known)}"

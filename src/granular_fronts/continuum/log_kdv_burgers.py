@@ -43,12 +43,10 @@ import numpy as np
 
 from granular_fronts.arguments import scalar
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.constraints import SMALLEST_DAMPING
 
 CRITICAL_DAMPING = 2.0
 """Value of μ at which the focus (1, 0) becomes a node."""
-
-SMALLEST_DAMPING = 1e-280
-"""Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits."""
 
 
 class Amplitude(NamedTuple):

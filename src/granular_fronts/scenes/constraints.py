@@ -36,6 +36,18 @@ CELLS_PER_EDGE = 2
 MOST_DECADES = 140
 """Decades on either side of 1 within which the square of a number is a double too."""
 
+SMALLEST_DAMPING = 1.0e-280
+"""Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits."""
+
+GAUSSIAN_CENTRE = -2.0 * math.sqrt(0.5 + math.log(2.0))
+"""The s of the maximum of the orbit for μ = 0, y = exp(½ − (s − centre)²/4) with y(0) = ½."""
+
+GAUSSIAN_HALF_WIDTH = 2.0 * math.sqrt(0.5 - math.log(5e-324))
+"""Distance in s from that centre at which this orbit is below the smallest double."""
+
+LATER_UNDERFLOW = 7.0
+"""Bound on how much later, over μ, the other orbits underflow: ln(745/ln 2) ≈ 6.98 for large μ."""
+
 DENSITIES = 1.0, 30_000.0
 """Densities of solid beads in kg/m³, from foams to beyond osmium (22 590)."""
 
@@ -235,6 +247,32 @@ def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
 # Heteroclinic orbits.
 
 
+def dampings_are_normal(scene: Mapping) -> Iterator[str]:
+    """A damping is 0 or leaves the energy of the orbit its digits."""
+    for index, mu in enumerate(scene["mu"]):
+        if 0 < mu < SMALLEST_DAMPING:
+            yield (
+                f"{name_entry('mu', index)} is {mu}, where the energy of the orbit loses its "
+                f"digits: give 0, or {SMALLEST_DAMPING} or more."
+            )
+
+
+def profile_ends_before_underflow(scene: Mapping) -> Iterator[str]:
+    """The fronts are kept where y is a double above zero."""
+    profile, mu = scene["profile"], min(scene["mu"])
+    last = GAUSSIAN_CENTRE + GAUSSIAN_HALF_WIDTH + LATER_UNDERFLOW * mu
+    first = GAUSSIAN_CENTRE - GAUSSIAN_HALF_WIDTH if mu == 0 else -math.inf
+    for key, found, beyond, limit in [
+        ("stop", profile["stop"], profile["stop"] > last, last),
+        ("start", profile["start"], profile["start"] < first, first),
+    ]:
+        if beyond:
+            yield (
+                f"profile.{key} is {found}, but for mu = {mu} y falls below the smallest double at "
+                f"s = {limit:.2f}: end the profile before."
+            )
+
+
 def portrait_leaves_equilibria(scene: Mapping) -> Iterator[str]:
     """No trajectory of the plane starts in an equilibrium, where it would stay."""
     for index, (y, z) in enumerate(scene.get("portrait", {}).get("starts", [])):
@@ -385,7 +423,12 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
         probes_are_on_chain,
         record_ends_with_motion,
     ),
-    "scenes.heteroclinic.*": (portrait_leaves_equilibria, portrait_has_its_orbit),
+    "scenes.heteroclinic.*": (
+        dampings_are_normal,
+        profile_ends_before_underflow,
+        portrait_leaves_equilibria,
+        portrait_has_its_orbit,
+    ),
     "scenes.periodic.*": (
         relative_tolerance_above_floor,
         absolute_tolerance_resolves_motion,

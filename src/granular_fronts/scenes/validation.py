@@ -89,7 +89,7 @@ def section_label(path: str) -> str:
 
 
 def raise_if_any(sentences: Sequence[str]) -> None:
-    """Raise a InputError of some sentences, one a line, if there are any."""
+    """Raise an InputError of some sentences, one a line, if there are any."""
     if sentences:
         raise InputError("\n".join(sentences))
 
