@@ -110,3 +110,27 @@ def test_another_error_is_not_taken_for_a_full_disk(tmp_path):
         fail()
     assert not isinstance(caught.value, NoSpaceError)
     assert not list(tmp_path.iterdir())
+
+
+LIMITED = """
+import resource, signal, sys
+import numpy as np, xarray as xr
+from granular_fronts.errors import NoSpaceError
+from granular_fronts.files import complete_file
+resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
+data = xr.Dataset({"u": ("x", np.random.default_rng(1).random(100_000))})
+try:
+    with complete_file(sys.argv[1]) as unfinished:
+        data.to_netcdf(unfinished, engine="netcdf4")
+except NoSpaceError as error:
+    print(error)
+"""
+
+
+def test_netcdf_file_that_may_not_grow_is_named(tmp_path):
+    """The netCDF library alone says no more than "HDF error"."""
+    command = [sys.executable, "-c", LIMITED, str(tmp_path / "result.nc")]
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[1] / "src")}
+    run = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert f"There is no space left in {tmp_path}" in run.stdout, run.stderr
+    assert not list(tmp_path.iterdir())

@@ -14,8 +14,8 @@ from pathlib import Path
 
 from granular_fronts.errors import NoSpaceError
 
-FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT})
-"""What the system answers where a disk, or the user's share of it, is full."""
+FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
+"""The system's answers where a disk or the user's share of it is full, or a file may not grow."""
 
 PROBE_BYTES = 2**20
 
