@@ -60,7 +60,7 @@ REFUSED = [
         ["profile.count is 40, but from 1 to 20 there are 20 beads"],
     ),
     ({"kind": "frnt"}, ["kind is", "choose chain or front or heteroclinic"]),
-    ({"tolerance": 0}, ["tolerance is 0", "above 0"]),
+    ({"tolerance": 0}, ["tolerance is 0", "limit 1e-15", "or more"]),
     ({"colour": 1}, ["colour is no key"]),
     ({"tolerance": 1e3}, ["tolerance is 1000.0", "limit 0.1", "or less"]),
     ({"record": {"scalars": ["overshoot"] * 2}}, ["record.scalars (entry 2)", "list it once"]),

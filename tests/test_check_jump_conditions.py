@@ -305,7 +305,7 @@ def test_a_state_pair_without_a_front_is_refused_with_theory():
     ("change", "sentence"),
     [
         ({"beads": 10}, "beads is 10, below its limit 64"),
-        ({"tolerance": 0}, "tolerance is 0, but must be above 0"),
+        ({"tolerance": 0}, "tolerance is 0, below its limit 1e-14"),
         (
             {"cases": {"toda": {"elastic": {"alpha": 1.5}}}},
             "alpha is no key of the schema: the keys here are kind, strength, rate",

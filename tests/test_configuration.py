@@ -299,6 +299,7 @@ SECTIONS_REFUSED = [
     ("precision.log_burgers.weak.longest_steps", [1e-30], ["longest_steps = [1e-30]", "raise"]),
     # What figures and tables need.
     ("scenes.periodic.weak.record.snapshots", [10, 20], ["figure 5 needs 0 too", "add it"]),
+    ("scenes.periodic.weak.record.snapshots", [0], ["is [0]", "needs 2 entries or more"]),
     ("scenes.heteroclinic.damping_sweep.mu", [1, 2], ["needs 0, 0.3, 3 too", "add them"]),
     ("laws.damping_regimes.betas", [1, 2], ["needs 1.25, 1.5, 2.5 too", "add them"]),
     # Units.

@@ -11,30 +11,24 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 import math
 from collections.abc import Callable, Iterator, Mapping
 
+from granular_fronts.scenes.law_constraints import (
+    beads_are_solid,
+    piston_tolerance_resolves_motion,
+    states_differ,
+    theta_steps_meet_end,
+)
+from granular_fronts.scenes.scales import absolute_tolerance_errors, decades_of_displacement
 from granular_fronts.scenes.schema import name_entry
 from granular_fronts.slow_scales import scaling_of
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
 
-ABSOLUTE_TOLERANCE_FLOOR = 1.0e-20
-"""Smallest absolute tolerance over the largest relative displacement: far below its round-off.
-
-From rest the integrator's first steps shrink with it: at 1e-25 some laws take minutes, and none is
-more exact.
-"""
-
-ABSOLUTE_TOLERANCE_CEILING = 0.1
-"""Largest absolute tolerance over the largest relative displacement."""
-
 EQUATION_TOLERANCE_FLOOR = 1.0e-13
 """Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
 
 CELLS_PER_EDGE = 2
 """Fewest cells over a unit of ξ, the width of the falling edge of eq. (49)."""
-
-MOST_DECADES = 140
-"""Decades on either side of 1 within which the square of a number is a double too."""
 
 SMALLEST_DAMPING = 1.0e-280
 """Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits."""
@@ -47,16 +41,6 @@ GAUSSIAN_HALF_WIDTH = 2.0 * math.sqrt(0.5 - math.log(5e-324))
 
 LATER_UNDERFLOW = 7.0
 """Bound on how much later, over μ, the other orbits underflow: ln(745/ln 2) ≈ 6.98 for large μ."""
-
-DENSITIES = 1.0, 30_000.0
-"""Densities of solid beads in kg/m³, from foams to beyond osmium (22 590)."""
-
-MODULI = 1.0e4, 2.0e12
-"""Young's moduli of solid beads in Pa, from gels to beyond diamond (1.2e12)."""
-
-THETA_END_ERROR = 1.0e-9
-"""Rounding of end_time over a step of the θ-method, relative to end_time."""
-
 
 # Any section.
 
@@ -86,80 +70,13 @@ def relative_tolerance_above_floor(section: Mapping) -> Iterator[str]:
         )
 
 
-# Scenes with a contact law.
-
-
-def decades_of_displacement(scene: Mapping) -> float:
-    """Decimal logarithm of the largest relative displacement that drives a scene.
-
-    A velocity v compresses contacts by about v^(2/(α + 1)).
-
-    Parameters
-    ----------
-    scene : mapping
-        A scene with a law that obeys the schema.
-
-    Returns
-    -------
-    float
-        −∞ where nothing moves.
-    """
-    if "displacement" in scene:
-        return _decades(scene["displacement"])
-    boundary, start = scene["boundary"], scene["start"]
-    displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
-    displacements += start.get("relative_displacement", [])
-    velocities = [boundary.get("velocity", 0.0), *start.get("velocity", [])]
-    return max(max(map(_decades, displacements)), _compressed(scene["law"]["alpha"], velocities))
-
-
-def _compressed(alpha, velocities):
-    """Decimal logarithm of the compression that the largest of some velocities makes."""
-    return 2.0 / (alpha + 1.0) * max(map(_decades, velocities))
-
-
-def energies_are_representable(scene: Mapping) -> Iterator[str]:
-    """Energies δ^(α + 1) of a scene with a law, and the damping, neither overflow nor vanish."""
-    if "law" not in scene:
-        return
-    law, decades = scene["law"], decades_of_displacement(scene)
-    if math.isfinite(decades):
-        for name in law.keys() & {"alpha", "beta"}:
-            found = (law[name] + 1.0) * decades
-            if abs(found) > MOST_DECADES:
-                yield (
-                    f"law.{name} is {law[name]}, which with relative displacements of about "
-                    f"1e{decades:+.0f} makes energies of about 1e{found:+.0f}, beyond the "
-                    f"1e±{MOST_DECADES} that double precision can square: bring both nearer to 1."
-                )
-    found = _decades(law["gamma"])
-    if math.isfinite(found) and abs(found) > MOST_DECADES:
-        yield (
-            f"law.gamma is {law['gamma']}, beyond the 1e±{MOST_DECADES} that double precision can "
-            "square: bring it nearer to 1, or give 0 for no damping."
-        )
-
-
 # Chains.
 
 
 def absolute_tolerance_resolves_motion(scene: Mapping) -> Iterator[str]:
     """The absolute tolerance lies between rounding and the size of the motion."""
-    yield from _absolute_errors(scene["tolerance"]["absolute"], decades_of_displacement(scene))
-
-
-def _absolute_errors(absolute, decades):
-    above = math.log10(absolute) - decades
-    if above < math.log10(ABSOLUTE_TOLERANCE_FLOOR):
-        limit, side, advice = ABSOLUTE_TOLERANCE_FLOOR, "below", "more"
-    elif math.isfinite(above) and above > math.log10(ABSOLUTE_TOLERANCE_CEILING):
-        limit, side, advice = ABSOLUTE_TOLERANCE_CEILING, "above", "less"
-    else:
-        return
-    size = 10.0**decades
-    yield (
-        f"tolerance.absolute is {absolute}, {side} {limit:g} of the largest relative displacement, "
-        f"which is about {size:.3g}: give {limit * size:.1e} or {advice}."
+    yield from absolute_tolerance_errors(
+        scene["tolerance"]["absolute"], decades_of_displacement(scene)
     )
 
 
@@ -352,70 +269,12 @@ def equation_tolerances_above_floor(scene: Mapping) -> Iterator[str]:
             )
 
 
-# Contact laws at work.
-
-
-def beads_are_solid(materials: Mapping) -> Iterator[str]:
-    """Mass, radius and Young's modulus are those of a solid in SI units."""
-    for name, bead in materials["beads"].items():
-        density = 0.75 * bead["mass"] / math.pi / bead["radius"] ** 3
-        lightest, heaviest = DENSITIES
-        if not lightest <= density <= heaviest:
-            yield (
-                f"beads.{name}.radius is {bead['radius']} and its mass {bead['mass']}, a density "
-                f"of {density:.2g} kg/m³, outside {lightest:g} to {heaviest:g} of solids: give "
-                "metres and kilograms."
-            )
-        softest, stiffest = MODULI
-        if not softest <= bead["youngs_modulus"] <= stiffest:
-            yield (
-                f"beads.{name}.youngs_modulus is {bead['youngs_modulus']} Pa, outside "
-                f"{softest:g} to {stiffest:g} Pa of solids: give pascals; 70 GPa are 7.0e+10."
-            )
-
-
-def theta_steps_meet_end(section: Mapping) -> Iterator[str]:
-    """The end of each motion by the θ-method is a multiple of each of its steps."""
-    order, profile = section["order"], section["profile"]
-    steps = {name_entry("order.steps", i): (s, order) for i, s in enumerate(order["steps"])}
-    for key, (step, motion) in (steps | {"profile.step": (profile["step"], profile)}).items():
-        end = motion["end_time"]
-        whole = math.floor(end / step + 0.5) if end / step < math.inf else 0
-        if whole < 1 or abs(whole * step - end) > THETA_END_ERROR * end:
-            yield (
-                f"{key} is {step}, and no whole number of such steps ends at end_time {end}: give "
-                "a step that divides end_time."
-            )
-
-
-def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
-    """The absolute tolerance suits the compression that the piston makes with each law."""
-    for law in section["cases"].values():
-        decades = _compressed(law["alpha"], [section["velocity"]])
-        errors = [*_absolute_errors(section["tolerance"]["absolute"], decades)]
-        if errors:
-            yield from errors
-            return
-
-
-def states_differ(section: Mapping) -> Iterator[str]:
-    """The two states that a front joins are not the same."""
-    for name, case in section["cases"].items():
-        behind, ahead = case["states"]
-        if behind == ahead:
-            yield (
-                f"cases.{name}.states are {behind} and {ahead}, but a front joins two different "
-                "states: change one."
-            )
-
-
 Constraint = Callable[[Mapping], Iterator[str]]
 
 CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "scenes.chain.*": (
         relative_tolerance_above_floor,
         absolute_tolerance_resolves_motion,
-        energies_are_representable,
         ring_is_set_in_motion,
         start_lists_every_bead,
         start_agrees_with_piston,
@@ -467,8 +326,3 @@ def _mappings(value: object, key: str = "") -> Iterator[tuple[str, Mapping]]:
         yield key, value
         for name, item in value.items():
             yield from _mappings(item, f"{key}.{name}" if key else name)
-
-
-def _decades(value: float) -> float:
-    """Decimal logarithm of a size, −∞ for none."""
-    return math.log10(abs(value)) if value else -math.inf

@@ -17,11 +17,14 @@ class Need(NamedTuple):
         What draws or tabulates it.
     values : tuple of float
         Entries that the list must have.
+    entries : int
+        How many entries a list must have at the least.
     """
 
     key: str
     user: str
     values: tuple[float, ...] = ()
+    entries: int = 1
 
 
 TABLE = "the table of printed numbers"
@@ -47,9 +50,15 @@ NEEDS: dict[str, tuple[Need, ...]] = {
         Need("well", "figure 8"),
         Need("portrait", "figure 8"),
     ),
-    "scenes.heteroclinic.damping_sweep": (Need("mu", TABLE, (0.0, 0.3, 2.0, 3.0)),),
-    "scenes.periodic.weak": (Need("record.snapshots", "figure 5", (0.0,)),),
-    "scenes.periodic.hertz": (Need("record.snapshots", "figure 5", (0.0,)),),
+    "scenes.heteroclinic.damping_sweep": (Need("mu", TABLE, (0.0, 0.3, 1.0, 2.0, 3.0)),),
+    "scenes.periodic.weak": (
+        Need("record.snapshots", "figure 5", (0.0,)),
+        Need("record.snapshots", "the speed in the table of printed numbers", entries=2),
+    ),
+    "scenes.periodic.hertz": (
+        Need("record.snapshots", "figure 5", (0.0,)),
+        Need("record.snapshots", "the speed in the table of printed numbers", entries=2),
+    ),
     "scenes.front.underdamped": (Need("window", "figure 9"),),
     "scenes.front.overdamped": (Need("window", "figure 9"),),
     "laws.damping_regimes": (Need("betas", TABLE, (1.0, 1.25, 1.5, 2.5)),),
@@ -89,21 +98,28 @@ def need_errors(configuration: Mapping) -> Iterator[str]:
                 "does."
             )
             continue
-        place = section_label(path)
         for need in needs:
             found = _look_up(section, need.key)
-            if not found:
-                yield (
-                    f"{place}{need.key} is {'missing' if found is None else 'empty or off'}, but "
-                    f"{need.user} needs it: give it as config/default.yaml does."
-                )
-                continue
-            missing = [f"{value:g}" for value in need.values if value not in found]
-            if missing:
-                yield (
-                    f"{place}{need.key} is {found}, but {need.user} needs {', '.join(missing)} "
-                    f"too: add {'it' if len(missing) == 1 else 'them'}."
-                )
+            yield from _errors_of_need(need, section_label(path) + need.key, found)
+
+
+def _errors_of_need(need, place, found):
+    if not found:
+        yield (
+            f"{place} is {'missing' if found is None else 'empty or off'}, but {need.user} needs "
+            "it: give it as config/default.yaml does."
+        )
+        return
+    missing = [f"{value:g}" for value in need.values if value not in found]
+    if missing:
+        yield (
+            f"{place} is {found}, but {need.user} needs {', '.join(missing)} too: add "
+            f"{'it' if len(missing) == 1 else 'them'}."
+        )
+    if isinstance(found, list) and len(found) < need.entries:
+        yield (
+            f"{place} is {found}, but {need.user} needs {need.entries} entries or more: add one."
+        )
 
 
 def _look_up(section, key):

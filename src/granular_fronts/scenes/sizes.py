@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from granular_fronts.scenes.constraints import decades_of_displacement
+from granular_fronts.scenes.scales import decades_of_displacement
 from granular_fronts.slow_scales import scaling_of
 
 MOST_MEMORY = 16 * 2**30
@@ -338,9 +338,9 @@ def _front_part(keys, fronts):
 
 def _crossing_time(scene, beads):
     """Time that the crossings of a motion take."""
-    decades = decades_of_displacement(scene)
-    if not math.isfinite(decades):
+    size = decades_of_displacement(scene)
+    if not math.isfinite(size):
         return 0.0
-    speed = 10.0 ** (0.5 * (scene["law"]["alpha"] - 1.0) * decades)
+    speed = 10.0 ** (0.5 * (scene["law"]["alpha"] - 1.0) * size)
     distance = speed * scene["end_time"]
     return distance * (beads if distance > beads else 0.5 * distance) * SECONDS_PER_CROSSING

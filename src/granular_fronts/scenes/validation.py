@@ -10,11 +10,8 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 from collections.abc import Mapping, Sequence
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.constraints import (
-    CONSTRAINTS,
-    energies_are_representable,
-    ranges_increase,
-)
+from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase
+from granular_fronts.scenes.scales import energies_are_representable
 from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sizes import size_errors
 

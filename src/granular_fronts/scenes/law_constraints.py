@@ -1,0 +1,70 @@
+"""Constraints of the sections under ``laws``: beads in SI units, steps, states and pistons."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from granular_fronts.scenes.scales import absolute_tolerance_errors, decades_of_compression
+from granular_fronts.scenes.schema import name_entry
+
+DENSITIES = 1.0, 30_000.0
+"""Densities of solid beads in kg/m³, from foams to beyond osmium (22 590)."""
+
+MODULI = 1.0e4, 2.0e12
+"""Young's moduli of solid beads in Pa, from gels to beyond diamond (1.2e12)."""
+
+THETA_END_ERROR = 1.0e-9
+"""Rounding of end_time over a step of the θ-method, relative to end_time."""
+
+
+def beads_are_solid(materials: Mapping) -> Iterator[str]:
+    """Mass, radius and Young's modulus are those of a solid in SI units."""
+    for name, bead in materials["beads"].items():
+        density = 0.75 * bead["mass"] / math.pi / bead["radius"] ** 3
+        lightest, heaviest = DENSITIES
+        if not lightest <= density <= heaviest:
+            yield (
+                f"beads.{name}.radius is {bead['radius']} and its mass {bead['mass']}, a density "
+                f"of {density:.2g} kg/m³, outside {lightest:g} to {heaviest:g} of solids: give "
+                "metres and kilograms."
+            )
+        softest, stiffest = MODULI
+        if not softest <= bead["youngs_modulus"] <= stiffest:
+            yield (
+                f"beads.{name}.youngs_modulus is {bead['youngs_modulus']} Pa, outside "
+                f"{softest:g} to {stiffest:g} Pa of solids: give pascals; 70 GPa are 7.0e+10."
+            )
+
+
+def theta_steps_meet_end(section: Mapping) -> Iterator[str]:
+    """The end of each motion by the θ-method is a multiple of each of its steps."""
+    order, profile = section["order"], section["profile"]
+    steps = {name_entry("order.steps", i): (s, order) for i, s in enumerate(order["steps"])}
+    for key, (step, motion) in (steps | {"profile.step": (profile["step"], profile)}).items():
+        end = motion["end_time"]
+        whole = math.floor(end / step + 0.5) if end / step < math.inf else 0
+        if whole < 1 or abs(whole * step - end) > THETA_END_ERROR * end:
+            yield (
+                f"{key} is {step}, and no whole number of such steps ends at end_time {end}: give "
+                "a step that divides end_time."
+            )
+
+
+def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
+    """The absolute tolerance suits the compression that the piston makes with each law."""
+    for law in section["cases"].values():
+        size = decades_of_compression(law["alpha"], [section["velocity"]])
+        errors = [*absolute_tolerance_errors(section["tolerance"]["absolute"], size)]
+        if errors:
+            yield from errors
+            return
+
+
+def states_differ(section: Mapping) -> Iterator[str]:
+    """The two states that a front joins are not the same."""
+    for name, case in section["cases"].items():
+        behind, ahead = case["states"]
+        if behind == ahead:
+            yield (
+                f"cases.{name}.states are {behind} and {ahead}, but a front joins two different "
+                "states: change one."
+            )
