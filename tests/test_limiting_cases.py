@@ -18,8 +18,10 @@ from granular_fronts.laws.choice_of_variables import (
 )
 from granular_fronts.laws.limiting_cases import (
     collide,
+    measure_limiting_cases,
     oscillation_behind,
     press_chain,
+    ring_distance,
     wave_width,
 )
 
@@ -38,6 +40,17 @@ def test_a_harmonic_wave_spreads_and_a_front_does_not():
     assert late / early == pytest.approx(2.0, abs=0.05)
     early, late = (wave_width(u)[0] for u in press_chain(1.5, 1.0, 120, TIMES))
     assert late / early < 1.2
+
+
+def test_rings_approach_their_equation_as_the_exponent_tends_to_one():
+    rings = {"gamma": 0.5, "half_length": 16.0, "half_width": 6.0, "slow_time": 1.0}
+    (far, error), (near, _) = (ring_distance(alpha, rings) for alpha in (1.5, 1.2))
+    assert error < 1e-4 < near < 0.8 * far
+
+
+def test_chains_too_short_for_their_waves_are_an_error():
+    with pytest.raises(ValueError, match="beads is 100, but waves run through about 230 beads"):
+        measure_limiting_cases(1.5, 0.1, 1.0, 100, 200.0, 0.5, [0.1], [1.0, 2.0], {})
 
 
 @pytest.mark.parametrize("alpha", [1.5, 2.0])

@@ -2,6 +2,7 @@
 
 import json
 import math
+from importlib import import_module
 from itertools import chain
 from pathlib import Path
 
@@ -9,8 +10,13 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from compare_periodic_chain import compare_periodic_chain
+from compute_heteroclinic import compute_heteroclinic
+from initiate_front import initiate_front
 from tabulate_statements import find_measure
 
+from granular_fronts.configuration import load_configuration
+from granular_fronts.departures import departures
 from granular_fronts.judgement import Range, half_unit, judge, range_of_criterion
 from granular_fronts.measured import Measured
 from granular_fronts.statements import (
@@ -250,3 +256,39 @@ def test_every_statement_stands_once():
 
 def test_a_measure_has_a_dotted_name():
     assert find_measure("chain.front_speed").__module__ == "granular_fronts.chain.measures"
+
+
+SMOKE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")
+STEPS = {
+    "initiation_overdamped": initiate_front,
+    "front_profiles": compute_heteroclinic,
+    "hertz": compare_periodic_chain,
+}
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_path):
+    """What is filled in would look like other parameters, and nothing would be judged."""
+    scene = reference_scenes(SMOKE)[name]
+    STEPS[name](scene=scene, scene_id=name, dataset=tmp_path / "scene.nc")
+    with xr.open_dataset(tmp_path / "scene.nc") as dataset:
+        assert departures(json.loads(dataset.attrs["config"]), scene) == []
+
+
+@pytest.mark.parametrize(
+    ("script", "name", "argument"),
+    [
+        ("evaluate_damping_regimes", "damping_regimes", "regimes"),
+        ("evaluate_materials", "materials", "materials"),
+        ("measure_numerical_damping", "numerical_damping", "scene"),
+        ("evaluate_fronts", "log_burgers_fronts", "exponents"),
+    ],
+)
+def test_so_does_a_dataset_that_belongs_to_no_scene(script, name, argument, tmp_path):
+    reference = reference_scenes(SMOKE)[name]
+    given = reference["exponents"] if argument == "exponents" else reference
+    step = getattr(import_module(script), script)
+    step(**{argument: given, "dataset": tmp_path / "result.nc"})
+    with xr.open_dataset(tmp_path / "result.nc") as dataset:
+        assert dataset.attrs["scene"] == name
+        assert departures(json.loads(dataset.attrs["config"]), reference) == []

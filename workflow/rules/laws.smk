@@ -106,7 +106,10 @@ rule compare_variables:
 
 rule measure_limiting_cases:
     input:
-        kernels=rules.compile_kernels.output.stamp,
+        kernels=[
+            rules.compile_kernels.output.stamp,
+            rules.compile_continuum_kernels.output.stamp,
+        ],
         modules=sources("measure_limiting_cases"),
     output:
         dataset="<results>/data/laws/limiting_cases.nc",
@@ -118,7 +121,7 @@ rule measure_limiting_cases:
         "<benchmarks>/measure_limiting_cases.tsv"
     threads: 1
     message:
-        "Measuring waves without fronts, softening forces and elastic collisions."
+        "Measuring limiting cases: no damping, no nonlinearity, softening, collisions, exponents towards 1."
     conda:
         environment
     script:

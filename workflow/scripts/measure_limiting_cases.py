@@ -1,4 +1,4 @@
-"""Waves without fronts, fronts of softening forces, elastic collisions; James (2021), section 2.
+"""Limits of the theory of fronts and of its continuum limit; James (2021), sections 2 to 4.
 
 python workflow/scripts/measure_limiting_cases.py \
     --scene config/default.yaml:laws.limiting_cases --dataset limits.nc

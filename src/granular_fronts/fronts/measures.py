@@ -87,7 +87,7 @@ def tail_contrast(trends, beta):
 
     Above 0 if a front oscillates at small velocities, below 0 if it does at large ones.
     """
-    frequency = trends["tail_frequency"].sel(beta=beta)
+    frequency = trends["tail_frequency"].sel(beta=beta).sortby("piston_velocity")
     contrast = float(frequency[0] - frequency[-1])
     return Measured(contrast, 2.0 * frequency.attrs["error_estimate"])
 
@@ -113,10 +113,11 @@ def width_power(trends):
 
     The error is the change from the next pair.
     """
-    alpha = trends["exponent"].values[:3]
-    logarithms = np.log(1.0 - 1.0 / alpha), np.log(trends["width_of_exponent"].values[:3])
-    closest, next_pair = np.diff(logarithms[1]) / np.diff(logarithms[0])
-    return Measured(float(closest), abs(float(closest - next_pair)))
+    closest = trends["width_of_exponent"].sortby("exponent")[:3]
+    alpha = closest["exponent"].values
+    logarithms = np.log(1.0 - 1.0 / alpha), np.log(closest.values)
+    power, next_power = np.diff(logarithms[1]) / np.diff(logarithms[0])
+    return Measured(float(power), abs(float(power - next_power)))
 
 
 def narrowing(trends):

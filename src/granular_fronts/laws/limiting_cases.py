@@ -1,4 +1,4 @@
-r"""Chains without fronts, fronts of softening forces, elastic collisions; James (2021), 2 and 3.1.
+r"""Limits of the theory of fronts and of its continuum limit; James (2021), sections 2 to 4.
 
 No front.  A chain at rest is pressed from t = 0 on.  Without damping (W = 0, remark 4) the
 oscillations behind the wave fill a region that grows with it: the range of u over 0.5 to 0.8 of its
@@ -11,6 +11,10 @@ of (21): the front runs towards the compressed beads.
 Collision.  Two beads meet elastically with the velocity :math:`v_0`; by (27) they stay in contact
 for a time :math:`\propto v_0^{(1-\alpha)/(1+\alpha)}` and reach a compression :math:`\propto
 v_0^{2/(\alpha+1)}`.
+
+Continuum.  Rings that start from the same rescaled force :math:`y^0(\xi)`, with the same γc, are
+followed to the same slow time τ for exponents that tend to 1: their distance to the logarithmic
+Burgers equation (41) falls (see `granular_fronts.comparison`).
 """
 
 import numpy as np
@@ -18,20 +22,33 @@ import xarray as xr
 
 from granular_fronts.chain.measures import last_fall, recorded
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.comparison import compare_with_chain
 from granular_fronts.contact import generalised_hertz
 from granular_fronts.jumps import jump_conditions
+from granular_fronts.slow_scales import make_slow_scales
 
 TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
 BEHIND = slice(0.5, 0.8)
 """Part of the way of the wave over which the range of u is taken."""
 
+ROOM = 1.15
+"""Beads per unit of time that a wave without damping needs, with a margin."""
+
 ERROR_METHOD = "of the chain, or the change that leaving out every other bead makes"
 
 
 def measure_limiting_cases(
-    alpha, weak_gamma, strong_gamma, beads, end_time, softening, strains_ahead, impact_velocities
+    alpha,
+    weak_gamma,
+    strong_gamma,
+    beads,
+    end_time,
+    softening,
+    strains_ahead,
+    impact_velocities,
+    rings,
 ):
-    """Waves without fronts, fronts for α < 1 and elastic collisions.
+    """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
     Parameters
     ----------
@@ -49,14 +66,28 @@ def measure_limiting_cases(
         Compressions ahead of its front, −R₊ above 0.
     impact_velocities : sequence of float
         v₀ of the collisions.
+    rings : mapping
+        `exponents`, `gamma`, which is γc, and `half_length`, `half_width` and `slow_time` in units
+        of ξ and τ.
 
     Returns
     -------
     xarray.Dataset
         `oscillation` on (gamma, t) and `width` on (alpha, t), in units of the compression and in
         beads; `softening_speed` on (strain_ahead,); `contact_time` and `indentation` on
-        (impact_velocity,).
+        (impact_velocity,); `ring_distance` on (exponent,), the root mean square of the distance
+        of u/δ to the equation.
+
+    Raises
+    ------
+    ValueError
+        If the pressed chains are too short.
     """
+    if beads < ROOM * end_time:
+        raise ValueError(
+            f"beads is {beads}, but waves run through about {ROOM * end_time:.0f} beads until "
+            f"end_time {end_time:g}: give more beads, or a smaller end_time."
+        )
     times = [0.25 * end_time, end_time]
 
     def press(exponent, gamma):
@@ -74,8 +105,12 @@ def measure_limiting_cases(
     speeds = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
     speeds = [(theory.speed, theory.speed_error) for theory in speeds]
     times_and_depths = np.array([collide(alpha, velocity) for velocity in impact_velocities])
+    distances = [ring_distance(exponent, rings) for exponent in rings["exponents"]]
     return xr.Dataset(
         {
+            **_described(
+                "ring_distance", ("exponent",), distances, "distance of a ring to its equation"
+            ),
             **_described("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
             **_described("width", ("alpha", "t"), widths, "width of the wave"),
             **_described("softening_speed", ("strain_ahead",), speeds, "speed of the front"),
@@ -96,6 +131,7 @@ def measure_limiting_cases(
             "gamma": [0.0, weak_gamma],
             "alpha": [1.0, alpha],
             "t": times,
+            "exponent": _axis("exponent", rings["exponents"], "exponent of both forces"),
             "strain_ahead": _axis("strain_ahead", strains_ahead, "compression ahead of the front"),
             "impact_velocity": _axis(
                 "impact_velocity", impact_velocities, "relative velocity of an impact"
@@ -169,3 +205,33 @@ def collide(alpha, velocity):
         f"collision with velocity {velocity:g}",
     )
     return recorded(motion, "first_gap_time"), recorded(motion, "largest_relative_displacement")
+
+
+def ring_distance(alpha, rings):
+    """Root mean square of u/δ of a ring less that of equation (41) at the slow time, and its error.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of both forces, above 1.
+    rings : mapping
+        As in `measure_limiting_cases`.
+    """
+    scales = make_slow_scales(alpha, rings["gamma"], 1.0)
+    end = rings["slow_time"] / scales.slow_rate
+    solver = {"cells": 512, "tolerance": 1.0e-6}
+    compared = compare_with_chain(
+        {
+            "law": {"alpha": alpha, "gamma": rings["gamma"]},
+            "displacement": 1.0,
+            "half_beads": round(rings["half_length"] / scales.epsilon + 0.5),
+            "start": {"kind": "plateau", "half_width": rings["half_width"], "floor": 1.0e-7},
+            "end_time": end,
+            "tolerance": {"relative": 1.0e-10, "absolute": 1.0e-12},
+            "equations": {"logarithmic": solver, "unlimited": solver, "upwind": {"points": 500}},
+            "record": {"snapshots": [0.0, end], "grid": {"step": end / 4.0}},
+        },
+        f"ring with alpha {alpha:g}",
+    )
+    names = (f"relative_displacement_{kind}_logarithmic" for kind in ("rms", "floor"))
+    return tuple(float(compared[name][-1]) for name in names)

@@ -6,6 +6,7 @@ A measure takes the dataset that a module of this folder makes and returns a `Me
 import math
 
 import numpy as np
+from scipy.stats import linregress
 
 from granular_fronts.collision import weak_damping_slope
 from granular_fronts.laws.materials import ALPHA
@@ -98,6 +99,16 @@ def _late_over_early(dataset, name):
     early, late = (_with_its_error(dataset.isel(t=row), name) for row in (0, -1))
     ratio = late.value / early.value
     return Measured(ratio, (late.error + ratio * early.error) / early.value)
+
+
+def approach_power(dataset):
+    """Power of α − 1 in the distance of rings to the logarithmic Burgers equation.
+
+    The error is twice the standard error of the slope.
+    """
+    distance = dataset["ring_distance"]
+    line = linregress(np.log(distance["exponent"].values - 1.0), np.log(distance.values))
+    return Measured(float(line.slope), 2.0 * float(line.stderr))
 
 
 def softening_speed(dataset):
