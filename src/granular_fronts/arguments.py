@@ -9,6 +9,7 @@ Only arrays need numpy, which is imported where one is checked: the workflow che
 configuration at each start without it.
 """
 
+import contextlib
 import math
 import numbers
 import reprlib
@@ -153,6 +154,26 @@ def instance(name, value, kind, advice):
     if isinstance(value, kind):
         return value
     raise InputError(f"{name} is {_shown(value)}, but must be a {kind.__name__}: {advice}.")
+
+
+@contextlib.contextmanager
+def double_precision(what, advice):
+    """A context in which results that overflow end in a sentence.
+
+    Parameters
+    ----------
+    what, advice : str
+        Beginning and end of the sentence.
+
+    Raises
+    ------
+    InputError
+        Where arithmetic overflows, or divides by what has underflowed.
+    """
+    try:
+        yield
+    except (OverflowError, ZeroDivisionError) as error:
+        raise InputError(f"{what} lies beyond double precision: {advice}.") from error
 
 
 def _real(value):

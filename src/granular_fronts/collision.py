@@ -54,7 +54,7 @@ from scipy.integrate import DOP853
 from scipy.optimize import brentq
 from scipy.special import beta as euler_beta
 
-from granular_fronts.arguments import scalar
+from granular_fronts.arguments import double_precision, scalar
 
 TOLERANCE = 3.0e-14
 ABSOLUTE_TOLERANCE = 1.0e-20
@@ -91,7 +91,11 @@ def restitution(gamma, alpha=1.5, beta=None):
     """
     nu = reduced_exponent(alpha, beta)
     gamma = scalar("gamma", gamma, least=0.0, advice="give a damping")
-    return math.exp(log_restitution(nu, _strength(gamma, alpha, nu)))
+    with double_precision("The damping of this collision", "bring beta closer to alpha"):
+        strength = _strength(gamma, alpha, nu)
+        if strength == math.inf:
+            raise OverflowError
+        return math.exp(log_restitution(nu, strength))
 
 
 def damping_for_restitution(e, alpha=1.5, beta=None):
@@ -167,6 +171,8 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
     if nu == 0.5:
         ratio = 0.25 * strength
         return -math.pi * ratio / math.sqrt(1.0 - ratio**2) if ratio < 1.0 else -math.inf
+    if nu < 0.5 and strength * _steepest(nu) >= 2.0:
+        return -math.inf
     slow = slow_strength(nu) if nu > 0.5 else math.inf
     if strength > slow:
         power_law = math.log(slow / strength) / (2.0 * nu - 1.0)
@@ -175,6 +181,11 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
     if theta < 0.5 * math.pi:
         return -math.inf
     return _part(nu, strength, theta, log_radius, largest_step)
+
+
+def _steepest(nu):
+    """Largest value of sin^(2ν)θ cos θ; for ν < 1/2 θ' = 0 below it if G times it is 2 or more."""
+    return (2.0 * nu / (1.0 + 2.0 * nu)) ** nu / math.sqrt(1.0 + 2.0 * nu)
 
 
 def slow_strength(nu):
@@ -192,8 +203,10 @@ def _approach(nu, strength, largest_step):
 
     def slopes(_, state):
         theta, log_radius = state
-        damping = strength * math.exp((2.0 * nu - 1.0) * log_radius) * math.sin(theta) ** (2.0 * nu)
-        return np.array([2.0 - damping * math.cos(theta), -damping * math.sin(theta)])
+        # A trial step may lead beyond θ = π.
+        sine = max(math.sin(theta), 0.0)
+        damping = strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)
+        return np.array([2.0 - damping * math.cos(theta), -damping * sine])
 
     solver = _solver(slopes, 0.0, [0.0, 0.0], math.inf, 0.5 * largest_step)
     while solver.y[0] < 0.5 * math.pi:

@@ -39,7 +39,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.arguments import instance, scalar
+from granular_fronts.arguments import double_precision, instance, scalar
 from granular_fronts.contact import Potential
 from granular_fronts.errors import InputError
 
@@ -148,6 +148,12 @@ def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
         _check_potential("dissipation", dissipation)
     mass = scalar("mass", mass, above=0.0, advice="give the bead's mass")
     R_minus, R_plus = _check_states(potential, R_minus=R_minus, R_plus=R_plus)
+    with double_precision("The front", "bring the states and the mass closer to 1"):
+        return _conditions(potential, R_minus, R_plus, mass, dissipation)
+
+
+def _conditions(potential, R_minus, R_plus, mass, dissipation):
+    """The jump conditions of valid arguments."""
     stiffnesses = _stiffnesses(potential, R_minus, R_plus)
     _check_curvature(potential, stiffnesses)
     square = _squared_speed(potential, R_minus, R_plus)

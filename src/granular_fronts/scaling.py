@@ -31,7 +31,7 @@ with :math:`k u^{3/2}`, :math:`k = E\sqrt{2R}/(3(1-\nu^2))` (Hertz).
 import math
 from dataclasses import dataclass
 
-from granular_fronts.arguments import choice, scalar
+from granular_fronts.arguments import choice, double_precision, scalar
 from granular_fronts.collision import damping_for_restitution
 from granular_fronts.errors import InputError
 
@@ -80,6 +80,10 @@ class Scaling:
         }
         for name, value in checked.items():
             object.__setattr__(self, name, value)
+        with double_precision("A scale of this chain", "give values in SI units"):
+            scales = [*self._scales().values(), 1.0 + self.gamma]
+            if not math.isfinite(sum(1.0 / scale for scale in scales) + sum(scales)):
+                raise OverflowError
 
     @property
     def time(self):
@@ -119,7 +123,8 @@ class Scaling:
                 f"gamma is {self.gamma:.6g} at every velocity, since beta = (alpha + 1)/2 or the "
                 "damping is 0 (James 2021, eq. 29): there is no velocity v_c."
             )
-        return self.velocity * self.gamma ** (-1.0 / power)
+        with double_precision("v_c", "bring the damping closer to that of gamma = 1"):
+            return self.velocity * self.gamma ** (-1.0 / power)
 
     @property
     def power_of_velocity(self):
@@ -158,14 +163,17 @@ class Scaling:
         return value / self._scale(quantity)
 
     def _scale(self, quantity):
-        scales = {
+        scales = self._scales()
+        return scales[choice("quantity", quantity, scales)]
+
+    def _scales(self):
+        return {
             "displacement": self.length,
             "velocity": self.velocity,
             "time": self.time,
             "force": self.force,
             "energy": self.mass * self.velocity**2,
         }
-        return scales[choice("quantity", quantity, scales)]
 
 
 def sphere_mass(radius, density):

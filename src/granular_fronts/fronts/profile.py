@@ -62,6 +62,9 @@ COARSE_SHARE = 0.6
 ADJUSTMENTS = 8
 MOST_POINTS = 800_000
 
+# Longest window, in sites, in which fronts have been found.
+MOST_SITES = 1e6
+
 SPEED_TOLERANCE = 1e-12
 BELOW = 1e-12
 RESIDUAL_TOLERANCE = 1e-13
@@ -135,7 +138,15 @@ def solve_profile(law):
     Profile
         With a `reason` if it is not the front.
     """
-    window = choose_window(law)
+    with np.errstate(all="ignore"):
+        # A law beyond double precision has no length.
+        window = choose_window(law)
+    if not window.length <= MOST_SITES:
+        return no_profile(
+            law,
+            f"the front and its tails take {window.length:.2g} sites, more than {MOST_SITES:.0e}, "
+            "over which rounding hides them: bring gamma closer to 1, alpha away from 1",
+        )
     profile = solve_coarse(law, window.longer(COARSE_SHARE))
     if profile.reason:
         return profile
@@ -146,7 +157,7 @@ def solve_profile(law):
         profile = profile._replace(residuals=np.concatenate([before, profile.residuals]))
         if profile.reason:
             return profile
-        defect, stretch = quadrature_defect(profile), lacking_length(profile)
+        defect, stretch = quadrature_defect(profile), needed_stretch(profile)
         sharp = defect > DEFECT
         if not sharp and stretch == (1.0, 1.0):
             break
@@ -158,7 +169,12 @@ def solve_profile(law):
             reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points "
             "per site: the front is too sharp for it"
         )
-    return profile._replace(reason=doubt_front(profile))
+    return profile._replace(reason=reason_against(profile))
+
+
+def no_profile(law, reason):
+    """A record without a front, which was not looked for."""
+    return Profile(law, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
 
 
 def refine(profile):
@@ -248,8 +264,7 @@ def solve_on_grid(law, window, spacing, order, start, tolerance=TOLERANCE):
     middle = math.ceil(window.behind / spacing)
     points = middle + 1 + math.ceil(window.ahead / spacing)
     if points > MOST_POINTS:
-        reason = f"the window would need {points} points, more than {MOST_POINTS}"
-        return Profile(law, spacing, 0, np.empty(0), math.nan, np.empty(0), reason)
+        return no_profile(law, f"the window would need {points} points, more than {MOST_POINTS}")
     weights = kernel_weights(spacing, order)
     profile = Profile(law, spacing, middle, np.empty(points), law.speed, np.empty(0))
     u = np.ascontiguousarray(start(profile.xi))
@@ -275,7 +290,7 @@ def solve_on_grid(law, window, spacing, order, start, tolerance=TOLERANCE):
     )
 
 
-def doubt_front(profile):
+def reason_against(profile):
     """Why a solution of the equations is not the front sought, in words; empty if it may be."""
     residual = profile.residuals[-1]
     if residual > RESIDUAL_TOLERANCE * (1.0 + profile.law.gamma):
@@ -286,12 +301,12 @@ def doubt_front(profile):
         return "u exceeds its value at xi = 0 ahead of it: another part of the wave is at xi = 0"
     if profile.u.min() < profile.law.ahead - BELOW:
         return f"u falls to {profile.u.min():.3g}, below the state ahead: this is another branch"
-    if lacking_length(profile) != (1.0, 1.0):
+    if needed_stretch(profile) != (1.0, 1.0):
         return "the ends of the window are not at rest: the tail decays more slowly than expected"
     return ""
 
 
-def lacking_length(profile):
+def needed_stretch(profile):
     """Factors by which the window is too short behind and ahead, 1.0 where it is not."""
     behind = np.abs(profile.u[: 4 + profile.u.size // 200] - 1.0).max()
     ahead = np.abs(profile.u[-4:] - profile.law.ahead).max()

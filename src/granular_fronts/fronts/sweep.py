@@ -219,7 +219,7 @@ def follow(start_law, gammas, spacing, rule, difference, decay, start_middle, st
 
 @kernel
 def is_front(law, middle, u, speed, residual):
-    """Whether a solution passes the checks of `profile.doubt_front`."""
+    """Whether a solution passes the checks of `profile.reason_against`."""
     at_rest = abs(u[0] - 1.0) <= AT_REST and abs(u[-1] - law.ahead) <= AT_REST
     solved = residual <= RESIDUAL_TOLERANCE * (1.0 + law.gamma)
     exact = abs(speed / law.speed - 1.0) <= SPEED_TOLERANCE

@@ -19,9 +19,19 @@ Where the roots lie.  Let :math:`E = \alpha(1 - g\lambda)(2\cosh\lambda - 2) - \
 Re λ > 0, Im E is negative.  Following the argument of E round the half-strips between these lines,
 where at their far end :math:`E \approx -\alpha g \lambda e^\lambda`, gives the exact numbers of
 roots with Re λ > 0: **three with |Im λ| < 2π, one with 2π(k−1) < Im λ < 2πk for each k ≥ 2**, and
-their conjugates.  One root is looked for in each half-strip, so that none can be missed.  Since
-:math:`|2\cosh\lambda - 2| \le 4\cosh^2(\mathrm{Re}\,\lambda/2)`, half-strips far up hold only roots
-with large real parts, and the search by real part ends.
+their conjugates.  One root is looked for in each half-strip, so that none can be missed.
+
+Where the search ends.  In a half-strip above the height h a root λ = x + iy has
+
+.. math::
+
+    4\,|\sinh^2(\lambda/2)| = \frac{|\lambda|^2}{\alpha|1 - g\lambda|}
+        \ge m = \frac{h^2}{\alpha(1 + gh)}, \qquad
+    -\arg\sinh(\lambda/2) \le \frac\pi4 + \arctan\frac xh + \frac12\arctan\frac1{gh} = \phi
+
+(up to π).  The modulus is at most :math:`4\cosh^2(x/2)`, and the real part of sinh(λ/2) at most
+sinh(x/2).  Hence x exceeds every value for which :math:`4\cosh^2(x/2) < m` or, for φ < π/2,
+:math:`4\sinh^2(x/2) < m\cos^2\phi`.
 
 The three lowest roots.  Real roots are where the straight line α(1 − gλ) meets the bell
 :math:`1/S`, which bends once, at λ ≈ 2.35.  The line meets it once, and there is a complex pair, or
@@ -49,6 +59,7 @@ from granular_fronts.fronts.validation import check_law
 BEND = 2.3469413041671690
 """Where the bell 1/S(λ) changes its curvature and falls most steeply."""
 
+MOST_ROOTS, MOST_STRIPS = 1000, 100_000
 NEWTON_STEPS = 60
 
 # A step this small relative to the root ends Newton's iteration; the next is below round-off.
@@ -60,8 +71,8 @@ NEGLIGIBLE = 1e-13
 # Largest Re λ for which S is needed; beyond, 1/S is far below the last digit of 1.
 FLAT = 100.0
 
-# Below any rate of a tail ahead.
-SMALLEST_RATE = 1e-12
+# Rates of a tail ahead: slower than in any window, and faster than any grid resolves.
+SMALLEST_RATE, LARGEST_RATE = 1e-12, 512.0
 
 # Im λ, Re λ from which the complex pair is looked for when two limits have not led to it.
 HEIGHTS = (2.5, 4.0, 5.5, 1.0, 6.1)
@@ -80,7 +91,7 @@ def tail_roots(alpha, gamma, beta=None, count=6):
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
     count : int
-        How many, at least 1.
+        How many, from 1 to 1000.
 
     Returns
     -------
@@ -94,12 +105,12 @@ def tail_roots(alpha, gamma, beta=None, count=6):
         If a parameter is out of range.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
-    count = arguments.count("count", count, advice="ask for one root or more")
+    count = arguments.count("count", count, most=MOST_ROOTS, advice="ask for so many roots")
     roots = lowest_roots_of_all(alpha, gamma * beta / alpha, count)
     if not np.isfinite(roots).all():
         raise InputError(
             f"A tail root for alpha = {alpha}, beta = {beta} and gamma = {gamma} is beyond double "
-            "precision: bring gamma closer to 1."
+            f"precision, or beyond {MOST_STRIPS} half-strips: bring alpha and gamma closer to 1."
         )
     return roots
 
@@ -107,7 +118,7 @@ def tail_roots(alpha, gamma, beta=None, count=6):
 def rate_of_tail_ahead(stiffness, viscosity, speed):
     """The κ > 0 of an exponential tail e^(−κξ) ahead of a front.
 
-    The root of c²κ² = (V'' + cW''κ)(2 cosh κ − 2).
+    The root of c²κ² = (V'' + cW''κ)(2 cosh κ − 2), no less than 1e-12 and no more than 512.
 
     Parameters
     ----------
@@ -121,10 +132,12 @@ def rate_of_tail_ahead(stiffness, viscosity, speed):
         bell = (2.0 * math.sinh(0.5 * kappa) / kappa) ** 2
         return (stiffness + viscosity * kappa) * bell - speed**2
 
+    if excess(SMALLEST_RATE) >= 0.0:
+        return SMALLEST_RATE
     top = 1.0
-    while excess(top) < 0.0:
+    while top < LARGEST_RATE and excess(top) < 0.0:
         top *= 2.0
-    return brentq(excess, SMALLEST_RATE, top)
+    return brentq(excess, SMALLEST_RATE, top) if excess(top) > 0.0 else LARGEST_RATE
 
 
 @kernel
@@ -142,7 +155,8 @@ def lowest_roots_of_all(alpha, damping, count):
             roots[found - 1] = strip_root(alpha, damping, strip)
         roots[:found] = roots[:found][np.argsort(roots[:found].real)]
         strip += 1
-        if interrupted():
+        if strip > MOST_STRIPS or interrupted():
+            roots[:] = math.nan
             break
     return roots[:count]
 
@@ -152,6 +166,10 @@ def beyond(alpha, damping, strip, real_part):
     """Whether all half-strips from this one on hold only roots with a larger real part."""
     height = 2.0 * math.pi * (strip - 1)
     smallest = height * height / (alpha * (1.0 + damping * height))
+    phase = 0.25 * math.pi + math.atan(real_part / height) + 0.5 * math.atan(1.0 / damping / height)
+    least = smallest * math.cos(phase) ** 2 if phase < 0.5 * math.pi else 0.0
+    if least > 4.0 * math.sinh(0.5 * real_part) ** 2:
+        return True
     # A root that is not finite is left to the caller, not looked for without end.
     return not smallest <= 4.0 * math.cosh(0.5 * real_part) ** 2
 
