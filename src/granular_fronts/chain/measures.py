@@ -171,7 +171,7 @@ def crossings(dataset, bead):
 
 
 def second_arrival_time(dataset):
-    """When the second shock reaches the end: the last beads gain velocity fastest after T.
+    """When the second shock reaches the end: the last bead but one gains velocity fastest then.
 
     The first shock has been at the end at the last arrival time T, and returns there after
     reflection at both ends, hence the search starts at 2 T; uncertain by one step of the grid.
