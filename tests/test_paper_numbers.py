@@ -164,6 +164,11 @@ SPEED = {
 }
 
 
+def by_scene(configuration):
+    """What each dataset answers, by the name of its scene."""
+    return {name.rpartition("/")[2]: part for name, part in questions(configuration).items()}
+
+
 def row_of(statement, **changes):
     dataset = xr.Dataset(attrs={"config": json.dumps(REFERENCE | changes)})
     measure = find_measure(statement["measure"])
@@ -230,7 +235,7 @@ def test_an_unexpected_verdict_is_named():
 @pytest.mark.parametrize("statement", STATEMENTS, ids=lambda statement: statement["quantity"])
 def test_every_statement_can_be_measured_and_judged(statement):
     assert callable(find_measure(statement["measure"]))
-    assert set(scenes_of(statement)) <= {name.rpartition("/")[2] for name in questions(DEFAULTS)}
+    assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS))
     assert statement["paper_place"]
     if statement["expected"] == NOT_JUDGED:
         assert statement["not_judged"]
@@ -269,7 +274,7 @@ STEPS = {
 @pytest.mark.parametrize("name", STEPS)
 def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_path):
     """What is filled in would look like other parameters, and nothing would be judged."""
-    scene = reference_scenes(SMOKE)[name]
+    scene = by_scene(SMOKE)[name]
     STEPS[name](scene=scene, scene_id=name, dataset=tmp_path / "scene.nc")
     with xr.open_dataset(tmp_path / "scene.nc") as dataset:
         assert departures(json.loads(dataset.attrs["config"]), scene) == []
@@ -285,7 +290,7 @@ def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_pat
     ],
 )
 def test_so_does_a_dataset_that_belongs_to_no_scene(script, name, argument, tmp_path):
-    reference = reference_scenes(SMOKE)[name]
+    reference = by_scene(SMOKE)[name]
     given = reference["exponents"] if argument == "exponents" else reference
     step = getattr(import_module(script), script)
     step(**{argument: given, "dataset": tmp_path / "result.nc"})

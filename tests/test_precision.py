@@ -14,7 +14,6 @@ import pytest
 import tabulate_speed_error as tabulating
 import xarray as xr
 from update_readme import speed
-from write_report import write_report
 
 from granular_fronts.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
@@ -297,12 +296,10 @@ def test_verdict_names_what_a_user_calls():
     assert tabulating.judge(only, 1e-9).startswith("To 1e-09 use strain_form_on_grid (")
 
 
-def test_figure_14_draws_every_point_and_names_failures(merged, monkeypatch, tmp_path):
-    kept = []
-    monkeypatch.setattr(drawing, "save_figure", lambda figure, pdf, png: kept.append(figure))
-    drawing.plot_fig14(merged, tmp_path / "a.pdf", tmp_path / "a.png")
-    panels = {axes.get_title(): axes for axes in kept[0].axes}
+def test_figure_14_draws_every_point_and_names_failures(merged):
     data = read_dataset(merged)
+    figure = drawing.plot_fig14(data)
+    panels = {axes.get_title(): axes for axes in figure.axes}
     assert panels.keys() == {"one", "two", "log burgers weak"}
     lines = panels["one"].get_lines()
     drawn = [line for line in lines if line.get_linestyle() not in ("None", "--")]
@@ -314,37 +311,8 @@ def test_figure_14_draws_every_point_and_names_failures(merged, monkeypatch, tmp
     hollow = [line for line in lines if line.get_linestyle() == "None"]
     assert sum(line.get_xdata().size for line in hollow) == 3
     assert "scipy radau failed at" in panels["two"].get_xlabel()
-    assert kept[0].get_supxlabel() == "not installed here: diffrax dopri8"
+    assert figure.get_supxlabel() == "not installed here: diffrax dopri8"
     plt.close("all")
-
-
-PNG = b"\x89PNG\r\n\x1a\n"
-
-
-@pytest.mark.parametrize("measured", [True, False])
-def test_report_shows_speed_where_it_was_measured(measured, tmp_path):
-    names = ["fig14_speed_error.png", "speed_verdicts.csv"] if measured else []
-    files = [tmp_path / name for name in names]
-    for file in files:
-        file.write_bytes(PNG if file.suffix == ".png" else b"problem,verdict\none,use it\n")
-    (tmp_path / "job.tsv").write_text("s\tmax_rss\n1.0\t10\n")
-    (tmp_path / "verdict.txt").write_text("All is well.")
-    report = ROOT / "workflow" / "report"
-    write_report(
-        template=report / "page.html.j2",
-        figures=[],
-        captions=[],
-        tables=[],
-        speed=files,
-        speed_caption=report / "fig14.rst",
-        benchmarks=[tmp_path / "job.tsv"],
-        verdict=tmp_path / "verdict.txt",
-        configuration={},
-        page=tmp_path / "page.html",
-    )
-    page = (tmp_path / "page.html").read_text()
-    for words in ("Figure 14.", "Speed verdicts", "use it"):
-        assert (words in page) == measured
 
 
 def test_readme_shows_the_verdicts(tmp_path):
