@@ -15,10 +15,10 @@ from compute_heteroclinic import compute_heteroclinic
 from initiate_front import initiate_front
 from tabulate_statements import find_measure
 
-from granular_fronts.configuration import load_configuration
 from granular_fronts.departures import departures
 from granular_fronts.judgement import Range, half_unit, judge, range_of_criterion
 from granular_fronts.measured import Measured
+from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.statements import (
     ANSWERS,
     DOES_NOT_HOLD,
