@@ -141,7 +141,7 @@ def chains(draw):
     damping = draw(st.sampled_from([0.0, 1e-9, 1e-2, 0.3, 3.0]))
     beads = draw(st.integers(2, 6))
     crossings = draw(st.floats(0.5, 2.0))
-    relative = draw(st.sampled_from([1e-12, 1e-10, 1e-8]))
+    relative = draw(st.sampled_from([1e-12, 1e-10, 1e-8, 1e-6]))
     return alpha, beta, delta, damping, beads, crossings, relative
 
 

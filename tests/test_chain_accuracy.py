@@ -6,6 +6,7 @@ from chains import driven_scene, integrate_strain_fixed, ring_scene, smooth_ring
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
+import granular_fronts as gf
 from granular_fronts.chain import equations, plain_forms
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import make_boundary
@@ -231,3 +232,16 @@ def test_precompressed_chain_below_linear_agrees_with_plain_form():
     fixed = fixed_steps(plain_forms.XW, law, u, velocity, 10.0, 600)
     scene = ring_scene(u, velocity, alpha=0.7, beta=1.0)
     np.testing.assert_allclose(last_state(scene), fixed, atol=2.0e-13)
+
+
+@pytest.mark.parametrize("relative", [1e-3, 1e-5, 1e-7, 1e-9])
+@pytest.mark.parametrize("end_time", [0.9, 3.0])
+def test_stated_error_of_a_short_motion_is_not_that_of_two_equal_runs(end_time, relative):
+    """At first the steps grow as fast as they may, at one tolerance as at another."""
+    tolerance = {"relative": relative, "absolute": 1e-2 * relative}
+    motion = gf.simulate_chain(driven_scene(0.3, 2, end_time, tolerance=tolerance))
+    exact = gf.simulate_chain(driven_scene(0.3, 2, end_time))
+    for name in ("velocity", "relative_displacement"):
+        error = float(np.abs(motion[name] - exact[name]).max())
+        assert error > 1e-15
+        assert 0.4 * error <= motion[name].error_estimate <= 2.5 * error
