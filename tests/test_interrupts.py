@@ -41,8 +41,8 @@ def chain(beads, gamma):
 
 gf.solve_front(1.5, 0.3)
 print("begins", flush=True)
-{call}
-print("ended", flush=True)
+while True:
+    {call}
 """
 
 
@@ -61,7 +61,7 @@ def test_interrupt_is_answered_within_two_seconds(call):
     assert run.stdout.readline() == "begins\n"
     # Long enough for the kernels to be compiled or read.
     time.sleep(15.0)
-    assert run.poll() is None, run.stderr.read()
+    assert run.poll() is None
     run.send_signal(signal.SIGINT)
     sent = time.monotonic()
     output, errors = run.communicate(timeout=60.0)
