@@ -111,6 +111,7 @@ OUT_OF_RANGE = [
     ("front_multipliers", "front", a_front(converged=0, reason="a test")),
     ("evaluate_front", "front", a_front(converged=0, reason="a test")),
     ("front_multipliers", "front", a_front().drop_vars("velocity")),
+    ("front_multipliers", "front", a_front(gamma=100.0)),
     ("front_multipliers", "beads_behind", 10**6),
 ]
 

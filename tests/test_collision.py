@@ -160,3 +160,9 @@ def test_impossible_collision_is_refused(arguments, sentence):
 def test_impossible_restitution_is_refused(e):
     with pytest.raises(ValueError, match=f"e is {e}, .* above 0 and at most 1"):
         damping_for_restitution(e)
+
+
+def test_damping_that_stops_the_motion_at_once_leaves_nothing():
+    """For ν < 1/2 no trial step takes a power of a negative sine, and none overflows."""
+    for gamma in (1.0, 100.0, 1e10, 1e300):
+        assert gf.restitution(gamma, 100.0, 1.0) == 0.0

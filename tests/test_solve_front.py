@@ -1,6 +1,8 @@
 """Exact fronts: identities, limits, tails, and the chain itself as the judge."""
 
 import math
+import re
+import time
 
 import numpy as np
 import pytest
@@ -206,3 +208,24 @@ def test_a_failure_is_a_record_with_a_reason():
 def test_fronts_that_do_not_exist_are_refused(arguments, words):
     with pytest.raises(InputError, match=words):
         gf.solve_front(**({"alpha": 1.5, "gamma": 0.2} | arguments))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"gamma": 1e8}, "1.1e\\+10 sites"),
+        ({"gamma": 1e300}, "sites"),
+        ({"gamma": 1e-300}, "sites"),
+        ({"alpha": 1.0 + 1e-12}, "sites"),
+        ({"right_state": 1.0 - 1e-16}, "sites"),
+        ({"gamma": 1e8, "beta": 1.0}, "sites"),
+        ({"gamma": 1e8, "method": "shooting"}, "explicit steps"),
+        ({"gamma": 1e-5, "method": "shooting"}, "beads"),
+    ],
+)
+def test_what_cannot_be_found_is_a_record_at_once(arguments, words):
+    begun = time.monotonic()
+    front = gf.solve_front(**({"alpha": 1.5, "gamma": 0.2} | arguments))
+    assert front.attrs["converged"] == 0
+    assert re.search(words, front.attrs["reason"])
+    assert time.monotonic() - begun < 5.0

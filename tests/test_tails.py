@@ -151,3 +151,9 @@ def test_critical_damping_of_a_stiff_law_keeps_its_digits():
     for alpha in (1e3, 1e6, 1e12, 1e50):
         excess = math.pi * gf.critical_damping(alpha) / alpha - 1.0
         assert abs(excess + 0.5 / alpha) < 2.0 / alpha**2 + 1e-14
+
+
+def test_strong_damping_needs_few_half_strips():
+    """The slowest root is (α − 1)/(αg) in the limit, found at once however strong the damping."""
+    root = gf.tail_roots(1.5, 1e12, count=1)[0]
+    assert root.real == pytest.approx(0.5 / 1.5e12, rel=1e-9)

@@ -48,6 +48,7 @@ STIFF_DAMPING = 12.0
 
 TERMS = 48
 FEWER_TERMS = 40
+BLOCK = 10_000
 NEWTON_STEPS = 60
 
 # The next step of Newton's method is about the square of this change of ln v.
@@ -131,7 +132,11 @@ class SlowOrbit(NamedTuple):
 
     def evaluate(self, s):
         """Both p and v at each s; see `evaluate_slow`."""
-        return evaluate_slow(*self, s)
+        # In blocks, so that Ctrl-C is answered in between.
+        blocks = np.array_split(s, range(BLOCK, s.size, BLOCK))
+        return map(
+            np.concatenate, zip(*(evaluate_slow(*self, block) for block in blocks), strict=True)
+        )
 
     def s_at(self, p):
         """The s at which −ln y is p > 0."""

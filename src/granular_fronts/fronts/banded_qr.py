@@ -13,6 +13,7 @@ the last p of which are room for R.
 import numpy as np
 
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 
 def band_storage(rows, lower, upper):
@@ -65,6 +66,8 @@ def solve_least_squares(rows, lower, columns, right):
             for k in range(1, reach):
                 row[k] -= factor * products[k]
         rows[j, lower] = diagonal
+        if interrupted():
+            break
     return _back_substitute(rows, lower, columns, right)
 
 

@@ -48,6 +48,7 @@ from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.state import HERTZ, PAIR
 from granular_fronts.chain.strain import NEGLIGIBLE
 from granular_fronts.compiled import kernel
+from granular_fronts.elementary.interrupts import interrupted
 
 STAGES = rk.STAGES
 _CONTRACT = {"contract"}
@@ -254,6 +255,8 @@ def derivative(law, weights, stiffness, spread):
                 for n in range(max(1, start - spread), min(last, start + spread) + 1):
                     band[n, start - n + spread, 0, j] = moved[0, n]
                     band[n, start - n + spread, 1, j] = moved[1, n]
+        if interrupted():
+            break
     return band
 
 

@@ -144,8 +144,9 @@ def solve_profile(law):
     if not window.length <= MOST_SITES:
         return no_profile(
             law,
-            f"the front and its tails take {window.length:.2g} sites, more than {MOST_SITES:.0e}, "
-            "over which rounding hides them: bring gamma closer to 1, alpha away from 1",
+            f"the front and its tails take {window.length:.2g} sites (nan: more than a double "
+            f"holds), but rounding hides fronts of more than {MOST_SITES:.0e}: bring gamma closer "
+            "to 1, alpha and right_state away from 1",
         )
     profile = solve_coarse(law, window.longer(COARSE_SHARE))
     if profile.reason:

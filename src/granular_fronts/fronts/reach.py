@@ -11,12 +11,16 @@ min(α, β) from bead to bead once the overdamped front of `seeds` has come to i
 
 import math
 
+import numpy as np
+
 from granular_fronts.arguments import count
+from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts import rear, seeds
 from granular_fronts.fronts.tails import rate_of_tail_ahead
 
 UNTOUCHED_P = 45.0
 FEWEST_BEHIND, MARGIN_AHEAD = 10, 3
+MOST_BEADS = 10_000
 SMALL_TAIL, LARGEST_TAIL = 1.0e-8, 1.0e-2
 
 
@@ -32,7 +36,20 @@ def choose_beads(law, roots):
     Returns
     -------
     behind, ahead : int
+
+    Raises
+    ------
+    NoFrontError
+        If they are more than `MOST_BEADS`.
     """
+    with np.errstate(all="ignore"):
+        # A law beyond double precision has no length.
+        length = rear.tail_length(roots) + _length_ahead(law)
+    if not length <= MOST_BEADS:
+        raise NoFrontError(
+            f"the window would need {length:.2g} beads, more than {MOST_BEADS}: bring gamma "
+            'closer to 1, or use method "profile"'
+        )
     return _beads_behind(roots), math.ceil(_length_ahead(law)) + MARGIN_AHEAD
 
 
@@ -46,8 +63,8 @@ def check_window(roots, behind, ahead):
     )
 
 
-def lacking_beads(roots, relative_displacement):
-    """Beads that the window lacks behind, since its tail is larger than the slowest root tells.
+def missing_beads(roots, relative_displacement):
+    """Beads missing behind, where the tail is larger than the slowest root predicts.
 
     Near critical damping a tail is an exponential times a polynomial.
 

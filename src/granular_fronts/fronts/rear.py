@@ -20,7 +20,8 @@ import math
 
 import numpy as np
 
-from granular_fronts.fronts.tails import tail_roots
+from granular_fronts.errors import NoFrontError
+from granular_fronts.fronts.tails import MOST_ROOTS, tail_roots
 
 NEGLIGIBLE_SQUARE = 2.0e-17
 SEPARATION = 1e-4
@@ -38,6 +39,8 @@ def slow_roots(alpha, gamma, beta):
     roots = tail_roots(alpha, gamma, beta, count)
     while roots[-1].real <= FASTER * roots[0].real:
         count *= 2
+        if count > MOST_ROOTS:
+            raise NoFrontError(f"the tail has more than {MOST_ROOTS} modes of like decay")
         roots = tail_roots(alpha, gamma, beta, count)
     return separate(roots[roots.real <= FASTER * roots[0].real])
 

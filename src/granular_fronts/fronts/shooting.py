@@ -24,10 +24,11 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain.state import make_law
+from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts import bead_map, front_equations, rear, seeds
 from granular_fronts.fronts.front_equations import Window, join, split
 from granular_fronts.fronts.gauss_newton import descend
-from granular_fronts.fronts.reach import check_window, choose_beads, lacking_beads
+from granular_fronts.fronts.reach import check_window, choose_beads, missing_beads
 from granular_fronts.fronts.validation import check_law
 
 TOLERANCE = 1.0e-13
@@ -105,23 +106,39 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
     ------
     InputError
         If the law has no front, or the window is too short for its tail.
+    NoFrontError
+        If the front would need too many beads or steps.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     law = make_law(alpha, beta, gamma)
+    _check_steps(law)
     roots = rear.slow_roots(law.alpha, law.gamma, law.beta)
     behind, ahead = choose_beads(law, roots) if beads is None else check_window(roots, *beads)
     shot = _shoot_in_window(law, roots, np.arange(-behind, ahead + 1), guess, tolerance)
-    lacking = lacking_beads(roots, shot.relative_displacement)
-    if beads is None and lacking:
-        window = behind + lacking, ahead
+    missing = missing_beads(roots, shot.relative_displacement)
+    if beads is None and missing:
+        window = behind + missing, ahead
         return shoot_front(alpha, gamma, beta, beads=window, guess=guess, tolerance=tolerance)
     return shot
 
 
+def _decay(law):
+    """Rate at which the damping of the compressed chain smooths, per bead-time."""
+    return 4.0 * law.beta * law.gamma
+
+
+def _check_steps(law):
+    """Raise a NoFrontError where explicit steps would have to be too many."""
+    if _decay(law) > LARGEST_DECAY_PER_STEP * MOST_STEPS:
+        raise NoFrontError(
+            f"the damping rate 4 beta gamma is {_decay(law):.3g}, more than {MOST_STEPS} explicit "
+            'steps per bead-time resolve: use method "profile"'
+        )
+
+
 def _shoot_in_window(law, roots, bead, guess, tolerance):
     """The front in a window, from the guess, the continuum front, or a stronger damping."""
-    decay = 4.0 * law.beta * law.gamma
-    steps = max(FEWEST_STEPS, math.ceil(decay / LARGEST_DECAY_PER_STEP))
+    steps = max(FEWEST_STEPS, math.ceil(_decay(law) / LARGEST_DECAY_PER_STEP))
     if guess is not None:
         return _shoot(law, roots, bead, guess, steps, tolerance)
     seed = seeds.continuum_seed(law.alpha, law.gamma, law.beta, bead)

@@ -57,13 +57,14 @@ from granular_fronts.chain.state import make_law
 from granular_fronts.errors import InputError
 from granular_fronts.fronts import bead_map, rear
 from granular_fronts.fronts.seeds import Seed, fit
+from granular_fronts.fronts.shooting import LARGEST_DECAY_PER_STEP
 from granular_fronts.fronts.validation import check_front
 
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300
 UNTOUCHED = 1.0e-16
-MOST_BEADS = 1000
-"""On either side; the eigenvalues of twice as many unknowns take a minute."""
+MOST_BEADS = 500
+"""On either side; the eigenvalues of so many take seconds, during which Ctrl-C has to wait."""
 
 LARGEST_DEFECT = 1.0e-6
 INTEGER_XI = 1.0e-9
@@ -94,10 +95,17 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
     Raises
     ------
     InputError
-        If ξ = 0 is not among the points, or the integers are not.
+        If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
+        another integer is not among the points.
     """
     check_front(front)
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
+    if 4.0 * beta * gamma > STEPS * LARGEST_DECAY_PER_STEP:
+        raise InputError(
+            f"front has the damping rate 4 beta gamma = {4.0 * beta * gamma:.3g}, but {STEPS} "
+            f"explicit steps per bead-time resolve {STEPS * LARGEST_DECAY_PER_STEP:g}: take a "
+            "front of weaker damping."
+        )
     seed = _at_beads(front, beta, gamma)
     limits = {"most": MOST_BEADS, "advice": "give a number of beads, or leave it out"}
     if beads_behind is None:
