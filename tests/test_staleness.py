@@ -111,8 +111,9 @@ def kill_workflow(project, options):
     process = start(project, *options, "--", "fig01")
     job = wait_for_job(process, "initiate_front.py")
     time.sleep(2.0)
-    os.kill(process.pid, signal.SIGKILL)
-    process.communicate(timeout=60.0)
+    process.kill()
+    # Not communicate(): the job holds the same pipe, and ends only once the run is gone.
+    process.wait(timeout=60.0)
     with contextlib.suppress(psutil.NoSuchProcess):
         job.wait(timeout=10.0)
 
