@@ -96,3 +96,10 @@ def test_impossible_sweeps_are_refused():
         gf.sweep_fronts(1.5, [0.1, 0.0])
     with pytest.raises(InputError, match="must be a list"):
         gf.sweep_fronts(1.5, [])
+
+
+def test_extreme_dampings_leave_the_others_alone():
+    """A window of 1e300 sites was allocated for all fronts of a sweep together."""
+    fronts = gf.sweep_fronts(1.5, [1e300, 0.3, 1e-300])
+    assert fronts["converged"].values.tolist() == [0, 1, 0]
+    assert "sites" in str(fronts["reason"].values[0])

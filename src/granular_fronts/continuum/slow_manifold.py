@@ -134,9 +134,8 @@ class SlowOrbit(NamedTuple):
         """Both p and v at each s; see `evaluate_slow`."""
         # In blocks, so that Ctrl-C is answered in between.
         blocks = np.array_split(s, range(BLOCK, s.size, BLOCK))
-        return map(
-            np.concatenate, zip(*(evaluate_slow(*self, block) for block in blocks), strict=True)
-        )
+        values = [evaluate_slow(*self, block) for block in blocks]
+        return tuple(map(np.concatenate, zip(*values, strict=True)))
 
     def s_at(self, p):
         """The s at which −ln y is p > 0."""

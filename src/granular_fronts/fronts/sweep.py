@@ -26,6 +26,7 @@ from granular_fronts.fronts.profile import (
     AT_REST,
     BELOW,
     DEFECT,
+    MOST_POINTS,
     ORDER,
     OTHER_ORDER,
     REFINED_ORDER,
@@ -191,7 +192,12 @@ def follow(start_law, gammas, spacing, rule, difference, decay, start_middle, st
         damping = start_law.beta * gammas[k] / start_law.alpha
         root = lowest_roots_of_all(start_law.alpha, damping, 1)[0]
         values[k, 6], values[k, 7] = root.real, root.imag
-        middles[k] = math.ceil(decay / (root.real * spacing))
+        needed = decay / (root.real * spacing)
+        if not needed <= MOST_POINTS:
+            # Such a window is not even tried; the sweep starts anew there, and says so.
+            gammas, middles = gammas[:k], middles[:k]
+            break
+        middles[k] = math.ceil(needed)
     center = max(np.max(middles), start_middle)
     past = np.empty((REMEMBERED, center - start_middle + start.size))
     remember(start, center - start_middle, start_law.ahead, past[0])
