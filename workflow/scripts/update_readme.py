@@ -31,7 +31,7 @@ def update_readme(readme: Path, results: Path) -> None:
 
 
 def paper_numbers(results):
-    """The numbers that the paper prints, and its words that do not hold, beside ours, as Markdown."""
+    """The numbers of the paper, and its words that do not hold, beside ours, as Markdown."""
     statements = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
     held = (statements["kind"] == "words") & (statements["verdict"] == HOLDS)
     table = statements[~held]
