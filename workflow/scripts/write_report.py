@@ -91,12 +91,17 @@ def write_report(
         run_times=tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
         made_from=json.dumps({record.stem: read_record(record) for record in [*figures, *tables]}),
-        configuration=yaml.safe_dump(
-            configuration, sort_keys=False, allow_unicode=True, default_flow_style=None
-        ),
+        configuration=dump_configuration(configuration),
     )
     with complete_file(page) as unfinished:
         unfinished.write_text(html, encoding="utf-8")
+
+
+def dump_configuration(configuration: dict) -> str:
+    """The configuration as YAML, with every value where it is used."""
+    # What two keys share would else be written once, and named by an anchor.
+    plain = json.loads(json.dumps(configuration))
+    return yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, default_flow_style=None)
 
 
 def questions_behind(record: Path, origins: dict, asked: dict) -> dict[str, Any]:
