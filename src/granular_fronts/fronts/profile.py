@@ -142,11 +142,11 @@ def solve_profile(law):
         # A law beyond double precision has no length.
         window = choose_window(law)
     if not window.length <= MOST_SITES:
+        taken = f"{window.length:.2g}" if np.isfinite(window.length) else "countless"
         return no_profile(
             law,
-            f"the front and its tails take {window.length:.2g} sites (nan: more than a double "
-            f"holds), but rounding hides fronts of more than {MOST_SITES:.0e}: bring gamma closer "
-            "to 1, alpha and right_state away from 1",
+            f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
+            f"{MOST_SITES:.0e}: bring gamma closer to 1, alpha and right_state away from 1",
         )
     profile = solve_coarse(law, window.longer(COARSE_SHARE))
     if profile.reason:
