@@ -122,6 +122,7 @@ def kill_workflow(project, options):
     process.kill()
     # Not communicate(): the job holds the same pipe, and ends only once the run is gone.
     process.wait(timeout=60.0)
+    process.stderr.close()
     with contextlib.suppress(psutil.NoSuchProcess):
         job.wait(timeout=10.0)
 
