@@ -12,10 +12,10 @@ from granular_fronts.statements import (
     unexpected_verdicts,
 )
 
-JUDGED = ["criterion", "computed", "numerical error", "scene", "verdict", "expected", "remark"]
+JUDGED = ["computed", "numerical error", "verdict", "criterion", "remark", "scene"]
 COLUMNS = {
-    "paper_numbers": ["quantity", "paper_place", "kind", "printed", *JUDGED],
-    "findings": ["quantity", "paper_place", "kind", *JUDGED],
+    "paper_numbers": ["quantity", "paper_place", "printed", *JUDGED, "kind", "expected"],
+    "findings": ["quantity", "paper_place", *JUDGED, "kind", "expected"],
 }
 TABLES = pytest.mark.parametrize("name", COLUMNS)
 

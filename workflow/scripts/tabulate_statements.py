@@ -15,15 +15,15 @@ from step import run_step
 COLUMNS = {
     "quantity": "quantity",
     "paper_place": "paper_place",
-    "kind": "kind",
     "printed": "printed",
-    "criterion": "criterion",
     "computed": "computed",
     "numerical_error": "numerical error",
-    "scene": "scene",
     "verdict": "verdict",
-    "expected": "expected",
+    "criterion": "criterion",
     "remark": "remark",
+    "scene": "scene",
+    "kind": "kind",
+    "expected": "expected",
 }
 """Columns and their heads; a table has those that its statements fill."""
 

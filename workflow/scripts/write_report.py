@@ -170,7 +170,9 @@ def render(caption: str) -> str:
     str
         The HTML of its paragraphs.
     """
-    return publish_parts(caption, writer="html5")["fragment"]
+    # Browsers draw MathML themselves; the default wants a style sheet of its own.
+    mathematics = {"math_output": "MathML"}
+    return publish_parts(caption, writer="html5", settings_overrides=mathematics)["fragment"]
 
 
 def tabulate_csv(table: Path) -> str:
