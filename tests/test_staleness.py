@@ -66,8 +66,8 @@ def question_of_data(project):
     return run.stdout.strip()
 
 
-def start(project, *arguments, prepare=lambda: None):
-    """Start the workflow, and do not wait for its end."""
+def start(project, options, prepare=lambda: None):
+    """Start drawing the figure, and do not wait for its end."""
 
     def before():
         # Where the tests run in the background, interrupts are ignored, by their children too.
@@ -75,7 +75,7 @@ def start(project, *arguments, prepare=lambda: None):
         prepare()
 
     return subprocess.Popen(
-        [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)],
+        [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, options), "--", "fig01"],
         cwd=project,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
@@ -99,16 +99,22 @@ def fail_in_script(project, options):
 def fill_disk(project, options):
     """Let no file grow beyond a size that the data need."""
     limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (LARGEST_FILE,) * 2)
-    process = start(project, *options, "--", "fig01", prepare=limit)
+    process = start(project, options, prepare=limit)
     process.communicate(timeout=120.0)
     assert process.returncode != 0
 
 
-def kill_worker(project, options):
-    """Kill the job outright."""
-    process = start(project, *options, "--", "fig01")
+def start_job(project, options):
+    """Start drawing the figure, and wait until the job that solves its scene is at work."""
+    process = start(project, options)
     job = wait_for_job(process, "initiate_front.py")
     time.sleep(2.0)
+    return process, job
+
+
+def kill_worker(project, options):
+    """Kill the job outright."""
+    process, job = start_job(project, options)
     job.kill()
     process.communicate(timeout=60.0)
     assert process.returncode != 0
@@ -116,9 +122,7 @@ def kill_worker(project, options):
 
 def kill_workflow(project, options):
     """Kill Snakemake outright; its job must end too, before it writes what nobody asks any more."""
-    process = start(project, *options, "--", "fig01")
-    job = wait_for_job(process, "initiate_front.py")
-    time.sleep(2.0)
+    process, job = start_job(project, options)
     process.kill()
     # Not communicate(): the job holds the same pipe, and ends only once the run is gone.
     process.wait(timeout=60.0)
@@ -129,9 +133,7 @@ def kill_workflow(project, options):
 
 def interrupt(project, options):
     """Press Ctrl-C."""
-    process = start(project, *options, "--", "fig01")
-    wait_for_job(process, "initiate_front.py")
-    time.sleep(2.0)
+    process, _ = start_job(project, options)
     os.killpg(process.pid, signal.SIGINT)
     process.communicate(timeout=60.0)
     assert process.returncode != 0
