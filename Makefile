@@ -30,7 +30,7 @@ test: lint ## Check the style and run the fast tests.
 	@$(BIN)/pytest
 
 slow: .venv/installed ## Run the slow tests.
-	@echo "Running the slow tests (seven to eleven minutes)."
+	@echo "Running the slow tests (about twenty minutes)."
 	@$(BIN)/pytest -m slow
 
 lint: .venv/installed ## Check the style and the workflow's rules.
