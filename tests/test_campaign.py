@@ -15,6 +15,7 @@ from granular_fronts.campaign import chunks, cost, definition, plan, planning
 from granular_fronts.campaign.axes import expand_axis
 from granular_fronts.datasets import read_dataset
 from granular_fronts.errors import InputError
+from granular_fronts.files import HOST
 
 # Axes.
 
@@ -297,7 +298,7 @@ def test_planning_anew_keeps_the_dates_of_requests_and_removes_leftovers(tmp_pat
     names = plan_names(asked, tmp_path)
     dates = [(tmp_path / f"{name}.json").stat().st_mtime_ns for name in names]
     solve(chunks.read_request(tmp_path / f"{names[1]}.json"), tmp_path)
-    (tmp_path / "unfinished-99999999-0123456789abcdef.nc").touch()
+    (tmp_path / f"unfinished-{HOST}-99999999-0123456789abcdef.nc").touch()
     assert sorted(plan_names(asked, tmp_path)) == sorted(names)
     assert [(tmp_path / f"{name}.json").stat().st_mtime_ns for name in names] == dates
     assert not list(tmp_path.glob("unfinished*"))

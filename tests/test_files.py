@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from granular_fronts.errors import NoSpaceError
-from granular_fronts.files import complete_file, remove_leftovers
+from granular_fronts.files import HOST, complete_file, remove_leftovers
 
 ABOVE_ANY_PROCESS = 2**22 + 1
 """Linux numbers no process above 2^22."""
@@ -66,7 +66,7 @@ def writer(tmp_path):
 def test_what_a_killed_writer_leaves_is_removed_by_the_next(tmp_path, writer):
     writer.kill()
     writer.wait()
-    other = tmp_path / f"unfinished-{ABOVE_ANY_PROCESS}-other.txt"
+    other = tmp_path / f"unfinished-{HOST}-{ABOVE_ANY_PROCESS}-other.txt"
     other.touch()
     assert len(list(tmp_path.iterdir())) == 2
     fill(tmp_path / "result.txt")
@@ -76,7 +76,7 @@ def test_what_a_killed_writer_leaves_is_removed_by_the_next(tmp_path, writer):
 
 
 def test_what_a_running_writer_has_begun_is_left_alone(tmp_path, writer):
-    begun = tmp_path / f"unfinished-{writer.pid}-result.txt"
+    begun = tmp_path / f"unfinished-{HOST}-{writer.pid}-result.txt"
     fill(tmp_path / "result.txt")
     remove_leftovers(tmp_path)
     assert begun.exists()

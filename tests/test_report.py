@@ -109,7 +109,7 @@ def test_page_shows_what_is_on_demand_only_where_it_was_made(results):
 def test_page_leaves_out_and_names_what_answers_another_configuration(results):
     page = write(results, asked_on_demand={"precision/speed_error": {"repeats": 5}})
     assert "Seen in fig14_speed_error" not in page
-    assert re.search(r"made for another configuration:\s+fig14_speed_error, speed_verdicts", page)
+    assert re.search(r"that are there now:\s+fig14_speed_error, speed_verdicts", page)
 
 
 def test_page_of_parts_that_disagree_is_refused(results):

@@ -8,7 +8,8 @@ import time
 from pathlib import Path
 
 import pytest
-from projects import ROOT
+from projects import ROOT, snakemake
+from run_lock import lock_folder
 from test_workflow import Job
 
 from step import run_step
@@ -118,7 +119,7 @@ def test_interrupted_step_says_how_to_go_on(tmp_path):
 
 
 def test_a_job_ends_with_the_run_that_started_it(tmp_path):
-    """The run is a process that is killed outright while a step works."""
+    """The run is killed outright while a step works, and nobody waits for its end."""
     script = tmp_path / "wait.py"
     script.write_text(
         "import time\n"
@@ -128,16 +129,38 @@ def test_a_job_ends_with_the_run_that_started_it(tmp_path):
         "    time.sleep(seconds)\n"
         "run_step(wait)\n"
     )
-    run = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"])
+    hold = f"from run_lock import lock_folder; lock = lock_folder(Path({str(tmp_path)!r})); "
+    library = {"PYTHONPATH": str(ROOT / "workflow/lib")}
+    run = subprocess.Popen(
+        [sys.executable, "-c", "from pathlib import Path; import time; " + hold + "time.sleep(60)"],
+        env=library,
+    )
+    deadline = time.monotonic() + 10.0
+    while not (tmp_path / ".lock").exists() and time.monotonic() < deadline:
+        time.sleep(0.1)
     job = subprocess.Popen(
         [sys.executable, str(script), "--seconds", "60"],
         env={
             "PYTHONPATH": f"{ROOT}/src:{ROOT}/workflow/scripts",
-            "GRANULAR_FRONTS_RUN": str(run.pid),
+            "GRANULAR_FRONTS_RUN_LOCK": str(tmp_path / ".lock"),
         },
     )
     time.sleep(2.0)
     assert job.poll() is None
     run.kill()
-    run.wait()
+    # The killed run is not waited for: until then the system lists its process.
     assert job.wait(timeout=10.0) == 1
+    run.wait()
+
+
+def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path):
+    target = tmp_path / "data/continuum/log_burgers_fronts.nc"
+    arguments = ["--config", f"results={tmp_path}", "--", target]
+    held = lock_folder(tmp_path)
+    run = snakemake(*arguments)
+    assert run.returncode == 1
+    assert f"Another run is at work in {tmp_path}: wait for its end" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert not target.exists()
+    held.close()
+    assert snakemake(*arguments).returncode == 0

@@ -1,12 +1,13 @@
 """Files that appear under their name only when they are complete, and a full disk named as such.
 
-A file is written under the name ``unfinished-PID-NAME`` and renamed once all of it is on the disk.
-A process that is killed leaves its unfinished file behind; the next one that writes the same file
-removes it.
+A file is written under the name ``unfinished-HOST-PID-NAME`` and renamed once all of it is on the
+disk.  A process that is killed leaves its unfinished file behind; the next one on that machine that
+writes the same file removes it.
 """
 
 import errno
 import os
+import platform
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -18,6 +19,9 @@ FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 """The system's answers where a disk or the user's share of it is full, or a file may not grow."""
 
 PROBE_BYTES = 2**20
+
+HOST = re.sub(r"\W", "_", platform.node())
+"""Name of this machine, without signs that a name of a file should not have."""
 
 
 @contextmanager
@@ -40,7 +44,7 @@ def complete_file(path: Path | str) -> Iterator[Path]:
         If the block fails because the disk is full.
     """
     path = Path(path)
-    unfinished = path.with_name(f"unfinished-{os.getpid()}-{path.name}")
+    unfinished = path.with_name(f"unfinished-{HOST}-{os.getpid()}-{path.name}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         remove_leftovers(path.parent, path.name)
@@ -63,7 +67,7 @@ def is_full(error: BaseException) -> bool:
 
 
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
-    """Remove the unfinished files of processes that have ended.
+    """Remove the unfinished files of processes of this machine that have ended.
 
     Parameters
     ----------
@@ -71,7 +75,8 @@ def remove_leftovers(folder: Path, name: str | None = None) -> None:
     name : str, optional
         Final name of the files; all names by default.
     """
-    pattern = re.compile(rf"unfinished-(\d+)-{'.+' if name is None else re.escape(name)}")
+    written = ".+" if name is None else re.escape(name)
+    pattern = re.compile(rf"unfinished-{re.escape(HOST)}-(\d+)-{written}")
     with os.scandir(folder) as entries:
         for entry in entries:
             match = pattern.fullmatch(entry.name)

@@ -6,6 +6,9 @@ from typing import NamedTuple
 import pytest
 import yaml
 
+from granular_fronts.departures import physical_departures
+from questions import questions
+
 PROJECT = Path(__file__).parents[2]
 
 
@@ -36,6 +39,20 @@ def results(request):
 def configuration(request):
     """The merged configuration."""
     return yaml.safe_load(request.config.getoption("--configuration").read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="session")
+def as_in_the_paper(configuration):
+    """Skip a test that expects the paper's parameters where some of its datasets have others."""
+    default = yaml.safe_load((PROJECT / "config/default.yaml").read_text(encoding="utf-8"))
+    asked, reference = questions(configuration), questions(default)
+
+    def check(*names):
+        for name in names:
+            if physical_departures(asked[name], reference[name]):
+                pytest.skip(f"{name} has other parameters than the paper")
+
+    return check
 
 
 @pytest.fixture(scope="session")

@@ -29,7 +29,8 @@ def test_momentum_law(motion, scene):
     np.testing.assert_allclose(motion["total_velocity"], exact, rtol=1e-12, atol=1e-13)
 
 
-def test_front_runs_at_the_predicted_speed(motion, scene):
+def test_front_runs_at_the_predicted_speed(motion, scene, as_in_the_paper):
+    as_in_the_paper(f"chain/{motion.attrs['scene']}")
     predicted = scene["boundary"]["left"] ** ((scene["law"]["alpha"] - 1.0) / 2.0)
     # The transient of the sudden start fades along the chain.
     assert float(motion["front_speed"]) == pytest.approx(predicted, rel=0.3 / scene["beads"])
@@ -41,7 +42,8 @@ def test_every_number_has_an_error(motion):
         assert estimate >= 0.0 or np.isnan(variable).all(), name
 
 
-def test_strong_damping_opens_no_gap(results):
+def test_strong_damping_opens_no_gap(results, as_in_the_paper):
+    as_in_the_paper("chain/initiation_overdamped")
     motion = xr.load_dataset(results / "data" / "chain" / "initiation_overdamped.nc")
     assert np.isnan(motion["first_gap_time"])
     # Ahead of the wave the interpolation rounds to either side of zero.

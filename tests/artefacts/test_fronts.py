@@ -14,22 +14,26 @@ def exact_power(alpha):
 
 
 @pytest.fixture(params=SCENES)
-def front(request, results):
+def front(request, results, as_in_the_paper):
+    as_in_the_paper(f"fronts/{request.param}")
     return read_dataset(results / "data" / "fronts" / f"{request.param}.nc", request.param)
 
 
 @pytest.fixture
-def survey(results):
+def survey(results, as_in_the_paper):
+    as_in_the_paper("fronts/survey")
     return read_dataset(results / "data" / "fronts" / "survey.nc", "survey")
 
 
 @pytest.fixture
-def plane(results):
+def plane(results, as_in_the_paper):
+    as_in_the_paper("fronts/critical_damping")
     return read_dataset(results / "data" / "fronts" / "critical_damping.nc", "critical_damping")
 
 
 @pytest.fixture
-def spectra(results):
+def spectra(results, as_in_the_paper):
+    as_in_the_paper("fronts/multipliers")
     return read_dataset(results / "data" / "fronts" / "multipliers.nc", "multipliers")
 
 

@@ -15,7 +15,8 @@ MEASURED = [
 
 
 @pytest.mark.parametrize("name", MEASURED)
-def test_measurements_agree_with_theory(results, name):
+def test_measurements_agree_with_theory(results, name, as_in_the_paper):
+    as_in_the_paper("laws/jump_conditions")
     data = read_dataset(results / "data" / "laws" / "jump_conditions.nc", "jump_conditions")
     expected = f"{name.rpartition('_')[0]}_expected"
     errors = data[f"{name}_error"] + data[f"{expected}_error"]

@@ -16,8 +16,6 @@ sys.path[:0] = [SOURCE, LIBRARY]
 os.environ.update(
     PYTHONPATH=os.pathsep.join(filter(None, [SOURCE, LIBRARY, os.environ.get("PYTHONPATH")])),
     NUMBA_CACHE_DIR=os.path.join(workflow.basedir, ".numba_cache"),
-    # A job ends when the process with this number does, see `step`.
-    GRANULAR_FRONTS_RUN=str(os.getpid()),
 )
 
 from imports import import_closure, module_files
@@ -36,15 +34,22 @@ def environment(wildcards):
     return "../envs/main.yaml" if shutil.which("conda") else None
 
 
+# A job ends when the run does that holds this file locked, see `step`. A job on another machine
+# is not watched, since locks need not reach that far.
+RUN_LOCK = "GRANULAR_FRONTS_RUN_LOCK"
+if not workflow.is_main_process:
+    os.environ.pop(RUN_LOCK, None)
+
 HELD = []
 
 
 def hold_results_folder():
-    """Let no other run into the results folder until this one ends."""
+    """Let no other run into the results folder until this one ends, and let its jobs end with it."""
     try:
         HELD.append(lock_folder(Path(config["results"])))
     except FolderInUseError as error:
         sys.exit(str(error))
+    os.environ.update({RUN_LOCK: os.path.abspath(HELD[-1].name)})
 
 
 # Of a timing, which must run alone: Snakemake cuts it down to the cores of the call.

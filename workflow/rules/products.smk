@@ -106,5 +106,6 @@ def datasets_on_demand():
         if os.path.join(config["results"], f"{stem_of(figure)}.json") in ON_DEMAND
         for dataset in datasets_of(figure)
         if dataset.startswith("campaigns/")
+        and os.path.exists(os.path.join("config", f"{dataset}.yaml"))
     }
     return [*questions_on_demand(config), *sorted(campaigns)]

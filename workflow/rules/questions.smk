@@ -2,6 +2,7 @@
 
 import yaml
 
+from granular_fronts.provenance import question_digest, read_record
 from questions import FAMILIES, questions, questions_on_demand
 
 ASKED = questions(config) | questions_on_demand(config)
@@ -18,6 +19,25 @@ def question(dataset):
     """Return the part of the configuration that a dataset answers."""
     folder, _, name = dataset.partition("/")
     return campaign_of(name).given if folder == "campaigns" else ASKED[dataset]
+
+
+def check_history():
+    """Refuse results of another configuration of which Snakemake has no record.
+
+    What Snakemake knows of a file lies in .snakemake. Where that is lost, or the results come from
+    elsewhere, it would take any figure for one of the present configuration.
+    """
+    if glob(".snakemake/metadata/*"):
+        return
+    expected = {name.rpartition("/")[2]: question_digest(part) for name, part in ASKED.items()}
+    for file in sorted(glob(f"{config['results']}/*/*.json")):
+        for made_from in read_record(Path(file)).get("made_from", []):
+            if expected.get(made_from["scene"], made_from["question"]) != made_from["question"]:
+                sys.exit(
+                    f"{file} answers another configuration of scene {made_from['scene']}, and "
+                    "the record of how it was made (.snakemake) is gone: remove "
+                    f"{config['results']}, or name another folder (--config results=...)."
+                )
 
 
 def asked(*datasets):
@@ -48,3 +68,6 @@ def reference(*datasets):
         for scene, dataset in scenes.items()
         if dataset.startswith("campaigns/") or scene in paper_questions()
     }
+
+
+check_history()

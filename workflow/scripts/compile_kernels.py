@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numba
 
+from granular_fronts.files import complete_file
 from step import run_step
 
 
@@ -27,7 +28,8 @@ def compile_kernels(wing: str, stamp: Path) -> None:
     start = time.perf_counter()
     import_module(f"granular_fronts.{wing}").warm_up()
     seconds = round(time.perf_counter() - start, 3)
-    stamp.write_text(json.dumps({"numba": numba.__version__, "seconds": seconds}) + "\n")
+    with complete_file(stamp) as unfinished:
+        unfinished.write_text(json.dumps({"numba": numba.__version__, "seconds": seconds}) + "\n")
 
 
 if __name__ == "__main__":

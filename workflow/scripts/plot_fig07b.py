@@ -47,7 +47,7 @@ def draw_distances(axes, data, field, exponent):
             curve = data[f"{field}_{kind}_{equation}"].isel(t_grid=slice(1, None))
             label = f"{number} {words}"
             axes.semilogy(curve["t_grid"], curve, linestyle=style, color=colour, label=label)
-    axes.set(xlim=(0, float(curve["t_grid"][-1])), ylim=(1e-8, 2))
+    axes.set(xlim=(0, float(curve["t_grid"][-1])), ylim=(1e-10, 2))
     axes.set_title(f"{exponent}, {TITLES[field]}")
 
 

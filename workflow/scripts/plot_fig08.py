@@ -90,7 +90,8 @@ def draw_front(axes, front):
     axes.axhline(1.0, color=GREY, linewidth=0.6, linestyle=":")
     axes.plot(front["s"], front["rescaled_force"], color=BLUE, linestyle="-")
     axes.set(xlabel="$s$", ylabel=r"$y_\mathrm{h}(s)$", title=title_of(float(front["mu"])))
-    axes.set(xlim=(front["s"][0], front["s"][-1]), ylim=(0.0, 1.5))
+    highest = float(front["rescaled_force"].max())
+    axes.set(xlim=(front["s"][0], front["s"][-1]), ylim=(0.0, max(1.5, 1.05 * highest)))
 
 
 def title_of(mu):

@@ -51,9 +51,10 @@ def plot_fig17(data: xr.Dataset) -> Figure:
         panels["ratio"].plot(distance / error, places, label=label, fillstyle="none", **style)
         relative = np.abs(data[f"{name}_error"] / data[f"{quantity}_expected"])
         panels["error"].plot(relative, places, fillstyle="none", **style)
+    shown = max(1.3, 1.1 * np.abs(panels["ratio"].dataLim.intervalx).max())
     panels["ratio"].axvspan(-1.0, 1.0, color="0.93", zorder=0)
     panels["ratio"].set(
-        xlabel="(measured − theory) / stated error", xlim=(-1.3, 1.3), yticks=places
+        xlabel="(measured − theory) / stated error", xlim=(-shown, shown), yticks=places
     )
     panels["ratio"].set_yticklabels(laws)
     panels["error"].set(xlabel="stated error, relative", xscale="log", yticks=places)

@@ -1,5 +1,7 @@
 """Figure 18: where damping is weak, for four laws of damping; James (2021), section 3.1."""
 
+from itertools import cycle
+
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -22,7 +24,7 @@ def plot_fig18(data: xr.Dataset) -> Figure:
     matplotlib.figure.Figure
     """
     figure, panels = new_figure(3.2, [["gamma", "restitution"]])
-    for beta, colour in zip(data["beta"].values, PROBE_COLOURS, strict=False):
+    for beta, colour in zip(data["beta"].values, cycle(PROBE_COLOURS), strict=False):
         law = data.sel(beta=beta)
         draw_gamma(panels["gamma"], law, colour)
         label = rf"$\beta = {beta:g}$"
@@ -38,7 +40,7 @@ def plot_fig18(data: xr.Dataset) -> Figure:
         ylim=SHOWN_GAMMA,
     )
     panels["restitution"].set(xlabel="$v_0/v_c$", ylabel="restitution $e$", xlim=ends, ylim=(0, 1))
-    figure.legend(loc="outside upper center", ncols=data.sizes["beta"])
+    figure.legend(loc="outside upper center", ncols=min(6, data.sizes["beta"]))
     return figure
 
 

@@ -1,5 +1,7 @@
 """Figure 19: the theta-method damps like the Kuwabara–Kono law; James (2021), section 1."""
 
+from itertools import cycle
+
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -62,12 +64,13 @@ def draw_profile(axes, data):
 
 def draw_distances(axes, data):
     """Distances of the method to the damped chain and to the conservative one, against h."""
-    for theta, colour, marker in zip(data["theta"].values, PROBE_COLOURS, MARKERS, strict=False):
+    looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
+    for theta, (colour, marker) in zip(data["theta"].values, looks, strict=False):
         row = data.sel(theta=theta)
         label = rf"$\theta = {theta:g}$, order {float(row['order']):.2f}"
-        looks = {"color": colour, "marker": marker, "markersize": 3.5}
-        axes.loglog(row["step"], row["damping_distance"], "-", label=label, **looks)
-        axes.loglog(row["step"], row["conservative_distance"], ":", **looks)
+        look = {"color": colour, "marker": marker, "markersize": 3.5}
+        axes.loglog(row["step"], row["damping_distance"], "-", label=label, **look)
+        axes.loglog(row["step"], row["conservative_distance"], ":", **look)
     axes.set(xlabel="$h$", ylabel=r"$\max_n |\Delta u_n|/\delta$")
     axes.set_ylim(top=10.0)
     axes.text(0.05, 0.95, "dotted: to the conservative chain", transform=axes.transAxes, va="top")

@@ -14,6 +14,7 @@ terminal shows.
 """
 
 import argparse
+import fcntl
 import logging
 import os
 import re
@@ -32,15 +33,15 @@ from typing import Any, TextIO
 import yaml
 
 from granular_fronts.errors import NoSpaceError
-from granular_fronts.files import is_full, is_running
+from granular_fronts.files import is_full
 
 LOGGER = logging.getLogger("granular_fronts")
 
 EXIT_INTERRUPTED = 130
 """What a program ends with that Ctrl-C has stopped."""
 
-RUN = "GRANULAR_FRONTS_RUN"
-"""Environment variable with the process number of the workflow's run, set by its rules."""
+RUN_LOCK = "GRANULAR_FRONTS_RUN_LOCK"
+"""Environment variable with the file that the workflow's run holds locked, set by its rules."""
 
 SECONDS_BETWEEN_LOOKS = 0.5
 
@@ -59,8 +60,8 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.
     """
-    if run := os.environ.get(RUN):
-        end_with(int(run))
+    if lock := os.environ.get(RUN_LOCK):
+        end_with(Path(lock))
     arguments = from_workflow(function, snakemake) if snakemake else from_command_line(function)
     file = next(iter(snakemake.log), None) if snakemake else None
     with copied_output(file) as write_to_log, messages_on_terminal():
@@ -81,7 +82,7 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
             sys.exit(1)
 
 
-def end_with(run: int) -> None:
+def end_with(lock: Path) -> None:
     """End this process when the run that started it has ended, however it did.
 
     A job that outlives a killed run could write over what a later run has made for another
@@ -89,16 +90,26 @@ def end_with(run: int) -> None:
 
     Parameters
     ----------
-    run : int
-        Process number of the run.
+    lock : Path
+        The file that the run holds locked as long as it lives.
     """
 
     def watch() -> None:
-        while is_running(run):
+        while is_held(lock):
             time.sleep(SECONDS_BETWEEN_LOOKS)
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
+
+
+def is_held(lock: Path) -> bool:
+    """Whether some process holds a file locked; so it seems where the file is gone."""
+    try:
+        with lock.open(encoding="utf-8") as file:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except (FileNotFoundError, BlockingIOError):
+        return True
+    return False
 
 
 def describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> str:

@@ -132,10 +132,12 @@ class SlowOrbit(NamedTuple):
 
     def evaluate(self, s):
         """Both p and v at each s; see `evaluate_slow`."""
+        p, v = np.empty(s.size), np.empty(s.size)
         # In blocks, so that Ctrl-C is answered in between.
-        blocks = np.array_split(s, range(BLOCK, s.size, BLOCK))
-        values = [evaluate_slow(*self, block) for block in blocks]
-        return tuple(map(np.concatenate, zip(*values, strict=True)))
+        for first in range(0, s.size, BLOCK):
+            block = slice(first, first + BLOCK)
+            evaluate_slow(*self, s[block], p[block], v[block])
+        return p, v
 
     def s_at(self, p):
         """The s at which −ln y is p > 0."""
@@ -214,20 +216,19 @@ def s_between(mu, slow, fast, time, v_from, v_to):
 
 
 @kernel
-def evaluate_slow(mu, slow, fast, h, time, v_half, s):
+def evaluate_slow(mu, slow, fast, h, time, v_half, s, p, v):
     """Both p and v at each s, by Newton's method in ln v.
+
+    They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
 
     Parameters
     ----------
     mu, slow, fast, h, time, v_half
         The attributes of `SlowOrbit`.
     s : ndarray, shape (points,)
-
-    Returns
-    -------
     p, v : ndarray, shape (points,)
+        Filled.
     """
-    p, v = np.empty(s.size), np.empty(s.size)
     rate_half = series_sum(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
     for i in range(s.size):
         # From v too large the iteration is monotone: d(ln v)/ds lies between the rate at y = ½
@@ -245,4 +246,3 @@ def evaluate_slow(mu, slow, fast, h, time, v_half, s):
                 break
         v[i] = current
         p[i], _ = state_on_manifold(mu, h, current)
-    return p, v
