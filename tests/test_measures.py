@@ -12,6 +12,7 @@ from granular_fronts.continuum import measures as continuum
 from granular_fronts.continuum.log_burgers import flux, limit_flux
 from granular_fronts.fronts import measures as fronts
 from granular_fronts.laws import measures as laws
+from granular_fronts.periodic import measures as periodic
 
 EXACT = {"error_estimate": 1e-15, "error_method": "given"}
 DRIVEN = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5, "gamma": 0.06}}
@@ -177,3 +178,38 @@ def test_late_over_early_carries_both_errors():
     )
     value, error = laws.spreading(waves, 1.0)
     assert (value, error) == (2.0, pytest.approx(0.06))
+
+
+def ring(chain, equation):
+    """Snapshots at t = 0 of a ring of 39 beads and of the equation, from functions of the site."""
+    scene = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5.0, "half_beads": 20}
+    beads, sites = np.arange(1, 40), np.arange(1.0, 40.0, 0.2)
+    return xr.Dataset(
+        {
+            "relative_displacement": (("t", "bead"), [chain(beads)]),
+            "relative_displacement_logarithmic": (("t", "site"), [equation(sites)]),
+        },
+        {"t": [0.0], "bead": beads, "site": sites},
+        {"config": json.dumps(scene)},
+    )
+
+
+def test_profiles_of_one_shape_are_correlated():
+    def pulse(n):
+        return 5.0 * np.exp(-(((n - 20.0) / 6.0) ** 2))
+
+    alike = periodic.profile_correlation(ring(pulse, lambda n: 0.8 * pulse(n)))
+    assert alike.value == pytest.approx(1.0, abs=1e-12)
+    gap = periodic.profile_correlation(ring(lambda n: pulse(n) - 50.0 * (n == 1), pulse))
+    assert gap.value > 0.999
+    displaced = periodic.profile_correlation(ring(pulse, lambda n: pulse(n + 12.0)))
+    assert displaced.value < 0.3
+
+
+def test_frequency_of_an_orbit_that_oscillates_is_positive():
+    orbits = xr.Dataset(
+        {"angular_frequency": ("mu", [0.9, 0.0]), "angular_frequency_error": ("mu", [1e-9, 1e-9])},
+        {"mu": [0.3, 3.0]},
+    )
+    assert continuum.angular_frequency(orbits, 0.3) == (0.9, 1e-9)
+    assert continuum.angular_frequency(orbits, 3.0).value == 0.0

@@ -109,9 +109,9 @@ def growth_rate(dataset, mu):
     )
 
 
-def absolute_growth_rate(dataset, mu):
-    """Measured rate at which a front leaves (1, 0)."""
-    return _ratio(dataset, "growth_rate", mu, 1.0)
+def angular_frequency(dataset, mu):
+    """Measured angular frequency of a front about (1, 0), above 0 if it oscillates."""
+    return _ratio(dataset, "angular_frequency", mu, 1.0)
 
 
 def frequency(dataset, mu):
