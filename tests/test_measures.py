@@ -162,7 +162,6 @@ def test_powers_of_families_are_slopes():
     )
     assert fronts.width_power(trends).value == pytest.approx(-0.5)
     assert fronts.critical_power_of_pressure(trends).value == pytest.approx(-0.25)
-    assert fronts.critical_power_of_velocity(trends).value == pytest.approx(-0.2)
     assert fronts.narrowing(trends).value == 0.25
     bent = trends.assign(width_of_exponent=("exponent", [3.0, 2.0, 1.9]))
     assert fronts.width_power(bent).error > 0.3
