@@ -212,3 +212,49 @@ def test_frequency_of_an_orbit_that_oscillates_is_positive():
     )
     assert continuum.angular_frequency(orbits, 0.3) == (0.9, 1e-9)
     assert continuum.angular_frequency(orbits, 3.0).value == 0.0
+
+
+def jumps(**variables):
+    """Fronts of two laws, of Hertz's force from −1 into rest and of an FPU force from 0 to 1."""
+    cases = {
+        "hertz": {"elastic": {"kind": "hertz", "alpha": 1.5}, "states": [-1, 0]},
+        "fpu": {"elastic": {"kind": "fpu", "cubic": 3}, "states": [0, 1]},
+    }
+    described = {name: ("law", values) for name, values in variables.items()}
+    return xr.Dataset(described, {"law": list(cases)}, {"config": json.dumps({"cases": cases})})
+
+
+def test_the_worst_law_and_way_of_measuring_counts():
+    fronts = jumps(
+        speed_expected=[1.0, -2.0],
+        speed_expected_error=[0.01, 0.01],
+        speed_exact=[1.01, -2.0],
+        speed_exact_error=[0.01, 0.01],
+        speed_driven=[1.0, -2.12],
+        speed_driven_error=[0.01, 0.03],
+    )
+    assert laws.worst_agreement(fronts, "speed").value == pytest.approx(3.0)
+    close = fronts.assign(speed_driven=("law", [1.0, -2.02]))
+    assert laws.worst_agreement(close, "speed").value == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize(
+    ("speeds", "margin"),
+    [([1.0, -2.0], 1.0 - 1.5**-0.5), ([1.3, -2.0], None), ([1.0, -0.9], None)],
+)
+def test_fronts_are_slower_than_sound_behind_and_faster_than_sound_ahead(speeds, margin):
+    """Sound: (3/2)^(1/2) behind Hertz's front, which runs into 0; 7^(1/2) and 1 for FPU."""
+    fronts = jumps(speed_driven=speeds, speed_driven_error=[1e-9, 1e-9], direction=[1.0, -1.0])
+    value, error = laws.sonic_margin(fronts)
+    assert (value > 0.0) is (margin is not None)
+    if margin is not None:
+        assert value == pytest.approx(margin)
+        assert error == pytest.approx(1e-9 / 1.5**0.5)
+    with_wrong_direction = fronts.assign(direction=-fronts["direction"])
+    assert laws.sonic_margin(with_wrong_direction).value < 0.0
+
+
+def test_the_spread_of_speeds_is_that_of_the_laws_named():
+    fronts = jumps(speed_travelling=[1.0, 1.5], speed_travelling_error=[1e-9, 3e-9])
+    assert laws.speed_spread(fronts, ["hertz", "fpu"]) == (0.5, 6e-9)
+    assert laws.speed_spread(fronts, ["hertz"]).value == 0.0
