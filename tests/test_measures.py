@@ -12,6 +12,7 @@ from granular_fronts.continuum import measures as continuum
 from granular_fronts.continuum.log_burgers import flux, limit_flux
 from granular_fronts.fronts import measures as fronts
 from granular_fronts.laws import measures as laws
+from granular_fronts.periodic import measures as periodic
 
 EXACT = {"error_estimate": 1e-15, "error_method": "given"}
 DRIVEN = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5, "gamma": 0.06}}
@@ -161,7 +162,6 @@ def test_powers_of_families_are_slopes():
     )
     assert fronts.width_power(trends).value == pytest.approx(-0.5)
     assert fronts.critical_power_of_pressure(trends).value == pytest.approx(-0.25)
-    assert fronts.critical_power_of_velocity(trends).value == pytest.approx(-0.2)
     assert fronts.narrowing(trends).value == 0.25
     bent = trends.assign(width_of_exponent=("exponent", [3.0, 2.0, 1.9]))
     assert fronts.width_power(bent).error > 0.3
@@ -177,3 +177,84 @@ def test_late_over_early_carries_both_errors():
     )
     value, error = laws.spreading(waves, 1.0)
     assert (value, error) == (2.0, pytest.approx(0.06))
+
+
+def ring(chain, equation):
+    """Snapshots at t = 0 of a ring of 39 beads and of the equation, from functions of the site."""
+    scene = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5.0, "half_beads": 20}
+    beads, sites = np.arange(1, 40), np.arange(1.0, 40.0, 0.2)
+    return xr.Dataset(
+        {
+            "relative_displacement": (("t", "bead"), [chain(beads)]),
+            "relative_displacement_logarithmic": (("t", "site"), [equation(sites)]),
+        },
+        {"t": [0.0], "bead": beads, "site": sites},
+        {"config": json.dumps(scene)},
+    )
+
+
+def test_profiles_of_one_shape_are_correlated():
+    def pulse(n):
+        return 5.0 * np.exp(-(((n - 20.0) / 6.0) ** 2))
+
+    alike = periodic.profile_correlation(ring(pulse, lambda n: 0.8 * pulse(n)))
+    assert alike.value == pytest.approx(1.0, abs=1e-12)
+    gap = periodic.profile_correlation(ring(lambda n: pulse(n) - 50.0 * (n == 1), pulse))
+    assert gap.value > 0.999
+    displaced = periodic.profile_correlation(ring(pulse, lambda n: pulse(n + 12.0)))
+    assert displaced.value < 0.3
+
+
+def test_frequency_of_an_orbit_that_oscillates_is_positive():
+    orbits = xr.Dataset(
+        {"angular_frequency": ("mu", [0.9, 0.0]), "angular_frequency_error": ("mu", [1e-9, 1e-9])},
+        {"mu": [0.3, 3.0]},
+    )
+    assert continuum.angular_frequency(orbits, 0.3) == (0.9, 1e-9)
+    assert continuum.angular_frequency(orbits, 3.0).value == 0.0
+
+
+def jumps(**variables):
+    """Fronts of two laws, of Hertz's force from −1 into rest and of an FPU force from 0 to 1."""
+    cases = {
+        "hertz": {"elastic": {"kind": "hertz", "alpha": 1.5}, "states": [-1, 0]},
+        "fpu": {"elastic": {"kind": "fpu", "cubic": 3}, "states": [0, 1]},
+    }
+    described = {name: ("law", values) for name, values in variables.items()}
+    return xr.Dataset(described, {"law": list(cases)}, {"config": json.dumps({"cases": cases})})
+
+
+def test_the_worst_law_and_way_of_measuring_counts():
+    fronts = jumps(
+        speed_expected=[1.0, -2.0],
+        speed_expected_error=[0.01, 0.01],
+        speed_exact=[1.01, -2.0],
+        speed_exact_error=[0.01, 0.01],
+        speed_driven=[1.0, -2.12],
+        speed_driven_error=[0.01, 0.03],
+    )
+    assert laws.worst_agreement(fronts, "speed").value == pytest.approx(3.0)
+    close = fronts.assign(speed_driven=("law", [1.0, -2.02]))
+    assert laws.worst_agreement(close, "speed").value == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize(
+    ("speeds", "margin"),
+    [([1.0, -2.0], 1.0 - 1.5**-0.5), ([1.3, -2.0], None), ([1.0, -0.9], None)],
+)
+def test_fronts_are_slower_than_sound_behind_and_faster_than_sound_ahead(speeds, margin):
+    """Sound: (3/2)^(1/2) behind Hertz's front, which runs into 0; 7^(1/2) and 1 for FPU."""
+    fronts = jumps(speed_driven=speeds, speed_driven_error=[1e-9, 1e-9], direction=[1.0, -1.0])
+    value, error = laws.sonic_margin(fronts)
+    assert (value > 0.0) is (margin is not None)
+    if margin is not None:
+        assert value == pytest.approx(margin)
+        assert error == pytest.approx(1e-9 / 1.5**0.5)
+    with_wrong_direction = fronts.assign(direction=-fronts["direction"])
+    assert laws.sonic_margin(with_wrong_direction).value < 0.0
+
+
+def test_the_spread_of_speeds_is_that_of_the_laws_named():
+    fronts = jumps(speed_travelling=[1.0, 1.5], speed_travelling_error=[1e-9, 3e-9])
+    assert laws.speed_spread(fronts, ["hertz", "fpu"]) == (0.5, 6e-9)
+    assert laws.speed_spread(fronts, ["hertz"]).value == 0.0

@@ -69,6 +69,12 @@ def test_a_criterion_without_number_is_an_error(criterion):
         range_of_criterion(criterion)
 
 
+@pytest.mark.parametrize("criterion", ["0.6 to 0.4", "1 within -0.01"])
+def test_a_criterion_that_allows_nothing_is_an_error(criterion):
+    with pytest.raises(ValueError, match="allows no number"):
+        range_of_criterion(criterion)
+
+
 @pytest.mark.parametrize(
     ("printed", "half"), [("0.56", 0.005), ("2326", 0.5), ("-9.83", 0.005), ("5.5e-3", 5e-5)]
 )
@@ -139,6 +145,12 @@ def test_what_is_not_a_number_decides_nothing(printed, measured):
     assert verdict_on({"kind": kind, "printed": printed}, measured) == UNDECIDED
 
 
+@pytest.mark.parametrize("criterion", ["> 0", "< 0", "0.56 within 0.005"])
+def test_a_negative_error_decides_nothing(criterion):
+    assert judge(range_of_criterion(criterion), Measured(0.56, -1e-9)) is None
+    assert judge(range_of_criterion(criterion), Measured(0.56, 0.0)) is not None
+
+
 def test_words_are_judged_by_their_criterion_alone():
     statement = {"kind": "words", "printed": "very small", "criterion": "at most 0.01"}
     assert criterion_of(statement) == "at most 0.01"
@@ -200,6 +212,20 @@ def test_other_parameters_may_leave_nothing_to_measure():
     assert math.isnan(row["computed"])
     with pytest.raises(KeyError):
         row_of(statement)
+
+
+def test_other_parameters_may_divide_by_zero():
+    """A ring whose start has no plateau."""
+    config = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5, "start": {"half_width": 0}}
+    dataset = xr.Dataset(attrs={"config": json.dumps(config)})
+    statement = SPEED | {"scene": ["one", "two"], "measure": "periodic.plateau_ratio"}
+    data = {"one": dataset, "two": dataset}
+    reference = config | {"start": {"half_width": 10}}
+    row = evaluate(
+        statement, find_measure(statement["measure"]), data, {"one": reference, "two": reference}
+    )
+    assert row["verdict"] == OTHER_PARAMETERS
+    assert math.isnan(row["computed"])
 
 
 def test_several_scenes_are_measured_together():

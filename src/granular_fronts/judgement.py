@@ -10,8 +10,8 @@ out the limit itself.
 
 The measured value v with the numerical error e stands for all numbers from v − e to v + e.  The
 statement is true if all of them are in the range, and false if none is.  It stays undecided if only
-some are, if e is larger than half the width of the range, or if v or e is not a number: the error
-never counts in favour of either answer.
+some are, if e is negative or larger than half the width of the range, or if v or e is not a number:
+the error never counts in favour of either answer.
 """
 
 import math
@@ -50,7 +50,7 @@ def range_of_criterion(criterion):
     Raises
     ------
     ValueError
-        If it has none of the forms above.
+        If it has none of the forms above, or allows no number.
     """
     form = FORMS.fullmatch(criterion.partition(",")[0])
     if form is None:
@@ -60,11 +60,13 @@ def range_of_criterion(criterion):
         )
     if form["pair"]:
         first, second = float(form["first"]), float(form["second"])
-        return (
-            Range(first - second, first + second)
-            if form["pair"] == "within"
-            else Range(first, second)
-        )
+        limits = (first - second, first + second) if form["pair"] == "within" else (first, second)
+        if limits[0] > limits[1]:
+            raise ValueError(
+                f"The criterion {criterion!r} allows no number: write the smaller limit first, and "
+                "a half-width of at least 0."
+            )
+        return Range(*limits)
     limit, strict = float(form["limit"]), form["side"] in STRICT
     return (
         Range(limit, math.inf, strict) if form["side"] in LOWER else Range(-math.inf, limit, strict)
@@ -103,7 +105,7 @@ def judge(allowed, measured):
     value, error = measured
     half_width = 0.5 * (allowed.high - allowed.low)
     # Also where one of them is not a number.
-    if not (math.isfinite(value) and error <= half_width):
+    if not (math.isfinite(value) and 0.0 <= error <= half_width):
         return None
     lowest, highest = value - error, value + error
     if allowed.strict:

@@ -153,7 +153,7 @@ def measure_departed(function, datasets, arguments):
     """
     try:
         return function(*datasets, **arguments)
-    except (LookupError, ValueError):
+    except (LookupError, ValueError, ArithmeticError):
         return UNMEASURED
 
 

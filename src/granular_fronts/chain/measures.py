@@ -119,14 +119,6 @@ def smallest_velocity_behind(dataset):
     return Measured(value, abs(value - coarse) + velocity.attrs["error_estimate"] / scale)
 
 
-def velocity_growth(dataset):
-    """Σẋ_n at the end over what it is when the front first reaches the free end."""
-    total = dataset["total_velocity"]
-    early = float(total.sel(t_grid=dataset["arrival_time"].max(), method="nearest"))
-    error = 2.0 * total.attrs["error_estimate"] / early
-    return Measured(float(total[-1]) / early, error)
-
-
 def momentum_growth(dataset):
     """Σẋ_n at the end of the run over δ^α t, the law quoted in section 3.3."""
     total = dataset["total_velocity"].isel(t_grid=-1)

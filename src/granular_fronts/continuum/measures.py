@@ -21,11 +21,6 @@ INSIDE = 1.0e-6
 SLOPE = np.array([-1, 9, -45, 0, 45, -9, 1]) / 60.0
 
 
-def squared_slope(dataset, mu):
-    """q(1) of (59), the squared slope of the front at y = 1."""
-    return _squared_slope(dataset.sel(mu=[mu]), max)
-
-
 def squared_slope_overdamped(dataset):
     """Largest q(1) for μ of 2 and above."""
     return _squared_slope(dataset.sel(mu=dataset["mu"] >= CRITICAL_DAMPING), max)
@@ -109,9 +104,9 @@ def growth_rate(dataset, mu):
     )
 
 
-def absolute_growth_rate(dataset, mu):
-    """Measured rate at which a front leaves (1, 0)."""
-    return _ratio(dataset, "growth_rate", mu, 1.0)
+def angular_frequency(dataset, mu):
+    """Measured angular frequency of a front about (1, 0), above 0 if it oscillates."""
+    return _ratio(dataset, "angular_frequency", mu, 1.0)
 
 
 def frequency(dataset, mu):

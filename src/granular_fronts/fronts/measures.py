@@ -4,8 +4,6 @@ A measure takes the dataset of a front scene (see `comparison`), of the curves o
 (see `damping_map`) or of families of fronts (see `trends`), and returns a `Measured`.
 """
 
-import json
-
 import numpy as np
 
 from granular_fronts.measured import Measured
@@ -98,14 +96,6 @@ def critical_power_of_pressure(trends):
     span = np.log(gamma["displacement"].values[-1] / gamma["displacement"].values[0])
     power = float(np.log(gamma.values[-1] / gamma.values[0]) / span)
     return Measured(power, 2.0 * gamma.attrs["error_estimate"] / float(gamma.min() * span))
-
-
-def critical_power_of_velocity(trends):
-    """Power of v_p = δ^((α + 1)/2) in the same γ."""
-    alpha = json.loads(trends.attrs["config"])["alpha"]
-    power = critical_power_of_pressure(trends)
-    share = 2.0 / (alpha + 1.0)
-    return Measured(share * power.value, share * power.error)
 
 
 def width_power(trends):

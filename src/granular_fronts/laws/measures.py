@@ -9,7 +9,10 @@ import numpy as np
 from scipy.stats import linregress
 
 from granular_fronts.collision import weak_damping_slope
+from granular_fronts.datasets import configuration_of
+from granular_fronts.jumps import jump_conditions
 from granular_fronts.laws.materials import ALPHA
+from granular_fronts.laws.named_potentials import make_potential
 from granular_fronts.measured import Measured
 
 
@@ -163,3 +166,48 @@ def signed_speed(dataset, law):
     expected = abs(float(case["speed_expected"]))
     errors = (case[name].attrs["error_estimate"] for name in ("speed_exact", "speed_expected"))
     return Measured(float(case["speed_exact"]) / expected, sum(errors) / expected)
+
+
+def worst_agreement(dataset, quantity):
+    """Largest distance to theory of all laws and ways of measuring, over the sum of their errors.
+
+    At most 1 where every measurement agrees with the jump conditions.
+    """
+    expected, expected_error = (
+        dataset[f"{quantity}_expected"],
+        dataset[f"{quantity}_expected_error"],
+    )
+    ratios = [
+        abs(dataset[name] - expected) / (dataset[f"{name}_error"] + expected_error)
+        for name in (f"{quantity}_{way}" for way in ("exact", "travelling", "driven"))
+        if name in dataset
+    ]
+    largest = max(float(ratio.max()) for ratio in ratios)
+    return Measured(largest, 4.0 * float(np.spacing(largest)))
+
+
+def sonic_margin(dataset):
+    """Smallest distance of driven fronts to both sound velocities, over their difference.
+
+    Of all laws; above 0 if every front is slower than sound behind it and faster than sound ahead.
+    """
+    cases = configuration_of(dataset)["cases"]
+    margins = [_sonic_margin(dataset.sel(law=law), case) for law, case in cases.items()]
+    return min(margins)
+
+
+def _sonic_margin(front, case):
+    theory = jump_conditions(make_potential(case["elastic"]), *map(float, case["states"]))
+    speed, error = abs(float(front["speed_driven"])), float(front["speed_driven_error"])
+    sounds = (theory.sound_minus, theory.sound_plus)
+    behind, ahead = sounds if float(front["direction"]) > 0.0 else reversed(sounds)
+    difference = abs(behind - ahead)
+    return Measured(min(behind - speed, speed - ahead) / difference, error / difference)
+
+
+def speed_spread(dataset, laws):
+    """Largest less smallest speed of travelling fronts of several laws."""
+    fronts = dataset.sel(law=laws)
+    speeds = fronts["speed_travelling"]
+    error = 2.0 * float(fronts["speed_travelling_error"].max())
+    return Measured(float(speeds.max() - speeds.min()), error)

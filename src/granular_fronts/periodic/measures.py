@@ -135,6 +135,21 @@ def aftershock_distance(dataset):
     return Measured(distance(1), abs(distance(1) - distance(2)))
 
 
+def profile_correlation(dataset):
+    """Correlation of max(u, 0), chain with equation, over all beads at the last snapshot.
+
+    Gaps count as u = 0: the equation has none, as section 1 says.
+    """
+    chain, equation = (dataset[name].isel(t=-1) for name in (CHAIN, EQUATION))
+
+    def correlation(stride):
+        sites, u = _cut_open(dataset, chain, stride)
+        approximate = np.interp(sites, *_cut_open(dataset, equation, 1))
+        return float(np.corrcoef(np.maximum(u, 0.0), approximate)[0, 1])
+
+    return Measured(correlation(1), abs(correlation(1) - correlation(2)))
+
+
 def _speed(dataset, name):
     first, last = (shock_place(dataset, dataset[name].isel(t=row)) for row in (-2, -1))
     duration = float(dataset["t"][-1] - dataset["t"][-2])
