@@ -18,7 +18,8 @@ from granular_fronts.scenes.configuration import (
     check_configuration,
     folder_errors,
 )
-from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.constraints import CONSTRAINTS, RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.sizes import SIZES
 from granular_fronts.scenes.validation import check_scene
 from granular_fronts.scenes.yaml_files import load_configuration, merge
 
@@ -300,6 +301,12 @@ SECTIONS_REFUSED = [
     # What figures and tables need.
     ("scenes.periodic.weak.record.snapshots", [10, 20], ["figure 5 needs 0 too", "add it"]),
     ("scenes.periodic.weak.record.snapshots", [0], ["is [0]", "needs 2 entries or more"]),
+    # Waves of the limiting cases.
+    ("laws.limiting_cases.beads", 250, ["beads is 250", "about 276 beads", "smaller end_time"]),
+    ("laws.limiting_cases.end_time", 0.1, ["end_time is 0.1", "strong_gamma 1", "give 32 or more"]),
+    ("laws.limiting_cases.strong_gamma", 40, ["strong_gamma 40", "give 656 or more"]),
+    ("laws.limiting_cases.beads", 10**9, ["beads = 1000000000", "GiB", "lower beads"]),
+    ("laws.limiting_cases.rings.gamma", 1e12, ["rings.slow_time = 1", "years on one core"]),
     # Units.
     (f"{MATERIAL}.radius", 19.6, ["radius is 19.6", "density of 2.5e-06 kg/m³", "give metres"]),
     (f"{MATERIAL}.mass", 78.8, ["its mass 78.8", "2.5e+06 kg/m³", "kilograms"]),
@@ -331,6 +338,38 @@ def test_impossible_section_is_refused_in_a_sentence(default, path, value, words
     assert sentence.endswith(".")
     for word in words:
         assert word in sentence
+
+
+def unchecked_sections(configuration, checks):
+    """Sections that a rule of the workflow is given, at no path of a dictionary of checks."""
+    rules = "".join(file.read_text("utf-8") for file in (ROOT / "workflow/rules").glob("*.smk"))
+    given = re.findall(r'config((?:\["\w+"\])+)', rules)
+    unchecked = []
+    for names in {tuple(re.findall(r"\w+", keys)) for keys in given}:
+        if names[0] in configuration:  # The name of a campaign comes from the command line only.
+            node = functools.reduce(operator.getitem, names, configuration)
+            if not is_checked(".".join(names), node, checks):
+                unchecked.append(".".join(names))
+    return unchecked
+
+
+def is_checked(path, node, checks):
+    """Whether a node, or all that it holds, has checks; a list or a number has the schema's."""
+    if not isinstance(node, dict) or {path, f"{path}.*"} & set(checks):
+        return True
+    return all(
+        isinstance(v, dict) and is_checked(f"{path}.{k}", v, checks) for k, v in node.items()
+    )
+
+
+@pytest.mark.parametrize("checks", [CONSTRAINTS, SIZES], ids=["constraints", "sizes"])
+def test_every_section_given_to_a_rule_is_checked(default, checks):
+    assert not unchecked_sections(default, checks)
+    for path in ("laws.limiting_cases", "scenes.chain.*", "precision.ring.*"):
+        fewer = {key: check for key, check in checks.items() if key != path}
+        unchecked = unchecked_sections(default, fewer)
+        assert unchecked
+        assert all(path.startswith(section) for section in unchecked)
 
 
 def test_log_burgers_problem_names_a_ring(default):

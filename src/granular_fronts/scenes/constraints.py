@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Mapping
 from granular_fronts.scenes.law_constraints import (
     beads_are_solid,
     piston_tolerance_resolves_motion,
+    pressed_chains_hold_waves,
     states_differ,
     theta_steps_meet_end,
 )
@@ -302,10 +303,13 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "exact_fronts.survey": (),
     "exact_fronts.critical_damping": (),
     "exact_fronts.multipliers": (),
+    "exact_fronts.trends": (),
     "laws.materials": (beads_are_solid,),
     "laws.damping_regimes": (),
     "laws.numerical_damping": (theta_steps_meet_end,),
     "laws.jump_conditions": (states_differ,),
+    "laws.choice_of_variables": (),
+    "laws.limiting_cases": (pressed_chains_hold_waves,),
     "laws.piston": (relative_tolerance_above_floor, piston_tolerance_resolves_motion),
     "precision.log_burgers.*": (),
     "precision.chain.*": (),
