@@ -103,6 +103,10 @@ REFUSED = [
     ({"law__gamma": math.nan}, ["law.gamma is nan", "must be finite"]),
     ({"record__snapshots": [1.0, math.nan]}, ["record.snapshots (entry 2) is nan"]),
     ({"tolerance__relative": "1e-13"}, ['tolerance.relative is "1e-13"', "write 1.0e-13"]),
+    ({"tolerance__relative": "1.0e-13"}, ['is "1.0e-13"', "quotes: write 1.0e-13 without them"]),
+    ({"end_time": "450"}, ['end_time is "450"', "stands in quotes: write 450 without them"]),
+    ({"beads": "420"}, ['beads is "420"', "stands in quotes: write 420 without them"]),
+    ({"beads": "420.5"}, ['beads is "420.5": give a whole number instead']),
     ({"tolerance__absolute": "2.5E6"}, ["write 2.5e+6"]),
     (
         {"tolerance__relative": 1.0e-17},
@@ -233,6 +237,7 @@ def test_every_mistake_is_named_at_once(default):
     ("configuration", "words"),
     [
         ({}, "scenes is missing"),
+        (None, "the configuration is null: give a mapping"),
         ({"results": "", "scenes": {"chain": {}}}, "results is empty"),
         ({"results": "results", "scenes": {"chain": {}}}, "scenes.heteroclinic is missing"),
         ({"results": "results", "scenes": {"chian": {}}}, "did you mean chain?"),
@@ -276,6 +281,11 @@ SECTIONS_REFUSED = [
     ("laws.damping_regimes.betas", [1, 1.0], ["betas (entry 2) is 1.0", "list it once"]),
     ("laws.piston.ramps", [0, 10, 10], ["ramps (entry 3) is 10", "list it once"]),
     ("hard_cases", ["delta_1e8"] * 2, ['hard_cases (entry 2) is "delta_1e8"', "list it once"]),
+    # Unknown names.
+    ("hard_cases", ["gama_zero"], ['"gama_zero", which is unknown: did you mean gamma_zero?']),
+    ("hard_cases", ["something"], ["is unknown: choose gamma_zero or", "or front_dashpot."]),
+    # What is no mapping.
+    ("scenes.periodic.weak", None, ["Scene weak is null: give a mapping of keys to values"]),
     # Names that clash.
     ("scenes.front.survey", FRONT, ["scenes.front.survey has the name of the survey", "rename"]),
     ("scenes.front.multipliers", FRONT, ["has the name of the multipliers", "rename"]),
@@ -323,7 +333,7 @@ SECTIONS_REFUSED = [
     (
         "precision.chain.contact_loss.own_tolerances",
         {"scipy_rk54": [1e-4]},
-        ['"scipy_rk54"', "is unknown: choose strain_form or"],
+        ['"scipy_rk54"', "is unknown: did you mean scipy_rk45?"],
     ),
 ]
 
@@ -335,7 +345,7 @@ SECTIONS_REFUSED = [
 )
 def test_impossible_section_is_refused_in_a_sentence(default, path, value, words):
     [sentence] = refusal(set_value(default, path, value)).splitlines()
-    assert sentence.endswith(".")
+    assert sentence.endswith((".", "?"))
     for word in words:
         assert word in sentence
 
