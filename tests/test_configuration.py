@@ -139,6 +139,14 @@ REFUSED = [
     ({"record__grid__step": 2700}, ["record.grid.step is 2700", "end_time 2600"]),
     ({"record__probes__steady__stop": 9e3}, ["probes.steady.stop is 9000.0", "end_time 2600"]),
     ({"record__probes__steady__start": 420}, ["probes.steady.start is 420", "stop 420"]),
+    (
+        {"record__probes__steady__step": 400},
+        ["probes.steady.step is 400", "range of 360", "give 360 or less"],
+    ),
+    (
+        {"record__arrival_level": 1.5},
+        ["arrival_level is 1.5", "stay below 1 where about 0.1 drives them", "give 0.05"],
+    ),
     ({"record__probes__steady__beads": []}, ["probes.steady.beads is empty", "at least one"]),
     (
         {"record__probes__steady__beads": [50, 421]},
@@ -190,6 +198,9 @@ HETEROCLINIC_REFUSED = [
     ({"mu": [0.3, 2, 0.3]}, ["mu (entry 3) is 0.3", "list it once"]),
     ({"profile__start": 10}, ["profile.start is 10", "stop 10"]),
     ({"profile__step": 0}, ["profile.step is 0", "above 0"]),
+    ({"profile__step": 60}, ["profile.step is 60", "range of 50", "give 50 or less"]),
+    ({"well__step": 2}, ["well.step is 2", "range of 1.75", "(limit)"]),
+    ({"portrait__step": 26}, ["portrait.step is 26", "range of 25", "(span)"]),
     ({"profile__step": 1.0e-9}, ["profile.step = 1e-09", "2,980 GiB", "raise profile.step"]),
     ({"portrait__step": 1.0e-9}, ["portrait.step = 1e-09", "GiB", "raise portrait.step"]),
     ({"portrait__mu": 0.5}, ["portrait.mu is 0.5", "one of mu [0.3, 2]", "add 0.5 to mu"]),
@@ -327,6 +338,15 @@ SECTIONS_REFUSED = [
     ("laws.numerical_damping.profile.step", 0.7, ["no whole number of such steps ends at"]),
     ("laws.numerical_damping.order.steps", [0.24], ["has 1 entry, below its limit 3"]),
     ("laws.jump_conditions.cases.toda.states", [-2, -2], ["two different states"]),
+    (
+        "laws.jump_conditions.cases.hertz_dashpot",
+        {
+            "elastic": {"kind": "hertz", "alpha": 2},
+            "dissipation": {"kind": "fpu"},
+            "states": [0, 1],
+        },
+        ["cases.hertz_dashpot.states are 0 and 1", "elastic force of Hertz vanishes", "below 0"],
+    ),
     ("laws.piston.tolerance.absolute", 1e-300, ["below 1e-20 of the largest", "or more"]),
     ("scenes.periodic.weak.tolerance.absolute", 1e-300, ["below 1e-20 of the largest", "or more"]),
     ("precision.log_burgers.weak.reference.points", 9, ["no multiple of 2"]),
@@ -486,6 +506,13 @@ def test_missing_key_is_described_by_its_definition(default):
     del default["exact_fronts"]["survey"]["gamma"]
     sentence = "exact_fronts.survey.gamma is missing: add it (Dampings at equal ratios)."
     assert refusal(default) == sentence
+
+
+def test_probes_may_have_the_names_of_limits(default):
+    record = default["scenes"]["chain"][SCENE]["record"]
+    for name in ("start", "stop", "step", "limit", "span"):
+        record["probes"][name] = record["probes"]["steady"]
+    check_configuration(default)
 
 
 def test_single_scene_is_checked_under_its_own_name(default):

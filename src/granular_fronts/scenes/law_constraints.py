@@ -85,6 +85,18 @@ def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
             return
 
 
+def states_are_compressed(section: Mapping) -> Iterator[str]:
+    """A force of Hertz acts in one of the two states at the least."""
+    for name, case in section["cases"].items():
+        behind, ahead = case["states"]
+        for force in ("elastic", "dissipation"):
+            if case[force]["kind"] == "hertz" and behind != ahead and min(behind, ahead) >= 0:
+                yield (
+                    f"cases.{name}.states are {behind} and {ahead}, where the {force} force of "
+                    "Hertz vanishes, since no strain is below 0: give a compressed state, below 0."
+                )
+
+
 def states_differ(section: Mapping) -> Iterator[str]:
     """The two states that a front joins are not the same."""
     for name, case in section["cases"].items():
