@@ -18,7 +18,8 @@ from granular_fronts.scenes.configuration import (
     check_configuration,
     folder_errors,
 )
-from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.constraints import CONSTRAINTS, RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.sizes import SIZES
 from granular_fronts.scenes.validation import check_scene
 from granular_fronts.scenes.yaml_files import load_configuration, merge
 
@@ -102,6 +103,10 @@ REFUSED = [
     ({"law__gamma": math.nan}, ["law.gamma is nan", "must be finite"]),
     ({"record__snapshots": [1.0, math.nan]}, ["record.snapshots (entry 2) is nan"]),
     ({"tolerance__relative": "1e-13"}, ['tolerance.relative is "1e-13"', "write 1.0e-13"]),
+    ({"tolerance__relative": "1.0e-13"}, ['is "1.0e-13"', "quotes: write 1.0e-13 without them"]),
+    ({"end_time": "450"}, ['end_time is "450"', "stands in quotes: write 450 without them"]),
+    ({"beads": "420"}, ['beads is "420"', "stands in quotes: write 420 without them"]),
+    ({"beads": "420.5"}, ['beads is "420.5": give a whole number instead']),
     ({"tolerance__absolute": "2.5E6"}, ["write 2.5e+6"]),
     (
         {"tolerance__relative": 1.0e-17},
@@ -134,6 +139,14 @@ REFUSED = [
     ({"record__grid__step": 2700}, ["record.grid.step is 2700", "end_time 2600"]),
     ({"record__probes__steady__stop": 9e3}, ["probes.steady.stop is 9000.0", "end_time 2600"]),
     ({"record__probes__steady__start": 420}, ["probes.steady.start is 420", "stop 420"]),
+    (
+        {"record__probes__steady__step": 400},
+        ["probes.steady.step is 400", "range of 360", "give 360 or less"],
+    ),
+    (
+        {"record__arrival_level": 1.5},
+        ["arrival_level is 1.5", "stay below 1 where about 0.1 drives them", "give 0.05"],
+    ),
     ({"record__probes__steady__beads": []}, ["probes.steady.beads is empty", "at least one"]),
     (
         {"record__probes__steady__beads": [50, 421]},
@@ -185,6 +198,9 @@ HETEROCLINIC_REFUSED = [
     ({"mu": [0.3, 2, 0.3]}, ["mu (entry 3) is 0.3", "list it once"]),
     ({"profile__start": 10}, ["profile.start is 10", "stop 10"]),
     ({"profile__step": 0}, ["profile.step is 0", "above 0"]),
+    ({"profile__step": 60}, ["profile.step is 60", "range of 50", "give 50 or less"]),
+    ({"well__step": 2}, ["well.step is 2", "range of 1.75", "(limit)"]),
+    ({"portrait__step": 26}, ["portrait.step is 26", "range of 25", "(span)"]),
     ({"profile__step": 1.0e-9}, ["profile.step = 1e-09", "2,980 GiB", "raise profile.step"]),
     ({"portrait__step": 1.0e-9}, ["portrait.step = 1e-09", "GiB", "raise portrait.step"]),
     ({"portrait__mu": 0.5}, ["portrait.mu is 0.5", "one of mu [0.3, 2]", "add 0.5 to mu"]),
@@ -232,6 +248,7 @@ def test_every_mistake_is_named_at_once(default):
     ("configuration", "words"),
     [
         ({}, "scenes is missing"),
+        (None, "the configuration is null: give a mapping"),
         ({"results": "", "scenes": {"chain": {}}}, "results is empty"),
         ({"results": "results", "scenes": {"chain": {}}}, "scenes.heteroclinic is missing"),
         ({"results": "results", "scenes": {"chian": {}}}, "did you mean chain?"),
@@ -275,6 +292,11 @@ SECTIONS_REFUSED = [
     ("laws.damping_regimes.betas", [1, 1.0], ["betas (entry 2) is 1.0", "list it once"]),
     ("laws.piston.ramps", [0, 10, 10], ["ramps (entry 3) is 10", "list it once"]),
     ("hard_cases", ["delta_1e8"] * 2, ['hard_cases (entry 2) is "delta_1e8"', "list it once"]),
+    # Unknown names.
+    ("hard_cases", ["gama_zero"], ['"gama_zero", which is unknown: did you mean gamma_zero?']),
+    ("hard_cases", ["something"], ["is unknown: choose gamma_zero or", "or front_dashpot."]),
+    # What is no mapping.
+    ("scenes.periodic.weak", None, ["Scene weak is null: give a mapping of keys to values"]),
     # Names that clash.
     ("scenes.front.survey", FRONT, ["scenes.front.survey has the name of the survey", "rename"]),
     ("scenes.front.multipliers", FRONT, ["has the name of the multipliers", "rename"]),
@@ -300,8 +322,12 @@ SECTIONS_REFUSED = [
     # What figures and tables need.
     ("scenes.periodic.weak.record.snapshots", [10, 20], ["figure 5 needs 0 too", "add it"]),
     ("scenes.periodic.weak.record.snapshots", [0], ["is [0]", "needs 2 entries or more"]),
-    ("scenes.heteroclinic.damping_sweep.mu", [1, 2], ["needs 0, 0.3, 3 too", "add them"]),
-    ("laws.damping_regimes.betas", [1, 2], ["needs 1.25, 1.5, 2.5 too", "add them"]),
+    # Waves of the limiting cases.
+    ("laws.limiting_cases.beads", 250, ["beads is 250", "about 276 beads", "smaller end_time"]),
+    ("laws.limiting_cases.end_time", 0.1, ["end_time is 0.1", "strong_gamma 1", "give 32 or more"]),
+    ("laws.limiting_cases.strong_gamma", 40, ["strong_gamma 40", "give 656 or more"]),
+    ("laws.limiting_cases.beads", 10**9, ["beads = 1000000000", "GiB", "lower beads"]),
+    ("laws.limiting_cases.rings.gamma", 1e12, ["rings.slow_time = 1", "years on one core"]),
     # Units.
     (f"{MATERIAL}.radius", 19.6, ["radius is 19.6", "density of 2.5e-06 kg/m³", "give metres"]),
     (f"{MATERIAL}.mass", 78.8, ["its mass 78.8", "2.5e+06 kg/m³", "kilograms"]),
@@ -312,13 +338,22 @@ SECTIONS_REFUSED = [
     ("laws.numerical_damping.profile.step", 0.7, ["no whole number of such steps ends at"]),
     ("laws.numerical_damping.order.steps", [0.24], ["has 1 entry, below its limit 3"]),
     ("laws.jump_conditions.cases.toda.states", [-2, -2], ["two different states"]),
+    (
+        "laws.jump_conditions.cases.hertz_dashpot",
+        {
+            "elastic": {"kind": "hertz", "alpha": 2},
+            "dissipation": {"kind": "fpu"},
+            "states": [0, 1],
+        },
+        ["cases.hertz_dashpot.states are 0 and 1", "elastic force of Hertz vanishes", "below 0"],
+    ),
     ("laws.piston.tolerance.absolute", 1e-300, ["below 1e-20 of the largest", "or more"]),
     ("scenes.periodic.weak.tolerance.absolute", 1e-300, ["below 1e-20 of the largest", "or more"]),
     ("precision.log_burgers.weak.reference.points", 9, ["no multiple of 2"]),
     (
         "precision.chain.contact_loss.own_tolerances",
         {"scipy_rk54": [1e-4]},
-        ['"scipy_rk54"', "is unknown: choose strain_form or"],
+        ['"scipy_rk54"', "is unknown: did you mean scipy_rk45?"],
     ),
 ]
 
@@ -330,9 +365,41 @@ SECTIONS_REFUSED = [
 )
 def test_impossible_section_is_refused_in_a_sentence(default, path, value, words):
     [sentence] = refusal(set_value(default, path, value)).splitlines()
-    assert sentence.endswith(".")
+    assert sentence.endswith((".", "?"))
     for word in words:
         assert word in sentence
+
+
+def unchecked_sections(configuration, checks):
+    """Sections that a rule of the workflow is given, at no path of a dictionary of checks."""
+    rules = "".join(file.read_text("utf-8") for file in (ROOT / "workflow/rules").glob("*.smk"))
+    given = re.findall(r'config((?:\["\w+"\])+)', rules)
+    unchecked = []
+    for names in {tuple(re.findall(r"\w+", keys)) for keys in given}:
+        if names[0] in configuration:  # The name of a campaign comes from the command line only.
+            node = functools.reduce(operator.getitem, names, configuration)
+            if not is_checked(".".join(names), node, checks):
+                unchecked.append(".".join(names))
+    return unchecked
+
+
+def is_checked(path, node, checks):
+    """Whether a node, or all that it holds, has checks; a list or a number has the schema's."""
+    if not isinstance(node, dict) or {path, f"{path}.*"} & set(checks):
+        return True
+    return all(
+        isinstance(v, dict) and is_checked(f"{path}.{k}", v, checks) for k, v in node.items()
+    )
+
+
+@pytest.mark.parametrize("checks", [CONSTRAINTS, SIZES], ids=["constraints", "sizes"])
+def test_every_section_given_to_a_rule_is_checked(default, checks):
+    assert not unchecked_sections(default, checks)
+    for path in ("laws.limiting_cases", "scenes.chain.*", "precision.ring.*"):
+        fewer = {key: check for key, check in checks.items() if key != path}
+        unchecked = unchecked_sections(default, fewer)
+        assert unchecked
+        assert all(path.startswith(section) for section in unchecked)
 
 
 def test_log_burgers_problem_names_a_ring(default):
@@ -350,6 +417,19 @@ def test_what_is_large_but_possible_is_accepted(default):
         record__probes__steady__step=3.6e-5,
     )
     check_configuration(large)
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("laws.damping_regimes", {"alpha": 2, "betas": [1, 1.5, 2, 3], "decades": 5, "points": 9}),
+        ("scenes.heteroclinic.damping_sweep.mu", [1, 2]),
+        ("laws.piston.ramps", [5]),
+    ],
+)
+def test_other_values_of_parameters_than_those_of_the_paper_are_accepted(default, path, value):
+    """The table of printed numbers leaves out what it cannot measure."""
+    check_configuration(set_value(default, path, value))
 
 
 @pytest.mark.parametrize(
@@ -426,6 +506,13 @@ def test_missing_key_is_described_by_its_definition(default):
     del default["exact_fronts"]["survey"]["gamma"]
     sentence = "exact_fronts.survey.gamma is missing: add it (Dampings at equal ratios)."
     assert refusal(default) == sentence
+
+
+def test_probes_may_have_the_names_of_limits(default):
+    record = default["scenes"]["chain"][SCENE]["record"]
+    for name in ("start", "stop", "step", "limit", "span"):
+        record["probes"][name] = record["probes"]["steady"]
+    check_configuration(default)
 
 
 def test_single_scene_is_checked_under_its_own_name(default):

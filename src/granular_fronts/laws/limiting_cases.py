@@ -25,14 +25,13 @@ from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.comparison import compare_with_chain
 from granular_fronts.contact import generalised_hertz
 from granular_fronts.jumps import jump_conditions
+from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
+from granular_fronts.scenes.validation import raise_if_any
 from granular_fronts.slow_scales import make_slow_scales
 
 TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
 BEHIND = slice(0.5, 0.8)
 """Part of the way of the wave over which the range of u is taken."""
-
-ROOM = 1.15
-"""Beads per unit of time that a wave without damping needs, with a margin."""
 
 ERROR_METHOD = "of the chain, or the change that leaving out every other bead makes"
 
@@ -80,14 +79,12 @@ def measure_limiting_cases(
 
     Raises
     ------
-    ValueError
-        If the pressed chains are too short.
+    InputError
+        If the pressed chains are too short for their waves, or the time is.
     """
-    if beads < ROOM * end_time:
-        raise ValueError(
-            f"beads is {beads}, but waves run through about {ROOM * end_time:.0f} beads until "
-            f"end_time {end_time:g}: give more beads, or a smaller end_time."
-        )
+    pressed = {"beads": beads, "end_time": end_time}
+    pressed |= {"weak_gamma": weak_gamma, "strong_gamma": strong_gamma}
+    raise_if_any([*pressed_chains_hold_waves(pressed)])
     times = [0.25 * end_time, end_time]
 
     def press(exponent, gamma):

@@ -12,6 +12,15 @@ DENSITIES = 1.0, 30_000.0
 MODULI = 1.0e4, 2.0e12
 """Young's moduli of solid beads in Pa, from gels to beyond diamond (1.2e12)."""
 
+BEADS_PER_TIME = 1.15
+"""Beads that a wave from the compression 1 runs through in a unit of time, with a margin."""
+
+FORMING_TIME = 16.0
+"""End of the shortest motion, over 1 + γ, in which a pressed wave passes its own width.
+
+Of α = 1 the width from 90 to 10 per cent grows like 2.56 (γt)^(1/2); it is seen at a quarter too.
+"""
+
 THETA_END_ERROR = 1.0e-9
 """Rounding of end_time over a step of the θ-method, relative to end_time."""
 
@@ -49,6 +58,23 @@ def theta_steps_meet_end(section: Mapping) -> Iterator[str]:
             )
 
 
+def pressed_chains_hold_waves(section: Mapping) -> Iterator[str]:
+    """The waves of pressed chains run past their own width, and not to the last bead."""
+    beads, end = section["beads"], section["end_time"]
+    if beads < BEADS_PER_TIME * end:
+        yield (
+            f"beads is {beads}, but waves run through about {BEADS_PER_TIME * end:.3g} beads until "
+            f"end_time {end:g}: give more beads, or a smaller end_time."
+        )
+    name = max("weak_gamma", "strong_gamma", key=section.get)
+    least = FORMING_TIME * (1.0 + section[name])
+    if end < least:
+        yield (
+            f"end_time is {end}, but with {name} {section[name]:g} a wave needs {least:.3g} to run "
+            f"past its own width: give {least:.3g} or more, or a smaller {name}."
+        )
+
+
 def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
     """The absolute tolerance suits the compression that the piston makes with each law."""
     for law in section["cases"].values():
@@ -57,6 +83,18 @@ def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
         if errors:
             yield from errors
             return
+
+
+def states_are_compressed(section: Mapping) -> Iterator[str]:
+    """A force of Hertz acts in one of the two states at the least."""
+    for name, case in section["cases"].items():
+        behind, ahead = case["states"]
+        for force in ("elastic", "dissipation"):
+            if case[force]["kind"] == "hertz" and behind != ahead and min(behind, ahead) >= 0:
+                yield (
+                    f"cases.{name}.states are {behind} and {ahead}, where the {force} force of "
+                    "Hertz vanishes, since no strain is below 0: give a compressed state, below 0."
+                )
 
 
 def states_differ(section: Mapping) -> Iterator[str]:

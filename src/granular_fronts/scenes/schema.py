@@ -13,6 +13,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import yaml
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
@@ -34,6 +35,12 @@ LARGEST_WHOLE = 2**63 - 1
 
 LONGEST_SHOWN = 60
 """Letters of a value that a sentence quotes."""
+
+MOST_CHOICES = 12
+"""Names that a sentence lists even if one of them is close to an unknown one."""
+
+ABOUT_KEYS = "required", "additionalProperties"
+"""Kinds of violations that concern a key inside the value, and not the value as a whole."""
 
 
 def _is_whole(_checker: object, value: object) -> bool:
@@ -88,6 +95,8 @@ def violations(
     errors = sorted(_Validator(rules).iter_errors(instance), key=lambda error: str(error.path))
     for error in errors:
         scene, key = _locate([*place, *error.absolute_path])
+        if not key and error.validator not in ABOUT_KEYS:
+            scene, key = "", scene.removesuffix(": ") or "the configuration"
         yield scene + _sentence(error, key, rules["$defs"])
 
 
@@ -133,7 +142,7 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     """Say in one sentence what a violation is and how to end it."""
     if "propertyNames" in error.absolute_schema_path:
         if error.validator == "enum":
-            return f"{_show(error.instance)} in {key} is unknown: choose {_choice(error)}."
+            return f"{_show(error.instance)} in {key} is unknown: {_choice(error)}"
         return (
             f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
             "and underscores, a letter first."
@@ -144,7 +153,6 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
         return _unknown_key(error, key)
     if error.validator == "type":
         return _wrong_type(error, key)
-    key = key or "the whole"
     value, limit = _show(error.instance), error.validator_value
     if error.validator == "minimum":
         return f"{key} is {value}, below its limit {limit}: give {limit} or more."
@@ -155,7 +163,7 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     if error.validator == "exclusiveMaximum":
         return f"{key} is {value}, but must be below {limit}: give a number below {limit}."
     if error.validator == "enum":
-        return f"{key} is {value}, which is unknown: choose {_choice(error)}."
+        return f"{key} is {value}, which is unknown: {_choice(error)}"
     if error.validator == "multipleOf":
         return f"{key} is {value}, no multiple of {limit}: give a multiple of {limit}."
     if error.validator == "uniqueItems":
@@ -172,7 +180,12 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
 
 
 def _choice(error: ValidationError) -> str:
-    return " or ".join(error.validator_value)
+    """Say which names there are, or of many the one that was probably meant."""
+    names = error.validator_value
+    near = difflib.get_close_matches(str(error.instance), names, n=1)
+    if near and len(names) > MOST_CHOICES:
+        return f"did you mean {near[0]}?"
+    return f"choose {' or '.join(names)}."
 
 
 def _count(entries: Sequence) -> str:
@@ -211,19 +224,22 @@ def _wrong_type(error: ValidationError, key: str) -> str:
     allowed = error.validator_value
     kinds = [allowed] if isinstance(allowed, str) else allowed
     expected = " or ".join(_KIND[kind] for kind in kinds)
-    key = key or "the whole"
     if not {"number", "integer"}.isdisjoint(kinds) and _is_plain(error.instance, int | float):
         if isinstance(error.instance, int):
             return f"{key} is {_show(error.instance)}, beyond what an array can hold: give less."
         if not math.isfinite(error.instance):
             return f"{key} is {error.instance}, but must be finite: give {expected}."
-    if expected == "a number" and isinstance(error.instance, str):
-        number = _with_point_and_sign(error.instance)
-        if number is not None:
-            return (
-                f"{key} is {_show(error.instance)}, which YAML reads as text because a number "
-                f"with an exponent needs a point and a sign: write {number}."
-            )
+    number = _with_point_and_sign(error.instance) if isinstance(error.instance, str) else None
+    if number is not None and _Validator(error.schema).is_valid(yaml.safe_load(error.instance)):
+        return (
+            f"{key} is {_show(error.instance)}, which is text because it stands in quotes: write "
+            f"{error.instance} without them."
+        )
+    if number is not None and expected == "a number":
+        return (
+            f"{key} is {_show(error.instance)}, which YAML reads as text because a number with an "
+            f"exponent needs a point and a sign: write {number}."
+        )
     meaning = error.schema.get("description", "").rstrip(".")
     return f"{key} is {_show(error.instance)}: give {expected} instead" + (
         f" ({meaning})." if meaning else "."

@@ -96,8 +96,7 @@ def size_errors(path: str, section: Mapping) -> Iterator[str]:
     str
         One sentence if it is too large: the keys that contribute most, and the size.
     """
-    if path in SIZES:
-        yield from part_errors(section, list(SIZES[path](section)))
+    yield from part_errors(section, list(SIZES[path](section)))
 
 
 def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
@@ -226,7 +225,21 @@ def size_of_multipliers(section: Mapping) -> Iterator[Part]:
     yield Part(("beads_behind",), (), 3.0 * rows * rows, operations * SECONDS_PER_OPERATION)
 
 
+def size_of_trends(section: Mapping) -> Iterator[Part]:
+    """A front for each pressure and each exponent, a tail for each velocity."""
+    tails = float(len(section["betas"])) * len(section["piston_velocities"])
+    yield _front_part(("betas", "piston_velocities"), tails)
+    for key in ("displacements", "exponents"):
+        yield _front_part((key,), float(len(section[key])))
+
+
 # Contact laws at work.
+
+
+def size_of_materials(section: Mapping) -> Iterator[Part]:
+    """A front for each material, velocity and force."""
+    fronts = float(len(section["piston_velocities"]) + len(section["forces"]))
+    yield _front_part(("piston_velocities", "forces"), len(section["beads"]) * fronts)
 
 
 def size_of_regimes(section: Mapping) -> Iterator[Part]:
@@ -256,6 +269,27 @@ def size_of_driven_fronts(section: Mapping) -> Iterator[Part]:
     fronts, beads = len(section["cases"]) * len(section.get("ramps", [0])), float(section["beads"])
     seconds = 0.5 * fronts * beads * beads * SECONDS_PER_CROSSING
     yield Part(("beads",), (), NUMBERS_PER_BEAD * beads, seconds)
+
+
+def size_of_variables(section: Mapping) -> Iterator[Part]:
+    """A difference quotient for each exponent."""
+    yield Part(("betas",), (), 0.0, len(section["betas"]) * SECONDS_PER_RUN)
+
+
+def size_of_limiting_cases(section: Mapping) -> Iterator[Part]:
+    """Pressed chains, and a ring for each exponent."""
+    beads, end, rings = float(section["beads"]), section["end_time"], section["rings"]
+    pressed = {"law": {"alpha": 1.0}, "displacement": 1.0, "end_time": end}
+    yield Part(
+        ("beads", "end_time"), (), NUMBERS_PER_BEAD * beads, 4.0 * _crossing_time(pressed, beads)
+    )
+    for exponent in rings["exponents"]:
+        # Beads 2ℓ/ε times the time τ/(½γε²), with ε = (α − 1)/(αγ) and c = 1.
+        crossings = 4.0 * rings["half_length"] * rings["slow_time"]
+        crossings *= rings["gamma"] * rings["gamma"] * (exponent / (exponent - 1.0)) ** 3
+        yield Part(
+            ("rings.half_length", "rings.slow_time"), (), 0.0, crossings * SECONDS_PER_CROSSING
+        )
 
 
 # Measurements of speed.
@@ -310,9 +344,13 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "exact_fronts.survey": size_of_survey,
     "exact_fronts.critical_damping": size_of_damping_map,
     "exact_fronts.multipliers": size_of_multipliers,
+    "exact_fronts.trends": size_of_trends,
+    "laws.materials": size_of_materials,
     "laws.damping_regimes": size_of_regimes,
     "laws.numerical_damping": size_of_theta_method,
     "laws.jump_conditions": size_of_driven_fronts,
+    "laws.choice_of_variables": size_of_variables,
+    "laws.limiting_cases": size_of_limiting_cases,
     "laws.piston": size_of_driven_fronts,
     "precision.chain.*": size_of_repeated_runs,
     "precision.ring.*": size_of_repeated_runs,

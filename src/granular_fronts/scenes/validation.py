@@ -10,7 +10,7 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 from collections.abc import Mapping, Sequence
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase
+from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase, steps_fit_ranges
 from granular_fronts.scenes.scales import energies_are_representable
 from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sizes import size_errors
@@ -66,7 +66,7 @@ def section_errors(path: str, section: Mapping) -> list[str]:
         [*energies_are_representable(section)]
         or [
             error
-            for constraint in (ranges_increase, *CONSTRAINTS[path])
+            for constraint in (ranges_increase, steps_fit_ranges, *CONSTRAINTS[path])
             for error in constraint(section)
         ]
         or [*size_errors(path, section)]
