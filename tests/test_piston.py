@@ -39,6 +39,15 @@ def test_piston_is_the_middle_bead_of_a_symmetric_collision(law):
         np.testing.assert_allclose(both_halves[beads:], half, atol=4.0e-15)
 
 
+def test_right_end_ahead_of_a_piston_is_free_by_default():
+    given, free = piston_scene(LAWS[0]), piston_scene(LAWS[0])
+    del free["boundary"]["right"]
+    held = piston_scene(LAWS[0], right=0.1)
+    for field, same, other in zip(final(given), final(free), final(held), strict=True):
+        np.testing.assert_array_equal(field, same)
+        assert np.abs(field - other).max() > 0.01
+
+
 @pytest.mark.parametrize("right", [0.0, 0.1])
 @pytest.mark.parametrize("ramp", [0.0, 7.0, 50.0])
 @pytest.mark.parametrize("law", LAWS)

@@ -141,7 +141,7 @@ def make_boundary(scene):
         return Boundary(ring=True)
     if boundary["kind"] == "piston":
         piston = Piston(float(boundary["velocity"]), float(boundary.get("ramp", 0.0)))
-        return Boundary(ring=False, right=float(boundary["right"]), piston=piston)
+        return Boundary(ring=False, right=float(boundary.get("right", 0.0)), piston=piston)
     return Boundary(ring=False, left=float(boundary["left"]), right=float(boundary["right"]))
 
 
