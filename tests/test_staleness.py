@@ -11,6 +11,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -201,3 +202,19 @@ def test_report_after_a_broken_run_is_of_one_piece(finished):
     configuration = yaml.safe_load(html.unescape(shown))
     assert questions == {question_digest(configuration["scenes"]["chain"][SCENE])}
     assert "law.gamma is 0.27 instead of 0.06" in page
+
+
+def test_results_without_the_record_of_how_they_were_made_are_refused(finished):
+    """Snakemake's own record is lost, as when results are copied, and the question is another."""
+    record = finished / ".snakemake/metadata"
+    record.rename(finished / ".snakemake/lost")
+    try:
+        changed = snakemake(*ask(finished, "lost", {"law": {"gamma": 0.28}}), folder=finished)
+        same = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=finished)
+    finally:
+        shutil.rmtree(record, ignore_errors=True)
+        (finished / ".snakemake/lost").rename(record)
+    assert changed.returncode == 1
+    assert f"answers another configuration of scene {SCENE}" in changed.stderr
+    assert "remove results/smoke, or name another folder" in changed.stderr
+    assert same.returncode == 0
