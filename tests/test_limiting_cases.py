@@ -7,6 +7,7 @@ import pytest
 
 from granular_fronts.chain import plain_forms
 from granular_fronts.chain.state import make_law
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.solitary_waves import gaussian, solitary_wave
 from granular_fronts.fronts.trends import critical_gamma, solitary_shape, tail_frequency
 from granular_fronts.laws.choice_of_variables import (
@@ -49,7 +50,7 @@ def test_rings_approach_their_equation_as_the_exponent_tends_to_one():
 
 
 def test_chains_too_short_for_their_waves_are_an_error():
-    with pytest.raises(ValueError, match="beads is 100, but waves run through about 230 beads"):
+    with pytest.raises(InputError, match="beads is 100, but waves run through about 230 beads"):
         measure_limiting_cases(1.5, 0.1, 1.0, 100, 200.0, 0.5, [0.1], [1.0, 2.0], {})
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from granular_fronts.chain import theta_method
 from granular_fronts.chain.theta_method import integrate_from_rest
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.laws.numerical_damping import (
     Case,
     compare_profiles,
@@ -79,7 +80,7 @@ def test_failed_newton_is_a_record(monkeypatch):
     motion = integrate_from_rest(ALPHA, 12, DELTA, 0.0, 1.0, 0.1, 3)
     assert not motion.converged
     assert motion.iterations == 7
-    with pytest.raises(ValueError, match=r"Newton's method fails for theta 1.0 and step 0.1"):
+    with pytest.raises(SolveError, match=r"Newton's method fails for theta 1.0 and step 0.1"):
         theta_chain(Case(ALPHA, DELTA, 12, 1.0), 1.0, 0.1)
 
 
@@ -99,5 +100,5 @@ def test_overflowing_force_is_noticed():
 )
 def test_impossible_method_is_refused(arguments, sentence):
     alpha, theta, step = arguments
-    with pytest.raises(ValueError, match=sentence):
+    with pytest.raises(InputError, match=sentence):
         theta_chain(CASE._replace(alpha=alpha), theta, step)

@@ -130,7 +130,12 @@ def measure(name, problem, settings, methods):
         if point not in best or run.seconds < best[point].seconds:
             best[point] = run
     return [
-        {"method": method, "tolerance": tolerance, **told(run), **errors_of(run, problem.reference)}
+        {
+            "method": method,
+            "tolerance": tolerance,
+            **costs_of(run),
+            **errors_of(run, problem.reference),
+        }
         for (method, tolerance), run in sorted(
             best.items(), key=lambda item: methods.index(item[0][0])
         )
@@ -145,7 +150,7 @@ def attempt(problem, method, tolerance):
         return Run(message=f"{type(error).__name__}: {error}")
 
 
-def told(run):
+def costs_of(run):
     """Costs of a run, and whether something else took part of the machine meanwhile."""
     share = run.cpu_seconds / run.seconds
     return {

@@ -35,16 +35,16 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
 
 
 def describe(name, case):
-    """The cells that tell which lattice it is."""
+    """The cells that name the lattice."""
     return {
         "law": name,
-        "elastic": tell_potential(case["elastic"]),
-        "dissipation": tell_potential(case["dissipation"]),
+        "elastic": describe_potential(case["elastic"]),
+        "dissipation": describe_potential(case["dissipation"]),
         "states": " to ".join(f"{state:g}" for state in case["states"]),
     }
 
 
-def tell_potential(description):
+def describe_potential(description):
     """A potential in a few words."""
     parameters = [f"{name} {value:.3g}" for name, value in description.items() if name != "kind"]
     return " ".join([description["kind"], *parameters])

@@ -87,12 +87,12 @@ def judge(runs, milliseconds):
         f"α = {paper['alpha']:g}: the paper's scheme on {paper['grid']} points errs by "
         f"{paper['error']:.2g} and takes {paper['milliseconds']:.3g} ms; the finite volumes are as "
         f"accurate {ratio:.3g} times faster (asked: {TIMES_UPWIND:g}), come to {COARSE_ERROR:g} "
-        f"{tell(coarse)} (asked: {milliseconds:g} ms) and to {FINE_ERROR:g} {tell(fine)}: "
+        f"{in_words(coarse)} (asked: {milliseconds:g} ms) and to {FINE_ERROR:g} {in_words(fine)}: "
         f"{'all' if reached else 'not all'} that was asked for is reached."
     )
 
 
-def tell(milliseconds):
+def in_words(milliseconds):
     """A time in words."""
     return f"in {milliseconds:.3g} ms" if np.isfinite(milliseconds) else "never"
 

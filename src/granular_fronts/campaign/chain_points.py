@@ -19,6 +19,7 @@ from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.errors import SolveError
 from granular_fronts.progress import counted
 
 REFINED_EVERY = 25
@@ -80,9 +81,8 @@ def _solve_point(point, tolerance, beads):
     Raises
     ------
     SolveError
-        If the motion cannot be followed.
-    ValueError
-        If the front does not reach the far end of the range its speed is fitted over.
+        If the motion cannot be followed, or if the front does not reach the far end of the range
+        its speed is fitted over.
     """
     scene = normalised_scene(point, tolerance)
     run = prepare(scene)
@@ -91,7 +91,7 @@ def _solve_point(point, tolerance, beads):
     speed = fitted_speed(recording.arrival[1 : count + 1])
     peak = recording.first_peak[count // 2]
     if not np.isfinite([speed, peak]).all():
-        raise ValueError(
+        raise SolveError(
             "The front has not passed the middle of the chain at the end: raise crossings."
         )
     extremes = recording.extremes

@@ -52,6 +52,7 @@ from granular_fronts.chain.strain import (
 )
 from granular_fronts.compiled import kernel
 from granular_fronts.elementary.interrupts import interrupted
+from granular_fronts.errors import SolveError
 
 LOOP = types.void(types.float64[::1], types.float64[::1], types.int64)
 """Type of a compiled law: strains to be replaced by V', room for W', number of contacts."""
@@ -181,7 +182,7 @@ def run_chain(chain, end, tolerance, level=math.nan, arrivals=None):
 
     Raises
     ------
-    ValueError
+    SolveError
         If the steps become too short for the clock.
     """
     arrivals = np.full(chain.size.contacts + 2, math.nan) if arrivals is None else arrivals
@@ -198,7 +199,7 @@ def run_chain(chain, end, tolerance, level=math.nan, arrivals=None):
         arrivals,
     )
     if status == COLLAPSED:
-        raise ValueError(
+        raise SolveError(
             f"The steps collapse at t = {chain.clock[0]:.6g} with the tolerance {tolerance:g}: "
             "give a larger tolerance, or a law that is finite and smoother."
         )

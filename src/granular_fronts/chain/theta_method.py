@@ -34,6 +34,7 @@ import numpy as np
 
 from granular_fronts.compiled import kernel
 from granular_fronts.elementary.interrupts import interrupted
+from granular_fronts.errors import InputError
 
 NEWTON_LIMIT = 50
 NEWTON_TOLERANCE = 1.0e-14
@@ -84,16 +85,16 @@ def integrate_from_rest(alpha, beads, left, right, theta, step, steps):
 
     Raises
     ------
-    ValueError
+    InputError
         If θ or the exponent lies outside its range.
     """
     if not 0.5 <= theta <= 1.0:
-        raise ValueError(
+        raise InputError(
             f"theta is {theta}, but the method is unstable below 1/2 and undefined above 1: give "
             "a number between."
         )
     if not alpha >= 1.0:
-        raise ValueError(
+        raise InputError(
             f"alpha is {alpha}, but Newton's method needs a finite stiffness at contact: give 1 "
             "or more."
         )

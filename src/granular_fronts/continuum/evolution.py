@@ -2,7 +2,7 @@ r"""From a scene to a dataset: the amplitude equation (41) in the form (50), or 
 
 A scene is the mapping that the configuration holds under `scenes: periodic:`; its keys are
 described in `workflow/schemas/config.schema.yaml`.  Times of a scene are times t of the chain;
-:math:`\tau = \tfrac12\gamma\varepsilon^2 c^2 t`.  How the equations are solved is told in
+:math:`\tau = \tfrac12\gamma\varepsilon^2 c^2 t`.  How the equations are solved is described in
 `solution`.
 
 Accuracy.  Every scene is solved a second time with twice the cells, at all times since both runs

@@ -7,7 +7,7 @@ With r the residuals and J their derivative by the unknowns x, a step solves
 by reflections (`banded_qr`), J being the exact derivative of the computed flow (`bead_map`).  The
 step is halved until the sum of squares falls.  There are more equations than unknowns, but all of
 them hold at a front: r = 0 there, and convergence is quadratic.  A minimum where some equation does
-not hold is no front, and is told as a failure.
+not hold is no front, and is reported as a failure.
 """
 
 from typing import NamedTuple
@@ -39,7 +39,7 @@ class Descent(NamedTuple):
         Largest change of an unknown in every step.
     flows : int
         Bead-times that the window was moved for.
-    obstacle : str
+    reason : str
         What stopped it, empty if it settled.
     """
 
@@ -47,7 +47,7 @@ class Descent(NamedTuple):
     residuals: list
     step_sizes: list
     flows: int
-    obstacle: str
+    reason: str
 
 
 class Attempt(NamedTuple):
@@ -77,14 +77,14 @@ def descend(window, unknowns, tolerance):
     """
     rows, stiffness = front_equations.residual(window, unknowns)
     residuals, step_sizes, flows = [_largest(rows)], [], 1
-    obstacle = f"not settled after {MOST_STEPS} Gauss-Newton steps"
+    reason = f"not settled after {MOST_STEPS} Gauss-Newton steps"
     while len(step_sizes) < MOST_STEPS:
         matrix, lower = front_equations.jacobian(window, stiffness)
         step = solve_least_squares(matrix, lower, unknowns.size, -rows)
         attempt = _damped(window, unknowns, step, _norm(rows), tolerance)
         flows += attempt.flows
         if attempt.fraction == 0.0:
-            obstacle = (
+            reason = (
                 f"no part of the Gauss-Newton step lowers the residual {residuals[-1]:.1e}: give a "
                 "guess closer to the front, or a longer window"
             )
@@ -93,9 +93,9 @@ def descend(window, unknowns, tolerance):
         residuals.append(_largest(rows))
         step_sizes.append(attempt.fraction * _largest(step))
         if residuals[-1] <= tolerance and step_sizes[-1] <= SETTLED:
-            obstacle = ""
+            reason = ""
             break
-    return Descent(unknowns, residuals, step_sizes, flows, obstacle)
+    return Descent(unknowns, residuals, step_sizes, flows, reason)
 
 
 def _damped(window, unknowns, step, norm, tolerance):

@@ -13,7 +13,7 @@ rounding in it: the front is found to 1e-12 from α = 1.02 on.
 Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
 steps are doubled and the solve goes on.
 
-What the front is between the contacts and behind the window is told by `sampling`.
+What the front is between the contacts and behind the window is given by `sampling`.
 
 The rest of section 6 is not in our copy of the paper: closure, window and band are ours.
 """
@@ -203,11 +203,11 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
         step_sizes += descent.step_sizes
         flow_error = _flow_error(window, unknowns)
         evaluations += (descent.flows + 3) * steps * bead_map.STAGES
-        if descent.obstacle or flow_error <= FLOW_ERROR or 2 * steps > MOST_STEPS:
+        if descent.reason or flow_error <= FLOW_ERROR or 2 * steps > MOST_STEPS:
             break
         steps *= 2
     amplitudes, state = split(window, unknowns)
-    reason = descent.obstacle or _doubt(bead, state, flow_error)
+    reason = descent.reason or _reason_against(bead, state, flow_error)
     # A state that has failed may be far beyond what a power of it can hold.
     with np.errstate(over="ignore", invalid="ignore"):
         velocity = bead_velocities(window, amplitudes, state, 0.0)
@@ -238,7 +238,7 @@ def _flow_error(window, unknowns):
     return _largest(changes[0] - changes[1])
 
 
-def _doubt(bead, state, flow_error):
+def _reason_against(bead, state, flow_error):
     """Why a settled state is still no front, or nothing."""
     if flow_error > FLOW_ERROR:
         return (

@@ -17,6 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.errors import SolveError
+
 POINTS_PER_BEAD = 16
 HALF_PERIOD = 12.0
 """Half the period, in units of s, where the Gaussian is 1e-16."""
@@ -56,7 +58,7 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
 
     Raises
     ------
-    ValueError
+    SolveError
         If the iteration does not settle.
     """
     rate = 2.0 * np.sqrt(3.0 * (1.0 - 1.0 / alpha))
@@ -76,7 +78,7 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
         u = new
         if settled:
             return SolitaryWave(xi, u, float(np.abs(u - image(u)).max()))
-    raise ValueError(
+    raise SolveError(
         f"The solitary wave for alpha = {alpha} is not found in {ITERATIONS} iterations: choose "
         "alpha farther from 1."
     )

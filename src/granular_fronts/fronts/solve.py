@@ -136,7 +136,9 @@ def by_profile(law):
         raise NoFrontError(profile.reason)
     refined = refine(profile)
     if refined.reason:
-        raise NoFrontError(f"the refinement that should tell the error failed: {refined.reason}")
+        raise NoFrontError(
+            f"the refinement that should estimate the error failed: {refined.reason}"
+        )
     return [
         Solution(
             law,
@@ -163,7 +165,9 @@ def by_shooting(law):
         raise NoFrontError(shot.reason)
     refined = shooting.refine(shot)
     if not refined.converged:
-        raise NoFrontError(f"the refinement that should tell the error failed: {refined.reason}")
+        raise NoFrontError(
+            f"the refinement that should estimate the error failed: {refined.reason}"
+        )
     points = math.ceil(6.0 + 4.3 * law.alpha)
     return [
         Solution(law, 1.0 / points, *sample_front(found, points), found.residuals, 0.0)

@@ -116,7 +116,11 @@ def _stretch(law, gammas):
         return nothing, nothing, start.reason
     finer = refine(start)
     if finer.reason:
-        return nothing, nothing, f"the refinement that should tell the error failed: {finer.reason}"
+        return (
+            nothing,
+            nothing,
+            f"the refinement that should estimate the error failed: {finer.reason}",
+        )
     found = _follow(start, gammas, ORDER)
     again = _follow(finer, gammas[: len(found)], REFINED_ORDER)
     common = min(len(found), len(again))

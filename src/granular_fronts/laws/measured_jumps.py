@@ -34,6 +34,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
+from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.any_law import refine, solve_any_front
 from granular_fronts.fronts.lattice import choose_window, make_lattice
 from granular_fronts.jumps import jump_conditions
@@ -78,8 +79,10 @@ def measure_jumps(cases, beads, tolerance):
 
     Raises
     ------
-    ValueError
-        If a front does not exist or is not found.
+    InputError
+        If a front does not exist.
+    NoFrontError
+        If it is not found.
     """
     rows = [_measure(name, case, beads, tolerance) for name, case in cases.items()]
     variables = {}
@@ -106,7 +109,7 @@ def _measure(name, case, beads, tolerance):
     front = solve_any_front(lattice)
     refined = refine(front)
     if front.reason or refined.reason:
-        raise ValueError(f"The front of {name} is not found: {front.reason or refined.reason}.")
+        raise NoFrontError(f"The front of {name} is not found: {front.reason or refined.reason}.")
     law = compile_law(make_slope(case["elastic"]), make_slope(case["dissipation"]))
     sign = theory.direction
     power_error = theory.dissipated_power * (

@@ -27,6 +27,7 @@ import xarray as xr
 
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.chain.theta_method import NEWTON_TOLERANCE, integrate_from_rest
+from granular_fronts.errors import InputError, SolveError
 
 ERROR_METHOD = "error of the damped chain, and Newton's tolerance times the number of steps"
 ORDER_METHOD = "change from the last pair of steps but one to the last"
@@ -132,18 +133,20 @@ def theta_chain(case, theta, step):
 
     Raises
     ------
-    ValueError
-        If the steps miss the end, or Newton's method fails.
+    InputError
+        If the steps miss the end.
+    SolveError
+        If Newton's method fails.
     """
     count = round(case.end_time / step)
     if abs(count * step - case.end_time) > 1.0e-9 * case.end_time:
-        raise ValueError(
+        raise InputError(
             f"end_time is {case.end_time}, but no whole number of steps {step} ends there: give a "
             "multiple."
         )
     motion = integrate_from_rest(case.alpha, case.beads, case.displacement, 0.0, theta, step, count)
     if not motion.converged:
-        raise ValueError(
+        raise SolveError(
             f"Newton's method fails for theta {theta} and step {step}: give a smaller step."
         )
     return motion.u, NEWTON_TOLERANCE * count * case.displacement

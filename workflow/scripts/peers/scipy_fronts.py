@@ -125,9 +125,9 @@ def run_shooting(gamma, bead, behind, tolerance, solve):
     """Solve for a front by one of SciPy's solvers."""
     problem = Shooting(gamma, bead, behind, max(FLOW_OVER_SOLVER * tolerance, FLOW_FLOOR))
     with Stopwatch() as watch:
-        state, obstacle = solve(problem, tolerance)
-    if obstacle:
-        return Run(message=f"{solve.__name__.removeprefix('solve_')} stopped: {obstacle}")
+        state, reason = solve(problem, tolerance)
+    if reason:
+        return Run(message=f"{solve.__name__.removeprefix('solve_')} stopped: {reason}")
     work = {"right_hand_sides": problem.flow_evaluations}
     return Run(problem.fields(state), **watch.times, **work)
 
