@@ -119,7 +119,7 @@ def test_unknown_campaign_names_those_there_are(name):
     [
         ("mine", "kind: chain\naxes: {gamma: [1", ["line 3, column 1", "no YAML"]),
         ("mine", "kind: chain\nkind: front", ["line 2, column 1", "key kind stands twice"]),
-        ("mine", "", ["Campaign mine: the whole is null", "give a mapping"]),
+        ("mine", "", ["Campaign mine: the file is null", "give a mapping"]),
         ("Mine", "kind: chain", ["Campaign Mine: a name has lower-case", "rename"]),
     ],
 )

@@ -248,7 +248,7 @@ def test_every_mistake_is_named_at_once(default):
     ("configuration", "words"),
     [
         ({}, "scenes is missing"),
-        (None, "the configuration is null: give a mapping"),
+        (None, "the file is null: give a mapping"),
         ({"results": "", "scenes": {"chain": {}}}, "results is empty"),
         ({"results": "results", "scenes": {"chain": {}}}, "scenes.heteroclinic is missing"),
         ({"results": "results", "scenes": {"chian": {}}}, "did you mean chain?"),

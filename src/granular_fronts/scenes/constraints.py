@@ -37,7 +37,7 @@ LARGEST_OVERSHOOT = 10.0
 """Compression that no chain at rest comes to, over the largest relative displacement driving it.
 
 Chains of 2 to 21 beads without damping, pressed or pushed from both ends, stay below 3.5 for α of 1
-to 6.
+to 1.5.
 """
 
 CELLS_PER_EDGE = 2

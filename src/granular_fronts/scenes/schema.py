@@ -96,7 +96,7 @@ def violations(
     for error in errors:
         scene, key = _locate([*place, *error.absolute_path])
         if not key and error.validator not in ABOUT_KEYS:
-            scene, key = "", scene.removesuffix(": ") or "the configuration"
+            scene, key = "", scene.removesuffix(": ") or "the file"
         yield scene + _sentence(error, key, rules["$defs"])
 
 
