@@ -206,6 +206,7 @@ def test_report_after_a_broken_run_is_of_one_piece(finished):
 
 def test_results_without_the_record_of_how_they_were_made_are_refused(finished):
     """Snakemake's own record is lost, as when results are copied, and the question is another."""
+    assert snakemake("--configfile", "config/smoke.yaml", folder=finished).returncode == 0
     record = finished / ".snakemake/metadata"
     record.rename(finished / ".snakemake/lost")
     try:
