@@ -1,4 +1,4 @@
-"""Records tell what a figure or a table was made from, and disagreements are found."""
+"""Records say what a figure or a table was made from, and disagreements are found."""
 
 import json
 
