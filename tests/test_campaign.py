@@ -9,7 +9,7 @@ import pytest
 import yaml
 from campaigns import CHAINS, ORBITS, ROOT, all_chunks, campaign, pretend_solved, refusal, solve
 from projects import load_step
-from test_configuration import schema_nodes
+from test_schema import schema_nodes
 
 from granular_fronts.campaign import chunks, cost, definition, plan, planning
 from granular_fronts.campaign.axes import expand_axis

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import yaml
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.configuration import (
@@ -26,7 +25,6 @@ from granular_fronts.scenes.yaml_files import load_configuration, merge
 ROOT = Path(__file__).parents[1]
 DEFAULT = ROOT / "config" / "default.yaml"
 SMOKE = ROOT / "config" / "smoke.yaml"
-SCHEMA = ROOT / "workflow" / "schemas" / "config.schema.yaml"
 SCENE = "initiation_underdamped"
 
 
@@ -533,69 +531,6 @@ def test_single_scene_may_hold_numpy_values(default):
     checked = check_scene("chain", scene, "mine")
     assert checked["start"]["velocity"] == [0.0, 0.0, 0.0]
     assert type(checked["beads"]) is int
-
-
-def schema_nodes(node, path="schema"):
-    """Walk through the schema's own schemas: properties, definitions and their parts."""
-    yield path, node
-    for group in ("properties", "$defs"):
-        for name, child in node.get(group, {}).items():
-            yield from schema_nodes(child, f"{path}.{name}")
-
-
-@pytest.fixture
-def schema():
-    return yaml.safe_load(SCHEMA.read_text(encoding="utf-8"))
-
-
-def described(node, schema):
-    """A node, or the definition that it refers to, which carries the description."""
-    if "$ref" not in node:
-        return node
-    steps = node["$ref"].removeprefix("#/").split("/")
-    return functools.reduce(operator.getitem, steps, schema)
-
-
-def test_schema_describes_every_key(schema):
-    undescribed = [
-        f"{path}.{name}"
-        for path, node in schema_nodes(schema)
-        for name, child in node.get("properties", {}).items()
-        if not described(child, schema).get("description")
-    ]
-    assert not undescribed
-
-
-def test_schema_says_of_every_number_that_it_is_dimensionless_or_in_which_unit(schema):
-    for path, node in schema_nodes(schema):
-        if node.get("type") in ("number", "integer"):
-            assert re.search(r"dimensionless|in (m/s|[a-z]+s) \(SI\)", node["description"]), path
-
-
-def test_schema_is_strict_at_every_level(schema):
-    for path, node in schema_nodes(schema):
-        if "properties" in node and "allOf" not in node:
-            assert node.get("additionalProperties") is False, path
-
-
-def test_keys_that_may_be_left_out_are_called_optional(schema):
-    for path, node in schema_nodes(schema):
-        if "allOf" in node:
-            continue
-        for name in set(node.get("properties", {})) - set(node.get("required", [])):
-            assert "Optional." in node["properties"][name]["description"], f"{path}.{name}"
-
-
-def test_default_shows_every_optional_key_of_a_heteroclinic_scene(schema, default):
-    scene = default["scenes"]["heteroclinic"]["front_profiles"]
-    assert scene.keys() == schema["$defs"]["heteroclinic_scene"]["properties"].keys()
-
-
-def test_default_shows_every_optional_key(schema, default):
-    record = default["scenes"]["chain"][SCENE]["record"]
-    assert (
-        record.keys() == schema["$defs"]["chain_scene"]["properties"]["record"]["properties"].keys()
-    )
 
 
 def dry_run(*arguments):
