@@ -8,8 +8,8 @@ import pytest
 
 from granular_fronts.campaign import chunks, definition, merging
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.datasets import write_dataset
 from granular_fronts.errors import InputError
+from granular_fronts.output.datasets import write_dataset
 
 ROOT = Path(__file__).parents[1]
 CHAINS = {

@@ -5,8 +5,8 @@ import numpy as np
 from granular_fronts.chain import strain
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import load_state
-from granular_fronts.chain.runge_kutta import NEW_SLOPE
 from granular_fronts.chain.state import Size
+from granular_fronts.numerics.runge_kutta import NEW_SLOPE
 
 TIGHT = {"relative": 1.0e-13, "absolute": 1.0e-15}
 

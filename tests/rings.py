@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from granular_fronts.continuum.solution import solve
+from granular_fronts.continuum.log_burgers.solution import solve
 from granular_fronts.scenes.yaml_files import load_configuration
 
 CONFIGURATION = load_configuration(Path(__file__).parents[1] / "config" / "default.yaml")

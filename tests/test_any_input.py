@@ -17,7 +17,7 @@ from scipy.integrate import simpson
 
 import granular_fronts as gf
 from granular_fronts.campaign.definition import check_campaign
-from granular_fronts.continuum.log_burgers import flux, front_end
+from granular_fronts.continuum.log_burgers.equation import flux, front_end
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.configuration import check_configuration
 from granular_fronts.scenes.validation import check_scene

@@ -10,8 +10,8 @@ import xarray as xr
 
 import granular_fronts as gf
 from granular_fronts import arguments
-from granular_fronts.contact import generalised_hertz
 from granular_fronts.errors import InputError
+from granular_fronts.model.potentials import generalised_hertz
 
 HUGE = 10**400
 

@@ -7,8 +7,8 @@ import pytest
 from chains import integrate_strain_fixed
 
 from granular_fronts.chain.state import make_law
-from granular_fronts.fronts import bead_map
-from granular_fronts.fronts.banded_qr import band_storage, solve_least_squares
+from granular_fronts.fronts.shooting import bead_flow
+from granular_fronts.numerics.banded_qr import band_storage, solve_least_squares
 
 LAWS = [(1.5, 1.5, 0.3), (1.2, 1.2, 0.05), (1.5, 1.0, 0.4), (1.5, 2.5, 0.2)]
 CONTACTS, STEPS, REACH = 40, 16, 20
@@ -29,10 +29,10 @@ def rear_driver(times):
 
 def moved(law, u, d, steps=STEPS, rear=rear_driver):
     """u and d after one bead-time, and the stiffnesses."""
-    stiffness = bead_map.make_stiffness(law, steps, u.size)
-    driver = rear(bead_map.stage_times(1.0, steps))
-    weights = bead_map.make_weights(law, 1.0 / steps)
-    change = bead_map.flow(law, weights, driver, u, d, stiffness)
+    stiffness = bead_flow.make_stiffness(law, steps, u.size)
+    driver = rear(bead_flow.stage_times(1.0, steps))
+    weights = bead_flow.make_weights(law, 1.0 / steps)
+    change = bead_flow.flow(law, weights, driver, u, d, stiffness)
     return np.array([u, d]) + change, stiffness
 
 
@@ -55,8 +55,8 @@ def test_band_is_the_derivative_of_the_flow(alpha, beta, gamma):
     expected = extrapolated_derivative(
         lambda k: moved(law, u + k * direction[0], d + k * direction[1])[0]
     )
-    weights = bead_map.make_weights(law, 1.0 / STEPS)
-    band = bead_map.derivative(law, weights, moved(law, u, d)[1], REACH)
+    weights = bead_flow.make_weights(law, 1.0 / STEPS)
+    band = bead_flow.derivative(law, weights, moved(law, u, d)[1], REACH)
     result = np.zeros_like(expected)
     for n in range(1, CONTACTS + 1):
         for start in range(max(1, n - REACH), min(CONTACTS, n + REACH) + 1):
@@ -71,9 +71,9 @@ def test_derivative_by_the_driver(alpha, beta, gamma):
     expected = extrapolated_derivative(
         lambda k: moved(law, u, d, rear=lambda t: rear_driver(t) + k * np.cos(2.0 * t))[0]
     )
-    weights = bead_map.make_weights(law, 1.0 / STEPS)
-    change = np.cos(2.0 * bead_map.stage_times(1.0, STEPS))[np.newaxis]
-    result = bead_map.derivative_by_rear(law, weights, change, moved(law, u, d)[1])[0]
+    weights = bead_flow.make_weights(law, 1.0 / STEPS)
+    change = np.cos(2.0 * bead_flow.stage_times(1.0, STEPS))[np.newaxis]
+    result = bead_flow.derivative_by_rear(law, weights, change, moved(law, u, d)[1])[0]
     np.testing.assert_allclose(result[:, 1:-1], expected[:, 1:-1], atol=3.0e-11)
 
 
@@ -82,11 +82,11 @@ def test_narrow_band_agrees_with_a_wide_one(alpha, beta, gamma):
     """Contacts beyond `spread_of` receive nothing that a double would notice."""
     law = make_law(alpha, beta, gamma)
     u, d = compressed_window()
-    weights = bead_map.make_weights(law, 1.0 / STEPS)
+    weights = bead_flow.make_weights(law, 1.0 / STEPS)
     stiffness = moved(law, u, d)[1]
-    spread = bead_map.spread_of(law, STEPS, u.max())
-    wide = bead_map.derivative(law, weights, stiffness, REACH)
-    narrow = bead_map.derivative(law, weights, stiffness, spread)
+    spread = bead_flow.spread_of(law, STEPS, u.max())
+    wide = bead_flow.derivative(law, weights, stiffness, REACH)
+    narrow = bead_flow.derivative(law, weights, stiffness, spread)
     inside = slice(REACH - spread, REACH + spread + 1)
     np.testing.assert_allclose(narrow, wide[:, inside], atol=1.0e-14)
     assert np.abs(wide[:, : REACH - spread]).max(initial=0.0) < 1.0e-14

@@ -13,9 +13,9 @@ from test_schema import schema_nodes
 
 from granular_fronts.campaign import chunks, cost, definition, plan, planning
 from granular_fronts.campaign.axes import expand_axis
-from granular_fronts.datasets import read_dataset
 from granular_fronts.errors import InputError
-from granular_fronts.files import HOST
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.files import HOST
 
 # Axes.
 

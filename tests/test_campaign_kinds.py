@@ -8,12 +8,12 @@ from chains import driven_scene
 
 from granular_fronts.campaign import merging
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.chain import simulate_chain
 from granular_fronts.chain.measures import front_speed
-from granular_fronts.continuum.heteroclinic import heteroclinic, turning_points
-from granular_fronts.datasets import DatasetError, read_dataset, write_dataset
-from granular_fronts.fronts.critical_damping import critical_damping
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic, turning_points
+from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.output.datasets import DatasetError, read_dataset, write_dataset
 
 # Kinds.
 

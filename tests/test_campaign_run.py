@@ -17,7 +17,7 @@ import pytest
 import yaml
 from projects import ROOT, copy_project
 
-from granular_fronts.datasets import read_dataset
+from granular_fronts.output.datasets import read_dataset
 
 CAMPAIGN = {
     "kind": "chain",

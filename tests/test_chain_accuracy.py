@@ -7,11 +7,12 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import granular_fronts as gf
-from granular_fronts.chain import equations, plain_forms
+from granular_fronts.chain import equations
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import make_boundary
 from granular_fronts.chain.simulate import solve
 from granular_fronts.chain.state import HERTZ, PAIR, POWER, make_law
+from granular_fronts.reference_methods import position_forms
 
 RING = Boundary(ring=True)
 LAWS = [(1.5, 1.5, 0.1), (1.5, 1.5, 0.0), (1.2, 1.2, 0.3), (1.5, 1.0, 0.2), (1.5, 2.5, 0.2)]
@@ -31,12 +32,12 @@ def fixed_steps(form, law, u, velocity, end_time, steps):
         momentum = velocity.sum()
         v_end = equations.velocities(d_end, u_end, RING, law.beta, law.gamma, momentum)
         return np.concatenate([u_end, v_end])
-    y, ends = plain_forms.pack(form, law, RING, u, velocity)
-    y = plain_forms.integrate_fixed(form, law, ends, y, end_time / steps, steps)
-    return np.concatenate(plain_forms.unpack(form, law, RING, ends, y))
+    y, ends = position_forms.pack(form, law, RING, u, velocity)
+    y = position_forms.integrate_fixed(form, law, ends, y, end_time / steps, steps)
+    return np.concatenate(position_forms.unpack(form, law, RING, ends, y))
 
 
-@pytest.mark.parametrize("form", ["strain", plain_forms.XW, plain_forms.XV])
+@pytest.mark.parametrize("form", ["strain", position_forms.XW, position_forms.XV])
 @pytest.mark.parametrize("law", LAWS)
 def test_order_is_eight_in_all_variables_while_contacts_stay_closed(form, law):
     u, velocity = smooth_ring()
@@ -170,7 +171,7 @@ def scipy_chain(scene, rtol=1.0e-12, atol=1.0e-14):
     law, boundary = make_law(**scene["law"]), make_boundary(scene)
     beads = scene["beads"]
     u, velocity = np.zeros(beads), np.zeros(beads)
-    y, ends = plain_forms.pack(plain_forms.XW, law, boundary, u, velocity)
+    y, ends = position_forms.pack(position_forms.XW, law, boundary, u, velocity)
 
     def slopes(_t, y):
         x, w = np.split(y, 2)
@@ -180,7 +181,9 @@ def scipy_chain(scene, rtol=1.0e-12, atol=1.0e-14):
         return np.concatenate([w + correction, behind - ahead])
 
     solved = solve_ivp(slopes, (0.0, scene["end_time"]), y, "DOP853", rtol=rtol, atol=atol)
-    return np.concatenate(plain_forms.unpack(plain_forms.XW, law, boundary, ends, solved.y[:, -1]))
+    return np.concatenate(
+        position_forms.unpack(position_forms.XW, law, boundary, ends, solved.y[:, -1])
+    )
 
 
 @pytest.mark.parametrize("gamma", [0.0, 0.06, 0.65])
@@ -196,9 +199,9 @@ def test_adaptive_plain_form_agrees():
     scene = driven_scene(end_time=50.0)
     law, boundary = make_law(**scene["law"]), make_boundary(scene)
     rest = np.zeros(scene["beads"])
-    y, ends = plain_forms.pack(plain_forms.XW, law, boundary, rest, rest)
-    y, accepted = plain_forms.integrate_adaptive(0, law, ends, y, 1e-6, 50.0, 1e-12, 1e-14)
-    computed = np.concatenate(plain_forms.unpack(0, law, boundary, ends, y))
+    y, ends = position_forms.pack(position_forms.XW, law, boundary, rest, rest)
+    y, accepted = position_forms.integrate_adaptive(0, law, ends, y, 1e-6, 50.0, 1e-12, 1e-14)
+    computed = np.concatenate(position_forms.unpack(0, law, boundary, ends, y))
     assert accepted > 0
     np.testing.assert_allclose(computed, last_state(scene), atol=1.0e-11)
 
@@ -229,7 +232,7 @@ def test_precompressed_chain_below_linear_agrees_with_plain_form():
     """α < 1 is allowed while all contacts stay closed."""
     u, velocity = smooth_ring()
     law = make_law(0.7, 1.0, 0.1)
-    fixed = fixed_steps(plain_forms.XW, law, u, velocity, 10.0, 600)
+    fixed = fixed_steps(position_forms.XW, law, u, velocity, 10.0, 600)
     scene = ring_scene(u, velocity, alpha=0.7, beta=1.0)
     np.testing.assert_allclose(last_state(scene), fixed, atol=2.0e-13)
 

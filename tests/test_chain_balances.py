@@ -7,7 +7,7 @@ from chains import driven_scene, ring_scene, smooth_ring
 from granular_fronts.chain import equations, run, state
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain, solve
-from granular_fronts.hard_cases.contact_cases import squeezed_chain
+from granular_fronts.studies.hard_cases.contact_cases import squeezed_chain
 
 BALANCES = {"snapshots": [], "balances": True}
 

@@ -11,8 +11,7 @@ import xarray as xr
 from chains import driven_scene
 from scipy.integrate import solve_ivp
 
-from granular_fronts.chain import simulate_chain
-from granular_fronts.chain.simulate import solve
+from granular_fronts.chain.simulate import simulate_chain, solve
 
 REFERENCES = Path(__file__).parent / "references"
 DELTA = 0.1

@@ -10,20 +10,20 @@ import yaml
 
 import granular_fronts as gf
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
-from granular_fronts.contact import fpu, generalised_hertz, toda
 from granular_fronts.errors import InputError, SolveError
-from granular_fronts.fronts.any_law import (
+from granular_fronts.fronts.profile.any_law import (
     FIRST_SPACING,
     ORDER,
     refine,
     solve_any_front,
     solve_on_grid,
 )
-from granular_fronts.fronts.lattice import choose_window, long_wave_front, make_lattice
-from granular_fronts.laws.measured_jumps import measure_jumps, travelling_speed
-from granular_fronts.laws.named_potentials import make_potential, make_slope
+from granular_fronts.fronts.profile.lattice import choose_window, long_wave_front, make_lattice
+from granular_fronts.model.named_potentials import make_potential, make_slope
+from granular_fronts.model.potentials import fpu, generalised_hertz, toda
 from granular_fronts.scenes.configuration import check_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies.jump_conditions_measured import measure_jumps, travelling_speed
 
 FILE = Path(__file__).parents[1] / "config" / "default.yaml"
 SCENE = load_configuration(FILE)["laws"]["jump_conditions"]

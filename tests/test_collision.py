@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
-from granular_fronts.collision import (
+from granular_fronts.model.collision import (
     LARGEST_STEP,
     damping_for_restitution,
     log_restitution,
@@ -121,7 +121,7 @@ def test_strong_damping_is_a_power_law(nu, monkeypatch):
     power = 1.0 / (2.0 * nu - 1.0)
     slow = slow_strength(nu)
     taken = log_restitution(nu, 1.3 * slow)
-    monkeypatch.setattr("granular_fronts.collision.slow_strength", lambda nu: 2.0 * slow)
+    monkeypatch.setattr("granular_fronts.model.collision.slow_strength", lambda nu: 2.0 * slow)
     integrated = log_restitution(nu, 1.3 * slow)
     assert taken == pytest.approx(integrated, abs=1e-11 * power)
 

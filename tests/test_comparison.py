@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from plot_fig07b import draw_distances
 
-from granular_fronts.comparison import compare_with_chain, make_chain_scene
-from granular_fronts.drawing import draw_comparison, draw_rings
-from granular_fronts.periodic import measures
+from granular_fronts.output.panels import draw_comparison, draw_rings
 from granular_fronts.scenes.validation import check_scene
 from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies import ring_measures as measures
+from granular_fronts.studies.ring_against_equations import compare_with_chain, make_chain_scene
 
 CONFIG = Path(__file__).parents[1] / "config"
 SCENE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")["scenes"]["periodic"][

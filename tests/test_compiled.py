@@ -10,15 +10,16 @@ import numba
 import pytest
 from numba.core.registry import CPUDispatcher
 
-from granular_fronts.compiled import CALLED_WINGS, SOURCES, cache_folder, kernel
+from granular_fronts.numerics.compiled import CALLED_WINGS, SOURCES, cache_folder, kernel, wing_of
 
-WINGS = sorted({file.parent.name for file in SOURCES.glob("*/*.py")})
+WINGS = sorted({file.parent.name for file in SOURCES.glob("*/__init__.py")})
 
 
 def kernels_in(wing):
     """Names and kernels of all modules of a wing, imported ones among them."""
-    for file in sorted((SOURCES / wing).glob("*.py")):
-        module = importlib.import_module(f"granular_fronts.{wing}.{file.stem}")
+    for file in sorted((SOURCES / wing).rglob("*.py")):
+        dotted = ".".join(file.relative_to(SOURCES).with_suffix("").parts)
+        module = importlib.import_module(f"granular_fronts.{dotted}")
         for name, value in vars(module).items():
             if isinstance(value, CPUDispatcher):
                 yield f"{module.__name__}.{name}", value
@@ -28,14 +29,14 @@ def kernels_in(wing):
 def test_a_wing_calls_kernels_of_declared_wings_only(wing):
     allowed = {wing, *CALLED_WINGS.get(wing, ())}
     for name, function in kernels_in(wing):
-        home = Path(function.py_func.__code__.co_filename).parent.name
+        home = wing_of(function.py_func)
         assert home in allowed, f"{name} lives in {home}: declare it in CALLED_WINGS"
 
 
 @pytest.mark.parametrize("wing", WINGS)
 def test_every_kernel_is_cached_under_the_digest_of_its_wing(wing):
     for name, function in kernels_in(wing):
-        home = Path(function.py_func.__code__.co_filename).parent.name
+        home = wing_of(function.py_func)
         assert Path(function.stats.cache_path).parent == cache_folder(home), name
 
 
@@ -50,13 +51,12 @@ def test_kernel_decorates_with_and_without_options():
 
 
 STEP_ON_A_GRID = """
-from granular_fronts.continuum import upwind
+from granular_fronts.reference_methods import upwind
 for _ in range(2):
     upwind.evolve_upwind([0.5] * 8, 1.0, 1.0e-3)
 """
 NOTICE = (
-    "Compiling the kernels of the amplitude equations; this happens once and takes up to a "
-    "minute.\n"
+    "Compiling the kernels of the reference methods; this happens once and takes up to a minute.\n"
 )
 
 
@@ -82,26 +82,29 @@ def test_compiling_what_is_no_kernel_is_not_announced(capsys):
     assert capsys.readouterr().err == ""
 
 
-COUNT_AFTER_WARM_UP = """
+COUNT_AFTER_COMPILATION = """
 import sys
 sys.path.insert(0, {tests!r})
 from test_compiled import WINGS, kernels_in
-from granular_fronts import chain, continuum, fronts
-from granular_fronts.comparison import compare_with_chain
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain import compilation as chain
+from granular_fronts.continuum import compilation as continuum
+from granular_fronts.fronts import compilation as fronts
+from granular_fronts.reference_methods import compilation as reference_methods
+from granular_fronts.studies.ring_against_equations import compare_with_chain
 from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.continuum.survey import survey_heteroclinic
-from granular_fronts.fronts.comparison import compare_front
+from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
+from granular_fronts.studies.fronts_compared import compare_front
 
 def count():
     return {{name: len(f.signatures) for wing in WINGS for name, f in kernels_in(wing)}}
 
-chain.warm_up()
-continuum.warm_up()
-fronts.warm_up()
+for wing in (chain, continuum, fronts, reference_methods):
+    wing.compile_kernels()
 before = count()
 scenes = load_configuration({default!r}, {smoke!r})["scenes"]
 for scene in scenes["chain"].values():
-    chain.simulate_chain(scene)
+    simulate_chain(scene)
 for scene in scenes["periodic"].values():
     compare_with_chain(scene)
 for scene in scenes["heteroclinic"].values():
@@ -112,10 +115,10 @@ print([name for name, found in count().items() if found > before[name]])
 """
 
 
-def test_warm_up_compiles_all_that_the_scenes_need():
+def test_compilation_covers_all_that_the_scenes_need():
     """A fresh process, since other tests compile kernels for other arguments."""
     root = Path(__file__).parents[1]
     files = {name: str(root / f"config/{name}.yaml") for name in ("default", "smoke")}
-    code = COUNT_AFTER_WARM_UP.format(tests=str(root / "tests"), **files)
+    code = COUNT_AFTER_COMPILATION.format(tests=str(root / "tests"), **files)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert run.stdout.strip() == "[]", run.stderr

@@ -4,7 +4,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from granular_fronts.contact import (
+from granular_fronts.model.potentials import (
     NO_DISSIPATION,
     fpu,
     generalised_hertz,

@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 from chains import driven_scene
 
-from granular_fronts.chain import simulate_chain
-from granular_fronts.datasets import DatasetError, long_name, read_dataset, write_dataset
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.output.datasets import DatasetError, long_name, read_dataset, write_dataset
 
 
 @pytest.fixture(scope="module")

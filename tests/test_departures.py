@@ -4,7 +4,7 @@ import copy
 
 import pytest
 
-from granular_fronts.departures import departures
+from granular_fronts.output.departures import departures
 
 SCENE = {
     "law": {"alpha": 1.5, "gamma": 0.06},

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from granular_fronts.chain.strain import NEGLIGIBLE, raise_to
-from granular_fronts.elementary.vector_functions import power
+from granular_fronts.numerics.vector_functions import power
 
 DIGITS = 50
 RANGES = [(1.0e-3, 10.0), (0.99, 1.01), (NEGLIGIBLE, 1.0e-3), (10.0, 1.0e20)]

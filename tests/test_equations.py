@@ -15,8 +15,8 @@ from chains import driven_scene, ring_scene, smooth_ring
 from scipy.integrate import quad
 
 import granular_fronts as gf
-from granular_fronts.contact import fpu, generalised_hertz, toda
-from granular_fronts.jumps import signed_area
+from granular_fronts.model.jump_conditions import signed_area
+from granular_fronts.model.potentials import fpu, generalised_hertz, toda
 
 LAW = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3}
 CASES = [(generalised_hertz(1.5), -1.0, 0.0), (toda(), -1.2, 0.3), (fpu(1.0, 0.7), 0.9, 0.1)]

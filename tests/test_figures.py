@@ -13,9 +13,9 @@ from figure_step import make_step
 from granular_fronts.campaign.chunks import cut
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.merging import chunk_dataset, merge_chunks
-from granular_fronts.chain import simulate_chain
-from granular_fronts.datasets import configuration_of, read_dataset, write_dataset
-from granular_fronts.provenance import read_record
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
+from granular_fronts.output.provenance import read_record
 
 BEADS = 24
 
@@ -169,7 +169,7 @@ def lightness(colour):
 
 
 def test_colour_maps_keep_their_order_in_grey():
-    from granular_fronts.style import compression_map, velocity_map
+    from granular_fronts.output.style import compression_map, velocity_map
 
     for colour_map in (compression_map(), velocity_map()):
         values = [lightness(colour_map(x)) for x in np.linspace(0.0, 1.0, 33)]

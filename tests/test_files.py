@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from granular_fronts.errors import NoSpaceError
-from granular_fronts.files import HOST, complete_file, remove_leftovers
+from granular_fronts.output.files import HOST, complete_file, remove_leftovers
 
 ABOVE_ANY_PROCESS = 2**22 + 1
 """Linux numbers no process above 2^22."""
@@ -43,7 +43,7 @@ def test_an_interrupted_write_keeps_the_old_file(tmp_path):
 SLEEPER = """
 import sys, time
 from pathlib import Path
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 with complete_file(Path(sys.argv[1])) as unfinished:
     unfinished.write_text("half")
     print("begun", flush=True)
@@ -116,7 +116,7 @@ LIMITED = """
 import resource, signal, sys
 import numpy as np, xarray as xr
 from granular_fronts.errors import NoSpaceError
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
 data = xr.Dataset({"u": ("x", np.random.default_rng(1).random(100_000))})
 try:

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.comparison import compare_front, normalised_damping
-from granular_fronts.fronts.continuum_fronts import continuum_fronts
-from granular_fronts.fronts.damping_map import map_critical_damping
-from granular_fronts.fronts.driven import drive_front
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.fronts.survey import distances, survey_fronts
 from granular_fronts.scenes.validation import check_scene
+from granular_fronts.studies.continuum_fronts import continuum_fronts
+from granular_fronts.studies.damping_map import map_critical_damping
+from granular_fronts.studies.driven_front import drive_front
+from granular_fronts.studies.front_survey import distances, survey_fronts
+from granular_fronts.studies.fronts_compared import compare_front, normalised_damping
 
 XI = np.linspace(-40.0, 40.0, 2001)
 SCENE = {

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from projects import ROOT, load_step
 
-from granular_fronts.hard_cases import chain_cases, contact_cases, event_orders, registry
-from granular_fronts.hard_cases.extended import Motion, reference_state
-from granular_fronts.hard_cases.record import HardCase
 from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies.hard_cases import chain_cases, contact_cases, event_orders, registry
+from granular_fronts.studies.hard_cases.extended import Motion, reference_state
+from granular_fronts.studies.hard_cases.record import HardCase
 
 QUICK = ["delta_1e_8", "delta_1e8", "free_flight", "elastic_collision", "dashpot_collision"]
 QUICK += ["front_double_root", "front_triple_root", "front_crossing", "front_dashpot"]

@@ -15,7 +15,7 @@ from imports import import_closure, module_files, named_in
 SOURCES = [ROOT / "src", ROOT / "workflow/lib", ROOT / "workflow/scripts"]
 FILES = module_files(*SOURCES)
 SCRIPTS = sorted(file.stem for file in SOURCES[2].glob("*.py"))
-DRAWING = {"granular_fronts.drawing", "granular_fronts.style"}
+DRAWING = {"granular_fronts.output.panels", "granular_fronts.output.style"}
 
 TELL_WHAT_IS_LOADED = """
 import json, sys

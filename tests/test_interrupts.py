@@ -44,8 +44,8 @@ SCRIPT = """
 import sys
 import numpy as np
 import granular_fronts as gf
-from granular_fronts.continuum.solution import solve
-from granular_fronts.continuum.warming import RING
+from granular_fronts.continuum.log_burgers.solution import solve
+from granular_fronts.continuum.compilation import RING
 
 def chain(beads, gamma, end_time):
     return {{

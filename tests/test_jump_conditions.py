@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy
 
-from granular_fronts.contact import (
+from granular_fronts.model.jump_conditions import jump_conditions, signed_area
+from granular_fronts.model.potentials import (
     NO_DISSIPATION,
     fpu,
     generalised_hertz,
@@ -16,7 +17,6 @@ from granular_fronts.contact import (
     potential_from_functions,
     toda,
 )
-from granular_fronts.jumps import jump_conditions, signed_area
 
 DIGITS = 60
 

@@ -8,13 +8,13 @@ import pytest
 from chains import driven_scene
 
 import granular_fronts as gf
-from granular_fronts.contact import generalised_hertz
 from granular_fronts.errors import InputError
-from granular_fronts.laws.materials import evaluate_materials, regime
-from granular_fronts.laws.piston import limit, measure_pistons, push_chain, repetition
-from granular_fronts.laws.regimes import evaluate_regimes
+from granular_fronts.model.potentials import generalised_hertz
 from granular_fronts.scenes.configuration import check_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies.damping_regimes import evaluate_regimes
+from granular_fronts.studies.materials import evaluate_materials, regime
+from granular_fronts.studies.pistons import limit, measure_pistons, push_chain, repetition
 
 DEFAULT = Path(__file__).parents[1] / "config" / "default.yaml"
 TIGHT = {"relative": 1.0e-12, "absolute": 1.0e-14}

@@ -3,8 +3,13 @@
 import numpy as np
 import pytest
 
-from granular_fronts.continuum.log_burgers import flux, front_end, limit_flux, log_burgers_front
-from granular_fronts.slow_scales import make_slow_scales
+from granular_fronts.continuum.log_burgers.equation import (
+    flux,
+    front_end,
+    limit_flux,
+    log_burgers_front,
+)
+from granular_fronts.model.amplitude_scaling import make_slow_scales
 
 
 def test_flux_tends_to_its_limit_without_cancellation():

@@ -5,13 +5,13 @@ import pytest
 from rings import at_end, coarsen, scene_with, slope_and_residual
 
 import granular_fronts as gf
-from granular_fronts.continuum import upwind
-from granular_fronts.continuum.evolution import evolve_unlimited
-from granular_fronts.continuum.log_burgers import log_burgers_front
-from granular_fronts.continuum.solution import solve
-from granular_fronts.continuum.starts import make_start
+from granular_fronts.continuum.log_burgers.equation import log_burgers_front
+from granular_fronts.continuum.log_burgers.evolution import evolve_unlimited
+from granular_fronts.continuum.log_burgers.solution import solve
+from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError, SolveError
-from granular_fronts.slow_scales import scaling_of
+from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.reference_methods import upwind
 
 
 @pytest.mark.parametrize("name", ["weak", "hertz"])

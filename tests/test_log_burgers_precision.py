@@ -7,9 +7,9 @@ from measure_log_burgers import measure_scene
 from rings import SCENES, scene_with
 from tabulate_log_burgers import COLUMNS, tabulate_log_burgers
 
-from granular_fronts.continuum.fourier import evolve_fourier
-from granular_fronts.continuum.solution import solve
-from granular_fronts.datasets import write_dataset
+from granular_fronts.continuum.log_burgers.solution import solve
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.reference_methods.fourier import evolve_fourier
 
 
 @pytest.mark.parametrize("name", ["weak", "hertz"])

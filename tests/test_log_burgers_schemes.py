@@ -5,10 +5,10 @@ import pytest
 from rings import slope_and_residual
 from scipy.integrate import quad
 
-from granular_fronts.continuum import finite_volumes, time_steps
-from granular_fronts.continuum.log_burgers import flux, limit_flux
-from granular_fronts.continuum.starts import Given, Plateau
-from granular_fronts.elementary.vector_functions import exponentials_less_one, logarithms
+from granular_fronts.continuum.log_burgers import finite_volumes, time_steps
+from granular_fronts.continuum.log_burgers.equation import flux, limit_flux
+from granular_fronts.continuum.log_burgers.starts import Given, Plateau
+from granular_fronts.numerics.vector_functions import exponentials_less_one, logarithms
 
 
 def test_logarithm_is_that_of_the_library():

@@ -9,29 +9,29 @@ import pytest
 from heteroclinic_reference import DIGITS, Reference
 
 import granular_fronts as gf
-from granular_fronts.continuum import heteroclinic as orbit_module
-from granular_fronts.continuum.heteroclinic import (
-    UNDERFLOW_P,
-    compute_orbit,
-    gaussian_centre,
-    squared_slope_at_one,
-    turning_points,
-)
-from granular_fronts.continuum.log_kdv_burgers import (
+from granular_fronts.continuum.log_kdv_burgers import heteroclinic as orbit_module
+from granular_fronts.continuum.log_kdv_burgers.equation import (
     amplitude_of_chain,
     damping_of_mu,
     linear_rates,
     planar_system,
     potential,
 )
-from granular_fronts.continuum.slow_manifold import (
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
+    UNDERFLOW_P,
+    compute_orbit,
+    gaussian_centre,
+    squared_slope_at_one,
+    turning_points,
+)
+from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
     FEWER_TERMS,
     STIFF_DAMPING,
     expand,
     slow_orbit,
     state_on_manifold,
 )
-from granular_fronts.continuum.traced_orbit import REFINED, Accuracy, trace_orbit
+from granular_fronts.continuum.log_kdv_burgers.traced_orbit import REFINED, Accuracy, trace_orbit
 from granular_fronts.errors import InputError
 
 ACCURACY = 1.0e-13

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from granular_fronts.measured import error_attributes
+from granular_fronts.accuracy import error_attributes
 
 
 def estimate(value, other):

@@ -9,10 +9,10 @@ import xarray as xr
 
 from granular_fronts.chain import measures as chain
 from granular_fronts.continuum import measures as continuum
-from granular_fronts.continuum.log_burgers import flux, limit_flux
+from granular_fronts.continuum.log_burgers.equation import flux, limit_flux
 from granular_fronts.fronts import measures as fronts
-from granular_fronts.laws import measures as laws
-from granular_fronts.periodic import measures as periodic
+from granular_fronts.studies import law_measures as laws
+from granular_fronts.studies import ring_measures as periodic
 
 EXACT = {"error_estimate": 1e-15, "error_method": "given"}
 DRIVEN = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5, "gamma": 0.06}}

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from granular_fronts.chain import theta_method
-from granular_fronts.chain.theta_method import integrate_from_rest
 from granular_fronts.errors import InputError, SolveError
-from granular_fronts.laws.numerical_damping import (
+from granular_fronts.reference_methods import theta_method
+from granular_fronts.reference_methods.theta_method import integrate_from_rest
+from granular_fronts.studies.numerical_damping import (
     Case,
     compare_profiles,
     damped_chain,

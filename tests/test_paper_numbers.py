@@ -15,11 +15,10 @@ from compute_heteroclinic import compute_heteroclinic
 from initiate_front import initiate_front
 from tabulate_statements import find_measure
 
-from granular_fronts.departures import departures
-from granular_fronts.judgement import Range, half_unit, judge, range_of_criterion
-from granular_fronts.measured import Measured
-from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.statements import (
+from granular_fronts.accuracy import Measured
+from granular_fronts.output.departures import departures
+from granular_fronts.output.judgement import Range, half_unit, judge, range_of_criterion
+from granular_fronts.output.statements import (
     ANSWERS,
     DOES_NOT_HOLD,
     HOLDS,
@@ -34,6 +33,7 @@ from granular_fronts.statements import (
     unexpected_verdicts,
     verdict_on,
 )
+from granular_fronts.scenes.yaml_files import load_configuration
 from questions import questions
 
 CONFIG = Path(__file__).parents[1] / "config"
@@ -286,7 +286,7 @@ def test_every_statement_stands_once():
 
 
 def test_a_measure_has_a_dotted_name():
-    assert find_measure("chain.front_speed").__module__ == "granular_fronts.chain.measures"
+    assert find_measure("chain.measures.front_speed").__module__ == "granular_fronts.chain.measures"
 
 
 SMOKE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from chains import smooth_ring
 
-from granular_fronts.continuum.heteroclinic import heteroclinic
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from peers import record, scilab_chain, scipy_fronts, scipy_heteroclinic
 from peers.chain_system import ChainSystem, SparseJacobian, front_initiation, numpy_right_hand_side

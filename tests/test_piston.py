@@ -7,8 +7,8 @@ from scipy.integrate import solve_ivp
 
 from granular_fronts.chain import equations, run, strain
 from granular_fronts.chain.equations import Boundary, Piston
-from granular_fronts.chain.runge_kutta import NEW_SLOPE
 from granular_fronts.chain.simulate import simulate_chain, solve
+from granular_fronts.numerics.runge_kutta import NEW_SLOPE
 
 LAWS = [(1.5, 1.5, 0.3), (1.5, 1.5, 0.0), (1.2, 1.2, 0.3), (1.5, 1.0, 0.3), (1.5, 2.5, 5.0)]
 

@@ -15,7 +15,7 @@ import tabulate_speed_error as tabulating
 import xarray as xr
 from update_readme import speed
 
-from granular_fronts.datasets import read_dataset, write_dataset
+from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
 from peers.record import Run, Stopwatch
 from problems import chain, fronts, heteroclinic, ring

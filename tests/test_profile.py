@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
-from granular_fronts.fronts import newton
-from granular_fronts.fronts.band import factorise, substitute
-from granular_fronts.fronts.continuum_start import continuum_front
-from granular_fronts.fronts.interpolation import interpolate_all, largest
-from granular_fronts.fronts.profile import (
+from granular_fronts.fronts.profile import newton
+from granular_fronts.fronts.profile.long_wave_front import continuum_front
+from granular_fronts.fronts.profile.solve import (
     make_law,
     quadrature_defect,
     refine,
     solve_on_grid,
     solve_profile,
 )
-from granular_fronts.fronts.quadrature import kernel_weights
-from granular_fronts.fronts.window import Window, choose_window, rate_ahead
+from granular_fronts.fronts.profile.window import Window, choose_window, rate_ahead
+from granular_fronts.numerics.band import factorise, substitute
+from granular_fronts.numerics.interpolation import interpolate_all, largest
+from granular_fronts.numerics.quadrature import kernel_weights
 
 SPACINGS = [Fraction(1, 12), Fraction(1, 3), Fraction(1), Fraction(2), Fraction(7)]
 

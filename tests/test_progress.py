@@ -7,8 +7,8 @@ import sys
 import pytest
 from projects import ROOT
 
-from granular_fronts import progress
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.output import progress
 
 
 @pytest.fixture

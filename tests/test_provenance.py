@@ -9,15 +9,15 @@ import xarray as xr
 import yaml
 from projects import ROOT
 
-from granular_fronts.datasets import read_dataset, read_origins, write_dataset
-from granular_fronts.provenance import (
+from granular_fronts.output.datasets import read_dataset, read_origins, write_dataset
+from granular_fronts.output.provenance import (
     data_digest,
     disagreements,
     origin,
     question_digest,
     read_record,
 )
-from granular_fronts.tables import write_table
+from granular_fronts.output.tables import write_table
 from questions import questions, questions_on_demand
 
 SCENE = {"law": {"alpha": 1.5, "gamma": 0.06}, "beads": 4}

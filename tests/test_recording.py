@@ -5,7 +5,7 @@ import pytest
 from chains import driven_scene
 
 from granular_fronts.chain.simulate import solve
-from granular_fronts.grids import regular_points
+from granular_fronts.numerics.grids import regular_points
 
 FINE = 0.002
 

@@ -10,9 +10,9 @@ import yaml
 from projects import ROOT
 from write_report import write_report
 
-from granular_fronts.datasets import read_dataset, write_dataset
-from granular_fronts.provenance import origin, write_record
-from granular_fronts.tables import write_table
+from granular_fronts.output.datasets import read_dataset, write_dataset
+from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.tables import write_table
 
 PNG = b"\x89PNG\r\n\x1a\n"
 QUESTIONS = {

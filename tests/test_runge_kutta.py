@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from granular_fronts.chain import runge_kutta as rk
+from granular_fronts.numerics import runge_kutta as rk
 
 A, B, C = rk.A[: rk.STAGES, : rk.STAGES], rk.B[: rk.STAGES], rk.C[: rk.STAGES]
 ROUNDING = 5.0e-15

@@ -7,9 +7,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
-from granular_fronts.collision import damping_for_restitution
-from granular_fronts.contact import generalised_hertz
-from granular_fronts.scaling import (
+from granular_fronts.model.collision import damping_for_restitution
+from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.scaling import (
     damping_from_restitution,
     sphere_mass,
     sphere_stiffness,

@@ -10,10 +10,10 @@ from scipy.integrate import romb
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
-from granular_fronts.fronts import front_equations
-from granular_fronts.fronts.sampling import sample_window
-from granular_fronts.fronts.seeds import Seed, chain_seed
-from granular_fronts.fronts.shooting import error_estimate, shoot_front
+from granular_fronts.fronts.shooting import equations
+from granular_fronts.fronts.shooting.initial_guess import Seed, chain_seed
+from granular_fronts.fronts.shooting.sampling import sample_window
+from granular_fronts.fronts.shooting.solve import error_estimate, shoot_front
 
 DRIVEN = [0.06 * 0.1**0.25, 0.65 * 0.1**0.25]
 LAWS = [
@@ -43,7 +43,7 @@ def test_flow_returns_the_front_shifted(alpha, gamma, beta):
     """With three times the steps of the solve, so that the flow's own error counts too."""
     front = shot(alpha, gamma, beta)
     window = front.window._replace(steps=3 * front.window.steps)
-    rows, _ = front_equations.residual(window, front.unknowns)
+    rows, _ = equations.residual(window, front.unknowns)
     assert np.abs(rows).max() <= 1.0e-13
 
 

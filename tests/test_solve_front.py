@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.contact import generalised_hertz
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.interpolation import interpolate_all
+from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.numerics.interpolation import interpolate_all
 
 LAWS = [
     (1.02, 0.1, None),

@@ -9,15 +9,15 @@ from chains import driven_scene
 
 from granular_fronts.chain.simulate import solve
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.sampling import sample_window
-from granular_fronts.fronts.shooting import shoot_front
-from granular_fronts.fronts.stability import (
+from granular_fronts.fronts.linear.floquet import (
     compressed_chain_multipliers,
     front_multipliers,
     multipliers,
     reflection_radius,
     return_matrix,
 )
+from granular_fronts.fronts.shooting.sampling import sample_window
+from granular_fronts.fronts.shooting.solve import shoot_front
 
 WEAK, STRONG = (1.5, 0.06 * 0.1**0.25), (1.5, 0.65 * 0.1**0.25)
 LAWS = [(*WEAK, 1.5), (*STRONG, 1.5), (1.1, 0.24, 1.1), (3.0, 2.0, 3.0), (1.5, 0.3, 1.0)]

@@ -22,7 +22,7 @@ import pytest
 import yaml
 from projects import snakemake, wait_for_job
 
-from granular_fronts.provenance import question_digest, read_record
+from granular_fronts.output.provenance import question_digest, read_record
 
 pytestmark = pytest.mark.slow
 
@@ -57,8 +57,9 @@ def question_of(record, scene=SCENE):
 def question_of_data(project):
     """Digest of the question that the data answer, from the configuration they carry."""
     script = (
-        "import json, sys; from granular_fronts.datasets import read_dataset, configuration_of;"
-        "from granular_fronts.provenance import question_digest;"
+        "import json, sys;"
+        "from granular_fronts.output.datasets import read_dataset, configuration_of;"
+        "from granular_fronts.output.provenance import question_digest;"
         f"print(question_digest(configuration_of(read_dataset('{DATA}'))))"
     )
     run = subprocess.run(

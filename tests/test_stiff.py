@@ -7,11 +7,13 @@ import pytest
 from chains import TIGHT, driven_scene, smooth_ring
 from numpy.polynomial import Polynomial
 
-from granular_fronts.chain import radau, simulate_chain, stiff
+from granular_fronts.chain import stiff
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
+from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.chain.state import make_law
-from granular_fronts.hard_cases.extended import Motion, reference_state
+from granular_fronts.numerics import radau
+from granular_fronts.studies.hard_cases.extended import Motion, reference_state
 
 LAWS = [(1.5, 1.5, 60.0), (3.0, 3.0, 30.0), (1.5, 1.0, 40.0), (1.5, 2.5, 30.0)]
 

@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.datasets import read_dataset, write_dataset
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.prediction import (
+from granular_fronts.numerics.extrapolation import (
     LARGEST_WEIGHT,
     REMEMBERED,
     extrapolation_weights,
     predict,
     remember,
 )
+from granular_fronts.output.datasets import read_dataset, write_dataset
 
 
 @pytest.mark.parametrize(("alpha", "beta"), [(1.5, None), (1.5, 1.0), (3.0, 4.0)])

@@ -9,7 +9,7 @@ import pytest
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.critical_damping import meaning_changes_at
+from granular_fronts.fronts.linear.critical_damping import meaning_changes_at
 
 LAWS = list(
     itertools.product((1.001, 1.1, 1.18, 1.5, 3.0, 10.0), (1e-3, 0.03, 0.19, 0.4, 3.0, 50.0))

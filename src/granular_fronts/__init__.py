@@ -9,19 +9,19 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
-    "Scaling": "granular_fronts.scaling",
-    "critical_damping": "granular_fronts.fronts.critical_damping",
+    "Scaling": "granular_fronts.model.scaling",
+    "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
-    "evolve_log_burgers": "granular_fronts.continuum.evolution",
-    "front_multipliers": "granular_fronts.fronts.stability",
-    "heteroclinic": "granular_fronts.continuum.heteroclinic",
-    "jump_conditions": "granular_fronts.jumps",
-    "log_burgers_front": "granular_fronts.continuum.log_burgers",
-    "restitution": "granular_fronts.collision",
+    "evolve_log_burgers": "granular_fronts.continuum.log_burgers.evolution",
+    "front_multipliers": "granular_fronts.fronts.linear.floquet",
+    "heteroclinic": "granular_fronts.continuum.log_kdv_burgers.heteroclinic",
+    "jump_conditions": "granular_fronts.model.jump_conditions",
+    "log_burgers_front": "granular_fronts.continuum.log_burgers.equation",
+    "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
-    "sweep_fronts": "granular_fronts.fronts.sweep",
-    "tail_roots": "granular_fronts.fronts.tails",
+    "sweep_fronts": "granular_fronts.fronts.profile.sweep",
+    "tail_roots": "granular_fronts.fronts.linear.tails",
 }
 
 __all__ = sorted(_HOME_OF)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import pytest
 import yaml
 
-from granular_fronts.departures import physical_departures
+from granular_fronts.output.departures import physical_departures
 from questions import questions
 
 PROJECT = Path(__file__).parents[2]

@@ -5,7 +5,7 @@ import re
 import pytest
 from conftest import listed_as_made
 
-from granular_fronts.provenance import read_record
+from granular_fronts.output.provenance import read_record
 
 FIGURES = listed_as_made().figures
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from granular_fronts.datasets import read_dataset
+from granular_fronts.output.datasets import read_dataset
 
 MEASURED = [
     "speed_exact",

@@ -1,7 +1,7 @@
 """Figures, tables and data belong together, and to the configuration that is asked now."""
 
-from granular_fronts.datasets import read_origins
-from granular_fronts.provenance import disagreements
+from granular_fronts.output.datasets import read_origins
+from granular_fronts.output.provenance import disagreements
 from questions import questions
 
 

@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from granular_fronts.statements import (
+from granular_fronts.output.statements import (
     ANSWERS,
     NOT_JUDGED,
     OTHER_PARAMETERS,

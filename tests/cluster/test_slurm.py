@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from granular_fronts.datasets import read_dataset
+from granular_fronts.output.datasets import read_dataset
 
 ROOT = Path(__file__).parents[2]
 CLUSTER = Path(__file__).with_name("one_node.sh")

@@ -4,11 +4,11 @@
 # Otherwise jobs that start together would each compile the same kernels.
 rule compile_kernels:
     input:
-        modules=sources("compile_kernels", "granular_fronts.chain"),
+        modules=sources("compile_kernels", "granular_fronts.chain.compilation"),
     output:
         stamp="<results>/kernels.json",
     params:
-        wing="chain",
+        wings=["chain"],
     log:
         "<logs>/compile_kernels.log",
     benchmark:

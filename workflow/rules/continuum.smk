@@ -3,11 +3,15 @@
 
 rule compile_continuum_kernels:
     input:
-        modules=sources("compile_kernels", "granular_fronts.continuum"),
+        modules=sources(
+            "compile_kernels",
+            "granular_fronts.continuum.compilation",
+            "granular_fronts.reference_methods.compilation",
+        ),
     output:
         stamp="<results>/continuum_kernels.json",
     params:
-        wing="continuum",
+        wings=["continuum", "reference_methods"],
     log:
         "<logs>/compile_continuum_kernels.log",
     benchmark:

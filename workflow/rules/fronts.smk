@@ -7,11 +7,11 @@ rule compile_front_kernels:
             rules.compile_kernels.output.stamp,
             rules.compile_continuum_kernels.output.stamp,
         ],
-        modules=sources("compile_kernels", "granular_fronts.fronts"),
+        modules=sources("compile_kernels", "granular_fronts.fronts.compilation"),
     output:
         stamp="<results>/front_kernels.json",
     params:
-        wing="fronts",
+        wings=["fronts"],
     log:
         "<logs>/compile_front_kernels.log",
     benchmark:

@@ -2,7 +2,7 @@
 
 import yaml
 
-from granular_fronts.provenance import question_digest, read_record
+from granular_fronts.output.provenance import question_digest, read_record
 from questions import FAMILIES, questions, questions_on_demand
 
 ASKED = questions(config) | questions_on_demand(config)

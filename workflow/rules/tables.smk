@@ -4,7 +4,7 @@ They are listed with their titles and captions in workflow/tables.yaml.
 """
 
 # Statements name functions of these modules.
-MEASURES = [name for name in MODULES if name.endswith(".measures")]
+MEASURES = [name for name in MODULES if name.endswith("measures")]
 
 
 rule tabulate_paper_numbers:

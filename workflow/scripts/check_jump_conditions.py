@@ -6,8 +6,8 @@ python workflow/scripts/check_jump_conditions.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws.measured_jumps import measure_jumps
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.jump_conditions_measured import measure_jumps
 from step import run_step
 
 

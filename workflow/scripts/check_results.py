@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 import pytest
 import yaml
 
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 from step import run_step
 
 TESTS = Path(__file__).parents[2] / "tests" / "artefacts"

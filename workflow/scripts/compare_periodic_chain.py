@@ -6,8 +6,8 @@ python workflow/scripts/compare_periodic_chain.py --scene_id weak
 
 from pathlib import Path
 
-from granular_fronts.comparison import compare_with_chain
-from granular_fronts.datasets import write_dataset
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.ring_against_equations import compare_with_chain
 from step import run_step
 
 

@@ -6,8 +6,8 @@ python workflow/scripts/compare_variables.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws.choice_of_variables import compare_variables as compare
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.choice_of_variables import compare_variables as compare
 from step import run_step
 
 

@@ -1,7 +1,7 @@
-"""Compile the kernels of one wing, so that jobs that start together find them ready.
+"""Compile the kernels of some wings, so that jobs that start together find them ready.
 
 About twenty seconds once, then one:
-python workflow/scripts/compile_kernels.py --wing chain --stamp kernels.json
+python workflow/scripts/compile_kernels.py --wings chain --stamp kernels.json
 """
 
 import json
@@ -11,22 +11,23 @@ from pathlib import Path
 
 import numba
 
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 from step import run_step
 
 
-def compile_kernels(wing: str, stamp: Path) -> None:
+def compile_kernels(wings: list[str], stamp: Path) -> None:
     """Fill the cache of compiled kernels.
 
     Parameters
     ----------
-    wing : str
-        Folder of the package, one with a function `warm_up`.
+    wings : list of str
+        Folders of the package, each with a module `compilation`.
     stamp : Path
         JSON file that says with which numba, and in how many seconds.
     """
     start = time.perf_counter()
-    import_module(f"granular_fronts.{wing}").warm_up()
+    for wing in wings:
+        import_module(f"granular_fronts.{wing}.compilation").compile_kernels()
     seconds = round(time.perf_counter() - start, 3)
     with complete_file(stamp) as unfinished:
         unfinished.write_text(json.dumps({"numba": numba.__version__, "seconds": seconds}) + "\n")

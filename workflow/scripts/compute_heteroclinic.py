@@ -7,8 +7,8 @@ python workflow/scripts/compute_heteroclinic.py --scene_id front_profiles
 
 from pathlib import Path
 
-from granular_fronts.continuum.survey import survey_heteroclinic
-from granular_fronts.datasets import write_dataset
+from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
+from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 

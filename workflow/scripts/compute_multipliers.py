@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from granular_fronts.datasets import write_dataset
+from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers, front_multipliers
 from granular_fronts.fronts.solve import solve_front
-from granular_fronts.fronts.stability import compressed_chain_multipliers, front_multipliers
+from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 WAVENUMBERS = 401

@@ -6,8 +6,8 @@ python workflow/scripts/evaluate_damping_regimes.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws.regimes import evaluate_regimes
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.damping_regimes import evaluate_regimes
 from step import run_step
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from granular_fronts.continuum.log_burgers import flux, limit_flux, log_burgers_front
-from granular_fronts.datasets import write_dataset
+from granular_fronts.continuum.log_burgers.equation import flux, limit_flux, log_burgers_front
+from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 ROUNDING = {"error_estimate": 4.0e-16, "error_method": "rounding of a closed formula"}

@@ -6,8 +6,8 @@ python workflow/scripts/evaluate_materials.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws.materials import evaluate_materials as evaluate
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.materials import evaluate_materials as evaluate
 from step import run_step
 
 

@@ -26,11 +26,11 @@ import jinja2
 import xarray as xr
 from matplotlib.figure import Figure
 
-from granular_fronts.datasets import configuration_of, read_dataset
-from granular_fronts.departures import describe, physical_departures
-from granular_fronts.files import complete_file
-from granular_fronts.provenance import origin, write_record
-from granular_fronts.style import save_figure
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.departures import describe, physical_departures
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.style import save_figure
 from step import run_step
 
 OUTPUTS = ("pdf", "png", "caption", "record")

@@ -6,8 +6,8 @@ python workflow/scripts/follow_trends.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.fronts.trends import follow_trends as follow
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.front_trends import follow_trends as follow
 from step import run_step
 
 

@@ -7,7 +7,7 @@ python workflow/scripts/initiate_front.py --scene_id initiation_overdamped
 from pathlib import Path
 
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.datasets import write_dataset
+from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 

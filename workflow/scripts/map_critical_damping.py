@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.fronts import damping_map
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies import damping_map
 from step import run_step
 
 

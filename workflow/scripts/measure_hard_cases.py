@@ -9,10 +9,10 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.hard_cases.event_orders import fitted_order, measure_orders
-from granular_fronts.hard_cases.registry import run_case
-from granular_fronts.progress import counted
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.output.progress import counted
+from granular_fronts.studies.hard_cases.event_orders import fitted_order, measure_orders
+from granular_fronts.studies.hard_cases.registry import run_case
 from step import run_step
 
 REFUSED = dict.fromkeys(("problem", "expected", "criterion", "quantity"), "") | dict.fromkeys(
@@ -26,7 +26,7 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
     Parameters
     ----------
     cases : list of str
-        Names, as in granular_fronts.hard_cases.registry.
+        Names, as in granular_fronts.studies.hard_cases.registry.
     dataset : Path
         The netCDF file to write, on (case) and (method, rung).
     """

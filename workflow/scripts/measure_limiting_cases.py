@@ -6,8 +6,8 @@ python workflow/scripts/measure_limiting_cases.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws.limiting_cases import measure_limiting_cases as measure
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.limiting_cases import measure_limiting_cases as measure
 from step import run_step
 
 

@@ -27,13 +27,13 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 
-from granular_fronts.continuum import upwind
-from granular_fronts.continuum.fourier import evolve_fourier
-from granular_fronts.continuum.solution import START_LEVELS, solve
-from granular_fronts.continuum.starts import make_start
-from granular_fronts.datasets import write_dataset
-from granular_fronts.progress import counted
-from granular_fronts.slow_scales import scaling_of
+from granular_fronts.continuum.log_burgers.solution import START_LEVELS, solve
+from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.output.progress import counted
+from granular_fronts.reference_methods import upwind
+from granular_fronts.reference_methods.fourier import evolve_fourier
 from step import run_step
 
 TOLERANCE_PER_WIDTH = 0.05

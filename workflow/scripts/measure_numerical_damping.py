@@ -6,8 +6,8 @@ python workflow/scripts/measure_numerical_damping.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws.numerical_damping import Case, compare_profiles, measure_order
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.numerical_damping import Case, compare_profiles, measure_order
 from step import run_step
 
 

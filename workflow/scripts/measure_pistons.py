@@ -6,8 +6,8 @@ python workflow/scripts/measure_pistons.py \
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.laws import piston as fronts
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies import pistons as fronts
 from step import run_step
 
 

@@ -21,8 +21,8 @@ from peers import one_thread  # noqa: F401
 import pandas as pd
 import xarray as xr
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.progress import counted
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.output.progress import counted
 from peers.record import Run
 from problems.problem import errors_of
 from step import LOGGER, run_step

@@ -15,8 +15,8 @@ import xarray as xr
 from granular_fronts.chain import stiff
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
-from granular_fronts.datasets import write_dataset
-from granular_fronts.progress import counted
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.output.progress import counted
 from step import run_step
 
 METHODS = {"explicit": math.inf, "implicit": 0.0}

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.merging import merge_chunks
-from granular_fronts.datasets import write_dataset
+from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 

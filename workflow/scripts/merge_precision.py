@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 from measure_precision import to_dataset
 
-from granular_fronts.datasets import read_dataset, write_dataset
+from granular_fronts.output.datasets import read_dataset, write_dataset
 from step import run_step
 
 INDEX = ["problem", "method", "tolerance"]

@@ -4,8 +4,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.drawing import draw_probes, label_peaks
-from granular_fronts.style import new_figure
+from granular_fronts.output.panels import draw_probes, label_peaks
+from granular_fronts.output.style import new_figure
 
 
 def plot_fig01(data: xr.Dataset) -> Figure:

@@ -4,9 +4,9 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.datasets import configuration_of
-from granular_fronts.drawing import draw_spacetime
-from granular_fronts.style import compression_map, new_figure, velocity_map
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.panels import draw_spacetime
+from granular_fronts.output.style import compression_map, new_figure, velocity_map
 
 # The paper clips its colours at 0.14 where δ = 0.1: gaps wider than any compression are red.
 CLIP_OVER_DELTA = 1.4

@@ -4,7 +4,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import EXPONENT_COLOURS, new_figure
+from granular_fronts.output.style import EXPONENT_COLOURS, new_figure
 
 
 def plot_fig04(data: xr.Dataset) -> Figure:

@@ -4,7 +4,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.drawing import draw_chain_dots, draw_rings
+from granular_fronts.output.panels import draw_chain_dots, draw_rings
 
 
 def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:

@@ -4,7 +4,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.drawing import draw_comparison
+from granular_fronts.output.panels import draw_comparison
 
 
 def plot_fig06(data: xr.Dataset) -> Figure:

@@ -1,14 +1,14 @@
 """Figure 7b: how far the ring is from its amplitude equations, over time.
 
-The distances are defined in granular_fronts.comparison.
+The distances are defined in granular_fronts.studies.ring_against_equations.
 """
 
 import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.drawing import draw_rings, finish_grid
-from granular_fronts.style import EQUATION_COLOUR, UNLIMITED_COLOUR
+from granular_fronts.output.panels import draw_rings, finish_grid
+from granular_fronts.output.style import EQUATION_COLOUR, UNLIMITED_COLOUR
 
 EQUATIONS = {
     "logarithmic": ("(41)", EQUATION_COLOUR),

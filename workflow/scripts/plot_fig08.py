@@ -5,7 +5,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import PROBE_COLOURS, fill_rows, new_figure
+from granular_fronts.output.style import PROBE_COLOURS, fill_rows, new_figure
 
 BLACK, BLUE = PROBE_COLOURS[:2]
 GREY = "0.55"

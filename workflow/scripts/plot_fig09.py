@@ -5,7 +5,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 METHODS = {"profile": (EQUATION_COLOUR, "-", "s"), "shooting": (CHAIN_COLOUR, ":", "o")}
 

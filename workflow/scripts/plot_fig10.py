@@ -4,8 +4,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.drawing import finish_grid
-from granular_fronts.style import CHAIN_COLOUR, CONTINUUM_LOOKS, new_figure
+from granular_fronts.output.panels import finish_grid
+from granular_fronts.output.style import CHAIN_COLOUR, CONTINUUM_LOOKS, new_figure
 
 FIELDS = {"relative_displacement": r"$u/\delta$", "velocity": r"$\dot x/\delta^{(\alpha+1)/2}$"}
 

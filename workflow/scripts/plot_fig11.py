@@ -4,7 +4,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import CONTINUUM_LOOKS, fill_rows, new_figure
+from granular_fronts.output.style import CONTINUUM_LOOKS, fill_rows, new_figure
 
 COLUMNS = 3
 

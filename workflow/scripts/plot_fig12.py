@@ -6,7 +6,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import PROBE_COLOURS, new_figure
+from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
 CURVES = {
     "tail": ("tail: what governs the decay", PROBE_COLOURS[0], "-"),

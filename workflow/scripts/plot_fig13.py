@@ -5,8 +5,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.drawing import finish_grid
-from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.output.panels import finish_grid
+from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 MARKERS = ("o", "s", "^", "d")
 CIRCLE = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 400))

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
 from figure_step import run_figure
-from granular_fronts.style import PACKAGE_COLOURS, fill_rows, new_figure
+from granular_fronts.output.style import PACKAGE_COLOURS, fill_rows, new_figure
 
 COLUMNS = 3
 PANEL_HEIGHT = 2.3

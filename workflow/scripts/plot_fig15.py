@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 BLUE = PROBE_COLOURS[1]
 GREY = "0.55"

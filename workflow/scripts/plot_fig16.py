@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
 from figure_step import run_figure
-from granular_fronts.laws.materials import ALPHA
-from granular_fronts.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.studies.materials import ALPHA
 
 CURVES = {
     "tail": ("tail turns real", PROBE_COLOURS[0], "-"),

@@ -5,7 +5,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import PROBE_COLOURS, new_figure
+from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
 WAYS = {
     "speed_exact": ("speed, exact front", "o"),

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.style import PROBE_COLOURS, new_figure
+from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
 SHOWN_GAMMA = (0.03, 30.0)
 

@@ -6,13 +6,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.datasets import configuration_of
-from granular_fronts.style import (
-    CHAIN_COLOUR,
-    EQUATION_COLOUR,
-    PROBE_COLOURS,
-    new_figure,
-)
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
 
 MARKERS = "os^v"
 

@@ -7,8 +7,8 @@ python workflow/scripts/shoot_front.py --scene_id underdamped
 
 from pathlib import Path
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.fronts.comparison import compare_front
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.fronts_compared import compare_front
 from step import run_step
 
 

@@ -14,7 +14,7 @@ from granular_fronts.campaign.chunks import read_request
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.merging import chunk_dataset
 from granular_fronts.campaign.plan import describe_progress
-from granular_fronts.datasets import write_dataset
+from granular_fronts.output.datasets import write_dataset
 from step import run_step
 
 

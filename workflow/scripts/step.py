@@ -33,7 +33,7 @@ from typing import Any, TextIO
 import yaml
 
 from granular_fronts.errors import NoSpaceError
-from granular_fronts.files import is_full
+from granular_fronts.output.files import is_full
 
 LOGGER = logging.getLogger("granular_fronts")
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.files import complete_file
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.files import complete_file
 from step import run_step
 
 FORMATS = {"smallest": ".8g", "median": ".8g", "largest": ".8g", "error estimate": ".1e"}

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from granular_fronts.datasets import write_dataset
-from granular_fronts.fronts.survey import survey_fronts as solve_survey
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.front_survey import survey_fronts as solve_survey
 from step import run_step
 
 

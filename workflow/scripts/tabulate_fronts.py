@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.tables import round_floats, write_table
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.tables import round_floats, write_table
 from step import run_step
 
 PROPERTIES = (

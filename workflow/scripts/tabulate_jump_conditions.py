@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from granular_fronts.datasets import configuration_of, read_dataset
-from granular_fronts.tables import write_table
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.tables import write_table
 from step import run_step
 
 MEASURED = {

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from granular_fronts.datasets import configuration_of, read_dataset
-from granular_fronts.files import complete_file
-from granular_fronts.provenance import origin, write_record
-from granular_fronts.tables import round_floats
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.tables import round_floats
 from step import run_step
 
 COARSE_ERROR, FINE_ERROR = 1.0e-5, 1.0e-8

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.laws.materials import regime
-from granular_fronts.tables import round_floats, write_table
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.tables import round_floats, write_table
+from granular_fronts.studies.materials import regime
 from step import run_step
 
 

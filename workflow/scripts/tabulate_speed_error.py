@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.tables import round_floats, write_table
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.tables import round_floats, write_table
 from step import run_step
 
 LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)

@@ -7,9 +7,9 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.statements import evaluate, scenes_of
-from granular_fronts.tables import write_table
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.statements import evaluate, scenes_of
+from granular_fronts.output.tables import write_table
 from step import run_step
 
 COLUMNS = {
@@ -64,9 +64,9 @@ def tabulate_statements(
 
 
 def find_measure(name):
-    """Find a measure, `wing.function`, among the functions of `granular_fronts.wing.measures`."""
-    wing, _, function = name.rpartition(".")
-    return getattr(import_module(f"granular_fronts.{wing}.measures"), function)
+    """Find a measure, `module.function`, in `granular_fronts.module`."""
+    module, _, function = name.rpartition(".")
+    return getattr(import_module(f"granular_fronts.{module}"), function)
 
 
 def rounded(value, form):

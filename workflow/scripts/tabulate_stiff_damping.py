@@ -5,8 +5,8 @@ from pathlib import Path
 import pandas as pd
 from tabulate_speed_error import time_to_reach
 
-from granular_fronts.datasets import read_dataset
-from granular_fronts.tables import round_floats, write_table
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.tables import round_floats, write_table
 from step import run_step
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-12)

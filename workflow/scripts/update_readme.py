@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from granular_fronts.files import complete_file
-from granular_fronts.statements import HOLDS
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.statements import HOLDS
 from step import run_step
 
 FIGURE = "fig01_initiation_underdamped.png"

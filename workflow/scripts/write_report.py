@@ -21,9 +21,9 @@ import yaml
 from docutils.core import publish_parts
 from tabulate import tabulate
 
-from granular_fronts.datasets import read_origins
-from granular_fronts.files import complete_file
-from granular_fronts.provenance import disagreements, read_record
+from granular_fronts.output.datasets import read_origins
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import disagreements, read_record
 from step import run_step
 
 

@@ -20,7 +20,7 @@ from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.errors import SolveError
-from granular_fronts.progress import counted
+from granular_fronts.output.progress import counted
 
 REFINED_EVERY = 25
 REFINEMENT = 10.0

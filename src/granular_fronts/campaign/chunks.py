@@ -21,7 +21,7 @@ import numpy as np
 
 from granular_fronts.campaign.definition import Campaign
 from granular_fronts.errors import InputError
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 
 IDENTITY = "campaign.json"
 

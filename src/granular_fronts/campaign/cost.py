@@ -20,7 +20,7 @@ import numpy as np
 from granular_fronts.campaign.chunks import Chunk
 from granular_fronts.campaign.definition import Campaign
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 
 PIECES, FIRST_LENGTH = 3, 3
 """Pieces along each of the two directions, across lines and along them, and their first length."""

@@ -1,7 +1,7 @@
 """Points of the heteroclinic orbit of section 5: one damping μ each.
 
 Overshoot and width are taken from the orbit itself, traced once as usual and once by series of
-another order; rates from its extrema.  See `granular_fronts.continuum.heteroclinic`.
+another order; rates from its extrema.  See `continuum.log_kdv_burgers.heteroclinic`.
 """
 
 import math
@@ -9,9 +9,9 @@ import math
 import numpy as np
 
 from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.continuum.heteroclinic import compute_orbit, heteroclinic
-from granular_fronts.continuum.survey import measure_rates
-from granular_fronts.progress import counted
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import compute_orbit, heteroclinic
+from granular_fronts.continuum.log_kdv_burgers.survey import measure_rates
+from granular_fronts.output.progress import counted
 
 ERROR_METHOD = (
     "largest difference to the orbit traced with another order; of a rate, its change along the "

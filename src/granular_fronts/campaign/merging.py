@@ -18,7 +18,7 @@ import xarray as xr
 from granular_fronts.campaign.chunks import Chunk, locate
 from granular_fronts.campaign.definition import Campaign
 from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.datasets import DatasetError, read_dataset
+from granular_fronts.output.datasets import DatasetError, read_dataset
 
 SOLVED, FAILED = 0, 1
 

@@ -9,7 +9,7 @@ import os
 from pathlib import Path
 from typing import NamedTuple
 
-from granular_fronts.files import complete_file
+from granular_fronts.output.files import complete_file
 
 
 class Plan(NamedTuple):

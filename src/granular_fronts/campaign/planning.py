@@ -10,7 +10,7 @@ from granular_fronts.campaign.chunks import claim_folder, cut, find_missing, wri
 from granular_fronts.campaign.cost import points_per_chunk, seconds_per_point
 from granular_fronts.campaign.definition import MOST_POINTS, Campaign, check_points
 from granular_fronts.campaign.plan import Plan
-from granular_fronts.files import remove_leftovers
+from granular_fronts.output.files import remove_leftovers
 
 
 def plan_campaign(campaign: Campaign, folder: Path, chunk_seconds: float) -> Plan:

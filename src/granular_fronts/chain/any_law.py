@@ -34,13 +34,11 @@ import numba
 import numpy as np
 from numba import types, uint64
 
-from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.integrator import (
     SHORTEST_STEP_IN_SPACINGS,
     contact_polynomial,
     factor_of,
 )
-from granular_fronts.chain.polynomials import crossing
 from granular_fronts.chain.state import PAIR, Law, Size, State, make_state
 from granular_fronts.chain.strain import (
     accept,
@@ -50,9 +48,11 @@ from granular_fronts.chain.strain import (
     laplacian,
     stage_value_pair,
 )
-from granular_fronts.compiled import kernel
-from granular_fronts.elementary.interrupts import interrupted
 from granular_fronts.errors import SolveError
+from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.interrupts import interrupted
+from granular_fronts.numerics.polynomials import crossing
 
 LOOP = types.void(types.float64[::1], types.float64[::1], types.int64)
 """Type of a compiled law: strains to be replaced by V', room for W', number of contacts."""

@@ -27,7 +27,7 @@ import math
 from numba import uint64
 
 from granular_fronts.chain.state import PAIR
-from granular_fronts.compiled import kernel
+from granular_fronts.numerics.compiled import kernel
 
 APPROACH = 0.75
 CROSSING = 1.5

@@ -24,10 +24,10 @@ from typing import NamedTuple
 import numpy as np
 from numba import uint64
 
-from granular_fronts.chain import radau
 from granular_fronts.chain.state import HERTZ, PAIR
 from granular_fronts.chain.strain import NEGLIGIBLE
-from granular_fronts.compiled import kernel
+from granular_fronts.numerics import radau
+from granular_fronts.numerics.compiled import kernel
 
 MOST_ITERATIONS = 12
 SLOWEST_CONVERGENCE = 0.6

@@ -23,9 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import uint64
 
-from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.contact_events import changes_sign, step_at_contact
-from granular_fronts.chain.polynomials import crossing, derivative, polynomial
 from granular_fronts.chain.state import PAIR
 from granular_fronts.chain.strain import (
     NEGLIGIBLE,
@@ -37,8 +35,10 @@ from granular_fronts.chain.strain import (
     stages_for_output,
     try_step,
 )
-from granular_fronts.compiled import kernel
-from granular_fronts.elementary.interrupts import interrupted
+from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.interrupts import interrupted
+from granular_fronts.numerics.polynomials import crossing, derivative, polynomial
 
 RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
 

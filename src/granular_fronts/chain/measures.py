@@ -11,7 +11,7 @@ import math
 import numpy as np
 from scipy.signal import find_peaks
 
-from granular_fronts.measured import Measured
+from granular_fronts.accuracy import Measured
 
 # A maximum of the mean compression counts if it stands out by this fraction of δ.
 PROMINENCE = 0.1

@@ -1,6 +1,6 @@
 """From what a scene asks to record to the arrays of the integrator, and back to a dataset.
 
-Variables of the dataset (names and units are given once, in `granular_fronts.datasets`):
+Variables of the dataset (names and units are given once, in `granular_fronts.output.datasets`):
 
 - snapshots, on which steps land: `relative_displacement`, `velocity` on (t, bead);
 - each probe set, by its name S: `relative_displacement_S` on (t_S, bead_S);
@@ -20,7 +20,7 @@ import xarray as xr
 
 from granular_fronts.chain import equations
 from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST, Recording
-from granular_fronts.grids import regular_points
+from granular_fronts.numerics.grids import regular_points
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
 # before the far end.

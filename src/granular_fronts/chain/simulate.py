@@ -21,7 +21,7 @@ from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
 from granular_fronts.errors import SolveError
-from granular_fronts.progress import time_bar
+from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
 from granular_fronts.scenes.validation import check_scene
 
@@ -165,21 +165,3 @@ def _with_error_estimates(solution, refined, tolerance):
 def _largest(values):
     """Largest finite entry, or NaN if there is none."""
     return float(values.max()) if np.isfinite(values).any() else math.nan
-
-
-def warm_up():
-    """Compile every kernel but the implicit ones, so that jobs side by side find them in the cache.
-
-    The implicit steps take longer to compile than all the rest, and few scenes need them.
-    """
-    for alpha, beta in ((1.5, 1.5), (1.2, 1.2), (1.5, 1.0)):
-        scene = {
-            "law": {"alpha": alpha, "beta": beta, "gamma": 0.1},
-            "beads": 4,
-            "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
-            "start": {"kind": "rest"},
-            "end_time": 1.0,
-            "tolerance": {"relative": 1.0e-6, "absolute": 1.0e-8},
-            "record": {"snapshots": [1.0], "balances": True},
-        }
-        solve(scene, scene["tolerance"])

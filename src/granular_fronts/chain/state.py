@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain.runge_kutta import SLOPES
+from granular_fronts.numerics.runge_kutta import SLOPES
 
 HERTZ, POWER, PAIR = 0, 1, 2
 

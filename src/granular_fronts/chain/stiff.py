@@ -47,10 +47,10 @@ from granular_fronts.chain.integrator import (
     STOP,
     next_output,
 )
-from granular_fronts.chain.radau import STAGES
 from granular_fronts.chain.strain import evaluate_slopes, reach_of
-from granular_fronts.compiled import kernel
-from granular_fronts.elementary.interrupts import interrupted
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.interrupts import interrupted
+from granular_fronts.numerics.radau import STAGES
 
 STIFF = 80.0
 # Outputs closer together than this many explicit steps are left to the explicit pair.

@@ -44,11 +44,11 @@ from typing import NamedTuple
 import numpy as np
 from numba import int64, uint64
 
-from granular_fronts.chain import runge_kutta as rk
 from granular_fronts.chain.state import HERTZ, PAIR
-from granular_fronts.compiled import kernel
-from granular_fronts.elementary.bits import bits_of, double_of
-from granular_fronts.elementary.vector_functions import power
+from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.bits import bits_of, double_of
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.vector_functions import power
 
 # A smaller compression exerts no force: it could not influence another bead in double precision,
 # and arithmetic on the subnormal numbers that its powers lead to is a hundred times slower.

@@ -7,9 +7,9 @@ import math
 
 import numpy as np
 
-from granular_fronts.continuum.heteroclinic import gaussian_centre
-from granular_fronts.continuum.log_kdv_burgers import CRITICAL_DAMPING, linear_rates
-from granular_fronts.measured import Measured
+from granular_fronts.accuracy import Measured
+from granular_fronts.continuum.log_kdv_burgers.equation import CRITICAL_DAMPING, linear_rates
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import gaussian_centre
 
 # For larger μ below 2 the squared slope is so small that one may take it for zero.
 CLEARLY_UNDERDAMPED = 1.5

@@ -6,7 +6,7 @@ A measure takes the dataset of a front scene (see `comparison`), of the curves o
 
 import numpy as np
 
-from granular_fronts.measured import Measured
+from granular_fronts.accuracy import Measured
 
 FEW_DIGITS = 1.0e-14
 """Relative error of critical damping, a few units of the last digit."""

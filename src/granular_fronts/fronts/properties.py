@@ -25,10 +25,10 @@ whose error for a smooth function that is constant at both ends is smaller than 
 
 import numpy as np
 
-from granular_fronts.compiled import kernel
-from granular_fronts.fronts import newton
-from granular_fronts.fronts.interpolation import derivative, find_level, interpolate_all, largest
-from granular_fronts.fronts.quadrature import kernel_weights
+from granular_fronts.fronts.profile import newton
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.interpolation import derivative, find_level, interpolate_all, largest
+from granular_fronts.numerics.quadrature import kernel_weights
 
 
 def velocity(profile, order):

@@ -12,13 +12,19 @@ import xarray as xr
 
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
-from granular_fronts.fronts import shooting
-from granular_fronts.fronts.interpolation import interpolate_all
-from granular_fronts.fronts.newton import Law
-from granular_fronts.fronts.profile import ORDER, REFINED_ORDER, make_law, refine, solve_profile
+from granular_fronts.fronts.profile.newton import Law
+from granular_fronts.fronts.profile.solve import (
+    ORDER,
+    REFINED_ORDER,
+    make_law,
+    refine,
+    solve_profile,
+)
 from granular_fronts.fronts.properties import MEASURES, measure, velocity
-from granular_fronts.fronts.sampling import sample_front
+from granular_fronts.fronts.shooting import solve as shooting
+from granular_fronts.fronts.shooting.sampling import sample_front
 from granular_fronts.fronts.validation import check_front, check_law, check_right_state
+from granular_fronts.numerics.interpolation import interpolate_all
 
 ACCEPTED_ERROR = 1e-12
 """Error estimate of u up to which a front is called converged."""

@@ -11,6 +11,7 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 import math
 from collections.abc import Callable, Iterator, Mapping
 
+from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.law_constraints import (
     beads_are_solid,
     piston_tolerance_resolves_motion,
@@ -25,7 +26,6 @@ from granular_fronts.scenes.scales import (
     decades_of_displacement,
 )
 from granular_fronts.scenes.schema import name_entry
-from granular_fronts.slow_scales import scaling_of
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""

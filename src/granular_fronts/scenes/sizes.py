@@ -15,8 +15,8 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
+from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.scales import decades_of_displacement
-from granular_fronts.slow_scales import scaling_of
 
 MOST_MEMORY = 16 * 2**30
 """Bytes that one job may hold."""

@@ -8,7 +8,6 @@ from functools import partial
 
 import numpy as np
 
-from granular_fronts.chain import plain_forms
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import (
     FIRST_STEP,
@@ -18,8 +17,9 @@ from granular_fronts.chain.run import (
     prepare,
     work_done,
 )
-from granular_fronts.chain.runge_kutta import STAGES
 from granular_fronts.chain.state import make_law
+from granular_fronts.numerics.runge_kutta import STAGES
+from granular_fronts.reference_methods import position_forms
 from peers import (
     diffrax_chain,
     numbalsoda_chain,
@@ -88,7 +88,7 @@ def chain_scene(system, boundary, start):
 
 def methods_for(scene, system):
     """All methods on one motion, each of a relative tolerance."""
-    forms = {"positions_and_w": plain_forms.XW, "positions_and_velocities": plain_forms.XV}
+    forms = {"positions_and_w": position_forms.XW, "positions_and_velocities": position_forms.XV}
     return {
         OURS: partial(run_strain_form, scene),
         **{name: partial(run_plain_form, form, scene) for name, form in forms.items()},
@@ -119,11 +119,11 @@ def run_strain_form(scene, tolerance):
 def run_plain_form(form, scene, tolerance):
     """The same pair in (x, w) or (x, ẋ)."""
     law, boundary = make_law(**scene["law"]), make_boundary(scene)
-    y, ends = plain_forms.pack(form, law, boundary, *initial_state(scene, boundary))
+    y, ends = position_forms.pack(form, law, boundary, *initial_state(scene, boundary))
     absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]
     with Stopwatch() as watch:
-        y, accepted = plain_forms.integrate_adaptive(
+        y, accepted = position_forms.integrate_adaptive(
             form, law, ends, y, FIRST_STEP, end, tolerance, absolute
         )
-    fields = dict(zip(FIELDS, plain_forms.unpack(form, law, boundary, ends, y), strict=True))
+    fields = dict(zip(FIELDS, position_forms.unpack(form, law, boundary, ends, y), strict=True))
     return Run(fields, **watch.times, right_hand_sides=STAGES * accepted, steps=accepted)

@@ -10,18 +10,18 @@ from functools import partial
 
 import numpy as np
 
-from granular_fronts.fronts.interpolation import interpolate_all
-from granular_fronts.fronts.profile import (
+from granular_fronts.fronts.linear.tails import tail_roots
+from granular_fronts.fronts.profile.solve import (
     ORDER,
     make_law,
     solve_coarse,
     solve_on_grid,
     solve_profile,
 )
+from granular_fronts.fronts.profile.window import choose_window
 from granular_fronts.fronts.properties import velocity
-from granular_fronts.fronts.shooting import shoot_front
-from granular_fronts.fronts.tails import tail_roots
-from granular_fronts.fronts.window import choose_window
+from granular_fronts.fronts.shooting.solve import shoot_front
+from granular_fronts.numerics.interpolation import interpolate_all
 from peers import scipy_fronts
 from peers.record import Run, Stopwatch
 from problems.problem import Problem, read_reference

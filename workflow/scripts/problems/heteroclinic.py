@@ -8,8 +8,8 @@ from functools import partial
 
 import numpy as np
 
-from granular_fronts.continuum.slow_manifold import STIFF_DAMPING, slow_orbit
-from granular_fronts.continuum.traced_orbit import USUAL, trace_orbit
+from granular_fronts.continuum.log_kdv_burgers.slow_manifold import STIFF_DAMPING, slow_orbit
+from granular_fronts.continuum.log_kdv_burgers.traced_orbit import USUAL, trace_orbit
 from peers import scipy_heteroclinic
 from peers.record import Run, Stopwatch
 from problems.problem import Problem, read_reference

@@ -1,0 +1,1 @@
+"""The logarithmic Burgers equation: fluxes, fronts, evolution (James 2021, section 4)."""

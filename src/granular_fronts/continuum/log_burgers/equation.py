@@ -1,0 +1,119 @@
+r"""The logarithmic Burgers limit of the generalised Kuwabara-Kono chain (James 2021, section 4).
+
+The relative displacements of the chain with :math:`\beta = \alpha` obey
+:math:`\ddot u = (1 + \gamma\,d/dt)\,\Delta_d u_+^\alpha` (36).  Waves that vary over many beads
+solve it approximately as
+
+.. math::
+
+    u_n(t) = \delta\, y(\xi, \tau)^{1/\alpha}, \quad \xi = \varepsilon(n - ct), \quad
+    \tau = \tfrac12\gamma\varepsilon^2c^2 t, \quad c = \delta^{(\alpha-1)/2}, \quad
+    \varepsilon = \frac{\alpha - 1}{\alpha\gamma c},
+
+provided that :math:`(1 - 1/\alpha)^{1/2} \ll \gamma c`.  The rescaled force y obeys (40),
+
+.. math::
+
+    \partial_\tau(y^{1/\alpha}) + \partial_\xi f_\alpha(y) = \partial_\xi^2 y, \qquad
+    f_\alpha(y) = \frac{y - y^{1/\alpha}}{1 - 1/\alpha},
+
+and in the limit :math:`\alpha \to 1^+`, where :math:`f_\alpha(y) \to y\ln y`, the logarithmic
+Burgers equation (41), :math:`\partial_\tau y + \partial_\xi(y\ln y) = \partial_\xi^2 y`.
+
+Fronts.  A stationary front that falls from 1 to 0 solves :math:`y' = f_\alpha(y)`.  With the phase
+:math:`u(0) = \delta/2` it is
+
+.. math:: y_\alpha(\xi) = \bigl[1 - (1 - 2^{1-\alpha})\, e^\xi\bigr]_+^{\alpha/(\alpha-1)}
+
+of (46), zero from :math:`\xi_0 = -\ln(1 - 2^{1-\alpha})` on, and in the limit
+:math:`y = 2^{-e^\xi}`.  Equation (45), :math:`y_1 = 2^{-\alpha e^\xi}`, is that limit moved by
+:math:`\ln\alpha`, so that :math:`y_1^{1/\alpha} = 2^{-e^\xi}` has the phase 1/2 for the chain's own
+exponent: it is u/δ of (47).
+
+The scales and the velocities that belong to y are in `granular_fronts.model.amplitude_scaling`.
+"""
+
+import numpy as np
+
+from granular_fronts.arguments import array, scalar
+
+
+def flux(y, alpha):
+    """Flux f_α(y) of James (2021), eq. (40), accurate however close α is to 1.
+
+    Parameters
+    ----------
+    y : array_like
+        Rescaled force, at least 0.
+    alpha : float
+        Above 1.
+
+    Returns
+    -------
+    ndarray
+        Shape of `y`.
+
+    Raises
+    ------
+    InputError
+        If α ≤ 1 or some y < 0.
+    """
+    alpha = _check_alpha(alpha)
+    exponent = 1.0 - 1.0 / alpha
+    y = _check_force(y)
+    with np.errstate(divide="ignore"):
+        return -y * np.expm1(-exponent * np.log(np.where(y > 0.0, y, 1.0))) / exponent
+
+
+def limit_flux(y):
+    """The limit y ln y of f_α for α → 1⁺, eq. (41); zero at y = 0."""
+    y = _check_force(y)
+    return y * np.log(np.where(y > 0.0, y, 1.0))
+
+
+def log_burgers_front(xi, alpha=None):
+    """Stationary front y(ξ) from 1 at −∞ to 0 at +∞, with y^(1/α) = 1/2 at ξ = 0.
+
+    Parameters
+    ----------
+    xi : array_like
+        ξ = ε(n − ct).
+    alpha : float, optional
+        Exponent of the unlimited equation (40), whose front is James (2021), eq. (46). Without it,
+        the front of the logarithmic Burgers equation (41), y = 2^(−e^ξ); eq. (45) for an exponent α
+        is `log_burgers_front(xi) ** alpha`.
+
+    Returns
+    -------
+    ndarray
+        Shape of `xi`, from 0 to 1; of (46) accurate however close α is to 1.
+
+    Raises
+    ------
+    InputError
+        If α ≤ 1.
+    """
+    xi = array("xi", xi)
+    if alpha is None:
+        with np.errstate(over="ignore"):
+            return np.exp2(-np.exp(xi))
+    alpha = _check_alpha(alpha)
+    reduction = -np.expm1((1.0 - alpha) * np.log(2.0))
+    taken = np.exp(np.minimum(xi + np.log(reduction), 0.0))
+    with np.errstate(divide="ignore"):
+        return np.exp(alpha / (alpha - 1.0) * np.log1p(-taken))
+
+
+def front_end(alpha):
+    """ξ₀ of eq. (46), from which on the front is zero."""
+    alpha = _check_alpha(alpha)
+    return -np.log(-np.expm1((1.0 - alpha) * np.log(2.0)))
+
+
+def _check_alpha(alpha):
+    advice = "equation (40) and its front need it, so use the limit for alpha that tends to 1"
+    return scalar("alpha", alpha, above=1.0, advice=advice)
+
+
+def _check_force(y):
+    return array("y", y, least=0.0, advice="a contact cannot pull")

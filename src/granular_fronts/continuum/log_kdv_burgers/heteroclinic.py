@@ -1,0 +1,259 @@
+r"""The heteroclinic orbit of the logarithmic KdV–Burgers equation, James (2021), section 5.2.
+
+The front y_h(s) of (56) runs from 1 at :math:`s \to -\infty` to 0 at :math:`s \to +\infty`, with
+y_h(0) = ½.  For μ < 12 it is traced by Taylor series (`traced_orbit`), for μ ≥ 12 it is known in
+closed form (`slow_manifold`).  Both give :math:`p = -\ln y` and :math:`v = p'`, hence y and
+:math:`y' = -vy`, with relative accuracy of p down the super-exponential tail to the last double
+above zero.  For μ = 0 the orbit is the homoclinic Gaussian of Remark 8, and y falls to 0 on both
+sides.
+
+Turning points.  For 0 < μ < 2 the front oscillates about 1.  Each extremum is a zero of v, located
+on the series; its deviation y − 1 is known with relative accuracy, so that a turn is resolved as
+long as y − 1 is: down to one unit of the last digit of 1.
+
+Accuracy.  The same orbit is computed a second time, by series of another order over steps of other
+lengths, or with fewer terms of the expansion.  The largest difference is the error estimate of each
+variable; it comes from an independent refinement, and where it vanishes the last digit stands in.
+"""
+
+import math
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.accuracy import error_attributes
+from granular_fronts.arguments import sequence
+from granular_fronts.continuum.log_kdv_burgers.equation import check_mu, linear_rates
+from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
+    FEWER_TERMS,
+    STIFF_DAMPING,
+    TERMS,
+    slow_orbit,
+)
+from granular_fronts.continuum.log_kdv_burgers.taylor import REST
+from granular_fronts.continuum.log_kdv_burgers.traced_orbit import REFINED, USUAL, trace_orbit
+from granular_fronts.errors import InputError
+
+UNDERFLOW_P = 1074.0 * math.log(2.0)
+"""−ln of the smallest double above zero: the end of the tail."""
+
+RESOLUTION = 2.0**-52
+"""Smallest deviation y − 1 that a turning point is resolved at."""
+
+ACCEPTED_ERROR = 1e-12
+"""Error estimate of y up to which the orbit is called converged."""
+
+DEFAULT_POINTS = 1001
+TAIL_P = 37.0
+MOST_DEFAULT_TURNS = 12
+
+# Beyond this many e-foldings from y = ½ the orbit rests, for μ = 2 after an algebraic factor too.
+REST_DECAY = 60.0
+
+ERROR_METHODS = {
+    "series": "largest difference to Taylor series of order {0.order} with other steps",
+    "expansion": f"largest difference to the expansion with {FEWER_TERMS} terms",
+}
+
+
+def heteroclinic(mu, s=None):
+    """The front y_h(s) and its slope, with y_h(0) = ½.
+
+    Parameters
+    ----------
+    mu : float
+        Damping μ of (54), 0 or at least 1e-280.
+    s : array_like, shape (points,), optional
+        Where to evaluate it.  Without it, 1001 points from where 1 − y has decayed to round-off,
+        but at most 12 turns away, to where y has.
+
+    Returns
+    -------
+    xarray.Dataset
+        `rescaled_force` y, `slope` y', `log_rescaled_force` ln y on `s`; `overshoot` y − 1 and
+        `turning_point` (its s) on `turn`, for the extrema in the range of s, the first maximum
+        first.  Each variable has `error_estimate` and `error_method`, ln y also
+        `relative_error_estimate` (over y ≤ ½); the dataset has mu, converged, method and counts.
+
+    Raises
+    ------
+    InputError
+        If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
+        underflow of y, or over more turns than can be followed.
+    """
+    mu = check_mu(mu)
+    s = None if s is None else sequence("s", s, advice="leave that point out")
+    first = min(_first_of_default(mu) if s is None else float(s.min()), 0.0)
+    orbit, again = compute_orbit(mu, first), compute_orbit(mu, first, refined=True)
+    if s is None:
+        s = np.linspace(first, orbit.s_at(TAIL_P), DEFAULT_POINTS)
+    _check_underflow(mu, s, orbit)
+    values, others = _profile(orbit, s), _profile(again, s)
+    turns, other_turns = _turns(orbit, first), _turns(again, first)
+    common = min(turns[0].size, other_turns[0].size)
+    method = _error_method(mu)
+    variables = {
+        name: ("s", value, error_attributes(value, other, method))
+        for name, value, other in zip(_PROFILE, values, others, strict=True)
+    } | {
+        name: ("turn", value, error_attributes(value[:common], other[:common], method))
+        for name, value, other in zip(_TURNS, turns, other_turns, strict=True)
+    }
+    logarithm, ahead = variables["log_rescaled_force"], s >= 0.0
+    relative = np.max(np.abs(1.0 - others[2][ahead] / values[2][ahead]), initial=0.0)
+    logarithm[2]["relative_error_estimate"] = max(float(relative), RESOLUTION)
+    error = variables["rescaled_force"][2]["error_estimate"]
+    return xr.Dataset(
+        variables,
+        coords={"s": s, "turn": np.arange(1, turns[0].size + 1)},
+        attrs={"mu": mu, "converged": int(error <= ACCEPTED_ERROR), **orbit.counts()},
+    )
+
+
+_PROFILE = ("rescaled_force", "slope", "log_rescaled_force")
+_TURNS = ("turning_point", "overshoot")
+
+
+def turning_points(mu):
+    """All extrema of the front that double precision resolves.
+
+    Parameters
+    ----------
+    mu : float
+        Damping, μ = 0 or μ ≥ 0.001; the number of turns grows like 23/μ.
+
+    Returns
+    -------
+    s, overshoot : ndarray, shape (turns,)
+        Where they are, decreasing, and y − 1 there, with relative accuracy; the first is the
+        largest maximum.  Empty for μ ≥ 2; one maximum, e^(1/2) − 1, for μ = 0.
+
+    Raises
+    ------
+    InputError
+        If mu is below 0 or not finite, or so small that the turns are too many to follow.
+    """
+    mu = check_mu(mu)
+    # Without damping there is no second turn to look for.
+    first = -math.inf if mu > 0.0 else -4.0
+    return _turns(compute_orbit(mu, first), first)
+
+
+def compute_orbit(mu, first, refined=False):
+    """The orbit by the method that suits μ.
+
+    Parameters
+    ----------
+    mu : float
+        Damping, μ ≥ 0.
+    first : float
+        Smallest s that will be asked for, at most 0.
+    refined : bool, optional
+        Compute it the second way, for an error estimate.
+
+    Returns
+    -------
+    TracedOrbit or SlowOrbit
+        Both evaluate p and v at given s, and know their tail and turning points.
+    """
+    # A whole number would have every kernel compiled again.
+    mu = float(mu)
+    if mu >= STIFF_DAMPING:
+        return slow_orbit(mu, FEWER_TERMS if refined else TERMS)
+    return trace_orbit(mu, first, REFINED if refined else USUAL)
+
+
+def squared_slope_at_one(mu):
+    """q(1): the square of y' where y first reaches 1, the front seen from its foot; see (59).
+
+    For μ < 2 it is positive, though it falls below every double as μ → 2.  For μ ≥ 2 the orbit does
+    not reach 1, and q is taken where 1 − y is 1e-20, far below the last digit of y.
+
+    Parameters
+    ----------
+    mu : float
+        Damping, μ ≥ 0.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InputError
+        If mu is below 0 or not finite.
+    """
+    mu = check_mu(mu)
+    if mu >= STIFF_DAMPING:
+        orbit = slow_orbit(mu)
+        s = orbit.s_at(REST)
+    else:
+        orbit = compute_orbit(mu, _first_reach(mu))
+        s = orbit.s_at(0.0)
+    p, v = orbit.evaluate(np.array([s]))
+    return float((v[0] * math.exp(-p[0])) ** 2)
+
+
+def _first_reach(mu):
+    """An s before which the orbit has crossed y = 1 or rests there."""
+    return -4.0 - min(_half_turn(mu), _decay_length(mu, REST_DECAY))
+
+
+def _half_turn(mu):
+    """Distance of two extrema near y = 1, without end if there are none."""
+    frequency = abs(linear_rates(mu)[0].imag)
+    return math.pi / frequency if frequency else math.inf
+
+
+def _decay_length(mu, exponent):
+    """Length over which y − 1 falls by e^(−exponent) towards small s."""
+    rate = linear_rates(mu)[0].real
+    return exponent / rate if rate else math.inf
+
+
+def _first_of_default(mu):
+    """Start of the default range: 1 − y at round-off, but at most some turns away."""
+    if mu == 0.0:
+        return 2.0 * gaussian_centre() - trace_orbit(mu, 0.0).s_at(TAIL_P)
+    return -min(_decay_length(mu, TAIL_P), 2 * MOST_DEFAULT_TURNS * _half_turn(mu))
+
+
+def gaussian_centre():
+    """The s of the maximum for μ = 0, where y = exp(½ − (s − centre)²/4) and y(0) = ½."""
+    return -2.0 * math.sqrt(0.5 + math.log(2.0))
+
+
+def _check_underflow(mu, s, orbit):
+    """Raise an InputError where y is below the smallest double above zero."""
+    last = orbit.s_at(UNDERFLOW_P)
+    if s.max() > last:
+        raise InputError(
+            f"s reaches to {s.max():.17g}, but for mu = {mu} y falls below the smallest double, "
+            f"4.9e-324, at s = {last:.6f}: let s end there or earlier."
+        )
+    first = 2.0 * gaussian_centre() - last
+    if mu == 0.0 and s.min() < first:
+        raise InputError(
+            f"s reaches to {s.min():.17g}, but without damping y falls below the smallest double, "
+            f"4.9e-324, at s = {first:.6f} too: let s begin there or later."
+        )
+
+
+def _profile(orbit, s):
+    """y, y' and ln y at each s."""
+    p, v = orbit.evaluate(s)
+    y = np.exp(-p)
+    return y, -v * y, -p
+
+
+def _turns(orbit, first):
+    """Positions and y − 1 of the turning points that are resolved and not before `first`."""
+    s, p = orbit.turning_points()
+    overshoot = np.expm1(-p)
+    keep = (np.abs(overshoot) >= RESOLUTION) & (s >= first)
+    return s[keep], overshoot[keep]
+
+
+def _error_method(mu):
+    kind = "expansion" if mu >= STIFF_DAMPING else "series"
+    return ERROR_METHODS[kind].format(REFINED)

@@ -1,0 +1,239 @@
+r"""Taylor series of the planar system, and an integrator that follows the orbit from its tail.
+
+In :math:`p = -\ln y` and :math:`v = p'` the system is quadratic (see `log_kdv_burgers`), and the
+Taylor coefficients of a solution about any point follow from each other,
+
+.. math::
+
+    p_{k+1} = \frac{v_k}{k + 1}, \qquad
+    v_{k+1} = \frac{1}{k + 1} \Bigl( \sum_{j \le k} v_j v_{k-j} + \mu v_k - p_k \Bigr)
+
+near (1, 0), where p and v keep their relative accuracy; elsewhere, with :math:`w = e + \mu v`,
+
+.. math::
+
+    v_{k+1} = \frac{\tfrac12 \delta_{k0} + w_k}{k + 1}, \qquad
+    e_{k+1} = \frac{2}{k + 1} \sum_{j \le k} v_j w_{k-j}, \qquad p_0 = v_0^2 - \tfrac12 - e_0,
+
+where the energy e keeps its own, however weak the damping.  A step sums such a series; the stored
+series are the solution, to round-off, at every s in between.
+
+Steps lead from large s to small.  In this direction the stable manifold of the origin attracts,
+with rate :math:`2v + \mu`, and (1, 0) attracts too, so that errors contract on every monotone part.
+The step is the one at which the last two terms of the series fall to the tolerance, and at most so
+long that its product with the rate of attraction stays below a bound: a series of order N is stable
+up to about N/e over that rate.
+Starts of steps are exact: a step is rounded to the difference of two representable s.
+"""
+
+import numpy as np
+
+from granular_fronts.numerics.compiled import kernel
+
+RUNNING, ARRIVED, AT_REST = range(3)
+
+LONGEST_STEP = 2.0
+
+# |p| and |v| below which y is 1 beyond all resolution, and the orbit is followed no further.
+REST = 1e-20
+
+# Part of the plane where p and v are the unknowns; e is near −1/2 there and loses nothing.
+NEAR = 0.25
+
+
+@kernel
+def energy_series(mu, v, e, p):
+    """Fill the series of v, e and p from v[0] and e[0]."""
+    order = p.size - 1
+    w = np.empty(order)
+    p[0] = v[0] * v[0] - 0.5 - e[0]
+    w[0] = e[0] + mu * v[0]
+    for k in range(order):
+        p[k + 1] = v[k] / (k + 1)
+        v[k + 1] = (w[k] + (0.5 if k == 0 else 0.0)) / (k + 1)
+        product = 0.0
+        for j in range(k + 1):
+            product += v[j] * w[k - j]
+        e[k + 1] = 2.0 * product / (k + 1)
+        if k + 1 < order:
+            w[k + 1] = e[k + 1] + mu * v[k + 1]
+
+
+@kernel
+def position_series(mu, v, p):
+    """Fill the series of v and p from v[0] and p[0]."""
+    for k in range(p.size - 1):
+        product = 0.0
+        for j in range(k + 1):
+            product += v[j] * v[k - j]
+        p[k + 1] = v[k] / (k + 1)
+        v[k + 1] = (product + mu * v[k] - p[k]) / (k + 1)
+
+
+@kernel
+def series_sum(series, x):
+    """Value of a polynomial, constant coefficient first."""
+    value = 0.0
+    for k in range(series.size - 1, -1, -1):
+        value = value * x + series[k]
+    return value
+
+
+@kernel
+def series_slope(series, x):
+    """Derivative of a polynomial, constant coefficient first."""
+    value = 0.0
+    for k in range(series.size - 1, 0, -1):
+        value = value * x + k * series[k]
+    return value
+
+
+@kernel
+def step_of_series(series, scale, tolerance):
+    """Length at which each of the last two terms is at most tolerance × scale."""
+    length = LONGEST_STEP
+    for k in range(series.size - 2, series.size):
+        if series[k] != 0.0:
+            length = min(length, (tolerance * scale / abs(series[k])) ** (1.0 / k))
+    return length
+
+
+@kernel
+def follow(mu, tolerance, contraction, state, s_stop, p_stop, starts, jets, energies):
+    """Follow a solution towards smaller s, step by step, until there is no room left.
+
+    Parameters
+    ----------
+    mu, tolerance, contraction : float
+        Damping; largest last terms of the series relative to the solution; largest product of a
+        step and the rate of attraction.
+    state : ndarray, shape (4,)
+        s, v, e and p; updated in place.  e counts unless p and v are both below `NEAR`.
+    s_stop, p_stop : float
+        The solution has arrived when s ≤ s_stop or p ≤ p_stop.
+    starts : ndarray, shape (steps,)
+        Receives the s at the start of each step.
+    jets : ndarray, shape (steps, order + 1)
+        Receives the series of p in powers of s − start.
+    energies : ndarray, shape (order + 1,)
+        Receives the series of e of the last step, if e was its unknown.
+
+    Returns
+    -------
+    steps, status : int
+        Steps taken; RUNNING when all room is used, ARRIVED, or AT_REST within `REST` of (1, 0).
+    """
+    v = np.empty(jets.shape[1])
+    for step in range(starts.size):
+        if state[0] <= s_stop or state[3] <= p_stop:
+            return step, ARRIVED
+        if abs(state[1]) + abs(state[3]) < REST:
+            return step, AT_REST
+        p = jets[step]
+        starts[step] = state[0]
+        v[0] = state[1]
+        near = abs(state[1]) < NEAR and abs(state[3]) < NEAR
+        if near:
+            p[0] = state[3]
+            position_series(mu, v, p)
+            length = step_of_series(v, abs(v[0]) + abs(p[0]), tolerance)
+        else:
+            energies[0] = state[2]
+            energy_series(mu, v, energies, p)
+            length = min(
+                step_of_series(v, 1.0 + abs(v[0]), tolerance),
+                step_of_series(energies, abs(energies[0]) + mu * (1.0 + abs(v[0])), tolerance),
+            )
+        length = min(length, contraction / max(abs(2.0 * v[0] + mu), 1.0))
+        s_new = state[0] - length
+        h = s_new - state[0]
+        state[0] = s_new
+        state[1] = series_sum(v, h)
+        if near:
+            state[3] = series_sum(p, h)
+            state[2] = state[1] * state[1] - state[3] - 0.5
+        else:
+            state[2] = series_sum(energies, h)
+            state[3] = state[1] * state[1] - 0.5 - state[2]
+    return starts.size, RUNNING
+
+
+@kernel
+def evaluate_steps(starts, jets, end, s, p, v):
+    """Fill p and v at each s from the stored series; (1, 0) beyond the end.
+
+    Parameters
+    ----------
+    starts : ndarray, shape (steps,)
+        Decreasing.
+    jets : ndarray, shape (steps, order + 1)
+    end : float
+        Where the last step ends.
+    s, p, v : ndarray, shape (points,)
+    """
+    for i in range(s.size):
+        if s[i] < end:
+            p[i] = v[i] = 0.0
+            continue
+        low, high = 0, starts.size
+        while high - low > 1:
+            middle = (low + high) // 2
+            if s[i] <= starts[middle]:
+                low = middle
+            else:
+                high = middle
+        p[i] = series_sum(jets[low], s[i] - starts[low])
+        v[i] = series_slope(jets[low], s[i] - starts[low])
+
+
+@kernel
+def locate(series, level, reach):
+    """The x in [reach, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
+    left, right = reach, 0.0
+    x = 0.5 * reach
+    for _ in range(200):
+        value = series_sum(series, x) - level
+        if value > 0.0:
+            right = x
+        else:
+            left = x
+        slope = series_slope(series, x)
+        newton = x - value / slope if slope != 0.0 else left
+        new = newton if left < newton < right else 0.5 * (left + right)
+        if abs(new - x) <= 1e-16 * abs(reach) or new in (left, right):
+            return new
+        x = new
+    return x
+
+
+@kernel
+def locate_turns(starts, jets, end, s, p):
+    """Zeros of v: s and p of each, in the order of the steps.
+
+    Parameters
+    ----------
+    starts, jets, end
+        As in `evaluate_steps`.
+    s, p : ndarray, shape (steps,)
+        Filled from the front.
+
+    Returns
+    -------
+    int
+        How many there are.
+    """
+    count = 0
+    derivative = np.empty(jets.shape[1] - 1)
+    for step in range(starts.size):
+        reach = (starts[step + 1] if step + 1 < starts.size else end) - starts[step]
+        first, last = jets[step, 1], series_slope(jets[step], reach)
+        if (first > 0.0) == (last > 0.0):
+            continue
+        sign = 1.0 if first > 0.0 else -1.0
+        for k in range(derivative.size):
+            derivative[k] = sign * (k + 1) * jets[step, k + 1]
+        x = locate(derivative, 0.0, reach)
+        s[count] = starts[step] + x
+        p[count] = series_sum(jets[step], x)
+        count += 1
+    return count

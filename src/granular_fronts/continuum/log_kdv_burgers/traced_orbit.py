@@ -1,0 +1,176 @@
+r"""The heteroclinic orbit for weak and moderate damping, traced from the far end of its tail.
+
+The orbit starts on the expansion of the stable manifold (`slow_manifold`) beyond the p at which
+:math:`y = e^{-p}` underflows, and Taylor steps (`taylor`) carry it towards (1, 0).  At y = ½, which
+is s = 0 by definition, the clock is set to zero and the steps start anew, so that the s of every
+later step is an exact number, however many turns follow.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.continuum.log_kdv_burgers.slow_manifold import expand, state_on_manifold
+from granular_fronts.continuum.log_kdv_burgers.taylor import (
+    AT_REST,
+    RUNNING,
+    evaluate_steps,
+    follow,
+    locate,
+    locate_turns,
+    series_slope,
+    series_sum,
+)
+from granular_fronts.errors import InputError
+
+START_P = 760.0
+"""p at which the trace starts: y = e^(−745) is the last double above zero."""
+
+START_TERMS = 24
+MOST_STEPS = 200_000
+ROOM = 512
+
+
+class Accuracy(NamedTuple):
+    """How a trace chooses its steps.
+
+    Attributes
+    ----------
+    order : int
+        Of the Taylor series.
+    tolerance : float
+        Size of the last terms relative to the solution.
+    contraction : float
+        Largest product of a step and the rate at which the orbit attracts, for stability.
+    """
+
+    order: int
+    tolerance: float
+    contraction: float
+
+
+USUAL = Accuracy(order=20, tolerance=1e-17, contraction=6.0)
+REFINED = Accuracy(order=26, tolerance=1e-20, contraction=5.0)
+"""For error estimates: another order, and steps of another length."""
+
+
+class Steps(NamedTuple):
+    """Stored Taylor steps towards smaller s.
+
+    Attributes
+    ----------
+    starts : ndarray, shape (steps,)
+        s at the start of each step, decreasing.
+    jets : ndarray, shape (steps, order + 1)
+        Series of p in powers of s − start.
+    end : float
+        s at the end of the last step.
+    """
+
+    starts: np.ndarray
+    jets: np.ndarray
+    end: float
+
+
+class TracedOrbit(NamedTuple):
+    """The orbit for μ < `slow_manifold.STIFF_DAMPING`, from its tail to the smallest s asked for.
+
+    Attributes
+    ----------
+    mu : float
+    tail, front : Steps
+        The part in s ≥ 0, where y ≤ ½, and the part in s ≤ 0.
+    at_rest : bool
+        Whether the orbit has come within `taylor.REST` of (1, 0), where the front then ends.
+    """
+
+    mu: float
+    tail: Steps
+    front: Steps
+    at_rest: bool
+
+    def evaluate(self, s):
+        """Both p and v at each s, which the trace must cover or which lie beyond its rest."""
+        p, v = np.empty(s.size), np.empty(s.size)
+        ahead = s >= 0.0
+        for steps, part in ((self.tail, ahead), (self.front, ~ahead)):
+            p_part, v_part = np.empty(part.sum()), np.empty(part.sum())
+            evaluate_steps(*steps, s[part], p_part, v_part)
+            p[part], v[part] = p_part, v_part
+        return p, v
+
+    def s_at(self, p):
+        """The largest s at which −ln y is p < `START_P`; the last one traced if none is."""
+        steps = self.tail if p > math.log(2.0) else self.front
+        below = np.flatnonzero(steps.jets[1:, 0] <= p)
+        index = below[0] if below.size else len(steps.starts) - 1
+        ends = np.append(steps.starts[1:], steps.end)
+        return steps.starts[index] + locate(steps.jets[index], p, ends[index] - steps.starts[index])
+
+    def turning_points(self):
+        """Positions and p of every traced extremum of y, from the first maximum on."""
+        s, p = np.empty(self.front.starts.size), np.empty(self.front.starts.size)
+        count = locate_turns(*self.front, s, p)
+        return s[:count], p[:count]
+
+    def counts(self):
+        """Method and work, for the attributes of a dataset."""
+        return {
+            "method": "Taylor series from the far tail",
+            "steps": len(self.tail.starts) + len(self.front.starts),
+            "order": self.front.jets.shape[1] - 1,
+        }
+
+
+def trace_orbit(mu, s_stop, accuracy=USUAL):
+    """Trace the orbit from the far end of its tail.
+
+    Parameters
+    ----------
+    mu : float
+        Damping, 0 ≤ μ, best below `slow_manifold.STIFF_DAMPING`.
+    s_stop : float
+        Smallest s that will be asked for; −inf for all that can be resolved.
+    accuracy : Accuracy, optional
+
+    Returns
+    -------
+    TracedOrbit
+
+    Raises
+    ------
+    InputError
+        If s_stop is more than `MOST_STEPS` steps away.
+    """
+    v = math.sqrt(START_P + 0.5 + 0.25 * mu**2) - 0.5 * mu
+    p, e = state_on_manifold(mu, expand(mu, START_TERMS), v)
+    state = np.array([0.0, v, e, p])
+    energies = np.empty(accuracy.order + 1)
+    tail, _ = _collect(mu, accuracy, state, -math.inf, math.log(2.0), energies)
+    half = locate(tail.jets[-1], math.log(2.0), tail.end - tail.starts[-1])
+    at_half = [0.0, series_slope(tail.jets[-1], half), series_sum(energies, half), math.log(2.0)]
+    # Differences of the clock are exact; its sum with a small s would not be.
+    tail = Steps((tail.starts - tail.starts[-1]) - half, tail.jets, 0.0)
+    front, status = _collect(mu, accuracy, np.array(at_half), s_stop, -math.inf, energies)
+    return TracedOrbit(mu, tail, front, status == AT_REST)
+
+
+def _collect(mu, accuracy, state, s_stop, p_stop, energies):
+    """Steps from a state to a stop, and the status they end with."""
+    starts, jets, total, status, room = [], [], 0, RUNNING, ROOM
+    while status == RUNNING:
+        if total >= MOST_STEPS:
+            raise InputError(
+                f"For mu = {mu} the orbit turns so often that {MOST_STEPS} steps lead only to "
+                f"s = {state[0]:.6g}: ask for nothing before that, or for a larger mu."
+            )
+        more_starts, more_jets = np.empty(room), np.empty((room, accuracy.order + 1))
+        steps, status = follow(
+            mu, *accuracy[1:], state, s_stop, p_stop, more_starts, more_jets, energies
+        )
+        starts.append(more_starts[:steps])
+        jets.append(more_jets[:steps])
+        total += steps
+        room = min(2 * room, 8192)
+    return Steps(np.concatenate(starts), np.concatenate(jets), float(state[0])), status

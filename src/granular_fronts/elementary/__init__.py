@@ -1,1 +1,0 @@
-"""Elementary functions of numbers and arrays, for the compiled kernels of every wing."""

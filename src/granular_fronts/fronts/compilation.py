@@ -1,0 +1,15 @@
+"""Compile every kernel of the exact fronts once, on fronts as short as can be."""
+
+from granular_fronts.fronts.linear.floquet import front_multipliers
+from granular_fronts.fronts.solve import METHODS, solve_front
+
+# Hertz's exponent and another one, with one nonlinearity and with two.
+LAWS = ((1.5, 0.5, 1.5), (1.4, 0.5, 1.4), (1.5, 0.5, 1.0))
+
+
+def compile_kernels():
+    """Compile every kernel, so that jobs which run side by side find them in the cache."""
+    for law in LAWS:
+        for method in METHODS:
+            front = solve_front(*law, method=method)
+        front_multipliers(front)

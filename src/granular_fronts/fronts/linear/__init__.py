@@ -1,0 +1,1 @@
+"""Linear theory of fronts: tails, critical damping, Floquet multipliers."""

@@ -1,0 +1,270 @@
+r"""Multipliers of a front: whether it returns to itself after a small kick.
+
+Map.  Let the chain move for one bead-time and follow the front by one bead: in the frame δ = c = 1
+the map :math:`T(u, d)_n = \Phi(u, d)_{n+1}` leaves an exact front as it is (`front_equations`).  A
+small perturbation is multiplied by the derivative of T from bead-time to bead-time; the eigenvalues
+z of that derivative are the multipliers.
+
+Translation.  A shifted front is a front: :math:`(U', D')` has the multiplier 1.  From the left the
+multiplier belongs to a conservation law: as long as nothing reaches the ends,
+:math:`\sum_n (n\,\delta d_n + \delta u_n)`, momentum seen from the moving front, is unchanged by
+T, and measures by how much a kick displaces the front in the end.  That holds at any state that
+joins 1 to 0, so that a multiplier 1 alone proves no front: `flow_residual`, how far T moves the
+state itself, stands beside it.
+
+Untouched chain.  Ahead u = 0 and no contact is stiff: :math:`\delta\dot u = \delta d`,
+:math:`\delta\dot d = 0`, and T is the shift towards the front times a Jordan block at 1.  On an
+infinite chain every :math:`z^n`, |z| < 1, is then an eigenvector: a perturbation that lies in wait
+ahead.  It says nothing of the front, and nothing enters the window from there: the block becomes
+nilpotent and its multipliers 0.  Rounding spreads a nilpotent block of k contacts over
+:math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no meaning; the window ends
+where u is lost in rounding.
+
+Compressed chain.  Behind, a wave :math:`e^{iqn + \sigma t}` obeys
+:math:`\sigma^2 + \beta\gamma\kappa\,\sigma + \alpha\kappa = 0`,
+:math:`\kappa = 2 - 2\cos q`, and is multiplied by :math:`z = e^{iq + \sigma}`.  These curves are
+the essential spectrum on the line; they lie inside the unit circle and touch it at 1, where q = 0.
+There is no gap: long waves die out slowly.  Nor does an exponential weight :math:`e^{\nu n}` open
+one: of the two sound waves, with velocities :math:`\pm\sqrt\alpha - 1` in the frame of the front,
+one runs into the front and one away from it, the sign of Lax's shocks, and a weight that damps the
+one feeds the other.
+
+Window.  With B beads behind, and u = 1 held at the rear, a long wave travels to and fro in
+:math:`B/(\sqrt\alpha - 1) + B/(\sqrt\alpha + 1)` bead-times.  The rear reflects u with the factor
+−1; at the front the jump conditions :math:`v = cu`, :math:`cv = u^\alpha`, linearised with the
+speed c free to change, give :math:`-(\sqrt\alpha - 1)^2/(\sqrt\alpha + 1)^2`.  Hence the largest
+multiplier beside that of translation is real, and
+
+.. math::
+
+    1 - z \simeq \frac{\alpha - 1}{\sqrt\alpha\,B}\,
+        \ln\frac{\sqrt\alpha + 1}{\sqrt\alpha - 1}
+
+tends to 0 with the window as it must, whatever the damping.  A front is called stable if all
+multipliers beside that of translation lie inside the unit circle; an instability would show as a
+multiplier outside which stays where it is as B grows.
+
+Section 6 of the paper is not in our copy: the definition above is ours.
+"""
+
+import math
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.arguments import count
+from granular_fronts.chain.state import make_law
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.shooting import bead_flow, tail_closure
+from granular_fronts.fronts.shooting.initial_guess import Seed, fit
+from granular_fronts.fronts.shooting.solve import LARGEST_DECAY_PER_STEP
+from granular_fronts.fronts.validation import check_front
+
+STEPS = 32
+FEWEST_BEHIND, MOST_BEHIND = 40, 300
+UNTOUCHED = 1.0e-16
+MOST_BEADS = 500
+"""On either side; the eigenvalues of so many take seconds, during which Ctrl-C has to wait."""
+
+LARGEST_DEFECT = 1.0e-6
+INTEGER_XI = 1.0e-9
+
+
+def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
+    """Multipliers of flow-then-shift, linearised at a front, in a finite window.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+        `relative_displacement` and `velocity` on `xi`, which holds all integers of its range; u =
+        1/2 at ξ = 0; attributes alpha, beta, gamma; in the frame δ = c = 1.
+    beads_behind : int, optional
+        Beads behind ξ = 0, at rest with u = 1 where the front does not reach. By default as many
+        as the tail needs (`rear`), but from 40 to 300.
+    beads_ahead : int, optional
+        Beads ahead of it; by default to the first with u < 1e-16.
+
+    Returns
+    -------
+    xarray.DataArray
+        Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus.
+        Attributes: translation_defect, its distance from 1; spectral_radius_without_translation;
+        reflection_radius, what the module's formula for long waves gives; flow_residual;
+        beads_behind, beads_ahead; verdict.
+
+    Raises
+    ------
+    InputError
+        If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
+        another integer is not among the points.
+    """
+    check_front(front)
+    alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
+    if 4.0 * beta * gamma > STEPS * LARGEST_DECAY_PER_STEP:
+        raise InputError(
+            f"front has the damping rate 4 beta gamma = {4.0 * beta * gamma:.3g}, but {STEPS} "
+            f"explicit steps per bead-time resolve {STEPS * LARGEST_DECAY_PER_STEP:g}: take a "
+            "front of weaker damping."
+        )
+    seed = _at_beads(front, beta, gamma)
+    limits = {"most": MOST_BEADS, "advice": "give a number of beads, or leave it out"}
+    if beads_behind is None:
+        needed = tail_closure.tail_length(tail_closure.slow_roots(alpha, gamma, beta))
+        beads_behind = math.ceil(min(max(needed, FEWEST_BEHIND), MOST_BEHIND))
+    if beads_ahead is None:
+        ahead = seed.relative_displacement[seed.bead > 0]
+        beads_ahead = 1 + int(np.argmin(np.append(ahead, 0.0) > UNTOUCHED))
+    beads_behind = count("beads_behind", beads_behind, **limits)
+    beads_ahead = count("beads_ahead", beads_ahead, **limits)
+    u, d = fit(seed, np.arange(-beads_behind, beads_ahead + 1)).T
+    values = multipliers(u, d, alpha, gamma, beta)
+    residual = flow_residual(u, d, alpha, gamma, beta)
+    return xr.DataArray(
+        values,
+        dims="multiplier",
+        coords={"multiplier": np.arange(1, values.size + 1)},
+        attrs={
+            "translation_defect": float(np.abs(values[0] - 1.0)),
+            "spectral_radius_without_translation": float(np.abs(values[1])),
+            "reflection_radius": reflection_radius(alpha, beads_behind),
+            "flow_residual": residual,
+            "beads_behind": beads_behind,
+            "beads_ahead": beads_ahead,
+            "verdict": _verdict(values, residual),
+        },
+    )
+
+
+def multipliers(u, d, alpha, gamma, beta):
+    """Eigenvalues of `return_matrix`, the one next to 1 first, then by decreasing modulus.
+
+    Parameters
+    ----------
+    u, d : ndarray, shape (beads,)
+        A front on consecutive beads.
+    alpha, gamma, beta : float
+
+    Returns
+    -------
+    ndarray of complex, shape (2 beads,)
+    """
+    values = np.linalg.eigvals(return_matrix(u, d, alpha, gamma, beta)).astype(complex)
+    translation = np.argmin(np.abs(values - 1.0))
+    others = np.delete(values, translation)
+    others = others[np.lexsort((-others.imag, -np.abs(others)))]
+    return np.concatenate([values[translation : translation + 1], others])
+
+
+def return_matrix(u, d, alpha, gamma, beta):
+    """Derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
+
+    Parameters
+    ----------
+    u, d : ndarray, shape (beads,)
+    alpha, gamma, beta : float
+
+    Returns
+    -------
+    ndarray, shape (2 beads, 2 beads)
+        Acts on (u_1, d_1, u_2, d_2, …).
+    """
+    law, beads = make_law(alpha, beta, gamma), u.size
+    _, stiffness = _flow(law, u, d)
+    spread = min(bead_flow.spread_of(law, STEPS, max(1.0, float(u.max()))), beads)
+    weights = bead_flow.make_weights(law, 1.0 / STEPS)
+    band = bead_flow.derivative(law, weights, stiffness, spread)
+    matrix = np.zeros((beads, 2, beads + 2 * spread, 2))
+    for n in range(beads):
+        matrix[n, :, n : n + 2 * spread + 1] = band[n + 2].transpose(1, 0, 2)
+    # Row n is contact n + 2 of the band, whose first column is contact n + 2 − spread.
+    first = spread - 1
+    return matrix[:, :, first : first + beads].reshape(2 * beads, 2 * beads)
+
+
+def flow_residual(u, d, alpha, gamma, beta):
+    """Largest change of a state by flow-then-shift: how far it is from a front.
+
+    Parameters
+    ----------
+    u, d : ndarray, shape (beads,)
+    alpha, gamma, beta : float
+
+    Returns
+    -------
+    float
+    """
+    change, _ = _flow(make_law(alpha, beta, gamma), u, d)
+    state = np.pad([u, d], [(0, 0), (0, 1)])
+    return float(np.abs(np.diff(state, axis=1) + change[:, 2:-1]).max())
+
+
+def _flow(law, u, d):
+    """Change in a bead-time, and stiffnesses; one contact more, at rest, becomes the last one."""
+    start = np.zeros((2, u.size + 3))
+    start[:, 1:-2] = u, d
+    stiffness = bead_flow.make_stiffness(law, STEPS, u.size + 3)
+    weights = bead_flow.make_weights(law, 1.0 / STEPS)
+    rear_contact = np.ones((STEPS, bead_flow.STAGES))
+    return bead_flow.flow(law, weights, rear_contact, *start, stiffness), stiffness
+
+
+def compressed_chain_multipliers(alpha, gamma, beta, q):
+    """Essential spectrum behind the front: both multipliers of every wavenumber.
+
+    Parameters
+    ----------
+    alpha, gamma, beta : float
+    q : array_like
+        Wavenumbers, −π … π.
+
+    Returns
+    -------
+    ndarray of complex, shape (2,) + shape of q
+    """
+    q = np.asarray(q, dtype=float)
+    kappa = 2.0 - 2.0 * np.cos(q)
+    half = 0.5 * beta * gamma * kappa
+    root = np.sqrt(half**2 - alpha * kappa + 0j)
+    return np.exp(1j * q + np.array([-half + root, -half - root]))
+
+
+def reflection_radius(alpha, beads_behind):
+    """Largest multiplier beside that of translation, by the reflections of long waves."""
+    speed = math.sqrt(alpha)
+    rate = (alpha - 1.0) / speed * math.log((speed + 1.0) / (speed - 1.0))
+    return math.exp(-rate / beads_behind)
+
+
+def _at_beads(front, beta, gamma):
+    """The front at integer ξ, as u and d."""
+    xi = front["xi"].values
+    bead = np.round(xi).astype(int)
+    whole = np.abs(xi - bead) < INTEGER_XI
+    bead = bead[whole]
+    if 0 not in bead or np.any(np.diff(bead) != 1):
+        raise InputError(
+            f"xi runs from {xi[0]:.6g} to {xi[-1]:.6g} and holds {bead.size} integers, but every "
+            "integer around 0 is needed: evaluate the front with a whole number of points per site."
+        )
+    u, velocity = (front[name].values[whole] for name in ("relative_displacement", "velocity"))
+    w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)
+    return Seed(bead[1:-1], u[1:-1], -np.diff(w))
+
+
+def _verdict(values, residual):
+    """What the multipliers say of the front, in words."""
+    defect, radius = abs(values[0] - 1.0), abs(values[1])
+    if residual > LARGEST_DEFECT:
+        return f"undecided: flow and shift change the state by {residual:.1e}, so it is no front"
+    if defect > LARGEST_DEFECT:
+        return (
+            f"undecided: the multiplier of translation is {defect:.1e} away from 1: give more "
+            "beads behind"
+        )
+    outside = int(np.sum(np.abs(values[1:]) > 1.0))
+    if outside:
+        return f"unstable: {outside} multipliers outside the unit circle, the largest {radius:.6f}"
+    return (
+        "stable: beside translation all multipliers lie inside the unit circle, the largest at "
+        f"{radius:.6f}"
+    )

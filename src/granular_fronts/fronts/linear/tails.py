@@ -1,0 +1,330 @@
+r"""How an exact front approaches its two ends: the dispersion relation of the lattice.
+
+Behind the front (James 2021, section 6), in units where δ = c = 1, :math:`u = 1 + A e^{\lambda\xi}`
+with Re λ > 0 solves the linearised chain if
+
+.. math::
+
+    \lambda^2 = \alpha (1 - g\lambda)(2\cosh\lambda - 2), \qquad g = \beta\gamma/\alpha,
+
+or, divided by the double root λ = 0, which is no tail when α ≠ 1,
+
+.. math::
+
+    \alpha (1 - g\lambda)\, S(\lambda) = 1, \qquad
+    S(\lambda) = \Bigl(\frac{\sinh(\lambda/2)}{\lambda/2}\Bigr)^2.
+
+Where the roots lie.  Let :math:`E = \alpha(1 - g\lambda)(2\cosh\lambda - 2) - \lambda^2`.  For
+ω > 0 the value E(iω) stays in the closed upper half-plane, and on the lines Im λ = 2πk, k ≥ 1,
+Re λ > 0, Im E is negative.  Following the argument of E round the half-strips between these lines,
+where at their far end :math:`E \approx -\alpha g \lambda e^\lambda`, gives the exact numbers of
+roots with Re λ > 0: **three with |Im λ| < 2π, one with 2π(k−1) < Im λ < 2πk for each k ≥ 2**, and
+their conjugates.  One root is looked for in each half-strip, so that none can be missed.
+
+Where the search ends.  In a half-strip above the height h a root λ = x + iy has
+
+.. math::
+
+    4\,|\sinh^2(\lambda/2)| = \frac{|\lambda|^2}{\alpha|1 - g\lambda|}
+        \ge m = \frac{h^2}{\alpha(1 + gh)}, \qquad
+    -\arg\sinh(\lambda/2) \le \frac\pi4 + \arctan\frac xh + \frac12\arctan\frac1{gh} = \phi
+
+(up to π).  The modulus is at most :math:`4\cosh^2(x/2)`, and the real part of sinh(λ/2) at most
+sinh(x/2).  Hence x exceeds every value for which :math:`4\cosh^2(x/2) < m` or, for φ < π/2,
+:math:`4\sinh^2(x/2) < m\cos^2\phi`.
+
+The three lowest roots.  Real roots are where the straight line α(1 − gλ) meets the bell
+:math:`1/S`, which bends once, at λ ≈ 2.35.  The line meets it once, and there is a complex pair, or
+three times; it touches it at a double root.
+
+Ahead of the front, at u = r > 0, the same linearisation with λ = −κ reads
+:math:`\alpha r^{\alpha-1} c^{-2} (1 + g\kappa) S(\kappa) = 1`, with :math:`g =
+\beta\gamma c r^{\beta-\alpha}/\alpha`; it has one real root κ > 0.  At r = 0 and β = 1 it becomes
+:math:`\kappa = 4\gamma\sinh^2(\kappa/2)`, while for β > 1 the tail is double exponential:
+ln(−ln u) grows by :math:`\ln\min(\alpha, \beta)` per site.
+"""
+
+import cmath
+import math
+
+import numpy as np
+from scipy.optimize import brentq
+
+from granular_fronts import arguments
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.validation import check_law
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.interrupts import interrupted
+
+BEND = 2.3469413041671690
+"""Where the bell 1/S(λ) changes its curvature and falls most steeply."""
+
+MOST_ROOTS, MOST_STRIPS = 1000, 100_000
+NEWTON_STEPS = 60
+
+# A step this small relative to the root ends Newton's iteration; the next is below round-off.
+SETTLED = 1e-9
+
+# A sum this small relative to its terms is nothing but rounding.
+NEGLIGIBLE = 1e-13
+
+# Largest Re λ for which S is needed; beyond, 1/S is far below the last digit of 1.
+FLAT = 100.0
+
+# Rates of a tail ahead: slower than in any window, and faster than any grid resolves.
+SMALLEST_RATE, LARGEST_RATE = 1e-12, 512.0
+
+# Im λ, Re λ from which the complex pair is looked for when two limits have not led to it.
+HEIGHTS = (2.5, 4.0, 5.5, 1.0, 6.1)
+DEPTHS = (0.1, 0.5, 1.5, 3.0)
+
+
+def tail_roots(alpha, gamma, beta=None, count=6):
+    """Exponents λ of the tail behind a front, u − 1 ~ e^(λξ), those that decay slowest first.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of the elastic force, above 1.
+    gamma : float
+        Damping in units of the front, above 0.
+    beta : float, optional
+        Exponent of the damping force, at least 1; alpha by default.
+    count : int
+        How many, from 1 to 1000.
+
+    Returns
+    -------
+    ndarray of complex, shape (count,)
+        Roots with Re λ > 0 ordered by real part, one of each conjugate pair (Im λ ≥ 0).  Simple
+        roots are good to a few units of the last digit; none with a smaller real part is missing.
+
+    Raises
+    ------
+    InputError
+        If a parameter is out of range.
+    """
+    alpha, gamma, beta = check_law(alpha, gamma, beta)
+    count = arguments.count("count", count, most=MOST_ROOTS, advice="ask for so many roots")
+    roots = lowest_roots_of_all(alpha, gamma * beta / alpha, count)
+    if not np.isfinite(roots).all():
+        raise InputError(
+            f"A tail root for alpha = {alpha}, beta = {beta} and gamma = {gamma} is beyond double "
+            f"precision, or beyond {MOST_STRIPS} half-strips: bring alpha and gamma closer to 1."
+        )
+    return roots
+
+
+def rate_of_tail_ahead(stiffness, viscosity, speed):
+    """The κ > 0 of an exponential tail e^(−κξ) ahead of a front.
+
+    The root of c²κ² = (V'' + cW''κ)(2 cosh κ − 2), no less than 1e-12 and no more than 512.
+
+    Parameters
+    ----------
+    stiffness, viscosity : float
+        V'' and cW'' of the state ahead, not both 0; V'' below c².
+    speed : float
+        c.
+    """
+
+    def excess(kappa):
+        bell = (2.0 * math.sinh(0.5 * kappa) / kappa) ** 2
+        return (stiffness + viscosity * kappa) * bell - speed**2
+
+    if excess(SMALLEST_RATE) >= 0.0:
+        return SMALLEST_RATE
+    top = 1.0
+    while top < LARGEST_RATE and excess(top) < 0.0:
+        top *= 2.0
+    return brentq(excess, SMALLEST_RATE, top) if excess(top) > 0.0 else LARGEST_RATE
+
+
+@kernel
+def lowest_roots_of_all(alpha, damping, count):
+    """The `count` roots with the smallest real parts, in that order; NaN for one not found."""
+    roots = np.empty(3 + count, np.complex128)
+    found = lowest_strip(alpha, damping, roots)
+    strip = 2
+    while found < count or not beyond(alpha, damping, strip, roots[count - 1].real):
+        if found < roots.size:
+            found += 1
+            roots[found - 1] = strip_root(alpha, damping, strip)
+        else:
+            # The last place holds the largest real part so far, which is not among the first.
+            roots[found - 1] = strip_root(alpha, damping, strip)
+        roots[:found] = roots[:found][np.argsort(roots[:found].real)]
+        strip += 1
+        if strip > MOST_STRIPS or interrupted():
+            roots[:] = math.nan
+            break
+    return roots[:count]
+
+
+@kernel
+def beyond(alpha, damping, strip, real_part):
+    """Whether all half-strips from this one on hold only roots with a larger real part."""
+    height = 2.0 * math.pi * (strip - 1)
+    smallest = height * height / (alpha * (1.0 + damping * height))
+    phase = 0.25 * math.pi + math.atan(real_part / height) + 0.5 * math.atan(1.0 / damping / height)
+    least = smallest * math.cos(phase) ** 2 if phase < 0.5 * math.pi else 0.0
+    if least > 4.0 * math.sinh(0.5 * real_part) ** 2:
+        return True
+    # A root that is not finite is left to the caller, not looked for without end.
+    return not smallest <= 4.0 * math.cosh(0.5 * real_part) ** 2
+
+
+@kernel
+def excess(x):
+    """S(x) − 1 without cancellation, complex x."""
+    if abs(x) >= 1.0:
+        return 4.0 * (cmath.sinh(0.5 * x) / x) ** 2 - 1.0
+    term = x * x / 12.0
+    total = term
+    for k in range(2, 10):
+        term = term * x * x / ((2 * k + 2) * (2 * k + 1))
+        total = total + term
+    return total
+
+
+@kernel
+def log_slope(x):
+    """S'(x)/S(x) = coth(x/2) − 2/x, complex x."""
+    if abs(x) < 0.05:
+        return x * (1.0 / 6.0 - x * x * (1.0 / 360.0 - x * x / 15120.0))
+    return cmath.cosh(0.5 * x) / cmath.sinh(0.5 * x) - 2.0 / x
+
+
+@kernel
+def newton(x, alpha, damping, known):
+    """Newton's iteration for a root of α(1 − gλ)S(λ) − 1 other than the known one, from x.
+
+    Beside a multiple root it never settles; the place where the function came down to rounding
+    stands in, which is as much as can be known of such a root.
+    """
+    nearest, smallest = complex(math.nan, math.nan), NEGLIGIBLE
+    for _ in range(NEWTON_STEPS):
+        if not abs(x.real) < FLAT:
+            break
+        more, line = excess(x), 1.0 - damping * x
+        linear, curved = alpha * damping * x, alpha * line * more
+        value = (alpha - 1.0) - linear + curved
+        share = abs(value) / (alpha - 1.0 + abs(linear) + abs(curved))
+        if share < smallest:
+            nearest, smallest = x, share
+        slope = alpha * (1.0 + more) * (line * log_slope(x) - damping)
+        deflated = slope * (x - known) - value
+        if deflated == 0.0:
+            break
+        step = value * (x - known) / deflated
+        length = abs(step) / abs(x)
+        x = x - step * min(1.0, 0.5 / length) if length > 0.0 else x
+        if length < SETTLED:
+            return x
+    return nearest
+
+
+@kernel
+def strip_root(alpha, damping, strip):
+    """The root with 2π(k − 1) < Im λ < 2πk, k ≥ 2.
+
+    There the map λ ↦ arcosh(1 + λ²/(2α(1 − gλ))) + 2πik contracts, with the branch of arcosh that
+    has −2π < Im < 0; Newton's iteration finishes.
+    """
+    turn = complex(0.0, 2.0 * math.pi * strip)
+    x = turn + complex(1.0, -1.0)
+    for _ in range(8):
+        z = 1.0 + x * x / (2.0 * alpha * (1.0 - damping * x))
+        x = cmath.log(z + cmath.sqrt(z - 1.0) * cmath.sqrt(z + 1.0))
+        x += turn if x.imag < 0.0 else turn - complex(0.0, 2.0 * math.pi)
+    x = newton(x, alpha, damping, complex(-1.0e300, 0.0))
+    inside = 2.0 * math.pi * (strip - 1) < x.imag < 2.0 * math.pi * strip
+    return x if inside and x.real > 0.0 else complex(math.nan, math.nan)
+
+
+@kernel
+def lowest_strip(alpha, damping, roots):
+    """Fill in the roots with 0 ≤ Im λ < 2π: three real ones (3), or one and a pair (2)."""
+    low = where_bell_falls(alpha * damping, 0.0, BEND)
+    high = where_bell_falls(alpha * damping, FLAT, BEND)
+    end = 1.0 / damping
+    if gap(low, alpha, damping) < 0.0 < gap(high, alpha, damping):
+        roots[0] = meeting(0.0, low, alpha, damping)
+        roots[1] = meeting(high, low, alpha, damping)
+        roots[2] = meeting(high, end, alpha, damping)
+        return 3
+    bent = low < high
+    start = high if bent and gap(low, alpha, damping) >= 0.0 else 0.0
+    stop = low if bent and gap(low, alpha, damping) < 0.0 else end
+    roots[0] = meeting(start, stop, alpha, damping)
+    roots[1] = complex_root(alpha, damping, roots[0])
+    if roots[1].real < roots[0].real:
+        roots[0], roots[1] = roots[1], roots[0]
+    return 2
+
+
+@kernel
+def complex_root(alpha, damping, known):
+    """The root with 0 ≤ Im λ < 2π beside the known real one.
+
+    It is first sought where it lies for long waves, then for large damping, then all over the
+    half-strip.
+    """
+    discriminant = 36.0 * damping * damping - 12.0 * (1.0 - 1.0 / alpha)
+    x = newton(6.0 * damping + cmath.sqrt(complex(discriminant, 0.0)), alpha, damping, known)
+    if in_lowest_strip(x):
+        return complex(x.real, abs(x.imag))
+    distance = math.sqrt(math.pi / (alpha * damping))
+    x = newton(complex(distance, 2.0 * math.pi - distance), alpha, damping, known)
+    if in_lowest_strip(x):
+        return complex(x.real, abs(x.imag))
+    for height in HEIGHTS:
+        for depth in DEPTHS:
+            x = newton(complex(depth, height), alpha, damping, known)
+            if in_lowest_strip(x):
+                return complex(x.real, abs(x.imag))
+    return complex(math.nan, math.nan)
+
+
+@kernel
+def in_lowest_strip(x):
+    """Whether Re x > 0 and |Im x| < 2π."""
+    return x.real > 0.0 and abs(x.imag) < 2.0 * math.pi
+
+
+@kernel
+def gap(x, alpha, damping):
+    """α(1 − gx) − 1/S(x), real x ≥ 0, without cancellation."""
+    if x == 0.0:
+        return alpha - 1.0
+    if x > FLAT:
+        return alpha * (1.0 - damping * x)
+    more = excess(complex(x, 0.0)).real
+    return (alpha - 1.0) - alpha * damping * x + more / (1.0 + more)
+
+
+@kernel
+def meeting(above, below, alpha, damping):
+    """The x between two points where the line α(1 − gx) crosses the bell 1/S(x), by bisection."""
+    while True:
+        x = 0.5 * (above + below)
+        if x in (above, below):
+            return complex(x, 0.0)
+        if gap(x, alpha, damping) > 0.0:
+            above = x
+        else:
+            below = x
+
+
+@kernel
+def where_bell_falls(slope, flat, steep):
+    """The x between two points where 1/S(x) falls with a slope; `steep` if it never does."""
+    while True:
+        x = 0.5 * (flat + steep)
+        if x in (flat, steep):
+            return x
+        z = complex(x, 0.0)
+        if log_slope(z).real / (1.0 + excess(z).real) > slope:
+            steep = x
+        else:
+            flat = x

@@ -1,0 +1,1 @@
+"""Fronts by their advance–delay equation: Newton's iteration for the profile on a grid."""

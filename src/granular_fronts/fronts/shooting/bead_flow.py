@@ -1,0 +1,318 @@
+r"""The flow of a window of beads over a time, and the exact derivative of what is computed.
+
+Equations.  A window holds the contacts n = 1 … M of a chain in strain form,
+
+.. math::
+
+    \dot u_n = d_n + \gamma\,(\Delta_d u_+^\beta)_n, \qquad
+    \dot d_n = (\Delta_d u_+^\alpha)_n ,
+
+with a rear contact :math:`u_0(t)` that is prescribed, and :math:`u_{M+1} = 0` ahead.
+
+Discretisation.  S equal steps h of the eighth-order method of `numerics.runge_kutta`,
+in its strain form
+
+.. math::
+
+    U_i = u + c_i h\, d + \sum_j \bigl( h\gamma\, a_{ij}\, g_j + h^2 (A^2)_{ij}\, k_j \bigr),
+    \qquad k_j = \Delta_d (U_j)_+^\alpha,\; g_j = \Delta_d (U_j)_+^\beta .
+
+The step is fixed, so that the computed map is a smooth function of its start where u > 0 and its
+derivative is the derivative of a formula: the error of the derivative is rounding, whatever S.
+
+Rounding.  A front of α near 1 forgives an error of its forces, which pushes two neighbours apart
+and changes neither Σ d nor Σ n d, but magnifies an error of these sums by 1/(α − 1) times the
+length of the window.  Neighbouring forces are almost equal, so that their difference is exact: the
+Laplacian is taken as the difference of two, and small changes are summed before they are added.
+
+Tangent.  A perturbation (δu, δd) obeys the same formulae with
+
+.. math:: \delta k_j = \Delta_d \bigl( \alpha (U_j)_+^{\alpha-1}\, \delta U_j \bigr)
+
+and the like for g.  `flow` notes the stiffnesses :math:`\alpha U^{\alpha-1}` and
+:math:`\beta U^{\beta-1}` of every stage, and `push` moves a perturbation through them.
+
+Band.  Contact j moves contact n after a time t by at most about
+:math:`(\sqrt{\alpha}\,t)^{2|n-j|}/(2|n-j|)! + (\alpha\gamma t)^{|n-j|}/|n-j|!`: faster than any
+exponential.  Perturbations of every (2w + 1)-th contact, w the `spread` beyond which nothing
+arrives, are pushed together, and the whole derivative costs 2(2w + 1) pushes for any M.
+
+Arrays run over n = 0 … M + 1, so that an index is the number of the contact in the window.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.chain.state import HERTZ, PAIR
+from granular_fronts.chain.strain import NEGLIGIBLE
+from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.interrupts import interrupted
+
+STAGES = rk.STAGES
+_CONTRACT = {"contract"}
+WHOLE_STEP = rk.NEW_SLOPE
+FORGOTTEN = 1.0e-15
+WIDEST_SPREAD = 150
+
+
+class Weights(NamedTuple):
+    """Weights of the slopes for one step size; row 12 is the end of the step.
+
+    Attributes
+    ----------
+    h : float
+    on_k, on_g : ndarray, shape (13, 12)
+        What k and g add to U; for one nonlinearity all stands in `on_k`.
+    """
+
+    h: float
+    on_k: np.ndarray
+    on_g: np.ndarray
+
+
+class Stiffness(NamedTuple):
+    """Derivatives of the forces at every stage, each of shape (steps, 12, M + 2)."""
+
+    elastic: np.ndarray
+    damping: np.ndarray
+
+
+def make_weights(law, h):
+    """Weights of a step h for a law."""
+    rows = slice(0, rk.STAGES + 1)
+    a, a_squared = rk.A[rows, : rk.STAGES], rk.A_SQUARED[rows, : rk.STAGES]
+    on_k, on_g = h * h * a_squared, h * law.gamma * a
+    return Weights(h, on_k, on_g) if law.kind == PAIR else Weights(h, on_k + on_g, 0.0 * on_g)
+
+
+def stage_times(duration, steps):
+    """Times of all stages, shape (steps, 12)."""
+    return (np.arange(steps)[:, np.newaxis] + rk.C[: rk.STAGES]) * (duration / steps)
+
+
+def make_stiffness(law, steps, columns):
+    """Room for the stiffnesses of a flow; one array serves both where β = α."""
+    elastic = np.zeros((steps, rk.STAGES, columns))
+    return Stiffness(elastic, elastic.copy() if law.kind == PAIR else elastic)
+
+
+@kernel(fastmath=_CONTRACT)
+def gather(d, weights, row, c, pair, k, g, value):
+    """Write U − u of a stage, or of the end of the step, into `value`."""
+    last = d.size - 1
+    for n in range(1, last):
+        value[n] = c * weights.h * d[n]
+    for j in range(min(row, rk.STAGES)):
+        on_k, on_g = weights.on_k[row, j], weights.on_g[row, j]
+        if on_k != 0.0:
+            for n in range(1, last):
+                value[n] += on_k * k[j, n]
+        if pair and on_g != 0.0:
+            for n in range(1, last):
+                value[n] += on_g * g[j, n]
+
+
+@kernel(fastmath=_CONTRACT)
+def laplacian(force, slope):
+    """Write f_{n-1} − 2 f_n + f_{n+1} of the contacts 1 … M into `slope`, as differences."""
+    for n in range(1, force.size - 1):
+        slope[n] = (force[n + 1] - force[n]) - (force[n] - force[n - 1])
+
+
+@kernel(fastmath=_CONTRACT)
+def add_slopes(weights, k, change, d):
+    """Add the change of d over a step, for which `change` is room."""
+    last = d.size - 1
+    for n in range(1, last):
+        change[n] = 0.0
+    for j in range(rk.STAGES):
+        b = weights.h * rk.B[j]
+        if b != 0.0:
+            for n in range(1, last):
+                change[n] += b * k[j, n]
+    add(change, d)
+
+
+@kernel(fastmath=_CONTRACT)
+def add(change, to):
+    """Add to the contacts 1 … M."""
+    for n in range(1, to.size - 1):
+        to[n] += change[n]
+
+
+@kernel(fastmath=_CONTRACT)
+def forces(law, exponent, u, force, stiffness):
+    """Contact forces and their derivatives."""
+    for n in range(u.size - 1):
+        compression = u[n] if u[n] > NEGLIGIBLE else 0.0
+        if law.kind == HERTZ:
+            root = np.sqrt(compression)
+            force[n] = compression * root
+            stiffness[n] = 1.5 * root
+        else:
+            force[n] = compression**exponent
+            stiffness[n] = exponent * force[n] / compression if compression > 0.0 else 0.0
+
+
+@kernel(fastmath=_CONTRACT)
+def flow(law, weights, rear, u, d, stiffness):
+    """Change of a window in the time of all steps, and the stiffnesses on the way.
+
+    The change is summed apart from the state, so that it is not rounded to the last digit of 1 in
+    every step.
+
+    Parameters
+    ----------
+    law : chain.state.Law
+    weights : Weights
+    rear : ndarray, shape (steps, 12)
+        u_0 at the times of all stages.
+    u, d : ndarray, shape (M + 2,)
+        State at the start.
+    stiffness : Stiffness
+        Overwritten.
+
+    Returns
+    -------
+    ndarray, shape (2, M + 2)
+        Changes of u and d.
+    """
+    pair = law.kind == PAIR
+    change, d_now = np.zeros((2, u.size)), d.copy()
+    k, value, force = np.zeros((rk.STAGES, u.size)), np.zeros(u.size), np.zeros(u.size)
+    g = np.zeros((rk.STAGES, u.size)) if pair else k
+    for step in range(rear.shape[0]):
+        for row in range(rk.STAGES):
+            gather(d_now, weights, row, rk.C[row], pair, k, g, value)
+            value[0] = rear[step, row]
+            add(change[0], value)
+            add(u, value)
+            forces(law, law.alpha, value, force, stiffness.elastic[step, row])
+            laplacian(force, k[row])
+            if pair:
+                forces(law, law.beta, value, force, stiffness.damping[step, row])
+                laplacian(force, g[row])
+        gather(d_now, weights, WHOLE_STEP, 1.0, pair, k, g, value)
+        add(value, change[0])
+        add_slopes(weights, k, value, change[1])
+        d_now[:] = d + change[1]
+    return change
+
+
+@kernel(fastmath=_CONTRACT)
+def push(law, weights, rear, stiffness, u, d, k, g, value, force):
+    """Move a perturbation (u, d) of the window, and `rear` of its driver, in place.
+
+    The other arguments are room for slopes, stage values and forces.
+    """
+    pair = law.kind == PAIR
+    for step in range(rear.shape[0]):
+        for row in range(rk.STAGES):
+            gather(d, weights, row, rk.C[row], pair, k, g, value)
+            add(u, value)
+            value[0] = rear[step, row]
+            for n in range(u.size - 1):
+                force[n] = stiffness.elastic[step, row, n] * value[n]
+            laplacian(force, k[row])
+            if pair:
+                for n in range(u.size - 1):
+                    force[n] = stiffness.damping[step, row, n] * value[n]
+                laplacian(force, g[row])
+        gather(d, weights, WHOLE_STEP, 1.0, pair, k, g, value)
+        add(value, u)
+        add_slopes(weights, k, value, d)
+
+
+@kernel
+def derivative(law, weights, stiffness, spread):
+    """Derivative of the flow by the state at its start, as a band.
+
+    Parameters
+    ----------
+    spread : int
+        Contacts further apart than this do not influence each other.
+
+    Returns
+    -------
+    ndarray, shape (M + 2, 2 spread + 1, 2, 2)
+        Entry [n, o, i, j] is the derivative of (u, d)[i] of contact n at the end by (u, d)[j] of
+        contact n + o − spread at the start.
+    """
+    steps, _, columns = stiffness.elastic.shape
+    stride, last = 2 * spread + 1, columns - 2
+    band = np.zeros((columns, stride, 2, 2))
+    k, value, force = np.zeros((rk.STAGES, columns)), np.zeros(columns), np.zeros(columns)
+    g = np.zeros((rk.STAGES, columns)) if law.kind == PAIR else k
+    rear, moved = np.zeros((steps, rk.STAGES)), np.zeros((2, columns))
+    for colour in range(min(stride, last)):
+        for j in range(2):
+            moved[:] = 0.0
+            moved[j, 1 + colour : last + 1 : stride] = 1.0
+            push(law, weights, rear, stiffness, moved[0], moved[1], k, g, value, force)
+            for start in range(1 + colour, last + 1, stride):
+                for n in range(max(1, start - spread), min(last, start + spread) + 1):
+                    band[n, start - n + spread, 0, j] = moved[0, n]
+                    band[n, start - n + spread, 1, j] = moved[1, n]
+        if interrupted():
+            break
+    return band
+
+
+@kernel
+def derivative_by_rear(law, weights, rear, stiffness):
+    """Derivative of the flow by a change of the driver.
+
+    Parameters
+    ----------
+    rear : ndarray, shape (changes, steps, 12)
+
+    Returns
+    -------
+    ndarray, shape (changes, 2, M + 2)
+    """
+    columns = stiffness.elastic.shape[2]
+    k, value, force = np.zeros((rk.STAGES, columns)), np.zeros(columns), np.zeros(columns)
+    g = np.zeros((rk.STAGES, columns)) if law.kind == PAIR else k
+    moved = np.zeros((rear.shape[0], 2, columns))
+    for i in range(rear.shape[0]):
+        push(law, weights, rear[i], stiffness, moved[i, 0], moved[i, 1], k, g, value, force)
+    return moved
+
+
+def spread_of(law, steps, compression):
+    """Number of contacts that a perturbation crosses in a bead-time of a compressed chain.
+
+    Parameters
+    ----------
+    law : chain.state.Law
+    steps : int
+    compression : float
+        Uniform u, at least the largest of the window in question.
+
+    Returns
+    -------
+    int
+        Contacts further away receive less than `FORGOTTEN` of the perturbation.
+    """
+    columns = 2 * WIDEST_SPREAD + 3
+    stiffness = make_stiffness(law, steps, columns)
+    stiffness.damping[:] = law.beta * compression ** (law.beta - 1.0)
+    stiffness.elastic[:] = law.alpha * compression ** (law.alpha - 1.0)
+    weights = make_weights(law, 1.0 / steps)
+    column = contact_column(law, weights, stiffness, WIDEST_SPREAD + 1)
+    return max(2, WIDEST_SPREAD + 1 - int(np.argmax(np.any(column > FORGOTTEN, axis=0))))
+
+
+@kernel
+def contact_column(law, weights, stiffness, contact):
+    """What one contact, moved in u and then in d, does to all: shape (4, M + 2), absolute."""
+    steps, _, columns = stiffness.elastic.shape
+    k, value, force = np.zeros((rk.STAGES, columns)), np.zeros(columns), np.zeros(columns)
+    g = np.zeros((rk.STAGES, columns)) if law.kind == PAIR else k
+    rear, moved = np.zeros((steps, rk.STAGES)), np.zeros((4, columns))
+    for j in range(2):
+        moved[3 * j, contact] = 1.0
+        push(law, weights, rear, stiffness, moved[2 * j], moved[2 * j + 1], k, g, value, force)
+    return np.abs(moved)

@@ -1,0 +1,141 @@
+r"""Where a shot starts from: continuum fronts, driven chains, and other fronts.
+
+Overdamped.  To first order in slow variation a front of :math:`\delta = c = 1` obeys
+
+.. math::
+
+    \gamma\,(u^\beta)' = u^\alpha - u, \qquad
+    \frac{d\xi}{dp} = \frac{\beta\gamma\,e^{-(\beta-1)p}}{1 - e^{-(\alpha-1)p}}, \quad p = -\ln u,
+
+which for β = α is the stationary equation of section 4, with the front (46), and for β = 1 has the
+front :math:`[1 + (2^{\alpha-1} - 1)\,e^{(\alpha-1)\xi/\gamma}]^{-1/(\alpha-1)}`.
+
+Underdamped.  For :math:`\mu < 2` the heteroclinic orbit of section 5, with
+:math:`u = y^{1/\alpha}`, :math:`\xi = s/(2\sqrt3\,\varepsilon)` and
+:math:`\varepsilon = (1 - 1/\alpha)^{1/2}`; near u = 1 only βγ matters, so that
+:math:`\mu = 2\sqrt3\,(\beta\gamma/\alpha)/\varepsilon`.
+
+The strain rate of either is :math:`d = -u' - \gamma\,\Delta_d u^\beta`.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import compute_orbit
+
+CRITICAL_MU = 2.0
+P_FIRST, P_LAST, P_POINTS = 1.0e-17, 45.0, 2000
+ORBIT_END = 600.0
+
+
+class Seed(NamedTuple):
+    """A state of a chain near a front of δ = c = 1.
+
+    Attributes
+    ----------
+    bead : ndarray of int, shape (beads,)
+        Consecutive bead numbers, 0 where u is near 1/2 for the first time from ahead.
+    relative_displacement, strain_rate : ndarray, shape (beads,)
+        u_n and d_n.
+    """
+
+    bead: np.ndarray
+    relative_displacement: np.ndarray
+    strain_rate: np.ndarray
+
+
+def continuum_seed(alpha, gamma, beta, bead):
+    """The front of section 4 or 5 at the given consecutive beads.
+
+    Parameters
+    ----------
+    alpha, gamma, beta : float
+        Contact law, α > 1, γ > 0, β ≥ 1.
+    bead : ndarray of int, shape (beads,)
+
+    Returns
+    -------
+    Seed
+    """
+    epsilon = math.sqrt(1.0 - 1.0 / alpha)
+    mu = 2.0 * math.sqrt(3.0) * beta * gamma / (alpha * epsilon)
+    around = np.arange(bead[0] - 1.0, bead[-1] + 2.0)
+    if mu < CRITICAL_MU:
+        u, slope = _heteroclinic(alpha, mu, 2.0 * math.sqrt(3.0) * epsilon, around)
+    else:
+        u, slope = _overdamped(alpha, gamma, beta, around)
+    return Seed(bead, u[1:-1], -slope[1:-1] - gamma * np.diff(u**beta, 2))
+
+
+def overdamped_length(alpha, gamma, beta):
+    """Distance from u = 1/2 to where the overdamped front is lost in rounding."""
+    return float(_overdamped_xi(alpha, gamma, beta)[1][-1])
+
+
+def chain_seed(relative_displacement, velocity, delta, alpha, gamma, beta=None):
+    """The front in one snapshot of a driven chain.
+
+    Parameters
+    ----------
+    relative_displacement, velocity : array_like, shape (N,)
+        u_n and ẋ_n of beads 1 … N, the front running to larger n.
+    delta : float
+        Relative displacement behind the front.
+    alpha, gamma : float
+        Contact law of the chain; γ δ^(β − (α + 1)/2) is its γ in the frame δ = 1, eq. (29).
+    beta : float, optional
+        α by default.
+
+    Returns
+    -------
+    Seed
+    """
+    beta = alpha if beta is None else beta
+    gamma = gamma * delta ** (beta - 0.5 * (alpha + 1.0))
+    u = np.asarray(relative_displacement, dtype=float) / delta
+    velocity = np.asarray(velocity, dtype=float) / delta ** (0.5 * (alpha + 1.0))
+    w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)
+    front = int(np.flatnonzero(u > 0.5)[-1])
+    return Seed(np.arange(1, u.size - 1) - front, u[1:-1], -np.diff(w))
+
+
+def fit(seed, bead):
+    """State of shape (beads, 2) at the given beads: 1 behind the seed, 0 ahead of it."""
+    state = np.zeros((bead.size, 2))
+    state[bead < seed.bead[0], 0] = 1.0
+    _, place, origin = np.intersect1d(bead, seed.bead, return_indices=True)
+    state[place] = np.column_stack([seed.relative_displacement, seed.strain_rate])[origin]
+    return state
+
+
+def _overdamped_xi(alpha, gamma, beta):
+    """Both p = −ln u and ξ along the overdamped front, ξ = 0 at u = 1/2."""
+    logarithm = np.linspace(math.log(P_FIRST), math.log(P_LAST), P_POINTS)
+    p = np.exp(logarithm)
+    rate = beta * gamma * p * np.exp(-(beta - 1.0) * p) / -np.expm1(-(alpha - 1.0) * p)
+    steps = 0.5 * (rate[1:] + rate[:-1]) * np.diff(logarithm)
+    xi = np.concatenate([[0.0], np.cumsum(steps)])
+    return p, xi - np.interp(math.log(math.log(2.0)), logarithm, xi)
+
+
+def _overdamped(alpha, gamma, beta, xi):
+    """Both u and u' of the overdamped front."""
+    p, xi_of_p = _overdamped_xi(alpha, gamma, beta)
+    u = np.exp(-np.exp(np.interp(xi, xi_of_p, np.log(p))))
+    u[xi > xi_of_p[-1]] = 0.0
+    slope = np.zeros(u.size)
+    ahead = u > 0.0
+    slope[ahead] = (u[ahead] ** alpha - u[ahead]) / (beta * gamma * u[ahead] ** (beta - 1.0))
+    return u, slope
+
+
+def _heteroclinic(alpha, mu, scale, xi):
+    """Both u and u' of the heteroclinic orbit, moved so that u(0) = 1/2."""
+    s = scale * xi
+    orbit = compute_orbit(mu, min(s[0], 0.0))
+    phase = orbit.s_at(alpha * math.log(2.0))
+    p, v = orbit.evaluate(np.clip(s + phase, s[0], orbit.s_at(ORBIT_END)))
+    u = np.exp(-p / alpha)
+    return u, -(scale / alpha) * v * u

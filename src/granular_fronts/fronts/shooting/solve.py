@@ -1,0 +1,267 @@
+r"""Exact fronts by shooting, James (2021), section 6.
+
+A front of δ = c = 1 solves the over-determined `front_equations`: the flow of a window over one
+bead-time, shifted back by one contact, returns the window.
+
+The system is solved by `gauss_newton` from one of the `seeds`, in a window chosen by `reach`.  That
+u is below `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is checked.
+
+Accuracy.  The residual falls to a few units of the last digit.  For α near 1 one combination of the
+equations, the conserved sums over the window, hardly depends on u, and `bead_map` takes care of the
+rounding in it: the front is found to 1e-12 from α = 1.02 on.
+
+Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
+steps are doubled and the solve goes on.
+
+What the front is between the contacts and behind the window is given by `sampling`.
+
+The rest of section 6 is not in our copy of the paper: closure, window and band are ours.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.chain.state import make_law
+from granular_fronts.errors import NoFrontError
+from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess, tail_closure
+from granular_fronts.fronts.shooting.equations import Window, join, split
+from granular_fronts.fronts.shooting.gauss_newton import descend
+from granular_fronts.fronts.shooting.window_size import check_window, choose_beads, missing_beads
+from granular_fronts.fronts.validation import check_law
+
+TOLERANCE = 1.0e-13
+FEWEST_STEPS, MOST_STEPS = 16, 512
+# An explicit method resolves what decays at the rate 4βγ only with short enough steps.
+LARGEST_DECAY_PER_STEP = 3.0
+# Below this γ a continuum front may be too far from the front of the lattice.
+WEAK_DAMPING, CONTINUATION = 0.03, 1.25
+FLOW_ERROR = 2.0e-14
+UNTOUCHED = 1.0e-15
+LONGER_BEHIND, LONGER_AHEAD = 1.25, 4
+
+
+class Shot(NamedTuple):
+    """A front in the frame δ = c = 1, as a state of beads.
+
+    Attributes
+    ----------
+    bead : ndarray of int, shape (beads,)
+        Consecutive bead numbers; u = 1/2 at bead 0.
+    relative_displacement, strain_rate, velocity : ndarray, shape (beads,)
+        u_n, d_n and ẋ_n.
+    converged : bool
+    reason : str
+        Why, in words.
+    residuals : ndarray
+        Largest residual before every Gauss-Newton step and after the last.
+    step_sizes : ndarray
+        Largest change of an unknown in every step.
+    counts : dict
+        gauss_newton_steps, right_hand_sides (of the flow, tangents apart), steps_per_bead_time.
+    flow_error : float
+        Largest change of the flow over one bead-time when its steps are doubled.
+    window : equations.Window
+    unknowns : ndarray
+    """
+
+    bead: np.ndarray
+    relative_displacement: np.ndarray
+    strain_rate: np.ndarray
+    velocity: np.ndarray
+    converged: bool
+    reason: str
+    residuals: np.ndarray
+    step_sizes: np.ndarray
+    counts: dict
+    flow_error: float
+    window: Window
+    unknowns: np.ndarray
+
+
+def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TOLERANCE):
+    """The travelling front with u = 1 behind, u = 0 ahead, and u = 1/2 at bead 0.
+
+    Parameters
+    ----------
+    alpha, gamma : float
+        Contact law in the frame δ = c = 1, α > 1, γ > 0.
+    beta : float, optional
+        β ≥ 1, α by default.
+    beads : pair of int, optional
+        Beads behind and ahead of bead 0; by default as many as the tails need.
+    guess : Seed or Shot, optional
+        Start of the iteration; by default the continuum front of `seeds`, and where that fails the
+        front of a stronger damping.
+    tolerance : float, optional
+        Largest residual of any equation.
+
+    Returns
+    -------
+    Shot
+        With `converged` False, and a reason, where the iteration fails.
+
+    Raises
+    ------
+    InputError
+        If the law has no front, or the window is too short for its tail.
+    NoFrontError
+        If the front would need too many beads or steps.
+    """
+    alpha, gamma, beta = check_law(alpha, gamma, beta)
+    law = make_law(alpha, beta, gamma)
+    _check_steps(law)
+    roots = tail_closure.slow_roots(law.alpha, law.gamma, law.beta)
+    behind, ahead = choose_beads(law, roots) if beads is None else check_window(roots, *beads)
+    shot = _shoot_in_window(law, roots, np.arange(-behind, ahead + 1), guess, tolerance)
+    missing = missing_beads(roots, shot.relative_displacement)
+    if beads is None and missing:
+        window = behind + missing, ahead
+        return shoot_front(alpha, gamma, beta, beads=window, guess=guess, tolerance=tolerance)
+    return shot
+
+
+def _decay(law):
+    """Rate at which the damping of the compressed chain smooths, per bead-time."""
+    return 4.0 * law.beta * law.gamma
+
+
+def _check_steps(law):
+    """Raise a NoFrontError where explicit steps would have to be too many."""
+    if _decay(law) > LARGEST_DECAY_PER_STEP * MOST_STEPS:
+        raise NoFrontError(
+            f"the damping rate 4 beta gamma is {_decay(law):.3g}, more than {MOST_STEPS} explicit "
+            'steps per bead-time resolve: use method "profile"'
+        )
+
+
+def _shoot_in_window(law, roots, bead, guess, tolerance):
+    """The front in a window, from the guess, the continuum front, or a stronger damping."""
+    steps = max(FEWEST_STEPS, math.ceil(_decay(law) / LARGEST_DECAY_PER_STEP))
+    if guess is not None:
+        return _shoot(law, roots, bead, guess, steps, tolerance)
+    seed = initial_guess.continuum_seed(law.alpha, law.gamma, law.beta, bead)
+    shot = _shoot(law, roots, bead, seed, steps, tolerance)
+    if shot.converged or law.gamma >= WEAK_DAMPING:
+        return shot
+    stronger = shoot_front(law.alpha, CONTINUATION * law.gamma, law.beta, tolerance=tolerance)
+    return _shoot(law, roots, bead, stronger, steps, tolerance)
+
+
+def refine(shot):
+    """The same front from a longer window and a finer flow, for an error estimate.
+
+    Parameters
+    ----------
+    shot : Shot
+
+    Returns
+    -------
+    Shot
+    """
+    window = shot.window
+    behind, ahead = math.ceil(-LONGER_BEHIND * shot.bead[0]), shot.bead[-1] + LONGER_AHEAD
+    bead = np.arange(-behind, ahead + 1)
+    return _shoot(window.law, window.roots, bead, shot, 2 * window.steps, TOLERANCE)
+
+
+def error_estimate(shot):
+    """Largest difference of u and ẋ to the `refine`d front.
+
+    Parameters
+    ----------
+    shot : Shot
+
+    Returns
+    -------
+    float
+        NaN where either did not converge.
+    """
+    other = refine(shot)
+    if not (shot.converged and other.converged):
+        return math.nan
+    common = slice(shot.bead[0] - other.bead[0], shot.bead[-1] - other.bead[0] + 1)
+    return max(
+        float(np.abs(getattr(shot, name) - getattr(other, name)[common]).max())
+        for name in ("relative_displacement", "velocity")
+    )
+
+
+def _shoot(law, roots, bead, guess, steps, tolerance):
+    """Gauss-Newton from a guess, with steps of the flow doubled as long as they matter."""
+    state = initial_guess.fit(guess, bead)
+    unknowns = join(np.zeros(equations.count_modes(roots)), state)
+    residuals, step_sizes, evaluations = [], [], 0
+    while True:
+        largest = max(1.0, float(state[:, 0].max()))
+        spread = bead_flow.spread_of(law, steps, largest)
+        window = Window(law, bead.size, int(1 - bead[0]), steps, spread, roots)
+        descent = descend(window, unknowns, tolerance)
+        unknowns = descent.unknowns
+        residuals += descent.residuals
+        step_sizes += descent.step_sizes
+        flow_error = _flow_error(window, unknowns)
+        evaluations += (descent.flows + 3) * steps * bead_flow.STAGES
+        if descent.reason or flow_error <= FLOW_ERROR or 2 * steps > MOST_STEPS:
+            break
+        steps *= 2
+    amplitudes, state = split(window, unknowns)
+    reason = descent.reason or _reason_against(bead, state, flow_error)
+    # A state that has failed may be far beyond what a power of it can hold.
+    with np.errstate(over="ignore", invalid="ignore"):
+        velocity = bead_velocities(window, amplitudes, state, 0.0)
+    return Shot(
+        bead=bead,
+        relative_displacement=state[:, 0],
+        strain_rate=state[:, 1],
+        velocity=velocity,
+        converged=not reason,
+        reason=reason or f"every equation holds to {residuals[-1]:.1e}",
+        residuals=np.array(residuals),
+        step_sizes=np.array(step_sizes),
+        counts={
+            "gauss_newton_steps": len(step_sizes),
+            "right_hand_sides": evaluations,
+            "steps_per_bead_time": steps,
+        },
+        flow_error=flow_error,
+        window=window,
+        unknowns=unknowns,
+    )
+
+
+def _flow_error(window, unknowns):
+    """Change of the flow over a bead-time when its steps are doubled."""
+    finer = window._replace(steps=2 * window.steps)
+    changes = [equations.flow(each, unknowns)[0] for each in (window, finer)]
+    return _largest(changes[0] - changes[1])
+
+
+def _reason_against(bead, state, flow_error):
+    """Why a settled state is still no front, or nothing."""
+    if flow_error > FLOW_ERROR:
+        return (
+            f"the flow over a bead-time is only known to {flow_error:.1e} with {MOST_STEPS} steps"
+        )
+    if abs(state[-1, 0]) > UNTOUCHED:
+        return (
+            f"u is {state[-1, 0]:.1e} at the last bead, {bead[-1]}, above {UNTOUCHED}: give more "
+            "beads ahead"
+        )
+    if np.any(state[bead > 0, 0] >= 0.5):
+        return "u exceeds 1/2 ahead of bead 0, which is not the foot of the front: change the guess"
+    return ""
+
+
+def bead_velocities(window, amplitudes, state, time):
+    """ẋ_n from the strain form: w_n is a sum over the beads ahead, eq. (31) gives ẋ_n."""
+    law = window.law
+    modes = equations.driver_modes(window, np.asarray(time))
+    u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
+    w = np.cumsum(state[::-1, 1])[::-1]
+    return w - law.gamma * np.diff(np.maximum(u, 0.0) ** law.beta)
+
+
+def _largest(values):
+    return float(np.abs(values).max())

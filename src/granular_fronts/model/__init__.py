@@ -1,0 +1,1 @@
+"""Contact laws and what follows from them: jump conditions, collisions, scalings."""

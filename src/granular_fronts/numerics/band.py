@@ -1,0 +1,76 @@
+"""LU factors of band matrices with a long constant stretch, without pivoting, compiled.
+
+Row i of the matrix lies in ``band[i]``, its diagonal at index `lower`; entries outside the matrix
+are zero.  There are `lower` diagonals below the main one and ``band.shape[1] - 1 - lower`` above.
+
+Behind a front the rows of its equations hardly differ over a long stretch, and so do their factors
+from some distance on.  These rows are left out: after row ``prefix - 1`` that row of the factors
+stands for `skipped` more, where `skipped` is at least `lower`; or nothing is left out, and `prefix`
+is the number of rows.
+
+A row that is ready is subtracted from all rows below it before the next one: these differ, so that
+no entry waits for the one before.  Loops run over slices with unsigned indices, which is what the
+compiler needs to see that neighbouring entries lie side by side in memory.
+"""
+
+from numba import uint64
+
+from granular_fronts.numerics.compiled import kernel
+
+
+@kernel(fastmath=True, error_model="numpy")
+def factorise(band, lower, prefix):
+    """Replace a matrix by its factors, L below the diagonal and U above, with 1/U on it."""
+    rows = band.shape[0]
+    eliminate(band, lower, 0, prefix)
+    for i in range(prefix, min(prefix + lower, rows)):
+        for place in range(lower - (i - prefix)):
+            subtract(band, lower, prefix - 1, i, place)
+    eliminate(band, lower, prefix, rows)
+
+
+@kernel(fastmath=True, error_model="numpy")
+def eliminate(band, lower, first, end):
+    """Factors of the rows first … end − 1, from which those above are subtracted already."""
+    for j in range(first, end):
+        band[j, lower] = 1.0 / band[j, lower]
+        for i in range(j + 1, min(j + lower + 1, end)):
+            subtract(band, lower, j, i, lower - (i - j))
+
+
+@kernel(fastmath=True, forceinline=True)
+def subtract(band, lower, ready, i, place):
+    """Subtract a row that is ready from row i so that the entry at `place` vanishes."""
+    factor = band[i, place] * band[ready, lower]
+    band[i, place] = factor
+    top = band[ready, lower + 1 :]
+    row = band[i, place + 1 :]
+    for q in range(uint64(top.size)):
+        row[q] -= factor * top[q]
+
+
+@kernel(fastmath=True)
+def substitute(band, lower, prefix, skipped, x):
+    """Solve in place with the factors of `factorise`."""
+    for i in range(x.size):
+        row = compact(i, prefix, skipped)
+        first = max(0, lower - i)
+        x[i] -= product(band[row, first:lower], x[i - lower + first : i])
+    for i in range(x.size - 1, -1, -1):
+        row = compact(i, prefix, skipped)
+        x[i] = (x[i] - product(band[row, lower + 1 :], x[i + 1 :])) * band[row, lower]
+
+
+@kernel
+def compact(i, prefix, skipped):
+    """Where the factors of row i are."""
+    return i if i < prefix else max(prefix - 1, i - skipped)
+
+
+@kernel(fastmath=True, forceinline=True)
+def product(row, x):
+    """Sum of products, as far as both reach."""
+    total = 0.0
+    for k in range(uint64(min(row.size, x.size))):
+        total += row[k] * x[k]
+    return total

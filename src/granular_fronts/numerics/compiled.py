@@ -1,0 +1,121 @@
+"""Compile kernels, and say where their machine code is cached on disk.
+
+Numba notices a change in the file of a compiled function, but not in the files of the functions it
+calls.  Here the cache folder of a kernel carries a digest of its own wing and of the wings that
+this one calls, so that stale machine code cannot be used, and a change in one wing leaves the
+kernels of the others alone.
+
+Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
+while.  Numba itself reports each compilation, so that the line comes when there is one and not
+otherwise.
+"""
+
+import functools
+import hashlib
+import os
+import sys
+from pathlib import Path
+
+import numba
+from numba.core import event
+
+SOURCES = Path(__file__).parents[1]
+
+CALLED_WINGS = {
+    "chain": ("model", "numerics"),
+    "continuum": ("numerics",),
+    "fronts": ("chain", "model", "numerics"),
+    "model": ("numerics",),
+    "reference_methods": ("chain", "continuum", "model", "numerics"),
+    "studies": ("chain", "continuum", "fronts", "model", "numerics", "reference_methods"),
+}
+"""The folders whose kernels the kernels of a folder call, besides their own."""
+
+WINGS_IN_WORDS = {
+    "chain": "the chain",
+    "continuum": "the amplitude equations",
+    "fronts": "the exact fronts",
+    "model": "the contact laws",
+    "reference_methods": "the reference methods",
+}
+
+_wing_of_kernel = {}
+"""The wing of each function that `kernel` compiles; a user's functions are not among them."""
+
+
+class CompilationNotice(event.Listener):
+    """Says for each wing, once in a process, that kernels of it are compiled."""
+
+    def __init__(self):
+        self.depth = 0
+        self.announced = set()
+
+    def on_start(self, event):
+        """Announce the wing of a kernel that is compiled for itself and not for one calling it."""
+        wing = _wing_of_kernel.get(event.data["dispatcher"].py_func)
+        if self.depth == 0 and wing and wing not in self.announced:
+            self.announced.add(wing)
+            print(
+                f"Compiling the kernels of {WINGS_IN_WORDS.get(wing, wing)}; this happens once "
+                "and takes up to a minute.",
+                file=sys.stderr,
+                flush=True,
+            )
+        self.depth += 1
+
+    def on_end(self, event):
+        """Come back to the kernel that calls the compiled one, if any."""
+        self.depth -= 1
+
+
+event.register("numba:compile", CompilationNotice())
+
+
+def kernel(function=None, /, **options):
+    """Compile a function with numba, cached until its wing or a wing it calls changes.
+
+    Parameters
+    ----------
+    function : callable, optional
+        None where options are given: ``@kernel`` and ``@kernel(fastmath=True)`` both decorate.
+    **options
+        Options of `numba.njit`.
+
+    Returns
+    -------
+    callable
+        The compiled function, or the decorator that makes it.
+    """
+
+    def compile_cached(function):
+        wing = wing_of(function)
+        numba.config.CACHE_DIR = str(cache_folder(wing))
+        _wing_of_kernel[function] = wing
+        return numba.njit(cache=True, **options)(function)
+
+    return compile_cached(function) if function else compile_cached
+
+
+def wing_of(function):
+    """The folder of the package that a function stands in, or the folder of its file elsewhere."""
+    file = Path(function.__code__.co_filename)
+    return file.relative_to(SOURCES).parts[0] if SOURCES in file.parents else file.parent.name
+
+
+def cache_folder(wing):
+    """Folder of a wing's machine code, under NUMBA_CACHE_DIR or the user's cache folder."""
+    user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    base = Path(os.environ.get("NUMBA_CACHE_DIR", user_cache / "granular_fronts"))
+    patterns = [f"{name}/**/*.py" for name in (wing, *CALLED_WINGS.get(wing, ()))]
+    return base / f"{wing}_{source_digest(*patterns)}"
+
+
+@functools.cache
+def source_digest(*patterns):
+    """Digest of the package's files that match the patterns, all by default, 12 hexadecimals."""
+    digest = hashlib.sha256()
+    for pattern in patterns or ("**/*.py",):
+        for path in sorted(SOURCES.glob(pattern)):
+            name = path.relative_to(SOURCES).as_posix()
+            digest.update(name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:12]

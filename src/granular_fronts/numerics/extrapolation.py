@@ -1,0 +1,86 @@
+r"""The start of the next front of a sweep, extrapolated from those before, compiled.
+
+Fronts are a smooth function of ln γ, point by point.  The start at ln γ is the polynomial through
+the last ones, :math:`u = \sum_i w_i u_i` with
+
+.. math:: w_i = \prod_{j \ne i} \frac{\ln\gamma - \ln\gamma_j}{\ln\gamma_i - \ln\gamma_j} .
+
+Errors of the fronts are magnified by :math:`\sum_i |w_i|`, which is 15 for four at equal distances;
+where it would be more than `LARGEST_WEIGHT`, fewer fronts are taken.
+
+The fronts lie in the rows of an array, front k in row k modulo their number, all with their middle
+at the same column; columns behind a front hold 1, columns ahead the state there.
+"""
+
+import numpy as np
+
+from granular_fronts.numerics.compiled import kernel
+
+REMEMBERED = 4
+LARGEST_WEIGHT = 20.0
+UNTOUCHED = 1e-17
+
+
+@kernel
+def remember(u, first, ahead, row):
+    """Write a front into a row, its first point into column `first`."""
+    row[:first] = 1.0
+    row[first : first + u.size] = u
+    row[first + u.size :] = ahead
+
+
+@kernel
+def predict(past, known, places, place, first, margin):
+    """The start at a place.
+
+    Parameters
+    ----------
+    past : ndarray, shape (REMEMBERED, columns)
+    known : int
+        Number of fronts so far, at least 1.
+    places : ndarray, shape (known,)
+        Their ln γ, decreasing.
+    place : float
+        Of the start, below them.
+    first : int
+        Column of its first point.
+    margin : int
+        Columns kept ahead of where the last front ends.
+
+    Returns
+    -------
+    ndarray
+    """
+    rows, columns = past.shape
+    last = past[(known - 1) % rows]
+    end = columns
+    while end > first + 1 and abs(last[end - 1] - last[columns - 1]) < UNTOUCHED:
+        end -= 1
+    end = min(end + margin, columns)
+    weights = extrapolation_weights(places[max(known - rows, 0) :], place)
+    u = np.zeros(end - first)
+    for i in range(weights.size):
+        row = past[(known - weights.size + i) % rows]
+        u += weights[i] * row[first:end]
+    return u
+
+
+@kernel
+def extrapolation_weights(places, place):
+    """Weights of the last fronts, of as many as do not magnify errors too much."""
+    for used in range(places.size, 1, -1):
+        weights = lagrange_weights(places[places.size - used :], place)
+        if np.sum(np.abs(weights)) <= LARGEST_WEIGHT:
+            return weights
+    return np.ones(1)
+
+
+@kernel
+def lagrange_weights(places, place):
+    """Values at `place` of the polynomials that are 1 at one of the places and 0 at the others."""
+    weights = np.ones(places.size)
+    for i in range(places.size):
+        for j in range(places.size):
+            if j != i:
+                weights[i] *= (place - places[j]) / (places[i] - places[j])
+    return weights

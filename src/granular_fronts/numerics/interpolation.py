@@ -1,0 +1,130 @@
+"""Values between the points of a uniform grid, by local polynomials of high degree, compiled."""
+
+import math
+
+import numpy as np
+
+from granular_fronts.numerics.compiled import kernel
+
+NODES = 20
+"""Points of each local polynomial, half of them on either side."""
+
+WEIGHTS = np.array([(-1.0) ** j * math.comb(NODES - 1, j) for j in range(NODES)])
+"""Barycentric weights of equidistant points."""
+
+NOISE = 1e-15
+"""Relative height of crests that are round-off."""
+
+REACH = 10
+DIFFERENCES = np.array(
+    [
+        (-1.0) ** (k + 1) * math.comb(2 * REACH, REACH - k) / (k * math.comb(2 * REACH, REACH))
+        for k in range(1, REACH + 1)
+    ]
+)
+"""Weights of (u(ξ + kh) − u(ξ − kh))/h in u'(ξ), of order 20."""
+
+
+@kernel
+def interpolate(values, position, behind, ahead):
+    """The local polynomial at one position.
+
+    Parameters
+    ----------
+    values : ndarray, shape (points,)
+        On a uniform grid.
+    position : float
+        In units of the spacing, 0 at the first point.
+    behind, ahead : float
+        Values beyond the first and the last point.
+
+    Returns
+    -------
+    float
+    """
+    if position < -NODES:
+        return behind
+    if position > values.size + NODES:
+        return ahead
+    nearest = round(position)
+    if position == nearest and 0 <= nearest < values.size:
+        return values[nearest]
+    first = math.floor(position) - NODES // 2 + 1
+    above = below = 0.0
+    for j in range(NODES):
+        k = first + j
+        value = behind if k < 0 else ahead if k >= values.size else values[k]
+        if position == k:
+            return value
+        weight = WEIGHTS[j] / (position - k)
+        above += weight * value
+        below += weight
+    return above / below
+
+
+@kernel
+def interpolate_all(values, positions, behind, ahead):
+    """The local polynomials at many positions, shape of `positions` (1-D)."""
+    result = np.empty(positions.size)
+    for k in range(positions.size):
+        result[k] = interpolate(values, positions[k], behind, ahead)
+    return result
+
+
+@kernel
+def derivative(values, behind, ahead):
+    """Derivative at all points, per spacing, by central differences of order 20."""
+    result = np.zeros(values.size)
+    for k in range(values.size):
+        for j in range(1, REACH + 1):
+            right = values[k + j] if k + j < values.size else ahead
+            left = values[k - j] if k - j >= 0 else behind
+            result[k] += DIFFERENCES[j - 1] * (right - left)
+    return result
+
+
+@kernel
+def find_level(values, level, behind, ahead):
+    """The last position where decreasing values pass a level, by bisection; NaN if none."""
+    for k in range(values.size - 2, -1, -1):
+        if values[k] >= level > values[k + 1]:
+            left, right = float(k), float(k + 1)
+            for _ in range(60):
+                middle = 0.5 * (left + right)
+                if interpolate(values, middle, behind, ahead) >= level:
+                    left = middle
+                else:
+                    right = middle
+            return 0.5 * (left + right)
+    return math.nan
+
+
+@kernel
+def largest(values, behind, ahead):
+    """The largest value of the interpolant.
+
+    It is looked for next to every point above its neighbours that lies so high that, rising as
+    steeply beyond it as towards it, the interpolant could exceed the largest value on the grid.
+    """
+    highest = top = np.max(values)
+    for k in range(1, values.size - 1):
+        rise = values[k] - min(values[k - 1], values[k + 1])
+        crest = values[k] >= values[k - 1] and values[k] >= values[k + 1]
+        if crest and rise > NOISE * abs(top) and values[k] + rise > top:
+            highest = max(highest, crest_value(values, k, behind, ahead))
+    return highest
+
+
+@kernel
+def crest_value(values, k, behind, ahead):
+    """The maximum of the interpolant next to a point, by ternary search."""
+    left, right = k - 1.0, k + 1.0
+    # The value is flat at the crest, so that half the digits of its place suffice.
+    for _ in range(45):
+        third = (right - left) / 3.0
+        a, b = left + third, right - third
+        if interpolate(values, a, behind, ahead) < interpolate(values, b, behind, ahead):
+            left = a
+        else:
+            right = b
+    return interpolate(values, 0.5 * (left + right), behind, ahead)

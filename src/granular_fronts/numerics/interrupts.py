@@ -1,0 +1,24 @@
+"""Ctrl-C inside compiled loops.
+
+While compiled code runs, Python only notes that an interrupt has come.  A loop that may run long
+asks `interrupted` in each turn and leaves when it is true, with whatever it has; the interrupt is
+handed back to Python, which raises KeyboardInterrupt, or does what else the user has chosen, before
+anybody sees the result.
+"""
+
+from numba import types
+
+from granular_fronts.numerics.compiled import kernel
+
+# Both belong to the stable interface of Python; asking clears the note, so it is set again.
+_interrupt_has_come = types.ExternalFunction("PyOS_InterruptOccurred", types.intc())
+_set_interrupt = types.ExternalFunction("PyErr_SetInterrupt", types.void())
+
+
+@kernel
+def interrupted():
+    """Whether Ctrl-C waits to be answered."""
+    if _interrupt_has_come() == 0:
+        return False
+    _set_interrupt()
+    return True

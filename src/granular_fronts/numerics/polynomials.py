@@ -1,0 +1,55 @@
+"""Polynomials in θ, constant coefficient first: value, derivative, where one meets a level."""
+
+import math
+
+import numpy as np
+
+from granular_fronts.numerics.compiled import kernel
+
+MOST_ITERATIONS, LAST_BIT = 200, 1.0e-16
+
+
+@kernel
+def polynomial(coefficients, theta):
+    """Value of a polynomial, constant coefficient first."""
+    value = 0.0
+    for power in range(coefficients.size - 1, -1, -1):
+        value = value * theta + coefficients[power]
+    return value
+
+
+@kernel
+def crossing(coefficients, level):
+    """A θ in [0, 1] where the polynomial meets `level`, to the last bit.
+
+    Newton's method, kept inside a bracket that each value narrows; where it would leave the bracket
+    the bracket is halved.  The ends must lie on different sides of the level, up to rounding.
+    """
+    low, high, theta = 0.0, 1.0, 0.5
+    rising = polynomial(coefficients, 1.0) > level
+    for _ in range(MOST_ITERATIONS):
+        value, slope = 0.0, 0.0
+        for power in range(coefficients.size - 1, -1, -1):
+            slope = slope * theta + value
+            value = value * theta + coefficients[power]
+        if (value > level) == rising:
+            high = theta
+        else:
+            low = theta
+        step = (level - value) / slope if slope != 0.0 else math.inf
+        new = theta + step
+        if not low < new < high:
+            new = 0.5 * (low + high)
+        if abs(new - theta) <= LAST_BIT or not low < new < high:
+            return new
+        theta = new
+    return theta
+
+
+@kernel
+def derivative(coefficients):
+    """Coefficients of the derivative of a polynomial."""
+    result = np.empty(coefficients.size - 1)
+    for power in range(1, coefficients.size):
+        result[power - 1] = power * coefficients[power]
+    return result

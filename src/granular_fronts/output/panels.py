@@ -1,0 +1,137 @@
+"""What several figures share: each function draws what a dataset holds and computes nothing."""
+
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+
+FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
+
+
+def draw_probes(axes, data, name):
+    """u_n(t) of every bead of a probe set."""
+    probes = data[f"relative_displacement_{name}"]
+    for bead in probes[f"bead_{name}"].values:
+        curve = probes.sel({f"bead_{name}": bead})
+        axes.plot(curve[f"t_{name}"], curve, label=f"$n = {bead}$")
+    axes.set(xlabel="$t$", ylabel="$u_n(t)$", xlim=(curve[f"t_{name}"][0], curve[f"t_{name}"][-1]))
+
+
+def label_peaks(axes):
+    """Write each curve's label above its highest point, in its colour."""
+    for line in axes.get_lines():
+        t, u = line.get_data()
+        axes.annotate(
+            line.get_label(),
+            (t[u.argmax()], u.max()),
+            xytext=(0, 3),
+            textcoords="offset points",
+            ha="center",
+            fontsize=7,
+            color=line.get_color(),
+        )
+
+
+def draw_spacetime(axes, values, *, colour_map, limits, extend, label):
+    """Colour the (n, t) plane, bead number across and time upwards.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    values : xarray.DataArray
+        On (t_grid, bead).
+    colour_map : matplotlib.colors.Colormap
+    limits : tuple of float
+        Ends of the colour scale; None for the extreme of the data.
+    extend : str
+        Ends of the colour bar that go on beyond the scale, as in matplotlib.
+    label : str
+        Of the colour bar.
+    """
+    image = axes.pcolormesh(
+        values["bead"],
+        values["t_grid"],
+        values,
+        cmap=colour_map,
+        vmin=limits[0],
+        vmax=limits[1],
+        shading="nearest",
+        rasterized=True,
+    )
+    axes.set(xlabel="$n$", ylabel="$t$")
+    axes.figure.colorbar(image, ax=axes, location="top", extend=extend, label=label, aspect=30)
+
+
+def draw_chain_dots(axes, snapshot, field):
+    """A field of all beads, one dot each.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    snapshot : xarray.Dataset
+        One time of a comparison.
+    field : str
+        A key of `FIELD_LABELS`.
+    """
+    beads = snapshot[field]
+    axes.plot(beads["bead"], beads, ".", color=CHAIN_COLOUR, markersize=2.5, label="chain")
+    axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
+
+
+def draw_comparison(data):
+    """Figure of chain and logarithmic Burgers equation at every snapshot after the start.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        A comparison.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A row for each snapshot, a column for each field.
+    """
+    rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
+    figure, panels = new_figure(1.7 * len(rows) + 0.2, rows)
+    for row, names in enumerate(rows, start=1):
+        snapshot = data.isel(t=row)
+        for name, field in zip(names, FIELD_LABELS, strict=True):
+            axes, line = panels[name], snapshot[f"{field}_logarithmic"]
+            axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label="equation (41)")
+            draw_chain_dots(axes, snapshot, field)
+            axes.set_title(f"$t = {float(snapshot['t']):g}$")
+    finish_grid(figure, [panels[name] for name in rows[-1]], "$n$")
+    return figure
+
+
+def draw_rings(height, rings, draw):
+    """Figure with a row for each ring and a column for each field.
+
+    Parameters
+    ----------
+    height : float
+        In inches.
+    rings : sequence of xarray.Dataset
+        Comparisons.
+    draw : callable
+        Draws one panel, given its axes, the ring's dataset, the field, and the exponent in words.
+
+    Returns
+    -------
+    figure : matplotlib.figure.Figure
+    rows : list of list of matplotlib.axes.Axes
+    """
+    names = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(len(rings))]
+    figure, panels = new_figure(height, names)
+    rows = [[panels[name] for name in row] for row in names]
+    for row, data in zip(rows, rings, strict=True):
+        exponent = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
+        for axes, field in zip(row, FIELD_LABELS, strict=True):
+            draw(axes, data, field, exponent)
+    return figure, rows
+
+
+def finish_grid(figure, lowest, label, columns=3):
+    """Label the abscissae of the lowest row, and put the legend of all panels above them."""
+    for axes in lowest:
+        axes.set_xlabel(label)
+    handles, words = lowest[0].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside upper center", ncols=min(len(words), columns))

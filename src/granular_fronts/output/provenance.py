@@ -1,0 +1,159 @@
+"""What a figure, a table or the report was made from, and whether that is what is asked now.
+
+A dataset answers a question: the part of the configuration that its rule was given.  Both are known
+by digests, the first 16 hexadecimals of a SHA-256,
+
+    question = digest of the configuration, as JSON with sorted keys,
+    data     = digest of the values of all variables, with their names, types and shapes,
+
+and the triple of scene, question and data is the *origin* of whatever is made from the dataset.
+Each figure and each table has a *record* beside it, a JSON file that names the digest of each of
+its files and the origins of all datasets that it was made from.  With the records a finished folder
+can be checked without running anything: every file must be the one of its record, every origin
+must be that of the dataset that lies there now, and every dataset must answer what is asked now.
+"""
+
+import hashlib
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from granular_fronts.output.files import complete_file
+
+DIGEST_LENGTH = 16
+
+
+def digest(content: bytes) -> str:
+    """The first 16 hexadecimals of the SHA-256 of some bytes."""
+    return hashlib.sha256(content).hexdigest()[:DIGEST_LENGTH]
+
+
+def question_digest(configuration: Any) -> str:
+    """Digest of a part of the configuration.
+
+    Parameters
+    ----------
+    configuration : mapping or list
+        Whatever JSON can hold; the order of keys does not count.
+
+    Returns
+    -------
+    str
+    """
+    return digest(json.dumps(configuration, sort_keys=True).encode())
+
+
+def data_digest(dataset: Any) -> str:
+    """Digest of the values that a dataset holds.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+
+    Returns
+    -------
+    str
+        The same for equal values under equal names, whatever the attributes.
+    """
+    found = hashlib.sha256()
+    for name in sorted(dataset.variables):
+        values = dataset.variables[name].values
+        found.update(f"{name} {values.dtype.kind} {values.shape} ".encode())
+        if values.dtype.kind in "biuf":
+            found.update(values.tobytes())
+        else:
+            # Text has no fixed width in memory, so it counts as its characters.
+            found.update(json.dumps(values.astype(str).tolist()).encode())
+    return found.hexdigest()[:DIGEST_LENGTH]
+
+
+def origin(attributes: Mapping[str, Any]) -> dict[str, str]:
+    """What identifies a dataset among all that ever had its name.
+
+    Parameters
+    ----------
+    attributes : mapping
+        Attributes of a dataset that `datasets.write_dataset` wrote.
+
+    Returns
+    -------
+    dict of str to str
+        `scene`, and the digests `question` and `data`.
+    """
+    return {
+        "scene": str(attributes["scene"]),
+        "question": str(attributes["config_digest"]),
+        "data": str(attributes["data_digest"]),
+    }
+
+
+def write_record(
+    path: Path, files: Iterable[Path], origins: Iterable[Mapping[str, str]], **facts: Any
+) -> None:
+    """Write the record of a figure or a table, after its files.
+
+    Parameters
+    ----------
+    path : Path
+        The JSON file to write.
+    files : iterable of Path
+        What was made.
+    origins : iterable of mapping
+        As `origin` gives, of every dataset it was made from.
+    **facts
+        What else is worth keeping, for example a title.
+    """
+    record = {
+        "files": {file.name: digest(file.read_bytes()) for file in files},
+        "made_from": sorted(map(dict, origins), key=lambda made_from: made_from["scene"]),
+        **facts,
+    }
+    with complete_file(path) as unfinished:
+        unfinished.write_text(
+            json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+        )
+
+
+def read_record(path: Path) -> dict[str, Any]:
+    """Read what `write_record` wrote."""
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def disagreements(
+    records: Iterable[Path], origins: Mapping[str, Mapping[str, str]], asked: Mapping[str, Any]
+) -> Iterator[str]:
+    """Compare what lies in a results folder with itself and with what is asked now.
+
+    Parameters
+    ----------
+    records : iterable of Path
+        Records of figures and tables; their files lie beside them.
+    origins : mapping of str to mapping
+        Origin of each dataset that lies there now, by the name of its file.
+    asked : mapping of str to object
+        Part of the configuration that each dataset must answer, by the same names.
+
+    Yields
+    ------
+    str
+        A sentence for each disagreement; none where all is of one piece.
+    """
+    for name, configuration in asked.items():
+        if name not in origins:
+            yield f"The data {name} are missing: run the workflow again."
+        elif origins[name]["question"] != question_digest(configuration):
+            yield f"The data {name} answer another configuration: run the workflow again."
+    present = list(origins.values())
+    for path in records:
+        record = read_record(path)
+        for name, expected in record["files"].items():
+            file = path.with_name(name)
+            if not file.exists() or digest(file.read_bytes()) != expected:
+                yield f"{file} is not the file that its record describes: delete it and run again."
+        for made_from in record["made_from"]:
+            if made_from not in present:
+                yield (
+                    f"{path.stem} was made from other data of scene {made_from['scene']} than lie "
+                    "there now: run the workflow again."
+                )

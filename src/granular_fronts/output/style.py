@@ -1,0 +1,119 @@
+"""The one place for figure looks: sizes, colours, colour maps, saving.
+
+The paper names the colours of its probes (black, blue, green, light blue, magenta, brown).  The
+shades here keep those names and differ in lightness, and each has a line style of its own, so that
+the curves stay apart in grey print and for colour-blind readers.
+"""
+
+import logging
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib import cycler
+
+from granular_fronts.output.files import complete_file
+
+TEXT_WIDTH = 6.9
+PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
+PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
+CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = "#000000", "#1447c4", "#1a8f3c"
+HETEROCLINIC_COLOUR = "#d02fb4"
+# Label, colour and line of each continuum front, by the name it has in the data.
+CONTINUUM_LOOKS = {
+    "logarithmic": ("(45)", EQUATION_COLOUR, (0, (6, 1.5))),
+    "unlimited": ("(46)", UNLIMITED_COLOUR, "-."),
+    "heteroclinic": ("heteroclinic", HETEROCLINIC_COLOUR, (0, (3, 1))),
+}
+# Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
+EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
+# What is clipped, failed or singled out.
+ALARM_COLOUR = "#d01c1c"
+# Whose solver it is, in figure 14.
+PACKAGE_COLOURS = {
+    "ours": "#000000",
+    "upwind": "#d01c1c",
+    "scilab": "#d01c1c",
+    "scipy": "#1447c4",
+    "numbalsoda": "#1a8f3c",
+    "sundials": "#8a4a12",
+    "diffrax": "#d02fb4",
+}
+
+# The font subsetter remarks on the fixed dates that make PDF files reproducible.
+logging.getLogger("fontTools").setLevel(logging.ERROR)
+
+_SETTINGS = {
+    "figure.constrained_layout.use": True,
+    "figure.dpi": 100,
+    "savefig.dpi": 200,
+    "font.size": 9,
+    "axes.titlesize": 9,
+    "axes.labelsize": 9,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.prop_cycle": cycler(color=PROBE_COLOURS, linestyle=PROBE_STYLES),
+    "lines.linewidth": 1.2,
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "legend.handlelength": 3.0,
+    "pdf.fonttype": 42,
+    "mathtext.fontset": "cm",
+    "image.interpolation": "nearest",
+}
+
+
+def new_figure(height, mosaic):
+    """A figure of text width with the panels of a mosaic.
+
+    Parameters
+    ----------
+    height : float
+        In inches.
+    mosaic : list of list of str
+        Names of the panels, as in `matplotlib.pyplot.subplot_mosaic`.
+
+    Returns
+    -------
+    figure : matplotlib.figure.Figure
+    panels : dict of matplotlib.axes.Axes
+    """
+    plt.rcParams.update(_SETTINGS)
+    return plt.subplot_mosaic(mosaic, figsize=(TEXT_WIDTH, height))
+
+
+def fill_rows(names, columns):
+    """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
+    filled = [*names, *["."] * (-len(names) % columns)]
+    return [filled[first : first + columns] for first in range(0, len(filled), columns)]
+
+
+def compression_map():
+    """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
+    return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
+
+
+def velocity_map():
+    """Colour map of velocities, light at rest."""
+    return matplotlib.colormaps["viridis_r"]
+
+
+def save_figure(figure, pdf, png, origins):
+    """Save both formats, each appearing under its name only when complete.
+
+    The PDF carries no date, so that equal data give equal files.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+    pdf, png : Path
+    origins : list of dict
+        What the figure was drawn from, as `provenance.origin` gives, kept in both files.
+    """
+    keywords = " ".join("{scene}:{question}:{data}".format(**origin) for origin in origins)
+    for path, metadata in ((pdf, {"CreationDate": None}), (png, {})):
+        with complete_file(path) as unfinished:
+            figure.savefig(unfinished, metadata={"Keywords": keywords, **metadata})
+    plt.close(figure)

@@ -1,0 +1,32 @@
+"""The one place that writes tables: each for machines with all digits, and rounded for people."""
+
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import origin, write_record
+
+
+def write_table(table, rounded, csv, markdown, sources):
+    """Write both files and their record, each appearing under its name only when it is complete.
+
+    Parameters
+    ----------
+    table : pandas.DataFrame
+        With all digits.
+    rounded : pandas.DataFrame
+        What people read, its numbers as text.
+    csv, markdown : Path
+        Files to write. The record of what the table was made from, see `provenance`, is the JSON
+        file of the same stem.
+    sources : list of xarray.Dataset
+        The datasets whose numbers it holds.
+    """
+    with complete_file(csv) as unfinished:
+        table.to_csv(unfinished, index=False)
+    with complete_file(markdown) as unfinished:
+        rounded.to_markdown(unfinished, index=False, disable_numparse=True)
+    origins = [origin(dataset.attrs) for dataset in sources]
+    write_record(csv.with_suffix(".json"), [csv, markdown], origins)
+
+
+def round_floats(table, digits):
+    """A table whose floats are text of a number of significant digits; all else is left alone."""
+    return table.map(lambda cell: f"{cell:.{digits}g}" if isinstance(cell, float) else cell)

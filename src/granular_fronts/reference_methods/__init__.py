@@ -1,0 +1,1 @@
+"""Methods kept for comparison: textbook variables, the θ-method, upwind, Fourier."""

@@ -1,0 +1,1 @@
+"""What the workflow computes by combining the wings."""

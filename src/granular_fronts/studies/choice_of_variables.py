@@ -1,0 +1,181 @@
+r"""What the variables (x, w) buy against (x, ẋ); James (2021), section 3.2.
+
+Smoothness.  A contact is brought from just open to a compression h while its beads approach.  The
+largest change of the right-hand side, divided by h, is :math:`\propto h^{\beta-2}` in (x, ẋ): not
+Lipschitz for β < 2, and a jump for β = 1.  It is :math:`\propto h^{\min(\alpha,\beta)-1}` in
+(x, w): bounded, and for β > 1 going to zero, the derivative of an open contact.
+
+Order.  Two beads meet and part under Euler's method and the classical Runge-Kutta method of order 4
+with fixed steps.  Where in a step a contact opens or closes decides the error of one run, so that
+the median over several gaps between the beads counts; the order is the slope of its logarithm.  The
+velocity with which the beads part is known from the reduced collision (`collision`).
+
+Conservation.  Behind a front in an infinite chain the limit of :math:`w_n` is conserved and equal
+to that of :math:`\dot x_n` (34).  A chain whose left part is at the compression 1 and the velocity
+of (22), with pressure 1 on its end, is the left half of an infinite one for as long as waves have
+not come back to its first beads.
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.chain.equations import Boundary, velocity_correction
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain.state import make_law
+from granular_fronts.model.collision import restitution
+from granular_fronts.reference_methods import position_forms
+
+FORMS = {"positions_and_velocities": position_forms.XV, "positions_and_w": position_forms.XW}
+SCHEMES = {
+    "euler": (np.array([0.0]), np.array([1.0])),
+    "runge_kutta_4": (np.array([0.0, 0.5, 0.5, 1.0]), np.array([1.0, 2.0, 2.0, 1.0]) / 6.0),
+}
+"""Nodes and weights of methods in which each stage uses the one before it alone."""
+
+FREE = (False, 0.0, 0.0)
+"""Ends of a chain on which nothing presses."""
+
+COMPRESSIONS = 2.0 ** -np.arange(10.0, 31.0, 2.0)
+# Multiples of the golden ratio share no period with the steps.
+GAPS = 1.0 + np.arange(101) * 0.6180339887498949 % 1.0
+COLLISION_END = 12.0
+STEP_COUNTS = (400, 800, 1600, 3200, 6400, 12800)
+FITTED = "change from the first half of the points to the second"
+BEADS, COMPRESSED, FAR, END_TIME = 200, 150, 10, 16.0
+
+
+def compare_variables(alpha, betas, gamma):
+    """Smoothness, order and conservation in both sets of variables.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of the elastic force, above 1.
+    betas : sequence of float
+        Exponents of the viscous force, from 1 to 2.
+    gamma : float
+        Damping, above 0.
+
+    Returns
+    -------
+    xarray.Dataset
+        `quotient_power` on (variables, beta); `observed_order` on (variables, scheme) and
+        `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
+        both for β = α.
+    """
+    powers = [
+        [quotient_power(form, make_law(alpha, beta, gamma)) for beta in betas]
+        for form in FORMS.values()
+    ]
+    law = make_law(alpha, alpha, gamma)
+    orders = [[observed_order(form, law, scheme) for scheme in SCHEMES] for form in FORMS.values()]
+    drift, error = conserved_velocity_drift(alpha, gamma)
+    return xr.Dataset(
+        {
+            **_fitted("quotient_power", "power of h in a difference quotient", "beta", powers),
+            **_fitted("observed_order", "observed order of convergence", "scheme", orders),
+            "conserved_velocity_drift": (
+                (),
+                drift,
+                {
+                    "long_name": "largest distance of w_n to v_p far behind a front",
+                    "error_estimate": error,
+                    "error_method": "of the relative displacements and velocities of the chain",
+                },
+            ),
+        },
+        {
+            "variables": ("variables", list(FORMS), {"long_name": "variables of the chain"}),
+            "beta": list(betas),
+            "scheme": list(SCHEMES),
+        },
+    )
+
+
+def _fitted(name, meaning, dimension, pairs):
+    """Fitted slopes, and beside them their errors."""
+    values, errors = np.moveaxis(np.array(pairs), -1, 0)
+    dims = ("variables", dimension)
+    described = {"long_name": meaning, "error_estimate": float(errors.max())}
+    return {
+        name: (dims, values, {**described, "error_method": FITTED}),
+        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
+    }
+
+
+def slope(x, y):
+    """Slope of a line through the logarithms, and how much it differs between two halves."""
+    x, y = np.log(x), np.log(y)
+    middle = x.size // 2
+    halves = [
+        np.polyfit(x[part], y[part], 1)[0] for part in (slice(middle + 1), slice(middle, None))
+    ]
+    return float(np.polyfit(x, y, 1)[0]), abs(float(halves[0] - halves[1]))
+
+
+def quotient_power(form, law):
+    """Power of h in the difference quotient of the right-hand side where a contact closes."""
+    quotients = []
+    for compression in COMPRESSIONS:
+        opened, closed = (
+            right_hand_side(form, law, np.array([h, 0.0, 1.0, 0.0])) for h in (0.0, compression)
+        )
+        quotients.append(np.abs(closed - opened).max() / compression)
+    return slope(COMPRESSIONS, np.array(quotients))
+
+
+def right_hand_side(form, law, state):
+    """Time derivative of (x, ẋ) or (x, w) of beads on which nothing presses."""
+    result = np.empty_like(state)
+    position_forms.derivative(form, law, FREE, state, result)
+    return result
+
+
+def observed_order(form, law, scheme):
+    """Order of the velocity after a collision, and how far two halves of the steps disagree."""
+    parting = -restitution(law.gamma, law.alpha, law.beta)
+    errors = [
+        np.median([abs(part_beads(form, law, scheme, gap, steps) - parting) for gap in GAPS])
+        for steps in STEP_COUNTS
+    ]
+    order, change = slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
+    return -order, change
+
+
+def part_beads(form, law, scheme, gap, steps):
+    """Relative velocity ẋ_1 − ẋ_2 after bead 1 has come with velocity 1 from a distance."""
+    start = np.array([-gap, 0.0, 1.0, 0.0])
+    h = COLLISION_END / steps
+    state = position_forms.integrate_by_stages(form, law, FREE, start, h, steps, *SCHEMES[scheme])
+    return state[2] - state[3]
+
+
+def conserved_velocity_drift(alpha, gamma):
+    """Largest |w_n − v_p| far behind a front, at all times, and the error of the chain."""
+    compressed = np.arange(BEADS) < COMPRESSED
+    start = {
+        "kind": "given",
+        "relative_displacement": compressed[:-1].astype(float),
+        "velocity": compressed.astype(float),
+    }
+    motion = simulate_chain(
+        {
+            "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
+            "beads": BEADS,
+            "boundary": {"kind": "pressure", "left": 1.0, "right": 0.0},
+            "start": start,
+            "end_time": END_TIME,
+            "tolerance": {"relative": 1.0e-13, "absolute": 1.0e-15},
+            "record": {"snapshots": list(np.linspace(0.0, END_TIME, 9))},
+        },
+        "choice of variables",
+    )
+    boundary = Boundary(ring=False, left=1.0, right=0.0)
+    w = [
+        velocity - velocity_correction(u, boundary, alpha, gamma)
+        for u, velocity in zip(
+            motion["relative_displacement"].values, motion["velocity"].values, strict=True
+        )
+    ]
+    error = max(motion[name].attrs["error_estimate"] for name in motion.data_vars)
+    return float(np.abs(np.array(w)[:, :FAR] - 1.0).max()), (1.0 + 4.0 * gamma * alpha) * error

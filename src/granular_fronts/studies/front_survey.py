@@ -1,0 +1,103 @@
+r"""Exact fronts over the plane of exponent and damping, and how far continuum fronts are from them.
+
+In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends on α and γ alone.  At each point
+of a grid the front is solved, its properties are kept, and each continuum front of
+`granular_fronts.studies.continuum_fronts` is compared with it: `distance_<front>` is the largest
+absolute difference of u over all ξ where either front has not come to rest.
+"""
+
+import math
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
+from granular_fronts.errors import NoFrontError
+from granular_fronts.fronts.linear.critical_damping import critical_damping
+from granular_fronts.fronts.linear.tails import tail_roots
+from granular_fronts.fronts.properties import MEASURES
+from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.studies.continuum_fronts import (
+    HETEROCLINIC,
+    LOGARITHMIC,
+    UNLIMITED,
+    continuum_fronts,
+)
+
+POINTS = 8001
+"""Points at which two fronts are compared, between where both have come to rest."""
+
+REST = 40.0
+"""−ln u of (45) from which on it is at rest, far below round-off."""
+
+
+def survey_fronts(exponents, dampings):
+    """Solve a front at each exponent and damping.
+
+    Parameters
+    ----------
+    exponents, dampings : sequence of float
+        α > 1 and γ > 0 for δ = c = 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        On (alpha, gamma): `overshoot`, `width_10_90`, `slope`, `dissipated_power`, `speed_defect`,
+        `residual`, `error`, `converged`, the leading tail root (`tail_rate`, `tail_frequency`),
+        `mu_heteroclinic` and `distance_<front>`; on (alpha): `critical_damping`.
+    """
+    rows = [[survey_front(alpha, gamma) for gamma in dampings] for alpha in exponents]
+    names = rows[0][0]
+    survey = xr.Dataset(
+        {
+            name: (("alpha", "gamma"), np.array([[point[name] for point in row] for row in rows]))
+            for name in names
+        },
+        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)},
+    )
+    survey["critical_damping"] = ("alpha", [critical_damping(alpha) for alpha in exponents])
+    return survey
+
+
+def survey_front(alpha, gamma):
+    """One point of the survey, as a mapping of numbers."""
+    front = solve_front(alpha, gamma)
+    if not front.attrs["converged"]:
+        raise NoFrontError(f"alpha = {alpha}, gamma = {gamma}: {front.attrs['reason']}.")
+    root = tail_roots(alpha, gamma, count=1)[0]
+    return {
+        **{name: front.attrs[name] for name in MEASURES},
+        "speed_defect": front.attrs["speed_defect"],
+        "residual": front.attrs["residual"],
+        "error": front.attrs["error_estimate"],
+        "converged": front.attrs["converged"],
+        "tail_rate": root.real,
+        "tail_frequency": root.imag,
+        "mu_heteroclinic": amplitude_of_chain(alpha, gamma).mu,
+        **distances(front),
+    }
+
+
+def distances(front):
+    """Largest difference of each continuum front to an exact one.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+        Of `solve_front`, with β = α.
+
+    Returns
+    -------
+    dict of float
+        Under `distance_<front>`.
+    """
+    alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
+    # (45) is the continuum front that comes to rest last.
+    last = math.log(REST / math.log(2.0)) * alpha * gamma / (alpha - 1.0)
+    xi = np.linspace(front["xi"].values[0], max(front["xi"].values[-1], last), POINTS)
+    exact = evaluate_front(front, xi)
+    approximations = continuum_fronts(alpha, gamma, xi)
+    return {
+        f"distance_{name}": float(np.abs(approximations[name][0] - exact).max())
+        for name in (LOGARITHMIC, UNLIMITED, HETEROCLINIC)
+    }

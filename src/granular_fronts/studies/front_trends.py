@@ -1,0 +1,165 @@
+r"""How fronts change with velocity, pressure and exponent; James (2021), sections 1 and 3.3.
+
+Velocity.  A front behind which the beads move at :math:`v_p` has, normalised,
+:math:`\gamma \propto v_p^{2\beta/(\alpha+1)-1}` (29).  With γ critical at :math:`v_p = 1`, the
+slowest exponent of its tail is complex on one side of this velocity and real on the other.
+
+Pressure.  The tail of a front of any lattice from the compression δ into rest obeys
+
+.. math:: c^2\lambda^2 = \bigl(V''(-\delta) - cW''(-\delta)\lambda\bigr)(2\cosh\lambda - 2)
+
+with the c of (14).  The γ at which its slowest exponent ceases to be complex is found by bisection.
+
+Exponent.  At fixed μ (54) the width of fronts grows like the scale of s, :math:`(1 -
+1/\alpha)^{-1/2}`, as α → 1; at a fixed γ and α it stays finite as δ → 0.  Solitary waves become
+Gaussian (see `solitary_waves`).
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.fronts.linear.critical_damping import critical_damping
+from granular_fronts.fronts.linear.tails import tail_roots
+from granular_fronts.fronts.solitary_waves import (
+    POINTS_PER_BEAD,
+    SETTLED,
+    gaussian,
+    solitary_wave,
+)
+from granular_fronts.fronts.solve import NoFrontError, solve_front
+from granular_fronts.model.jump_conditions import jump_conditions
+from granular_fronts.model.potentials import generalised_hertz
+
+BISECTIONS = 45
+ROOTS = {"error_estimate": 1.0e-14, "error_method": "a few units of the last digit"}
+BISECTION = {"error_estimate": 1.0e-11, "error_method": "width of the last interval"}
+
+
+def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponents, mu):
+    """Tails, critical dampings, widths and solitary waves along families of fronts.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of the elastic force where it is fixed, above 1.
+    betas : sequence of float
+        Exponents of the viscous force, 1 or more, for `tail_frequency`.
+    piston_velocities : sequence of float
+        v_p over that at which damping is critical.
+    displacements : sequence of float
+        δ behind fronts with β = α, for `critical_gamma` and `width_of_displacement`.
+    gamma : float
+        Damping of the fronts whose width is followed to small δ.
+    exponents : sequence of float
+        Exponents α towards 1, for `width_of_exponent` and the solitary waves.
+    mu : float
+        Their μ.
+
+    Returns
+    -------
+    xarray.Dataset
+        `tail_frequency` on (beta, piston_velocity), 0 for a monotone tail; `critical_gamma` and
+        `width_of_displacement` on (displacement,); `width_of_exponent`, `solitary_peak`, the
+        largest u, and `gaussian_distance`, over the peak, on (exponent,).
+
+    Raises
+    ------
+    NoFrontError
+        If a front is not found.
+    """
+    frequencies = [
+        [tail_frequency(alpha, beta, velocity) for velocity in piston_velocities] for beta in betas
+    ]
+    critical = [critical_gamma(alpha, displacement) for displacement in displacements]
+    normalised = [gamma * displacement ** ((alpha - 1.0) / 2.0) for displacement in displacements]
+    thin = [front_width(alpha, damping) for damping in normalised]
+    wide = [front_width(a, mu * np.sqrt((1.0 - 1.0 / a) / 12.0)) for a in exponents]
+    waves = np.array([solitary_shape(a) for a in exponents])
+    front_method = "difference of the front to a refined one"
+    wave_method = "change on a grid of twice the points"
+    return xr.Dataset(
+        {
+            "tail_frequency": (("beta", "piston_velocity"), frequencies, ROOTS),
+            "critical_gamma": ("displacement", critical, BISECTION),
+            "width_of_displacement": _family(
+                "displacement", thin, "width of a front in beads", front_method
+            ),
+            "width_of_exponent": _family(
+                "exponent", wide, "width of a front in beads", front_method
+            ),
+            "solitary_peak": _family(
+                "exponent", waves[:, 0], "largest compression of a solitary wave", wave_method
+            ),
+            "gaussian_distance": _family(
+                "exponent",
+                waves[:, 1],
+                "distance of a solitary wave to the Gaussian, over the peak",
+                wave_method,
+            ),
+        },
+        {
+            "beta": list(betas),
+            "piston_velocity": list(piston_velocities),
+            "displacement": (
+                "displacement",
+                list(displacements),
+                {"long_name": "compression behind the front"},
+            ),
+            "exponent": ("exponent", list(exponents), {"long_name": "exponent of both forces"}),
+        },
+    )
+
+
+def _family(dimension, pairs, meaning, method):
+    """A variable from pairs of value and error."""
+    values, errors = np.moveaxis(np.array(pairs), -1, 0)
+    attributes = {"error_estimate": float(errors.max()), "error_method": method}
+    return dimension, values, {"long_name": meaning, **attributes}
+
+
+def tail_frequency(alpha, beta, velocity):
+    """Im λ of the slowest exponent of a tail, with critical damping at the velocity 1."""
+    gamma = critical_damping(alpha, beta) * velocity ** (2.0 * beta / (alpha + 1.0) - 1.0)
+    return float(tail_roots(alpha, gamma, beta, count=1)[0].imag)
+
+
+def critical_gamma(alpha, displacement):
+    """γ of (28), β = α, at which the tail of a front from δ into rest ceases to oscillate."""
+    elastic = generalised_hertz(alpha)
+    behind = np.array([-displacement])
+    speed = jump_conditions(elastic, -displacement, 0.0).speed
+    stiffness = float(elastic.second(behind)[0])
+
+    def oscillates(gamma):
+        viscosity = float(generalised_hertz(alpha, gamma).second(behind)[0])
+        slope = speed * viscosity / stiffness
+        # The exponent and damping of the normalised chain with this tail.
+        return tail_roots(stiffness / speed**2, slope, count=1)[0].imag > 0.0
+
+    low, high = 1.0e-3 / speed, 1.0e3 / speed
+    for _ in range(BISECTIONS):
+        middle = np.sqrt(low * high)
+        low, high = (middle, high) if oscillates(middle) else (low, middle)
+    return float(np.sqrt(low * high))
+
+
+def front_width(alpha, gamma):
+    """Distance from 90 to 10 per cent of an exact front, in beads, and its error."""
+    front = solve_front(alpha, gamma)
+    if not front.attrs["converged"]:
+        raise NoFrontError(
+            f"No front for alpha = {alpha}, gamma = {gamma:.6g}: {front.attrs['reason']}."
+        )
+    return front.attrs["width_10_90"], front.attrs["width_10_90_error"]
+
+
+def solitary_shape(alpha):
+    """Peak of a solitary wave and its distance to the Gaussian, each with its error."""
+    wave, refined = (solitary_wave(alpha, n * POINTS_PER_BEAD) for n in (1, 2))
+    pairs = zip(_shape(alpha, wave), _shape(alpha, refined), strict=True)
+    return [(value, abs(value - other) + SETTLED) for value, other in pairs]
+
+
+def _shape(alpha, wave):
+    exact, peak = gaussian(alpha, wave.xi), float(wave.u.max())
+    return peak, float(np.abs(wave.u / peak - exact / exact.max()).max())

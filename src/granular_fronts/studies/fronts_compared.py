@@ -1,0 +1,105 @@
+r"""One front by every road: profile equation, shooting, a driven chain, three continuum models.
+
+Everything is shown in the frame δ = c = 1 with the phase u(0) = 1/2, where u is
+`relative_displacement` and the velocity is in units of :math:`\delta^{(\alpha+1)/2}`.  The profile
+method gives the reference on a regular grid of ξ; each other road is compared with it where that
+road is known: shooting on a grid of its own, the chain at its beads, the continuum fronts on ξ.
+
+Each variable of another road carries its `distance` to the exact front, the largest absolute
+difference over the window.  There is no freedom to shift in it, since all have the same phase.
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.errors import NoFrontError
+from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.model.amplitude_scaling import make_slow_scales
+from granular_fronts.numerics.grids import regular_points
+from granular_fronts.scenes.validation import check_scene
+from granular_fronts.studies.continuum_fronts import continuum_fronts
+from granular_fronts.studies.driven_front import drive_front
+
+FIELDS = ("relative_displacement", "velocity")
+CONTINUUM_METHOD = "a formula, or an orbit solved to a few units of the last digit"
+LAST_DIGIT = 2.0**-52
+
+
+def compare_front(scene, name="given"):
+    """Solve a front by both exact methods and set the approximations beside it.
+
+    Parameters
+    ----------
+    scene : mapping
+        One entry of `scenes.front` of the configuration.
+    name : str, optional
+        What error messages call the scene.
+
+    Returns
+    -------
+    xarray.Dataset
+        `relative_displacement` and `velocity` on `xi` and, with a suffix, by each other road:
+        `_shooting` on `xi_shooting`, `_driven` on `xi_driven`, each continuum front on `xi`;
+        `<field>_difference` is that of the two exact methods on `xi_shooting`.
+        `residual_history_<method>` on `iteration_<method>` tells of the two exact methods.  The
+        properties of the front are attributes, as those of `solve_front`.
+
+    Raises
+    ------
+    InputError
+        If the scene is impossible.
+    NoFrontError
+        If one of the two methods does not converge.
+    """
+    scene = check_scene("front", scene, name)
+    alpha, gamma = scene["law"]["alpha"], normalised_damping(scene)
+    front, shot = (_solve(alpha, gamma, method, name) for method in ("profile", "shooting"))
+    xi = regular_points(**scene["window"])
+    coordinate = {"xi": ("xi", xi, front["xi"].attrs)}
+    dataset = xr.Dataset(coords=coordinate, attrs=front.attrs)
+    for field in FIELDS:
+        exact = evaluate_front(front, xi, field)
+        dataset[field] = ("xi", exact, _errors(front[field]))
+    seen = shot.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_shooting")
+    driven = drive_front(alpha, gamma, scene["driven_bead"], name)
+    driven = driven.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_driven")
+    for road, other in (("shooting", seen), ("driven", driven)):
+        for field in FIELDS:
+            dataset[f"{field}_{road}"] = _with_distance(other[field], front, field)
+    for field in FIELDS:
+        exact = evaluate_front(front, seen["xi_shooting"].values, field)
+        dataset[f"{field}_difference"] = seen[field] - exact
+    for road, values in continuum_fronts(alpha, gamma, xi).items():
+        for field, value in zip(FIELDS, values, strict=True):
+            attributes = {"error_estimate": LAST_DIGIT, "error_method": CONTINUUM_METHOD}
+            variable = xr.DataArray(value, {"xi": xi}, attrs=attributes)
+            dataset[f"{field}_{road}"] = _with_distance(variable, front, field)
+    for method, solution in (("profile", front), ("shooting", shot)):
+        history = solution["residual_history"].rename(iteration=f"iteration_{method}")
+        dataset[f"residual_history_{method}"] = history
+    return dataset
+
+
+def normalised_damping(scene):
+    """γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
+    law = scene["law"]
+    return law["gamma"] * make_slow_scales(**law, delta=scene["displacement"]).speed
+
+
+def _solve(alpha, gamma, method, name):
+    front = solve_front(alpha, gamma, method=method)
+    if not front.attrs["converged"]:
+        raise NoFrontError(f"Scene {name}: no front by {method}: {front.attrs['reason']}.")
+    return front
+
+
+def _errors(variable):
+    return {key: variable.attrs[key] for key in ("error_estimate", "error_method")}
+
+
+def _with_distance(variable, front, field):
+    """A variable with its largest difference to the exact front."""
+    (dimension,) = variable.dims
+    exact = evaluate_front(front, variable[dimension].values, field)
+    distance = float(np.abs(variable.values - exact).max())
+    return variable.assign_attrs(distance=distance)

@@ -1,0 +1,216 @@
+r"""Hard cases of a driven chain: extremes of the law, the pressure, the length and the time.
+
+Unless a case says otherwise, :math:`\delta = 1`, so that a front runs with :math:`c = 1`, on a
+chain at rest; the run ends before the front reaches the free end.  Answers come from
+
+- `extended`: another method in other variables and 80-bit arithmetic,
+- the scaling (27)-(30): with :math:`x = \delta\hat x`,
+  :math:`t = \delta^{(1-\alpha)/2}\,\hat t` and
+  :math:`\gamma = \delta^{(1-\alpha)/2}\hat\gamma` (for :math:`\beta = \alpha`) the motion does
+  not depend on δ,
+- symmetries, balance laws and closed solutions.
+"""
+
+import functools
+
+import numpy as np
+
+from granular_fronts.chain.simulate import solve
+from granular_fronts.studies.hard_cases.extended import Motion, reference_state
+from granular_fronts.studies.hard_cases.record import HardCase
+
+TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
+BEADS, END_TIME = 40, 30.0
+AGAINST_EXTENDED = "distance of u and ẋ at the end from extrapolation in 80-bit arithmetic"
+
+
+def make_scene(law, beads, end_time, left=1.0, right=0.0, start=None, **changes):
+    """A chain between two held displacements, recorded at its end.
+
+    Parameters
+    ----------
+    law : mapping
+        Exponents `alpha`, `beta` and damping `gamma`.
+    start : tuple of ndarray, optional
+        Relative displacements (N − 1,) and velocities (N,); rest if absent.
+    **changes
+        Further keys of the scene.
+    """
+    scene = {
+        "law": law,
+        "beads": beads,
+        "boundary": {"kind": "pressure", "left": left, "right": right},
+        "start": {"kind": "rest"},
+        "end_time": end_time,
+        "tolerance": TOLERANCE,
+        "record": {"snapshots": [end_time], "balances": True},
+    }
+    if start is not None:
+        u, velocity = (list(part) for part in start)
+        scene["start"] = {"kind": "given", "relative_displacement": u, "velocity": velocity}
+    return scene | changes
+
+
+def final_state(scene):
+    """Fields u and ẋ at the last snapshot, and the drifts of the balance laws."""
+    solution = solve(scene, scene["tolerance"])
+    final = solution.dataset.isel(t=-1)
+    return final["relative_displacement"].values, final["velocity"].values, solution.drifts
+
+
+def kuwabara_kono(alpha, gamma):
+    """The law with β = α."""
+    return {"alpha": alpha, "beta": alpha, "gamma": gamma}
+
+
+def distance(u, velocity, reference):
+    """Largest difference of both fields from a reference, with the error of the reference."""
+    return reference.error + max(
+        float(np.abs(u - reference.relative_displacement).max()),
+        float(np.abs(velocity - reference.velocity).max()),
+    )
+
+
+def initiation(law, expected, beads=BEADS, end_time=END_TIME, right=0.0, start=None, limit=1.0e-12):
+    """A chain driven from the left, against the extrapolation method.
+
+    Parameters
+    ----------
+    law : mapping
+    expected : str
+    right : float
+        Relative displacement held at the right end.
+    start : tuple of ndarray, optional
+        As in `make_scene`.
+    limit : float
+    """
+    scene = make_scene(law, beads, end_time, right=right, start=start)
+    u, velocity, _ = final_state(scene)
+    rest = np.zeros(beads - 1), np.zeros(beads)
+    motion = Motion(law, 1.0, right, *(start or rest))
+    reference = reference_state(motion, end_time)
+    alpha, beta, gamma = law["alpha"], law["beta"], law["gamma"]
+    return HardCase(
+        problem=f"initiation, α = {alpha:g}, β = {beta:g}, γ = {gamma:g}, δ = 1, N = {beads}, "
+        f"to t = {end_time:g}",
+        expected=expected,
+        criterion=AGAINST_EXTENDED,
+        quantity="largest u at the end",
+        measured=float(u.max()),
+        error=distance(u, velocity, reference),
+        limit=limit,
+    )
+
+
+def without_damping():
+    """γ = 0: the conservative chain of beads."""
+    return initiation(kuwabara_kono(1.5, 0.0), "a train of solitary waves, energy conserved")
+
+
+def damping(gamma, **changes):
+    """Initiation at α = 3/2 and a given damping."""
+    return initiation(kuwabara_kono(1.5, gamma), "a front", **changes)
+
+
+def exponent(alpha):
+    """Initiation at a given exponent α = β, γ = 0.1."""
+    return initiation(kuwabara_kono(alpha, 0.1), "a front")
+
+
+def damping_exponent(beta):
+    """Initiation with a viscous force of its own exponent, α = 3/2, γ = 0.3."""
+    law = {"alpha": 1.5, "beta": beta, "gamma": 0.3}
+    return initiation(law, "a front")
+
+
+def precompression():
+    """Contacts that touch by 10⁻¹²: force and stiffness are tiny, but nowhere zero."""
+    touch = 1.0e-12
+    start = np.full(BEADS - 1, touch), np.zeros(BEADS)
+    case = initiation(
+        kuwabara_kono(1.5, 0.1), "the front of the uncompressed chain", right=touch, start=start
+    )
+    return case._replace(problem=f"precompression u = {touch:g}, {case.problem}")
+
+
+def scaling(delta):
+    """A run at another pressure, scaled by (27)-(30), is the run at δ = 1."""
+    alpha, gamma = 1.5, 0.1
+    time_scale = delta ** ((1.0 - alpha) / 2.0)
+    u, velocity, _ = final_state(make_scene(kuwabara_kono(alpha, gamma), BEADS, END_TIME))
+    scaled = make_scene(
+        kuwabara_kono(alpha, gamma * time_scale),
+        BEADS,
+        END_TIME * time_scale,
+        left=delta,
+        tolerance={"relative": TOLERANCE["relative"], "absolute": TOLERANCE["absolute"] * delta},
+    )
+    u_scaled, velocity_scaled, _ = final_state(scaled)
+    errors = u_scaled / delta - u, velocity_scaled * time_scale / delta - velocity
+    return HardCase(
+        problem=f"δ = {delta:g}, α = β = 3/2, γ = {gamma * time_scale:g}, N = {BEADS}, "
+        f"to t = {END_TIME * time_scale:g}",
+        expected="the run at δ = 1, scaled",
+        criterion="relative distance from the scaled run at δ = 1",
+        quantity="largest u/δ at the end",
+        measured=float(u_scaled.max() / delta),
+        error=max(float(np.abs(error).max()) for error in errors),
+        limit=1.0e-12,
+    )
+
+
+def colliding_fronts():
+    """Equal pressure at both ends: two fronts meet in the middle, each the mirror of the other."""
+    law = kuwabara_kono(1.5, 0.3)
+    case = initiation(law, "mirror symmetry, and no contact opens", end_time=25.0, right=1.0)
+    u, velocity, _ = final_state(make_scene(law, BEADS, 25.0, right=1.0))
+    mirrored = np.abs(u[:-1] - u[-2::-1]).max(), np.abs(velocity + velocity[::-1]).max()
+    return case._replace(
+        problem=f"two fronts meet, {case.problem}",
+        criterion=f"{AGAINST_EXTENDED}, and from its own mirror image",
+        error=max(case.error, *map(float, mirrored)),
+    )
+
+
+def many_beads(beads=100_000, period=25):
+    """N = 10⁵: a ring of many copies of one period moves like the ring of that period."""
+    phase = 2.0 * np.pi * np.arange(period) / period
+    start = 1.0 + 0.5 * np.cos(2.0 * phase), 0.15 * np.sin(phase)
+    copies = beads // period
+    states = []
+    for repeats in (1, copies):
+        tiled = [np.tile(part, repeats) for part in start]
+        scene = make_scene(kuwabara_kono(1.5, 0.1), repeats * period, 10.0, start=tiled)
+        states.append(final_state(scene | {"boundary": {"kind": "ring"}}))
+    (u, velocity, _), (u_many, velocity_many, drifts) = states
+    errors = u_many - np.tile(u, copies), velocity_many - np.tile(velocity, copies)
+    return HardCase(
+        problem=f"N = {beads}, a ring of {copies} equal waves, α = β = 3/2, γ = 0.1, to t = 10",
+        expected="every wave is that of a ring of its own",
+        criterion=f"distance from the ring of {period} beads, and relative drift of momentum",
+        quantity="largest u at the end",
+        measured=float(u_many.max()),
+        error=max(*(float(np.abs(error).max()) for error in errors), drifts["momentum_drift"]),
+        limit=1.0e-12,
+    )
+
+
+CASES = {
+    "gamma_zero": without_damping,
+    "gamma_1e_6": functools.partial(damping, 1.0e-6),
+    "gamma_1e_3": functools.partial(damping, 1.0e-3),
+    "gamma_5": functools.partial(damping, 5.0),
+    "gamma_50": functools.partial(damping, 50.0, beads=20, end_time=10.0),
+    "alpha_1_001": functools.partial(exponent, 1.001),
+    "alpha_1_02": functools.partial(exponent, 1.02),
+    "alpha_3": functools.partial(exponent, 3.0),
+    "alpha_5": functools.partial(exponent, 5.0),
+    "alpha_10": functools.partial(exponent, 10.0),
+    "beta_1": functools.partial(damping_exponent, 1.0),
+    "beta_alpha_plus_1": functools.partial(damping_exponent, 2.5),
+    "delta_1e_8": functools.partial(scaling, 1.0e-8),
+    "delta_1e8": functools.partial(scaling, 1.0e8),
+    "precompression_1e_12": precompression,
+    "colliding_fronts": colliding_fronts,
+    "many_beads": many_beads,
+}

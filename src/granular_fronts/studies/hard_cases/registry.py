@@ -1,0 +1,45 @@
+"""All hard cases by name, and how one is run."""
+
+import time
+
+from granular_fronts.studies.hard_cases import (
+    chain_cases,
+    contact_cases,
+    continuum_cases,
+    front_cases,
+)
+
+CASES = chain_cases.CASES | contact_cases.CASES | continuum_cases.CASES | front_cases.CASES
+"""Name of each case and the function that solves it and returns a `record.HardCase`."""
+
+
+def run_case(name):
+    """Solve a case.
+
+    Parameters
+    ----------
+    name : str
+        A key of `CASES`.
+
+    Returns
+    -------
+    case : record.HardCase or None
+        None if the solver refused.
+    seconds : float
+        Process time, the reference included.
+    refusal : str
+        What the solver said, empty if it finished.
+
+    Raises
+    ------
+    ValueError
+        If there is no such case.
+    """
+    if name not in CASES:
+        raise ValueError(f"{name} is no hard case: choose one of {', '.join(CASES)}.")
+    started = time.process_time()
+    try:
+        case, refusal = CASES[name](), ""
+    except ValueError as error:
+        case, refusal = None, str(error)
+    return case, time.process_time() - started, refusal

@@ -1,0 +1,234 @@
+r"""Limits of the theory of fronts and of its continuum limit; James (2021), sections 2 to 4.
+
+No front.  A chain at rest is pressed from t = 0 on.  Without damping (W = 0, remark 4) the
+oscillations behind the wave fill a region that grows with it: the range of u over 0.5 to 0.8 of its
+way does not fall, while any damping makes it vanish.  With a quadratic V (α = 1, remark 3) the wave
+spreads: its width grows like :math:`t^{1/2}`, while that of a front of α > 1 settles.
+
+Softening.  For α < 1 the speed (14) between the strains −1 and :math:`R_+ \to 0^-` tends to the −1
+of (21): the front runs towards the compressed beads.
+
+Collision.  Two beads meet elastically with the velocity :math:`v_0`; by (27) they stay in contact
+for a time :math:`\propto v_0^{(1-\alpha)/(1+\alpha)}` and reach a compression :math:`\propto
+v_0^{2/(\alpha+1)}`.
+
+Continuum.  Rings that start from the same rescaled force :math:`y^0(\xi)`, with the same γc, are
+followed to the same slow time τ for exponents that tend to 1: their distance to the logarithmic
+Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations`).
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.chain.measures import last_fall, recorded
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.model.amplitude_scaling import make_slow_scales
+from granular_fronts.model.jump_conditions import jump_conditions
+from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
+from granular_fronts.scenes.validation import raise_if_any
+from granular_fronts.studies.ring_against_equations import compare_with_chain
+
+TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
+BEHIND = slice(0.5, 0.8)
+"""Part of the way of the wave over which the range of u is taken."""
+
+ERROR_METHOD = "of the chain, or the change that leaving out every other bead makes"
+
+
+def measure_limiting_cases(
+    alpha,
+    weak_gamma,
+    strong_gamma,
+    beads,
+    end_time,
+    softening,
+    strains_ahead,
+    impact_velocities,
+    rings,
+):
+    """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of both forces of fronts and collisions, above 1.
+    weak_gamma, strong_gamma : float
+        Damping of a front that oscillates, and of waves whose width is compared.
+    beads : int
+        Of the pressed chains, which are longer than the waves run.
+    end_time : float
+        Of the pressed chains; they are also seen at a quarter of it.
+    softening : float
+        Exponent below 1.
+    strains_ahead : sequence of float
+        Compressions ahead of its front, −R₊ above 0.
+    impact_velocities : sequence of float
+        v₀ of the collisions.
+    rings : mapping
+        `exponents`, `gamma`, which is γc, and `half_length`, `half_width` and `slow_time` in units
+        of ξ and τ.
+
+    Returns
+    -------
+    xarray.Dataset
+        `oscillation` on (gamma, t) and `width` on (alpha, t), in units of the compression and in
+        beads; `softening_speed` on (strain_ahead,); `contact_time` and `indentation` on
+        (impact_velocity,); `ring_distance` on (exponent,), the root mean square of the distance
+        of u/δ to the equation.
+
+    Raises
+    ------
+    InputError
+        If the pressed chains are too short for their waves, or the time is.
+    """
+    pressed = {"beads": beads, "end_time": end_time}
+    pressed |= {"weak_gamma": weak_gamma, "strong_gamma": strong_gamma}
+    raise_if_any([*pressed_chains_hold_waves(pressed)])
+    times = [0.25 * end_time, end_time]
+
+    def press(exponent, gamma):
+        return press_chain(exponent, gamma, beads, times)
+
+    oscillations = [
+        [oscillation_behind(profile) for profile in press(alpha, gamma)]
+        for gamma in (0.0, weak_gamma)
+    ]
+    widths = [
+        [wave_width(profile) for profile in press(exponent, strong_gamma)]
+        for exponent in (1.0, alpha)
+    ]
+    elastic = generalised_hertz(softening)
+    speeds = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
+    speeds = [(theory.speed, theory.speed_error) for theory in speeds]
+    times_and_depths = np.array([collide(alpha, velocity) for velocity in impact_velocities])
+    distances = [ring_distance(exponent, rings) for exponent in rings["exponents"]]
+    return xr.Dataset(
+        {
+            **_described(
+                "ring_distance", ("exponent",), distances, "distance of a ring to its equation"
+            ),
+            **_described("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
+            **_described("width", ("alpha", "t"), widths, "width of the wave"),
+            **_described("softening_speed", ("strain_ahead",), speeds, "speed of the front"),
+            **_described(
+                "contact_time",
+                ("impact_velocity",),
+                times_and_depths[:, 0],
+                "time for which two beads are in contact",
+            ),
+            **_described(
+                "indentation",
+                ("impact_velocity",),
+                times_and_depths[:, 1],
+                "largest compression of two beads",
+            ),
+        },
+        {
+            "gamma": [0.0, weak_gamma],
+            "alpha": [1.0, alpha],
+            "t": times,
+            "exponent": _axis("exponent", rings["exponents"], "exponent of both forces"),
+            "strain_ahead": _axis("strain_ahead", strains_ahead, "compression ahead of the front"),
+            "impact_velocity": _axis(
+                "impact_velocity", impact_velocities, "relative velocity of an impact"
+            ),
+        },
+    )
+
+
+def _described(name, dims, pairs, meaning):
+    """A variable and its errors, from pairs of both."""
+    values, errors = np.moveaxis(np.array(pairs), -1, 0)
+    attributes = {"error_estimate": float(errors.max()), "error_method": ERROR_METHOD}
+    return {
+        name: (dims, values, {"long_name": meaning, **attributes}),
+        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
+    }
+
+
+def _axis(name, values, meaning):
+    return name, list(values), {"long_name": meaning}
+
+
+def press_chain(alpha, gamma, beads, times):
+    """Relative displacements, shape (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
+    motion = simulate_chain(
+        {
+            "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
+            "beads": beads,
+            "boundary": {"kind": "pressure", "left": 1.0, "right": 0.0},
+            "start": {"kind": "rest"},
+            "end_time": times[-1],
+            "tolerance": TOLERANCE,
+            "record": {"snapshots": times},
+        },
+        f"pressed chain with alpha {alpha:g} and gamma {gamma:g}",
+    )
+    return motion["relative_displacement"].values[:, :-1]
+
+
+def oscillation_behind(profile):
+    """Range of u over a part of the way of a wave behind its front, and its error."""
+    way = last_fall(profile, np.arange(1.0, profile.size + 1.0), 0.5)
+    part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
+    value = float(np.ptp(part))
+    return value, abs(value - float(np.ptp(part[::2])))
+
+
+def wave_width(profile):
+    """Distance from 90 to 10 per cent, in beads, and its error."""
+    places = np.arange(1.0, profile.size + 1.0)
+    value, coarse = (
+        last_fall(profile[::stride], places[::stride], 0.1)
+        - last_fall(profile[::stride], places[::stride], 0.9)
+        for stride in (1, 2)
+    )
+    return value, abs(value - coarse)
+
+
+def collide(alpha, velocity):
+    """Time of contact and largest compression of two beads that meet elastically, with errors."""
+    motion = simulate_chain(
+        {
+            "law": {"alpha": alpha, "beta": alpha, "gamma": 0.0},
+            "beads": 2,
+            "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
+            "start": {"kind": "given", "relative_displacement": [0.0], "velocity": [velocity, 0.0]},
+            "end_time": 10.0 * velocity ** ((1.0 - alpha) / (1.0 + alpha)),
+            "tolerance": TOLERANCE,
+            "record": {"snapshots": [], "extremes": True},
+        },
+        f"collision with velocity {velocity:g}",
+    )
+    return recorded(motion, "first_gap_time"), recorded(motion, "largest_relative_displacement")
+
+
+def ring_distance(alpha, rings):
+    """Root mean square of u/δ of a ring less that of equation (41) at the slow time, and its error.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of both forces, above 1.
+    rings : mapping
+        As in `measure_limiting_cases`.
+    """
+    scales = make_slow_scales(alpha, rings["gamma"], 1.0)
+    end = rings["slow_time"] / scales.slow_rate
+    solver = {"cells": 512, "tolerance": 1.0e-6}
+    compared = compare_with_chain(
+        {
+            "law": {"alpha": alpha, "gamma": rings["gamma"]},
+            "displacement": 1.0,
+            "half_beads": round(rings["half_length"] / scales.epsilon + 0.5),
+            "start": {"kind": "plateau", "half_width": rings["half_width"], "floor": 1.0e-7},
+            "end_time": end,
+            "tolerance": {"relative": 1.0e-10, "absolute": 1.0e-12},
+            "equations": {"logarithmic": solver, "unlimited": solver, "upwind": {"points": 500}},
+            "record": {"snapshots": [0.0, end], "grid": {"step": end / 4.0}},
+        },
+        f"ring with alpha {alpha:g}",
+    )
+    names = (f"relative_displacement_{kind}_logarithmic" for kind in ("rms", "floor"))
+    return tuple(float(compared[name][-1]) for name in names)

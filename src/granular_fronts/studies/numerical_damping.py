@@ -1,0 +1,190 @@
+r"""The θ-method on a conservative chain beside the damped chain it stands for.
+
+The method with step h damps like the Kuwabara-Kono law with :math:`\gamma = (2\theta - 1)h` (see
+`reference_methods.theta_method`).  Both chains are pressed at one end; the damped one is solved
+accurately and starts as the method's own modified equation does: rest of the method, v = 0, means
+:math:`\dot x_1 = \tfrac\gamma2\delta^\alpha`.  Their distance at the end,
+
+.. math:: \max_n |u_n^{\theta} - u_n^{\gamma}|/\delta,
+
+falls as h² where h alone is made smaller and γ falls with it; the distance of the method to the
+conservative chain falls as h only.  The order sets in late: behind a front of damping γ about 1/γ
+oscillations follow, and their shifts add up.
+
+Other schemes.  To first order in h any Runge-Kutta method of order 1 solves :math:`\dot y = f +
+(\sum_i b_i c_i - \tfrac12)h\,f'f`, so that the class which damps like this is that of all schemes
+with :math:`\sum_i b_i c_i = \theta`.  The explicit one of two stages,
+
+.. math:: y' = y + h f\bigl(y + \theta h f(y)\bigr),
+
+stands beside the θ-method; large steps make it unstable, which is why it takes the smallest three.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import InputError, SolveError
+from granular_fronts.reference_methods.theta_method import NEWTON_TOLERANCE, integrate_from_rest
+
+ERROR_METHOD = "error of the damped chain, and Newton's tolerance times the number of steps"
+ORDER_METHOD = "change from the last pair of steps but one to the last"
+
+
+class Case(NamedTuple):
+    """A chain that is pressed at one end: α, δ, the number N of beads, the end of its motion."""
+
+    alpha: float
+    displacement: float
+    beads: int
+    end_time: float
+
+
+def measure_order(case, thetas, steps):
+    """Distances of the θ-method to damped chains and to the conservative one.
+
+    Parameters
+    ----------
+    case : Case
+        Its end is a multiple of every step.
+    thetas, steps : sequence of float
+        θ above 1/2, and three or more h, falling.
+
+    Returns
+    -------
+    xarray.Dataset
+        `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step);
+        on (theta,) the observed `order` of the first distance at the last two steps, and
+        `order_two_stages` of the explicit scheme of two stages.
+    """
+    conservative, rounding = damped_chain(case, 0.0)
+    shape = (len(thetas), len(steps))
+    to_damped, to_conservative = np.empty(shape), np.empty(shape)
+    errors, explicit = [rounding], np.full(shape, np.nan)
+    for row, theta in enumerate(thetas):
+        for column, step in enumerate(steps):
+            method, newton_error = theta_chain(case, theta, step)
+            damped, error = damped_chain(case, (2.0 * theta - 1.0) * step)
+            to_damped[row, column] = np.abs(method - damped).max() / case.displacement
+            to_conservative[row, column] = np.abs(method - conservative).max() / case.displacement
+            errors.append(error + newton_error)
+            if column >= len(steps) - 3:
+                stages = two_stage_chain(case, theta, step)
+                explicit[row, column] = np.abs(stages - damped).max() / case.displacement
+    distance = {"error_estimate": max(errors) / case.displacement, "error_method": ERROR_METHOD}
+    return xr.Dataset(
+        {
+            "gamma": (
+                ("theta", "step"),
+                np.outer(2.0 * np.asarray(thetas) - 1.0, steps),
+                {"error_estimate": float(np.finfo(float).eps), "error_method": "rounding"},
+            ),
+            "damping_distance": (("theta", "step"), to_damped, distance),
+            "conservative_distance": (("theta", "step"), to_conservative, distance),
+            "order": _last_orders(to_damped, steps),
+            "order_two_stages": _last_orders(explicit, steps),
+        },
+        {"theta": list(thetas), "step": list(steps)},
+    )
+
+
+def _last_orders(distances, steps):
+    """Observed orders at the last two steps, on (theta,)."""
+    orders = np.log(distances[:, -3:-1] / distances[:, -2:])
+    orders /= np.log(np.divide(steps[-3:-1], steps[-2:]))
+    change = float(np.abs(orders[:, 1] - orders[:, 0]).max())
+    return "theta", orders[:, 1], {"error_estimate": change, "error_method": ORDER_METHOD}
+
+
+def compare_profiles(case, theta, step):
+    """Relative displacements of the θ-method and of the chains with and without damping.
+
+    Returns
+    -------
+    xarray.Dataset
+        `relative_displacement_method`, `relative_displacement_damped` and
+        `relative_displacement_conservative` on (bead,).
+    """
+    method, newton_error = theta_chain(case, theta, step)
+    damped, error = damped_chain(case, (2.0 * theta - 1.0) * step)
+    conservative, conservative_error = damped_chain(case, 0.0)
+    solved = [
+        ("method", method, newton_error),
+        ("damped", damped, error),
+        ("conservative", conservative, conservative_error),
+    ]
+    return xr.Dataset(
+        {
+            f"relative_displacement_{name}": (
+                "bead",
+                values,
+                {"error_estimate": estimate, "error_method": ERROR_METHOD},
+            )
+            for name, values, estimate in solved
+        },
+        {"bead": np.arange(1, case.beads)},
+    )
+
+
+def theta_chain(case, theta, step):
+    """Relative displacements of the θ-method at the end, and the error of its implicit solves.
+
+    Raises
+    ------
+    InputError
+        If the steps miss the end.
+    SolveError
+        If Newton's method fails.
+    """
+    count = round(case.end_time / step)
+    if abs(count * step - case.end_time) > 1.0e-9 * case.end_time:
+        raise InputError(
+            f"end_time is {case.end_time}, but no whole number of steps {step} ends there: give a "
+            "multiple."
+        )
+    motion = integrate_from_rest(case.alpha, case.beads, case.displacement, 0.0, theta, step, count)
+    if not motion.converged:
+        raise SolveError(
+            f"Newton's method fails for theta {theta} and step {step}: give a smaller step."
+        )
+    return motion.u, NEWTON_TOLERANCE * count * case.displacement
+
+
+def two_stage_chain(case, theta, step):
+    """Relative displacements at the end by the explicit scheme of two stages."""
+
+    def slopes(state):
+        u, d = state
+        force = np.concatenate([[case.displacement], np.maximum(u, 0.0), [0.0]]) ** case.alpha
+        return np.array([d, force[:-2] - 2.0 * force[1:-1] + force[2:]])
+
+    state = np.zeros((2, case.beads - 1))
+    for _ in range(round(case.end_time / step)):
+        state = state + step * slopes(state + theta * step * slopes(state))
+    return state[0]
+
+
+def damped_chain(case, gamma):
+    """Relative displacements of the Kuwabara-Kono chain at the end, and their error."""
+    beads = case.beads
+    push = 0.5 * gamma * case.displacement**case.alpha
+    motion = simulate_chain(
+        {
+            "law": {"alpha": case.alpha, "beta": case.alpha, "gamma": gamma},
+            "beads": beads,
+            "boundary": {"kind": "pressure", "left": case.displacement, "right": 0.0},
+            "start": {
+                "kind": "given",
+                "relative_displacement": [0.0] * (beads - 1),
+                "velocity": [push] + [0.0] * (beads - 1),
+            },
+            "end_time": case.end_time,
+            "tolerance": {"relative": 1.0e-12, "absolute": 1.0e-14},
+            "record": {"snapshots": [case.end_time]},
+        },
+        f"damped chain with gamma {gamma:g}",
+    )
+    u = motion["relative_displacement"].isel(t=0)
+    return u.values[: beads - 1], float(u.attrs["error_estimate"])

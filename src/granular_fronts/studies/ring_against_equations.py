@@ -1,0 +1,191 @@
+r"""A wave on a ring of beads against its amplitude equations (James 2021, section 4.3).
+
+The ring of N = 2p − 1 beads starts from the rescaled force :math:`y^0` of the scene,
+
+.. math::
+
+    u_n(0) = \delta\, y^0(\varepsilon(n-p))^{1/\alpha}, \qquad
+    \dot x_n(0) = \delta^{(\alpha+1)/2}\, y^0(\varepsilon(n-p)),
+
+and is integrated as a chain (26).  The equations (50) and (40) start from the same :math:`y^0`, and
+give :math:`u_n` and :math:`\dot x_n` by (51) at :math:`\tilde\xi = \varepsilon(n - p - \tilde ct)`,
+modulo the length of the ring.
+
+Distances are taken over all N beads: `sup` is the largest absolute difference and `rms` the root
+mean square, of the compressions :math:`u_{n,+}/\delta` and of
+:math:`\dot x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that
+gaps count as no compression here; how deep they are is recorded by itself.  Beside the distances
+stands `floor`, what the solvers contribute to `sup`: the error estimate of the chain plus the
+difference of the equation to its refined run at the same beads and time (`evolution`).
+
+The paper's own scheme is run too, with the number of points of the scene, since the percentages it
+quotes contain the error of that scheme.
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.accuracy import error_attributes
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.continuum.log_burgers.evolution import (
+    ERROR_METHOD,
+    LOGARITHMIC,
+    UNLIMITED,
+    describe,
+    solve_twice,
+)
+from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.numerics.grids import regular_points
+from granular_fronts.reference_methods import upwind
+from granular_fronts.scenes.validation import check_scene
+
+SITES_PER_BEAD = 5
+FLOOR_METHOD = "of the two solutions compared, carried through"
+
+
+def compare_with_chain(scene, name="given"):
+    """Solve a periodic scene as a chain and by both amplitude equations.
+
+    Parameters
+    ----------
+    scene : mapping
+        One entry of `scenes.periodic` of the configuration.
+    name : str, optional
+        What error messages and progress bars call the scene.
+
+    Returns
+    -------
+    xarray.Dataset
+        The chain's `relative_displacement` and `velocity` on (t, bead) and on (t_grid, bead), and
+        its extremes; those of each equation on (t, site), site being a bead number that need not be
+        whole; distances and floors on (t_grid).
+
+    Raises
+    ------
+    InputError
+        If the scene is impossible.
+    SolveError
+        If a solver stops.
+    """
+    scene = check_scene("periodic", scene, name)
+    dataset = simulate_chain(make_chain_scene(scene), name)
+    for equation in (LOGARITHMIC, UNLIMITED):
+        solved = _solve_equation(scene, equation, dataset)
+        dataset = dataset.merge(solved, combine_attrs="no_conflicts")
+    return dataset.merge(_solve_upwind(scene, dataset), combine_attrs="no_conflicts")
+
+
+def make_chain_scene(scene):
+    """The chain scene of a checked periodic scene, with the start of section 4.3."""
+    law, scaling, record = scene["law"], scaling_of(scene), scene["record"]
+    force = make_start(scene["start"]).values(
+        start_positions(scene, bead_numbers(scene)), scaling.half_length(scene["half_beads"])
+    )
+    return {
+        "law": {"alpha": law["alpha"], "beta": law["alpha"], "gamma": law["gamma"]},
+        "beads": 2 * scene["half_beads"] - 1,
+        "boundary": {"kind": "ring"},
+        "start": {
+            "kind": "given",
+            "relative_displacement": scaling.displacement(force),
+            "velocity": scaling.velocity(force),
+        },
+        "end_time": scene["end_time"],
+        "tolerance": scene["tolerance"],
+        "record": {**record, "extremes": True, "balances": True},
+    }
+
+
+def bead_numbers(scene):
+    """1 … 2p − 1."""
+    return np.arange(1, 2 * scene["half_beads"])
+
+
+def start_positions(scene, site):
+    """ξ = ε(n − p) of bead numbers that need not be whole."""
+    return scaling_of(scene).epsilon * (np.asarray(site, dtype=float) - scene["half_beads"])
+
+
+def _solve_equation(scene, equation, chain):
+    """What one equation says, and how far from it the chain is."""
+    snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
+    grid = regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+    solutions = solve_twice(scene, equation, np.concatenate([snapshots, grid]))
+    beads = bead_numbers(scene)
+    site = np.linspace(beads[0], beads[-1], SITES_PER_BEAD * (beads.size - 1) + 1)
+    drawn = np.arange(snapshots.size)
+    compared = snapshots.size + np.arange(grid.size)
+    curves = [_forces(scene, solution, drawn, site) for solution in solutions]
+    at_beads = [_forces(scene, solution, compared, beads) for solution in solutions]
+    dataset = xr.Dataset(coords={"t": snapshots, "t_grid": grid, "site": site, "bead": beads})
+    for field, scale, convert in _fields(scene):
+        curve, finer_curve = map(convert, curves)
+        dataset[f"{field}_{equation}"] = (
+            ("t", "site"),
+            curve,
+            error_attributes(curve, finer_curve, ERROR_METHOD),
+        )
+        distances = _distances(chain[f"{field}_grid"], *map(convert, at_beads), scale)
+        for kind, distance in distances.items():
+            dataset[f"{field}_{kind}_{equation}"] = distance
+    facts = describe(solutions[0])
+    return dataset.assign_attrs({f"{equation}_{key}": value for key, value in facts.items()})
+
+
+def _forces(scene, solution, rows, sites):
+    """Rescaled force of an equation at bead numbers at the times of some rows."""
+    scaling = scaling_of(scene)
+    shift = scaling.epsilon * scaling.frame_speed * solution.times[rows]
+    xi = start_positions(scene, sites) - shift[:, None]
+    return np.array([solution.rescaled_force(row, xi[i]) for i, row in enumerate(rows)])
+
+
+def _fields(scene):
+    """Each field of the chain, its scale, and what makes it of a rescaled force, eq. (51)."""
+    scaling = scaling_of(scene)
+    return (
+        ("relative_displacement", scaling.delta, scaling.displacement),
+        ("velocity", scaling.velocity_scale, scaling.velocity),
+    )
+
+
+def _distances(chain, values, finer, scale):
+    """Distances of a chain's field to an equation's, and what both solvers contribute.
+
+    A gap counts as no compression; velocities keep their sign.
+    """
+    found = chain.values if chain.name.startswith("velocity") else np.maximum(chain.values, 0.0)
+    difference = np.abs(found - values) / scale
+    floor = (chain.attrs["error_estimate"] + np.abs(values - finer).max(axis=1)) / scale
+    attributes = {"error_estimate": float(floor.max()), "error_method": FLOOR_METHOD}
+    kinds = {
+        "sup": difference.max(axis=1),
+        "rms": np.sqrt((difference**2).mean(axis=1)),
+        "floor": floor,
+    }
+    return {kind: ("t_grid", distance, attributes) for kind, distance in kinds.items()}
+
+
+def _solve_upwind(scene, dataset):
+    """What the paper's scheme says of (50), on its own points, at the snapshot times."""
+    scaling, half_length = scaling_of(scene), scaling_of(scene).half_length(scene["half_beads"])
+    xi = upwind.grid(half_length, scene["equations"]["upwind"]["points"])
+    values, passed, rows = make_start(scene["start"]).values(xi, half_length), 0.0, {}
+    for t in sorted(scene["record"]["snapshots"]):
+        if t > passed:
+            end = scaling.slow_rate * (t - passed)
+            values, passed = upwind.evolve_upwind(values, half_length, end).values, t
+        moved = scaling.epsilon * scaling.frame_speed * t
+        positions = start_positions(scene, dataset["site"]) - moved
+        rows[t] = np.interp(positions, xi, values, period=2.0 * half_length)
+    force = np.array([rows[t] for t in scene["record"]["snapshots"]])
+    solved = xr.Dataset(coords={"t": dataset["t"], "site": dataset["site"]})
+    for field, _, convert in _fields(scene):
+        accurate, curve = dataset[f"{field}_{LOGARITHMIC}"], convert(force)
+        attributes = {
+            "error_estimate": float(np.abs(accurate.values - curve).max()),
+            "error_method": "largest difference to the sixth-order finite volumes",
+        }
+        solved[f"{field}_upwind"] = (("t", "site"), curve, attributes)
+    return solved
