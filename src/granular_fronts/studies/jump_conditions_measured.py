@@ -33,7 +33,7 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.profile.any_law import refine, solve_any_front
@@ -137,11 +137,11 @@ def _measure(name, case, beads, tolerance):
 
 
 def _changed(value, refined):
-    return Measured(value, abs(value - refined) + 8.0 * EPSILON * abs(value))
+    return Estimate(value, abs(value - refined) + 8.0 * EPSILON * abs(value))
 
 
 def _signed(sign, measurement):
-    return Measured(sign * measurement.value, measurement.error)
+    return Estimate(sign * measurement.value, measurement.error)
 
 
 def travelling_speed(law, front):
@@ -155,7 +155,7 @@ def travelling_speed(law, front):
 
     Returns
     -------
-    Measured
+    Estimate
     """
     lattice = front.lattice
     sites = np.arange(math.floor(front.xi[0]), TRAVEL + math.ceil(front.xi[-1]) + 1.0)
@@ -191,7 +191,7 @@ def drive_front(law, lattice, beads, tolerance):
     Returns
     -------
     dict
-        `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measured`.
+        `speed`, `velocity_jump` (ahead less behind) and `power`, each an `Estimate`.
     """
     c, jump = lattice.speed, lattice.behind - lattice.ahead
     window_behind, window_ahead = choose_window(lattice)
@@ -231,7 +231,7 @@ def _settling(early, halfway, late):
     change that happens to vanish in the second is caught by this.
     """
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
-    return Measured(late, change + 8.0 * EPSILON * abs(late))
+    return Estimate(late, change + 8.0 * EPSILON * abs(late))
 
 
 def _room_behind(lattice, beads):
