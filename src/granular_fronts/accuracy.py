@@ -161,6 +161,61 @@ def rounded(value, units=1.0) -> Estimate:
     return Estimate(float(value), units * rounding_floor(value))
 
 
+def recorded(variable) -> Estimate:
+    """A number that a variable without dimensions holds, with its `error_estimate`."""
+    return Estimate(float(variable), float(variable.attrs["error_estimate"]))
+
+
+def tabulated(dataset, name) -> Estimate:
+    """A number of a dataset, with the error that stands in the variable beside it."""
+    return Estimate(float(dataset[name]), float(dataset[f"{name}_error"]))
+
+
+def estimated_variable(dims, estimates, method, **attributes):
+    """A variable from estimates, which carries the largest of their errors.
+
+    Parameters
+    ----------
+    dims : str or tuple of str
+    estimates : array_like of Estimate, shape of the dimensions
+        Pairs of value and error.
+    method : str
+        How the errors were found.
+    **attributes
+        Further attributes, `long_name` for example.
+
+    Returns
+    -------
+    tuple
+        As xarray takes it: dimensions, values, attributes.
+    """
+    values, errors = np.moveaxis(np.array(estimates, dtype=float), -1, 0)
+    return (
+        dims,
+        values,
+        {
+            **attributes,
+            "error_estimate": float(errors.max()),
+            "error_method": method,
+        },
+    )
+
+
+def variable_and_errors(name, dims, estimates, method, meaning) -> dict:
+    """A variable from estimates, and beside it one of their errors; arguments as above.
+
+    Returns
+    -------
+    dict
+        Variables under `name` and `<name>_error`.
+    """
+    errors = np.array(estimates, dtype=float)[..., 1]
+    return {
+        name: estimated_variable(dims, estimates, method, long_name=meaning),
+        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
+    }
+
+
 def error_attributes(values, others, method) -> dict:
     """Attributes that say how wrong a variable can be.
 

@@ -1,8 +1,8 @@
 r"""Numbers measured on a simulated chain, each with an error, for comparison with the paper.
 
-A measure takes the dataset of a scene (see `recording`) and returns an `Estimate`.  Errors are those
-of the recorded variables, carried through to first order; a quadrature or an interpolation on the
-space-time grid adds the change that halving the grid makes.
+A measure takes the dataset of a scene (see `recording`) and returns an `Estimate`.  Errors are
+those of the recorded variables, carried through to first order; a quadrature or an interpolation
+on the space-time grid adds the change that halving the grid makes.
 """
 
 import json

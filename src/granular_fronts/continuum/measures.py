@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from granular_fronts.accuracy import Estimate
+from granular_fronts.accuracy import Estimate, tabulated
 from granular_fronts.continuum.log_kdv_burgers.equation import CRITICAL_DAMPING, linear_rates
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import gaussian_centre
 
@@ -115,8 +115,7 @@ def frequency(dataset, mu):
 
 
 def _ratio(dataset, name, mu, exact):
-    one = dataset.sel(mu=mu)
-    return Estimate(float(one[name]) / exact, float(one[f"{name}_error"]) / exact)
+    return tabulated(dataset.sel(mu=mu), name) / exact
 
 
 def transition(dataset):

@@ -6,7 +6,7 @@ A measure takes the dataset of a front scene (see `comparison`), of the curves o
 
 import numpy as np
 
-from granular_fronts.accuracy import Estimate
+from granular_fronts.accuracy import Estimate, estimate, recorded
 
 FEW_DIGITS = 1.0e-14
 """Relative error of critical damping, a few units of the last digit."""
@@ -31,14 +31,14 @@ def dissipated_power(front):
 
 def velocity_overshoot(front):
     """Largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
-    largest = _vertex(front["velocity"].values, 1.0)
-    return Estimate(largest.value - 1.0, largest.error + front["velocity"].error_estimate)
+    velocity = front["velocity"]
+    return _vertex(velocity.values, 1.0) + Estimate(-1.0, velocity.error_estimate)
 
 
 def smallest_velocity_behind(front):
     """Smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
-    smallest = _vertex(front["velocity"].where(front["xi"] < 0.0, drop=True).values, -1.0)
-    return Estimate(smallest.value, smallest.error + front["velocity"].error_estimate)
+    velocity = front["velocity"].where(front["xi"] < 0.0, drop=True)
+    return _vertex(velocity.values, -1.0) + Estimate(0.0, velocity.error_estimate)
 
 
 def _vertex(values, sign):
@@ -49,7 +49,7 @@ def _vertex(values, sign):
     top = int(np.argmax(sign * values))
     left, middle, right = values[top - 1 : top + 2]
     rise = 0.125 * (left - right) ** 2 / (2.0 * middle - left - right)
-    return Estimate(float(middle + rise), abs(float(rise)))
+    return estimate(middle + rise, middle)
 
 
 def distance(front, field, limit):
@@ -86,8 +86,7 @@ def tail_contrast(trends, beta):
     Above 0 if a front oscillates at small velocities, below 0 if it does at large ones.
     """
     frequency = trends["tail_frequency"].sel(beta=beta).sortby("piston_velocity")
-    contrast = float(frequency[0] - frequency[-1])
-    return Estimate(contrast, 2.0 * frequency.attrs["error_estimate"])
+    return recorded(frequency[0]) - recorded(frequency[-1])
 
 
 def critical_power_of_pressure(trends):
@@ -106,21 +105,18 @@ def width_power(trends):
     closest = trends["width_of_exponent"].sortby("exponent")[:3]
     alpha = closest["exponent"].values
     logarithms = np.log(1.0 - 1.0 / alpha), np.log(closest.values)
-    power, next_power = np.diff(logarithms[1]) / np.diff(logarithms[0])
-    return Estimate(float(power), abs(float(power - next_power)))
+    return estimate(*np.diff(logarithms[1]) / np.diff(logarithms[0]))
 
 
 def narrowing(trends):
     """Width of the front at the smallest δ over that at the largest, γ and α fixed."""
     width = trends["width_of_displacement"].sortby("displacement")
-    ratio = float(width[0] / width[-1])
-    return Estimate(ratio, (1.0 + ratio) * width.attrs["error_estimate"] / float(width[-1]))
+    return recorded(width[0]) / recorded(width[-1])
 
 
 def gaussian_distance(trends, exponent):
     """Largest distance of u of a solitary wave to the Gaussian, both over their peaks."""
-    distance = trends["gaussian_distance"].sel(exponent=exponent)
-    return Estimate(float(distance), distance.attrs["error_estimate"])
+    return recorded(trends["gaussian_distance"].sel(exponent=exponent))
 
 
 def solitary_force(trends, exponent):

@@ -50,8 +50,8 @@ class Accuracy(NamedTuple):
     contraction: float
 
 
-USUAL = Accuracy(order=20, tolerance=1e-17, contraction=6.0)
-REFINED = Accuracy(order=26, tolerance=1e-20, contraction=5.0)
+USUAL_STEPS = Accuracy(order=20, tolerance=1e-17, contraction=6.0)
+FINER_STEPS = Accuracy(order=26, tolerance=1e-20, contraction=5.0)
 """For error estimates: another order, and steps of another length."""
 
 
@@ -123,7 +123,7 @@ class TracedOrbit(NamedTuple):
         }
 
 
-def trace_orbit(mu, s_stop, accuracy=USUAL):
+def trace_orbit(mu, s_stop, accuracy=USUAL_STEPS):
     """Trace the orbit from the far end of its tail.
 
     Parameters
