@@ -126,10 +126,10 @@ def test_front_is_stable(alpha, gamma, beta):
 @pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG, (3.0, 0.1)])
 def test_translation_defect_falls_with_the_window(alpha, gamma):
     front = front_dataset(alpha, gamma, alpha, 2)
-    reach = -int(shot(alpha, gamma, alpha).bead[0])
+    length = -int(shot(alpha, gamma, alpha).bead[0])
     defects = [
         front_multipliers(front, beads_behind=b).attrs["translation_defect"]
-        for b in (reach // 2, reach, 2 * reach - 2)
+        for b in (length // 2, length, 2 * length - 2)
     ]
     assert defects[1] < 1.0e-3 * defects[0]
     assert defects[2] < 1.0e-10
@@ -201,7 +201,7 @@ def test_compressed_chain_is_that_of_the_monodromy_matrix():
     np.testing.assert_allclose(moved[middle], z * wave[middle], atol=1.0e-13)
 
 
-def test_what_is_no_front_is_told():
+def test_what_is_no_front_is_reported():
     front = front_dataset(*STRONG, 1.5)
     front["relative_displacement"] = front["relative_displacement"] ** 2
     result = front_multipliers(front)
