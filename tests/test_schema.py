@@ -6,7 +6,7 @@ import re
 
 import pytest
 import yaml
-from test_configuration import DEFAULT, ROOT, SCENE
+from configurations import DEFAULT, ROOT, SCENE
 
 from granular_fronts.scenes.yaml_files import load_configuration
 
