@@ -90,8 +90,8 @@ MEANINGS = {
 
 PREAMBLE = (
     "Made from the docstrings of the package by `python docs/equations.py`; a test keeps it true.",
-    "Paths are below `src/granular_fronts`. **Bold** modules write the equation out, the others use",
-    "it. Section 6, exact fronts, is missing from our copy of the paper: see `fronts`.",
+    "Paths are below `src/granular_fronts`. **Bold** modules write the equation out, the others",
+    "use it. Section 6, exact fronts, is missing from our copy of the paper: see `fronts`.",
 )
 
 REFERENCE = re.compile(r"(?<![\w)\]])\((\d{1,2})\)(?:\s*[-–]\s*\((\d{1,2})\))?")
@@ -107,9 +107,9 @@ def numbers(docstring):
 def docstrings(path):
     """Strings that stand alone in a module: those of the module, functions, classes, constants."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-            if isinstance(node.value.value, str):
-                yield node.value.value
+        match node:
+            case ast.Expr(value=ast.Constant(value=str(text))):
+                yield text
 
 
 def find_equations(package=PACKAGE):
