@@ -5,8 +5,9 @@ James (2021), section 2.  Every function returns plain numbers, or raises an `In
 
 import xarray as xr
 
-from granular_fronts.arguments import instance, scalar
+from granular_fronts.arguments import instance, scalar, sequence
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
 
 
 def check_law(alpha, gamma, beta=None):
@@ -57,10 +58,33 @@ def check_right_state(right_state):
     )
 
 
-def check_front(front):
-    """A front as data, unless it says itself that it has not converged."""
+def check_given_law(law, states, alpha=None, gamma=None, beta=None, right_state=0.0):
+    """A law and two strains R_b and R_a, in place of the numbers of two powers."""
+    given = {"alpha": alpha, "gamma": gamma, "beta": beta, "right_state": right_state or None}
+    if named := [name for name, value in given.items() if value is not None]:
+        raise InputError(
+            f"{named[0]} is given beside law and states, which say all of a front: give either "
+            "law and states, or alpha and gamma."
+        )
+    for name, value in (("law", law), ("states", states)):
+        if value is None:
+            raise InputError(
+                f"{name} is missing: a front of any law needs law and states=(R_behind, R_ahead)."
+            )
+    law = make_law(law)
+    states = sequence("states", states, advice="give the strains R_behind and R_ahead")
+    if states.size != 2:
+        raise InputError(
+            f"states holds {states.size} numbers, but a front joins two: give the strains "
+            "R_behind and R_ahead."
+        )
+    return law, tuple(map(float, states))
+
+
+def check_front(front, *attributes):
+    """A front as data with these attributes, unless it says itself that it has not converged."""
     instance("front", front, xr.Dataset, "take one from solve_front")
-    needed = {"alpha", "beta", "gamma", "relative_displacement", "velocity", "xi"}
+    needed = {"relative_displacement", "velocity", "xi", *attributes}
     if missing := sorted(needed - {*front.attrs, *front.variables}):
         raise InputError(f"front has no {', '.join(missing)}: take a front from solve_front.")
     if not front.attrs.get("converged", 1):
