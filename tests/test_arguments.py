@@ -7,11 +7,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import xarray as xr
+from potentials import hertz
 
 import granular_fronts as gf
 from granular_fronts import arguments
 from granular_fronts.errors import InputError
-from granular_fronts.model.potentials import generalised_hertz
 
 HUGE = 10**400
 
@@ -55,11 +55,11 @@ POSSIBLE = {
     "front_multipliers": {"front": a_front(), "beads_behind": 20, "beads_ahead": 5},
     "heteroclinic": {"mu": 1.0, "s": np.array([0.0, 1.0])},
     "jump_conditions": {
-        "potential": generalised_hertz(1.5),
+        "potential": hertz(1.5),
         "R_minus": -1.0,
         "R_plus": 0.0,
         "mass": 1.0,
-        "dissipation": generalised_hertz(1.5),
+        "dissipation": hertz(1.5),
     },
     "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},

@@ -131,7 +131,7 @@ def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
         m, above 0.
     dissipation : granular_fronts.model.potentials.Potential, optional
         W. None stands for some convex potential that acts between the states, which is all that
-        the results depend on; `model.potentials.NO_DISSIPATION` for a conservative chain.
+        the results depend on; one of the factor 0 makes a conservative chain.
 
     Returns
     -------
@@ -308,8 +308,7 @@ def _check_potential(name, potential):
         name,
         potential,
         Potential,
-        "make one with potential_from_expression or potential_from_functions of "
-        "granular_fronts.model.potentials",
+        "make one with granular_fronts.Potential or granular_fronts.Potential.from_expression",
     )
 
 
