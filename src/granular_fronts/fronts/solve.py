@@ -14,7 +14,12 @@ import xarray as xr
 
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
-from granular_fronts.fronts.profile.equation import FrontProblem, front_problem, power_problem
+from granular_fronts.fronts.profile.equation import (
+    FrontProblem,
+    front_problem,
+    normalise,
+    power_speed,
+)
 from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
 from granular_fronts.fronts.properties import MEASURES, measure, velocity
 from granular_fronts.fronts.shooting import solve as shooting
@@ -24,6 +29,7 @@ from granular_fronts.fronts.validation import (
     check_given_law,
     check_law,
     check_right_state,
+    is_given_by_law,
 )
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.numerics.interpolation import interpolate_all
@@ -118,8 +124,8 @@ def solve_front(
         compression 1 `alpha`, `beta`, `gamma`, `right_state`; `method`, `speed`, `converged` (0 or
         1) and `reason`, `residual`, `speed_defect` (the speed found over the exact one, less 1;
         shooting prescribes it), `error_estimate` of the strain, `overshoot`, `width_10_90`,
-        `slope`, `dissipated_power`, and `…_error` of these four.  Where converged is 0, all but
-        the law and the reason are NaN.
+        `slope`, `dissipated_power`, and `…_error` of these four and of the defect.  Where
+        converged is 0, all but the law and the reason are NaN.
 
     Raises
     ------
@@ -134,11 +140,18 @@ def solve_front(
     1.787
     """
     choice("method", method, METHODS)
-    if law is None and states is None:
-        question = _question_of_powers(*check_law(alpha, gamma, beta), right_state)
-    else:
-        law, states = check_given_law(law, states, alpha, gamma, beta, right_state)
+    powers = {"alpha": alpha, "gamma": gamma, "beta": beta}
+    right_state = check_right_state(right_state)
+    if is_given_by_law(powers, {"law": law, "states": states}):
+        law, states = check_given_law(law, states)
+        if right_state > 0.0:
+            raise InputError(
+                f"right_state is {right_state} beside a law, whose states say what is ahead: leave "
+                "it out."
+            )
         question = Question(law, *states, front_problem(law, *states))
+    else:
+        question = _question_of_powers(*check_law(alpha, gamma, beta), right_state)
     try:
         return _describe(method, question, *METHODS[method](question))
     except NoFrontError as failure:
@@ -146,10 +159,8 @@ def solve_front(
 
 
 def _question_of_powers(alpha, gamma, beta, right_state):
-    right_state = check_right_state(right_state)
-    problem = power_problem(alpha, gamma, beta, right_state)
-    law = make_law(alpha=alpha, beta=beta, gamma=gamma)
-    return Question(law, -1.0, 0.0 - right_state, problem)
+    law, ahead = make_law(alpha=alpha, beta=beta, gamma=gamma), 0.0 - right_state
+    return Question(law, -1.0, ahead, normalise(law, -1.0, ahead, power_speed(alpha, right_state)))
 
 
 def evaluate_front(front, xi, name="relative_displacement"):
@@ -271,6 +282,7 @@ def _describe(method, question, solution, refined):
         reason="",
         residual=float(solution.residuals[-1]),
         speed_defect=solution.speed_defect,
+        speed_defect_error=abs(solution.speed_defect - refined.speed_defect),
         error_estimate=error,
         **found,
         **{f"{name}_error": abs(found[name] - found_again[name]) for name in MEASURES},
@@ -280,7 +292,7 @@ def _describe(method, question, solution, refined):
 def _describe_failure(method, question, reason):
     """The dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
-    unknown = ("residual", "speed_defect", "error_estimate", *MEASURES)
+    unknown = ("residual", "speed_defect", "speed_defect_error", "error_estimate", *MEASURES)
     unknown += tuple(f"{name}_error" for name in MEASURES)
     return _dataset(
         method,

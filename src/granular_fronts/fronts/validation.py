@@ -58,14 +58,32 @@ def check_right_state(right_state):
     )
 
 
-def check_given_law(law, states, alpha=None, gamma=None, beta=None, right_state=0.0):
-    """A law and two strains R_b and R_a, in place of the numbers of two powers."""
-    given = {"alpha": alpha, "gamma": gamma, "beta": beta, "right_state": right_state or None}
-    if named := [name for name, value in given.items() if value is not None]:
+def is_given_by_law(powers, parts):
+    """Whether a front is given by a law and its states, not by the numbers of two powers.
+
+    Parameters
+    ----------
+    powers, parts : dict
+        Arguments of either form by name; None where one is not given.
+
+    Raises
+    ------
+    InputError
+        If both forms are mixed.
+    """
+    powers, parts = (
+        [name for name, value in form.items() if value is not None] for form in (powers, parts)
+    )
+    if powers and parts:
         raise InputError(
-            f"{named[0]} is given beside law and states, which say all of a front: give either "
-            "law and states, or alpha and gamma."
+            f"{powers[0]} and {parts[0]} are given together: give either alpha and gamma, or a law "
+            "with its states."
         )
+    return bool(parts)
+
+
+def check_given_law(law, states):
+    """A law, and the strains R_b and R_a that its front joins."""
     for name, value in (("law", law), ("states", states)):
         if value is None:
             raise InputError(

@@ -45,7 +45,6 @@ Compiled code knows a law by its row maps (`model.passes`), in the compression u
 is magnified in s by :math:`\max(|R_a|, |R_b|)/|R_b - R_a|`, or not at all.
 """
 
-import functools
 import math
 from typing import NamedTuple
 
@@ -55,7 +54,7 @@ from numba import uint64
 from granular_fronts.errors import InputError
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.laws import make_law
-from granular_fronts.model.passes import call_row_map, row_map
+from granular_fronts.model.passes import call_row_map, row_map, row_parameters
 from granular_fronts.numerics.compiled import kernel
 
 
@@ -66,7 +65,7 @@ class Force(NamedTuple):
     ----------
     first, second : int
         Addresses of the row maps of orders 1 and 2 of the potential: −V'(−u) and V''(−u).
-    parameters : ndarray
+    first_parameters, second_parameters : ndarray
         What they are given.
     ahead : float
         −V'(R_a).
@@ -76,7 +75,8 @@ class Force(NamedTuple):
 
     first: int
     second: int
-    parameters: np.ndarray
+    first_parameters: np.ndarray
+    second_parameters: np.ndarray
     ahead: float
     scale: float
 
@@ -143,12 +143,16 @@ class FrontProblem(NamedTuple):
 
 
 def power_problem(alpha, gamma, beta, right_state=0.0):
-    """The front of two powers from compression 1 to `right_state`, with the speed (14)."""
-    squared = 1.0
-    if right_state > 0.0:
-        squared = -math.expm1(alpha * math.log(right_state)) / (1.0 - right_state)
-    law = make_law(alpha=alpha, beta=beta, gamma=1.0)
-    return normalise(law, -1.0, -right_state, math.sqrt(squared))._replace(damping=gamma)
+    """The front of two powers from compression 1 to `right_state`."""
+    law = make_law(alpha=alpha, beta=beta, gamma=gamma)
+    return normalise(law, -1.0, 0.0 - right_state, power_speed(alpha, right_state))
+
+
+def power_speed(alpha, right_state):
+    """Speed of the front of two powers from compression 1 to r, eq. (14)."""
+    if right_state == 0.0:
+        return 1.0
+    return math.sqrt(-math.expm1(alpha * math.log(right_state)) / (1.0 - right_state))
 
 
 def front_problem(law, behind, ahead):
@@ -186,11 +190,10 @@ def front_problem(law, behind, ahead):
 def normalise(law, behind, ahead, speed):
     """The problem of a law and two states with the speed that the jump conditions give."""
     jump, proportional = ahead - behind, law.proportional
-    elastic, (p_behind, p_ahead) = _force(law.elastic, -behind, -ahead, 1.0 / (speed**2 * jump))
+    elastic, p_behind, p_ahead = _force(law.elastic, behind, ahead, speed**2)
     potential = law.viscous if proportional is None else law.elastic
-    viscous, (q_behind, q_ahead) = _force(potential, -behind, -ahead, 1.0 / (speed * jump))
-    low, high = law.elastic.domain
-    least, most = sorted(((ahead - low) / jump, (ahead - high) / jump))
+    viscous, q_behind, q_ahead = _force(potential, behind, ahead, speed)
+    least, most = sorted((ahead - end) / jump for end in law.domain)
     return FrontProblem(
         elastic=elastic,
         viscous=viscous,
@@ -207,19 +210,16 @@ def normalise(law, behind, ahead, speed):
     )
 
 
-def _force(potential, behind, ahead, scale):
-    """p or q, and its value and slope at both states."""
-    first, second, parameters = _row_maps(potential)
-    F, F_ahead, slope, slope_ahead = force_and_slope(first, second, parameters, behind, ahead)
-    factor = scale * (behind - ahead)
-    at_ends = (scale * (F - F_ahead), factor * slope), (0.0, factor * slope_ahead)
-    return Force(first, second, parameters, F_ahead, scale), at_ends
-
-
-@functools.lru_cache(maxsize=64)
-def _row_maps(potential):
-    parameters = np.array(potential.parameters, dtype=float)
-    return row_map(potential, 1), row_map(potential, 2), parameters
+def _force(potential, behind, ahead, speeds):
+    """The function p or q with its value and slope at both states; `speeds` is c² or c."""
+    first, second = (row_map(potential, order) for order in (1, 2))
+    parameters = [row_parameters(potential, order) for order in (1, 2)]
+    scale = 1.0 / (speeds * (ahead - behind))
+    force_behind, force_ahead = two_forces(first, parameters[0], -behind, -ahead)
+    # Where V'' jumps, as at the end of a contact, the slope is that of the compressed side.
+    slopes = potential.second(np.array([behind, ahead])) / speeds
+    force = Force(first, second, *parameters, force_ahead, scale)
+    return force, (scale * (force_behind - force_ahead), float(slopes[0])), (0.0, float(slopes[1]))
 
 
 def _check_ends(problem, behind, ahead):
@@ -246,12 +246,11 @@ def _check_ends(problem, behind, ahead):
 
 
 @kernel
-def force_and_slope(first, second, parameters, behind, ahead):
-    """F behind and ahead, F' behind and ahead, of a potential known by its row maps."""
-    u, forces, slopes = np.array([behind, ahead]), np.empty(2), np.empty(2)
-    call_row_map(first, u, forces, 0, 2, parameters)
-    call_row_map(second, u, slopes, 0, 2, parameters)
-    return forces[0], forces[1], slopes[0], slopes[1]
+def two_forces(address, parameters, behind, ahead):
+    """A row map of two compressions."""
+    u, forces = np.array([behind, ahead]), np.empty(2)
+    call_row_map(address, u, forces, 0, 1, parameters)
+    return forces[0], forces[1]
 
 
 @kernel
@@ -305,7 +304,7 @@ def evaluate_slopes(problem, s, p_slope, q_slope):
 @kernel
 def write_force(force, u, result):
     """Write p, or q for damping 1, at the compressions u."""
-    call_row_map(force.first, u, result, 0, u.size, force.parameters)
+    call_row_map(force.first, u, result, 0, u.size - 1, force.first_parameters)
     for k in range(uint64(u.size)):
         result[k] = force.scale * (result[k] - force.ahead)
 
@@ -313,6 +312,6 @@ def write_force(force, u, result):
 @kernel
 def write_slope(force, factor, u, result):
     """Write a multiple of scale·F'(u)."""
-    call_row_map(force.second, u, result, 0, u.size, force.parameters)
+    call_row_map(force.second, u, result, 0, u.size - 1, force.second_parameters)
     for k in range(uint64(u.size)):
         result[k] *= factor * force.scale

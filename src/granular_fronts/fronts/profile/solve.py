@@ -24,7 +24,10 @@ import numpy as np
 
 from granular_fronts.fronts.profile import newton
 from granular_fronts.fronts.profile.equation import FrontProblem
-from granular_fronts.fronts.profile.long_wave_front import at_least_critically_damped, long_wave_front
+from granular_fronts.fronts.profile.long_wave_front import (
+    at_least_critically_damped,
+    long_wave_front,
+)
 from granular_fronts.fronts.profile.newton import Grid, Unknowns
 from granular_fronts.fronts.profile.window import choose_window, coarse_spacing, rational
 from granular_fronts.numerics.interpolation import interpolate_all
