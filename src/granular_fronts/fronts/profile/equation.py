@@ -96,7 +96,7 @@ class FrontProblem(NamedTuple):
     Attributes
     ----------
     elastic, viscous : Force
-        p, and q for damping 1; where W' = γV' both are known by V.
+        p, and q for damping 1; p for both where W' = γV'.
     proportional : bool
         Whether W' = γV', so that q is a multiple of p.
     damping : float
@@ -191,8 +191,11 @@ def normalise(law, behind, ahead, speed):
     """The problem of a law and two states with the speed that the jump conditions give."""
     jump, proportional = ahead - behind, law.proportional
     elastic, p_behind, p_ahead = _force(law.elastic, behind, ahead, speed**2)
-    potential = law.viscous if proportional is None else law.elastic
-    viscous, q_behind, q_ahead = _force(potential, behind, ahead, speed)
+    if proportional is None:
+        viscous, q_behind, q_ahead = _force(law.viscous, behind, ahead, speed)
+    else:
+        viscous = elastic
+        q_behind, q_ahead = ((speed * p, speed * slope) for p, slope in (p_behind, p_ahead))
     least, most = sorted((ahead - end) / jump for end in law.domain)
     return FrontProblem(
         elastic=elastic,

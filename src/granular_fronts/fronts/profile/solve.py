@@ -29,7 +29,7 @@ from granular_fronts.fronts.profile.long_wave_front import (
     long_wave_front,
 )
 from granular_fronts.fronts.profile.newton import Grid, Unknowns
-from granular_fronts.fronts.profile.window import choose_window, coarse_spacing, rational
+from granular_fronts.fronts.profile.window import Window, choose_window, coarse_spacing, rational
 from granular_fronts.numerics.interpolation import interpolate_all
 from granular_fronts.numerics.quadrature import Weights, kernel_weights
 
@@ -156,14 +156,12 @@ def no_profile(problem, reason):
 
 def refine(profile):
     """The same front on a finer grid, by another order, on a longer window."""
-    window = choose_window(profile.problem)
-    behind = max(window.behind, float(profile.spacing) * profile.middle)
-    ahead = max(window.ahead, float(profile.spacing) * (profile.s.size - profile.middle))
-    spacing = rational(float(profile.spacing) / 1.4)
+    spacing = float(profile.spacing)
+    window = Window(spacing * profile.middle, spacing * (profile.s.size - profile.middle))
     return solve_on_grid(
         profile.problem,
-        window._replace(behind=1.1 * behind, ahead=1.1 * ahead),
-        spacing,
+        window.longer(1.1, 1.1),
+        rational(spacing / 1.4),
         REFINED_ORDER,
         profile.evaluate,
     )
