@@ -58,6 +58,7 @@ POSSIBLE = {
         "alpha": 1.5,
         "beta": 1.5,
     },
+    "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
     "evolve_log_burgers": {"scene": {}, "name": "given"},
