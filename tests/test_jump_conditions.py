@@ -12,6 +12,7 @@ import granular_fronts as gf
 from granular_fronts.model.jump_conditions import jump_conditions, signed_area
 
 DIGITS = 60
+DASHPOT = {"kind": "linear", "gamma": 0.3}
 
 
 @pytest.mark.parametrize("alpha", [0.1, 0.5, 0.9, 1.1, 1.5, 3.0])
@@ -121,6 +122,19 @@ def test_speed_does_not_depend_on_the_dissipation():
         assert jump_conditions(elastic, -0.1, 0.0, dissipation=hertz(beta, 0.3)) == free
 
 
+@pytest.mark.parametrize(
+    "law", [{"alpha": 1.5, "gamma": 0.3}, {"elastic": {"kind": "toda"}, "viscous": DASHPOT}]
+)
+def test_a_law_has_the_conditions_of_its_potentials(law):
+    made = gf.make_law(law)
+    front = gf.jump_conditions(made.elastic, -0.5, 0.0, dissipation=made.viscous)
+    assert gf.jump_conditions(made, -0.5, 0.0) == gf.jump_conditions(law, -0.5, 0.0) == front
+    with pytest.raises(ValueError, match=r"Remark 4"):
+        gf.jump_conditions(made.with_damping(0.0), -0.5, 0.0)
+    with pytest.raises(ValueError, match=r"dissipation is .* leave dissipation out"):
+        gf.jump_conditions(law, -0.5, 0.0, dissipation=made.viscous)
+
+
 def test_spinodal_state_has_no_sound():
     assert math.isnan(jump_conditions(morse(), 2.0, 0.0).sound_minus)
 
@@ -150,7 +164,7 @@ def test_impossible_front_is_refused_with_its_theorem(
 
 
 def test_what_is_no_potential_is_refused_with_the_way_to_one():
-    with pytest.raises(ValueError, match=r"potential is r\*\*4, .*Potential.from_expression"):
+    with pytest.raises(ValueError, match=r"law is r\*\*4, but must be a Mapping: .* make_law"):
         jump_conditions(sympy.Symbol("r") ** 4, -1.0, 0.0)
 
 

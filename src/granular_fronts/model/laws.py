@@ -150,7 +150,8 @@ def make_law(mapping=None, /, **parts):
     """
     if isinstance(mapping, Law):
         return mapping
-    parts = parts if mapping is None else instance("law", mapping, Mapping, "give a mapping")
+    if mapping is not None:
+        parts = instance("law", mapping, Mapping, "give one, or make a law with make_law")
     for name in parts:
         look_up(name, "part of a law", dict.fromkeys(SHORT_FORM + TWO_POTENTIALS))
     short = [name for name in SHORT_FORM if name in parts]

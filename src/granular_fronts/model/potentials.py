@@ -26,7 +26,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from granular_fronts.arguments import scalar, sequence
+from granular_fronts.arguments import instance, scalar, sequence
 from granular_fronts.errors import InputError
 from granular_fronts.model.kinds import KINDS
 
@@ -116,7 +116,7 @@ class Potential:
             factor=1.0,
             parameters=(),
             domain=(low, high),
-            kinks=tuple(float(kink) for kink in sequence("kinks", kinks)) if len(kinks) else (),
+            kinks=_check_kinks(kinks),
             functions=functions,
             scalar_functions=functions,
         )
@@ -325,6 +325,10 @@ def _number(kind, name, parameter, given):
 
 def _check_functions(functions, low, high, name):
     """Raise if a user's functions are not vectorised, finite and each other's derivatives."""
+    for argument, function in zip(("value", "first", "second"), functions, strict=False):
+        instance(argument, function, Callable, "give a function of an array of strains")
+    if functions[3] is not None:
+        instance("third", functions[3], Callable, "give a function of an array of strains, or None")
     nodes = 0.5 * (low + high) + 0.5 * (high - low) * _gauss_nodes(CHECKED_POINTS)
     symbols = ("V", "V'", "V''", "V'''")
     known = {s: f for s, f in zip(symbols, functions, strict=True) if f is not None}
@@ -341,6 +345,12 @@ def _check_interval(interval):
     if ends.size != 2 or not ends[0] < ends[1]:
         raise InputError(f"interval is {interval}, but must grow: give its two ends in order.")
     return map(float, ends)
+
+
+def _check_kinks(kinks):
+    """Strains as a tuple of floats, which may be empty."""
+    empty = isinstance(kinks, (tuple, list)) and not kinks
+    return () if empty else tuple(map(float, sequence("kinks", kinks)))
 
 
 def _on_arrays(function):
