@@ -13,8 +13,11 @@ Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chun
 with the tolerance divided by `REFINEMENT`; the largest difference is the error estimate.
 """
 
+import functools
+
 import numpy as np
 
+from granular_fronts.accuracy import largest_difference, with_refinement
 from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
 from granular_fronts.chain.recording import fitted_speed
@@ -56,16 +59,19 @@ def solve_chunk(points, settings, activity):
         values["relative_displacement"] = np.full((*shape, beads.size), np.nan)
     reasons = np.full(shape, "", dtype=object)
     errors = dict.fromkeys(values, np.nan)
-    tolerance = settings["tolerance"]
+    tolerance, solve = settings["tolerance"], functools.partial(_solve_point, beads=beads)
     indices = list(np.ndindex(shape))
     for number, index in enumerate(counted(indices, activity, "point")):
         point = {name: value[index] for name, value in points.items()}
         try:
-            measured = _solve_point(point, tolerance, beads)
-            if number % REFINED_EVERY == 0 or number == len(indices) - 1:
-                refined = _solve_point(point, tolerance / REFINEMENT, beads)
+            if number % REFINED_EVERY and number < len(indices) - 1:
+                measured = solve(point, tolerance)
+            else:
+                measured, refined = with_refinement(
+                    functools.partial(solve, point), tolerance, tolerance / REFINEMENT
+                )
                 for name in values:
-                    difference = np.max(np.abs(refined[name] - measured[name]))
+                    difference = largest_difference(measured[name], refined[name])
                     errors[name] = np.fmax(errors[name], difference)
         except (ValueError, ArithmeticError) as error:
             reasons[index] = str(error)

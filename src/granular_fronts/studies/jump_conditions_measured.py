@@ -33,7 +33,7 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -150,7 +150,7 @@ def exact_speed(front):
 
     Returns
     -------
-    Measured
+    Estimate
     """
     speed = front.attrs["speed"]
     return _rounded(
@@ -159,11 +159,11 @@ def exact_speed(front):
 
 
 def _rounded(value, error):
-    return Measured(value, error + 8.0 * EPSILON * abs(value))
+    return Estimate(value, error + 8.0 * EPSILON * abs(value))
 
 
 def _signed(sign, measurement):
-    return Measured(sign * measurement.value, measurement.error)
+    return Estimate(sign * measurement.value, measurement.error)
 
 
 def travelling_speed(compiled, front):
@@ -178,7 +178,7 @@ def travelling_speed(compiled, front):
 
     Returns
     -------
-    Measured
+    Estimate
     """
     behind, ahead, speed = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
     xi = front["xi"].values
@@ -196,7 +196,7 @@ def travelling_speed(compiled, front):
         speeds.append(_slope(arrivals[passed]))
     strict, loose = speeds
     # The passages are 1/c apart and good to some units of rounding of the strain.
-    return Measured(strict, abs(strict - loose) + 32.0 * EPSILON * strict)
+    return Estimate(strict, abs(strict - loose) + 32.0 * EPSILON * strict)
 
 
 def drive_front(compiled, law, front, beads, tolerance):
@@ -217,7 +217,7 @@ def drive_front(compiled, law, front, beads, tolerance):
     Returns
     -------
     dict
-        `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measured`.
+        `speed`, `velocity_jump` (ahead less behind) and `power`, each an `Estimate`.
     """
     behind, ahead, c = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
     window_behind, window_ahead = np.abs(front["xi"].values[[0, -1]])
@@ -257,7 +257,7 @@ def _settling(early, halfway, late):
     change that happens to vanish in the second is caught by this.
     """
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
-    return Measured(late, change + 8.0 * EPSILON * abs(late))
+    return Estimate(late, change + 8.0 * EPSILON * abs(late))
 
 
 def _room_behind(law, behind, speed, beads):
