@@ -29,7 +29,7 @@ from granular_fronts.chain.measures import last_fall
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
 from granular_fronts.scenes.validation import raise_if_any
 from granular_fronts.studies.ring_against_equations import compare_with_chain
@@ -78,7 +78,7 @@ def measure_limiting_cases(section):
 
     oscillations = [press(oscillation_behind, alpha, gamma) for gamma in gammas]
     widths = [press(wave_width, exponent, section["strong_gamma"]) for exponent in exponents]
-    elastic = generalised_hertz(section["softening"])
+    elastic = make_potential("hertz", alpha=section["softening"])
     fronts = [jump_conditions(elastic, -1.0, -strain) for strain in section["strains_ahead"]]
     speeds = [(theory.speed, theory.speed_error) for theory in fronts]
     collisions = [collide(alpha, velocity) for velocity in section["impact_velocities"]]
