@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
+from potentials import fpu, hertz, toda
 
 import granular_fronts as gf
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
@@ -19,8 +20,8 @@ from granular_fronts.fronts.profile.any_law import (
     solve_on_grid,
 )
 from granular_fronts.fronts.profile.lattice import choose_window, long_wave_front, make_lattice
-from granular_fronts.model.named_potentials import make_potential, make_slope
-from granular_fronts.model.potentials import fpu, generalised_hertz, toda
+from granular_fronts.model.named_potentials import make_slope
+from granular_fronts.model.potentials import make_potential
 from granular_fronts.scenes.configuration import check_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.jump_conditions_measured import measure_jumps, travelling_speed
@@ -38,7 +39,7 @@ TODA = CASES["toda_nonlinear"]
 
 
 def lattice_of(case):
-    potentials = (make_potential(case[key]) for key in ("elastic", "dissipation"))
+    potentials = (make_potential(**case[key]) for key in ("elastic", "dissipation"))
     return make_lattice(*potentials, *map(float, case["states"]))
 
 
@@ -53,13 +54,13 @@ def compiled(name):
 
 
 def theory_of(case):
-    return gf.jump_conditions(make_potential(case["elastic"]), *case["states"])
+    return gf.jump_conditions(make_potential(**case["elastic"]), *case["states"])
 
 
 @by_case
 def test_slopes_are_the_derivatives_of_the_potentials(name):
     for key in ("elastic", "dissipation"):
-        slope, potential = make_slope(CASES[name][key]), make_potential(CASES[name][key])
+        slope, potential = make_slope(CASES[name][key]), make_potential(**CASES[name][key])
         r = np.linspace(min(CASES[name]["states"]), 0.4, 37)
         expected = potential.first(r)
         np.testing.assert_allclose([slope(one) for one in r], expected, rtol=1e-14, atol=1e-16)
@@ -92,12 +93,10 @@ def test_exact_front_travels_in_a_chain(name):
 
 @pytest.mark.parametrize(("beta", "gamma"), [(1.5, 0.2), (1.0, 0.4), (2.5, 0.6)])
 def test_hertz_front_is_that_of_the_profile_equation(beta, gamma):
-    hertz = solve_any_front(
-        make_lattice(generalised_hertz(1.5), generalised_hertz(beta, gamma), -1.0, 0.0)
-    )
+    found = solve_any_front(make_lattice(hertz(1.5), hertz(beta, gamma), -1.0, 0.0))
     known = gf.solve_front(1.5, gamma, beta)
     xi = np.linspace(-20.0, 10.0, 301)
-    np.testing.assert_allclose(hertz.evaluate(xi), gf.evaluate_front(known, xi), atol=1e-13)
+    np.testing.assert_allclose(found.evaluate(xi), gf.evaluate_front(known, xi), atol=1e-13)
 
 
 def test_weak_damping_is_reached_from_strong_damping():
@@ -115,7 +114,7 @@ def test_weak_damping_is_reached_from_strong_damping():
 @pytest.mark.parametrize(
     ("potential", "states", "sentence"),
     [
-        (generalised_hertz(0.5), (-1.0, 0.0), "V'' is inf, W'' is 1"),
+        (hertz(0.5), (-1.0, 0.0), "V'' is inf, W'' is 1"),
         (fpu(1.0, 0.0, 1.0), (-1.0, 0.9), "choose states between which V''' has one sign"),
     ],
 )
@@ -126,13 +125,13 @@ def test_fronts_that_are_not_sought_are_refused(potential, states, sentence):
 
 
 def test_a_front_too_sharp_for_the_grid_is_no_front():
-    lattice = make_lattice(generalised_hertz(300.0), generalised_hertz(300.0, 0.3), -1.0, 0.0)
+    lattice = make_lattice(hertz(300.0), hertz(300.0, 0.3), -1.0, 0.0)
     assert solve_any_front(lattice).reason
 
 
 def test_direction_follows_the_reflection():
     """The same potentials with the states swapped make the mirrored front."""
-    there, back = (make_potential(TODA[key]) for key in ("elastic", "dissipation"))
+    there, back = (make_potential(**TODA[key]) for key in ("elastic", "dissipation"))
     right = solve_any_front(make_lattice(there, back, -2.0, 0.0))
     left = solve_any_front(make_lattice(there, back, 0.0, -2.0))
     np.testing.assert_array_equal(right.u, left.u)
@@ -169,7 +168,7 @@ def test_momentum_is_kept_to_rounding(name):
 def test_energy_is_dissipated_as_the_balance_says():
     """Energy lost in a short time is the integral of Σ W''(r) ṙ² by Gauss quadrature (6)."""
     chain = start_pulse(120, compiled("toda_nonlinear"))
-    potential, dissipation = (make_potential(TODA[key]) for key in ("elastic", "dissipation"))
+    potential, dissipation = (make_potential(**TODA[key]) for key in ("elastic", "dissipation"))
 
     def energy():
         velocities = np.concatenate([[0.0], np.cumsum(chain.strain_rate)])

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from chains import driven_scene
+from potentials import hertz
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
-from granular_fronts.model.potentials import generalised_hertz
 from granular_fronts.scenes.configuration import check_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.damping_regimes import evaluate_regimes
@@ -124,11 +124,10 @@ def test_reflection_at_a_front_is_the_repetition_to_the_power_minus_two(alpha):
     """The jump conditions with a front a little stronger: v' over u', then its reflection."""
     step = 1e-5
     weak, strong = (
-        gf.jump_conditions(generalised_hertz(alpha), -delta, 0.0)
-        for delta in (1.0 - step, 1.0 + step)
+        gf.jump_conditions(hertz(alpha), -delta, 0.0) for delta in (1.0 - step, 1.0 + step)
     )
     slope = (strong.velocity_behind - weak.velocity_behind) / (2.0 * step)
-    sound = gf.jump_conditions(generalised_hertz(alpha), -1.0, 0.0).sound_minus
+    sound = gf.jump_conditions(hertz(alpha), -1.0, 0.0).sound_minus
     reflection = (slope - sound) / (slope + sound)
     assert reflection == pytest.approx(repetition(alpha) ** -2, rel=1e-6)
     assert (sound + 1.0) / (sound - 1.0) == pytest.approx(repetition(alpha), rel=1e-12)
@@ -160,7 +159,7 @@ def test_slowness_repeats_itself_with_the_opposite_sign():
 @pytest.mark.parametrize(("beta", "gamma"), [(1.5, 0.65), (1.0, 0.8), (2.5, 0.4)])
 def test_front_dissipates_what_the_jump_conditions_say(beta, gamma):
     """Σ W''(δ⁺x) (δ⁺ẋ)², averaged over the passage of one bead, is cS whatever W (16)."""
-    theory = gf.jump_conditions(generalised_hertz(1.5), -1.0, 0.0)
+    theory = gf.jump_conditions(hertz(1.5), -1.0, 0.0)
     assert theory.dissipated_power == pytest.approx(0.1, rel=1e-14)
     early, late = (dissipated_power(1.5, beta, gamma, time) for time in (120.0, 240.0))
     # What the sudden start leaves behind dies out as t^(-2).

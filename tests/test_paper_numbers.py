@@ -170,7 +170,7 @@ SPEED = {
     "kind": "number",
     "printed": "0.56",
     "scene": "chain",
-    "measure": "chain.predicted_speed",
+    "measure": "chain.measures.predicted_speed",
     "expected": REPRODUCED,
     "remark": "a remark",
 }
@@ -206,7 +206,7 @@ def test_another_tolerance_is_not_another_parameter():
 
 
 def test_other_parameters_may_leave_nothing_to_measure():
-    statement = SPEED | {"measure": "chain.crossings", "arguments": {"bead": 170}}
+    statement = SPEED | {"measure": "chain.measures.crossings", "arguments": {"bead": 170}}
     row = row_of(statement, beads=40)
     assert row["verdict"] == OTHER_PARAMETERS
     assert math.isnan(row["computed"])
@@ -218,7 +218,7 @@ def test_other_parameters_may_divide_by_zero():
     """A ring whose start has no plateau."""
     config = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5, "start": {"half_width": 0}}
     dataset = xr.Dataset(attrs={"config": json.dumps(config)})
-    statement = SPEED | {"scene": ["one", "two"], "measure": "periodic.plateau_ratio"}
+    statement = SPEED | {"scene": ["one", "two"], "measure": "studies.ring_measures.plateau_ratio"}
     data = {"one": dataset, "two": dataset}
     reference = config | {"start": {"half_width": 10}}
     row = evaluate(
@@ -241,7 +241,7 @@ def test_several_scenes_are_measured_together():
         "printed": "less broad",
         "criterion": "below 1",
         "scene": ["weak", "hertz"],
-        "measure": "periodic.plateau_ratio",
+        "measure": "studies.ring_measures.plateau_ratio",
     }
     measure = find_measure(statement["measure"])
     row = evaluate(statement, measure, data, {"weak": weaker, "hertz": config})

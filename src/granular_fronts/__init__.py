@@ -9,6 +9,7 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "Potential": "granular_fronts.model.potentials",
     "Scaling": "granular_fronts.model.scaling",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
@@ -17,6 +18,7 @@ _HOME_OF = {
     "heteroclinic": "granular_fronts.continuum.log_kdv_burgers.heteroclinic",
     "jump_conditions": "granular_fronts.model.jump_conditions",
     "log_burgers_front": "granular_fronts.continuum.log_burgers.equation",
+    "make_law": "granular_fronts.model.laws",
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",

@@ -1,12 +1,6 @@
-"""Potentials by name, as arrays of r for theory and as compiled functions of r for a chain.
-
-`model.potentials` has the mathematics; here each potential's first derivative is written
-once more for a single strain, in the Python that `granular_fronts.chain.any_law` compiles.
-"""
+"""First derivatives of potentials by name, for one strain, that `chain.any_law` compiles."""
 
 import math
-
-from granular_fronts.model.potentials import fpu, generalised_hertz, toda
 
 
 def hertz_slope(alpha, stiffness=1.0):
@@ -36,13 +30,7 @@ def toda_slope(strength=1.0, rate=1.0):
     return slope
 
 
-POTENTIALS = {"hertz": generalised_hertz, "fpu": fpu, "toda": toda}
 SLOPES = {"hertz": hertz_slope, "fpu": fpu_slope, "toda": toda_slope}
-
-
-def make_potential(description):
-    """The `contact.Potential` of a mapping with its `kind` and the parameters of that kind."""
-    return POTENTIALS[description["kind"]](**_parameters(description))
 
 
 def make_slope(description):

@@ -28,7 +28,7 @@ from granular_fronts.fronts.solitary_waves import (
 )
 from granular_fronts.fronts.solve import NoFrontError, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 
 BISECTIONS = 45
 ROOTS = {"error_estimate": 1.0e-14, "error_method": "a few units of the last digit"}
@@ -125,13 +125,13 @@ def tail_frequency(alpha, beta, velocity):
 
 def critical_gamma(alpha, displacement):
     """γ of (28), β = α, at which the tail of a front from δ into rest ceases to oscillate."""
-    elastic = generalised_hertz(alpha)
+    elastic = make_potential("hertz", alpha=alpha)
     behind = np.array([-displacement])
     speed = jump_conditions(elastic, -displacement, 0.0).speed
     stiffness = float(elastic.second(behind)[0])
 
     def oscillates(gamma):
-        viscosity = float(generalised_hertz(alpha, gamma).second(behind)[0])
+        viscosity = float(make_potential("hertz", alpha=alpha, stiffness=gamma).second(behind)[0])
         slope = speed * viscosity / stiffness
         # The exponent and damping of the normalised chain with this tail.
         return tail_roots(stiffness / speed**2, slope, count=1)[0].imag > 0.0

@@ -39,7 +39,8 @@ from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.profile.any_law import refine, solve_any_front
 from granular_fronts.fronts.profile.lattice import choose_window, make_lattice
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.named_potentials import make_potential, make_slope
+from granular_fronts.model.named_potentials import make_slope
+from granular_fronts.model.potentials import make_potential
 
 EPSILON = float(np.finfo(float).eps)
 ROOM_BEHIND = 60
@@ -102,7 +103,7 @@ def measure_jumps(cases, beads, tolerance):
 
 def _measure(name, case, beads, tolerance):
     """Everything of one lattice, by the name of the variable, and its profile."""
-    potential, dissipation = map(make_potential, (case["elastic"], case["dissipation"]))
+    potential, dissipation = (make_potential(**case[part]) for part in ("elastic", "dissipation"))
     states = tuple(map(float, case["states"]))
     theory = jump_conditions(potential, *states, dissipation=dissipation)
     lattice = make_lattice(potential, dissipation, *states)

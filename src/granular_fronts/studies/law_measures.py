@@ -11,7 +11,7 @@ from scipy.stats import linregress
 from granular_fronts.accuracy import Measured
 from granular_fronts.model.collision import weak_damping_slope
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.named_potentials import make_potential
+from granular_fronts.model.potentials import make_potential
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.studies.materials import ALPHA
 
@@ -197,7 +197,7 @@ def sonic_margin(dataset):
 
 
 def _sonic_margin(front, case):
-    theory = jump_conditions(make_potential(case["elastic"]), *map(float, case["states"]))
+    theory = jump_conditions(make_potential(**case["elastic"]), *map(float, case["states"]))
     speed, error = abs(float(front["speed_driven"])), float(front["speed_driven_error"])
     sounds = (theory.sound_minus, theory.sound_plus)
     behind, ahead = sounds if float(front["direction"]) > 0.0 else reversed(sounds)

@@ -24,7 +24,7 @@ from granular_fronts.chain.measures import last_fall, recorded
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
 from granular_fronts.scenes.validation import raise_if_any
 from granular_fronts.studies.ring_against_equations import compare_with_chain
@@ -98,7 +98,7 @@ def measure_limiting_cases(
         [wave_width(profile) for profile in press(exponent, strong_gamma)]
         for exponent in (1.0, alpha)
     ]
-    elastic = generalised_hertz(softening)
+    elastic = make_potential("hertz", alpha=softening)
     speeds = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
     speeds = [(theory.speed, theory.speed_error) for theory in speeds]
     times_and_depths = np.array([collide(alpha, velocity) for velocity in impact_velocities])

@@ -46,7 +46,7 @@ from scipy.interpolate import CubicSpline
 
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 
 ERROR_METHOD = (
     "largest change over the last doubling of the distance from the piston, and change by the "
@@ -147,7 +147,7 @@ def push_chain(law, velocity, ramp, beads, tolerance):
     """
     alpha = law["alpha"]
     delta = velocity ** (2.0 / (alpha + 1.0))
-    theory = jump_conditions(generalised_hertz(alpha), -delta, 0.0)
+    theory = jump_conditions(make_potential("hertz", alpha=alpha), -delta, 0.0)
     far = ARRIVED * beads / theory.speed * SCALES
     times = 0.5 * ramp + np.append(far, far / repetition(alpha))
     motion = simulate_chain(
