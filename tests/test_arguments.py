@@ -74,8 +74,9 @@ POSSIBLE = {
     "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
     "simulate_chain": {"scene": CHAIN, "name": "given"},
-    "solve_front": LAW | {"method": "profile", "right_state": 0.0},
-    "sweep_fronts": LAW | {"gammas": np.array([0.3, 0.2])},
+    "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
+    "sweep_fronts": LAW
+    | {"gammas": np.array([0.3, 0.2]), "law": None, "states": None, "factors": None},
     "tail_roots": LAW | {"count": 6},
 }
 del POSSIBLE["sweep_fronts"]["gamma"]

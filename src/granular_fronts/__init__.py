@@ -23,7 +23,7 @@ _HOME_OF = {
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
-    "sweep_fronts": "granular_fronts.fronts.profile.sweep",
+    "sweep_fronts": "granular_fronts.fronts.sweep",
     "tail_roots": "granular_fronts.fronts.linear.tails",
 }
 

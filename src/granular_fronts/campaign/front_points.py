@@ -1,7 +1,7 @@
 """Points of exact fronts of the lattice, in their own units δ = c = 1: James (2021), section 6.
 
 Fronts of one law are swept along the damping, each from the ones before it, whichever axis is the
-fast one; see `fronts.profile.sweep` for the method and its error estimates.  The slowest
+fast one; see `fronts.sweep` for the method and its error estimates.  The slowest
 tail is a root of the dispersion relation and knows nothing of the solution; a front is monotone
 where it is real.
 """
@@ -9,8 +9,8 @@ where it is real.
 import numpy as np
 
 from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.fronts.profile.sweep import ERROR_METHOD, sweep_fronts
 from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.fronts.sweep import ERROR_METHOD, sweep_fronts
 from granular_fronts.output.progress import count_bar
 
 SWEPT_AS = {"profile_error": "error_estimate"}

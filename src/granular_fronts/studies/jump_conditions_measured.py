@@ -3,7 +3,7 @@ r"""The jump conditions of section 2 of James (2021) against fronts that are sol
 For any V and W the speed (13), the direction (17), the jump of the velocity (12) and the power lost
 (16) follow from the two states alone.  They are measured here in three ways.
 
-Exact front (`fronts.profile.any_law`): its speed is an unknown of the equations, and its
+Exact front (`fronts.solve`): its speed is an unknown of the equations, and its
 power an integral over the profile.  The discrete equations imply (13) as the exact ones do, so that
 this speed tells whether the front reaches both states, and the power whether it is resolved.
 Error: change on a finer grid, by another order, on a longer window, and rounding.
@@ -36,9 +36,9 @@ import xarray as xr
 from granular_fronts.accuracy import Measured
 from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
 from granular_fronts.errors import NoFrontError
-from granular_fronts.fronts.profile.any_law import refine, solve_any_front
-from granular_fronts.fronts.profile.lattice import choose_window, make_lattice
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
+from granular_fronts.model.laws import make_law
 from granular_fronts.model.named_potentials import make_slope
 from granular_fronts.model.potentials import make_potential
 
@@ -104,26 +104,26 @@ def measure_jumps(cases, beads, tolerance):
 def _measure(name, case, beads, tolerance):
     """Everything of one lattice, by the name of the variable, and its profile."""
     potential, dissipation = (make_potential(**case[part]) for part in ("elastic", "dissipation"))
+    law = make_law(elastic=potential, viscous=dissipation)
     states = tuple(map(float, case["states"]))
     theory = jump_conditions(potential, *states, dissipation=dissipation)
-    lattice = make_lattice(potential, dissipation, *states)
-    front = solve_any_front(lattice)
-    refined = refine(front)
-    if front.reason or refined.reason:
-        raise NoFrontError(f"The front of {name} is not found: {front.reason or refined.reason}.")
-    law = compile_law(make_slope(case["elastic"]), make_slope(case["dissipation"]))
     sign = theory.direction
+    # Reflected where the front runs to smaller n, so that it runs to larger n.
+    front = solve_front(law=law, states=states[::sign])
+    if not front.attrs["converged"]:
+        raise NoFrontError(f"The front of {name} is not found: {front.attrs['reason']}.")
+    compiled = compile_law(make_slope(case["elastic"]), make_slope(case["dissipation"]))
     power_error = theory.dissipated_power * (
         theory.speed_error / abs(theory.speed) + theory.energy_error / theory.energy_per_bead
     )
-    driven = drive_front(law, lattice, beads, tolerance)
+    driven = drive_front(compiled, law, front, beads, tolerance)
     row = {
         "state_minus": (states[0], 0.0),
         "state_plus": (states[1], 0.0),
         "direction": (sign, 0.0),
         "speed_expected": (theory.speed, theory.speed_error),
-        "speed_exact": _changed(sign * front.speed, sign * refined.speed),
-        "speed_travelling": _signed(sign, travelling_speed(law, front)),
+        "speed_exact": _signed(sign, exact_speed(front)),
+        "speed_travelling": _signed(sign, travelling_speed(compiled, front)),
         "speed_driven": _signed(sign, driven["speed"]),
         "velocity_jump_expected": (
             theory.velocity_jump,
@@ -131,59 +131,84 @@ def _measure(name, case, beads, tolerance):
         ),
         "velocity_jump_driven": driven["velocity_jump"],
         "power_expected": (theory.dissipated_power, power_error),
-        "power_exact": _changed(front.dissipated_power(), refined.dissipated_power()),
+        "power_exact": _rounded(
+            front.attrs["dissipated_power"], front.attrs["dissipated_power_error"]
+        ),
         "power_driven": driven["power"],
     }
-    return row, front.evaluate(PROFILE_XI)
+    behind, ahead = states[::sign]
+    return row, (evaluate_front(front, PROFILE_XI, "strain") - ahead) / (behind - ahead)
 
 
-def _changed(value, refined):
-    return Measured(value, abs(value - refined) + 8.0 * EPSILON * abs(value))
+def exact_speed(front):
+    """Speed at which the profile equation has the front.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+        From `fronts.solve.solve_front`.
+
+    Returns
+    -------
+    Measured
+    """
+    speed = front.attrs["speed"]
+    return _rounded(
+        speed * (1.0 + front.attrs["speed_defect"]), speed * front.attrs["speed_defect_error"]
+    )
+
+
+def _rounded(value, error):
+    return Measured(value, error + 8.0 * EPSILON * abs(value))
 
 
 def _signed(sign, measurement):
     return Measured(sign * measurement.value, measurement.error)
 
 
-def travelling_speed(law, front):
+def travelling_speed(compiled, front):
     """Speed of an exact front in a chain.
 
     Parameters
     ----------
-    law : object
+    compiled : object
         Compiled law of the chain.
-    front : granular_fronts.fronts.profile.any_law.AnyFront
+    front : xarray.Dataset
+        From `fronts.solve.solve_front`.
 
     Returns
     -------
     Measured
     """
-    lattice = front.lattice
-    sites = np.arange(math.floor(front.xi[0]), TRAVEL + math.ceil(front.xi[-1]) + 1.0)
-    strain = lattice.strain(front.evaluate(sites))
-    strain[0], strain[-1] = lattice.behind, lattice.ahead
-    jump = lattice.behind - lattice.ahead
-    rate = -front.speed * jump * front.evaluate_slope(sites)
+    behind, ahead, speed = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
+    xi = front["xi"].values
+    sites = np.arange(math.floor(xi[0]), TRAVEL + math.ceil(xi[-1]) + 1.0)
+    strain = evaluate_front(front, sites, "strain")
+    strain[0], strain[-1] = behind, ahead
+    velocity = evaluate_front(front, np.append(sites, sites[-1] + 1.0), "velocity")
+    level, scale = 0.5 * (behind + ahead), abs(behind - ahead)
     speeds = []
     for tolerance in (TRAVEL_TOLERANCE, 100.0 * TRAVEL_TOLERANCE):
-        chain = make_chain(law, strain, rate, 0.01)
+        chain = make_chain(compiled, strain, np.diff(velocity), 0.01)
         arrivals = np.full(sites.size, math.nan)
-        run_chain(chain, TRAVEL / front.speed, tolerance * abs(jump), lattice.strain(0.5), arrivals)
+        run_chain(chain, TRAVEL / speed, tolerance * scale, level, arrivals)
         passed = np.flatnonzero(~np.isnan(arrivals) & (sites > 0.0))
         speeds.append(_slope(arrivals[passed]))
+    strict, loose = speeds
     # The passages are 1/c apart and good to some units of rounding of the strain.
-    strict = _changed(*speeds)
-    return strict._replace(error=strict.error + 24.0 * EPSILON * strict.value)
+    return Measured(strict, abs(strict - loose) + 32.0 * EPSILON * strict)
 
 
-def drive_front(law, lattice, beads, tolerance):
+def drive_front(compiled, law, front, beads, tolerance):
     """Start a chain from a jump between the states and measure the front that forms.
 
     Parameters
     ----------
-    law : object
+    compiled : object
         Compiled law of the chain.
-    lattice : granular_fronts.fronts.profile.lattice.Lattice
+    law : granular_fronts.model.laws.Law
+    front : xarray.Dataset
+        The exact front, for states, speed and lengths.
     beads : int
         How far the front runs.
     tolerance : float
@@ -194,17 +219,17 @@ def drive_front(law, lattice, beads, tolerance):
     dict
         `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measured`.
     """
-    c, jump = lattice.speed, lattice.behind - lattice.ahead
-    window_behind, window_ahead = choose_window(lattice)
-    origin = _room_behind(lattice, beads)
+    behind, ahead, c = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
+    window_behind, window_ahead = np.abs(front["xi"].values[[0, -1]])
+    origin = _room_behind(law, behind, c, beads)
     contacts = origin + beads + math.ceil(window_ahead)
-    strain = np.where(np.arange(contacts + 2) < origin, lattice.behind, lattice.ahead)
-    strain[origin] = lattice.strain(0.5)
+    level, error = 0.5 * (behind + ahead), tolerance * abs(behind - ahead)
+    strain = np.where(np.arange(contacts + 2) < origin, behind, ahead)
+    strain[origin] = level
     rate = np.zeros(contacts + 2)
-    rate[origin] = c * jump
-    chain = make_chain(law, strain, rate, 0.01)
+    rate[origin] = c * (behind - ahead)
+    chain = make_chain(compiled, strain, rate, 0.01)
     arrivals = np.full(contacts + 2, math.nan)
-    level, error = lattice.strain(0.5), tolerance * abs(jump)
 
     def run(chain, time):
         run_chain(chain, time, error, level, arrivals)
@@ -213,7 +238,7 @@ def drive_front(law, lattice, beads, tolerance):
     # Farther behind, what is left of the front is smaller than what the start has left there.
     length = math.ceil(0.5 * window_behind)
     velocity_jumps, powers = zip(
-        *(_measure_at(chain, lattice, way, max(origin + way - length, 0), run) for way in ways),
+        *(_measure_at(chain, law, c, way, max(origin + way - length, 0), run) for way in ways),
         strict=True,
     )
     times = arrivals[origin : origin + beads - 2]
@@ -235,28 +260,27 @@ def _settling(early, halfway, late):
     return Measured(late, change + 8.0 * EPSILON * abs(late))
 
 
-def _room_behind(lattice, beads):
+def _room_behind(law, behind, speed, beads):
     """Contacts behind the jump, so that no reflection from the end catches the front.
 
     Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     """
-    stiffness, viscosity = lattice.curvatures(1.0)
-    lead = 0.5 * beads * (math.sqrt(stiffness) / lattice.speed - 1.0)
-    spread = 5.0 * math.sqrt(viscosity * beads / lattice.speed)
+    lead = 0.5 * beads * (math.sqrt(law.elastic.second(behind)) / speed - 1.0)
+    spread = 5.0 * math.sqrt(law.viscous.second(behind) * beads / speed)
     return ROOM_BEHIND + math.ceil(lead + spread)
 
 
-def _measure_at(chain, lattice, way, first, run):
+def _measure_at(chain, law, speed, way, first, run):
     """Velocity jump and power of a front about to have run a way, over the contacts from `first`.
 
     Both are means over the passage of the last bead.
     """
     velocity_jumps, powers = [], []
     for k in range(SAMPLES):
-        run(chain, (way - 1.0 + (k + 1.0) / SAMPLES) / lattice.speed)
+        run(chain, (way - 1.0 + (k + 1.0) / SAMPLES) / speed)
         strain, rate = chain.strain[first:], chain.strain_rate[first:]
         velocity_jumps.append(rate.sum())
-        powers.append((lattice.dissipation.second(strain) * rate**2).sum())
+        powers.append((law.viscous.second(strain) * rate**2).sum())
     return float(np.mean(velocity_jumps)), float(np.mean(powers))
 
 

@@ -98,7 +98,7 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
         If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
         another integer is not among the points.
     """
-    check_front(front)
+    check_front(front, "alpha", "beta", "gamma")
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
     if 4.0 * beta * gamma > STEPS * LARGEST_DECAY_PER_STEP:
         raise InputError(
