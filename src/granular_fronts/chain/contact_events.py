@@ -128,7 +128,9 @@ def step_at_kink(chain, table, kink, h, last, allowed):
         u, new_u = table[U, n], table[NEW_U, n]
         if (u - kink) * (new_u - kink) >= 0.0:
             continue
-        kappa = max(contribution(chain, table, u, kink, h), contribution(chain, table, new_u, kink, h))
+        kappa = max(
+            contribution(chain, table, u, kink, h), contribution(chain, table, new_u, kink, h)
+        )
         if kappa <= allowed:
             continue
         zero = time_to_kink(u - kink, rate_at_start(chain, table, n), new_u - kink, h)

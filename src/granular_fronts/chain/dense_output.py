@@ -47,11 +47,11 @@ def take_output_stages(chain, table, h, first, last):
         low, high = max(1, first - distance), min(clock.reach, last + distance)
         contacts = min(high, chain.contacts)
         sum_all_slots(chain, table, row, h, low, contacts)
-        call_row_map(
-            law.elastic, table[VALUE], table[FORCE], low, contacts, law.elastic_parameters
-        )
+        call_row_map(law.elastic, table[VALUE], table[FORCE], low, contacts, law.elastic_parameters)
         slot = rk.SLOT[row]
-        close_and_difference(chain, table, FORCE, ELASTIC_SLOPES + slot, clock.acceleration, low, high)
+        close_and_difference(
+            chain, table, FORCE, ELASTIC_SLOPES + slot, clock.acceleration, low, high
+        )
         if not law.single:
             call_row_map(
                 law.viscous, table[VALUE], table[DAMPING], low, contacts, law.viscous_parameters

@@ -12,27 +12,31 @@ import numpy as np
 from numba import uint64
 
 from granular_fronts.chain.dense_output import contact_polynomial, take_output_stages, write_state
-from granular_fronts.chain.state import ELASTIC_SLOPES, NEW_D, NEW_U, VISCOUS_SLOPES, D, U
+from granular_fronts.chain.state import (
+    ELASTIC_SLOPES,
+    NEW_D,
+    NEW_U,
+    VISCOUS_SLOPES,
+    D,
+    U,
+    record_type,
+)
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.polynomials import crossing, derivative, polynomial
 
-NEXT = np.dtype(
-    (np.record, [(name, np.int64) for name in ("stop", "profile", "sample", "arrival")])
-)
+NEXT = record_type(*[(name, np.int64) for name in ("stop", "profile", "sample", "arrival")])
 """Index of the next stop, profile and sample, and first contact that waits for its arrival."""
 
-EXTREMES = np.dtype(
-    (
-        np.record,
-        [
-            (f"{name}{part}", float)
-            for name in ("largest", "smallest")
-            for part in ("", "_time", "_bead")
-        ]
-        + [("gap_time", float), ("gap_bead", float)],
-    )
+EXTREMES = record_type(
+    *[
+        (f"{name}{part}", float)
+        for name in ("largest", "smallest")
+        for part in ("", "_time", "_bead")
+    ],
+    ("gap_time", float),
+    ("gap_bead", float),
 )
 """Largest and smallest u of all contacts and times, and the first opening, NaN if there is none."""
 
@@ -106,8 +110,7 @@ def write_output(chain, table, h, t_new, recording):
         next_.profile += 1
     coefficients = np.empty(rk.DEGREE + 1)
     while (
-        next_.sample < recording.sample_times.size
-        and recording.sample_times[next_.sample] <= t_new
+        next_.sample < recording.sample_times.size and recording.sample_times[next_.sample] <= t_new
     ):
         index = next_.sample
         contact_polynomial(chain, table, h, recording.sample_beads[index], coefficients)

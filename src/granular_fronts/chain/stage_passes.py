@@ -85,7 +85,9 @@ def stage_pass(potential):
     """
     if potential.kind == GIVEN:
         return 0
-    return _pass_of_shape(potential.shape, potential.parameters == (1.5,), len(potential.parameters)).address
+    return _pass_of_shape(
+        potential.shape, potential.parameters == (1.5,), len(potential.parameters)
+    ).address
 
 
 @functools.cache
@@ -147,13 +149,21 @@ def _loop(force, size):
 
 
 @intrinsic
-def call_stage_pass(typing_context, address, table, source, other, first, terms, last, factor, weights, parameters):
+def call_stage_pass(
+    typing_context, address, table, source, other, first, terms, last, factor, weights, parameters
+):
     """Call a stage pass by its address."""
     integer, double = ir.IntType(64), ir.DoubleType()
 
     def generate(context, builder, signature, arguments):
         address, table, *integers, factor, weights, parameters = arguments
-        types_of = dict(zip(("table", "weights", "parameters"), (signature.args[1], *signature.args[-2:]), strict=True))
+        types_of = dict(
+            zip(
+                ("table", "weights", "parameters"),
+                (signature.args[1], *signature.args[-2:]),
+                strict=True,
+            )
+        )
 
         def fields(name, value):
             return cgutils.create_struct_proxy(types_of[name])(context, builder, value=value)

@@ -35,12 +35,12 @@ ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 MOST_PARAMETERS, MOST_KINKS = 8, 8
 
 
-def _record(*fields):
+def record_type(*fields):
     """A type of records whose fields are attributes, in Python as in kernels."""
     return np.dtype((np.record, list(fields)))
 
 
-LAW = _record(
+LAW = record_type(
     ("elastic", np.int64),
     ("viscous", np.int64),
     ("stage_pass", np.int64),
@@ -58,7 +58,7 @@ and takes F at once (0 if there is none); their parameters; whether G = γF, and
 factor of the viscous slopes); compressions at which F or G is not smooth, and whether F' is infinite
 there, so that no contact may pass; 1 if the law acts in extension too, else 0."""
 
-CLOCK = _record(
+CLOCK = record_type(
     *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
     *[
         (name, np.int64)
@@ -69,7 +69,7 @@ CLOCK = _record(
 bead of the active window; steps accepted, rejected, cut at contacts and implicit; right-hand sides.
 """
 
-CHAIN = _record(
+CHAIN = record_type(
     ("law", LAW),
     ("clock", CLOCK),
     ("beads", np.int64),

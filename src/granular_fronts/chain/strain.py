@@ -123,10 +123,20 @@ def take_stage(chain, table, row, h, reach):
     elastic, weights = ELASTIC_SLOPES + first, chain.elastic_weights[row]
     if law.stage_pass != 0:
         call_stage_pass(
-            law.stage_pass, table, U, D, elastic, terms, last, factor, weights,
+            law.stage_pass,
+            table,
+            U,
+            D,
+            elastic,
+            terms,
+            last,
+            factor,
+            weights,
             law.elastic_parameters,
         )
-        laplacian(chain, table, FORCE, ELASTIC_SLOPES + rk.SLOT[row], chain.clock.acceleration, reach)
+        laplacian(
+            chain, table, FORCE, ELASTIC_SLOPES + rk.SLOT[row], chain.clock.acceleration, reach
+        )
         return
     if law.single:
         sum_rows(table, VALUE, U, D, factor, elastic, terms, weights, last)

@@ -53,7 +53,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.arguments import count
-from granular_fronts.chain.state import make_law
+from granular_fronts.fronts.shooting.power_law import make_power_law
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.shooting import bead_flow, tail_closure
 from granular_fronts.fronts.shooting.initial_guess import Seed, fit
@@ -168,7 +168,7 @@ def return_matrix(u, d, alpha, gamma, beta):
     ndarray, shape (2 beads, 2 beads)
         Acts on (u_1, d_1, u_2, d_2, …).
     """
-    law, beads = make_law(alpha, beta, gamma), u.size
+    law, beads = make_power_law(alpha, beta, gamma), u.size
     _, stiffness = _flow(law, u, d)
     spread = min(bead_flow.spread_of(law, STEPS, max(1.0, float(u.max()))), beads)
     weights = bead_flow.make_weights(law, 1.0 / STEPS)
@@ -193,7 +193,7 @@ def flow_residual(u, d, alpha, gamma, beta):
     -------
     float
     """
-    change, _ = _flow(make_law(alpha, beta, gamma), u, d)
+    change, _ = _flow(make_power_law(alpha, beta, gamma), u, d)
     state = np.pad([u, d], [(0, 0), (0, 1)])
     return float(np.abs(np.diff(state, axis=1) + change[:, 2:-1]).max())
 

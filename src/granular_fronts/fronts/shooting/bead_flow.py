@@ -44,8 +44,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain.state import HERTZ, PAIR
-from granular_fronts.chain.strain import NEGLIGIBLE
+from granular_fronts.fronts.shooting.power_law import HERTZ, PAIR
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
@@ -165,7 +165,7 @@ def flow(law, weights, rear, u, d, stiffness):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : fronts.shooting.power_law.PowerLaw
     weights : Weights
     rear : ndarray, shape (steps, 12)
         u_0 at the times of all stages.
@@ -286,7 +286,7 @@ def spread_of(law, steps, compression):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : fronts.shooting.power_law.PowerLaw
     steps : int
     compression : float
         Uniform u, at least the largest of the window in question.

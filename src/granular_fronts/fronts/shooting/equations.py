@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain.state import Law
+from granular_fronts.fronts.shooting.power_law import PowerLaw
 from granular_fronts.fronts.shooting import bead_flow, tail_closure
 from granular_fronts.numerics.banded_qr import band_storage
 from granular_fronts.numerics.compiled import kernel
@@ -35,7 +35,7 @@ class Window(NamedTuple):
 
     Attributes
     ----------
-    law : chain.state.Law
+    law : fronts.shooting.power_law.PowerLaw
     contacts : int
         Number M of contacts in the window.
     centre : int
@@ -46,7 +46,7 @@ class Window(NamedTuple):
         Roots of the tail that close the window behind.
     """
 
-    law: Law
+    law: PowerLaw
     contacts: int
     centre: int
     steps: int

@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain.state import make_law
+from granular_fronts.fronts.shooting.power_law import make_power_law
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess, tail_closure
 from granular_fronts.fronts.shooting.equations import Window, join, split
@@ -110,7 +110,7 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
         If the front would need too many beads or steps.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
-    law = make_law(alpha, beta, gamma)
+    law = make_power_law(alpha, beta, gamma)
     _check_steps(law)
     roots = tail_closure.slow_roots(law.alpha, law.gamma, law.beta)
     behind, ahead = choose_beads(law, roots) if beads is None else check_window(roots, *beads)

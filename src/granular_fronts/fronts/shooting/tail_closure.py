@@ -72,7 +72,7 @@ def modes(law, roots, xi):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : fronts.shooting.power_law.PowerLaw
     roots : ndarray of complex, shape (roots,)
     xi : array_like
         Distances from the rear contact.
