@@ -31,6 +31,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.polynomials import polynomial
 
 RUNNING, ARRIVED, AT_REST = range(3)
 
@@ -105,15 +106,6 @@ def position_series(mu, v, p):
 
 
 @kernel
-def series_sum(series, x):
-    """Value of a polynomial, constant coefficient first."""
-    value = 0.0
-    for k in range(series.size - 1, -1, -1):
-        value = value * x + series[k]
-    return value
-
-
-@kernel
 def series_slope(series, x):
     """Derivative of a polynomial, constant coefficient first."""
     value = 0.0
@@ -182,12 +174,12 @@ def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
         s_new = point.s[0] - length
         h = s_new - point.s[0]
         point.s[0] = s_new
-        point.v[0] = series_sum(v, h)
+        point.v[0] = polynomial(v, h)
         if near:
-            point.p[0] = series_sum(p, h)
+            point.p[0] = polynomial(p, h)
             point.e[0] = point.v[0] * point.v[0] - point.p[0] - 0.5
         else:
-            point.e[0] = series_sum(energies, h)
+            point.e[0] = polynomial(energies, h)
             point.p[0] = point.v[0] * point.v[0] - 0.5 - point.e[0]
     return starts.size, RUNNING
 
@@ -216,7 +208,7 @@ def evaluate_steps(starts, jets, end, s, p, v):
                 low = middle
             else:
                 high = middle
-        p[i] = series_sum(jets[low], s[i] - starts[low])
+        p[i] = polynomial(jets[low], s[i] - starts[low])
         v[i] = series_slope(jets[low], s[i] - starts[low])
 
 
@@ -226,7 +218,7 @@ def locate(series, level, end):
     left, right = end, 0.0
     x = 0.5 * end
     for _ in range(200):
-        value = series_sum(series, x) - level
+        value = polynomial(series, x) - level
         if value > 0.0:
             right = x
         else:
@@ -268,6 +260,6 @@ def locate_turns(starts, jets, end, s, p):
             derivative[k] = sign * (k + 1) * jets[step, k + 1]
         x = locate(derivative, 0.0, span)
         s[count] = starts[step] + x
-        p[count] = series_sum(jets[step], x)
+        p[count] = polynomial(jets[step], x)
         count += 1
     return count
