@@ -147,7 +147,7 @@ def _collect(mu, accuracy, point, s_stop, p_stop, energies):
         if total >= MOST_STEPS:
             raise InputError(
                 f"For mu = {mu} the orbit turns so often that {MOST_STEPS} steps lead only to "
-                f"s = {point.s[0]:.6g}: ask for nothing before that, or for a larger mu."
+                f"s = {point.s:.6g}: ask for nothing before that, or for a larger mu."
             )
         more_starts, more_jets = np.empty(room), np.empty((room, accuracy.order + 1))
         steps, status = follow(
@@ -157,4 +157,4 @@ def _collect(mu, accuracy, point, s_stop, p_stop, energies):
         jets.append(more_jets[:steps])
         total += steps
         room = min(2 * room, 8192)
-    return Steps(np.concatenate(starts), np.concatenate(jets), float(point.s[0])), status
+    return Steps(np.concatenate(starts), np.concatenate(jets), float(point.s)), status
