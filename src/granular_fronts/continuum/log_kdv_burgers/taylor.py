@@ -32,7 +32,7 @@ import numpy as np
 
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.polynomials import polynomial
-from granular_fronts.numerics.records import make_record, record_type
+from granular_fronts.numerics.records import record_type
 
 RUNNING, ARRIVED, AT_REST = range(3)
 
@@ -69,7 +69,7 @@ POINT = record_type(*((name, float) for name in "svep"))
 
 def make_point(s, v, e, p):
     """A point from four numbers."""
-    return make_record(POINT, s=s, v=v, e=e, p=p)
+    return np.array((s, v, e, p), POINT)[()]
 
 
 @kernel
