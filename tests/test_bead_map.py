@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from chains import integrate_strain_fixed
 
-from granular_fronts.chain.state import make_law
+from granular_fronts.fronts.shooting.power_law import make_power_law as make_law
 from granular_fronts.fronts.shooting import bead_flow
 from granular_fronts.numerics.banded_qr import band_storage, solve_least_squares
 

@@ -53,10 +53,10 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.arguments import count
-from granular_fronts.fronts.shooting.power_law import make_power_law
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.shooting import bead_flow, tail_closure
 from granular_fronts.fronts.shooting.initial_guess import Seed, fit
+from granular_fronts.fronts.shooting.power_law import make_power_law
 from granular_fronts.fronts.shooting.solve import LARGEST_DECAY_PER_STEP
 from granular_fronts.fronts.validation import check_front
 

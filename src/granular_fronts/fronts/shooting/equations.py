@@ -21,8 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.fronts.shooting.power_law import PowerLaw
 from granular_fronts.fronts.shooting import bead_flow, tail_closure
+from granular_fronts.fronts.shooting.power_law import PowerLaw
 from granular_fronts.numerics.banded_qr import band_storage
 from granular_fronts.numerics.compiled import kernel
 

@@ -23,11 +23,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.fronts.shooting.power_law import make_power_law
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess, tail_closure
 from granular_fronts.fronts.shooting.equations import Window, join, split
 from granular_fronts.fronts.shooting.gauss_newton import descend
+from granular_fronts.fronts.shooting.power_law import make_power_law
 from granular_fronts.fronts.shooting.window_size import check_window, choose_beads, missing_beads
 from granular_fronts.fronts.validation import check_law
 
