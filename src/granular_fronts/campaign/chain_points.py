@@ -19,9 +19,9 @@ import numpy as np
 
 from granular_fronts.accuracy import largest_difference, with_refinement
 from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
 from granular_fronts.output.progress import counted
 
@@ -104,14 +104,14 @@ def _solve_point(point, tolerance, beads):
     measured = {
         "front_speed": speed,
         "overshoot": peak - 1.0,
-        "largest_overshoot": extremes[LARGEST] - 1.0,
-        "smallest_compression": extremes[SMALLEST],
-        "first_gap_time": extremes[OPENING],
-        "first_gap_bead": extremes[OPENING + 1],
+        "largest_overshoot": extremes.largest - 1.0,
+        "smallest_compression": extremes.smallest,
+        "first_gap_time": extremes.gap_time,
+        "first_gap_bead": extremes.gap_bead,
     }
     if beads is not None:
         measured["relative_displacement"] = np.where(
-            beads < count, run.state.u[np.minimum(beads, count)], np.nan
+            beads < count, run.row(U)[np.minimum(beads, count) - 1], np.nan
         )
     return measured
 

@@ -22,18 +22,24 @@ import xarray as xr
 from granular_fronts.accuracy import Estimate, variable_and_errors
 from granular_fronts.chain.equations import Boundary, velocity_correction
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.chain.state import make_law
 from granular_fronts.model.collision import restitution
-from granular_fronts.reference_methods import position_forms
+from granular_fronts.model.laws import make_law
+from granular_fronts.reference_methods.position_forms import (
+    XV,
+    XW,
+    integrate_by_stages,
+    make_system,
+    right_hand_side,
+)
 
-FORMS = {"positions_and_velocities": position_forms.XV, "positions_and_w": position_forms.XW}
+FORMS = {"positions_and_velocities": XV, "positions_and_w": XW}
 SCHEMES = {
     "euler": (np.array([0.0]), np.array([1.0])),
     "runge_kutta_4": (np.array([0.0, 0.5, 0.5, 1.0]), np.array([1.0, 2.0, 2.0, 1.0]) / 6.0),
 }
 """Nodes and weights of methods in which each stage uses the one before it alone."""
 
-FREE = (False, 0.0, 0.0)
+FREE = Boundary(ring=False)
 """Ends of a chain on which nothing presses."""
 
 COMPRESSIONS = 2.0 ** -np.arange(10.0, 31.0, 2.0)
@@ -65,10 +71,10 @@ def compare_variables(alpha, betas, gamma):
         both for β = α.
     """
     powers = [
-        [quotient_power(form, make_law(alpha, beta, gamma)) for beta in betas]
+        [quotient_power(form, make_law(alpha=alpha, beta=beta, gamma=gamma)) for beta in betas]
         for form in FORMS.values()
     ]
-    law = make_law(alpha, alpha, gamma)
+    law = make_law(alpha=alpha, gamma=gamma)
     orders = [[observed_order(form, law, scheme) for scheme in SCHEMES] for form in FORMS.values()]
     drift, error = conserved_velocity_drift(alpha, gamma)
     return xr.Dataset(
@@ -118,37 +124,31 @@ def slope(x, y):
 
 def quotient_power(form, law):
     """Power of h in the difference quotient of the right-hand side where a contact closes."""
-    quotients = []
+    system, quotients = make_system(form, law, FREE, 2), []
     for compression in COMPRESSIONS:
         opened, closed = (
-            right_hand_side(form, law, np.array([h, 0.0, 1.0, 0.0])) for h in (0.0, compression)
+            right_hand_side(system, np.array([h, 0.0, 1.0, 0.0])) for h in (0.0, compression)
         )
         quotients.append(np.abs(closed - opened).max() / compression)
     return slope(COMPRESSIONS, np.array(quotients))
 
 
-def right_hand_side(form, law, state):
-    """Time derivative of (x, ẋ) or (x, w) of beads on which nothing presses."""
-    result = np.empty_like(state)
-    position_forms.derivative(form, law, FREE, state, result)
-    return result
-
-
 def observed_order(form, law, scheme):
     """Order of the velocity after a collision, and how far two halves of the steps disagree."""
     parting = -restitution(law.gamma, law.alpha, law.beta)
+    system = make_system(form, law, FREE, 2)
     errors = [
-        np.median([abs(part_beads(form, law, scheme, gap, steps) - parting) for gap in GAPS])
+        np.median([abs(part_beads(system, scheme, gap, steps) - parting) for gap in GAPS])
         for steps in STEP_COUNTS
     ]
     return -slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
 
 
-def part_beads(form, law, scheme, gap, steps):
+def part_beads(system, scheme, gap, steps):
     """Relative velocity ẋ_1 − ẋ_2 after bead 1 has come with velocity 1 from a distance."""
     start = np.array([-gap, 0.0, 1.0, 0.0])
     h = COLLISION_END / steps
-    state = position_forms.integrate_by_stages(form, law, FREE, start, h, steps, *SCHEMES[scheme])
+    state = integrate_by_stages(system, start, h, steps, *SCHEMES[scheme])
     return state[2] - state[3]
 
 
@@ -173,8 +173,9 @@ def conserved_velocity_drift(alpha, gamma):
         "choice of variables",
     )
     boundary = Boundary(ring=False, left=1.0, right=0.0)
+    law = make_law(alpha=alpha, gamma=gamma)
     w = [
-        velocity - velocity_correction(u, boundary, alpha, gamma)
+        velocity - velocity_correction(u, boundary, law)
         for u, velocity in zip(
             motion["relative_displacement"].values, motion["velocity"].values, strict=True
         )

@@ -29,7 +29,7 @@ def choose_beads(law, roots):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : fronts.shooting.power_law.PowerLaw
     roots : ndarray of complex
         Roots of the tail, the slowest first.
 
