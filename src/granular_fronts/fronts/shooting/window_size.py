@@ -29,7 +29,7 @@ def choose_beads(law, roots):
 
     Parameters
     ----------
-    law : fronts.shooting.power_law.PowerLaw
+    law : bead_flow.PowerLaw
     roots : ndarray of complex
         Roots of the tail, the slowest first.
 
