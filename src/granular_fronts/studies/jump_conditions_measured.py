@@ -12,10 +12,10 @@ Travelling front: the exact front, put into a chain of beads (`chain.simulate`),
 is the slope of the times at which the contacts pass the middle between the states.  No code is
 shared with the profile.  Error: what the error of these times can do to the slope, and rounding.
 
-Driven front: the chain starts from a jump between the two states, sharp and symmetric: beads
-behind and ahead have their velocities, one contact between them has the mean strain.  With
-the velocities :math:`-cR_\pm` such a start leaves nothing behind: strain and velocity are conserved
-and would all be in the front, were it not for the inner structure that the front has to find.  This
+Driven front: the chain starts from a short straight ramp between the two states, each bead with
+the velocity −c times the mean strain of its two contacts.  Such a start leaves nothing behind:
+strain and velocity are conserved and would all be in the front, were it not for the inner structure
+that the front has to find.  (A sharp jump would open the contacts of a softening law.)  This
 transient dies out algebraically, about as the inverse square of the distance, which is why driven
 speeds are no better than they are.  The speed is the slope of the times of passage over the
 second half of the way; the jump of the velocity and the power are measured at its end, over the
@@ -23,7 +23,7 @@ passage of one bead and the contacts of the front.  Error: the change on the las
 way, which for the inverse square is three times the error that is left, or a quarter of the change
 on the doubling before, and rounding.
 Weakly nonlinear or strongly damped fronts form slowly, at an exponential rate; they need a longer
-way, or have larger errors.  The chain behind the jump is so long that nothing that its held end
+way, or have larger errors.  The chain behind the ramp is so long that nothing that its held end
 reflects reaches the front.
 
 A front that runs to smaller n is measured in the reflected chain, with the states exchanged.
@@ -43,6 +43,9 @@ from granular_fronts.model.laws import make_law
 
 EPSILON = float(np.finfo(float).eps)
 ROOM_BEHIND = 60
+RAMP = 4
+"""Contacts over which a driven front starts."""
+
 TRAVEL, TRAVEL_TOLERANCE = 40, 1.0e-14
 SAMPLES = 16
 """Instants within the passage of one bead, whose powers are averaged."""
@@ -63,8 +66,8 @@ def measure_jumps(cases, beads, tolerance):
     Parameters
     ----------
     cases : mapping
-        For each name `elastic` and `dissipation`, potentials by kind and parameters (`model.kinds`),
-        and `states`, R₋ and R₊.
+        For each name `elastic` and `dissipation`, kinds of potentials with their parameters
+        (`model.kinds`), and `states`, R₋ and R₊.
     beads : int
         How far driven fronts run.
     tolerance : float
@@ -197,7 +200,7 @@ def travelling_speed(law, front):
 
 
 def drive_front(law, front, beads, tolerance):
-    """Start a chain from a jump between the states and measure the front that forms.
+    """Start a chain from a ramp between the states and measure the front that forms.
 
     Parameters
     ----------
@@ -216,16 +219,15 @@ def drive_front(law, front, beads, tolerance):
     """
     behind, ahead, c = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
     window_behind, window_ahead = np.abs(front["xi"].values[[0, -1]])
-    # Contacts before this one are behind the jump, those after it ahead.
+    # The contact in the middle of the ramp.
     origin = _room_behind(law, behind, c, beads)
-    contact = np.arange(1, origin + beads + math.ceil(window_ahead) + 2)
-    strain = np.where(
-        contact < origin, behind, np.where(contact > origin, ahead, 0.5 * (behind + ahead))
-    )
-    velocity = -c * np.where(contact <= origin, behind, ahead)
+    contact = np.arange(origin + beads + math.ceil(window_ahead) + 2)
+    share = np.clip(0.5 - (contact - origin) / RAMP, 0.0, 1.0)
+    strain = ahead + (behind - ahead) * share
+    velocity = -0.5 * c * (strain[:-1] + strain[1:])
     ways = (beads // 4, beads // 2, beads)
     moments = [(way - 1.0 + np.arange(1, SAMPLES + 1) / SAMPLES) / c for way in ways]
-    scene = _scene(law, front, -strain, velocity, tolerance, snapshots=np.concatenate(moments))
+    scene = _scene(law, front, -strain[1:], velocity, tolerance, snapshots=np.concatenate(moments))
     motion = simulate_chain(scene)
     # Farther behind, what is left of the front is smaller than what the start has left there.
     length = math.ceil(0.5 * window_behind)
@@ -277,7 +279,7 @@ def _settling(early, halfway, late):
 
 
 def _room_behind(law, behind, speed, beads):
-    """Contacts behind the jump, so that no reflection from the end catches the front.
+    """Contacts behind the ramp, so that no reflection from the end catches the front.
 
     Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     """
