@@ -90,7 +90,7 @@ def test_smaller_steps_change_nothing(alpha, beta, gamma):
 @pytest.mark.parametrize("e", [1.0 - 1.0e-9, 0.99, 0.7, 0.3, 1.0e-3, 1.0e-9])
 def test_inverse_returns(alpha, beta, e):
     gamma = damping_for_restitution(e, alpha, beta)
-    # Just below a finite γ at which e vanishes, γ alone cannot tell a small e.
+    # Just below a finite γ at which e vanishes, γ alone does not determine a small e.
     tolerance = ACCURACY if beta > (alpha + 1.0) / 2.0 else 1.0e-9
     assert gf.restitution(gamma, alpha, beta) == pytest.approx(e, rel=tolerance)
 

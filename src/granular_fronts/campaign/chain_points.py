@@ -16,10 +16,12 @@ Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chun
 with the tolerance divided by `REFINEMENT`; the largest difference is the error estimate.
 """
 
+import functools
 import math
 
 import numpy as np
 
+from granular_fronts.accuracy import largest_difference, with_refinement
 from granular_fronts.campaign.kinds import KINDS, Solved
 from granular_fronts.campaign.laws import law_at
 from granular_fronts.chain.recording import fitted_speed
@@ -65,16 +67,19 @@ def solve_chunk(points, settings, activity):
     reasons = np.full(shape, "", dtype=object)
     errors = dict.fromkeys(values, np.nan)
     tolerance = settings["tolerance"]
+    solve = functools.partial(_solve_point, law=settings.get("law"), beads=beads)
     indices = list(np.ndindex(shape))
     for number, index in enumerate(counted(indices, activity, "point")):
         point = {name: value[index] for name, value in points.items()}
         try:
-            measured = _solve_point(point, settings.get("law"), tolerance, beads)
-            if number % REFINED_EVERY == 0 or number == len(indices) - 1:
-                finer = tolerance / REFINEMENT
-                refined = _solve_point(point, settings.get("law"), finer, beads)
+            if number % REFINED_EVERY and number < len(indices) - 1:
+                measured = solve(point, tolerance)
+            else:
+                measured, refined = with_refinement(
+                    functools.partial(solve, point), tolerance, tolerance / REFINEMENT
+                )
                 for name in values:
-                    difference = np.max(np.abs(refined[name] - measured[name]))
+                    difference = largest_difference(measured[name], refined[name])
                     errors[name] = np.fmax(errors[name], difference)
         except (ValueError, ArithmeticError) as error:
             reasons[index] = str(error)
@@ -84,7 +89,7 @@ def solve_chunk(points, settings, activity):
     return Solved(values, reasons, errors, ERROR_METHOD)
 
 
-def _solve_point(point, law, tolerance, beads):
+def _solve_point(point, tolerance, law, beads):
     """Measures of one chain in units of δ and 1/c, and its final u at the given beads.
 
     Raises

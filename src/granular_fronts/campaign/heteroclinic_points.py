@@ -8,8 +8,13 @@ import math
 
 import numpy as np
 
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.continuum.log_kdv_burgers.heteroclinic import compute_orbit, heteroclinic
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
+    heteroclinic,
+    past_all_turns,
+    refined_orbit,
+)
 from granular_fronts.continuum.log_kdv_burgers.survey import measure_rates
 from granular_fronts.output.progress import counted
 
@@ -17,7 +22,6 @@ ERROR_METHOD = (
     "largest difference to the orbit traced with another order; of a rate, its change along the "
     "orbit"
 )
-RESOLVED = 2.0**-52
 
 
 def solve_chunk(points, settings, activity):
@@ -57,11 +61,11 @@ def solve_chunk(points, settings, activity):
 
 def _measure(mu, s):
     """Each scalar of one orbit, and its profile, with an error."""
-    shape, again = _shape(mu, refined=False), _shape(mu, refined=True)
+    orbits = refined_orbit(mu, past_all_turns(mu))
     rate, rate_error, frequency, frequency_error = measure_rates(mu)
     measured = {
-        "overshoot": (shape[0], abs(shape[0] - again[0])),
-        "width_10_90": (shape[1], abs(shape[1] - again[1])),
+        "overshoot": orbits.estimate(_overshoot),
+        "width_10_90": orbits.estimate(_width),
         "growth_rate": (rate, rate_error),
         "angular_frequency": (frequency, frequency_error),
     }
@@ -71,11 +75,13 @@ def _measure(mu, s):
     return measured
 
 
-def _shape(mu, refined):
-    """Overshoot and width in s of one trace of the orbit."""
-    # Without damping there is no second turn to look for.
-    orbit = compute_orbit(mu, -math.inf if mu > 0.0 else -4.0, refined)
+def _overshoot(orbit):
+    """Largest y − 1 of an orbit, 0 where it is below the last digit of 1."""
     _, p = orbit.turning_points()
     overshoot = math.expm1(-p[0]) if p.size else 0.0
-    width = orbit.s_at(math.log(10.0)) - orbit.s_at(-math.log(0.9))
-    return (overshoot if overshoot > RESOLVED else 0.0), width
+    return overshoot if overshoot > EPSILON else 0.0
+
+
+def _width(orbit):
+    """Distance in s from y = 0.9 to y = 0.1."""
+    return orbit.s_at(math.log(10.0)) - orbit.s_at(-math.log(0.9))

@@ -20,7 +20,12 @@ Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations
 import numpy as np
 import xarray as xr
 
-from granular_fronts.chain.measures import last_fall, recorded
+from granular_fronts.accuracy import (
+    estimate,
+    recorded,
+    variable_and_errors,
+)
+from granular_fronts.chain.measures import last_fall
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
@@ -99,31 +104,24 @@ def measure_limiting_cases(
         for exponent in (1.0, alpha)
     ]
     elastic = make_potential("hertz", alpha=softening)
-    speeds = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
-    speeds = [(theory.speed, theory.speed_error) for theory in speeds]
-    times_and_depths = np.array([collide(alpha, velocity) for velocity in impact_velocities])
+    fronts = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
+    speeds = [(theory.speed, theory.speed_error) for theory in fronts]
+    collisions = [collide(alpha, velocity) for velocity in impact_velocities]
     distances = [ring_distance(exponent, rings) for exponent in rings["exponents"]]
+    times_of_contact, indentations = zip(*collisions, strict=True)
+    measured = [
+        ("ring_distance", "exponent", distances, "distance of a ring to its equation"),
+        ("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
+        ("width", ("alpha", "t"), widths, "width of the wave"),
+        ("softening_speed", "strain_ahead", speeds, "speed of the front"),
+        ("contact_time", "impact_velocity", times_of_contact, "time of contact of two beads"),
+        ("indentation", "impact_velocity", indentations, "largest compression of two beads"),
+    ]
+    variables = {}
+    for name, dims, estimates, meaning in measured:
+        variables |= variable_and_errors(name, dims, estimates, ERROR_METHOD, meaning)
     return xr.Dataset(
-        {
-            **_described(
-                "ring_distance", ("exponent",), distances, "distance of a ring to its equation"
-            ),
-            **_described("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
-            **_described("width", ("alpha", "t"), widths, "width of the wave"),
-            **_described("softening_speed", ("strain_ahead",), speeds, "speed of the front"),
-            **_described(
-                "contact_time",
-                ("impact_velocity",),
-                times_and_depths[:, 0],
-                "time for which two beads are in contact",
-            ),
-            **_described(
-                "indentation",
-                ("impact_velocity",),
-                times_and_depths[:, 1],
-                "largest compression of two beads",
-            ),
-        },
+        variables,
         {
             "gamma": [0.0, weak_gamma],
             "alpha": [1.0, alpha],
@@ -135,16 +133,6 @@ def measure_limiting_cases(
             ),
         },
     )
-
-
-def _described(name, dims, pairs, meaning):
-    """A variable and its errors, from pairs of both."""
-    values, errors = np.moveaxis(np.array(pairs), -1, 0)
-    attributes = {"error_estimate": float(errors.max()), "error_method": ERROR_METHOD}
-    return {
-        name: (dims, values, {"long_name": meaning, **attributes}),
-        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
-    }
 
 
 def _axis(name, values, meaning):
@@ -172,19 +160,19 @@ def oscillation_behind(profile):
     """Range of u over a part of the way of a wave behind its front, and its error."""
     way = last_fall(profile, np.arange(1.0, profile.size + 1.0), 0.5)
     part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
-    value = float(np.ptp(part))
-    return value, abs(value - float(np.ptp(part[::2])))
+    return estimate(np.ptp(part), np.ptp(part[::2]))
 
 
 def wave_width(profile):
     """Distance from 90 to 10 per cent, in beads, and its error."""
     places = np.arange(1.0, profile.size + 1.0)
-    value, coarse = (
-        last_fall(profile[::stride], places[::stride], 0.1)
-        - last_fall(profile[::stride], places[::stride], 0.9)
-        for stride in (1, 2)
+    return estimate(
+        *(
+            last_fall(profile[::stride], places[::stride], 0.1)
+            - last_fall(profile[::stride], places[::stride], 0.9)
+            for stride in (1, 2)
+        )
     )
-    return value, abs(value - coarse)
 
 
 def collide(alpha, velocity):
@@ -201,7 +189,9 @@ def collide(alpha, velocity):
         },
         f"collision with velocity {velocity:g}",
     )
-    return recorded(motion, "first_gap_time"), recorded(motion, "largest_relative_displacement")
+    return tuple(
+        recorded(motion[name]) for name in ("first_gap_time", "largest_relative_displacement")
+    )
 
 
 def ring_distance(alpha, rings):

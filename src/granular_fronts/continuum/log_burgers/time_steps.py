@@ -21,10 +21,10 @@ stable if its polynomial is at most 1 on
 
 .. math:: z(\theta) = -b\,\frac{G(\theta)}{G(\pi)} - i\sqrt{\frac{p\,b}{G(\pi)}}\,S(\theta),
 
-that is, if :math:`p \le p(b)`.  Along the real axis the method reaches further per stage than the
-classical one of fourth order, and its region is wide too, so that the diffusion of a fine grid and
-the advection of a coarse one both leave it long steps.  `PARABOLA` holds :math:`p(b)` for the
-:math:`b` of `REAL_REACH`, measured when the module is imported.
+that is, if :math:`p \le p(b)`.  Along the real axis the method is stable further out per stage than
+the classical one of fourth order, and its region is wide too, so that the diffusion of a fine grid
+and the advection of a coarse one both leave it long steps.  `PARABOLA` holds :math:`p(b)` for the
+:math:`b` of `DIFFUSION_NUMBERS`, measured when the module is imported.
 """
 
 from typing import NamedTuple
@@ -38,7 +38,7 @@ from granular_fronts.numerics.interrupts import interrupted
 STAGES = 10
 # Ten times the weights of order 3 less those of order 4, which are all 1/10.
 EMBEDDED_DIFFERENCE = (1.0, -1.0, -1.0, 2.0, -1.0, -1.0, 1.0, -1.0, 2.0, -1.0)
-REAL_REACH = np.arange(12.0, 1.5, -0.5)
+DIFFUSION_NUMBERS = np.arange(12.0, 1.5, -0.5)
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0
 RESOLUTION = 1.0e-14
 FINISHED, COLLAPSED = 0, 1
@@ -52,25 +52,25 @@ def stability_polynomial(z):
     return 1.0 / 25.0 + 9.0 / 25.0 * half_way + 3.0 / 5.0 * euler**5 * (0.4 * half_way + 0.6)
 
 
-def spectrum(reach, parabola, angle):
+def spectrum(b, p, angle):
     """Eigenvalues z(θ) for given b and p, times the step."""
     diffusion, advection = finite_volumes.symbols(angle)
-    per_reach = reach / finite_volumes.DIFFUSION_REACH
-    return -per_reach * diffusion - 1j * np.sqrt(parabola * per_reach) * advection
+    scale = b / finite_volumes.DIFFUSION_RADIUS
+    return -scale * diffusion - 1j * np.sqrt(p * scale) * advection
 
 
-def _largest_parabola(reach):
-    """Largest p at which a real reach is stable, with a margin of 2 %."""
+def _largest_parabola(b):
+    """Largest p at which a step with the given b is stable, with a margin of 2 %."""
     angle = np.linspace(0.0, np.pi, 513)[1:]
     lower, upper = 0.0, 64.0
     for _ in range(24):
         middle = 0.5 * (lower + upper)
-        growth = np.abs(stability_polynomial(spectrum(reach, middle, angle))).max()
+        growth = np.abs(stability_polynomial(spectrum(b, middle, angle))).max()
         lower, upper = (middle, upper) if growth <= 1.0 else (lower, middle)
     return 0.98 * lower
 
 
-PARABOLA = np.array([_largest_parabola(reach) for reach in REAL_REACH])
+PARABOLA = np.array([_largest_parabola(b) for b in DIFFUSION_NUMBERS])
 
 
 class State(NamedTuple):
@@ -169,10 +169,12 @@ def largest_stable_step(equation, averages):
     """Largest step for which diffusion and advection are both stable."""
     smallest, largest = averages.min(), averages.max()
     strength, diffusion = finite_volumes.advection_and_diffusion(equation, smallest, largest)
-    stiffness = diffusion * finite_volumes.DIFFUSION_REACH / equation.width**2
+    stiffness = diffusion * finite_volumes.DIFFUSION_RADIUS / equation.width**2
     best = 0.0
-    for row in range(REAL_REACH.size):
-        best = max(best, min(REAL_REACH[row] / stiffness, PARABOLA[row] / max(strength, 1e-300)))
+    for row in range(DIFFUSION_NUMBERS.size):
+        best = max(
+            best, min(DIFFUSION_NUMBERS[row] / stiffness, PARABOLA[row] / max(strength, 1e-300))
+        )
     return best
 
 
