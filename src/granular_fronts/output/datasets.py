@@ -186,8 +186,10 @@ def write_dataset(dataset, path, *, scene_id, config):
         Final name of the netCDF file.
     scene_id : str
     config : mapping
-        The part of the configuration that was computed, stored as JSON with its digest.
+        The part of the configuration that was computed, stored as JSON with its digest; a `Law` in
+        it is stored as it describes itself.
     """
+    config = json.loads(json.dumps(config, default=lambda law: law.describe()))
     described = dataset.copy()
     for name, variable in described.variables.items():
         given = dataset[name].attrs

@@ -67,10 +67,10 @@ def domain_of(law: object) -> tuple[float, float]:
 
 
 def decades_of_impact(law: object, velocity: float, most: int) -> float:
-    """Decimal logarithm of the compression that a velocity makes of contacts at rest.
+    """Decimal logarithm of the strain that a velocity makes of contacts at rest.
 
     A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
-    the law (28).
+    the law (28), or stretches them as far where that takes less.
 
     Parameters
     ----------
@@ -92,7 +92,8 @@ def decades_of_impact(law: object, velocity: float, most: int) -> float:
 
     elastic = made_law(law).elastic
     sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
-    energies = elastic.value(-(10.0**sizes)) - elastic.value(0.0)
+    energies = np.fmax(*(elastic.value(sign * 10.0**sizes) for sign in (-1.0, 1.0)))
+    energies -= elastic.value(0.0)
     inside = -(10.0**sizes) > elastic.domain[0]
     enough = ~inside | (energies >= float(velocity) ** 2)
     return float(sizes[np.argmax(enough)]) if enough.any() else float(most)

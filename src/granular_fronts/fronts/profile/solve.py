@@ -50,6 +50,9 @@ AT_REST = 5e-14
 # A front on the coarse grid serves as a start only, and need not show the end of its tail.
 COARSE_SHARE = 0.6
 ADJUSTMENTS = 8
+
+# What is not resolved here is not smooth; and the longest grid.
+FINEST = Fraction(1, 128)
 MOST_POINTS = 800_000
 
 # Longest window, in sites, in which fronts have been found.
@@ -127,7 +130,7 @@ def solve_profile(problem):
     profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
         return profile
-    spacing = expected_spacing(profile)
+    spacing = max(expected_spacing(profile), FINEST)
     for _ in range(ADJUSTMENTS):
         before = profile.residuals
         profile = solve_on_grid(problem, window, spacing, ORDER, profile.evaluate)
@@ -136,15 +139,16 @@ def solve_profile(problem):
             return profile
         defect, stretch = quadrature_defect(profile), needed_stretch(profile)
         sharp = defect > DEFECT * problem.magnification
-        if not sharp and stretch == (1.0, 1.0):
+        if (not sharp and stretch == (1.0, 1.0)) or (sharp and spacing == FINEST):
             break
         window = window.longer(*stretch)
         if sharp:
-            spacing = min(expected_spacing(profile), rational(0.8 * float(spacing)))
+            finer = min(expected_spacing(profile), rational(0.8 * float(spacing)))
+            spacing = max(finer, FINEST)
     if sharp:
         return profile._replace(
             reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points "
-            "per site: the front is too sharp for it"
+            "per site: the front is too sharp for it, or its law has a kink between the states"
         )
     return profile._replace(reason=reason_against(profile))
 
