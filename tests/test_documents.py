@@ -9,7 +9,9 @@ import sys
 import textwrap
 from pathlib import Path
 
+import numpy as np
 import pytest
+import xarray as xr
 from projects import ROOT, copy_project, snakemake
 
 README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
@@ -166,6 +168,7 @@ def named_blocks(document):
 
 
 PLACES = named_blocks(EXTENDING)
+CAMPAIGN = "config/campaigns/hyperbolic.yaml"
 
 
 def test_a_figure_is_added_in_three_places(tmp_path):
@@ -175,7 +178,7 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     for name, text in places.items():
         with (project / name).open("a", encoding="utf-8") as file:
             file.write(text)
-    [command] = [line for line in commands(EXTENDING) if line.startswith("snakemake")]
+    [command] = [line for line in commands(EXTENDING) if "fig20" in line]
     outcome = snakemake(*shlex.split(command)[2:], folder=project)
     assert outcome.returncode == 0, outcome.stderr
     drawn = {path.name for path in (project / "results" / "figures").iterdir()}
@@ -196,14 +199,15 @@ def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     assert "fig20" in outcome.stdout + outcome.stderr
 
 
+@pytest.mark.slow
 def test_a_law_is_added_in_one_place(tmp_path):
+    """Then a scene, a front and a campaign take it by configuration alone."""
     project = copy_project(tmp_path)
-    kinds, override = "src/granular_fronts/model/kinds.py", "mine.yaml"
-    with (project / kinds).open("a", encoding="utf-8") as file:
-        file.write(PLACES[kinds])
-    (project / override).write_text(PLACES[override], encoding="utf-8")
-    [command] = [line for line in commands(EXTENDING) if line.startswith("python")]
-    outcome = run([sys.executable, *shlex.split(command)[1:]], project)
+    for name in ("src/granular_fronts/model/kinds.py", "mine.yaml", CAMPAIGN):
+        with (project / name).open("a", encoding="utf-8") as file:
+            file.write(PLACES[name])
+    script, *_ = [line for line in commands(EXTENDING) if line.startswith("python")]
+    outcome = run([sys.executable, *shlex.split(script)[1:]], project)
     assert outcome.returncode == 0, outcome.stderr
     assert (project / "hyperbolic.nc").exists()
     [example] = [block for block in blocks(EXTENDING, "python") if block.startswith("import")]
@@ -211,3 +215,9 @@ def test_a_law_is_added_in_one_place(tmp_path):
     assert outcome.returncode == 0, outcome.stderr
     solved, expected = outcome.stdout.splitlines()
     assert float(solved.split()[0]) == pytest.approx(float(expected), rel=1e-10)
+    [campaign] = [line for line in commands(EXTENDING) if "campaign" in line]
+    outcome = snakemake(*shlex.split(campaign)[2:], folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    with xr.open_dataset(project / "results/data/campaigns/hyperbolic.nc") as dataset:
+        assert (dataset["status"] == 0).all()
+        assert np.isfinite(dataset["overshoot"]).all()
