@@ -203,9 +203,14 @@ def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
 def test_a_law_is_added_in_one_place(tmp_path):
     """Then a scene, a front and a campaign take it by configuration alone."""
     project = copy_project(tmp_path)
-    for name in ("src/granular_fronts/model/kinds.py", "mine.yaml", CAMPAIGN):
-        with (project / name).open("a", encoding="utf-8") as file:
-            file.write(PLACES[name])
+    for name in ("mine.yaml", CAMPAIGN):
+        (project / name).write_text(PLACES[name], encoding="utf-8")
+    place = "src/granular_fronts/model/kinds.py"
+    [entry] = [block for block in blocks(EXTENDING, "python") if block.startswith('"')]
+    text = (project / place).read_text(encoding="utf-8")
+    text = text.replace("\n\nclass Parameter(", f"\n\n{PLACES[place]}\n\nclass Parameter(", 1)
+    text = text.replace("\nELASTIC = {\n", f"\nELASTIC = {{\n    {entry}", 1)
+    (project / place).write_text(text, encoding="utf-8")
     script, *_ = [line for line in commands(EXTENDING) if line.startswith("python")]
     outcome = run([sys.executable, *shlex.split(script)[1:]], project)
     assert outcome.returncode == 0, outcome.stderr
