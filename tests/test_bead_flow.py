@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from chains import integrate_strain_fixed
 
-from granular_fronts.chain.state import make_law
 from granular_fronts.fronts.shooting import bead_flow
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw
+from granular_fronts.model.laws import make_law
 from granular_fronts.numerics.banded_qr import band_storage, solve_least_squares
 
 LAWS = [(1.5, 1.5, 0.3), (1.2, 1.2, 0.05), (1.5, 1.0, 0.4), (1.5, 2.5, 0.2)]
@@ -105,7 +105,7 @@ def test_flow_is_of_order_eight(alpha, beta, gamma):
 
 def test_flow_is_that_of_the_chain():
     """Inside the domain of influence the window and a ring of the same state move alike."""
-    law, ring_law = PowerLaw(1.5, 1.5, 0.1), make_law(1.5, 1.5, 0.1)
+    law, ring_law = PowerLaw(1.5, 1.5, 0.1), make_law(alpha=1.5, gamma=0.1)
     phase = 2.0 * np.pi * np.arange(CONTACTS) / CONTACTS
     u, velocity = 1.0 + 0.3 * np.cos(phase), 0.2 * np.sin(phase)
     ring = integrate_strain_fixed(ring_law, u, velocity, 1.0 / STEPS, STEPS)

@@ -6,7 +6,7 @@ import re
 
 import pytest
 import yaml
-from test_configuration import DEFAULT, ROOT, SCENE
+from configurations import DEFAULT, ROOT, SCENE
 
 from granular_fronts.model.kinds import ELASTIC, VISCOUS
 from granular_fronts.model.laws import DEPENDENT

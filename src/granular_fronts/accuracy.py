@@ -147,8 +147,8 @@ def largest_difference(values, others) -> float:
     """
     if np.size(values) == 0:
         return 0.0
-    difference = _largest(np.subtract(values, others))
-    return max(difference, rounding_floor(values)) if np.any(values) else difference
+    difference, size = _largest(np.subtract(values, others)), _largest(values)
+    return max(difference, float(np.spacing(size))) if size else difference
 
 
 def estimate(value, other) -> Estimate:
@@ -236,6 +236,9 @@ def error_attributes(values, others, method) -> dict:
 
 def _largest(values):
     """Largest finite absolute value; NaN where there is none."""
-    values = np.asarray(values, dtype=float)
-    finite = np.abs(values[np.isfinite(values)])
+    sizes = np.abs(np.asarray(values, dtype=float))
+    largest = float(sizes.max(initial=0.0))
+    if sizes.size and math.isfinite(largest):
+        return largest
+    finite = sizes[np.isfinite(sizes)]
     return float(finite.max()) if finite.size else math.nan

@@ -22,13 +22,13 @@ import math
 import numpy as np
 
 from granular_fronts.accuracy import largest_difference, with_refinement
-from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.laws import law_at
+from granular_fronts.campaign.one_by_one import solve_one_by_one
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
-from granular_fronts.output.progress import counted
 from granular_fronts.scenes.laws import front_speed
 from granular_fronts.scenes.validation import check_scene
 
@@ -58,38 +58,26 @@ def solve_chunk(points, settings, activity):
     -------
     Solved
     """
-    profile = settings["profile"]
+    profile, tolerance = settings["profile"], settings["tolerance"]
     beads = None if profile is None else KINDS["chain"].profile_points(profile)
-    shape = next(iter(points.values())).shape
-    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
+    sizes = dict.fromkeys(settings["scalars"], ())
     if beads is not None:
-        values["relative_displacement"] = np.full((*shape, beads.size), np.nan)
-    reasons = np.full(shape, "", dtype=object)
-    errors = dict.fromkeys(values, np.nan)
-    tolerance = settings["tolerance"]
-    solve = functools.partial(_solve_point, law=settings.get("law"), beads=beads)
-    indices = list(np.ndindex(shape))
-    for number, index in enumerate(counted(indices, activity, "point")):
-        point = {name: value[index] for name, value in points.items()}
-        try:
-            if number % REFINED_EVERY and number < len(indices) - 1:
-                measured = solve(point, tolerance)
-            else:
-                measured, refined = with_refinement(
-                    functools.partial(solve, point), tolerance, tolerance / REFINEMENT
-                )
-                for name in values:
-                    difference = largest_difference(measured[name], refined[name])
-                    errors[name] = np.fmax(errors[name], difference)
-        except (ValueError, ArithmeticError) as error:
-            reasons[index] = str(error)
-            continue
-        for name, value in values.items():
-            value[index] = measured[name]
-    return Solved(values, reasons, errors, ERROR_METHOD)
+        sizes["relative_displacement"] = (beads.size,)
+
+    def measure(point, number, count):
+        solve = functools.partial(_solve_point, point, settings.get("law"), beads)
+        if number % REFINED_EVERY and number < count - 1:
+            return {name: (value, np.nan) for name, value in solve(tolerance).items()}
+        measured, refined = with_refinement(solve, tolerance, tolerance / REFINEMENT)
+        return {
+            name: (value, largest_difference(value, refined[name]))
+            for name, value in measured.items()
+        }
+
+    return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
 
 
-def _solve_point(point, tolerance, law, beads):
+def _solve_point(point, law, beads, tolerance):
     """Measures of one chain in units of δ and 1/c, and its final u at the given beads.
 
     Raises

@@ -135,7 +135,6 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     raise_if_any(name, _form_errors(given))
     kind, law = KINDS[given["kind"]], given.get("law")
     axes = {name_of(axis) if law else axis: values for axis, values in given["axes"].items()}
-    given = {**given, "axes": axes}
     if law:
         kind = kind.of_law(varied_numbers(axes))
     fixed, record = given.get("fixed", {}), given.get("record", {})
@@ -143,10 +142,10 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     raise_if_any(name, ranges_increase(given))
     if "profile" in record:
         raise_if_any(name, _profile_errors(kind, **record["profile"]))
-    for axis, values in given["axes"].items():
+    for axis, values in axes.items():
         raise_if_any(name, spacing_errors(axis, values))
-    raise_if_any(name, _size_errors(kind, given))
-    varied = {axis: tuple(expand_axis(values)) for axis, values in given["axes"].items()}
+    raise_if_any(name, _size_errors(kind, {**given, "axes": axes}))
+    varied = {axis: tuple(expand_axis(values)) for axis, values in axes.items()}
     constant = {
         parameter: (fixed.get(parameter, described.default),)
         for parameter, described in kind.parameters.items()

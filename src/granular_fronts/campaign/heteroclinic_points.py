@@ -6,17 +6,15 @@ another order; rates from its extrema.  See `continuum.log_kdv_burgers.heterocli
 
 import math
 
-import numpy as np
-
 from granular_fronts.accuracy import EPSILON
-from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.campaign.one_by_one import solve_one_by_one
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
     heteroclinic,
     past_all_turns,
     refined_orbit,
 )
 from granular_fronts.continuum.log_kdv_burgers.survey import measure_rates
-from granular_fronts.output.progress import counted
 
 ERROR_METHOD = (
     "largest difference to the orbit traced with another order; of a rate, its change along the "
@@ -40,23 +38,15 @@ def solve_chunk(points, settings, activity):
     -------
     Solved
     """
-    profile = settings["profile"]
+    profile, sizes = settings["profile"], dict.fromkeys(settings["scalars"], ())
     s = None if profile is None else KINDS["heteroclinic"].profile_points(profile)
-    shape = points["mu"].shape
-    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
     if s is not None:
-        values["rescaled_force"] = np.full((*shape, s.size), np.nan)
-    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(values, np.nan)
-    for index in counted(np.ndindex(shape), activity, "point"):
-        try:
-            measured = _measure(float(points["mu"][index]), s)
-        except (ValueError, ArithmeticError) as error:
-            reasons[index] = str(error)
-            continue
-        for name, value in values.items():
-            value[index], error = measured[name]
-            errors[name] = np.fmax(errors[name], error)
-    return Solved(values, reasons, errors, ERROR_METHOD)
+        sizes["rescaled_force"] = (s.size,)
+
+    def measure(point, _number, _count):
+        return _measure(float(point["mu"]), s)
+
+    return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
 
 
 def _measure(mu, s):

@@ -48,10 +48,10 @@ def passes_kink(table, kink, last):
 @kernel
 def passes_any_kink(chain, table, last):
     """Whether any of the contacts 1 … last passes any kink of the law."""
+    passages = 0
     for i in range(chain.law.kink_count):
-        if passes_kink(table, chain.law.kinks[i], last):
-            return True
-    return False
+        passages += passes_kink(table, chain.law.kinks[i], last)
+    return passages > 0
 
 
 @kernel

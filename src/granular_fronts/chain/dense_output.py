@@ -61,7 +61,7 @@ def take_output_stages(chain, table, h, first, last):
 
 @kernel(fastmath=_CONTRACT)
 def sum_all_slots(chain, table, row, h, low, high):
-    """u of an output stage on the contacts low … high."""
+    """U of an output stage on the contacts low … high."""
     gamma = chain.law.gamma
     viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     for n in range(uint64(low), uint64(high + 1)):

@@ -228,7 +228,7 @@ def write_extremes(chain, table, h, t_new, last, have_polynomials, recording):
 
 @kernel
 def record_step(chain, table, h, t_new, recording):
-    """Everything to be recorded of an accepted step, before it becomes the start of the next one."""
+    """Record what an accepted step holds, before its end becomes the start of the next one."""
     due = next_output(recording) <= t_new
     if due:
         take_output_stages(chain, table, h, 1, chain.clock.reach)

@@ -17,10 +17,10 @@ from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recorder import Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.state import (
+    CHAIN,
     DAMPING,
     FORCE,
     NEW_U,
-    CHAIN,
     ROWS_OF_PAIR,
     ROWS_OF_SINGLE,
     D,

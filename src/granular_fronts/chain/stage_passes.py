@@ -93,10 +93,8 @@ def stage_pass(potential):
 @functools.cache
 def _pass_of_shape(shape, has_root, count):
     """The pass of a shape; Hertz's own exponent has one with a square root."""
-    if shape is kinds.hertz:
-        force = root_force if has_root else power_force
-    else:
-        force = _force_of(shape)
+    hertz_force = root_force if has_root else power_force
+    force = hertz_force if shape is kinds.hertz else _force_of(shape)
     return callback(STAGE_PASS, error_model="numpy", fastmath=CONTRACT)(_loop(force, 1 + count))
 
 

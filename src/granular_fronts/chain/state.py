@@ -55,8 +55,8 @@ LAW = record_type(
 )
 """A law as the kernels know it: addresses of the row maps F and G, and of the loop that sums slopes
 and takes F at once (0 if there is none); their parameters; whether G = γF, and γ (1 if not, the
-factor of the viscous slopes); compressions at which F or G is not smooth, and whether F' is infinite
-there, so that no contact may pass; 1 if the law acts in extension too, else 0."""
+factor of the viscous slopes); compressions at which F or G is not smooth, and whether F' is
+infinite there, so that no contact may pass; 1 if the law acts in extension too, else 0."""
 
 CLOCK = record_type(
     *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
@@ -82,9 +82,9 @@ CHAIN = record_type(
     ("probe", float, 3),
 )
 """Law and clock; number N of beads and of contacts that move, N − 1, or N on a ring; whether bead 1
-is a piston; compression ahead of the active window, and how many beads the window reaches beyond the
-last one that moves; weights of the slopes in every stage of the present step; room for the law at a
-single compression.
+is a piston; compression ahead of the active window, and how many beads the window reaches beyond
+the last one that moves; weights of the slopes in every stage of the present step; room for the law
+at a single compression.
 
 A record is passed to kernels by its address: unlike a tuple of arrays it costs nothing to hand on.
 """

@@ -1,8 +1,8 @@
 r"""Implicit steps for strong damping, where stability and not accuracy limits an explicit method.
 
-Stiffness.  The damping has eigenvalues down to :math:`-4G'(u)`, and an explicit
-step must stay below about six divided by that.  The front meanwhile is wide and smooth; it moves by
-one contact in a time :math:`(F(u)/u)^{-1/2}`, eq. (14) for a chain at rest ahead of it.  The product
+Stiffness.  The damping has eigenvalues down to :math:`-4G'(u)`, and an explicit step must stay
+below about six divided by that.  The front meanwhile is wide and smooth; it moves by one contact in
+a time :math:`(F(u)/u)^{-1/2}`, eq. (14) for a chain uncompressed ahead of it.  The product
 
 .. math:: S = 4 G'(u) \sqrt{\frac{u}{F(u)}}
         = 4\beta\gamma\, u^{\beta-1}\, u^{(1-\alpha)/2} \quad\text{for the law (28)}

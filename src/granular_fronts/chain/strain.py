@@ -11,8 +11,8 @@ Equations.  With the compressions :math:`u_n = x_n - x_{n+1}`, the forces :math:
     (\Delta_d f)_n = f_{n-1} - 2 f_n + f_{n+1} .
 
 For the power law (28) they are :math:`F = u_+^\alpha`, :math:`G = \gamma u_+^\beta`.  There is no
-difference :math:`x_{n-1} - x_n` of large numbers to cancel, and beads which the wave has not reached
-stay at rest.
+difference :math:`x_{n-1} - x_n` of large numbers to cancel, and beads which the wave has not
+reached stay at rest.
 
 Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's bead number.
 
@@ -74,17 +74,19 @@ WINDOW_BLOCK = 8
 _CONTRACT = {"contract"}
 _REDUCE = {"contract", "nsz", "reassoc"}
 
+_A, _A_SQUARED = rk.A_WINDOWS.ravel(), rk.A_SQUARED_WINDOWS.ravel()
+
 
 @kernel
 def set_weights(chain, table, h):
     """Weights of the slopes in the stages of a step h."""
     single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
-    elastic, viscous = chain.elastic_weights, chain.viscous_weights
-    for row in range(rk.STAGES):
-        for j in range(rk.LONG):
-            on_g, on_k = h_gamma * rk.A_WINDOWS[row, j], h_squared * rk.A_SQUARED_WINDOWS[row, j]
-            elastic[row, j] = on_g + on_k if single else on_k
-            viscous[row, j] = on_g
+    elastic, viscous = chain.elastic_weights.ravel(), chain.viscous_weights.ravel()
+    for i in range(uint64(rk.STAGES * rk.LONG)):
+        if single:
+            elastic[i] = h_gamma * _A[i] + h_squared * _A_SQUARED[i]
+        else:
+            elastic[i], viscous[i] = h_squared * _A_SQUARED[i], h_gamma * _A[i]
 
 
 @kernel(fastmath=_CONTRACT)

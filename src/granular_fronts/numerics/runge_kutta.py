@@ -23,8 +23,8 @@ combination in :math:`u` has the weights :math:`h\gamma e` on :math:`g` and :mat
 
 Storage.  The slopes of the stages stand in rows side by side, in *slots*: those of the first two
 stages change places, since from stage 5 on no stage uses the second one.  A stage then sums `SHORT`
-or `LONG` neighbouring rows from `FIRST_SLOT` on, which a compiler unrolls and vectorises; weights of
-rows that it does not use are zero.  The new state and the error estimates use the slopes of
+or `LONG` neighbouring rows from `FIRST_SLOT` on, which a compiler unrolls and vectorises; weights
+of rows that it does not use are zero.  The new state and the error estimates use the slopes of
 `FINAL_STAGES` alone.
 
 Step control.  Where the state travels from one bead to the next the error of a step oscillates.

@@ -41,38 +41,19 @@ BEHIND = slice(0.5, 0.8)
 ERROR_METHOD = "of the chain, or the change that leaving out every other bead makes"
 
 
-def measure_limiting_cases(
-    alpha,
-    weak_gamma,
-    strong_gamma,
-    beads,
-    end_time,
-    softening,
-    strains_ahead,
-    impact_velocities,
-    rings,
-):
+def measure_limiting_cases(section):
     """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
     Parameters
     ----------
-    alpha : float
-        Exponent of both forces of fronts and collisions, above 1.
-    weak_gamma, strong_gamma : float
-        Damping of a front that oscillates, and of waves whose width is compared.
-    beads : int
-        Of the pressed chains, which are longer than the waves run.
-    end_time : float
-        Of the pressed chains; they are also seen at a quarter of it.
-    softening : float
-        Exponent below 1.
-    strains_ahead : sequence of float
-        Compressions ahead of its front, −R₊ above 0.
-    impact_velocities : sequence of float
-        v₀ of the collisions.
-    rings : mapping
-        `exponents`, `gamma`, which is γc, and `half_length`, `half_width` and `slow_time` in units
-        of ξ and τ.
+    section : mapping
+        As under `laws: limiting_cases:` of the configuration: `alpha` above 1, exponent of both
+        forces of fronts and collisions; `weak_gamma` and `strong_gamma`, the damping of a front
+        that oscillates and of waves whose width is compared; `beads` and `end_time` of the pressed
+        chains, which are longer than the waves run, and are also seen at a quarter of the time;
+        `softening`, an exponent below 1, and `strains_ahead`, the compressions −R₊ above 0 ahead of
+        its front; `impact_velocities` v₀ of the collisions; `rings` with `exponents`, `gamma`,
+        which is γc, and `half_length`, `half_width` and `slow_time` in units of ξ and τ.
 
     Returns
     -------
@@ -87,28 +68,22 @@ def measure_limiting_cases(
     InputError
         If the pressed chains are too short for their waves, or the time is.
     """
-    pressed = {"beads": beads, "end_time": end_time}
-    pressed |= {"weak_gamma": weak_gamma, "strong_gamma": strong_gamma}
-    raise_if_any([*pressed_chains_hold_waves(pressed)])
-    times = [0.25 * end_time, end_time]
+    raise_if_any([*pressed_chains_hold_waves(section)])
+    alpha, rings = section["alpha"], section["rings"]
+    gammas, exponents = [0.0, section["weak_gamma"]], [1.0, alpha]
+    times = [0.25 * section["end_time"], section["end_time"]]
 
-    def press(exponent, gamma):
-        return press_chain(exponent, gamma, beads, times)
+    def press(measure, exponent, gamma):
+        return [measure(u) for u in press_chain(exponent, gamma, section["beads"], times)]
 
-    oscillations = [
-        [oscillation_behind(profile) for profile in press(alpha, gamma)]
-        for gamma in (0.0, weak_gamma)
-    ]
-    widths = [
-        [wave_width(profile) for profile in press(exponent, strong_gamma)]
-        for exponent in (1.0, alpha)
-    ]
-    elastic = make_potential("hertz", alpha=softening)
-    fronts = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
+    oscillations = [press(oscillation_behind, alpha, gamma) for gamma in gammas]
+    widths = [press(wave_width, exponent, section["strong_gamma"]) for exponent in exponents]
+    elastic = make_potential("hertz", alpha=section["softening"])
+    fronts = [jump_conditions(elastic, -1.0, -strain) for strain in section["strains_ahead"]]
     speeds = [(theory.speed, theory.speed_error) for theory in fronts]
-    collisions = [collide(alpha, velocity) for velocity in impact_velocities]
-    distances = [ring_distance(exponent, rings) for exponent in rings["exponents"]]
+    collisions = [collide(alpha, velocity) for velocity in section["impact_velocities"]]
     times_of_contact, indentations = zip(*collisions, strict=True)
+    distances = [ring_distance(exponent, rings) for exponent in rings["exponents"]]
     measured = [
         ("ring_distance", "exponent", distances, "distance of a ring to its equation"),
         ("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
@@ -117,26 +92,18 @@ def measure_limiting_cases(
         ("contact_time", "impact_velocity", times_of_contact, "time of contact of two beads"),
         ("indentation", "impact_velocity", indentations, "largest compression of two beads"),
     ]
+    axes = [
+        ("exponent", rings["exponents"], "exponent of both forces"),
+        ("strain_ahead", section["strains_ahead"], "compression ahead of the front"),
+        ("impact_velocity", section["impact_velocities"], "relative velocity of an impact"),
+    ]
     variables = {}
     for name, dims, estimates, meaning in measured:
         variables |= variable_and_errors(name, dims, estimates, ERROR_METHOD, meaning)
-    return xr.Dataset(
-        variables,
-        {
-            "gamma": [0.0, weak_gamma],
-            "alpha": [1.0, alpha],
-            "t": times,
-            "exponent": _axis("exponent", rings["exponents"], "exponent of both forces"),
-            "strain_ahead": _axis("strain_ahead", strains_ahead, "compression ahead of the front"),
-            "impact_velocity": _axis(
-                "impact_velocity", impact_velocities, "relative velocity of an impact"
-            ),
-        },
-    )
-
-
-def _axis(name, values, meaning):
-    return name, list(values), {"long_name": meaning}
+    coordinates = {
+        name: (name, list(values), {"long_name": meaning}) for name, values, meaning in axes
+    }
+    return xr.Dataset(variables, {"gamma": gammas, "alpha": exponents, "t": times, **coordinates})
 
 
 def press_chain(alpha, gamma, beads, times):

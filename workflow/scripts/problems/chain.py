@@ -17,8 +17,8 @@ from granular_fronts.chain.run import (
     prepare,
     work_done,
 )
-from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.model.laws import make_law
+from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.reference_methods import position_forms
 from peers import (
     diffrax_chain,

@@ -34,6 +34,7 @@ import numpy as np
 from granular_fronts.continuum.log_burgers import finite_volumes
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
+from granular_fronts.numerics.records import make_record, record_type
 
 STAGES = 10
 # Ten times the weights of order 3 less those of order 4, which are all 1/10.
@@ -42,7 +43,6 @@ DIFFUSION_NUMBERS = np.arange(12.0, 1.5, -0.5)
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0
 RESOLUTION = 1.0e-14
 FINISHED, COLLAPSED = 0, 1
-ACCEPTED, REJECTED, EVALUATIONS = 0, 1, 2
 
 
 def stability_polynomial(z):
@@ -97,13 +97,12 @@ class State(NamedTuple):
     work: finite_volumes.Work
 
 
-class Clock(NamedTuple):
-    """Time and step size (arrays of one entry), counts of work, largest shortfall lifted."""
-
-    t: np.ndarray
-    h: np.ndarray
-    counts: np.ndarray
-    shortfall: np.ndarray
+CLOCK = record_type(
+    *((name, float) for name in ("t", "h", "shortfall")),
+    *((name, np.int64) for name in ("accepted", "rejected", "right_hand_sides")),
+)
+"""Time, next step, and the largest shortfall lifted; steps accepted and rejected, right-hand sides.
+"""
 
 
 def make_state(averages):
@@ -114,7 +113,7 @@ def make_state(averages):
 
 def make_clock(first_step):
     """Clock at time 0."""
-    return Clock(np.zeros(1), np.array([first_step]), np.zeros(3, np.int64), np.zeros(1))
+    return make_record(CLOCK, h=first_step)
 
 
 @kernel
@@ -125,7 +124,7 @@ def advance(equation, state, clock, tolerance, stop):
     ----------
     equation : finite_volumes.Equation
     state : State
-    clock : Clock
+    clock : record of CLOCK
     tolerance : float
         Error per step in the maximum norm over cells.
     stop : float
@@ -135,9 +134,9 @@ def advance(equation, state, clock, tolerance, stop):
     int
         FINISHED, or COLLAPSED if the step size fell below `RESOLUTION` of it.
     """
-    while clock.t[0] < stop and not interrupted():
-        remaining = stop - clock.t[0]
-        h = min(clock.h[0], largest_stable_step(equation, state.averages))
+    while clock.t < stop and not interrupted():
+        remaining = stop - clock.t
+        h = min(clock.h, largest_stable_step(equation, state.averages))
         lands = h >= remaining
         if lands:
             h = remaining
@@ -146,21 +145,21 @@ def advance(equation, state, clock, tolerance, stop):
         if h < RESOLUTION * stop and not lands:
             return COLLAPSED
         error = try_step(equation, state, h) / tolerance
-        clock.counts[EVALUATIONS] += STAGES
+        clock.right_hand_sides += STAGES
         factor = LARGEST_FACTOR
         if error > 0.0:
             factor = min(LARGEST_FACTOR, max(SMALLEST_FACTOR, SAFETY * error ** (-0.25)))
         if error <= 1.0:
-            clock.t[0] = stop if lands else clock.t[0] + h
-            clock.counts[ACCEPTED] += 1
+            clock.t = stop if lands else clock.t + h
+            clock.accepted += 1
             shortfall = finite_volumes.lift(state.trial, equation.bound)
-            clock.shortfall[0] = max(clock.shortfall[0], shortfall)
+            clock.shortfall = max(clock.shortfall, shortfall)
             state.averages[:] = state.trial
             # A step cut short to land says little about the next one.
-            clock.h[0] = max(clock.h[0], h * factor) if lands else h * factor
+            clock.h = max(clock.h, h * factor) if lands else h * factor
         else:
-            clock.counts[REJECTED] += 1
-            clock.h[0] = h * factor
+            clock.rejected += 1
+            clock.h = h * factor
     return FINISHED
 
 
@@ -208,7 +207,7 @@ def try_step(equation, state, h):
 def work_done(clock):
     """Steps and right-hand sides so far, as a dict."""
     return {
-        "steps_accepted": int(clock.counts[ACCEPTED]),
-        "steps_rejected": int(clock.counts[REJECTED]),
-        "right_hand_sides": int(clock.counts[EVALUATIONS]),
+        "steps_accepted": int(clock.accepted),
+        "steps_rejected": int(clock.rejected),
+        "right_hand_sides": int(clock.right_hand_sides),
     }

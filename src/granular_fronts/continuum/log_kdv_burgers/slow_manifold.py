@@ -40,8 +40,8 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.continuum.log_kdv_burgers.equation import linear_rates
-from granular_fronts.continuum.log_kdv_burgers.taylor import series_sum
 from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.polynomials import polynomial
 
 STIFF_DAMPING = 12.0
 """From this μ on the whole orbit comes from the expansion."""
@@ -105,7 +105,7 @@ def state_on_manifold(mu, h, v):
     """
     r = 1.0 / (2.0 * v + mu)
     x = r * max(mu, 1.0)
-    excess = x * series_sum(h[1:], x)
+    excess = x * polynomial(h[1:], x)
     rate = r * (1.0 + excess)
     return v * (v + mu - rate), 0.5 * excess - mu * (v + 0.5 * rate)
 
@@ -196,7 +196,7 @@ def v_at(mu, h, p):
         r = 1.0 / (2.0 * v + mu)
         value, _ = state_on_manifold(mu, h, v)
         # dp/dv = p'/v' = 1/(r H)
-        step = (value - p) * r * series_sum(h, r * max(mu, 1.0))
+        step = (value - p) * r * polynomial(h, r * max(mu, 1.0))
         v -= step
         if abs(step) <= 1e-15 * v:
             break
@@ -211,7 +211,7 @@ def s_between(orbit, v_from, v_to):
         2.0 * (v_to - v_from)
         + orbit.fast * math.log(v_to / v_from)
         + orbit.slow * math.log(x_from / x_to)
-        - (series_sum(orbit.time, x_to) - series_sum(orbit.time, x_from))
+        - (polynomial(orbit.time, x_to) - polynomial(orbit.time, x_from))
     )
 
 
@@ -229,7 +229,7 @@ def evaluate_slow(orbit, s, p, v):
         Filled.
     """
     mu, h, v_half = orbit.mu, orbit.h, orbit.v_half
-    rate_half = series_sum(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
+    rate_half = polynomial(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
     for i in range(s.size):
         # From v too large the iteration is monotone: d(ln v)/ds lies between the rate at y = ½
         # and λ₋, and dv/ds below ½.
@@ -240,7 +240,7 @@ def evaluate_slow(orbit, s, p, v):
         for _ in range(NEWTON_STEPS):
             r = 1.0 / (2.0 * current + mu)
             distance = s[i] - s_between(orbit, v_half, current)
-            change = distance * r * series_sum(h, r * mu)
+            change = distance * r * polynomial(h, r * mu)
             current = max(current * math.exp(change), SMALLEST_V)
             if abs(change) < CONVERGED_CHANGE:
                 break

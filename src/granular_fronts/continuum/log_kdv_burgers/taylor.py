@@ -31,6 +31,8 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.polynomials import polynomial
+from granular_fronts.numerics.records import record_type
 
 RUNNING, ARRIVED, AT_REST = range(3)
 
@@ -61,18 +63,13 @@ class Accuracy(NamedTuple):
     contraction: float
 
 
-class Point(NamedTuple):
-    """A point of an orbit, arrays of one number each; e counts unless p and v are below `NEAR`."""
-
-    s: np.ndarray
-    v: np.ndarray
-    e: np.ndarray
-    p: np.ndarray
+POINT = record_type(*((name, float) for name in "svep"))
+"""A point of an orbit; e counts unless p and v are both below `NEAR`."""
 
 
 def make_point(s, v, e, p):
     """A point from four numbers."""
-    return Point(*(np.array([number]) for number in (s, v, e, p)))
+    return np.array((s, v, e, p), POINT)[()]
 
 
 @kernel
@@ -105,15 +102,6 @@ def position_series(mu, v, p):
 
 
 @kernel
-def series_sum(series, x):
-    """Value of a polynomial, constant coefficient first."""
-    value = 0.0
-    for k in range(series.size - 1, -1, -1):
-        value = value * x + series[k]
-    return value
-
-
-@kernel
 def series_slope(series, x):
     """Derivative of a polynomial, constant coefficient first."""
     value = 0.0
@@ -140,7 +128,7 @@ def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
     ----------
     mu : float
     accuracy : Accuracy
-    point : Point
+    point : record of POINT
         Updated in place.
     s_stop, p_stop : float
         The solution has arrived when s ≤ s_stop or p ≤ p_stop.
@@ -158,20 +146,20 @@ def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
     """
     v = np.empty(jets.shape[1])
     for step in range(starts.size):
-        if point.s[0] <= s_stop or point.p[0] <= p_stop:
+        if point.s <= s_stop or point.p <= p_stop:
             return step, ARRIVED
-        if abs(point.v[0]) + abs(point.p[0]) < REST:
+        if abs(point.v) + abs(point.p) < REST:
             return step, AT_REST
         p = jets[step]
-        starts[step] = point.s[0]
-        v[0] = point.v[0]
-        near = abs(point.v[0]) < NEAR and abs(point.p[0]) < NEAR
+        starts[step] = point.s
+        v[0] = point.v
+        near = abs(point.v) < NEAR and abs(point.p) < NEAR
         if near:
-            p[0] = point.p[0]
+            p[0] = point.p
             position_series(mu, v, p)
             length = step_of_series(v, abs(v[0]) + abs(p[0]), accuracy.tolerance)
         else:
-            energies[0] = point.e[0]
+            energies[0] = point.e
             energy_series(mu, v, energies, p)
             energy_scale = abs(energies[0]) + mu * (1.0 + abs(v[0]))
             length = min(
@@ -179,16 +167,16 @@ def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
                 step_of_series(energies, energy_scale, accuracy.tolerance),
             )
         length = min(length, accuracy.contraction / max(abs(2.0 * v[0] + mu), 1.0))
-        s_new = point.s[0] - length
-        h = s_new - point.s[0]
-        point.s[0] = s_new
-        point.v[0] = series_sum(v, h)
+        s_new = point.s - length
+        h = s_new - point.s
+        point.s = s_new
+        point.v = polynomial(v, h)
         if near:
-            point.p[0] = series_sum(p, h)
-            point.e[0] = point.v[0] * point.v[0] - point.p[0] - 0.5
+            point.p = polynomial(p, h)
+            point.e = point.v * point.v - point.p - 0.5
         else:
-            point.e[0] = series_sum(energies, h)
-            point.p[0] = point.v[0] * point.v[0] - 0.5 - point.e[0]
+            point.e = polynomial(energies, h)
+            point.p = point.v * point.v - 0.5 - point.e
     return starts.size, RUNNING
 
 
@@ -216,7 +204,7 @@ def evaluate_steps(starts, jets, end, s, p, v):
                 low = middle
             else:
                 high = middle
-        p[i] = series_sum(jets[low], s[i] - starts[low])
+        p[i] = polynomial(jets[low], s[i] - starts[low])
         v[i] = series_slope(jets[low], s[i] - starts[low])
 
 
@@ -226,7 +214,7 @@ def locate(series, level, end):
     left, right = end, 0.0
     x = 0.5 * end
     for _ in range(200):
-        value = series_sum(series, x) - level
+        value = polynomial(series, x) - level
         if value > 0.0:
             right = x
         else:
@@ -268,6 +256,6 @@ def locate_turns(starts, jets, end, s, p):
             derivative[k] = sign * (k + 1) * jets[step, k + 1]
         x = locate(derivative, 0.0, span)
         s[count] = starts[step] + x
-        p[count] = series_sum(jets[step], x)
+        p[count] = polynomial(jets[step], x)
         count += 1
     return count

@@ -22,9 +22,9 @@ from granular_fronts.continuum.log_kdv_burgers.taylor import (
     locate_turns,
     make_point,
     series_slope,
-    series_sum,
 )
 from granular_fronts.errors import InputError
+from granular_fronts.numerics.polynomials import polynomial
 
 START_P = 760.0
 """p at which the trace starts: y = e^(−745) is the last double above zero."""
@@ -132,7 +132,7 @@ def trace_orbit(mu, s_stop, accuracy=USUAL_STEPS):
     energies = np.empty(accuracy.order + 1)
     tail, _ = _collect(mu, accuracy, make_point(0.0, v, e, p), -math.inf, math.log(2.0), energies)
     half = locate(tail.jets[-1], math.log(2.0), tail.end - tail.starts[-1])
-    v, e = series_slope(tail.jets[-1], half), series_sum(energies, half)
+    v, e = series_slope(tail.jets[-1], half), polynomial(energies, half)
     at_half = make_point(0.0, v, e, math.log(2.0))
     # Differences of the clock are exact; its sum with a small s would not be.
     tail = Steps((tail.starts - tail.starts[-1]) - half, tail.jets, 0.0)
@@ -147,7 +147,7 @@ def _collect(mu, accuracy, point, s_stop, p_stop, energies):
         if total >= MOST_STEPS:
             raise InputError(
                 f"For mu = {mu} the orbit turns so often that {MOST_STEPS} steps lead only to "
-                f"s = {point.s[0]:.6g}: ask for nothing before that, or for a larger mu."
+                f"s = {point.s:.6g}: ask for nothing before that, or for a larger mu."
             )
         more_starts, more_jets = np.empty(room), np.empty((room, accuracy.order + 1))
         steps, status = follow(
@@ -157,4 +157,4 @@ def _collect(mu, accuracy, point, s_stop, p_stop, energies):
         jets.append(more_jets[:steps])
         total += steps
         room = min(2 * room, 8192)
-    return Steps(np.concatenate(starts), np.concatenate(jets), float(point.s[0])), status
+    return Steps(np.concatenate(starts), np.concatenate(jets), float(point.s)), status

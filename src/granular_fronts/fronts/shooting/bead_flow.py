@@ -44,6 +44,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
@@ -53,8 +54,6 @@ _CONTRACT = {"contract"}
 WHOLE_STEP = rk.NEW_SLOPE
 FORGOTTEN = 1.0e-15
 WIDEST_SPREAD = 150
-NEGLIGIBLE = 1.0e-60
-"""Compressions below exert no force: subnormal numbers would be a hundred times slower."""
 
 
 class PowerLaw(NamedTuple):
