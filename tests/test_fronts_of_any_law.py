@@ -328,8 +328,9 @@ def test_impossible_arguments_are_refused(arguments, sentence):
 
 
 def test_multipliers_are_known_for_two_powers_only():
-    with pytest.raises(InputError, match="front has no alpha, beta, gamma"):
-        gf.front_multipliers(solved("toda"))
+    for front in (solved("toda"), gf.solve_front(1.5, 0.3, right_state=0.2)):
+        with pytest.raises(InputError, match="known for two powers from compression 1"):
+            gf.front_multipliers(front)
 
 
 def test_two_powers_are_normalised_as_they_are():
