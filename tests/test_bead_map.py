@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from chains import integrate_strain_fixed
 
-from granular_fronts.fronts.shooting.power_law import make_power_law as make_law
 from granular_fronts.fronts.shooting import bead_flow
+from granular_fronts.fronts.shooting.power_law import make_power_law as make_law
 from granular_fronts.numerics.banded_qr import band_storage, solve_least_squares
 
 LAWS = [(1.5, 1.5, 0.3), (1.2, 1.2, 0.05), (1.5, 1.0, 0.4), (1.5, 2.5, 0.2)]
