@@ -58,6 +58,7 @@ POSSIBLE = {
         "alpha": 1.5,
         "beta": 1.5,
     },
+    "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
     "evolve_log_burgers": {"scene": {}, "name": "given"},
@@ -73,8 +74,9 @@ POSSIBLE = {
     "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
     "simulate_chain": {"scene": CHAIN, "name": "given"},
-    "solve_front": LAW | {"method": "profile", "right_state": 0.0},
-    "sweep_fronts": LAW | {"gammas": np.array([0.3, 0.2])},
+    "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
+    "sweep_fronts": LAW
+    | {"gammas": np.array([0.3, 0.2]), "law": None, "states": None, "factors": None},
     "tail_roots": LAW | {"count": 6},
 }
 del POSSIBLE["sweep_fronts"]["gamma"]

@@ -52,7 +52,9 @@ def test_rings_approach_their_equation_as_the_exponent_tends_to_one():
 
 def test_chains_too_short_for_their_waves_are_an_error():
     with pytest.raises(InputError, match="beads is 100, but waves run through about 230 beads"):
-        measure_limiting_cases(1.5, 0.1, 1.0, 100, 200.0, 0.5, [0.1], [1.0, 2.0], {})
+        measure_limiting_cases(
+            {"weak_gamma": 0.1, "strong_gamma": 1.0, "beads": 100, "end_time": 200.0}
+        )
 
 
 @pytest.mark.parametrize("alpha", [1.5, 2.0])

@@ -11,6 +11,7 @@ __version__ = "0.1.0"
 _HOME_OF = {
     "Potential": "granular_fronts.model.potentials",
     "Scaling": "granular_fronts.model.scaling",
+    "collide": "granular_fronts.model.collision",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.log_burgers.evolution",
@@ -22,7 +23,7 @@ _HOME_OF = {
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
-    "sweep_fronts": "granular_fronts.fronts.profile.sweep",
+    "sweep_fronts": "granular_fronts.fronts.sweep",
     "tail_roots": "granular_fronts.fronts.linear.tails",
 }
 

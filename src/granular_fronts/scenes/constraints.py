@@ -14,12 +14,14 @@ from collections.abc import Callable, Iterator, Mapping
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.law_constraints import (
     beads_are_solid,
+    laws_of_cases_are_possible,
     piston_tolerance_resolves_motion,
     pressed_chains_hold_waves,
     states_are_compressed,
     states_differ,
     theta_steps_meet_end,
 )
+from granular_fronts.scenes.laws import domain_of, exponent_of
 from granular_fronts.scenes.scales import (
     absolute_tolerance_errors,
     decades,
@@ -150,14 +152,45 @@ def start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
 
 def softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
-    alpha = scene["law"]["alpha"]
+    alpha = exponent_of(scene["law"])
     smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
-    if alpha < 1 and smallest <= 0:
+    if alpha is not None and alpha < 1 and smallest <= 0:
         yield (
             f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
             f"infinite, and the smallest relative displacement at the start is {smallest}: "
             "take alpha of 1 or more, or a start compressed everywhere."
         )
+
+
+def ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
+    """No end pulls, and no level of arrival is stretched, where contacts open instead."""
+    if exponent_of(scene["law"]) is None:
+        return
+    boundary = scene["boundary"]
+    found = {f"boundary.{end}": boundary.get(end, 0) for end in ("left", "right")}
+    for key, value in found.items():
+        if value < 0:
+            yield f"{key} is {value}, below its limit 0: give 0 or more."
+    level = scene["record"].get("arrival_level", 1)
+    if level <= 0:
+        yield f"record.arrival_level is {level}, but must be above 0: give a number above 0."
+
+
+def strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
+    """The law holds for the contacts at the ends and at the start."""
+    low, high = domain_of(scene["law"])
+    boundary, start = scene["boundary"], scene["start"]
+    found = {f"boundary.{end}": boundary.get(end, 0) for end in ("left", "right")}
+    found |= {
+        name_entry("start.relative_displacement", index): u
+        for index, u in enumerate(start.get("relative_displacement", []))
+    }
+    for key, u in found.items():
+        if not low < -u < high:
+            yield (
+                f"{key} is {u}, but the law holds for relative displacements between {-high:g} "
+                f"and {-low:g} only: give one between, or another law."
+            )
 
 
 def probes_are_on_chain(scene: Mapping) -> Iterator[str]:
@@ -322,6 +355,8 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
         ring_is_set_in_motion,
         start_lists_every_bead,
         start_agrees_with_piston,
+        ends_of_contacts_are_pressed,
+        strains_lie_in_domain,
         softening_start_is_compressed,
         probes_are_on_chain,
         arrival_level_can_be_met,
@@ -351,7 +386,11 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "laws.materials": (beads_are_solid,),
     "laws.damping_regimes": (),
     "laws.numerical_damping": (theta_steps_meet_end,),
-    "laws.jump_conditions": (states_differ, states_are_compressed),
+    "laws.jump_conditions": (
+        laws_of_cases_are_possible,
+        states_differ,
+        states_are_compressed,
+    ),
     "laws.choice_of_variables": (),
     "laws.limiting_cases": (pressed_chains_hold_waves,),
     "laws.piston": (relative_tolerance_above_floor, piston_tolerance_resolves_motion),

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Iterator, Mapping
 
-from granular_fronts.scenes.scales import absolute_tolerance_errors, decades_of_compression
+from granular_fronts.scenes.laws import decades_of_impact, domain_of, law_errors
+from granular_fronts.scenes.scales import MOST_DECADES, absolute_tolerance_errors
 from granular_fronts.scenes.schema import name_entry
 
 DENSITIES = 1.0, 30_000.0
@@ -78,11 +79,28 @@ def pressed_chains_hold_waves(section: Mapping) -> Iterator[str]:
 def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
     """The absolute tolerance suits the compression that the piston makes with each law."""
     for law in section["cases"].values():
-        size = decades_of_compression(law["alpha"], [section["velocity"]])
+        size = decades_of_impact(law, section["velocity"], MOST_DECADES)
         errors = [*absolute_tolerance_errors(section["tolerance"]["absolute"], size)]
         if errors:
             yield from errors
             return
+
+
+def laws_of_cases_are_possible(section: Mapping) -> Iterator[str]:
+    """Both potentials of every case exist, and hold in its states."""
+    for name, case in section["cases"].items():
+        law = {"elastic": case["elastic"], "viscous": case["dissipation"]}
+        errors = [*law_errors({"law": law})]
+        yield from (f"cases.{name}.{error}" for error in errors)
+        if errors:
+            continue
+        low, high = domain_of(law)
+        for state in case["states"]:
+            if not low < state < high:
+                yield (
+                    f"cases.{name}.states has {state}, but its law holds for strains between "
+                    f"{low:g} and {high:g} only: give states between."
+                )
 
 
 def states_are_compressed(section: Mapping) -> Iterator[str]:
@@ -90,7 +108,8 @@ def states_are_compressed(section: Mapping) -> Iterator[str]:
     for name, case in section["cases"].items():
         behind, ahead = case["states"]
         for force in ("elastic", "dissipation"):
-            if case[force]["kind"] == "hertz" and behind != ahead and min(behind, ahead) >= 0:
+            is_contact = case[force]["kind"] in ("hertz", "power")
+            if is_contact and behind != ahead and min(behind, ahead) >= 0:
                 yield (
                     f"cases.{name}.states are {behind} and {ahead}, where the {force} force of "
                     "Hertz vanishes, since no strain is below 0: give a compressed state, below 0."

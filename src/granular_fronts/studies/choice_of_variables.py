@@ -19,6 +19,7 @@ not come back to its first beads.
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import Estimate, variable_and_errors
 from granular_fronts.chain.equations import Boundary, velocity_correction
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.collision import restitution
@@ -78,8 +79,20 @@ def compare_variables(alpha, betas, gamma):
     drift, error = conserved_velocity_drift(alpha, gamma)
     return xr.Dataset(
         {
-            **_fitted("quotient_power", "power of h in a difference quotient", "beta", powers),
-            **_fitted("observed_order", "observed order of convergence", "scheme", orders),
+            **variable_and_errors(
+                "quotient_power",
+                ("variables", "beta"),
+                powers,
+                FITTED,
+                "power of h in a difference quotient",
+            ),
+            **variable_and_errors(
+                "observed_order",
+                ("variables", "scheme"),
+                orders,
+                FITTED,
+                "observed order of convergence",
+            ),
             "conserved_velocity_drift": (
                 (),
                 drift,
@@ -98,25 +111,15 @@ def compare_variables(alpha, betas, gamma):
     )
 
 
-def _fitted(name, meaning, dimension, pairs):
-    """Fitted slopes, and beside them their errors."""
-    values, errors = np.moveaxis(np.array(pairs), -1, 0)
-    dims = ("variables", dimension)
-    described = {"long_name": meaning, "error_estimate": float(errors.max())}
-    return {
-        name: (dims, values, {**described, "error_method": FITTED}),
-        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
-    }
-
-
 def slope(x, y):
     """Slope of a line through the logarithms, and how much it differs between two halves."""
     x, y = np.log(x), np.log(y)
     middle = x.size // 2
-    halves = [
-        np.polyfit(x[part], y[part], 1)[0] for part in (slice(middle + 1), slice(middle, None))
-    ]
-    return float(np.polyfit(x, y, 1)[0]), abs(float(halves[0] - halves[1]))
+    whole, first, second = (
+        float(np.polyfit(x[part], y[part], 1)[0])
+        for part in (slice(None), slice(middle + 1), slice(middle, None))
+    )
+    return Estimate(whole, abs(first - second))
 
 
 def quotient_power(form, law):
@@ -138,8 +141,7 @@ def observed_order(form, law, scheme):
         np.median([abs(part_beads(system, scheme, gap, steps) - parting) for gap in GAPS])
         for steps in STEP_COUNTS
     ]
-    order, change = slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
-    return -order, change
+    return -slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
 
 
 def part_beads(system, scheme, gap, steps):
