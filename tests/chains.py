@@ -42,7 +42,7 @@ def take_fixed_steps(chain, table, h, steps):
     """Fixed steps of a chain on all its beads, without output or events."""
     for _ in range(steps):
         strain.try_step(chain, table, h, chain.beads, False)
-        strain.take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads)
+        strain.take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
         strain.accept(chain, table, chain.beads)
 
 

@@ -162,7 +162,7 @@ def check_sentence(sentence, parameter):
 
 
 def test_no_public_function_and_no_parameter_is_forgotten():
-    """The two forms of a law that `make_law` takes are in `test_laws_of_chains`."""
+    """The two forms of a law that `make_law` takes are in `test_laws`."""
     assert {name: set(POSSIBLE[name]) for name in POSSIBLE} == {
         name: set(parameters_of(name)) for name in gf.__all__ if name != "make_law"
     }

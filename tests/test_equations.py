@@ -1,6 +1,6 @@
 """Equations of sections 2 and 3.1 of the paper that no other test names, each on what we compute.
 
-The rest: the potentials of (3) `test_contact`, (12)-(14), (16)-(18), (20)-(23)
+The rest: the potentials of (3) `test_potentials`, (12)-(14), (16)-(18), (20)-(23)
 `test_jump_conditions`, `test_check_jump_conditions` and `test_laws`, (24), (27)-(29)
 `test_scaling`, (30) `test_campaign_kinds`, Remark 6 `test_collision`, and its materials the table
 of materials.  That (x, w) and (x, ẋ) are one motion is tested by `test_chain_accuracy`, what (31)

@@ -187,6 +187,11 @@ def test_a_users_functions_are_compiled(case, order):
     np.testing.assert_allclose(mapped(potential, order, u), expected, rtol=8 * EPSILON, atol=1e-15)
 
 
+def test_a_users_law_gives_no_number_outside_its_interval():
+    found = mapped(USERS["numpy"](), 1, np.array([-3.5, -2.5, 0.0, 2.5, 3.5]))
+    np.testing.assert_array_equal(np.isnan(found), [True, False, False, False, True])
+
+
 def test_a_function_that_numba_does_not_know_is_named():
     potential = gf.Potential(
         np.vectorize(lambda r: math.exp(r)),

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
-from granular_fronts.errors import InputError
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
 from granular_fronts.scenes.laws import decades_of_impact, front_speed
 from granular_fronts.scenes.validation import check_scene
@@ -85,6 +85,17 @@ def test_a_users_law_is_a_law_like_any_other():
     )
     np.testing.assert_allclose(found, linear, atol=1e-4**3)
     assert np.abs(found - linear).max() > 1e-16
+
+
+def test_no_motion_leaves_the_interval_of_a_users_law_unnoticed():
+    """The front overshoots the compression that presses it."""
+    functions = (lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh)
+    wide, narrow = (
+        gf.make_law(elastic=gf.Potential(*functions, interval=(-most, 1.0))) for most in (1.0, 0.31)
+    )
+    assert gf.simulate_chain(scene(wide))["relative_displacement"].max() > 0.31
+    with pytest.raises(SolveError, match="not a finite number"):
+        gf.simulate_chain(scene(narrow))
 
 
 def test_a_file_says_which_law_it_was(tmp_path):

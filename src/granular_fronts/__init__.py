@@ -11,7 +11,7 @@ __version__ = "0.1.0"
 _HOME_OF = {
     "Potential": "granular_fronts.model.potentials",
     "Scaling": "granular_fronts.model.scaling",
-    "collide": "granular_fronts.model.collision",
+    "collide": "granular_fronts.model.collision_by_law",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.log_burgers.evolution",

@@ -108,10 +108,10 @@ def time_to_kink(u, rate, new_u, h):
 
 
 @kernel
-def rate_at_start(chain, table, n):
-    """Rate of change of u_n at the start of the step."""
+def rate_of(chain, table, d_row, stage, n):
+    """Rate of change of u_n where d stands in a row and the slopes are those of a stage."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
-    return table[D, n] + chain.law.gamma * table[slopes + SLOT[0], n]
+    return table[d_row, n] + chain.law.gamma * table[slopes + SLOT[stage], n]
 
 
 @kernel
@@ -133,7 +133,7 @@ def step_at_kink(chain, table, kink, h, last, allowed):
         )
         if kappa <= allowed:
             continue
-        zero = time_to_kink(u - kink, rate_at_start(chain, table, n), new_u - kink, h)
+        zero = time_to_kink(u - kink, rate_of(chain, table, D, 0, n), new_u - kink, h)
         if u < kink:
             beyond = compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
             candidate = zero + beyond * (h - zero) / (new_u - kink)

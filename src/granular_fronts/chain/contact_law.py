@@ -1,22 +1,30 @@
 """From a law to what the kernels know of it."""
 
+import functools
+
 import numpy as np
 
 from granular_fronts.chain.stage_passes import stage_pass
+from granular_fronts.chain.state import LAW
 from granular_fronts.model.passes import row_map, row_parameters
 
 SMALL_EXTENSION = 1.0e-3
 
 
-def write_law(law, record):
-    """Write what the kernels know of a law into its record.
+@functools.lru_cache(maxsize=256)
+def compile_law(law):
+    """What the kernels know of a law.
 
     Parameters
     ----------
     law : model.laws.Law
-    record : record
-        Of type `state.LAW`, all zero.
+
+    Returns
+    -------
+    record
+        Of type `state.LAW`, not to be changed.
     """
+    record = np.zeros(1, LAW)[0]
     ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
     record.single = ratio is not None
     record.gamma = ratio if record.single else 1.0
@@ -30,6 +38,7 @@ def write_law(law, record):
     _fill(record.kinks, kinks)
     record.has_stiff_kinks = any(np.isinf(law.elastic.second(kink)) for kink in law.kinks)
     record.attraction = _acts_in_extension(law)
+    return record
 
 
 def _fill(room, values):

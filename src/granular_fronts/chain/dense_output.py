@@ -62,15 +62,18 @@ def take_output_stages(chain, table, h, first, last):
 @kernel(fastmath=_CONTRACT)
 def sum_all_slots(chain, table, row, h, low, high):
     """U of an output stage on the contacts low … high."""
-    gamma = chain.law.gamma
-    viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+    single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
     for n in range(uint64(low), uint64(high + 1)):
-        on_viscous = on_elastic = 0.0
-        for slot in range(rk.SLOPES - 1):
-            on_viscous += rk.A_SLOTS[row, slot] * table[viscous + slot, n]
-            on_elastic += rk.A_SQUARED_SLOTS[row, slot] * table[ELASTIC_SLOPES + slot, n]
-        value = table[U, n] + h * rk.C[row] * table[D, n]
-        table[VALUE, n] = value + (h * gamma * on_viscous + h * h * on_elastic)
+        table[VALUE, n] = table[U, n] + h * rk.C[row] * table[D, n]
+    for slot in range(rk.SLOPES - 1):
+        on_g, on_k = h_gamma * rk.A_SLOTS[row, slot], h_squared * rk.A_SQUARED_SLOTS[row, slot]
+        if single:
+            on_k += on_g
+        for n in range(uint64(low), uint64(high + 1)):
+            table[VALUE, n] += on_k * table[ELASTIC_SLOPES + slot, n]
+        if not single:
+            for n in range(uint64(low), uint64(high + 1)):
+                table[VALUE, n] += on_g * table[VISCOUS_SLOPES + slot, n]
 
 
 @kernel

@@ -15,7 +15,7 @@ import numpy as np
 
 from granular_fronts.chain.contact_events import passes_any_kink, step_at_contact
 from granular_fronts.chain.recorder import (
-    may_hold_extreme,
+    next_extreme,
     next_output,
     passes_level,
     record_step,
@@ -23,7 +23,6 @@ from granular_fronts.chain.recorder import (
 from granular_fronts.chain.state import NEW_U, U
 from granular_fronts.chain.strain import (
     accept,
-    dissipated_power,
     end_of_window,
     error_norm,
     forget_slopes,
@@ -43,8 +42,8 @@ SHORTEST_STEP_IN_SPACINGS = 8.0
 @kernel
 def begin(chain, table):
     """Slopes and dissipated power of the state at the start of a step."""
-    take_slopes(chain, table, U, rk.SLOT[0], chain.clock.reach)
-    chain.clock.power = dissipated_power(chain, table, chain.clock.reach)
+    clock = chain.clock
+    clock.power = take_slopes(chain, table, U, rk.SLOT[0], clock.reach, True)
 
 
 @kernel
@@ -76,7 +75,6 @@ def advance(chain, table, recording, relative, absolute, most_steps):
     law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
     # Whatever is read in every step is taken from the recording once.
     level, side, arrival = recording.level, recording.side, recording.arrival
-    extremes, first_peak = recording.extremes, recording.first_peak
     has_level, track_extremes = not math.isnan(level), recording.track_extremes
     track_energy = recording.track_energy
     output_time = next_output(recording)
@@ -113,15 +111,13 @@ def advance(chain, table, recording, relative, absolute, most_steps):
                 clock.cut += 1
                 clock.h = at_contact
                 continue
-        take_slopes(chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach)
-        if track_energy:
-            clock.dissipated += energy
-            clock.power = dissipated_power(chain, table, reach)
+        clock.dissipated += energy
+        clock.power = take_slopes(chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, track_energy)
         noteworthy = output_time <= t_new
         if has_level and not noteworthy:
             noteworthy = passes_level(table, arrival, level, side, next_.arrival, last)
         if track_extremes and not noteworthy:
-            noteworthy = may_hold_extreme(chain, table, h, level, extremes, first_peak, last)
+            noteworthy = next_extreme(chain, table, h, recording, 1, last) <= last
         if noteworthy:
             record_step(chain, table, h, t_new, recording)
             output_time = next_output(recording)

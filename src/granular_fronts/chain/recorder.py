@@ -2,15 +2,16 @@ r"""What is recorded of a step: states at given times, first arrivals, extremes,
 
 Everything is located on the continuous extension (`dense_output`).  Most steps hold nothing of
 note, which loops over whole rows without a branch find out: `passes_level` looks at the contacts
-that wait for their arrival, `may_hold_extreme` at all.
+that wait for their arrival, `next_extreme` at all.
 """
 
 import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import uint64
+from numba import int64, uint64
 
+from granular_fronts.chain.contact_events import rate_of
 from granular_fronts.chain.dense_output import contact_polynomial, take_output_stages, write_state
 from granular_fronts.chain.state import (
     ELASTIC_SLOPES,
@@ -63,6 +64,8 @@ class Recording(NamedTuple):
         First maximum of each contact above the level, the overshoot as the front passes.
     extremes : record
         Of type `EXTREMES`.
+    coefficients : ndarray, shape (8,)
+        Work space, of the polynomial of a contact.
     track_extremes, track_energy : bool
     """
 
@@ -80,6 +83,7 @@ class Recording(NamedTuple):
     first_peak: np.ndarray
     first_peak_time: np.ndarray
     extremes: np.record
+    coefficients: np.ndarray
     track_extremes: bool
     track_energy: bool
 
@@ -108,7 +112,7 @@ def write_output(chain, table, h, t_new, recording):
         theta = (recording.profile_times[row] - t) / h
         write_state(chain, table, h, theta, recording.profile_u[row], recording.profile_d[row])
         next_.profile += 1
-    coefficients = np.empty(rk.DEGREE + 1)
+    coefficients = recording.coefficients
     while (
         next_.sample < recording.sample_times.size and recording.sample_times[next_.sample] <= t_new
     ):
@@ -138,7 +142,7 @@ def write_arrivals(chain, table, h, last, have_polynomials, recording):
     """First passages of the level within the step."""
     side, level, next_ = recording.side, recording.level, recording.next
     arrival = recording.arrival
-    coefficients = np.empty(rk.DEGREE + 1)
+    coefficients = recording.coefficients
     for n in range(next_.arrival, last + 1):
         arrives = side * table[U, n] < side * level <= side * table[NEW_U, n]
         if not (arrives and math.isnan(arrival[n])):
@@ -152,26 +156,32 @@ def write_arrivals(chain, table, h, last, have_polynomials, recording):
 
 
 @kernel
-def may_hold_extreme(chain, table, h, level, extremes, first_peak, last):
-    """Whether `write_extremes` can find anything: its conditions, each at least as wide."""
-    largest, smallest, factor = extremes.largest, extremes.smallest, chain.law.gamma
-    viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+def next_extreme(chain, table, h, recording, first, last):
+    """First of the contacts first … last that may hold an extreme or open; beyond `last` if none.
+
+    The conditions are those of `write_extremes`, each at least as wide.
+    """
+    level, first_peak = recording.level, recording.first_peak
+    largest, smallest = recording.extremes.largest, recording.extremes.smallest
+    factor, viscous = chain.law.gamma, ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     start, end = viscous + rk.SLOT[0], viscous + rk.SLOT[rk.NEW_SLOPE]
-    found = 0
-    for n in range(uint64(1), uint64(last + 1)):
+    none = found = last + 1
+    for n in range(uint64(first), uint64(last + 1)):
         u, new_u = table[U, n], table[NEW_U, n]
         rate = table[D, n] + factor * table[start, n]
         new_rate = table[NEW_D, n] + factor * table[end, n]
         margin = 0.5 * h * abs(rate - new_rate)
-        first = (u > level) & (first_peak[n] != first_peak[n])
-        higher = first | (max(u, new_u) + margin > largest)
-        lower = min(u, new_u) - margin < smallest
-        turns = ((rate > 0.0) & (new_rate <= 0.0) & higher) | (
-            (rate < 0.0) & (new_rate >= 0.0) & lower
+        high, low = max(u, new_u), min(u, new_u)
+        # Only NaN differs from itself.
+        counts = (
+            (high + margin > largest)
+            | (low - margin < smallest)
+            | ((u > level) & (first_peak[n] != first_peak[n]))
         )
-        opens = (u > 0.0) & (new_u < 0.0)
-        found += turns | opens | (new_u > largest) | (new_u < smallest)
-    return found > 0
+        turns = rate * new_rate <= 0.0
+        holds = (turns & counts) | (high > largest) | (low < smallest) | (u * new_u < 0.0)
+        found = min(found, int64(n) if holds else none)
+    return found
 
 
 @kernel
@@ -191,39 +201,44 @@ def note_smallest(extremes, value, t, n):
 @kernel
 def write_extremes(chain, table, h, t_new, last, have_polynomials, recording):
     """Extremes of u over the step, and the first opening."""
-    gamma, t = chain.law.gamma, chain.clock.t
-    viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
-    start, end = viscous + rk.SLOT[0], viscous + rk.SLOT[rk.NEW_SLOPE]
-    extremes, first_peak = recording.extremes, recording.first_peak
-    coefficients = np.empty(rk.DEGREE + 1)
-    for n in range(1, last + 1):
-        u, new_u = table[U, n], table[NEW_U, n]
-        note_largest(extremes, new_u, t_new, n)
-        note_smallest(extremes, new_u, t_new, n)
-        rate = table[D, n] + gamma * table[start, n]
-        new_rate = table[NEW_D, n] + gamma * table[end, n]
-        margin = 0.5 * h * abs(rate - new_rate)
-        first = u > recording.level and math.isnan(first_peak[n])
-        peak = rate > 0.0 >= new_rate and (first or max(u, new_u) + margin > extremes.largest)
-        trough = rate < 0.0 <= new_rate and min(u, new_u) - margin < extremes.smallest
-        opens = u > NEGLIGIBLE and new_u < -NEGLIGIBLE and math.isnan(extremes.gap_time)
-        if not (peak or trough or opens):
-            continue
-        if not have_polynomials:
-            take_output_stages(chain, table, h, n, n)
-        contact_polynomial(chain, table, h, n, coefficients)
-        if opens:
-            extremes.gap_time, extremes.gap_bead = t + h * crossing(coefficients, 0.0), n
-        if not (peak or trough):
-            continue
-        theta = crossing(derivative(coefficients), 0.0)
-        value, time = polynomial(coefficients, theta), t + h * theta
-        if trough:
-            note_smallest(extremes, value, time, n)
-            continue
-        note_largest(extremes, value, time, n)
-        if first:
-            first_peak[n], recording.first_peak_time[n] = value, time
+    n = next_extreme(chain, table, h, recording, 1, last)
+    while n <= last:
+        write_extreme(chain, table, h, t_new, n, have_polynomials, recording)
+        n = next_extreme(chain, table, h, recording, n + 1, last)
+
+
+@kernel
+def write_extreme(chain, table, h, t_new, n, have_polynomials, recording):
+    """Extremes of contact n over the step, and its opening, if they count."""
+    extremes, first_peak, t = recording.extremes, recording.first_peak, chain.clock.t
+    u, new_u = table[U, n], table[NEW_U, n]
+    note_largest(extremes, new_u, t_new, n)
+    note_smallest(extremes, new_u, t_new, n)
+    rate = rate_of(chain, table, D, 0, n)
+    new_rate = rate_of(chain, table, NEW_D, rk.NEW_SLOPE, n)
+    margin = 0.5 * h * abs(rate - new_rate)
+    is_first = u > recording.level and math.isnan(first_peak[n])
+    peak = rate > 0.0 >= new_rate and (is_first or max(u, new_u) + margin > extremes.largest)
+    trough = rate < 0.0 <= new_rate and min(u, new_u) - margin < extremes.smallest
+    opens = u > NEGLIGIBLE and new_u < -NEGLIGIBLE and math.isnan(extremes.gap_time)
+    if not (peak or trough or opens):
+        return
+    if not have_polynomials:
+        take_output_stages(chain, table, h, n, n)
+    coefficients = recording.coefficients
+    contact_polynomial(chain, table, h, n, coefficients)
+    if opens:
+        extremes.gap_time, extremes.gap_bead = t + h * crossing(coefficients, 0.0), n
+    if not (peak or trough):
+        return
+    theta = crossing(derivative(coefficients), 0.0)
+    value, time = polynomial(coefficients, theta), t + h * theta
+    if trough:
+        note_smallest(extremes, value, time, n)
+        return
+    note_largest(extremes, value, time, n)
+    if is_first:
+        first_peak[n], recording.first_peak_time[n] = value, time
 
 
 @kernel

@@ -21,6 +21,7 @@ import xarray as xr
 from granular_fronts.chain import equations
 from granular_fronts.chain.recorder import EXTREMES, NEXT, Recording
 from granular_fronts.numerics.grids import regular_points
+from granular_fronts.numerics.runge_kutta import DEGREE
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
 # before the far end.
@@ -80,6 +81,7 @@ def make_recording(scene, ahead, columns):
         first_peak=np.full(columns, np.nan),
         first_peak_time=np.full(columns, np.nan),
         extremes=extremes,
+        coefficients=np.zeros(DEGREE + 1),
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),
     )

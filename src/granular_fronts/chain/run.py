@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain import equations, integrator, stiff
-from granular_fronts.chain.contact_law import is_at_rest_without_stiffness, write_law
+from granular_fronts.chain.contact_law import compile_law, is_at_rest_without_stiffness
 from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recorder import Recording
 from granular_fronts.chain.recording import make_recording
@@ -194,7 +194,7 @@ def make_chain(law, boundary, u, velocity):
         Its rows.
     """
     beads, chain = u.size, np.zeros(1, CHAIN)[0]
-    write_law(law, chain.law)
+    chain["law"] = compile_law(law)
     chain.beads, chain.contacts = beads, beads if boundary.ring else beads - 1
     chain.ahead = boundary.right
     has_slack = is_at_rest_without_stiffness(law, boundary.right)

@@ -50,11 +50,15 @@ def all_ten(w):
 
 @kernel(fastmath=CONTRACT, forceinline=True)
 def weighted_sum(table, source, other, factor, first, weights, n):
-    """The sum of one contact."""
-    value = table[source, n] + factor * table[other, n]
-    for j in range(len(weights)):
+    """The sum of one contact, in two chains that need not wait for each other."""
+    value, rest = table[source, n], factor * table[other, n]
+    for j in range(0, len(weights) - 1, 2):
         value += weights[j] * table[first + uint64(j), n]
-    return value
+        rest += weights[j + 1] * table[first + uint64(j + 1), n]
+    if len(weights) % 2 == 1:
+        last = len(weights) - 1
+        rest += weights[last] * table[first + uint64(last), n]
+    return value + rest
 
 
 @kernel(fastmath=CONTRACT)

@@ -37,7 +37,7 @@ MOST_PARAMETERS, MOST_KINKS = 8, 8
 
 def record_type(*fields):
     """A type of records whose fields are attributes, in Python as in kernels."""
-    return np.dtype((np.record, list(fields)))
+    return np.dtype((np.record, np.dtype(list(fields), align=True)))
 
 
 LAW = record_type(

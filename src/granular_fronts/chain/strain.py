@@ -78,7 +78,7 @@ _A, _A_SQUARED = rk.A_WINDOWS.ravel(), rk.A_SQUARED_WINDOWS.ravel()
 
 
 @kernel
-def set_weights(chain, table, h):
+def set_weights(chain, h):
     """Weights of the slopes in the stages of a step h."""
     single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
     elastic, viscous = chain.elastic_weights.ravel(), chain.viscous_weights.ravel()
@@ -89,37 +89,86 @@ def set_weights(chain, table, h):
             elastic[i], viscous[i] = h_squared * _A_SQUARED[i], h_gamma * _A[i]
 
 
-@kernel(fastmath=_CONTRACT)
-def laplacian(chain, table, source, target, shift, reach):
-    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach.
-
-    A ring and a piston are closed first; the force behind a piston is shifted.
-    """
+@kernel
+def close(chain, table, source, shift):
+    """Close a ring, or a piston, the force behind which is shifted."""
     if chain.contacts == chain.beads:
         table[source, 0] = table[source, chain.beads]
         table[source, chain.beads + 1] = table[source, 1]
     if chain.piston:
         table[source, 0] = table[source, 1] + shift
+
+
+@kernel(forceinline=True)
+def laplacian(chain, table, source, target, shift, reach):
+    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach."""
+    close(chain, table, source, shift)
     for n in range(uint64(1), uint64(reach + 1)):
-        table[target, n] = (
-            table[source, n - uint64(1)] - 2.0 * table[source, n] + table[source, n + uint64(1)]
-        )
+        f = table[source, n]
+        behind, ahead = table[source, n - uint64(1)], table[source, n + uint64(1)]
+        table[target, n] = (behind - f) - (f - ahead)
 
 
-@kernel
-def take_slopes(chain, table, source, slot, reach):
-    """Forces of the compressions in a row, and their slopes into a slot."""
+@kernel(fastmath=_REDUCE)
+def laplacian_and_squares(chain, table, source, target, shift, reach):
+    """Do the same, and return the sum of the squares (f_{n-1} − f_n)²."""
+    close(chain, table, source, shift)
+    total = 0.0
+    for n in range(uint64(1), uint64(reach + 1)):
+        f = table[source, n]
+        behind, ahead = table[source, n - uint64(1)], table[source, n + uint64(1)]
+        table[target, n] = (behind - f) - (f - ahead)
+        total += (behind - f) * (behind - f)
+    return total
+
+
+@kernel(fastmath=_REDUCE)
+def sum_of_products(table, reach):
+    """Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads 1 … reach."""
+    total = 0.0
+    for n in range(uint64(1), uint64(reach + 1)):
+        force = table[FORCE, n - uint64(1)] - table[FORCE, n]
+        total += force * (table[DAMPING, n - uint64(1)] - table[DAMPING, n])
+    return total
+
+
+@kernel(forceinline=True)
+def difference_forces(chain, table, slot, reach, with_power):
+    """Slopes of the present forces into a slot; returns the power dissipated, if asked for it.
+
+    It is the sum over beads in the energy balance of `equations`: with a piston it begins with bead
+    2, and a G_1 is taken from it.
+    """
+    acceleration, gamma = chain.clock.acceleration, chain.law.gamma
+    target = ELASTIC_SLOPES + slot
+    if chain.law.single:
+        if not with_power:
+            laplacian(chain, table, FORCE, target, acceleration, reach)
+            return 0.0
+        squares = laplacian_and_squares(chain, table, FORCE, target, acceleration, reach)
+        if chain.piston:
+            squares -= acceleration * (acceleration + table[FORCE, 1])
+        return gamma * squares
+    laplacian(chain, table, FORCE, target, acceleration, reach)
+    laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, reach)
+    if not with_power:
+        return 0.0
+    return sum_of_products(table, reach) - acceleration * table[DAMPING, 1]
+
+
+@kernel(forceinline=True)
+def take_slopes(chain, table, source, slot, reach, with_power):
+    """Slopes of the compressions in a row into a slot; returns the power, if asked for it."""
     law, last = chain.law, min(reach, chain.contacts)
     call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
-    laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, chain.clock.acceleration, reach)
     if not law.single:
         call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
-        laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, reach)
+    return difference_forces(chain, table, slot, reach, with_power)
 
 
-@kernel
-def take_stage(chain, table, row, h, reach):
-    """Slopes of stage `row` from those of the stages before it."""
+@kernel(forceinline=True)
+def take_stage(chain, table, row, h, reach, with_power):
+    """Slopes of stage `row` from those of the stages before it; returns the power, if asked for."""
     law, last = chain.law, min(reach, chain.contacts)
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
     elastic, weights = ELASTIC_SLOPES + first, chain.elastic_weights[row]
@@ -136,37 +185,14 @@ def take_stage(chain, table, row, h, reach):
             weights,
             law.elastic_parameters,
         )
-        laplacian(
-            chain, table, FORCE, ELASTIC_SLOPES + rk.SLOT[row], chain.clock.acceleration, reach
-        )
-        return
+        return difference_forces(chain, table, rk.SLOT[row], reach, with_power)
     if law.single:
         sum_rows(table, VALUE, U, D, factor, elastic, terms, weights, last)
     else:
         sum_rows(table, PARTIAL, U, D, factor, elastic, terms, weights, last)
         viscous, weights = VISCOUS_SLOPES + first, chain.viscous_weights[row]
         sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, terms, weights, last)
-    take_slopes(chain, table, VALUE, rk.SLOT[row], reach)
-
-
-@kernel(fastmath=_REDUCE)
-def dissipated_power(chain, table, reach):
-    r"""Power lost at the present forces, Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads.
-
-    With a piston the sum begins with bead 2, and a G_1 is taken from it (`equations`).
-    """
-    gamma, viscous = 1.0, DAMPING
-    if chain.law.single:
-        gamma, viscous = chain.law.gamma, FORCE
-    total = 0.0
-    for n in range(uint64(1), uint64(reach + 1)):
-        total += (table[FORCE, n - uint64(1)] - table[FORCE, n]) * (
-            table[viscous, n - uint64(1)] - table[viscous, n]
-        )
-    if chain.piston:
-        first = (table[FORCE, 0] - table[FORCE, 1]) * (table[viscous, 0] - table[viscous, 1])
-        total -= first + chain.clock.acceleration * table[viscous, 1]
-    return gamma * total
+    return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
 
 
 @kernel
@@ -176,12 +202,11 @@ def take_stages(chain, table, h, reach, with_energy):
     The slopes and the power at the start must be there.  The power of every stage is taken while
     its forces are in the cache, and added up by the pair's own quadrature, of order 8.
     """
-    set_weights(chain, table, h)
+    set_weights(chain, h)
     energy = rk.B[0] * chain.clock.power
     for row in range(1, rk.STAGES):
-        take_stage(chain, table, row, h, reach)
-        if with_energy and rk.B[row] != 0.0:
-            energy += rk.B[row] * dissipated_power(chain, table, reach)
+        with_power = with_energy and rk.B[row] != 0.0
+        energy += rk.B[row] * take_stage(chain, table, row, h, reach, with_power)
     return h * energy
 
 

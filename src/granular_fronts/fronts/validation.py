@@ -99,10 +99,23 @@ def check_given_law(law, states):
     return law, tuple(map(float, states))
 
 
-def check_front(front, *attributes):
-    """A front as data with these attributes, unless it says itself that it has not converged."""
+def check_front_of_powers(front):
+    """A front as data of two powers, from compression 1 into a chain at rest."""
+    check_front(front)
+    if not {"alpha", "beta", "gamma"} <= front.attrs.keys() or front.attrs.get("right_state"):
+        raise InputError(
+            f"front has the law {front.attrs.get('law')} and joins R = "
+            f"{front.attrs.get('state_behind')} to {front.attrs.get('state_ahead')}, but its "
+            "multipliers are known for two powers from compression 1 into a chain at rest only: "
+            "give such a front, scaled by eq. (30)."
+        )
+    return front
+
+
+def check_front(front):
+    """A front as data, unless it says itself that it has not converged."""
     instance("front", front, xr.Dataset, "take one from solve_front")
-    needed = {"relative_displacement", "velocity", "xi", *attributes}
+    needed = {"relative_displacement", "velocity", "xi"}
     if missing := sorted(needed - {*front.attrs, *front.variables}):
         raise InputError(f"front has no {', '.join(missing)}: take a front from solve_front.")
     if not front.attrs.get("converged", 1):

@@ -16,7 +16,8 @@ A map is a C function, reached by its address from kernels that need not be comp
 
 for the contacts first … last, both included; `result` is another row than `u`.  Maps of named kinds
 are compiled once for all parameters and cached on disk; those of a user's functions are compiled in
-a fraction of a second whenever a process first asks for them.
+a fraction of a second whenever a process first asks for them.  Where a law does not hold they give
+no finite number, so that no run leaves its domain unnoticed.
 
 Vector code.  Powers of a contact are products with a square root where the exponent is 1/2, 1, 3/2,
 2 or 5/2, and the vector code of `numerics.vector_functions` elsewhere; so are exponentials.
@@ -40,6 +41,7 @@ from numba.np.unsafe.ndarray import to_fixed_tuple
 from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
 from granular_fronts.model.potentials import GIVEN
+from granular_fronts.numerics.bits import multiply_add
 from granular_fronts.numerics.compiled import callback, kernel
 from granular_fronts.numerics.vector_functions import exponential, exponential_less_one, power
 
@@ -77,7 +79,8 @@ def row_map(potential, order):
     """
     if potential.kind != GIVEN:
         return _map_of_shape(potential.shape, order, len(potential.parameters)).address
-    return _map_of_function(potential.scalar_functions[order], order, potential.name).address
+    function = potential.scalar_functions[order]
+    return _map_of_function(function, order, potential.domain, potential.name).address
 
 
 def row_parameters(potential, order):
@@ -189,7 +192,10 @@ def _raise_row(u, result, first, last, parameters):
     elif exponent == 2.5:
         for n in range(start, stop):
             x = _compression(u_row[n])
-            result_row[n] = coefficient * (x * x * math.sqrt(x))
+            square, root = x * x, math.sqrt(x)
+            # With the rounding of the square, which two products would add to theirs.
+            left = multiply_add(x, x, -square)
+            result_row[n] = coefficient * multiply_add(square, root, left * root)
     elif exponent == 2.0:
         for n in range(start, stop):
             x = _compression(u_row[n])
@@ -210,8 +216,9 @@ def _compression(u):
 
 
 @functools.cache
-def _map_of_function(function, order, name):
-    """The loop of a user's function, compiled in memory."""
+def _map_of_function(function, order, domain, name):
+    """The loop of a user's function, compiled in memory; NaN outside the domain ends a run."""
+    low, high = domain
     # What is no Python function, such as np.sinh, numba either knows or not.
     compiled = numba.njit(**_USER)(function) if inspect.isfunction(function) else function
 
@@ -219,7 +226,8 @@ def _map_of_function(function, order, name):
         factor = parameters[0]
         u_row, result_row = carray(u, last + 1), carray(result, last + 1)
         for n in range(uint64(first), uint64(last + 1)):
-            result_row[n] = factor * _number(compiled(-u_row[n]))
+            r = -u_row[n]
+            result_row[n] = factor * _number(compiled(r)) if low < r < high else math.nan
 
     try:
         return numba.cfunc(ROW_MAP, **_USER)(evaluate_row)

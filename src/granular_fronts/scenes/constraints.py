@@ -14,14 +14,16 @@ from collections.abc import Callable, Iterator, Mapping
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.law_constraints import (
     beads_are_solid,
+    ends_of_contacts_are_pressed,
     laws_of_cases_are_possible,
     piston_tolerance_resolves_motion,
     pressed_chains_hold_waves,
+    softening_start_is_compressed,
     states_are_compressed,
     states_differ,
+    strains_lie_in_domain,
     theta_steps_meet_end,
 )
-from granular_fronts.scenes.laws import domain_of, exponent_of
 from granular_fronts.scenes.scales import (
     absolute_tolerance_errors,
     decades,
@@ -148,49 +150,6 @@ def start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
             f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
             f"velocity {begins}: give {begins} first."
         )
-
-
-def softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
-    """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
-    alpha = exponent_of(scene["law"])
-    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
-    if alpha is not None and alpha < 1 and smallest <= 0:
-        yield (
-            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
-            f"infinite, and the smallest relative displacement at the start is {smallest}: "
-            "take alpha of 1 or more, or a start compressed everywhere."
-        )
-
-
-def ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
-    """No end pulls, and no level of arrival is stretched, where contacts open instead."""
-    if exponent_of(scene["law"]) is None:
-        return
-    boundary = scene["boundary"]
-    found = {f"boundary.{end}": boundary.get(end, 0) for end in ("left", "right")}
-    for key, value in found.items():
-        if value < 0:
-            yield f"{key} is {value}, below its limit 0: give 0 or more."
-    level = scene["record"].get("arrival_level", 1)
-    if level <= 0:
-        yield f"record.arrival_level is {level}, but must be above 0: give a number above 0."
-
-
-def strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
-    """The law holds for the contacts at the ends and at the start."""
-    low, high = domain_of(scene["law"])
-    boundary, start = scene["boundary"], scene["start"]
-    found = {f"boundary.{end}": boundary.get(end, 0) for end in ("left", "right")}
-    found |= {
-        name_entry("start.relative_displacement", index): u
-        for index, u in enumerate(start.get("relative_displacement", []))
-    }
-    for key, u in found.items():
-        if not low < -u < high:
-            yield (
-                f"{key} is {u}, but the law holds for relative displacements between {-high:g} "
-                f"and {-low:g} only: give one between, or another law."
-            )
 
 
 def probes_are_on_chain(scene: Mapping) -> Iterator[str]:

@@ -58,7 +58,7 @@ from granular_fronts.fronts.shooting import bead_flow, tail_closure
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw
 from granular_fronts.fronts.shooting.initial_guess import Guess, fit
 from granular_fronts.fronts.shooting.solve import LARGEST_DECAY_PER_STEP
-from granular_fronts.fronts.validation import check_front
+from granular_fronts.fronts.validation import check_front_of_powers
 
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300
@@ -98,7 +98,7 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
         If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
         another integer is not among the points.
     """
-    check_front(front, "alpha", "beta", "gamma")
+    check_front_of_powers(front)
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
     if 4.0 * beta * gamma > STEPS * LARGEST_DECAY_PER_STEP:
         raise InputError(
