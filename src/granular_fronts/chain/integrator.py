@@ -12,6 +12,7 @@ continuous extension (`recorder`).
 import math
 
 import numpy as np
+from numba import int64
 
 from granular_fronts.chain.contact_events import passes_any_kink, step_at_contact
 from granular_fronts.chain.recorder import (
@@ -117,7 +118,7 @@ def advance(chain, table, recording, relative, absolute, most_steps):
         if has_level and not noteworthy:
             noteworthy = passes_level(table, arrival, level, side, next_.arrival, last)
         if track_extremes and not noteworthy:
-            noteworthy = next_extreme(chain, table, h, recording, 1, last) <= last
+            noteworthy = next_extreme(chain, table, h, recording, int64(1), last) <= last
         if noteworthy:
             record_step(chain, table, h, t_new, recording)
             output_time = next_output(recording)

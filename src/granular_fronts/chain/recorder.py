@@ -201,7 +201,7 @@ def note_smallest(extremes, value, t, n):
 @kernel
 def write_extremes(chain, table, h, t_new, last, have_polynomials, recording):
     """Extremes of u over the step, and the first opening."""
-    n = next_extreme(chain, table, h, recording, 1, last)
+    n = next_extreme(chain, table, h, recording, int64(1), last)
     while n <= last:
         write_extreme(chain, table, h, t_new, n, have_polynomials, recording)
         n = next_extreme(chain, table, h, recording, n + 1, last)
@@ -246,7 +246,7 @@ def record_step(chain, table, h, t_new, recording):
     """Record what an accepted step holds, before its end becomes the start of the next one."""
     due = next_output(recording) <= t_new
     if due:
-        take_output_stages(chain, table, h, 1, chain.clock.reach)
+        take_output_stages(chain, table, h, int64(1), chain.clock.reach)
         chain.clock.right_hand_sides += rk.SLOPES - rk.NEW_SLOPE - 1
         write_output(chain, table, h, t_new, recording)
     last = min(chain.clock.reach, chain.contacts)

@@ -27,8 +27,9 @@ import numpy as np
 
 from granular_fronts.numerics.runge_kutta import LONG, SLOPES, STAGES
 
-U, D, NEW_U, NEW_D, PARTIAL, VALUE, FORCE, DAMPING = range(8)
-ELASTIC_SLOPES = 8
+# As numpy integers, so that kernels are compiled once and not for each row.
+U, D, NEW_U, NEW_D, PARTIAL, VALUE, FORCE, DAMPING = np.arange(8)
+ELASTIC_SLOPES = np.int64(8)
 VISCOUS_SLOPES = ELASTIC_SLOPES + SLOPES
 ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 

@@ -195,21 +195,6 @@ def take_stage(chain, table, row, h, reach, with_power):
     return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
 
 
-@kernel
-def take_stages(chain, table, h, reach, with_energy):
-    """The eleven stages after the first, and the energy dissipated in the step.
-
-    The slopes and the power at the start must be there.  The power of every stage is taken while
-    its forces are in the cache, and added up by the pair's own quadrature, of order 8.
-    """
-    set_weights(chain, h)
-    energy = rk.B[0] * chain.clock.power
-    for row in range(1, rk.STAGES):
-        with_power = with_energy and rk.B[row] != 0.0
-        energy += rk.B[row] * take_stage(chain, table, row, h, reach, with_power)
-    return h * energy
-
-
 class Largest(NamedTuple):
     """Maxima over beads, from one step.
 
@@ -331,14 +316,20 @@ def error_norm(law, largest, relative, absolute):
 def try_step(chain, table, h, reach, with_energy):
     """All stages and the new state for a step h: its `Largest` and the energy dissipated.
 
-    With pressure at the ends entry N holds the last bead; it drives nothing but itself, so that it
-    stays outside the error norm.
+    The slopes and the power at the start must be there.  The power of every stage is taken while
+    its forces are in the cache, and added up by the pair's own quadrature, of order 8.  With
+    pressure at the ends entry N holds the last bead; it drives nothing but itself, so that it stays
+    outside the error norm.
     """
-    energy = take_stages(chain, table, h, reach, with_energy)
+    set_weights(chain, h)
+    energy = rk.B[0] * chain.clock.power
+    for row in range(1, rk.STAGES):
+        with_power = with_energy and rk.B[row] != 0.0
+        energy += rk.B[row] * take_stage(chain, table, row, h, reach, with_power)
     last = min(reach, chain.contacts)
     if reach > last:
         finish(chain, table, h, reach, reach)
-    return finish(chain, table, h, 1, last), energy
+    return finish(chain, table, h, int64(1), last), h * energy
 
 
 @kernel
