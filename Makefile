@@ -2,7 +2,7 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-# Twice quiet leaves the errors: warnings here tell of a machine's own settings, not of the project.
+# Twice quiet leaves the errors: warnings here concern a machine's own settings, not of the project.
 PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip --quiet --quiet
 
 # The workflow compiles its kernels into this folder; the tests find them there.

@@ -17,7 +17,7 @@ FILES = module_files(*SOURCES)
 SCRIPTS = sorted(file.stem for file in SOURCES[2].glob("*.py"))
 DRAWING = {"granular_fronts.output.panels", "granular_fronts.output.style"}
 
-TELL_WHAT_IS_LOADED = """
+LIST_WHAT_IS_LOADED = """
 import json, sys
 from importlib import import_module
 
@@ -37,7 +37,7 @@ def loaded():
     """The modules that Python holds after importing a script or a part of one, and nothing else."""
     by_string = [name for name in FILES if re.match(r"problems\.|granular_fronts\.\w+$", name)]
     run = subprocess.run(
-        [sys.executable, "-c", TELL_WHAT_IS_LOADED],
+        [sys.executable, "-c", LIST_WHAT_IS_LOADED],
         input=json.dumps([SCRIPTS + by_string, list(FILES)]),
         capture_output=True,
         text=True,

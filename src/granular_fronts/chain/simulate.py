@@ -133,14 +133,13 @@ def solve(scene, tolerance, activity="solving"):
         with time_bar(activity, scene["end_time"]) as show_time:
 
             def after_block(run):
-                show_time(run.clock.t[0])
+                show_time(run.clock.t)
                 balances.check(run)
 
             integrate(run, tolerance, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    dataset = collect(scene, run.recording, run.boundary, run.momentum)
-    return Solution(dataset, work_done(run.clock), balances.drifts())
+    return Solution(collect(scene, run), work_done(run.clock), balances.drifts())
 
 
 def _with_error_estimates(solution, refined, tolerance):

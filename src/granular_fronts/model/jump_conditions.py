@@ -41,6 +41,7 @@ import numpy as np
 
 from granular_fronts.arguments import double_precision, instance, scalar
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
 from granular_fronts.model.potentials import Potential
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
@@ -116,22 +117,22 @@ class Estimate(NamedTuple):
     error: float
 
 
-def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
+def jump_conditions(law, R_minus, R_plus, *, mass=1.0, dissipation=None):
     """Speed, direction, velocities and losses of a front between two states.
 
     The conditions are necessary: that a front exists they do not say.
 
     Parameters
     ----------
-    potential : granular_fronts.model.potentials.Potential
-        V.
+    law : Law, Mapping or Potential
+        A law, or the mapping of which `granular_fronts.make_law` makes one; or V alone.
     R_minus, R_plus : float
         States at n → −∞ and n → +∞; negative in compression.
     mass : float, optional
         m, above 0.
-    dissipation : granular_fronts.model.potentials.Potential, optional
-        W. None stands for some convex potential that acts between the states, which is all that
-        the results depend on; `model.potentials.NO_DISSIPATION` for a conservative chain.
+    dissipation : Potential, optional
+        W beside V alone. None stands for some convex potential that acts between the states, which
+        is all that the results depend on; a law without damping makes a conservative chain.
 
     Returns
     -------
@@ -142,10 +143,14 @@ def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
     InputError
         If the states exclude a front, with the statement of James (2021) that excludes it; or if
         an argument is impossible.
+
+    Examples
+    --------
+    >>> front = jump_conditions({"alpha": 1.5, "gamma": 0.1}, -0.0625, 0.0)
+    >>> front.direction, front.speed
+    (1, 0.5)
     """
-    _check_potential("potential", potential)
-    if dissipation is not None:
-        _check_potential("dissipation", dissipation)
+    potential, dissipation = _potentials(law, dissipation)
     mass = scalar("mass", mass, above=0.0, advice="give the bead's mass")
     R_minus, R_plus = _check_states(potential, R_minus=R_minus, R_plus=R_plus)
     with double_precision("The front", "bring the states and the mass closer to 1"):
@@ -303,14 +308,19 @@ def _sound_speed(potential, R, mass):
     return math.sqrt(stiffness / mass) if stiffness >= 0.0 else math.nan
 
 
-def _check_potential(name, potential):
-    instance(
-        name,
-        potential,
-        Potential,
-        "make one with potential_from_expression or potential_from_functions of "
-        "granular_fronts.model.potentials",
-    )
+def _potentials(law, dissipation):
+    """V and W (None if W is not given) of a law or of a potential."""
+    if dissipation is not None:
+        instance("dissipation", dissipation, Potential, "make one with granular_fronts.Potential")
+    if isinstance(law, Potential):
+        return law, dissipation
+    law = make_law(law)
+    if dissipation is not None:
+        raise InputError(
+            f"dissipation is {dissipation.name}, but the law has a viscous potential already, "
+            f"{law.viscous.name}: leave dissipation out, or give the elastic potential alone."
+        )
+    return law.elastic, law.viscous
 
 
 def _check_states(potential, **states):

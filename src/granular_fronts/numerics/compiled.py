@@ -102,6 +102,29 @@ def wing_of(function):
     return file.relative_to(SOURCES).parts[0] if SOURCES in file.parents else file.parent.name
 
 
+def callback(signature, **options):
+    """Compile a function that kernels call by its address, cached like a kernel.
+
+    Parameters
+    ----------
+    signature : numba signature
+    **options
+        Options of `numba.cfunc`.
+
+    Returns
+    -------
+    callable
+        The decorator that makes the compiled function, with an attribute `address`.
+    """
+
+    def compile_cached(function):
+        wing = wing_of(function)
+        numba.config.CACHE_DIR = str(cache_folder(wing))
+        return numba.cfunc(signature, cache=True, **options)(function)
+
+    return compile_cached
+
+
 def cache_folder(wing):
     """Folder of a wing's machine code, under NUMBA_CACHE_DIR or the user's cache folder."""
     user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))

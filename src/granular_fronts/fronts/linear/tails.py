@@ -244,7 +244,7 @@ def strip_root(alpha, damping, strip):
 
 @kernel
 def lowest_strip(alpha, damping, roots):
-    """Fill in the roots with 0 ≤ Im λ < 2π: three real ones (3), or one and a pair (2)."""
+    """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one beside a pair."""
     low = where_bell_falls(alpha * damping, 0.0, BEND)
     high = where_bell_falls(alpha * damping, FLAT, BEND)
     end = 1.0 / damping

@@ -4,7 +4,7 @@ With r the residuals and J their derivative by the unknowns x, a step solves
 
 .. math:: \min_{\delta x} \| J\,\delta x + r \|_2
 
-by reflections (`banded_qr`), J being the exact derivative of the computed flow (`bead_map`).  The
+by reflections (`banded_qr`), J being the exact derivative of the computed flow (`bead_flow`).  The
 step is halved until the sum of squares falls.  There are more equations than unknowns, but all of
 them hold at a front: r = 0 there, and convergence is quadratic.  A minimum where some equation does
 not hold is no front, and is reported as a failure.

@@ -1,25 +1,18 @@
-"""Potentials: their derivatives against 40 digits, and the user's potentials that are refused."""
+"""Potentials: derivatives against 40 digits, factors, and a user's potentials that are wrong."""
 
 import mpmath as mp
 import numpy as np
 import pytest
+from potentials import NO_DISSIPATION, fpu, hertz, lennard_jones, morse, toda
 
-from granular_fronts.model.potentials import (
-    NO_DISSIPATION,
-    fpu,
-    generalised_hertz,
-    lennard_jones,
-    morse,
-    potential_from_expression,
-    potential_from_functions,
-    toda,
-)
+from granular_fronts.model.kinds import KINDS
+from granular_fronts.model.potentials import Potential, make_potential
 
 DIGITS = 40
 READY = {
-    "hertz 3/2": (generalised_hertz(1.5, 2.0), lambda r: 2 * (-r) ** 2.5 / 2.5 if r < 0 else 0),
-    "hertz 1/2": (generalised_hertz(0.5), lambda r: (-r) ** 1.5 / 1.5 if r < 0 else 0),
-    "hertz 1": (generalised_hertz(1.0), lambda r: r**2 / 2 if r < 0 else 0),
+    "hertz 3/2": (hertz(1.5, 2.0), lambda r: 2 * (-r) ** 2.5 / 2.5 if r < 0 else 0),
+    "hertz 1/2": (hertz(0.5), lambda r: (-r) ** 1.5 / 1.5 if r < 0 else 0),
+    "hertz 1": (hertz(1.0), lambda r: r**2 / 2 if r < 0 else 0),
     "fpu": (fpu(0.5, -2.0, 3.0), lambda r: r**2 / 4 - 2 * r**3 / 3 + 3 * r**4 / 4),
     "toda": (toda(2.0, 3.0), lambda r: mp.mpf(2) / 3 * (mp.exp(-3 * r) + 3 * r - 1)),
     "morse": (morse(2.0, 1.5), lambda r: 2 * (1 - mp.exp(-1.5 * r)) ** 2),
@@ -27,16 +20,29 @@ READY = {
         lennard_jones(0.5, 2.0),
         lambda r: mp.mpf(0.5) * ((1 + r / 2) ** -12 - 2 * (1 + r / 2) ** -6 + 1),
     ),
+    "power": (
+        make_potential("power", beta=2.5, gamma=0.4),
+        lambda r: 0.4 * (-r) ** 3.5 / 3.5 if r < 0 else 0,
+    ),
+    "linear": (make_potential("linear", gamma=0.3), lambda r: 0.3 * r**2 / 2),
 }
+
+
+def functions_of(potential):
+    return potential.value, potential.first, potential.second, potential.third
+
+
+def test_every_kind_is_among_the_cases():
+    kinds = {potential.kind for potential, _ in READY.values()}
+    assert kinds == set(KINDS)
 
 
 @pytest.mark.parametrize("case", READY)
 def test_derivatives_agree_with_forty_digits(case):
     potential, exact = READY[case]
     points = np.array([-0.7, -0.1, -1.0e-3, 0.02, 0.5])
-    functions = (potential.value, potential.first, potential.second, potential.third)
     with mp.workdps(DIGITS):
-        for order, function in enumerate(functions):
+        for order, function in enumerate(functions_of(potential)):
             expected = [float(mp.diff(exact, mp.mpf(r), order)) for r in points]
             scale = np.abs(expected).max() + 1.0
             np.testing.assert_allclose(function(points), expected, rtol=2e-14, atol=2e-16 * scale)
@@ -45,12 +51,12 @@ def test_derivatives_agree_with_forty_digits(case):
 @pytest.mark.parametrize("case", READY)
 def test_ready_potentials_pass_the_check_of_the_users(case):
     potential, _ = READY[case]
-    checked = potential_from_functions(*potential[1:5], interval=(-0.9, -0.1))
+    checked = Potential(*functions_of(potential), interval=(-0.9, -0.1))
     assert checked.domain == (-0.9, -0.1)
 
 
 def test_stiffness_of_a_softening_contact_is_infinite_where_it_closes():
-    softening = generalised_hertz(0.5)
+    softening = hertz(0.5)
     np.testing.assert_array_equal(softening.second(np.array([0.0, 1.0])), [np.inf, 0.0])
     assert softening.first(np.array([0.0]))[0] == 0.0
 
@@ -63,16 +69,16 @@ def test_expression_is_differentiated():
     sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
     r = sympy.Symbol("r")
     expected = toda()
-    found = potential_from_expression(sympy.exp(-r) + r - 1, r, interval=(-2.0, 1.0))
+    found = Potential.from_expression(sympy.exp(-r) + r - 1, r, interval=(-2.0, 1.0))
     points = np.linspace(-1.5, 0.9, 7)
     for name in ("value", "first", "second", "third"):
         np.testing.assert_allclose(
             getattr(found, name)(points), getattr(expected, name)(points), rtol=1e-14, atol=1e-15
         )
-    harmonic = potential_from_expression(r**2 / 2, r, interval=(-1.0, 1.0))
+    harmonic = Potential.from_expression(r**2 / 2, r, interval=(-1.0, 1.0))
     np.testing.assert_array_equal(harmonic.second(points), np.ones(7))
     with pytest.raises(ValueError, match=r"depends on k besides r"):
-        potential_from_expression(sympy.Symbol("k") * r**2, r, interval=(-1.0, 1.0))
+        Potential.from_expression(sympy.Symbol("k") * r**2, r, interval=(-1.0, 1.0))
 
 
 def make(interval=(-1.0, 1.0), **replaced):
@@ -82,7 +88,7 @@ def make(interval=(-1.0, 1.0), **replaced):
         "second": lambda r: 3.0 * r**2,
         "third": lambda r: 6.0 * r,
     } | replaced
-    return potential_from_functions(**functions, interval=interval, name="mine")
+    return Potential(**functions, interval=interval, name="mine")
 
 
 @pytest.mark.parametrize(
@@ -110,19 +116,64 @@ def test_right_potential_passes_without_its_third_derivative():
 @pytest.mark.parametrize("width", [1.0e-3, 1.0e-6])
 def test_short_interval_does_not_raise_a_false_alarm(width):
     exact = toda()
-    potential_from_functions(*exact[1:5], interval=(-0.1 - width, -0.1))
+    Potential(*functions_of(exact), interval=(-0.1 - width, -0.1))
 
 
 @pytest.mark.parametrize(
     ("make_it", "sentence"),
     [
-        (lambda: generalised_hertz(0.0), "alpha is 0.0, but must be a finite number, above 0"),
-        (lambda: generalised_hertz(1.5, -1.0), "stiffness is -1.0"),
+        (lambda: hertz(0.0), "alpha is 0.0, but must be a finite number, above 0"),
+        (lambda: hertz(1.5, -1.0), "stiffness is -1.0"),
         (lambda: toda(rate=0.0), "rate is 0.0"),
         (lambda: morse(depth=np.nan), "depth is nan"),
         (lambda: lennard_jones(distance=np.inf), "distance is inf"),
+        (lambda: make_potential("tode"), "'tode' is no kind: did you mean toda?"),
+        (lambda: make_potential("hertz"), "hertz has no alpha, exponent α of the force: give one"),
+        (lambda: make_potential("toda", speed=1.0), "'speed' is no parameter of toda: choose one"),
     ],
 )
 def test_impossible_parameters_are_refused(make_it, sentence):
     with pytest.raises(ValueError, match=sentence):
         make_it()
+
+
+@pytest.mark.parametrize("case", READY)
+def test_potential_is_described_as_it_is_made(case):
+    potential, _ = READY[case]
+    again = make_potential(**potential.describe())
+    assert again == potential
+    assert hash(again) == hash(potential)
+    assert again != potential.scaled(2.0)
+
+
+def test_potentials_know_their_ratio():
+    assert toda(3.0, 2.0).ratio_to(toda(1.5, 2.0)) == 2.0
+    assert toda(3.0, 2.0).ratio_to(toda(1.5, 1.0)) is None
+    assert make_potential("power", beta=1.5, gamma=0.2).ratio_to(hertz(1.5, 0.4)) == 0.5
+    assert NO_DISSIPATION.ratio_to(toda()) == 0.0
+    mine = make()
+    assert mine.scaled(0.3).ratio_to(mine) == 0.3
+    assert make().ratio_to(mine) is None
+
+
+def test_scaled_potential_has_scaled_derivatives():
+    r = np.linspace(-0.8, 0.8, 5)
+    for scaled, unit in zip(functions_of(make().scaled(0.3)), functions_of(make()), strict=True):
+        np.testing.assert_array_equal(scaled(r), 0.3 * unit(r))
+
+
+def test_lennard_jones_keeps_its_digits_at_rest_and_is_infinite_outside():
+    potential, r = lennard_jones(), 1.0e-9
+    with mp.workdps(DIGITS):
+        exact = float(mp.diff(lambda x: ((1 + x) ** -6 - 1) ** 2, mp.mpf(r)))
+    assert potential.first(r) == pytest.approx(exact, rel=1e-15)
+    assert potential.domain == (-1.0, np.inf)
+    np.testing.assert_array_equal(potential.value([-1.0, -2.0]), [np.inf, np.inf])
+
+
+def test_kinks_are_declared():
+    assert hertz(1.5).kinks == (0.0,)
+    assert toda().kinks == ()
+    assert make(kinks=[-0.5, 0.5]).kinks == (-0.5, 0.5)
+    with pytest.raises(ValueError, match="kinks holds nan"):
+        make(kinks=[np.nan])

@@ -1,0 +1,56 @@
+"""From a law to what the kernels know of it."""
+
+import functools
+
+import numpy as np
+
+from granular_fronts.chain.stage_passes import stage_pass
+from granular_fronts.chain.state import LAW
+from granular_fronts.model.passes import row_map, row_parameters
+
+SMALL_EXTENSION = 1.0e-3
+
+
+@functools.lru_cache(maxsize=256)
+def compile_law(law):
+    """What the kernels know of a law.
+
+    Parameters
+    ----------
+    law : model.laws.Law
+
+    Returns
+    -------
+    record
+        Of type `state.LAW`, not to be changed.
+    """
+    record = np.zeros(1, LAW)[0]
+    ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
+    record.single = ratio is not None
+    record.gamma = ratio if record.single else 1.0
+    record.elastic = row_map(law.elastic, 1)
+    record.stage_pass = stage_pass(law.elastic) if record.single else 0
+    _fill(record.elastic_parameters, row_parameters(law.elastic, 1))
+    if not record.single:
+        record.viscous = row_map(law.viscous, 1)
+        _fill(record.viscous_parameters, row_parameters(law.viscous, 1))
+    record.kink_count = kinks.size
+    _fill(record.kinks, kinks)
+    record.has_stiff_kinks = any(np.isinf(law.elastic.second(kink)) for kink in law.kinks)
+    record.attraction = _acts_in_extension(law)
+    return record
+
+
+def _fill(room, values):
+    room[: len(values)] = values
+
+
+def _acts_in_extension(law):
+    """Whether an extended contact exerts a force."""
+    extension = min(SMALL_EXTENSION, 0.5 * law.domain[1])
+    return extension > 0.0 and law.elastic.first(extension) != 0.0
+
+
+def is_at_rest_without_stiffness(law, u):
+    """Whether small disturbances of the compression u exert no force to first order."""
+    return law.elastic.second(-u) == 0.0 and law.viscous.second(-u) == 0.0
