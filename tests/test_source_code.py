@@ -38,6 +38,7 @@ OTHER = {
 def own_cache(tmp_path, monkeypatch):
     """Digests are kept in a folder of the test's own."""
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "cache"))
+    (tmp_path / "cache").mkdir()
     source_code._read_kept.cache_clear()
     yield
     source_code._read_kept.cache_clear()
@@ -85,8 +86,10 @@ def test_kept_digests_are_those_computed(tmp_path, monkeypatch, damaged):
     assert code_digest(files, tmp_path) == digest
 
 
-def test_a_cache_out_of_reach_costs_time_alone(tmp_path, monkeypatch):
+@pytest.mark.parametrize("folder", ["absent", "file/below"])
+def test_without_a_cache_nothing_is_written(tmp_path, monkeypatch, folder):
     (tmp_path / "file").write_text("")
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file" / "below"))
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / folder))
     files = written(tmp_path, first=CODE)
     assert code_digest(files, tmp_path) == code_digest(files, tmp_path)
+    assert not (tmp_path / "absent").exists()

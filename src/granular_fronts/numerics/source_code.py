@@ -2,7 +2,7 @@
 
 The digest of a file is that of its syntax tree without the strings that stand as statements of
 their own.  Parsing all files takes a third of a second, so the digests are kept in a file of the
-cache folder, by the contents of what they belong to.
+cache folder, once kernels have made it, by the contents of what they belong to.
 """
 
 import ast
@@ -75,10 +75,9 @@ def _read_kept(path: Path) -> dict[str, str]:
 
 
 def _keep(path: Path, digests: dict[str, str]) -> None:
-    """Write the digests at once or not at all; the cache may be out of reach."""
+    """Write the digests at once or not at all, where there is a cache within reach."""
     unfinished = path.with_name(f"{path.name}.{os.getpid()}")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
         unfinished.write_text(json.dumps(digests), encoding="utf-8")
         unfinished.replace(path)
     except OSError:
