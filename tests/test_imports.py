@@ -99,12 +99,10 @@ def test_every_rule_stands_on_the_imports_of_its_script():
     for rule in rules:
         script = re.search(r"/scripts/(\w+)\.py", rule)[1]
         by_string = "import_module(" in FILES[script].read_text()
-        asked = f'=sources("{script}", ' if by_string else f'=sources("{script}")'
+        asked = f'code=code("{script}", ' if by_string else f'code=code("{script}")'
         if script in ("plan_campaign", "solve_chunk"):  # What they import depends on the campaign.
-            asked = f'=campaign_sources("{script}")'
-        assert asked in re.sub(r"\(\s+", "(", re.sub(r",\s+", ", ", rule)), (
-            f"{script} is not asked for"
-        )
+            asked = f'code=campaign_code("{script}")'
+        assert asked in re.sub(r"\(\s+", "(", re.sub(r",\s+", ", ", rule)), script
 
 
 def test_no_module_takes_a_public_name_that_is_imported_when_it_is_used():

@@ -11,13 +11,13 @@ otherwise.
 """
 
 import functools
-import hashlib
-import os
 import sys
 from pathlib import Path
 
 import numba
 from numba.core import event
+
+from granular_fronts.numerics.source_code import cache_root, code_digest
 
 SOURCES = Path(__file__).parents[1]
 
@@ -125,20 +125,9 @@ def callback(signature, **options):
     return compile_cached
 
 
+@functools.cache
 def cache_folder(wing):
     """Folder of a wing's machine code, under NUMBA_CACHE_DIR or the user's cache folder."""
-    user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    base = Path(os.environ.get("NUMBA_CACHE_DIR", user_cache / "granular_fronts"))
-    patterns = [f"{name}/**/*.py" for name in (wing, *CALLED_WINGS.get(wing, ()))]
-    return base / f"{wing}_{source_digest(*patterns)}"
-
-
-@functools.cache
-def source_digest(*patterns):
-    """Digest of the package's files that match the patterns, all by default, 12 hexadecimals."""
-    digest = hashlib.sha256()
-    for pattern in patterns or ("**/*.py",):
-        for path in sorted(SOURCES.glob(pattern)):
-            name = path.relative_to(SOURCES).as_posix()
-            digest.update(name.encode() + b"\0" + path.read_bytes())
-    return digest.hexdigest()[:12]
+    wings = (wing, *CALLED_WINGS.get(wing, ()))
+    files = [file for name in wings for file in (SOURCES / name).rglob("*.py")]
+    return cache_root() / f"{wing}_{code_digest(files, SOURCES)}"

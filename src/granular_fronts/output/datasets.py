@@ -19,10 +19,8 @@ import netCDF4
 import numpy as np
 import xarray as xr
 
-import granular_fronts
-from granular_fronts.numerics.compiled import source_digest
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import data_digest, origin, question_digest
+from granular_fronts.output.provenance import code_version, data_digest, origin, question_digest
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
@@ -276,11 +274,6 @@ def read_origins(folder, names):
 def configuration_of(dataset):
     """The part of the configuration that a dataset was computed with."""
     return json.loads(dataset.attrs["config"])
-
-
-def code_version():
-    """Version of the package and digest of its sources, the same on every machine."""
-    return f"{granular_fronts.__version__}+{source_digest()}"
 
 
 def _plain(value):
