@@ -10,6 +10,7 @@ __version__ = "0.1.0"
 
 _HOME_OF = {
     "Scaling": "granular_fronts.model.scaling",
+    "check_certificate": "granular_fronts.proofs.checker",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.log_burgers.evolution",
@@ -17,6 +18,7 @@ _HOME_OF = {
     "heteroclinic": "granular_fronts.continuum.log_kdv_burgers.heteroclinic",
     "jump_conditions": "granular_fronts.model.jump_conditions",
     "log_burgers_front": "granular_fronts.continuum.log_burgers.equation",
+    "prove_front": "granular_fronts.proofs.certificate",
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
