@@ -11,6 +11,7 @@ __version__ = "0.1.0"
 _HOME_OF = {
     "Potential": "granular_fronts.model.potentials",
     "Scaling": "granular_fronts.model.scaling",
+    "check_certificate": "granular_fronts.proofs.checker",
     "collide": "granular_fronts.model.collision_by_law",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
@@ -20,6 +21,7 @@ _HOME_OF = {
     "jump_conditions": "granular_fronts.model.jump_conditions",
     "log_burgers_front": "granular_fronts.continuum.log_burgers.equation",
     "make_law": "granular_fronts.model.laws",
+    "prove_front": "granular_fronts.proofs.certificate",
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
