@@ -26,10 +26,11 @@ def crossing(coefficients, level):
     """A θ in [0, 1] where the polynomial meets `level`, to the last bit.
 
     Newton's method, kept inside a bracket that each value narrows; where it would leave the bracket
-    the bracket is halved.  The ends must lie on different sides of the level, up to rounding.
+    the bracket is halved.  The polynomial must start on one side of the level and end on the other;
+    where rounding keeps it from the level, the place is its end.
     """
     low, high, end = 0.0, 1.0, polynomial(coefficients, 1.0)
-    rising = end > level
+    rising = coefficients[0] < level
     theta = 0.5
     if end != coefficients[0]:
         theta = min(1.0, max(0.0, (level - coefficients[0]) / (end - coefficients[0])))
