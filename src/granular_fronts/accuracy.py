@@ -117,9 +117,13 @@ def with_refinement(solve: Callable, usual, finer) -> Refined:
     SolveError
         As `solve` raises it; where the refinement fails, the sentence says so.
     """
-    found = solve(usual)
+    return refined_by(lambda _found: solve(finer), solve(usual))
+
+
+def refined_by(refine: Callable, found) -> Refined:
+    """A solution and its refinement, which starts from the solution; otherwise the same."""
     try:
-        return Refined(found, solve(finer))
+        return Refined(found, refine(found))
     except SolveError as error:
         raise type(error)(
             f"the refinement that should estimate the error failed: {error}"

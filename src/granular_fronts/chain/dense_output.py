@@ -26,6 +26,7 @@ from granular_fronts.chain.state import (
     D,
     U,
 )
+from granular_fronts.chain.strain import laplacian
 from granular_fronts.model.passes import call_row_map
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel
@@ -49,14 +50,12 @@ def take_output_stages(chain, table, h, first, last):
         sum_all_slots(chain, table, row, h, low, contacts)
         call_row_map(law.elastic, table[VALUE], table[FORCE], low, contacts, law.elastic_parameters)
         slot = rk.SLOT[row]
-        close_and_difference(
-            chain, table, FORCE, ELASTIC_SLOPES + slot, clock.acceleration, low, high
-        )
+        laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, clock.acceleration, low, high)
         if not law.single:
             call_row_map(
                 law.viscous, table[VALUE], table[DAMPING], low, contacts, law.viscous_parameters
             )
-            close_and_difference(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, low, high)
+            laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, low, high)
 
 
 @kernel(fastmath=_CONTRACT)
@@ -74,18 +73,6 @@ def sum_all_slots(chain, table, row, h, low, high):
         if not single:
             for n in range(uint64(low), uint64(high + 1)):
                 table[VALUE, n] += on_g * table[VISCOUS_SLOPES + slot, n]
-
-
-@kernel
-def close_and_difference(chain, table, source, target, shift, low, high):
-    """Close a ring or a piston, and write f_{n-1} − 2 f_n + f_{n+1} for the beads low … high."""
-    if chain.contacts == chain.beads:
-        table[source, 0] = table[source, chain.beads]
-        table[source, chain.beads + 1] = table[source, 1]
-    if chain.piston:
-        table[source, 0] = table[source, 1] + shift
-    for n in range(low, high + 1):
-        table[target, n] = table[source, n - 1] - 2.0 * table[source, n] + table[source, n + 1]
 
 
 @kernel

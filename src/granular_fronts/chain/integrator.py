@@ -1,7 +1,7 @@
 r"""Adaptive integration of a chain in strain form, with output and reductions on the way.
 
 Step control: the eighth-order pair of `numerics.runge_kutta` with error per step, in the maximum
-norm over beads (`strain.error_norm`), and steps that respect contact events (`contact_events`).  A
+norm over beads (`new_state`), and steps that respect contact events (`contact_events`).  A
 step size is rounded to the difference of two representable times, so that the clock carries no
 error.
 
@@ -15,6 +15,7 @@ import numpy as np
 from numba import int64
 
 from granular_fronts.chain.contact_events import passes_any_kink, step_at_contact
+from granular_fronts.chain.new_state import error_norm
 from granular_fronts.chain.recorder import (
     next_extreme,
     next_output,
@@ -25,7 +26,6 @@ from granular_fronts.chain.state import NEW_U, U
 from granular_fronts.chain.strain import (
     accept,
     end_of_window,
-    error_norm,
     forget_slopes,
     take_slopes,
     try_step,

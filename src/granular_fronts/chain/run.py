@@ -133,21 +133,23 @@ def end_ramp(run):
 
 def _advance(run, tolerance, after_block, stiff_from):
     """Advance a run to the last of its stops."""
-    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
-    is_stiff = stiff.suits(run, stiff_from)
-    advance_stiff = stiff.make_advance(run, relative, absolute) if is_stiff else None
-    steps = STEPS_BETWEEN_ATTEMPTS if is_stiff else STEPS_PER_BLOCK
+    implicit = stiff.ImplicitSteps(run) if stiff.suits(run, stiff_from) else None
+    steps = STEPS_BETWEEN_ATTEMPTS if implicit else STEPS_PER_BLOCK
     status = integrator.RUNNING
     while status == integrator.RUNNING:
-        if is_stiff:
-            status = advance_stiff()
+        if implicit:
+            status = implicit.advance(run, tolerance)
         if status == integrator.RUNNING:
-            status = integrator.advance(
-                run.chain, run.table, run.recording, relative, absolute, steps
-            )
+            status = advance_explicit(run, tolerance, steps)
         after_block(run)
     if status != integrator.FINISHED:
         raise SolveError(_cause(status, run))
+
+
+def advance_explicit(run, tolerance, steps):
+    """Take up to so many steps of the explicit pair; a status of `integrator`."""
+    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
+    return integrator.advance(run.chain, run.table, run.recording, relative, absolute, steps)
 
 
 def make_boundary(scene):

@@ -24,8 +24,7 @@ from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from granular_fronts.chain.state import FORCE, ROWS_OF_SINGLE
 from granular_fronts.model import kinds
-from granular_fronts.model.passes import NEGLIGIBLE
-from granular_fronts.model.passes import _compile_inline as compile_inline
+from granular_fronts.model.passes import NEGLIGIBLE, compile_inline
 from granular_fronts.model.potentials import GIVEN
 from granular_fronts.numerics.compiled import callback, kernel
 from granular_fronts.numerics.runge_kutta import LONG, SHORT

@@ -98,25 +98,42 @@ def _moving(run):
     return run.table[U, 1 : run.chain.contacts + 1]
 
 
-def make_advance(run, relative, absolute):
-    """The function that takes implicit steps of a run as long as they serve.
+class ImplicitSteps:
+    """Implicit steps of a run, with their memory of the last one.
 
-    Returns
-    -------
-    callable
-        Without arguments; gives FINISHED, or RUNNING where the explicit pair must go on.
+    Parameters
+    ----------
+    run : chain.run.Run
     """
-    held = max(run.boundary.left, run.boundary.right)
-    work = make_workspace(run.law, run.table.shape[1])
 
-    def advance_run():
-        scale = max(held, _moving(run).max())
+    def __init__(self, run):
+        self._held = max(run.boundary.left, run.boundary.right)
+        self._work = make_workspace(run.law, run.table.shape[1])
+
+    def advance(self, run, tolerance):
+        """Take implicit steps of the run as long as they serve.
+
+        Parameters
+        ----------
+        run : chain.run.Run
+        tolerance : mapping
+            `relative` and `absolute`.
+
+        Returns
+        -------
+        int
+            FINISHED, or RUNNING where the explicit pair must go on.
+        """
+        scale = max(self._held, _moving(run).max())
         explicit_step = EXPLICIT_REACH / damping_rate(run.law, scale)
-        needs = Needs(relative, absolute, EXPLICIT_STEPS_BETWEEN_OUTPUTS * explicit_step, held)
-        work.steps.last = 0.0
-        return advance(run.chain, run.table, run.recording, work, needs)
-
-    return advance_run
+        needs = Needs(
+            float(tolerance["relative"]),
+            float(tolerance["absolute"]),
+            EXPLICIT_STEPS_BETWEEN_OUTPUTS * explicit_step,
+            self._held,
+        )
+        self._work.steps.last = 0.0
+        return advance(run.chain, run.table, run.recording, self._work, needs)
 
 
 class Needs(NamedTuple):

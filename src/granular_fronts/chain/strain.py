@@ -36,18 +36,11 @@ Active window.  Ahead of bead `reach` every contact is at rest, compressed by th
 is not visited.
 
 Slopes.  A single law (`state`) stores :math:`\Delta_d F` alone; other laws :math:`\Delta_d G` too.
-
-Error of a step.  Its estimates in d are :math:`h\,e\cdot k`, and in u, where :math:`G = \gamma F`,
-:math:`h\gamma\,e\cdot k` and a term smaller by h: one sum over the slopes k, measured against
-the smaller of scale_d and scale_u/γ, serves both.  Where G has slopes g of its own,
-:math:`h\,e\cdot g` is measured against scale_u beside it.
 """
-
-import math
-from typing import NamedTuple
 
 from numba import int64, uint64
 
+from granular_fronts.chain.new_state import finish
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import (
     DAMPING,
@@ -63,7 +56,6 @@ from granular_fronts.chain.state import (
 )
 from granular_fronts.model.passes import NEGLIGIBLE, call_row_map
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.bits import bits_of, double_of
 from granular_fronts.numerics.compiled import kernel
 
 # Loops run over whole vector registers; a remainder costs as much as a block.
@@ -100,10 +92,10 @@ def close(chain, table, source, shift):
 
 
 @kernel(forceinline=True)
-def laplacian(chain, table, source, target, shift, reach):
-    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for beads 1 … reach."""
+def laplacian(chain, table, source, target, shift, first, last):
+    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for the beads first … last."""
     close(chain, table, source, shift)
-    for n in range(uint64(1), uint64(reach + 1)):
+    for n in range(uint64(first), uint64(last + 1)):
         f = table[source, n]
         behind, ahead = table[source, n - uint64(1)], table[source, n + uint64(1)]
         table[target, n] = (behind - f) - (f - ahead)
@@ -111,7 +103,7 @@ def laplacian(chain, table, source, target, shift, reach):
 
 @kernel(fastmath=_REDUCE)
 def laplacian_and_squares(chain, table, source, target, shift, reach):
-    """Do the same, and return the sum of the squares (f_{n-1} − f_n)²."""
+    """Do the same for the beads 1 … reach, and return the sum of the squares (f_{n-1} − f_n)²."""
     close(chain, table, source, shift)
     total = 0.0
     for n in range(uint64(1), uint64(reach + 1)):
@@ -143,14 +135,14 @@ def difference_forces(chain, table, slot, reach, with_power):
     target = ELASTIC_SLOPES + slot
     if chain.law.single:
         if not with_power:
-            laplacian(chain, table, FORCE, target, acceleration, reach)
+            laplacian(chain, table, FORCE, target, acceleration, int64(1), reach)
             return 0.0
         squares = laplacian_and_squares(chain, table, FORCE, target, acceleration, reach)
         if chain.piston:
             squares -= acceleration * (acceleration + table[FORCE, 1])
         return gamma * squares
-    laplacian(chain, table, FORCE, target, acceleration, reach)
-    laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, reach)
+    laplacian(chain, table, FORCE, target, acceleration, int64(1), reach)
+    laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, int64(1), reach)
     if not with_power:
         return 0.0
     return sum_of_products(table, reach) - acceleration * table[DAMPING, 1]
@@ -193,123 +185,6 @@ def take_stage(chain, table, row, h, reach, with_power):
         viscous, weights = VISCOUS_SLOPES + first, chain.viscous_weights[row]
         sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, terms, weights, last)
     return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
-
-
-class Largest(NamedTuple):
-    """Maxima over beads, from one step.
-
-    Attributes
-    ----------
-    fifth, third : float
-        Of the error estimates of order 5 and 3 from the elastic slopes.
-    fifth_viscous, third_viscous : float
-        The same from the viscous slopes, 0 for a single law.
-    compression, rate : float
-        Of u and |d| at the start of the step; of |u| if the law acts in extension too.
-    state : float
-        Of |u| + |d| at its end; NaN or infinite if any bead is.
-    """
-
-    fifth: float
-    third: float
-    fifth_viscous: float
-    third_viscous: float
-    compression: float
-    rate: float
-    state: float
-
-
-@kernel(fastmath=_CONTRACT, forceinline=True)
-def final_sum(table, slopes, weights, n):
-    """Weighted sum of the slopes of bead n over the final stages."""
-    total = 0.0
-    for j in range(len(weights)):
-        total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
-    return total
-
-
-@kernel(fastmath=_CONTRACT)
-def add_elastic(chain, table, h, first, last):
-    """New state from the elastic slopes, and `Largest`, for the beads first … last.
-
-    Non-negative doubles are ordered like their bits read as integers, with NaN above all: integer
-    maxima vectorise, and no NaN is lost in them.
-    """
-    slopes = uint64(ELASTIC_SLOPES)
-    h_gamma, h_squared = (h * chain.law.gamma if chain.law.single else 0.0), h * h
-    attraction = chain.law.attraction
-    fifth = third = compression = rate = total = int64(0)
-    for n in range(uint64(first), uint64(last + 1)):
-        b, b_a = final_sum(table, slopes, rk.FINAL_B, n), final_sum(table, slopes, rk.FINAL_B_A, n)
-        u, d = table[U, n], table[D, n]
-        new_u, new_d = u + (h * d + (h_gamma * b + h_squared * b_a)), d + h * b
-        table[NEW_U, n], table[NEW_D, n] = new_u, new_d
-        fifth = max(fifth, bits_of(abs(final_sum(table, slopes, rk.FINAL_5, n))))
-        third = max(third, bits_of(abs(final_sum(table, slopes, rk.FINAL_3, n))))
-        compression = max(compression, bits_of(max(u, -attraction * u)))
-        rate = max(rate, bits_of(abs(d)))
-        total = max(total, bits_of(abs(new_u) + abs(new_d)))
-    return Largest(
-        h * double_of(fifth),
-        h * double_of(third),
-        0.0,
-        0.0,
-        double_of(compression),
-        double_of(rate),
-        double_of(total),
-    )
-
-
-@kernel(fastmath=_CONTRACT)
-def add_viscous(chain, table, h, first, last):
-    """Add the viscous slopes to the new u; the largest estimates of order 5 and 3."""
-    slopes = uint64(VISCOUS_SLOPES)
-    fifth = third = int64(0)
-    for n in range(uint64(first), uint64(last + 1)):
-        table[NEW_U, n] += h * final_sum(table, slopes, rk.FINAL_B, n)
-        fifth = max(fifth, bits_of(abs(final_sum(table, slopes, rk.FINAL_5, n))))
-        third = max(third, bits_of(abs(final_sum(table, slopes, rk.FINAL_3, n))))
-    return h * double_of(fifth), h * double_of(third)
-
-
-@kernel
-def finish(chain, table, h, first, last):
-    """New state of the beads first … last, and their `Largest`."""
-    largest = add_elastic(chain, table, h, first, last)
-    if chain.law.single:
-        return largest
-    fifth, third = add_viscous(chain, table, h, first, last)
-    return Largest(
-        largest.fifth,
-        largest.third,
-        fifth,
-        third,
-        largest.compression,
-        largest.rate,
-        # NaN where the viscous slopes are.
-        largest.state + 0.0 * fifth,
-    )
-
-
-@kernel
-def error_norm(law, largest, relative, absolute):
-    """Error of the step in units of the tolerance, in the maximum norm over beads.
-
-    u and d are each measured against absolute + relative × (largest u, largest |d|), and the
-    estimates of order 5 and 3 are combined as in DOP853.  NaN if the new state is not finite.
-    """
-    if not math.isfinite(largest.state):
-        return math.nan
-    scale_u = absolute + relative * largest.compression
-    scale_d = absolute + relative * largest.rate
-    if law.single and law.gamma * scale_d > scale_u:
-        scale_d = scale_u / law.gamma
-    fifth = max(largest.fifth / scale_d, largest.fifth_viscous / scale_u)
-    third = max(largest.third / scale_d, largest.third_viscous / scale_u)
-    if fifth == 0.0:
-        return 0.0
-    ratio = 0.1 * third / fifth
-    return fifth / math.sqrt(1.0 + ratio * ratio)
 
 
 @kernel

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import refined_by
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
 from granular_fronts.fronts.profile.equation import (
@@ -194,14 +195,9 @@ def evaluate_front(front, xi, name="relative_displacement"):
 
 def by_profile(question):
     """A front and its refinement by the profile equation."""
-    profile = solve_profile(question.problem)
-    if profile.reason:
-        raise NoFrontError(profile.reason)
-    refined = refine(profile)
-    if refined.reason:
-        raise NoFrontError(
-            f"the refinement that should estimate the error failed: {refined.reason}"
-        )
+    profiles = refined_by(
+        lambda found: _settled(refine(found)), _settled(solve_profile(question.problem))
+    )
     return [
         Solution(
             found.problem,
@@ -212,8 +208,14 @@ def by_profile(question):
             found.residuals,
             found.speed_defect,
         )
-        for found, order in ((profile, ORDER), (refined, REFINED_ORDER))
+        for found, order in zip(profiles, (ORDER, REFINED_ORDER), strict=True)
     ]
+
+
+def _settled(profile):
+    if profile.reason:
+        raise NoFrontError(profile.reason)
+    return profile
 
 
 def by_shooting(question):
@@ -230,14 +232,10 @@ def by_shooting(question):
             f"right_state is {-question.ahead}, but shooting closes its window on a chain at rest: "
             'use method "profile".'
         )
-    shot = shooting.shoot_front(law.alpha, law.gamma, law.beta)
-    if not shot.converged:
-        raise NoFrontError(shot.reason)
-    refined = shooting.refine(shot)
-    if not refined.converged:
-        raise NoFrontError(
-            f"the refinement that should estimate the error failed: {refined.reason}"
-        )
+    shots = refined_by(
+        lambda found: _converged(shooting.refine(found)),
+        _converged(shooting.shoot_front(law.alpha, law.gamma, law.beta)),
+    )
     points = math.ceil(6.0 + 4.3 * law.alpha)
     return [
         Solution(
@@ -247,8 +245,14 @@ def by_shooting(question):
             found.residuals,
             0.0,
         )
-        for found in (shot, refined)
+        for found in shots
     ]
+
+
+def _converged(shot):
+    if not shot.converged:
+        raise NoFrontError(shot.reason)
+    return shot
 
 
 METHODS = {"profile": by_profile, "shooting": by_shooting}

@@ -39,6 +39,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.accuracy import EPSILON, Estimate
 from granular_fronts.arguments import double_precision, instance, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import make_law
@@ -48,7 +49,6 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 SPLIT = 0.4
 """Where the interval is cut in two; off the middle, since symmetry hides a kink there."""
 
-EPSILON = float(np.finfo(float).eps)
 
 CLOSE_ENOUGH = 1.0e-13
 """Relative error at which the first of several ways is good enough."""
@@ -108,13 +108,6 @@ class JumpConditions(NamedTuple):
     def dissipated_power(self):
         """|c|·|S|, the power that the whole front dissipates."""
         return abs(self.speed) * self.energy_per_bead
-
-
-class Estimate(NamedTuple):
-    """A number and an estimate of its absolute error."""
-
-    value: float
-    error: float
 
 
 def jump_conditions(law, R_minus, R_plus, *, mass=1.0, dissipation=None):
@@ -195,11 +188,11 @@ def signed_area(potential, R_minus, R_plus):
 
     def from_third_derivative():
         mean = _mean(lambda s: s * (1.0 - s) * potential.third(R_minus + s * jump))
-        return _scaled(-0.5 * jump**3, mean)
+        return mean * (-0.5 * jump**3)
 
     def from_second_derivative():
         mean = _mean(lambda s: (s - 0.5) * potential.second(R_minus + s * jump))
-        return _scaled(-(jump**2), mean)
+        return mean * (-(jump**2))
 
     def from_differences():
         return _area_from_differences(potential, R_minus, R_plus)
@@ -221,7 +214,7 @@ def _squared_speed(potential, R_minus, R_plus):
     return _first_good(
         [
             lambda: _mean_stiffness(potential, R_minus, R_plus),
-            lambda: _scaled(1.0 / jump, _difference(potential.first, R_minus, R_plus)),
+            lambda: _difference(potential.first, R_minus, R_plus) * (1.0 / jump),
         ]
     )
 
@@ -255,10 +248,6 @@ def _quadrature(function, start, stop):
     half = 0.5 * (stop - start)
     terms = half * WEIGHTS * function(start + half * (1.0 + NODES))
     return float(terms.sum()), float(np.abs(terms).sum())
-
-
-def _scaled(factor, estimate):
-    return Estimate(factor * estimate.value, abs(factor) * estimate.error)
 
 
 def _first_good(ways):

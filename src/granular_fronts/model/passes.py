@@ -140,7 +140,7 @@ def _pointer(context, builder, type_, value):
 def _map_of_shape(shape, order, count):
     if shape is kinds.hertz:
         return callback(ROW_MAP, **_NAMED)(_raise_row)
-    _compile_inline(shape)
+    compile_inline(shape)
     return callback(ROW_MAP, **_NAMED)(_loop(shape, order, 1 + count))
 
 
@@ -157,7 +157,7 @@ def _loop(shape, order, size):
 
 
 @functools.cache
-def _compile_inline(function):
+def compile_inline(function):
     """Let compiled code call a plain function, as a part of itself."""
     overload(function, _NAMED | {"forceinline": True}, strict=False, prefer_literal=True)(
         lambda *arguments: function

@@ -28,7 +28,7 @@ from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess, tail_closure
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw
 from granular_fronts.fronts.shooting.equations import Window, join, split
-from granular_fronts.fronts.shooting.gauss_newton import descend
+from granular_fronts.fronts.shooting.gauss_newton import descend, largest
 from granular_fronts.fronts.shooting.window_size import check_window, choose_beads, missing_beads
 from granular_fronts.fronts.validation import check_law
 
@@ -195,8 +195,8 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
     unknowns = join(np.zeros(equations.count_modes(roots)), state)
     residuals, step_sizes, evaluations = [], [], 0
     while True:
-        largest = max(1.0, float(state[:, 0].max()))
-        spread = bead_flow.spread_of(law, steps, largest)
+        compression = max(1.0, float(state[:, 0].max()))
+        spread = bead_flow.spread_of(law, steps, compression)
         window = Window(law, bead.size, int(1 - bead[0]), steps, spread, roots)
         descent = descend(window, unknowns, tolerance)
         unknowns = descent.unknowns
@@ -236,7 +236,7 @@ def _flow_error(window, unknowns):
     """Change of the flow over a bead-time when its steps are doubled."""
     finer = window._replace(steps=2 * window.steps)
     changes = [equations.flow(each, unknowns)[0] for each in (window, finer)]
-    return _largest(changes[0] - changes[1])
+    return largest(changes[0] - changes[1])
 
 
 def _reason_against(bead, state, flow_error):
@@ -262,7 +262,3 @@ def bead_velocities(window, amplitudes, state, time):
     u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
     w = np.cumsum(state[::-1, 1])[::-1]
     return w - law.gamma * np.diff(np.maximum(u, 0.0) ** law.beta)
-
-
-def _largest(values):
-    return float(np.abs(values).max())
