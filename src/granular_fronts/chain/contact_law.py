@@ -51,6 +51,7 @@ def _acts_in_extension(law):
     return extension > 0.0 and law.elastic.first(extension) != 0.0
 
 
+@functools.lru_cache(maxsize=256)
 def is_at_rest_without_stiffness(law, u):
     """Whether small disturbances of the compression u exert no force to first order."""
     return law.elastic.second(-u) == 0.0 and law.viscous.second(-u) == 0.0

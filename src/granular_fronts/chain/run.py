@@ -211,8 +211,9 @@ def make_chain(law, boundary, u, velocity):
     if not boundary.ring:
         table[U, beads] = 0.0
         for row, potential in ((FORCE, law.elastic), (DAMPING, law.viscous)):
-            table[row] = equations.force(potential, boundary.right)
-            table[row, 0] = equations.force(potential, boundary.left)
+            table[row, 0], table[row, 1:] = equations.force(
+                potential, (boundary.left, boundary.right)
+            )
     moves_at_the_end = boundary.ring or table[D, beads] != 0.0
     chain.clock.reach = beads if moves_at_the_end else end_of_window(chain, table, beads - 1)
     return chain, table
