@@ -178,13 +178,13 @@ def roots(u, result, times):
 @numba.njit
 def passes(address, table, terms, last, weights, parameters, times):
     for _ in range(times):
-        call_stage_pass(address, table, U, D, ELASTIC_SLOPES, terms, last, 0.1, weights, parameters)
+        call_stage_pass(address, table, (ELASTIC_SLOPES, terms), last, 0.1, weights, parameters)
 
 
 @numba.njit
 def sums(table, terms, last, weights, times):
     for _ in range(times):
-        sum_rows(table, VALUE, U, D, 0.1, ELASTIC_SLOPES, terms, weights, last)
+        sum_rows(table, VALUE, U, D, 0.1, (ELASTIC_SLOPES, terms), weights, last)
 
 
 def time_per_bead(function, beads):

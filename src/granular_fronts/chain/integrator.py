@@ -93,7 +93,7 @@ def advance(chain, table, recording, relative, absolute, most_steps):
         last = min(reach, chain.contacts)
         largest, energy = try_step(chain, table, h, reach, track_energy)
         clock.right_hand_sides += rk.STAGES
-        error = error_norm(law, largest, relative, absolute)
+        error = error_norm(law, largest, h, relative, absolute)
         if not error <= 1.0:
             clock.rejected += 1
             after_rejection = True

@@ -5,10 +5,10 @@ elastic and viscous forces (`numerics.runge_kutta`),
 
 .. math:: d^+ = d + h\, b\cdot k, \qquad u^+ = u + h\,d + h\, b\cdot g + h^2\, bA\cdot k .
 
-Error of a step.  Its estimates in d are :math:`h\,e\cdot k`, and in u, where :math:`G = \gamma F`,
-:math:`h\gamma\,e\cdot k` and a term smaller by h: one sum over the slopes k, measured against
-the smaller of scale_d and scale_u/γ, serves both.  Where G has slopes g of its own,
-:math:`h\,e\cdot g` is measured against scale_u beside it.
+Error of a step.  Its estimates in d are :math:`h\,e\cdot k`; in u they are, where
+:math:`G = \gamma F`, γ times as large, with another sum of the slopes k that is about h times as
+large.  One sum, measured against the smaller of scale_d and scale_u/(γ + h), serves both.  Where G
+has slopes g of its own, :math:`h\,e\cdot g` is measured against scale_u beside it, and γ is 0.
 """
 
 import math
@@ -121,7 +121,7 @@ def finish(chain, table, h, first, last):
 
 
 @kernel
-def error_norm(law, largest, relative, absolute):
+def error_norm(law, largest, h, relative, absolute):
     """Error of the step in units of the tolerance, in the maximum norm over beads.
 
     u and d are each measured against absolute + relative × (largest u, largest |d|), and the
@@ -131,10 +131,9 @@ def error_norm(law, largest, relative, absolute):
         return math.nan
     scale_u = absolute + relative * largest.compression
     scale_d = absolute + relative * largest.rate
-    if law.single and law.gamma * scale_d > scale_u:
-        scale_d = scale_u / law.gamma
-    fifth = max(largest.fifth / scale_d, largest.fifth_viscous / scale_u)
-    third = max(largest.third / scale_d, largest.third_viscous / scale_u)
+    scale = min(scale_d, scale_u / (h + (law.gamma if law.single else 0.0)))
+    fifth = max(largest.fifth / scale, largest.fifth_viscous / scale_u)
+    third = max(largest.third / scale, largest.third_viscous / scale_u)
     if fifth == 0.0:
         return 0.0
     ratio = 0.1 * third / fifth

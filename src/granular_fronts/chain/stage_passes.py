@@ -22,7 +22,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from granular_fronts.chain.state import FORCE, ROWS_OF_SINGLE
+from granular_fronts.chain.state import FORCE, ROWS_OF_SINGLE, D, U
 from granular_fronts.model import kinds
 from granular_fronts.model.passes import NEGLIGIBLE, compile_inline
 from granular_fronts.model.potentials import GIVEN
@@ -32,7 +32,7 @@ from granular_fronts.numerics.vector_functions import power
 
 CONTRACT = {"contract"}
 DOUBLES = types.CPointer(types.float64)
-STAGE_PASS = types.void(DOUBLES, *[types.int64] * 6, types.float64, DOUBLES, DOUBLES)
+STAGE_PASS = types.void(DOUBLES, *[types.int64] * 4, types.float64, DOUBLES, DOUBLES)
 
 
 @kernel(forceinline=True)
@@ -61,8 +61,12 @@ def weighted_sum(table, source, other, factor, first, weights, n):
 
 
 @kernel(fastmath=CONTRACT)
-def sum_rows(table, target, source, other, factor, first, terms, weights, last):
-    """Write source + factor × other + Σ weights × rows from `first` on into the row `target`."""
+def sum_rows(table, target, source, other, factor, window, weights, last):
+    """Write source + factor × other + Σ weights × rows into the row `target`.
+
+    The window gives the first of the rows and their number, as in `call_stage_pass`.
+    """
+    first, terms = window
     if terms == SHORT:
         five = first_five(weights)
         for n in range(uint64(1), uint64(last + 1)):
@@ -130,34 +134,30 @@ def _force_of(shape):
 def _loop(force, size):
     """The pass of a force; by what it encloses numba's cache tells it from those of others."""
 
-    def sum_and_take_force(
-        rows, columns, source, other, first, terms, last, factor, weights, parameters
-    ):
+    def sum_and_take_force(rows, columns, first, terms, last, factor, weights, parameters):
         table = carray(rows, (ROWS_OF_SINGLE, columns))
         numbers = to_fixed_tuple(carray(parameters, size), size)
         if terms == SHORT:
             five = first_five(carray(weights, LONG))
             for n in range(uint64(1), uint64(last + 1)):
-                value = weighted_sum(table, source, other, factor, uint64(first), five, n)
+                value = weighted_sum(table, U, D, factor, uint64(first), five, n)
                 table[FORCE, n] = force(value, numbers)
             return
         ten = all_ten(carray(weights, LONG))
         for n in range(uint64(1), uint64(last + 1)):
-            value = weighted_sum(table, source, other, factor, uint64(first), ten, n)
+            value = weighted_sum(table, U, D, factor, uint64(first), ten, n)
             table[FORCE, n] = force(value, numbers)
 
     return sum_and_take_force
 
 
 @intrinsic
-def call_stage_pass(
-    typing_context, address, table, source, other, first, terms, last, factor, weights, parameters
-):
-    """Call a stage pass by its address."""
+def call_stage_pass(typing_context, address, table, window, last, factor, weights, parameters):
+    """Call a stage pass by its address; it starts from the state, and its rows are the window's."""
     integer, double = ir.IntType(64), ir.DoubleType()
 
     def generate(context, builder, signature, arguments):
-        address, table, *integers, factor, weights, parameters = arguments
+        address, table, window, last, factor, weights, parameters = arguments
         types_of = dict(
             zip(
                 ("table", "weights", "parameters"),
@@ -173,14 +173,15 @@ def call_stage_pass(
         columns = cgutils.unpack_tuple(builder, rows.shape)[1]
         pointer = double.as_pointer()
         function = ir.FunctionType(
-            ir.VoidType(), [pointer, *[integer] * 6, double, pointer, pointer]
+            ir.VoidType(), [pointer, *[integer] * 4, double, pointer, pointer]
         )
         builder.call(
             builder.inttoptr(address, function.as_pointer()),
             [
                 rows.data,
                 columns,
-                *integers,
+                *cgutils.unpack_tuple(builder, window),
+                last,
                 factor,
                 fields("weights", weights).data,
                 fields("parameters", parameters).data,
@@ -188,7 +189,8 @@ def call_stage_pass(
         )
         return context.get_dummy_value()
 
+    pair = types.UniTuple(types.int64, 2)
     signature = types.void(
-        types.int64, table, *[types.int64] * 5, types.float64, weights, parameters
+        types.int64, table, pair, types.int64, types.float64, weights, parameters
     )
     return signature, generate

@@ -163,27 +163,18 @@ def take_stage(chain, table, row, h, reach, with_power):
     """Slopes of stage `row` from those of the stages before it; returns the power, if asked for."""
     law, last = chain.law, min(reach, chain.contacts)
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
-    elastic, weights = ELASTIC_SLOPES + first, chain.elastic_weights[row]
+    elastic, weights = (ELASTIC_SLOPES + first, terms), chain.elastic_weights[row]
     if law.stage_pass != 0:
         call_stage_pass(
-            law.stage_pass,
-            table,
-            U,
-            D,
-            elastic,
-            terms,
-            last,
-            factor,
-            weights,
-            law.elastic_parameters,
+            law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
         )
         return difference_forces(chain, table, rk.SLOT[row], reach, with_power)
     if law.single:
-        sum_rows(table, VALUE, U, D, factor, elastic, terms, weights, last)
+        sum_rows(table, VALUE, U, D, factor, elastic, weights, last)
     else:
-        sum_rows(table, PARTIAL, U, D, factor, elastic, terms, weights, last)
-        viscous, weights = VISCOUS_SLOPES + first, chain.viscous_weights[row]
-        sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, terms, weights, last)
+        sum_rows(table, PARTIAL, U, D, factor, elastic, weights, last)
+        viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
+        sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
     return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
 
 
