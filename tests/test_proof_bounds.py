@@ -96,7 +96,7 @@ def test_residual_is_bounded_and_not_much_too_large(pair):
         found.append(abs(known.P(xi) - np.maximum(known.u(xi), 0) ** known.alpha).max())
         bound.append(float(front.residual(j).upper()))
     assert (np.array(found) <= np.array(bound) + 1e-14).all()
-    assert np.median(np.array(found) / bound) > 0.3
+    assert max(np.array(found) / bound) > 0.9
 
 
 def test_ranges_contain_the_strain(pair):
