@@ -21,7 +21,7 @@ DRIFT = 6e-4
 FINE = 40
 COARSE = 20
 WIDEST = 1e-8
-START = 5e-6
+START = 1.5e-5
 
 
 def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):

@@ -65,7 +65,9 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
             steps = max(NARROWEST, int(CAUTION * steps))
             continue
         path = folder / f"{float(at):.6f}.npz"
-        np.savez_compressed(path, **data)
+        with path.with_suffix(".part").open("wb") as file:
+            np.savez_compressed(file, **data)
+        path.with_suffix(".part").replace(path)
         yield path
         at, last, steps = end, found, max(steps + 1, int(GROWTH * steps))
 
