@@ -20,7 +20,8 @@ NEAR_ONE = 1e-11
 DRIFT = 6e-4
 FINE = 40
 COARSE = 20
-START = 5e-6
+WIDEST = 1e-8
+START = 1.5e-5
 
 
 def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):
@@ -95,7 +96,8 @@ def describe(front, alpha, interval, n, fine, drift):
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
-    if roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
+    narrow = interval[1] - interval[0] < WIDEST
+    if narrow and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
         radius = 1e-9 + 20 * float(interval[1] - interval[0])
         fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
     return fields

@@ -59,9 +59,10 @@ def check_certificate(path):
     Returns
     -------
     dict
-        `proved` (bool); `reason`, a sentence where it is False; `alpha` and `gamma`, bounds of the
-        parameters for all of which the `statements` hold; `inequalities`, dicts of `name`, `left`
-        and `right` (left < right, rounded outwards) and their difference `margin`.
+        `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
+        parameters for all of which the `statements` hold; `error`, a bound of |u* − ū|;
+        `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded outwards) and
+        their difference `margin`.
     """
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
     before, ctx.prec = ctx.prec, PRECISION
@@ -69,7 +70,8 @@ def check_certificate(path):
         front = Front(read(path))
         statements = [*front.exists(), *shape(front), *front.rear()]
         record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
-        record |= {"proved": True, "statements": statements, "inequalities": front.inequalities}
+        record |= {"error": front.error, "statements": statements, "proved": True}
+        record["inequalities"] = front.inequalities
     except Exception as failure:
         record["reason"] = f"{type(failure).__name__}: {failure}"
     finally:
@@ -94,6 +96,7 @@ class Front:
         self.require("gamma > 0", arb(0), self.gamma)
         behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
         self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
+        self.M = ahead + 1
         self.W, cells = (self.c + q + ahead + 3) * n, (self.left + ahead + 1) * n
         have = len(data["profile"]), len(data["inverse"]), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
@@ -138,10 +141,10 @@ class Front:
         self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
         self.P_error, self.u_error = self.rho * r, self.kappa * r
         self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * r
-        error = above(largest([*self.u_error, *(self.outer_kappa * r)]))
+        self.error = above(largest([*self.u_error, *(self.outer_kappa * r)]))
         yield (
             "There is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0 ahead, with |u* − ū| <"
-            f" {1.001 * error:.3e} on the whole line; it is the only P̄ + A y with ‖y‖ <"
+            f" {1.001 * self.error:.3e} on the whole line; it is the only P̄ + A y with ‖y‖ <"
             f" {0.999 * float(farthest):.3e}."
         )
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
@@ -155,10 +158,13 @@ class Front:
         ends = zip(self.outer_kappa, (arb(1), arb(0)), (arb(1), arb(0)), strict=True)
         changes = []
         for kappa, low, high in (*ends, *zip(self.kappa, self.u_low, self.u_high, strict=True)):
-            w = kappa * r
-            top = low.max(w) if self.alpha <= 2 else high + w
-            changes.append(kappa * (self.a(top) - self.a(top - w)))
+            changes.append(kappa * self.rise(low, high, kappa * r))
         return largest(changes)
+
+    def rise(self, low, high, w):
+        """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
+        top = low.max(w) if self.alpha <= 2 else high + w
+        return self.a(top) - self.a(top - w)
 
     def residual(self, j):
         """Bound of |P̄ − ū₊^α| on cell j by a Taylor polynomial about its middle."""
@@ -235,7 +241,7 @@ class Front:
 
 def read(path):
     """The arrays of a certificate, of the kinds and shapes that they must have."""
-    with np.load(path, allow_pickle=False) as file:
+    with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
         data = {name: file[name] for name in file.files}
     fields = FIELDS | EXPANSION if len(data["weights"]) == 2 else FIELDS
     if sorted(data) != sorted(fields):

@@ -80,7 +80,7 @@ def kernel(gamma, w, n):
 
 
 def rear_inverse(alpha, gamma, w, n, lost, span=200):
-    """The kernel g on beads [−p, q], beyond which on either side is at most `lost` of ∫|g|; p; q."""
+    """The kernel g on beads [−p, q]; p; q.  Beyond either end is at most `lost` of ∫|g|."""
     middles, whole = kernel(gamma, w, n)
     cells = 2 * span * n
     source, operator = np.zeros(cells), np.zeros(cells)
