@@ -128,7 +128,7 @@ def test_own_forms_agree_with_the_stored_ring():
     for method in ("strain_form", "positions_and_w", "positions_and_velocities", "scipy_lsoda"):
         # Contacts open and close; only the strain form locates the events.
         limit = 2e-9 if method == "strain_form" else 1e-4
-        assert errors_of(problem.methods[method](1e-11), problem.reference)["error"] < limit
+        assert errors_of(problem.methods[method](1e-12), problem.reference)["error"] < limit
 
 
 @pytest.mark.parametrize("gamma", [0.1, 0.65])

@@ -5,6 +5,9 @@ calls.  Here the cache folder of a kernel carries a digest of its own wing and o
 this one calls, so that stale machine code cannot be used, and a change in one wing leaves the
 kernels of the others alone.
 
+Numba compiles a function once for each type of its arguments, and to it a literal integer is a type
+of its own: callers write ``int64(2)`` where others pass a variable.
+
 Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
 while.  Numba itself reports each compilation, so that the line comes when there is one and not
 otherwise.

@@ -43,6 +43,7 @@ Arrays run over n = 0 … M + 1, so that an index is the number of the contact i
 from typing import NamedTuple
 
 import numpy as np
+from numba import int64
 
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
@@ -226,7 +227,7 @@ def flow(law, weights, driver, u, d, stiffness):
             if law.alpha != law.beta:
                 forces(law.beta, value, force, stiffness.damping[step, row])
                 laplacian(force, stages.g[row])
-        gather(d_now, weights, WHOLE_STEP, 1.0, stages)
+        gather(d_now, weights, int64(WHOLE_STEP), 1.0, stages)
         add(value, change[0])
         add_slopes(weights, stages.k, value, change[1])
         d_now[:] = d + change[1]
@@ -249,7 +250,7 @@ def push(law, weights, driver, stiffness, u, d, stages):
                 for n in range(u.size - 1):
                     force[n] = stiffness.damping[step, row, n] * value[n]
                 laplacian(force, stages.g[row])
-        gather(d, weights, WHOLE_STEP, 1.0, stages)
+        gather(d, weights, int64(WHOLE_STEP), 1.0, stages)
         add(value, u)
         add_slopes(weights, stages.k, value, d)
 

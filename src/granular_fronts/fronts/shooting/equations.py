@@ -148,12 +148,15 @@ def jacobian(window, stiffness):
     weights = bead_flow.make_weights(window.law, 1.0 / window.steps)
     driver = driver_modes(window, bead_flow.stage_times(1.0, window.steps))
     band = bead_flow.derivative(window.law, weights, stiffness, window.spread)
-    by_driver = bead_flow.derivative_by_driver(window.law, weights, driver, stiffness)
+    by_driver = bead_flow.derivative_by_driver(
+        window.law, weights, np.ascontiguousarray(driver), stiffness
+    )
     lower = 2 * (TIED_CONTACTS + window.spread) + 2
     upper = len(driver) + 2 * window.spread + 1
     rows = band_storage(2 * (TIED_CONTACTS + window.contacts + 1) + 1, lower, upper)
     place = phase_row(window)
-    _assemble(rows, lower, place, window.centre, band, by_driver, tail_modes(window))
+    tail = np.ascontiguousarray(tail_modes(window))
+    _assemble(rows, lower, place, window.centre, band, by_driver, tail)
     return rows, lower
 
 
