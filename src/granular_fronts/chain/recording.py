@@ -165,7 +165,10 @@ def _probes(scene, recording):
 
 
 def fitted_speed(arrival):
-    """Slope of bead number over arrival time in the middle of the chain; NaN if fewer than two.
+    """Slope of bead number over arrival time in the middle of the chain.
+
+    NaN if fewer than two beads were passed there, or if neither end was passed first, as on a ring
+    with two waves.
 
     Parameters
     ----------
@@ -177,7 +180,8 @@ def fitted_speed(arrival):
     if passed.size < 2:
         return np.nan
     beads, times = passed - passed.mean(), arrival[passed] - arrival[passed].mean()
-    return (beads @ beads) / (beads @ times)
+    slowness = (beads @ times) / (beads @ beads)
+    return 1.0 / slowness if slowness != 0.0 else np.nan
 
 
 def _arrivals(scene, recording):

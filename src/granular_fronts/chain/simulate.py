@@ -25,12 +25,12 @@ from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
 from granular_fronts.scenes.validation import check_scene
 
-REFINEMENT, SAFETY = 10.0, 2.0
+REFINEMENT, SAFETY = 10.0, 3.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 STIFF_SOLVER = f"Radau IIA of order 9 in strain form where damping is stiff, else {SOLVER}"
 ERROR_METHOD = (
-    f"{SAFETY:g} times the largest difference to a run of more steps, with the tolerance divided by "
-    f"{REFINEMENT:g}"
+    f"{SAFETY:g} times the largest difference to a run of more steps, with the tolerance divided "
+    f"by {REFINEMENT:g}"
 )
 
 
