@@ -5,18 +5,17 @@ in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain fo
 the adaptive pair of `integrator`, or with the implicit steps of `stiff` where damping is strong.
 
 Accuracy.  Every scene is integrated a second time, with the tolerance divided by `REFINEMENT` until
-more steps are taken; the error estimate of each recorded variable is `SAFETY` times the largest
-difference between the two runs.  It comes from an independent refinement and not from the step
-controller.  As long as the error shrinks with the tolerance, the difference itself is about the
-error; at the smallest tolerances both runs are wrong by rounding, independently and to the same
-degree, and their difference may be smaller than the error of either.
+more steps are taken; the largest difference between the two runs is the error estimate of each
+recorded variable.  It comes
+from an independent refinement and not from the step controller, and bounds the error as long as the
+error shrinks with the tolerance, down to the point where both runs consist of rounding.
 """
 
 from typing import NamedTuple
 
 import xarray as xr
 
-from granular_fronts.accuracy import largest_difference
+from granular_fronts.accuracy import error_attributes
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
@@ -25,12 +24,11 @@ from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
 from granular_fronts.scenes.validation import check_scene
 
-REFINEMENT, SAFETY = 10.0, 3.0
+REFINEMENT = 10.0
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 STIFF_SOLVER = f"Radau IIA of order 9 in strain form where damping is stiff, else {SOLVER}"
 ERROR_METHOD = (
-    f"{SAFETY:g} times the largest difference to a run of more steps, with the tolerance divided "
-    f"by {REFINEMENT:g}"
+    f"largest difference to a run of more steps, with the tolerance divided by {REFINEMENT:g}"
 )
 
 
@@ -144,11 +142,10 @@ def solve(scene, tolerance, activity="solving"):
 
 
 def _with_error_estimates(solution, refined, tolerance):
-    """The dataset of `solution`, each variable with its error estimated by `refined`."""
+    """The dataset of `solution`, each variable with its largest difference to `refined`."""
     dataset = solution.dataset
     for name, variable in dataset.data_vars.items():
-        estimate = SAFETY * largest_difference(variable, refined[name])
-        variable.attrs |= {"error_estimate": estimate, "error_method": ERROR_METHOD}
+        variable.attrs |= error_attributes(variable, refined[name], ERROR_METHOD)
     dataset.attrs |= {
         "solver": STIFF_SOLVER if solution.counts["steps_implicit"] else SOLVER,
         "relative_tolerance": float(tolerance["relative"]),
