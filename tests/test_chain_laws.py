@@ -197,6 +197,7 @@ def time_per_bead(function, beads):
     return min(times)
 
 
+@pytest.mark.timing
 @pytest.mark.parametrize("terms", [5, 10])
 def test_inner_loops_are_vector_code(terms):
     beads, rng = 4000, np.random.default_rng(0)

@@ -94,6 +94,7 @@ def fastest(run, repeats=40):
     return min(times)
 
 
+@pytest.mark.timing
 @pytest.mark.parametrize("order", [1, 2])
 @pytest.mark.parametrize("kind", KINDS)
 def test_row_maps_are_vector_code(kind, order):

@@ -97,6 +97,7 @@ def test_method_may_have_tolerances_of_its_own():
     assert measuring.tolerances_of(settings, "fast") == [1e-4, 1e-6]
 
 
+@pytest.mark.timing
 def test_stopwatch_distinguishes_waiting_from_working():
     with Stopwatch() as idle:
         time.sleep(0.05)
