@@ -109,6 +109,7 @@ def test_row_maps_are_vector_code(kind, order):
     assert mapping < FASTEST_SCALAR_CODE * root
 
 
+@pytest.mark.timing
 def test_scalar_code_would_be_found():
     slow = gf.Potential(np.exp, np.exp, np.exp, interval=(-2.0, 0.0))
     u, result, repeats = np.linspace(0.1, 1.2, 4000), np.empty(4000), 50
