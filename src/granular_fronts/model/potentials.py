@@ -52,7 +52,8 @@ class Potential:
     value, first, second, third : callable
         V, V', V'' and V''' (optional), from an array of r to an array of the same shape.  Chains
         compile V' and V'' for single numbers: write them of arithmetic, of conditions by
-        ``np.where``, and of functions of numpy that numba compiles.
+        ``np.where``, and of functions of numpy that numba compiles.  Variables outside them must
+        not change once the potential is in use; after a change build another one.
     interval : tuple of float
         Interval of r in which all strains will lie; the check samples it, and r outside is refused.
     kinks : tuple of float, optional
