@@ -193,6 +193,14 @@ def test_norms_are_those_of_dense_matrices(pair):
     )
 
 
+@pytest.mark.parametrize(
+    "pair",
+    [
+        name if name == "overshoot" else pytest.param(name, marks=pytest.mark.slow)
+        for name in PROVED
+    ],
+    indirect=True,
+)
 def test_inverse_is_one(pair):
     """A on a finer mesh: 1 − L A and A reach a good part of their bounds, and no more."""
     front, known = pair

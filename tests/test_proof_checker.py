@@ -161,7 +161,7 @@ LIES = {
 }
 
 
-# Refused late, after all bounds were computed, as others that are tried always are.
+# These take longest, since all bounds are computed first.  Others of their kind are always tried.
 LATE = {
     "alpha 1.51",
     "gamma 0.29",
@@ -169,6 +169,9 @@ LATE = {
     "cells exchanged",
     "no slow inverse",
     "inverse far away",
+    "inverse misplaced",
+    "x0 far behind",
+    "gamma 0.31",
     "eta below the pair",
     "theta beyond the slowest root",
     "x0 beyond the cells",
