@@ -23,6 +23,7 @@ WINGS = (
     "fronts",
     "reference_methods",
     "studies",
+    "proofs",
     "campaign",
 )
 """From the bottom up: each may import those before it, and itself."""

@@ -2,12 +2,15 @@
 
 import inspect
 import math
+import tempfile
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 from potentials import hertz
+from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts import arguments
@@ -58,6 +61,7 @@ POSSIBLE = {
         "alpha": 1.5,
         "beta": 1.5,
     },
+    "check_certificate": {"path": ROOT / "tests/test_proof_data/overshoot.npz"},
     "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
@@ -72,6 +76,14 @@ POSSIBLE = {
         "dissipation": hertz(1.5),
     },
     "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
+    "prove_front": {
+        "alpha": Fraction(2),
+        "gamma": Fraction(3, 10),
+        "path": Path(tempfile.mkdtemp()) / "front.npz",
+        "cells": 20,
+        "fine": 40,
+        "drift": 6e-4,
+    },
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
     "simulate_chain": {"scene": CHAIN, "name": "given"},
     "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
@@ -91,6 +103,11 @@ IMPOSSIBLE = {
     int: [*NEVER_A_NUMBER, *SEVERAL, 1.5, 0, -5, 20.5],
     np.ndarray: [*NEVER_A_NUMBER, [0.5, math.nan], [0.5, None], [[1.0], [1.0, 2.0]], ["0.5"]],
     str: ["nothing of the kind", b"tail", 1.5, ["tail"], np.array([1.0, 2.0])],
+    Fraction: [
+        *["text", "1.5 m", "1/0", "", "1e999999999", b"1.5", *NEVER_A_NUMBER[2:], *SEVERAL],
+        *[0, -1.5, "-3/2", "1" * 19, [0.3, math.nan], [0.2, 0.3, 0.4], [0.3, 0.2]],
+    ],
+    type(Path()): [b"file", "", "a\0b", *NEVER_A_NUMBER[2:], 1.5, *SEVERAL],
     dict: ["text", 1.5, 1.5j, [1.5], np.array([1.0, 2.0])],
 }
 NO_OBJECTS = ["text", 1.5, 1.5j, math.nan, {}, [1.5], np.array([1.0, 2.0])]
@@ -105,6 +122,11 @@ OUT_OF_RANGE = [
     *[(name, "beta", v) for name in ("Scaling", "restitution", "solve_front") for v in (0.5, -1)],
     *[(name, "gamma", v) for name in ("solve_front", "tail_roots") for v in (0.0, -0.1)],
     *[("Scaling", name, v) for name in ("mass", "stiffness", "velocity") for v in (0.0, -1.0)],
+    *[("prove_front", "alpha", v) for v in (1, 1.0, "1", "1/2", [1.5, 2.0])],
+    *[("prove_front", "path", v) for v in (ROOT, str(ROOT), ROOT / "nowhere" / "front.npz")],
+    *[("prove_front", "cells", v) for v in (7, 201)],
+    ("prove_front", "fine", 1001),
+    *[("prove_front", "drift", v) for v in (0.0, 1.0)],
     ("Scaling", "damping", -1.0),
     ("critical_damping", "cut", 1e-9),
     ("critical_damping", "cut", 0.2),

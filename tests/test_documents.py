@@ -15,6 +15,7 @@ import xarray as xr
 from projects import ROOT, copy_project, snakemake
 
 README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
+PROOFS = ROOT / "docs" / "proofs.md"
 DOCUMENTS = [README, *sorted((ROOT / "docs").glob("*.md"))]
 
 
@@ -29,8 +30,10 @@ def commands(document):
     return [line for block in blocks(document, "sh") for line in block.splitlines()]
 
 
-# Those of the page on extensions are run on a copy of the project, below.
-COMMANDS = [line for page in DOCUMENTS if page != EXTENDING for line in commands(page)]
+# Those of the page on extensions are run on a copy of the project, those of proofs as they are.
+COMMANDS = [
+    line for page in DOCUMENTS if page not in (EXTENDING, PROOFS) for line in commands(page)
+]
 
 
 def run(command, folder=ROOT, **environment):
@@ -73,6 +76,20 @@ def test_all_commands_are_of_a_kind_that_is_tested():
 def test_python_example_runs(code, capsys):
     exec(code, {})
     assert "±" in capsys.readouterr().out
+
+
+def test_page_on_proofs_is_true(tmp_path, monkeypatch):
+    """Its command accepts the certificates kept, and its example proves what it says."""
+    [command], [code] = commands(PROOFS), blocks(PROOFS, "python")
+    assert command.startswith("python -m granular_fronts.proofs ")
+    outcome = run([sys.executable, *shlex.split(command)[1:]])
+    assert outcome.returncode == 0, outcome.stderr
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(code, names)
+    assert names["record"]["proved"]
+    assert "monotone" in names["record"]["statements"][-1]
+    assert len(names["family"]) == len(names["paths"]) == 2
 
 
 @pytest.mark.parametrize("text", blocks(README, "yaml"))

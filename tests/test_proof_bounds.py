@@ -2,8 +2,6 @@
 
 # ruff: noqa: N802
 
-from fractions import Fraction
-
 import numpy as np
 import pytest
 from scipy import integrate, optimize
@@ -14,9 +12,12 @@ from test_proof_checker import DATA, PROVED, load  # noqa: E402
 
 import granular_fronts as gf  # noqa: E402
 from granular_fronts.proofs import balls, consequences, rear_expansion  # noqa: E402
-from granular_fronts.proofs.checker import Front, check_certificate, read  # noqa: E402
+from granular_fronts.proofs.checker import Front, read  # noqa: E402
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
+
+
+SLOW = {"monotone": (), "overshoot": (), "steep": pytest.mark.slow}
 
 
 class Certificate:
@@ -64,7 +65,10 @@ class Certificate:
         return self.alpha * np.maximum(u, 0) ** (self.alpha - 1)
 
 
-@pytest.fixture(scope="module", params=list(PROVED))
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=SLOW[name]) for name in PROVED],
+)
 def pair(request):
     """A certificate as the checker sees it, in balls, and as this module does."""
     before, flint.ctx.prec = flint.ctx.prec, 80
@@ -189,6 +193,14 @@ def test_norms_are_those_of_dense_matrices(pair):
     )
 
 
+@pytest.mark.parametrize(
+    "pair",
+    [
+        name if name == "overshoot" else pytest.param(name, marks=pytest.mark.slow)
+        for name in PROVED
+    ],
+    indirect=True,
+)
 def test_inverse_is_one(pair):
     """A on a finer mesh: 1 − L A and A reach a good part of their bounds, and no more."""
     front, known = pair
@@ -360,44 +372,3 @@ def test_certificates_are_made_as_those_kept(tmp_path):
     known = {name: left for name, left, _ in PROVED["overshoot"]["inequalities"]}
     made = {one["name"]: one["left"] for one in record["inequalities"]}
     assert made["Z1 < 1"] == pytest.approx(known["Z1 < 1"], rel=0.05)
-
-
-FIGURES = {
-    "figure 1": (Fraction(6, 100), {"cells": 48, "fine": 100, "drift": 3e-4}, "overshoots"),
-    "figure 3": (Fraction(65, 100), {}, "monotone"),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("figure", FIGURES)
-def test_fronts_of_the_paper(figure, tmp_path):
-    """γ (1/10)^(−1/4), enclosed by fractions: the fourth powers prove it."""
-    gamma, options, statement = FIGURES[figure]
-    start = int(float(gamma) * 10**-0.25 * 10**13)
-    low, high = Fraction(start - 1, 10**13), Fraction(start + 2, 10**13)
-    assert low**4 * 10 < gamma**4 < high**4 * 10
-    record = gf.prove_front("3/2", (low, high), tmp_path / "front.npz", **options)
-    assert record["proved"], record["reason"]
-    assert statement in " ".join(record["statements"])
-
-
-CASES = {
-    ("3/2", "3333/10000"): "monotone",
-    ("3/2", "3655/10000"): "monotone",
-    ("3/2", "1/5"): "overshoots",
-    ("3/2", "1/10"): "overshoots",
-    (2, "1/2"): "monotone",
-    ("6/5", "1/5"): "ln α",
-    ("3/2", "1"): "monotone",
-    ("3/2", "6/5"): "A exp(λ ξ)",
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("case", CASES)
-def test_other_fronts(case, tmp_path):
-    options = {"cells": 40, "fine": 100, "drift": 1e-4} if Fraction(case[1]) >= 1 else {}
-    record = gf.prove_front(*case, tmp_path / "front.npz", **options)
-    assert record["proved"], record["reason"]
-    assert CASES[case] in " ".join(record["statements"])
-    assert check_certificate(tmp_path / "front.npz") == record

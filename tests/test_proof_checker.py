@@ -161,7 +161,27 @@ LIES = {
 }
 
 
-@pytest.mark.parametrize("lie", LIES)
+# These take longest, since all bounds are computed first.  Others of their kind are always tried.
+LATE = {
+    "alpha 1.51",
+    "gamma 0.29",
+    "half of the front shifted",
+    "cells exchanged",
+    "no slow inverse",
+    "inverse far away",
+    "inverse misplaced",
+    "x0 far behind",
+    "gamma 0.31",
+    "eta below the pair",
+    "theta beyond the slowest root",
+    "x0 beyond the cells",
+    "a negative radius",
+}
+
+
+@pytest.mark.parametrize(
+    "lie", [pytest.param(lie, marks=pytest.mark.slow if lie in LATE else ()) for lie in LIES]
+)
 def test_nothing_is_proved_from_what_is_wrong(lie, tmp_path):
     data = load("monotone")
     LIES[lie](data)
@@ -184,7 +204,10 @@ def test_files_that_are_no_certificates(content, tmp_path):
     assert not check_certificate(path)["proved"]
     path.write_bytes((DATA / "monotone.npz").read_bytes()[:-1000])
     assert not check_certificate(path)["proved"]
-    assert not check_certificate(tmp_path / "nowhere.npz")["proved"]
+    for nothing in (tmp_path / "nowhere.npz", tmp_path):
+        record = check_certificate(nothing)
+        assert record["proved"] is False
+        assert record["reason"]
 
 
 def test_objects_are_not_read(tmp_path):
@@ -233,3 +256,25 @@ def test_command_says_what_failed(tmp_path):
     )
     assert run.returncode == 1
     assert "not proved: FileNotFoundError" in run.stdout
+
+
+@pytest.mark.parametrize("name", ["prove_front", "check_certificate"])
+def test_without_flint_a_sentence_says_how_to_install_it(name):
+    script = (
+        "import sys; from importlib.machinery import PathFinder; find = PathFinder.find_spec; "
+        "PathFinder.find_spec = classmethod(lambda cls, name, *more: "
+        "None if name == 'flint' else find(name, *more)); "
+        f"import granular_fronts as gf; gf.{name}"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PYTHONPATH": str(ROOT / "src")},
+    )
+    assert run.returncode == 1
+    assert run.stderr.strip().splitlines()[-1] == (
+        "ModuleNotFoundError: Proofs of fronts need python-flint: install it by "
+        "pip install 'granular-fronts[proofs]'."
+    )

@@ -140,6 +140,7 @@ def noticed(trees, folder):
         signal.signal(signal.SIGALRM, before)
 
 
+@pytest.mark.slow
 def test_checker_itself_is_no_mutant():
     assert not differs(checker_of({name: ast.parse(text) for name, text in SOURCES.items()}))
 

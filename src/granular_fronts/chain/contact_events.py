@@ -11,13 +11,13 @@ contribute.  The embedded error estimate does not see this, since its stages sit
 ends of the step.  Hence:
 
 - a step that takes a contact through a kink is accepted only if κ is below the tolerance;
-- **closing**, u rises (the force of an open contact is zero, so that everything before t* is
-  smooth): the step is cut to end just after t*, by so little that κ is below the tolerance; the
-  next step starts on the singular side, where the stages do see the singularity and the ordinary
-  controller works;
-- **opening**, u falls (the singular side lies before t*): the steps are graded towards t*, each
-  going the fraction `APPROACH` of the way, until the step that crosses it is short enough.  The
-  geometric sequence costs about a dozen steps per opening.
+- **closing**, where κ is larger at the end of the step (the force of an open contact is zero, so
+  that everything before t* is smooth): the step is cut to end just after t*, by so little that κ is
+  below the tolerance; the next step starts on the singular side, where the stages do see the
+  singularity and the ordinary controller works;
+- **opening**, where κ is larger at its start (the singular side lies before t*): the steps are
+  graded towards t*, each going the fraction `APPROACH` of the way, until the step that crosses it
+  is short enough.  The geometric sequence costs about a dozen steps per opening.
 
 The time to the crossing comes from the parabola through u, its rate, and the rejected end value.
 """
@@ -128,13 +128,12 @@ def step_at_kink(chain, table, kink, h, last, allowed):
         u, new_u = table[U, n], table[NEW_U, n]
         if (u - kink) * (new_u - kink) >= 0.0:
             continue
-        kappa = max(
-            contribution(chain, table, u, kink, h), contribution(chain, table, new_u, kink, h)
-        )
-        if kappa <= allowed:
+        before = contribution(chain, table, u, kink, h)
+        after = contribution(chain, table, new_u, kink, h)
+        if max(before, after) <= allowed:
             continue
         zero = time_to_kink(u - kink, rate_of(chain, table, D, 0, n), new_u - kink, h)
-        if u < kink:
+        if after >= before:
             beyond = compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
             candidate = zero + beyond * (h - zero) / (new_u - kink)
         elif contribution(chain, table, u, kink, CROSSING * zero) <= allowed:

@@ -40,6 +40,10 @@ RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
 SHORTEST_STEP_IN_SPACINGS = 8.0
 
 
+# A step is cut at a contact only if it becomes shorter by more than rounding.
+LONGEST_CUT = 0.999
+
+
 @kernel
 def begin(chain, table):
     """Slopes and dissipated power of the state at the start of a step."""
@@ -108,7 +112,7 @@ def advance(chain, table, recording, relative, absolute, most_steps):
                 return OPENED
             allowed = absolute + relative * largest.compression
             at_contact = step_at_contact(chain, table, h, last, allowed)
-            if shortest < at_contact < h:
+            if shortest < at_contact < LONGEST_CUT * h:
                 clock.cut += 1
                 clock.h = at_contact
                 continue

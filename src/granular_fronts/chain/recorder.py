@@ -55,7 +55,7 @@ class Recording(NamedTuple):
         Relative displacements of single contacts, ordered by time.
     next : record
         Of type `NEXT`.
-    level, side : float
+    level : float
         Level whose first passage is timed at each contact, NaN for none; 1 if u rises through it,
         −1 if it falls.
     arrival : ndarray, shape (columns,)
@@ -78,7 +78,7 @@ class Recording(NamedTuple):
     samples: np.ndarray
     next: np.record
     level: float
-    side: float
+    side: np.ndarray
     arrival: np.ndarray
     first_peak: np.ndarray
     first_peak_time: np.ndarray
@@ -130,8 +130,8 @@ def passes_level(table, arrival, level, side, first, last):
     for n in range(uint64(first), uint64(last + 1)):
         # Only NaN differs from itself.
         passages += (
-            (side * table[U, n] < side * level)
-            & (side * level <= side * table[NEW_U, n])
+            (side[n] * table[U, n] < side[n] * level)
+            & (side[n] * level <= side[n] * table[NEW_U, n])
             & (arrival[n] != arrival[n])
         )
     return passages > 0
@@ -144,7 +144,7 @@ def write_arrivals(chain, table, h, last, have_polynomials, recording):
     arrival = recording.arrival
     coefficients = recording.coefficients
     for n in range(next_.arrival, last + 1):
-        arrives = side * table[U, n] < side * level <= side * table[NEW_U, n]
+        arrives = side[n] * table[U, n] < side[n] * level <= side[n] * table[NEW_U, n]
         if not (arrives and math.isnan(arrival[n])):
             continue
         if not have_polynomials:
@@ -161,7 +161,7 @@ def next_extreme(chain, table, h, recording, first, last):
 
     The conditions are those of `write_extremes`, each at least as wide.
     """
-    level, first_peak = recording.level, recording.first_peak
+    arrival, first_peak = recording.arrival, recording.first_peak
     largest, smallest = recording.extremes.largest, recording.extremes.smallest
     factor, viscous = chain.law.gamma, ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     start, end = viscous + rk.SLOT[0], viscous + rk.SLOT[rk.NEW_SLOPE]
@@ -176,7 +176,7 @@ def next_extreme(chain, table, h, recording, first, last):
         counts = (
             (high + margin > largest)
             | (low - margin < smallest)
-            | ((u > level) & (first_peak[n] != first_peak[n]))
+            | ((arrival[n] == arrival[n]) & (first_peak[n] != first_peak[n]))
         )
         turns = rate * new_rate <= 0.0
         holds = (turns & counts) | (high > largest) | (low < smallest) | (u * new_u < 0.0)
@@ -217,7 +217,7 @@ def write_extreme(chain, table, h, t_new, n, have_polynomials, recording):
     rate = rate_of(chain, table, D, 0, n)
     new_rate = rate_of(chain, table, NEW_D, rk.NEW_SLOPE, n)
     margin = 0.5 * h * abs(rate - new_rate)
-    is_first = u > recording.level and math.isnan(first_peak[n])
+    is_first = not math.isnan(recording.arrival[n]) and math.isnan(first_peak[n])
     peak = rate > 0.0 >= new_rate and (is_first or max(u, new_u) + margin > extremes.largest)
     trough = rate < 0.0 <= new_rate and min(u, new_u) - margin < extremes.smallest
     opens = u > NEGLIGIBLE and new_u < -NEGLIGIBLE and math.isnan(extremes.gap_time)

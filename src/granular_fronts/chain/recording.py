@@ -45,7 +45,7 @@ def probe_samples(scene):
     return np.concatenate(times), np.concatenate(beads)
 
 
-def make_recording(scene, ahead, columns):
+def make_recording(scene, ahead, u):
     """Empty arrays for everything the scene asks for.
 
     Parameters
@@ -54,9 +54,10 @@ def make_recording(scene, ahead, columns):
         A checked chain scene.
     ahead : float
         Compression ahead of the active window.
-    columns : int
-        Length of the engine's rows.
+    u : ndarray, shape (columns,)
+        Compressions at t = 0, a row of the engine.
     """
+    columns = u.size
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
     profile_times = np.union1d(snapshots, grid_times(scene))
@@ -76,7 +77,7 @@ def make_recording(scene, ahead, columns):
         samples=np.zeros(times.size),
         next=next_,
         level=level,
-        side=-1.0 if ahead > level else 1.0,
+        side=np.where(u < level, 1.0, -1.0),
         arrival=np.full(columns, np.nan),
         first_peak=np.full(columns, np.nan),
         first_peak_time=np.full(columns, np.nan),

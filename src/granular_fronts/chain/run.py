@@ -93,7 +93,7 @@ def prepare(scene):
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain.ahead, table.shape[1])
+    recording = make_recording(scene, chain.ahead, table[U])
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 

@@ -60,17 +60,17 @@ SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.85, 0.2, 5.0
 SHORTEST_STEP = 1.0e-9
 
 
-def stiffness(law, compression):
+def stiffness(law, u):
     """S, the explicit steps that stability asks for per contact that the front passes."""
-    force = equations.force(law.elastic, compression)
-    if compression <= 0.0 or force <= 0.0:
+    force = equations.force(law.elastic, u)
+    if u * force <= 0.0:
         return 0.0
-    return float(damping_rate(law, compression) * math.sqrt(compression / force))
+    return float(damping_rate(law, u) * math.sqrt(u / force))
 
 
-def damping_rate(law, compression):
+def damping_rate(law, u):
     """Largest damping rate 4G'(u)."""
-    return 4.0 * float(law.viscous.second(-compression))
+    return 4.0 * float(law.viscous.second(-u))
 
 
 def suits(run, stiff_from=STIFF):
@@ -83,19 +83,20 @@ def suits(run, stiff_from=STIFF):
         Stiffness from which they win.
     """
     recording = run.recording
-    compression = max(run.boundary.left, run.boundary.right, _moving(run).max())
     return (
         not run.boundary.ring
         and not run.boundary.piston
         and not recording.track_extremes
         and math.isnan(recording.level)
-        and stiffness(run.law, compression) >= stiff_from
+        and max(stiffness(run.law, u) for u in _range(run)) >= stiff_from
     )
 
 
-def _moving(run):
-    """Compressions of the contacts that move."""
-    return run.table[U, 1 : run.chain.contacts + 1]
+def _range(run):
+    """Smallest and largest compression of all contacts, held ones included."""
+    moving = run.table[U, 1 : run.chain.contacts + 1]
+    held = run.boundary.left, run.boundary.right
+    return min(*held, moving.min()), max(*held, moving.max())
 
 
 class ImplicitSteps:
@@ -107,7 +108,7 @@ class ImplicitSteps:
     """
 
     def __init__(self, run):
-        self._held = max(run.boundary.left, run.boundary.right)
+        self._held = max(abs(run.boundary.left), abs(run.boundary.right))
         self._work = make_workspace(run.law, run.table.shape[1])
 
     def advance(self, run, tolerance):
@@ -124,8 +125,8 @@ class ImplicitSteps:
         int
             FINISHED, or RUNNING where the explicit pair must go on.
         """
-        scale = max(self._held, _moving(run).max())
-        explicit_step = EXPLICIT_REACH / damping_rate(run.law, scale)
+        rate = max(damping_rate(run.law, u) for u in _range(run))
+        explicit_step = EXPLICIT_REACH / rate if rate > 0.0 else math.inf
         needs = Needs(
             float(tolerance["relative"]),
             float(tolerance["absolute"]),
@@ -172,6 +173,15 @@ def write_output(table, t, reach, recording):
 
 
 @kernel
+def largest_compression(chain, table, last, held):
+    """Largest u of the contacts 1 … last and of those held; of |u| if the law acts in extension."""
+    largest = held
+    for n in range(1, last + 1):
+        largest = max(largest, table[U, n], -chain.law.attraction * table[U, n])
+    return largest
+
+
+@kernel
 def advance(chain, table, recording, work, needs):
     """Integrate until the last stop, or until the explicit pair is the better choice.
 
@@ -195,7 +205,9 @@ def advance(chain, table, recording, work, needs):
         wanted = min(steps.next, steps.longest)
         landing = t + wanted >= target
         h = target - t if landing else wanted
-        scale = max(needs.largest_u, table[U, 1 : last + 1].max())
+        scale = largest_compression(chain, table, last, needs.largest_u)
+        if scale == 0.0:
+            break
         tolerance = needs.absolute + needs.relative * scale
         predict(table, work, h, reach)
         allowed = Allowed(NEWTON_SHARE * tolerance, ROUNDING * scale)

@@ -7,3 +7,11 @@ near P̄, and what it looks like.  What has to be believed is the mathematics of
 `right_inverse`, `consequences` and `rear_expansion`, the code of `checker`, `consequences`,
 `rear_expansion` and `balls`, and python-flint below it.
 """
+
+from importlib.util import find_spec
+
+if find_spec("flint") is None:
+    raise ModuleNotFoundError(
+        "Proofs of fronts need python-flint: install it by pip install 'granular-fronts[proofs]'.",
+        name="flint",
+    )

@@ -1,11 +1,12 @@
 """Make the certificate of a front: floating-point arithmetic, trusted for nothing."""
 
 import math
+import re
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 
+from granular_fronts import arguments
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -29,18 +30,18 @@ def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):
 
     Parameters
     ----------
-    alpha : int, str or Fraction
+    alpha : int, float, str or Fraction
         Exponent of the force, above 1: 2, "3/2" or "1.5".
-    gamma : int, str, Fraction or pair of them
+    gamma : int, float, str, Fraction or pair of them
         Damping, above 0 (β = α); a pair is an interval, for every point of which the proof holds.
     path : str or path
-        The certificate is written here.
+        The certificate is written here, in a folder that exists.
     cells : int, optional
-        Cells of the window per bead.
+        Cells of the window per bead, from 8 to 200.
     fine : int, optional
-        Cells of the inverse behind per cell of the window.
+        Cells of the inverse behind per cell of the window, from 1 to 1000.
     drift : float, optional
-        Largest |a(u)/α − 1| behind the window.
+        Largest |a(u)/α − 1| behind the window, between 0 and 1.
 
     Returns
     -------
@@ -50,13 +51,17 @@ def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):
     Raises
     ------
     InputError
-        If the front is not found, or the numbers do not fit into a certificate.
+        If an argument is impossible, the front is not found, or the numbers do not fit into a
+        certificate.
     """
-    alpha, interval = rational(alpha), _interval(gamma)
+    alpha, interval, path = rational(alpha, "alpha", above=1), _interval(gamma), _place(path)
+    cells = arguments.count("cells", cells, least=8, most=200)
+    fine = arguments.count("fine", fine, most=1000)
+    drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
     middle = float(sum(interval) / 2)
     front = solve_front(float(alpha), middle)
     if not front.attrs["converged"]:
-        raise InputError(f"no front to prove: {front.attrs['reason']}")
+        raise InputError(f"no front to prove: {front.attrs['reason']}.")
     fields = describe(front, alpha, interval, cells, fine, drift)
     record = _write_and_check(path, fields)
     if not record["proved"] and "roots" in fields:  # Perhaps without the expansion behind.
@@ -66,7 +71,7 @@ def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):
 
 
 def _write_and_check(path, fields):
-    with Path(path).open("wb") as file:
+    with path.open("wb") as file:
         np.savez_compressed(file, **fields)
     return check_certificate(path)
 
@@ -137,16 +142,43 @@ def _weights(alpha, gamma, roots):
     return min(choices, key=merit)
 
 
-def rational(number):
-    """A fraction; a float stands for the decimal number that it is written as."""
+def rational(number, name="number", above=0):
+    """A fraction of at most 18 digits; a float stands for the decimal it is written as."""
     try:
-        return Fraction(repr(number) if isinstance(number, float) else number)
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{number!r} is no number: write a fraction as '3/10'.") from problem
+        found = Fraction(_written(number))
+        if found > above and max(found.numerator, found.denominator) < 10**18:
+            return found
+    except (TypeError, ValueError, ArithmeticError):
+        pass
+    raise InputError(
+        f"{name} is {arguments.shown(number)}, but must be a number above {above} of at most 18"
+        " digits: write a fraction as '3/10'."
+    )
+
+
+def _written(number):
+    """What a fraction is made from; numbers of thousands of digits are not expanded."""
+    if isinstance(number, bool) or re.search(r"[eE][+-]?[\d_]{3}", str(number)):
+        raise ValueError
+    return repr(float(number)) if isinstance(number, float) else number
+
+
+def _place(path):
+    """Where a file can be written."""
+    path = arguments.path("path", path)
+    if path.is_dir() or not path.parent.is_dir():
+        raise InputError(f"path is {path}, but must be a file in a folder that exists: name one.")
+    return path
 
 
 def _interval(gamma):
-    low, high = map(rational, gamma if isinstance(gamma, (tuple, list)) else (gamma, gamma))
+    """Both ends of an interval of γ, which are one number for a single γ."""
+    ends = gamma if isinstance(gamma, (tuple, list)) else (gamma, gamma)
+    if len(ends) != 2:
+        raise InputError(
+            f"gamma is {arguments.shown(gamma)}, but must be a number or two: give it."
+        )
+    low, high = (rational(end, "gamma") for end in ends)
     if low > high:
         raise InputError(
             f"the interval of gamma runs from {low} down to {high}: exchange its ends."

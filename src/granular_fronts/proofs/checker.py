@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 from flint import arb, arb_poly, arb_series, ctx, fmpq
 
+from granular_fronts import arguments
 from granular_fronts.proofs.balls import (
     MATRIX_UNIT,
     UNIT,
@@ -63,7 +64,13 @@ def check_certificate(path):
         parameters for all of which the `statements` hold; `error`, a bound of |u* − ū|;
         `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded outwards) and
         their difference `margin`.
+
+    Raises
+    ------
+    InputError
+        If `path` is no path.  A file that is missing or damaged is one that proves nothing.
     """
+    path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
     before, ctx.prec = ctx.prec, PRECISION
     try:

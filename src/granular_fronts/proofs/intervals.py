@@ -44,9 +44,9 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
     NotProvedError
         Where even narrow intervals are not proved.
     """
-    alpha, high, folder = rational(alpha), rational(high), Path(folder)
+    alpha, high, folder = rational(alpha, "alpha", above=1), rational(high, "high"), Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    at, last, steps = rational(low), None, int(rational(width) / STEP)
+    at, last, steps = rational(low, "low"), None, int(rational(width, "width") / STEP)
     if (at / STEP).denominator != 1 or (high / STEP).denominator != 1:
         raise InputError("the ends of an interval of gamma have at most six decimals.")
     done = sorted(folder.glob("*.npz"))
