@@ -8,11 +8,14 @@ import pytest
 from chains import TIGHT, driven_scene
 
 import granular_fronts as gf
+from granular_fronts.chain import contact_law
 from granular_fronts.chain import run as chain_run
+from granular_fronts.chain.contact_law import compile_law
 from granular_fronts.chain.run import integrate, make_boundary, make_chain, prepare
 from granular_fronts.chain.simulate import solve
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import ELASTIC_SLOPES, FORCE, ROWS_OF_PAIR, VALUE, D, U, make_table
+from granular_fronts.errors import InputError
 from granular_fronts.model.passes import row_parameters
 from granular_fronts.numerics.runge_kutta import LONG
 from granular_fronts.reference_methods import position_forms
@@ -195,6 +198,58 @@ def time_per_bead(function, beads):
         function(400)
         times.append((time.process_time() - begun) / (400 * beads))
     return min(times)
+
+
+def test_no_run_mixes_two_laws():
+    """A constant of a user's functions, changed between two potentials and during the second."""
+    rate = 1.3
+
+    def toda():
+        return gf.Potential(
+            lambda r: 0.7 / rate * (np.exp(-rate * r) - 1.0 + rate * r),
+            lambda r: 0.7 * (1.0 - np.exp(-rate * r)),
+            lambda r: 0.7 * rate * np.exp(-rate * r),
+            interval=(-3.0, 3.0),
+        )
+
+    def final(elastic):
+        law = gf.make_law(elastic=elastic, viscous={"kind": "linear", "gamma": 0.3})
+        run = prepare(pulse(law))
+        integrate(run, TIGHT)
+        return run.row(U).copy()
+
+    for rate in (1.3, 2.6):
+        given = toda()
+        named = final({"kind": "toda", "strength": 0.7, "rate": rate})
+        np.testing.assert_allclose(final(given), named, atol=1e-11)
+    rate = 1.3
+    with pytest.raises(InputError, match="in compiled code"):
+        final(given)
+
+
+@pytest.mark.parametrize("count", [8, 9])
+def test_a_record_has_room_for_eight_kinks(count):
+    elastic = gf.Potential(
+        np.cosh, np.sinh, np.cosh, interval=(-3, 3), kinks=tuple(np.linspace(-1, 1, count))
+    )
+    law = gf.make_law(elastic=elastic)
+    if count == 8:
+        assert compile_law(law).kink_count == 8
+    else:
+        with pytest.raises(InputError, match="has 9 kinks, but a chain has room for 8: declare"):
+            compile_law(law)
+
+
+def test_a_record_has_room_for_eight_parameters(monkeypatch):
+    elastic = gf.Potential(np.cosh, np.sinh, np.cosh, interval=(-3, 3), name="mine")
+    law = gf.make_law(elastic=elastic)
+    for count in (8, 9):
+        monkeypatch.setattr(contact_law, "row_parameters", lambda *_, n=count: np.ones(n))
+        if count == 8:
+            np.testing.assert_array_equal(compile_law(law).elastic_parameters, 1.0)
+        else:
+            with pytest.raises(InputError, match=r"mine has 9 parameters .* room for 8: make some"):
+                compile_law(law)
 
 
 @pytest.mark.timing

@@ -133,23 +133,55 @@ for kind, parameters in [("hertz", {"alpha": 1.5}), ("toda", {}), ("morse", {"ra
         row_map(make_potential(kind, **parameters), order)
 print(len(compiled))
 """
+COUNT_STAGE_PASSES = COUNT_COMPILATIONS.replace(
+    """    for order in (1, 2):
+        row_map(make_potential(kind, **parameters), order)
+""",
+    """    stage_pass(make_potential(kind, **parameters))
+""",
+).replace(
+    "from granular_fronts.model.passes import row_map",
+    "from granular_fronts.chain.stage_passes import stage_pass",
+)
+COUNT_ENCLOSED_KERNELS = """
+from granular_fronts.chain import stage_passes
+from granular_fronts.numerics.compiled import kernel
+stage_passes.compile_inline = lambda shape: None
+as_it_is = stage_passes._loop
+stage_passes._loop = lambda shape, size: as_it_is(kernel(shape), size)
+"""
 
 
-def test_named_kinds_are_compiled_once_for_all_processes(tmp_path):
-    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
-    counts = [
-        int(
-            subprocess.run(
-                [sys.executable, "-c", COUNT_COMPILATIONS],
-                env=environment,
-                capture_output=True,
-                text=True,
-                check=True,
-            ).stdout
-        )
-        for _ in range(2)
-    ]
-    assert counts == [5, 0]
+def compilations_of_two_processes(program, folder):
+    """For each process what it compiles, and the files of the cache after it."""
+    environment, found = os.environ | {"NUMBA_CACHE_DIR": str(folder)}, []
+    for _ in range(2):
+        arguments = [sys.executable, "-c", program]
+        printed = subprocess.run(
+            arguments, env=environment, capture_output=True, text=True, check=True
+        ).stdout
+        files = {file for file in folder.rglob("*") if file.suffix in {".nbi", ".nbc"}}
+        found.append((int(printed), files))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("program", "count"), [(COUNT_COMPILATIONS, 5), (COUNT_STAGE_PASSES, 3)], ids=["rows", "stages"]
+)
+def test_named_kinds_are_compiled_once_for_all_processes(tmp_path, program, count):
+    (first, files), (second, later) = compilations_of_two_processes(program, tmp_path)
+    assert (first, second) == (count, 0)
+    assert later == files
+
+
+def test_a_loop_that_encloses_a_kernel_would_be_compiled_in_every_process(tmp_path):
+    program = COUNT_ENCLOSED_KERNELS + COUNT_STAGE_PASSES.replace(
+        '[("hertz", {"alpha": 1.5}), ("toda", {}), ("morse", {"rate": 2.0})]',
+        '[("hertz", {"alpha": 1.5})]',
+    )
+    (first, files), (second, later) = compilations_of_two_processes(program, tmp_path)
+    assert (first, second) == (1, 1)
+    assert later > files
 
 
 def by_expression():
@@ -192,6 +224,82 @@ def test_a_users_functions_are_compiled(case, order):
 def test_a_users_law_gives_no_number_outside_its_interval():
     found = mapped(USERS["numpy"](), 1, np.array([-3.5, -2.5, 0.0, 2.5, 3.5]))
     np.testing.assert_array_equal(np.isnan(found), [True, False, False, False, True])
+
+
+stiffness = 1.0
+
+
+def spring_value(r):
+    return 0.5 * stiffness * r * r
+
+
+def spring_force(r):
+    return stiffness * r
+
+
+def spring_slope(r):
+    return stiffness + 0.0 * r
+
+
+def spring():
+    return gf.Potential(spring_value, spring_force, spring_slope, interval=(-3, 3), name="a spring")
+
+
+def test_each_potential_has_the_constants_of_its_own_time(monkeypatch):
+    u = np.linspace(-1.0, 1.0, 5)
+    for value in (1.0, 4.0):
+        monkeypatch.setattr(sys.modules[__name__], "stiffness", value)
+        np.testing.assert_array_equal(mapped(spring(), 1, u), value * u)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_a_constant_that_changes_after_compilation_is_noticed(monkeypatch, order):
+    potential = spring()
+    address = row_map(potential, order)
+    assert row_map(potential.scaled(0.5), order) == address
+    monkeypatch.setattr(sys.modules[__name__], "stiffness", 1.0 + 1e-6)
+    with pytest.raises(InputError, match=r"of a spring is .* but .* in compiled code: numba freez"):
+        row_map(potential, order)
+    monkeypatch.undo()
+    assert row_map(potential, order) == address
+
+
+def test_a_constant_that_matters_between_two_kinks_alone_is_noticed():
+    depth = 1.0
+
+    def force(r):
+        return r + np.where((r > 0.0) & (r < 1e-3), depth * r * (1e-3 - r), 0.0)
+
+    def slope(r):
+        return 1.0 + np.where((r > 0.0) & (r < 1e-3), depth * (1e-3 - 2.0 * r), 0.0)
+
+    def value(r):
+        x = np.minimum(np.maximum(r, 0.0), 1e-3)
+        return 0.5 * r * r + depth * (5e-4 * x * x - x * x * x / 3.0)
+
+    potential = gf.Potential(value, force, slope, interval=(-1, 1), kinks=(0.0, 1e-3))
+    row_map(potential, 1)
+    depth = 2.0
+    with pytest.raises(InputError, match="in compiled code"):
+        row_map(potential, 1)
+
+
+def test_a_function_that_compiles_to_other_numbers_is_noticed():
+    """Integers of Python have no limit, those of compiled code have 64 bits."""
+    digits = 20
+    potential = gf.Potential(
+        np.cosh, np.sinh, lambda r: np.cosh(r) * (1e-20 * 10**digits), interval=(-1, 1)
+    )
+    assert row_map(potential, 1)
+    with pytest.raises(InputError, match=r"V'' of the potential is .* in compiled code"):
+        row_map(potential, 2)
+
+
+@pytest.mark.timing
+def test_comparing_costs_little():
+    potential = spring()
+    row_map(potential, 1)
+    assert fastest(lambda: [row_map(potential, 1) for _ in range(100)]) / 100 < 50e-6
 
 
 def test_a_function_that_numba_does_not_know_is_named():

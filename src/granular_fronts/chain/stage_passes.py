@@ -92,47 +92,37 @@ def stage_pass(potential):
     """
     if potential.kind == GIVEN:
         return 0
-    return _pass_of_shape(
-        potential.shape, potential.parameters == (1.5,), len(potential.parameters)
-    ).address
+    shape = potential.shape
+    if shape is kinds.hertz:
+        shape = root_slope if potential.parameters == (1.5,) else power_slope
+    return _pass_of_shape(shape, len(potential.parameters)).address
 
 
 @functools.cache
-def _pass_of_shape(shape, has_root, count):
-    """The pass of a shape; Hertz's own exponent has one with a square root."""
-    hertz_force = root_force if has_root else power_force
-    force = hertz_force if shape is kinds.hertz else _force_of(shape)
-    return callback(STAGE_PASS, error_model="numpy", fastmath=CONTRACT)(_loop(force, 1 + count))
-
-
-@kernel(fastmath=CONTRACT, forceinline=True)
-def root_force(u, numbers):
-    """A coefficient times u₊^{3/2}."""
-    compression = u if u > NEGLIGIBLE else 0.0
-    return numbers[0] * (compression * math.sqrt(compression))
-
-
-@kernel(fastmath=CONTRACT, error_model="numpy", forceinline=True)
-def power_force(u, numbers):
-    """A coefficient times u₊ to an exponent."""
-    # Taken of every number, so that there is no branch and the loop is vectorised.
-    whole = numbers[0] * power(u, numbers[1])
-    return whole if u > NEGLIGIBLE else 0.0
-
-
-def _force_of(shape):
-    """F = −V'(−u) of a shape."""
+def _pass_of_shape(shape, count):
+    """The pass of a shape, F = −V'(−u)."""
     compile_inline(shape)
-
-    @kernel(fastmath=CONTRACT, error_model="numpy", forceinline=True)
-    def force(u, numbers):
-        return numbers[0] * shape(-u, 1, numbers[1:])
-
-    return force
+    return callback(STAGE_PASS, error_model="numpy", fastmath=CONTRACT)(_loop(shape, 1 + count))
 
 
-def _loop(force, size):
-    """The pass of a force; by what it encloses numba's cache tells it from those of others."""
+def root_slope(r, order, p):
+    """(−r)₊^{3/2}, Hertz's own power, in the form of a shape."""
+    compression = -r if -r > NEGLIGIBLE else 0.0
+    return compression * math.sqrt(compression)
+
+
+def power_slope(r, order, p):
+    """(−r)₊^α, p = (α,), in the form of a shape."""
+    # Taken of every number, so that there is no branch and the loop is vectorised.
+    whole = power(-r, p[0])
+    return whole if -r > NEGLIGIBLE else 0.0
+
+
+def _loop(shape, size):
+    """The pass of a shape; by what it encloses numba's cache tells it from those of others.
+
+    The shape is a plain function: a compiled one would differ from process to process.
+    """
 
     def sum_and_take_force(rows, columns, first, terms, last, factor, weights, parameters):
         table = carray(rows, (ROWS_OF_SINGLE, columns))
@@ -141,12 +131,12 @@ def _loop(force, size):
             five = first_five(carray(weights, LONG))
             for n in range(uint64(1), uint64(last + 1)):
                 value = weighted_sum(table, U, D, factor, uint64(first), five, n)
-                table[FORCE, n] = force(value, numbers)
+                table[FORCE, n] = numbers[0] * shape(-value, 1, numbers[1:])
             return
         ten = all_ten(carray(weights, LONG))
         for n in range(uint64(1), uint64(last + 1)):
             value = weighted_sum(table, U, D, factor, uint64(first), ten, n)
-            table[FORCE, n] = force(value, numbers)
+            table[FORCE, n] = numbers[0] * shape(-value, 1, numbers[1:])
 
     return sum_and_take_force
 

@@ -4,6 +4,7 @@ A function of the strain is given arrays; a derivative is compared with a differ
 fourth order of the function before it, at nodes inside the interval.
 """
 
+import functools
 import itertools
 from collections.abc import Callable
 
@@ -40,7 +41,7 @@ def check_functions(functions, low, high, name):
         instance(argument, function, Callable, "give a function of an array of strains")
     if functions[3] is not None:
         instance("third", functions[3], Callable, "give a function of an array of strains, or None")
-    nodes = 0.5 * (low + high) + 0.5 * (high - low) * _gauss_nodes(CHECKED_POINTS)
+    nodes = nodes_inside(low, high)
     symbols = ("V", "V'", "V''", "V'''")
     known = {s: f for s, f in zip(symbols, functions, strict=True) if f is not None}
     for symbol, function in known.items():
@@ -90,5 +91,11 @@ def _check_derivative(function, derivative, nodes, step, symbol, name):
         )
 
 
+def nodes_inside(low, high):
+    """The Gauss nodes of an interval, at which functions are checked."""
+    return 0.5 * (low + high) + 0.5 * (high - low) * _gauss_nodes(CHECKED_POINTS)
+
+
+@functools.cache
 def _gauss_nodes(count):
     return np.polynomial.legendre.leggauss(count)[0]

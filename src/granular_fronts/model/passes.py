@@ -16,8 +16,12 @@ A map is a C function, reached by its address from kernels that need not be comp
 
 for the contacts first … last, both included; `result` is another row than `u`.  Maps of named kinds
 are compiled once for all parameters and cached on disk; those of a user's functions are compiled in
-a fraction of a second whenever a process first asks for them.  Where a law does not hold they give
-no finite number, so that no run leaves its domain unnoticed.
+a fraction of a second for each potential.  Where a law does not hold they give no finite number, so
+that no run leaves its domain unnoticed.
+
+Compilation freezes the values of the variables outside a user's function, while Python sees them
+change.  Whenever a map is asked for, its numbers are compared with those of the function itself, so
+that no run mixes two laws.
 
 Vector code.  Powers of a contact are products with a square root where the exponent is 1/2, 1, 3/2,
 2 or 5/2, and the vector code of `numerics.vector_functions` elsewhere; so are exponentials.
@@ -26,9 +30,11 @@ precision, and arithmetic on the subnormal numbers that their powers lead to is 
 slower.
 """
 
+import ctypes
 import functools
 import inspect
 import math
+from itertools import pairwise
 
 import numba
 import numpy as np
@@ -40,12 +46,17 @@ from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
+from granular_fronts.model.given_functions import nodes_inside
 from granular_fronts.model.potentials import GIVEN
 from granular_fronts.numerics.bits import multiply_add
 from granular_fronts.numerics.compiled import callback, kernel
 from granular_fronts.numerics.vector_functions import exponential, exponential_less_one, power
 
 NEGLIGIBLE = 1.0e-60
+
+# Disagreement of compiled code with Python that rounding may explain, relative to the number and to
+# the largest one: functions with a difference of near numbers lose digits.
+OF_NUMBER, OF_LARGEST = 1.0e-7, 1.0e-10
 
 ROW = types.CPointer(types.float64)
 ROW_MAP = types.void(ROW, ROW, types.int64, types.int64, ROW)
@@ -75,12 +86,14 @@ def row_map(potential, order):
     Raises
     ------
     InputError
-        If numba cannot compile a user's function.
+        If numba cannot compile a user's function, or the compiled one gives other numbers.
     """
     if potential.kind != GIVEN:
         return _map_of_shape(potential.shape, order, len(potential.parameters)).address
-    function = potential.scalar_functions[order]
-    return _map_of_function(function, order, potential.domain, potential.name).address
+    given = potential.with_factor(1.0)
+    address = _map_of_given(given, order).address
+    _compare(address, given, order)
+    return address
 
 
 def row_parameters(potential, order):
@@ -216,9 +229,9 @@ def _compression(u):
 
 
 @functools.cache
-def _map_of_function(function, order, domain, name):
+def _map_of_given(potential, order):
     """The loop of a user's function, compiled in memory; NaN outside the domain ends a run."""
-    low, high = domain
+    function, (low, high) = potential.scalar_functions[order], potential.domain
     # What is no Python function, such as np.sinh, numba either knows or not.
     compiled = numba.njit(**_USER)(function) if inspect.isfunction(function) else function
 
@@ -233,10 +246,52 @@ def _map_of_function(function, order, domain, name):
         return numba.cfunc(ROW_MAP, **_USER)(evaluate_row)
     except NumbaError as error:
         raise InputError(
-            f"V{order * chr(39)} of {name} cannot be compiled for chains: write it of arithmetic, "
-            f"conditions and functions of numpy or math, for one number. Numba says: "
+            f"{_symbol(order)} of {potential.name} cannot be compiled for chains: write it of "
+            "arithmetic, conditions and functions of numpy or math, for one number. Numba says: "
             f"{_first_line(error)}"
         ) from error
+
+
+def _compare(address, potential, order):
+    """Raise if a compiled function, of factor 1, and the function itself give different numbers."""
+    nodes = _nodes(potential)
+    expected, found = potential.derivative(nodes, order), _call(address, -nodes)
+    largest = np.abs(expected).max(where=np.isfinite(expected), initial=0.0)
+    agree = np.abs(found - expected) <= OF_NUMBER * np.abs(expected) + OF_LARGEST * largest
+    differ = np.isfinite(expected) & ~agree
+    if differ.any():
+        worst = int(np.argmax(differ))
+        raise InputError(
+            f"{_symbol(order)} of {potential.name} is {expected[worst]:.9g} at r = "
+            f"{nodes[worst]:.6g}, but {found[worst]:.9g} in compiled code: numba freezes the "
+            "values of variables outside a function when it compiles it. Build the potential "
+            "anew after its constants are set, and write it of functions that numba and numpy "
+            "take alike."
+        )
+
+
+@functools.lru_cache(maxsize=256)
+def _nodes(potential):
+    """Strains inside each interval between kinks."""
+    low, high = potential.domain
+    inside = sorted({kink for kink in potential.kinks if low < kink < high})
+    return np.concatenate([nodes_inside(*ends) for ends in pairwise([low, *inside, high])])
+
+
+def _call(address, u):
+    """What a map without parameters but the factor 1 makes of a row."""
+    result, factor = np.empty_like(u), np.ones(1)
+    _C_MAP(address)(u.ctypes.data, result.ctypes.data, 0, u.size - 1, factor.ctypes.data)
+    return result
+
+
+_C_MAP = ctypes.CFUNCTYPE(
+    None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p
+)
+
+
+def _symbol(order):
+    return "V" + order * "'"
 
 
 def _number(x):

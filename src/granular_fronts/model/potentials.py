@@ -21,7 +21,7 @@ expression.
 
 import difflib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -32,6 +32,13 @@ from granular_fronts.model.kinds import KINDS
 
 GIVEN = "given"
 """Kind of a potential whose functions are the user's."""
+
+
+class Origin:
+    """What tells one potential of a user's functions from every other, even of the same functions.
+
+    Functions may depend on variables outside themselves, whose values change between the two.
+    """
 
 
 @dataclass(frozen=True, init=False)
@@ -45,7 +52,8 @@ class Potential:
     value, first, second, third : callable
         V, V', V'' and V''' (optional), from an array of r to an array of the same shape.  Chains
         compile V' and V'' for single numbers: write them of arithmetic, of conditions by
-        ``np.where``, and of functions of numpy that numba compiles.
+        ``np.where``, and of functions of numpy that numba compiles.  Variables outside them must
+        not change once the potential is in use; after a change build another one.
     interval : tuple of float
         Interval of r in which all strains will lie; the check samples it, and r outside is refused.
     kinks : tuple of float, optional
@@ -71,6 +79,8 @@ class Potential:
         A user's V, V', V'' and V''', of arrays.
     scalar_functions : tuple of callable or None
         The same in the form that is compiled for single numbers.
+    origin : Origin or None
+        Of a user's own potential, shared by its multiples alone.
 
     Raises
     ------
@@ -94,8 +104,9 @@ class Potential:
     parameters: tuple[float, ...]
     domain: tuple[float, float]
     kinks: tuple[float, ...]
-    functions: tuple[Callable, ...] | None
-    scalar_functions: tuple[Callable, ...] | None
+    functions: tuple[Callable, ...] | None = field(compare=False)
+    scalar_functions: tuple[Callable, ...] | None = field(compare=False)
+    origin: Origin | None
 
     def __init__(
         self, value, first, second, third=None, *, interval, kinks=(), name="the potential"
@@ -112,6 +123,7 @@ class Potential:
             kinks=check_kinks(kinks),
             functions=functions,
             scalar_functions=functions,
+            origin=Origin(),
         )
 
     @classmethod
@@ -181,15 +193,15 @@ class Potential:
 
     def value(self, r):
         """V(r), from an array of r to an array of the same shape."""
-        return self._derivative(r, 0)
+        return self.derivative(r, 0)
 
     def first(self, r):
         """V'(r)."""
-        return self._derivative(r, 1)
+        return self.derivative(r, 1)
 
     def second(self, r):
         """V''(r)."""
-        return self._derivative(r, 2)
+        return self.derivative(r, 2)
 
     @property
     def third(self):
@@ -198,9 +210,10 @@ class Potential:
         return self._third if known else None
 
     def _third(self, r):
-        return self._derivative(r, 3)
+        return self.derivative(r, 3)
 
-    def _derivative(self, r, order):
+    def derivative(self, r, order):
+        """The derivative of an order from 0 to 3; 3 only where `third` is known."""
         r = np.asarray(r, dtype=float)
         with np.errstate(all="ignore"):
             if self.functions is not None:
@@ -209,7 +222,11 @@ class Potential:
 
     def scaled(self, factor):
         """The potential times a number of 0 or more."""
-        return self._of(**vars(self) | {"factor": self.factor * factor})
+        return self.with_factor(self.factor * factor)
+
+    def with_factor(self, factor):
+        """The same functions with another factor."""
+        return self._of(**vars(self) | {"factor": factor})
 
     def ratio_to(self, other):
         """The number a for which this potential is a times the other one; None if there is none."""
@@ -278,6 +295,7 @@ def make_potential(kind, **parameters):
         kinks=described.kinks,
         functions=None,
         scalar_functions=None,
+        origin=None,
     )
 
 
