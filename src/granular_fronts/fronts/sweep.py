@@ -118,7 +118,8 @@ def _stretch(problem, dampings):
     found = follow(start, dampings, ORDER)
     again = follow(finer, dampings[: len(found)], REFINED_ORDER)
     common = min(len(found), len(again))
-    return found[:common], again[:common], ""
+    reason = "" if common else "the front fails a check on the grid of the sweep"
+    return found[:common], again[:common], reason
 
 
 def _alone(problem):
@@ -139,9 +140,12 @@ def _describe(problem, name, places, values, others, estimate, reasons):
     """The dataset of a sweep on the coordinate `name`."""
     errors = _errors(problem, values, others)
     accepted = ACCEPTED_ERROR * problem.size
-    doubtful = estimate > accepted
-    for k in np.nonzero(doubtful)[0]:
+    # The negation also holds for NaN, which compares with nothing.
+    doubtful = ~(estimate <= accepted)
+    for k in np.flatnonzero(doubtful & (reasons == "")):
         reasons[k] = f"the front errs by about {estimate[k]:.1e}, more than {accepted:g}"
+        if math.isnan(estimate[k]):
+            reasons[k] = "the error of the front cannot be estimated"
     values[doubtful] = math.nan
     variables = {
         column: (name, values[:, k], {"error_method": ERROR_METHOD} if column in MEASURES else {})
