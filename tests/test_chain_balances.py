@@ -6,6 +6,7 @@ from chains import driven_scene, ring_scene, smooth_ring
 
 import granular_fronts as gf
 from granular_fronts.chain import equations, run, state
+from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain, solve
 from granular_fronts.studies.hard_cases.contact_cases import squeezed_chain
@@ -79,6 +80,16 @@ def test_ring_balances_close(alpha, beta):
     assert solution.drifts["momentum_drift"] < 5.0e-15
     assert solution.drifts["energy_drift"] < 1.0e-13
     assert final.sum() == pytest.approx(u.sum(), abs=1.0e-13)
+
+
+def test_a_drift_that_is_no_number_is_not_lost():
+    scene = driven_scene(end_time=1.0)
+    prepared = run.prepare(scene)
+    balances = Balances(prepared)
+    for rate in (np.nan, 0.0):
+        prepared.table[state.D, 1] = rate
+        balances.check(prepared)
+    assert np.isnan(balances.drifts()["momentum_drift"])
 
 
 def test_energy_is_lost_only_to_damping():

@@ -183,3 +183,22 @@ def test_nan_between_the_states_is_named():
     broken = gf.Potential(exact.value, exact.first, second, interval=(-1.0, 0.1), name="mine")
     with pytest.raises(ValueError, match=r"V'' of mine is nan at r = -0\.[45]"):
         jump_conditions(broken, -1.0, 0.0)
+
+
+def test_states_lie_where_the_viscous_potential_holds():
+    narrow = gf.Potential(
+        lambda r: r**2,
+        lambda r: 2.0 * r,
+        np.vectorize(lambda r: 2.0),
+        interval=(-0.5, 0.5),
+        name="W",
+    )
+    law = gf.make_law(elastic={"kind": "toda"}, viscous=narrow)
+    assert gf.jump_conditions(law, -0.4, 0.0).direction == 1
+    for refused in (
+        lambda: gf.jump_conditions(law, -1.0, 0.0),
+        lambda: gf.jump_conditions(law.elastic, -1.0, 0.0, dissipation=narrow),
+        lambda: gf.solve_front(law=law, states=(-1.0, 0.0)),
+    ):
+        with pytest.raises(ValueError, match=r"is -1\.0, but .*W is defined from -0.5 to 0.5"):
+            refused()

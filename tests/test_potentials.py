@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 from potentials import NO_DISSIPATION, fpu, hertz, lennard_jones, morse, toda
 
+from granular_fronts.errors import InputError
 from granular_fronts.model.kinds import KINDS
+from granular_fronts.model.passes import row_map
 from granular_fronts.model.potentials import Potential, make_potential
 
 DIGITS = 40
@@ -79,6 +81,47 @@ def test_expression_is_differentiated():
     np.testing.assert_array_equal(harmonic.second(points), np.ones(7))
     with pytest.raises(ValueError, match=r"depends on k besides r"):
         Potential.from_expression(sympy.Symbol("k") * r**2, r, interval=(-1.0, 1.0))
+
+
+def test_contact_by_a_maximum_is_that_of_hertz():
+    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
+    r, expected = sympy.Symbol("r"), hertz(1.5)
+    contact = sympy.Max(-r, 0) ** sympy.Rational(5, 2) / sympy.Rational(5, 2)
+    found = Potential.from_expression(contact, r, interval=(-2.0, 1.0), kinks=(0.0,))
+    points = np.linspace(-1.9, 0.9, 8)
+    for name in ("value", "first", "second", "third"):
+        np.testing.assert_allclose(
+            getattr(found, name)(points), getattr(expected, name)(points), rtol=1e-14
+        )
+
+
+def test_modulus_is_differentiated_as_of_real_numbers():
+    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
+    r = sympy.Symbol("r")
+    found = Potential.from_expression(sympy.Abs(r) ** 3, r, interval=(-2.0, 2.0))
+    np.testing.assert_array_equal(found.first([-1.0, 0.5]), [-3.0, 0.75])
+
+
+@pytest.mark.parametrize("name", ["DiracDelta", "zeta"])
+def test_expression_without_a_number_is_named(name):
+    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
+    r = sympy.Symbol("r")
+    with pytest.raises(
+        InputError, match=rf"{name}\(r\) or a derivative .* write it with Piecewise"
+    ):
+        Potential.from_expression(getattr(sympy, name)(r), r, interval=(-2.0, 2.0))
+
+
+def test_polynomial_of_numpy_makes_a_potential():
+    """It has no hash of its own; numba does not compile it, and a sentence says so."""
+    quartic = np.polynomial.Polynomial([0.0, 0.0, 0.5, 0.1, 0.2])
+    found = Potential(
+        quartic, quartic.deriv(), quartic.deriv(2), interval=(-1.0, 1.0), name="the quartic"
+    )
+    assert len({found, found.scaled(2.0)}) == 2
+    np.testing.assert_array_equal(found.first([-0.5]), quartic.deriv()(np.array([-0.5])))
+    with pytest.raises(InputError, match="V' of the quartic cannot be compiled for chains"):
+        row_map(found, 1)
 
 
 def make(interval=(-1.0, 1.0), **replaced):

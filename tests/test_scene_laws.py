@@ -14,6 +14,7 @@ from granular_fronts.scenes.validation import check_scene
 
 TODA = {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}}
 SHORT = {"alpha": 1.5, "beta": 2.5, "gamma": 0.2}
+REST = {"kind": "rest"}
 LONG = {
     "elastic": {"kind": "hertz", "alpha": 1.5},
     "viscous": {"kind": "simon_hunt_crossley", "gamma": 0.2},
@@ -52,6 +53,7 @@ def test_both_forms_of_one_law_make_one_motion():
         {"kind": "pressure", "left": 0.3, "right": 0.1},
         {"kind": "pressure", "left": -0.3, "right": 0.0},
         {"kind": "piston", "velocity": 0.3, "ramp": 2.0},
+        {"kind": "piston", "velocity": -0.3},
         {"kind": "ring"},
     ],
     ids=lambda boundary: boundary["kind"],
@@ -87,6 +89,14 @@ def test_a_users_law_is_a_law_like_any_other():
     assert np.abs(found - linear).max() > 1e-16
 
 
+def test_a_mapping_may_hold_a_users_potential():
+    mapping = {"elastic": cosh(), "viscous": {"kind": "proportional", "gamma": 0.2}}
+    checked = check_scene("chain", scene(mapping), "mine")
+    assert checked["law"] == gf.make_law(mapping)
+    with pytest.raises(InputError, match=r"^Scene mine: law: 'lineal' is no kind of viscous"):
+        check_scene("chain", scene(mapping | {"viscous": {"kind": "lineal"}}), "mine")
+
+
 def test_no_motion_leaves_the_interval_of_a_users_law_unnoticed():
     """The front overshoots the compression that presses it."""
     functions = (lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh)
@@ -94,8 +104,55 @@ def test_no_motion_leaves_the_interval_of_a_users_law_unnoticed():
         gf.make_law(elastic=gf.Potential(*functions, interval=(-most, 1.0))) for most in (1.0, 0.31)
     )
     assert gf.simulate_chain(scene(wide))["relative_displacement"].max() > 0.31
-    with pytest.raises(SolveError, match="not a finite number"):
+    with pytest.raises(SolveError, match=r"leaves the interval from -0\.31 to 1 in which"):
         gf.simulate_chain(scene(narrow))
+
+
+def barrier():
+    """Infinite at rest: −ln(−r), of compressed chains alone."""
+    return gf.Potential(
+        lambda r: -np.log(-r), lambda r: -1.0 / r, lambda r: r**-2.0, interval=(-2.0, -0.01)
+    )
+
+
+def compressed(boundary, end_time=3.0):
+    """Four beads of the barrier, pressed everywhere, held by a boundary."""
+    ring, velocity = boundary["kind"] == "ring", boundary.get("velocity", 0.0)
+    u = [0.5, 0.6, 0.5, 0.4] if ring else [0.5, 0.6, 0.5]
+    start = {"kind": "given", "relative_displacement": u, "velocity": [velocity, 0.0, 0.0, 0.0]}
+    changes = {"boundary": boundary, "start": start, "end_time": end_time, "beads": 4}
+    record = {"snapshots": [end_time], "balances": True}
+    return scene(gf.make_law(elastic=barrier()), record=record, **changes)
+
+
+@pytest.mark.parametrize(
+    "boundary",
+    [
+        {"kind": "ring"},
+        {"kind": "piston", "velocity": 0.05, "right": 0.4},
+        {"kind": "pressure", "left": 0.5, "right": 0.4},
+    ],
+    ids=lambda boundary: boundary["kind"],
+)
+def test_a_law_need_not_hold_at_rest(boundary):
+    motion = gf.simulate_chain(compressed(boundary))
+    assert motion.attrs["momentum_drift"] < 1e-13
+    assert motion.attrs["energy_drift"] < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"boundary": {"kind": "piston", "velocity": 0.0}}, "boundary.right is 0, but the law"),
+        (
+            {"boundary": {"kind": "pressure", "left": 0.5, "right": 0.4}, "start": REST},
+            "start.relative_displacement of a chain at rest is 0, but the law",
+        ),
+    ],
+)
+def test_a_held_end_and_a_chain_at_rest_lie_where_the_law_holds(changes, words):
+    with pytest.raises(InputError, match=words):
+        check_scene("chain", compressed({"kind": "ring"}) | {"beads": 4} | changes, "mine")
 
 
 def test_a_file_says_which_law_it_was(tmp_path):
@@ -132,6 +189,10 @@ def test_a_file_says_which_law_it_was(tmp_path):
         (
             {"law": SHORT, "boundary": {"kind": "pressure", "left": -0.1, "right": 0}},
             "boundary.left is -0.1, below its limit 0",
+        ),
+        (
+            {"law": SHORT, "boundary": {"kind": "piston", "velocity": -0.1}},
+            "boundary.velocity is -0.1, but must be above 0",
         ),
         (
             {"law": SHORT, "record": {"snapshots": [], "arrival_level": -0.1}},

@@ -38,6 +38,9 @@ class Balances:
         stored = now.energy - self._start.energy + run.clock.dissipated
         if run.boundary.piston:
             self._check_piston(run, now, stored)
+        elif run.boundary.ring:
+            self._note("momentum", now.velocity.sum() - run.momentum, np.abs(now.velocity).sum())
+            self._note("energy", stored, now.energy)
         else:
             self._check_pressure(run, now, stored)
 
@@ -80,8 +83,9 @@ class Balances:
         }
 
     def _note(self, law, drift, scale):
-        self._drift[law] = max(self._drift[law], abs(drift))
-        self._scale[law] = max(self._scale[law], abs(scale))
+        # Unlike max, the maximum of numpy is NaN where one of the two is.
+        self._drift[law] = np.maximum(self._drift[law], abs(drift))
+        self._scale[law] = np.maximum(self._scale[law], abs(scale))
 
 
 def _measure(run):

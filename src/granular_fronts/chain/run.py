@@ -29,6 +29,7 @@ from granular_fronts.chain.state import (
 )
 from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import SolveError
+from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.numerics.runge_kutta import STAGES
 
@@ -39,6 +40,8 @@ MARGIN_WITHOUT_STIFFNESS = 4
 STEPS_PER_BLOCK = 2000
 # Where a stiff run needs the explicit pair for a while, it tries the implicit steps this often.
 STEPS_BETWEEN_ATTEMPTS = 100
+# How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
+CLOSE_TO_AN_END = 1.0e-6
 
 
 class Run(NamedTuple):
@@ -236,10 +239,19 @@ def _cause(status, run):
     u, new_u = run.table[U, contacts], run.table[NEW_U, contacts]
     if status == integrator.OPENED:
         bead = 1 + int(np.argmin(new_u))
+        is_hertzian = run.law.elastic.shape is kinds.hertz
+        which = "For alpha < 1" if is_hertzian else f"For {run.law.elastic.name}"
         return (
-            f"At t = {t:.6g} the contact of beads {bead} and {bead + 1} opens. For alpha < 1 the "
+            f"At t = {t:.6g} the contact of beads {bead} and {bead + 1} opens. {which} the "
             "force is not differentiable there and the motion is not known to be unique: "
             "precompress the chain, lower the load, or end the run earlier."
+        )
+    if status == integrator.NOT_FINITE and _comes_to_an_end(run.law, u).any():
+        bead, (low, high) = 1 + int(np.argmax(_comes_to_an_end(run.law, u))), run.law.domain
+        return (
+            f"At t = {t:.6g} the strain of contact {bead} leaves the interval from {low:g} to "
+            f"{high:g} in which the law holds: take a law with a wider interval, lower the load, "
+            "or end the run earlier."
         )
     if status == integrator.NOT_FINITE:
         bead = 1 + int(np.argmax(~np.isfinite(new_u)))
@@ -253,3 +265,10 @@ def _cause(status, run):
         f"at bead {bead}: the tolerance cannot be met in double precision; raise "
         "tolerance.relative or tolerance.absolute."
     )
+
+
+def _comes_to_an_end(law, u):
+    """Whether each strain −u is as good as at an end of the law's domain."""
+    low, high = law.domain
+    size = max((abs(end) for end in law.domain if np.isfinite(end)), default=0.0)
+    return np.minimum(-u - low, high + u) <= CLOSE_TO_AN_END * size

@@ -7,7 +7,7 @@ a time :math:`(F(u)/u)^{-1/2}`, eq. (14) for a chain uncompressed ahead of it.  
 .. math:: S = 4 G'(u) \sqrt{\frac{u}{F(u)}}
         = 4\beta\gamma\, u^{\beta-1}\, u^{(1-\alpha)/2} \quad\text{for the law (28)}
 
-tells how many explicit steps an accurate step is cut into.  Measured on chains of 420 beads (target
+is the number of explicit steps an accurate step is cut into.  Measured on chains of 420 beads (target
 `stiff_damping`), the implicit steps (`implicit_step`) win in proportion to S.  At S = 17 they lose,
 at S = 67 they win at moderate accuracy and draw at errors of 1e-12; `STIFF` stands a little higher,
 where they win at all of them.

@@ -118,7 +118,8 @@ def _stretch(problem, dampings):
     found = follow(start, dampings, ORDER)
     again = follow(finer, dampings[: len(found)], REFINED_ORDER)
     common = min(len(found), len(again))
-    return found[:common], again[:common], ""
+    reason = "" if common else "the front fails a check on the grid of the sweep"
+    return found[:common], again[:common], reason
 
 
 def _alone(problem):
@@ -139,10 +140,13 @@ def _describe(problem, name, places, values, others, estimate, reasons):
     """The dataset of a sweep on the coordinate `name`."""
     errors = _errors(problem, values, others)
     accepted = ACCEPTED_ERROR * problem.size
-    doubtful = estimate > accepted
-    for k in np.nonzero(doubtful)[0]:
+    # The negation also holds for NaN, which compares with nothing.
+    inaccurate = ~(estimate <= accepted)
+    for k in np.flatnonzero(inaccurate & (reasons == "")):
         reasons[k] = f"the front errs by about {estimate[k]:.1e}, more than {accepted:g}"
-    values[doubtful] = math.nan
+        if math.isnan(estimate[k]):
+            reasons[k] = "the error of the front cannot be estimated"
+    values[inaccurate] = math.nan
     variables = {
         column: (name, values[:, k], {"error_method": ERROR_METHOD} if column in MEASURES else {})
         for k, column in enumerate(COLUMNS)

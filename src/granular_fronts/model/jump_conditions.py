@@ -145,7 +145,7 @@ def jump_conditions(law, R_minus, R_plus, *, mass=1.0, dissipation=None):
     """
     potential, dissipation = _potentials(law, dissipation)
     mass = scalar("mass", mass, above=0.0, advice="give the bead's mass")
-    R_minus, R_plus = _check_states(potential, R_minus=R_minus, R_plus=R_plus)
+    R_minus, R_plus = _check_states(potential, dissipation, R_minus=R_minus, R_plus=R_plus)
     with double_precision("The front", "bring the states and the mass closer to 1"):
         return _conditions(potential, R_minus, R_plus, mass, dissipation)
 
@@ -312,13 +312,17 @@ def _potentials(law, dissipation):
     return law.elastic, law.viscous
 
 
-def _check_states(potential, **states):
-    """Two different states inside the potential's domain, as floats."""
-    low, high = potential.domain
-    advice = f"{potential.name} is defined from {low:g} to {high:g}, so give a state inside"
-    R_minus, R_plus = (
-        scalar(name, R, least=low, most=high, advice=advice) for name, R in states.items()
-    )
+def _check_states(*potentials, **states):
+    """Two different states inside the domains of the potentials, as floats."""
+    for potential in potentials:
+        if potential is None:
+            continue
+        low, high = potential.domain
+        advice = f"{potential.name} is defined from {low:g} to {high:g}, so give a state inside"
+        states = {
+            name: scalar(name, R, least=low, most=high, advice=advice) for name, R in states.items()
+        }
+    R_minus, R_plus = states.values()
     if R_minus == R_plus:
         raise InputError(
             f"R_minus and R_plus are both {R_minus}, but a front joins two different states "

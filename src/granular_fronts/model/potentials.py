@@ -20,7 +20,7 @@ expression.
 """
 
 import difflib
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -114,6 +114,7 @@ class Potential:
         low, high = check_interval(interval)
         functions = (value, first, second, third)
         check_functions(functions, low, high, name)
+        functions = tuple(map(_hashable, functions))
         self.__dict__.update(
             name=name,
             kind=GIVEN,
@@ -155,7 +156,7 @@ class Potential:
         Raises
         ------
         InputError
-            If the expression has other symbols, or fails the check of `Potential`.
+            If the expression has other symbols, has no numbers, or fails the check of `Potential`.
 
         Examples
         --------
@@ -173,17 +174,26 @@ class Potential:
                 f"The expression {expression} depends on {', '.join(others)} besides {symbol}: "
                 "substitute numbers for everything else."
             )
-        derivatives = [sympy.diff(expression, symbol, order) for order in range(4)]
-        of_arrays, of_numbers = (
-            [sympy.lambdify(symbol, derivative, language) for derivative in derivatives]
-            for language in ("numpy", "math")
-        )
-        potential = cls(
-            *map(_on_arrays, of_arrays),
-            interval=interval,
-            kinks=kinks,
-            name=name or str(expression),
-        )
+        # Of a real number |r| and max(r, 0) have derivatives, which their pieces give.
+        r = sympy.Symbol("r", real=True)
+        pieces = sympy.sympify(expression).subs(symbol, r).rewrite(sympy.Piecewise)
+        derivatives = [sympy.diff(pieces, r, order) for order in range(4)]
+        try:
+            of_arrays, of_numbers = (
+                [sympy.lambdify(r, derivative, language) for derivative in derivatives]
+                for language in ("numpy", "math")
+            )
+            potential = cls(
+                *map(_on_arrays, of_arrays),
+                interval=interval,
+                kinks=kinks,
+                name=name or str(expression),
+            )
+        except (NameError, NotImplementedError) as error:
+            raise InputError(
+                f"The expression {expression} or a derivative is unknown to numpy: write it with "
+                f"Piecewise. SymPy says: {str(error).splitlines()[0]}"
+            ) from error
         return cls._of(**vars(potential) | {"scalar_functions": tuple(of_numbers)})
 
     @property
@@ -332,6 +342,13 @@ def _number(kind, name, parameter, given):
         least=parameter.least,
         advice=f"give {kind} such a number",
     )
+
+
+def _hashable(function):
+    """A callable, in a function if it has no hash, as polynomials of numpy have none."""
+    if function is None or isinstance(function, Hashable):
+        return function
+    return lambda r: function(r)
 
 
 def _on_arrays(function):

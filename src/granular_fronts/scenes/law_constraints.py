@@ -22,6 +22,9 @@ FORMING_TIME = 16.0
 Of α = 1 the width from 90 to 10 per cent grows like 2.56 (γt)^(1/2); it is seen at a quarter too.
 """
 
+HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set()}
+"""Ends at which each kind of boundary holds a relative displacement."""
+
 THETA_END_ERROR = 1.0e-9
 """Rounding of end_time over a step of the θ-method, relative to end_time."""
 
@@ -39,7 +42,7 @@ def softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
 
 
 def ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
-    """No end pulls, and no level of arrival is stretched, where contacts open instead."""
+    """No end or piston pulls, and no level of arrival is stretched, where contacts open."""
     if exponent_of(scene["law"]) is None:
         return
     boundary = scene["boundary"]
@@ -47,16 +50,22 @@ def ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
     for key, value in found.items():
         if value < 0:
             yield f"{key} is {value}, below its limit 0: give 0 or more."
+    velocity = boundary.get("velocity", 1)
+    if velocity <= 0:
+        yield f"boundary.velocity is {velocity}, but must be above 0: give a number above 0."
     level = scene["record"].get("arrival_level", 1)
     if level <= 0:
         yield f"record.arrival_level is {level}, but must be above 0: give a number above 0."
 
 
 def strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
-    """The law holds for the contacts at the ends and at the start."""
+    """The law holds for the contacts at the ends that are held, and at the start."""
     low, high = domain_of(scene["law"])
     boundary, start = scene["boundary"], scene["start"]
-    found = {f"boundary.{end}": boundary.get(end, 0) for end in ("left", "right")}
+    held = sorted(HELD_ENDS[boundary["kind"]])
+    found = {f"boundary.{end}": boundary.get(end, 0) for end in held}
+    if start["kind"] == "rest":
+        found["start.relative_displacement of a chain at rest"] = 0
     found |= {
         name_entry("start.relative_displacement", index): u
         for index, u in enumerate(start.get("relative_displacement", []))

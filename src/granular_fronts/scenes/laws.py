@@ -41,9 +41,18 @@ def made_law(law: object):
     InputError
         If the law is impossible.
     """
+    if is_of_potentials(law):
+        from granular_fronts.model.laws import make_law
+
+        return make_law(law)
     if isinstance(law, Mapping):
         return _made(json.dumps(law, sort_keys=True))
     return law
+
+
+def is_of_potentials(law: object) -> bool:
+    """Whether a law is a mapping with a potential that is made already, as Python can give it."""
+    return isinstance(law, Mapping) and any(hasattr(part, "domain") for part in law.values())
 
 
 @functools.lru_cache
@@ -124,5 +133,7 @@ def _decades_of_energy(potential, size):
         return -math.inf
     if potential.kind in ("hertz", "power"):
         return math.log10(potential.factor) + (potential.parameters[0] + 1.0) * size
-    energy = abs(float(potential.value(-(10.0**size)) - potential.value(0.0)))
+    low, high = potential.domain
+    at_rest = potential.value(0.0) if low < 0.0 < high else 0.0
+    energy = abs(float(potential.value(-(10.0**size)) - at_rest))
     return math.log10(min(energy, sys.float_info.max)) if energy else -math.inf

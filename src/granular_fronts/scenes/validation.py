@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase, steps_fit_ranges
-from granular_fronts.scenes.laws import law_errors
+from granular_fronts.scenes.laws import is_of_potentials, law_errors, made_law
 from granular_fronts.scenes.scales import energies_are_representable
 from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sizes import size_errors
@@ -28,7 +28,8 @@ def check_scene(family: str, scene: Mapping, name: str) -> dict:
     family : str
         Key under ``scenes`` of the configuration, for example ``chain``.
     scene : Mapping
-        One entry of that family; numpy arrays and numbers are welcome, and so is a `Law`.
+        One entry of that family; numpy arrays and numbers are welcome, and so is a `Law`, or a
+        mapping of which `make_law` makes one.
     name : str
         What the sentences call the scene.
 
@@ -44,6 +45,9 @@ def check_scene(family: str, scene: Mapping, name: str) -> dict:
     """
     scene = _plain(scene)
     place = ("scenes", family, name)
+    if isinstance(scene, dict) and is_of_potentials(scene.get("law")):
+        raise_if_any([f"Scene {name}: {error}" for error in law_errors(scene)])
+        scene["law"] = made_law(scene["law"])
     # A law that is made already obeys the schema.
     has_law = hasattr(scene.get("law"), "elastic") if isinstance(scene, dict) else False
     as_written = scene | {"law": ANY_LAW} if has_law else scene

@@ -4,7 +4,7 @@ For any V and W the speed (13), the direction (17), the jump of the velocity (12
 (16) follow from the two states alone.  They are measured here in three ways.
 
 Exact front (`fronts.solve`): its speed is an unknown of the equations, and its power an integral
-over the profile.  The discrete equations imply (13) as the exact ones do, so that this speed tells
+over the profile.  The discrete equations imply (13) as the exact ones do, so that this speed shows
 whether the front reaches both states, and the power whether it is resolved.  Error: change on a
 finer grid, by another order, on a longer window, and rounding.
 
