@@ -119,7 +119,7 @@ def power_slope(r, order, p):
 
 
 def _loop(shape, size):
-    """The pass of a shape; by what it encloses numba's cache keeps it apart from those of others.
+    """The pass of a shape; by what it encloses numba's cache keeps it apart from others.
 
     The shape is a plain function: a compiled one would differ from process to process.
     """

@@ -158,7 +158,7 @@ def _map_of_shape(shape, order, count):
 
 
 def _loop(shape, order, size):
-    """The loop of a shape; by what it encloses numba's cache keeps it apart from those of others."""
+    """The loop of a shape; by what it encloses numba's cache keeps it apart from others."""
 
     def evaluate_row(u, result, first, last, parameters):
         numbers = to_fixed_tuple(carray(parameters, size), size)
