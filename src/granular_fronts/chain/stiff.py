@@ -7,10 +7,10 @@ a time :math:`(F(u)/u)^{-1/2}`, eq. (14) for a chain uncompressed ahead of it.  
 .. math:: S = 4 G'(u) \sqrt{\frac{u}{F(u)}}
         = 4\beta\gamma\, u^{\beta-1}\, u^{(1-\alpha)/2} \quad\text{for the law (28)}
 
-is the number of explicit steps an accurate step is cut into.  Measured on chains of 420 beads (target
-`stiff_damping`), the implicit steps (`implicit_step`) win in proportion to S.  At S = 17 they lose,
-at S = 67 they win at moderate accuracy and draw at errors of 1e-12; `STIFF` stands a little higher,
-where they win at all of them.
+is the number of explicit steps an accurate step is cut into. Measured on chains of 420 beads
+(target `stiff_damping`), the implicit steps (`implicit_step`) win in proportion to S. At S = 17
+they lose, at S = 67 they win at moderate accuracy and draw at errors of 1e-12; `STIFF` stands a
+little higher, where they win at all of them.
 
 Step size.  The end point is compared with the polynomial through the start and the other stages, a
 difference of order 5.  The end point itself is far better: relative to the largest compression, its
