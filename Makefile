@@ -2,11 +2,14 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-# Twice quiet leaves the errors: warnings here tell of a machine's own settings, not of the project.
+# Twice quiet leaves the errors: warnings here concern a machine's own settings, not of the project.
 PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip --quiet --quiet
 
 # The workflow compiles its kernels into this folder; the tests find them there.
 export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
+
+# Tests run side by side, those of one file one after the other.
+SIDE_BY_SIDE := --numprocesses auto --dist loadfile
 
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
@@ -27,11 +30,12 @@ help: ## Print these targets, and those of the workflow where it is installed.
 
 test: lint ## Check the style and run the fast tests.
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
-	@$(BIN)/pytest
+	@$(BIN)/pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
+	@$(BIN)/pytest -m timing
 
 slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests (about twenty minutes)."
-	@$(BIN)/pytest -m slow
+	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
 lint: .venv/installed ## Check the style and the workflow's rules.
 	@echo "Checking style and the workflow's rules."

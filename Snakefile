@@ -1,5 +1,10 @@
 """Figures, tables and report of the paper from nothing: `snakemake -c2`, or name one target."""
 
+from snakemake.utils import min_version
+
+# The version that the tests run.
+min_version("9.27")
+
 
 include: "workflow/rules/common.smk"
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from granular_fronts.chain import strain
+from granular_fronts.chain import integrator, strain
 from granular_fronts.chain.equations import Boundary
-from granular_fronts.chain.run import load_state
-from granular_fronts.chain.state import Size
-from granular_fronts.numerics.runge_kutta import NEW_SLOPE
+from granular_fronts.chain.run import make_chain
+from granular_fronts.chain.state import NEW_U, D, U
+from granular_fronts.numerics.runge_kutta import NEW_SLOPE, SLOT
 
 TIGHT = {"relative": 1.0e-13, "absolute": 1.0e-15}
 
@@ -38,15 +38,18 @@ def smooth_ring(beads=24):
     return 1.0 + 0.5 * np.cos(phase), 0.15 * np.sin(phase / 2.0) + 0.05 * np.cos(phase)
 
 
+def take_fixed_steps(chain, table, h, steps):
+    """Fixed steps of a chain on all its beads, without output or events."""
+    for _ in range(steps):
+        strain.try_step(chain, table, h, chain.beads, False)
+        strain.take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
+        strain.accept(chain, table, chain.beads)
+
+
 def integrate_strain_fixed(law, u, velocity, h, steps):
     """Fixed steps of the strain form on a ring; returns u and d of all beads."""
-    beads = u.size
-    size = Size(beads, beads)
-    state = load_state(law, size, Boundary(ring=True), u, velocity)
-    strain.evaluate_slopes(law, size, state, state.u, 0, beads)
-    for _ in range(steps):
-        strain.try_step(law, size, state, h, beads)
-        strain.evaluate_slopes(law, size, state, state.new_u, NEW_SLOPE, beads)
-        strain.accept(state, beads)
-    inside = slice(1, beads + 1)
-    return state.u[inside].copy(), state.d[inside].copy()
+    chain, table = make_chain(law, Boundary(ring=True), u, velocity)
+    integrator.begin(chain, table)
+    take_fixed_steps(chain, table, h, steps)
+    inside = slice(1, u.size + 1)
+    return table[U, inside].copy(), table[D, inside].copy()

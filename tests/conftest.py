@@ -1,7 +1,10 @@
 """What several test modules are given."""
 
 import pytest
+from configurations import DEFAULT
 from projects import copy_project, snakemake
+
+from granular_fronts.scenes.yaml_files import load_configuration
 
 
 @pytest.fixture(scope="session")
@@ -11,3 +14,9 @@ def finished(tmp_path_factory):
     run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
     assert run.returncode == 0, run.stderr
     return copy
+
+
+@pytest.fixture
+def default():
+    """The default configuration, a test's own copy."""
+    return load_configuration(DEFAULT)

@@ -2,16 +2,19 @@
 
 import inspect
 import math
+import tempfile
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
+from potentials import hertz
+from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts import arguments
 from granular_fronts.errors import InputError
-from granular_fronts.model.potentials import generalised_hertz
 
 HUGE = 10**400
 
@@ -41,6 +44,15 @@ CHAIN = {
 
 # A possible value of every parameter of every public function; its type says what is impossible.
 POSSIBLE = {
+    "Potential": {
+        "value": lambda r: 1.0 - np.cos(r),
+        "first": np.sin,
+        "second": np.cos,
+        "third": lambda r: -np.sin(r),
+        "interval": np.array([-1.0, 1.0]),
+        "kinks": np.array([0.0]),
+        "name": "cosine",
+    },
     "Scaling": {
         "mass": 0.1,
         "stiffness": 1.0e9,
@@ -49,29 +61,40 @@ POSSIBLE = {
         "alpha": 1.5,
         "beta": 1.5,
     },
+    "check_certificate": {"path": ROOT / "tests/test_proof_data/overshoot.npz"},
+    "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
     "evolve_log_burgers": {"scene": {}, "name": "given"},
     "front_multipliers": {"front": a_front(), "beads_behind": 20, "beads_ahead": 5},
     "heteroclinic": {"mu": 1.0, "s": np.array([0.0, 1.0])},
     "jump_conditions": {
-        "potential": generalised_hertz(1.5),
+        "law": hertz(1.5),
         "R_minus": -1.0,
         "R_plus": 0.0,
         "mass": 1.0,
-        "dissipation": generalised_hertz(1.5),
+        "dissipation": hertz(1.5),
     },
     "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
+    "prove_front": {
+        "alpha": Fraction(2),
+        "gamma": Fraction(3, 10),
+        "path": Path(tempfile.mkdtemp()) / "front.npz",
+        "cells": 20,
+        "fine": 40,
+        "drift": 6e-4,
+    },
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
     "simulate_chain": {"scene": CHAIN, "name": "given"},
-    "solve_front": LAW | {"method": "profile", "right_state": 0.0},
-    "sweep_fronts": LAW | {"gammas": np.array([0.3, 0.2])},
+    "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
+    "sweep_fronts": LAW
+    | {"gammas": np.array([0.3, 0.2]), "law": None, "states": None, "factors": None},
     "tail_roots": LAW | {"count": 6},
 }
 del POSSIBLE["sweep_fronts"]["gamma"]
 
-# The name of a scene is what messages call it, whatever it is.
-FREE = {("evolve_log_burgers", "name"), ("simulate_chain", "name")}
+# A name is what messages call something, whatever it is.
+FREE = {("Potential", "name"), ("evolve_log_burgers", "name"), ("simulate_chain", "name")}
 
 NEVER_A_NUMBER = ["1.5", b"1.5", 1.5j, True, {}, {"a": 1.0}, math.nan, math.inf, -math.inf, HUGE]
 SEVERAL = [[1.5], np.array([1.5, 2.0]), np.array([]), (1.5, "x")]
@@ -80,6 +103,11 @@ IMPOSSIBLE = {
     int: [*NEVER_A_NUMBER, *SEVERAL, 1.5, 0, -5, 20.5],
     np.ndarray: [*NEVER_A_NUMBER, [0.5, math.nan], [0.5, None], [[1.0], [1.0, 2.0]], ["0.5"]],
     str: ["nothing of the kind", b"tail", 1.5, ["tail"], np.array([1.0, 2.0])],
+    Fraction: [
+        *["text", "1.5 m", "1/0", "", "1e999999999", b"1.5", *NEVER_A_NUMBER[2:], *SEVERAL],
+        *[0, -1.5, "-3/2", "1" * 19, [0.3, math.nan], [0.2, 0.3, 0.4], [0.3, 0.2]],
+    ],
+    type(Path()): [b"file", "", "a\0b", *NEVER_A_NUMBER[2:], 1.5, *SEVERAL],
     dict: ["text", 1.5, 1.5j, [1.5], np.array([1.0, 2.0])],
 }
 NO_OBJECTS = ["text", 1.5, 1.5j, math.nan, {}, [1.5], np.array([1.0, 2.0])]
@@ -94,6 +122,11 @@ OUT_OF_RANGE = [
     *[(name, "beta", v) for name in ("Scaling", "restitution", "solve_front") for v in (0.5, -1)],
     *[(name, "gamma", v) for name in ("solve_front", "tail_roots") for v in (0.0, -0.1)],
     *[("Scaling", name, v) for name in ("mass", "stiffness", "velocity") for v in (0.0, -1.0)],
+    *[("prove_front", "alpha", v) for v in (1, 1.0, "1", "1/2", [1.5, 2.0])],
+    *[("prove_front", "path", v) for v in (ROOT, str(ROOT), ROOT / "nowhere" / "front.npz")],
+    *[("prove_front", "cells", v) for v in (7, 201)],
+    ("prove_front", "fine", 1001),
+    *[("prove_front", "drift", v) for v in (0.0, 1.0)],
     ("Scaling", "damping", -1.0),
     ("critical_damping", "cut", 1e-9),
     ("critical_damping", "cut", 0.2),
@@ -151,8 +184,9 @@ def check_sentence(sentence, parameter):
 
 
 def test_no_public_function_and_no_parameter_is_forgotten():
+    """The two forms of a law that `make_law` takes are in `test_laws`."""
     assert {name: set(POSSIBLE[name]) for name in POSSIBLE} == {
-        name: set(parameters_of(name)) for name in gf.__all__
+        name: set(parameters_of(name)) for name in gf.__all__ if name != "make_law"
     }
 
 

@@ -9,13 +9,17 @@ from scipy.linalg import expm
 import granular_fronts as gf
 from granular_fronts.chain import equations
 from granular_fronts.chain.equations import Boundary
-from granular_fronts.chain.run import make_boundary
+from granular_fronts.chain.run import make_boundary, make_chain
 from granular_fronts.chain.simulate import solve
-from granular_fronts.chain.state import HERTZ, PAIR, POWER, make_law
+from granular_fronts.chain.state import ROWS_OF_PAIR, ROWS_OF_SINGLE
 from granular_fronts.reference_methods import position_forms
 
 RING = Boundary(ring=True)
 LAWS = [(1.5, 1.5, 0.1), (1.5, 1.5, 0.0), (1.2, 1.2, 0.3), (1.5, 1.0, 0.2), (1.5, 2.5, 0.2)]
+
+
+def power_law(alpha, beta, gamma):
+    return gf.make_law(alpha=alpha, beta=beta, gamma=gamma)
 
 
 def fitted_order(steps, errors):
@@ -30,18 +34,18 @@ def fixed_steps(form, law, u, velocity, end_time, steps):
     if form == "strain":
         u_end, d_end = integrate_strain_fixed(law, u, velocity, end_time / steps, steps)
         momentum = velocity.sum()
-        v_end = equations.velocities(d_end, u_end, RING, law.beta, law.gamma, momentum)
+        v_end = equations.velocities(d_end, u_end, RING, law, momentum)
         return np.concatenate([u_end, v_end])
-    y, ends = position_forms.pack(form, law, RING, u, velocity)
-    y = position_forms.integrate_fixed(form, law, ends, y, end_time / steps, steps)
-    return np.concatenate(position_forms.unpack(form, law, RING, ends, y))
+    system, y = position_forms.pack(form, law, RING, u, velocity)
+    y = position_forms.integrate_fixed(system, y, end_time / steps, steps)
+    return np.concatenate(position_forms.unpack(system, y))
 
 
 @pytest.mark.parametrize("form", ["strain", position_forms.XW, position_forms.XV])
 @pytest.mark.parametrize("law", LAWS)
 def test_order_is_eight_in_all_variables_while_contacts_stay_closed(form, law):
     u, velocity = smooth_ring()
-    law = make_law(*law)
+    law = power_law(*law)
     exact = fixed_steps("strain", law, u, velocity, 8.0, 400)
     counts = [20, 22, 24, 27, 30]
     errors = [
@@ -57,17 +61,23 @@ def test_order_is_eight_in_all_variables_while_contacts_stay_closed(form, law):
 @pytest.mark.parametrize("law", LAWS)
 def test_three_sets_of_variables_describe_one_motion(law):
     u, velocity = smooth_ring()
-    law = make_law(*law)
+    law = power_law(*law)
     results = [fixed_steps(form, law, u, velocity, 8.0, 200) for form in ("strain", 0, 1)]
     np.testing.assert_allclose(results[1], results[0], atol=2.0e-14)
     np.testing.assert_allclose(results[2], results[0], atol=2.0e-14)
 
 
-def test_the_cheapest_exact_kernel_is_chosen():
-    assert make_law(1.5, 1.5, 0.1).kind == HERTZ
-    assert make_law(1.5, 1.0, 0.0).kind == HERTZ
-    assert make_law(1.2, 1.2, 0.1).kind == POWER
-    assert make_law(1.5, 1.0, 0.1).kind == PAIR
+def test_a_law_of_one_nonlinearity_stores_one_row_of_slopes():
+    u, velocity = smooth_ring()
+    for given, rows in (
+        ((1.5, 1.5, 0.1), ROWS_OF_SINGLE),
+        ((1.5, 1.0, 0.0), ROWS_OF_SINGLE),
+        ((1.2, 1.2, 0.1), ROWS_OF_SINGLE),
+        ((1.5, 1.0, 0.1), ROWS_OF_PAIR),
+    ):
+        chain, table = make_chain(power_law(*given), RING, u, velocity)
+        assert table.shape[0] == rows
+        assert chain.law.single == (rows == ROWS_OF_SINGLE)
 
 
 def last_state(scene):
@@ -168,22 +178,20 @@ def test_restitution_of_a_weakly_damped_collision():
 
 def scipy_chain(scene, rtol=1.0e-12, atol=1.0e-14):
     """The scene by SciPy's DOP853 on a plain numpy right-hand side in (x, w)."""
-    law, boundary = make_law(**scene["law"]), make_boundary(scene)
+    law, boundary = gf.make_law(scene["law"]), make_boundary(scene)
     beads = scene["beads"]
     u, velocity = np.zeros(beads), np.zeros(beads)
-    y, ends = position_forms.pack(position_forms.XW, law, boundary, u, velocity)
+    system, y = position_forms.pack(position_forms.XW, law, boundary, u, velocity)
 
     def slopes(_t, y):
         x, w = np.split(y, 2)
         u = np.append(x[:-1] - x[1:], boundary.right)
-        behind, ahead = equations.forces_on_both_sides(u, boundary, law.alpha)
-        correction = equations.velocity_correction(u, boundary, law.beta, law.gamma)
+        behind, ahead = equations.forces_on_both_sides(u, boundary, law.elastic)
+        correction = equations.velocity_correction(u, boundary, law)
         return np.concatenate([w + correction, behind - ahead])
 
     solved = solve_ivp(slopes, (0.0, scene["end_time"]), y, "DOP853", rtol=rtol, atol=atol)
-    return np.concatenate(
-        position_forms.unpack(position_forms.XW, law, boundary, ends, solved.y[:, -1])
-    )
+    return np.concatenate(position_forms.unpack(system, solved.y[:, -1]))
 
 
 @pytest.mark.parametrize("gamma", [0.0, 0.06, 0.65])
@@ -197,11 +205,11 @@ def test_scipy_agrees_within_its_own_error(gamma):
 
 def test_adaptive_plain_form_agrees():
     scene = driven_scene(end_time=50.0)
-    law, boundary = make_law(**scene["law"]), make_boundary(scene)
+    law, boundary = gf.make_law(scene["law"]), make_boundary(scene)
     rest = np.zeros(scene["beads"])
-    y, ends = position_forms.pack(position_forms.XW, law, boundary, rest, rest)
-    y, accepted = position_forms.integrate_adaptive(0, law, ends, y, 1e-6, 50.0, 1e-12, 1e-14)
-    computed = np.concatenate(position_forms.unpack(0, law, boundary, ends, y))
+    system, y = position_forms.pack(position_forms.XW, law, boundary, rest, rest)
+    y, accepted = position_forms.integrate_adaptive(system, y, 1e-6, 50.0, 1e-12, 1e-14)
+    computed = np.concatenate(position_forms.unpack(system, y))
     assert accepted > 0
     np.testing.assert_allclose(computed, last_state(scene), atol=1.0e-11)
 
@@ -223,7 +231,7 @@ def test_scaling_with_the_applied_displacement():
 
 def test_ring_scene_follows_fixed_steps():
     u, velocity = smooth_ring()
-    law = make_law(1.5, 1.5, 0.1)
+    law = power_law(1.5, 1.5, 0.1)
     fixed = fixed_steps("strain", law, u, velocity, 10.0, 400)
     np.testing.assert_allclose(last_state(ring_scene(u, velocity)), fixed, atol=1.0e-13)
 
@@ -231,7 +239,7 @@ def test_ring_scene_follows_fixed_steps():
 def test_precompressed_chain_below_linear_agrees_with_plain_form():
     """α < 1 is allowed while all contacts stay closed."""
     u, velocity = smooth_ring()
-    law = make_law(0.7, 1.0, 0.1)
+    law = power_law(0.7, 1.0, 0.1)
     fixed = fixed_steps(position_forms.XW, law, u, velocity, 10.0, 600)
     scene = ring_scene(u, velocity, alpha=0.7, beta=1.0)
     np.testing.assert_allclose(last_state(scene), fixed, atol=2.0e-13)

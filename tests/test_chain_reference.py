@@ -76,8 +76,8 @@ def solve_with_fixed_steps(gamma, pressure, beads, step, steps):
     for _ in range(steps):
         total = np.zeros_like(state)
         for stage in range(4):
-            reach = (0.0, 0.5, 0.5, 1.0)[stage] * step
-            point = state + reach * rate
+            share = (0.0, 0.5, 0.5, 1.0)[stage] * step
+            point = state + share * rate
             differentiate(
                 point[:split], point[split:], force, rate[:split], rate[split:], velocity, gamma
             )

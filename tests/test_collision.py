@@ -90,7 +90,7 @@ def test_smaller_steps_change_nothing(alpha, beta, gamma):
 @pytest.mark.parametrize("e", [1.0 - 1.0e-9, 0.99, 0.7, 0.3, 1.0e-3, 1.0e-9])
 def test_inverse_returns(alpha, beta, e):
     gamma = damping_for_restitution(e, alpha, beta)
-    # Just below a finite γ at which e vanishes, γ alone cannot tell a small e.
+    # Just below a finite γ at which e vanishes, γ alone does not determine a small e.
     tolerance = ACCURACY if beta > (alpha + 1.0) / 2.0 else 1.0e-9
     assert gf.restitution(gamma, alpha, beta) == pytest.approx(e, rel=tolerance)
 
@@ -140,6 +140,95 @@ def test_restitution_falls_with_damping():
     assert np.all(np.diff(values) < 0.0)
     assert gf.restitution(0.0) == 1.0
     assert damping_for_restitution(1.0) == 0.0
+
+
+def linear_law(ratio):
+    """A harmonic contact with a linear dashpot of a damping ratio."""
+    dashpot = {"kind": "linear", "gamma": math.sqrt(2.0) * ratio}
+    return gf.make_law(elastic={"kind": "fpu"}, viscous=dashpot)
+
+
+@pytest.mark.parametrize("ratio", [0.01, 0.3, 0.9])
+@pytest.mark.parametrize("velocity", [1e-3, 1.0, 1e3])
+def test_linear_law_is_a_damped_oscillator_at_any_velocity(ratio, velocity):
+    found = gf.collide(linear_law(ratio), velocity)
+    exact = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
+    assert abs(found.restitution - exact) <= found.error < 1e-9
+
+
+def test_overdamped_oscillator_holds_the_beads_together():
+    assert gf.collide(linear_law(1.5)).restitution == 0.0
+
+
+@pytest.mark.parametrize(("gamma", "beta"), [(0.3, 1.5), (0.2, 1.0), (0.5, 2.5)])
+def test_powers_by_any_way_have_one_restitution(gamma, beta):
+    """By exponents; by an equal law of a user, which is integrated; and in other units."""
+    exact = gf.restitution(gamma, 1.5, beta)
+    assert gf.collide({"alpha": 1.5, "beta": beta, "gamma": gamma}).restitution == exact
+    mine = gf.Potential(
+        lambda r: np.maximum(-r, 0.0) ** 2.5 / 2.5,
+        lambda r: -(np.maximum(-r, 0.0) ** 1.5),
+        lambda r: 1.5 * np.sqrt(np.maximum(-r, 0.0)),
+        interval=(-3.0, 1e-9),
+    )
+    viscous = {"kind": "power", "beta": beta, "gamma": gamma}
+    found = gf.collide(gf.make_law(elastic=mine, viscous=viscous))
+    assert abs(found.restitution - exact) <= found.error < 1e-8
+    # Units in which lengths are twice and times three times as large.
+    velocity, stiffness, strength = 2.0 / 3.0, 2.0**-0.5 / 9.0, gamma / 3.0 * 2.0 ** (1.0 - beta)
+    scaled = gf.make_law(
+        elastic={"kind": "hertz", "alpha": 1.5, "stiffness": stiffness},
+        viscous=viscous | {"gamma": strength},
+    )
+    assert gf.collide(scaled, velocity).restitution == pytest.approx(exact, rel=1e-12)
+
+
+def test_collision_of_toda_contacts_agrees_with_the_equation_of_motion():
+    law = gf.make_law(elastic={"kind": "toda"}, viscous={"kind": "proportional", "gamma": 0.3})
+
+    def slopes(_, state):
+        u, p = state
+        return [p - 0.6 * math.expm1(u), -2.0 * math.expm1(u)]
+
+    def end(_, state):
+        return state[0]
+
+    end.terminal, end.direction = True, -1
+    motion = solve_ivp(
+        slopes, (0, 50), [0, 3], "DOP853", rtol=1e-13, atol=1e-15, max_step=0.02, events=end
+    )
+    found = gf.collide(law, 3.0)
+    exact = -float(motion.y_events[0][0, 1]) / 3.0
+    assert abs(found.restitution - exact) <= found.error < 1e-9
+    # A faster impact meets a stiffer contact and a stronger damping.
+    assert gf.collide(law, 6.0).restitution < exact - 0.01
+
+
+def test_elastic_collision_of_any_law_loses_nothing():
+    assert gf.collide({"elastic": {"kind": "toda"}}, 2.0).restitution == 1.0
+    assert gf.collide({"alpha": 1.3}, 2.0).restitution == 1.0
+
+
+@pytest.mark.parametrize(
+    ("law", "velocity", "sentence"),
+    [
+        ({"elastic": {"kind": "fpu", "quadratic": -1.0}}, 1.0, "does not repel everywhere"),
+        ({"elastic": {"kind": "fpu", "cubic": 3.0}}, 1.0, "does not repel everywhere"),
+        (
+            {
+                "elastic": gf.Potential(
+                    lambda r: r**2 / 2, lambda r: r, np.ones_like, interval=(-1, 1)
+                )
+            },
+            3.0,
+            "stops the beads at no strain above -1",
+        ),
+        ({"alpha": 1.5}, 0.0, "velocity is 0.0, but must be a finite number, above 0"),
+    ],
+)
+def test_impossible_collision_of_any_law_is_named(law, velocity, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        gf.collide(law, velocity)
 
 
 @pytest.mark.parametrize(

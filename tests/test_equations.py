@@ -1,6 +1,6 @@
 """Equations of sections 2 and 3.1 of the paper that no other test names, each on what we compute.
 
-The rest: the potentials of (3) `test_contact`, (12)-(14), (16)-(18), (20)-(23)
+The rest: the potentials of (3) `test_potentials`, (12)-(14), (16)-(18), (20)-(23)
 `test_jump_conditions`, `test_check_jump_conditions` and `test_laws`, (24), (27)-(29)
 `test_scaling`, (30) `test_campaign_kinds`, Remark 6 `test_collision`, and its materials the table
 of materials.  That (x, w) and (x, ẋ) are one motion is tested by `test_chain_accuracy`, what (31)
@@ -12,14 +12,14 @@ import functools
 import numpy as np
 import pytest
 from chains import driven_scene, ring_scene, smooth_ring
+from potentials import fpu, hertz, toda
 from scipy.integrate import quad
 
 import granular_fronts as gf
 from granular_fronts.model.jump_conditions import signed_area
-from granular_fronts.model.potentials import fpu, generalised_hertz, toda
 
 LAW = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3}
-CASES = [(generalised_hertz(1.5), -1.0, 0.0), (toda(), -1.2, 0.3), (fpu(1.0, 0.7), 0.9, 0.1)]
+CASES = [(hertz(1.5), -1.0, 0.0), (toda(), -1.2, 0.3), (fpu(1.0, 0.7), 0.9, 0.1)]
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
 SPACING = 1.0e-2
 SLOPE = np.array([-1, 9, -45, 0, 45, -9, 1]) / (60.0 * SPACING)
@@ -36,7 +36,7 @@ def rates(u, velocity):
 def test_potentials_4_make_the_contact_law_2():
     """−V'(r) − d/dt W'(r) is k u₊^α + γ₀k d/dt u₊^β of a contact with u = −r."""
     k, damping, u, rate = 3.0, 0.2, np.array([-0.5, 0.0, 1.0e-3, 0.7]), 0.6
-    elastic, viscous = generalised_hertz(1.5, k), generalised_hertz(2.5, damping * k)
+    elastic, viscous = hertz(1.5, k), hertz(2.5, damping * k)
     law = k * np.maximum(u, 0.0) ** 1.5 + damping * k * 2.5 * np.maximum(u, 0.0) ** 1.5 * rate
     np.testing.assert_allclose(-elastic.first(-u) + viscous.second(-u) * rate, law, rtol=1e-14)
 
@@ -52,7 +52,7 @@ def record_around(t, **changes):
 
 def test_chain_obeys_equations_1_and_3():
     """ẍ_n = F_(n−1) − F_n at every bead, ends included, with F = −V'(−δ) − d/dt W'(−δ)."""
-    elastic, viscous = generalised_hertz(1.5), generalised_hertz(1.5, 0.3)
+    elastic, viscous = hertz(1.5), hertz(1.5, 0.3)
     u, velocity = record_around(20.0)
     force = -elastic.first(-u) - SLOPE @ viscous.first(-u)
     acceleration = SLOPE @ velocity

@@ -17,7 +17,7 @@ FILES = module_files(*SOURCES)
 SCRIPTS = sorted(file.stem for file in SOURCES[2].glob("*.py"))
 DRAWING = {"granular_fronts.output.panels", "granular_fronts.output.style"}
 
-TELL_WHAT_IS_LOADED = """
+LIST_WHAT_IS_LOADED = """
 import json, sys
 from importlib import import_module
 
@@ -37,7 +37,7 @@ def loaded():
     """The modules that Python holds after importing a script or a part of one, and nothing else."""
     by_string = [name for name in FILES if re.match(r"problems\.|granular_fronts\.\w+$", name)]
     run = subprocess.run(
-        [sys.executable, "-c", TELL_WHAT_IS_LOADED],
+        [sys.executable, "-c", LIST_WHAT_IS_LOADED],
         input=json.dumps([SCRIPTS + by_string, list(FILES)]),
         capture_output=True,
         text=True,
@@ -99,12 +99,10 @@ def test_every_rule_stands_on_the_imports_of_its_script():
     for rule in rules:
         script = re.search(r"/scripts/(\w+)\.py", rule)[1]
         by_string = "import_module(" in FILES[script].read_text()
-        asked = f'=sources("{script}", ' if by_string else f'=sources("{script}")'
+        asked = f'code=code("{script}", ' if by_string else f'code=code("{script}")'
         if script in ("plan_campaign", "solve_chunk"):  # What they import depends on the campaign.
-            asked = f'=campaign_sources("{script}")'
-        assert asked in re.sub(r"\(\s+", "(", re.sub(r",\s+", ", ", rule)), (
-            f"{script} is not asked for"
-        )
+            asked = f'code=campaign_code("{script}")'
+        assert asked in re.sub(r"\(\s+", "(", re.sub(r",\s+", ", ", rule)), script
 
 
 def test_no_module_takes_a_public_name_that_is_imported_when_it_is_used():

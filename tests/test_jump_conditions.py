@@ -6,25 +6,19 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy
+from potentials import NO_DISSIPATION, fpu, hertz, lennard_jones, morse, toda
 
+import granular_fronts as gf
 from granular_fronts.model.jump_conditions import jump_conditions, signed_area
-from granular_fronts.model.potentials import (
-    NO_DISSIPATION,
-    fpu,
-    generalised_hertz,
-    lennard_jones,
-    morse,
-    potential_from_functions,
-    toda,
-)
 
 DIGITS = 60
+DASHPOT = {"kind": "linear", "gamma": 0.3}
 
 
 @pytest.mark.parametrize("alpha", [0.1, 0.5, 0.9, 1.1, 1.5, 3.0])
 @pytest.mark.parametrize(("k", "m", "delta"), [(1.0, 1.0, 0.1), (1.4e10, 0.08, 2.0e-6)])
 def test_hertz_gives_equations_21_to_23(alpha, k, m, delta):
-    front = jump_conditions(generalised_hertz(alpha, k), -delta, 0.0, mass=m)
+    front = jump_conditions(hertz(alpha, k), -delta, 0.0, mass=m)
     sign = 1 if alpha > 1 else -1
     speed = sign * math.sqrt(k / m) * delta ** ((alpha - 1) / 2)
     particle = sign * math.sqrt(k / m) * delta ** ((alpha + 1) / 2)
@@ -57,7 +51,7 @@ FORCES = {
         lambda r: -12 * ((1 + r) ** -13 - (1 + r) ** -7),
     ),
     "hertz": (
-        generalised_hertz(1.5),
+        hertz(1.5),
         lambda r: (-r) ** 2.5 / 2.5 if r < 0 else mp.mpf(0),
         lambda r: -((-r) ** 1.5) if r < 0 else mp.mpf(0),
     ),
@@ -106,7 +100,7 @@ def test_random_states_obey_the_theorems():
 
 def test_kink_in_the_middle_is_not_overlooked():
     """V'' of a linear contact jumps at r = 0, where V''' = 0 on both sides says nothing."""
-    contact = generalised_hertz(1.0)
+    contact = hertz(1.0)
     assert signed_area(contact, -1.0, 1.0).value == pytest.approx(0.5, rel=1e-14)
     front = jump_conditions(contact, -1.0, 1.0)
     assert front.speed == pytest.approx(math.sqrt(0.5), rel=1e-15)
@@ -114,7 +108,7 @@ def test_kink_in_the_middle_is_not_overlooked():
 
 def test_third_derivative_is_not_needed_for_states_far_apart():
     exact = toda()
-    bare = potential_from_functions(*exact[1:4], interval=(-2.0, 1.0))
+    bare = gf.Potential(exact.value, exact.first, exact.second, interval=(-2.0, 1.0))
     with_third = jump_conditions(exact, -1.0, 0.0)
     without = jump_conditions(bare, -1.0, 0.0)
     assert without.speed == with_third.speed
@@ -122,10 +116,23 @@ def test_third_derivative_is_not_needed_for_states_far_apart():
 
 
 def test_speed_does_not_depend_on_the_dissipation():
-    hertz = generalised_hertz(1.5)
-    free = jump_conditions(hertz, -0.1, 0.0)
+    elastic = hertz(1.5)
+    free = jump_conditions(elastic, -0.1, 0.0)
     for beta in (1.0, 1.25, 1.5, 2.5):
-        assert jump_conditions(hertz, -0.1, 0.0, dissipation=generalised_hertz(beta, 0.3)) == free
+        assert jump_conditions(elastic, -0.1, 0.0, dissipation=hertz(beta, 0.3)) == free
+
+
+@pytest.mark.parametrize(
+    "law", [{"alpha": 1.5, "gamma": 0.3}, {"elastic": {"kind": "toda"}, "viscous": DASHPOT}]
+)
+def test_a_law_has_the_conditions_of_its_potentials(law):
+    made = gf.make_law(law)
+    front = gf.jump_conditions(made.elastic, -0.5, 0.0, dissipation=made.viscous)
+    assert gf.jump_conditions(made, -0.5, 0.0) == gf.jump_conditions(law, -0.5, 0.0) == front
+    with pytest.raises(ValueError, match=r"Remark 4"):
+        gf.jump_conditions(made.with_damping(0.0), -0.5, 0.0)
+    with pytest.raises(ValueError, match=r"dissipation is .* leave dissipation out"):
+        gf.jump_conditions(law, -0.5, 0.0, dissipation=made.viscous)
 
 
 def test_spinodal_state_has_no_sound():
@@ -136,7 +143,7 @@ def test_spinodal_state_has_no_sound():
     ("potential", "R_minus", "R_plus", "dissipation", "sentence"),
     [
         (fpu(), -1.0, 0.0, None, "quadratic between the states .* Remark 3"),
-        (generalised_hertz(1.0), -2.0, -1.0, None, "quadratic .* Remark 3"),
+        (hertz(1.0), -2.0, -1.0, None, "quadratic .* Remark 3"),
         (fpu(-1.0, 0.0, -1.0), 0.0, 1.0, None, "strictly concave .* Remark 1"),
         (morse(), 0.6, 3.0, None, r"is the square of a speed .*eq\. 13"),
         (fpu(1.0, 0.0, 1.0), -1.0, 1.0, None, r"vanishes between -1 and 1 .*eq\. 18"),
@@ -157,7 +164,7 @@ def test_impossible_front_is_refused_with_its_theorem(
 
 
 def test_what_is_no_potential_is_refused_with_the_way_to_one():
-    with pytest.raises(ValueError, match=r"potential is r\*\*4, .* potential_from_expr"):
+    with pytest.raises(ValueError, match=r"law is r\*\*4, but must be a Mapping: .* make_law"):
         jump_conditions(sympy.Symbol("r") ** 4, -1.0, 0.0)
 
 
@@ -168,6 +175,30 @@ def test_impossible_mass_is_refused(mass):
 
 
 def test_nan_between_the_states_is_named():
-    broken = toda()._replace(second=lambda r: np.where(abs(r + 0.5) < 0.2, np.nan, np.exp(-r)))
-    with pytest.raises(ValueError, match=r"V'' of Toda potential is nan at r = -0\.[3-7]"):
+    exact = toda()
+
+    def second(r):
+        return np.where(abs(r + 0.53) < 0.01, np.nan, exact.second(r))
+
+    broken = gf.Potential(exact.value, exact.first, second, interval=(-1.0, 0.1), name="mine")
+    with pytest.raises(ValueError, match=r"V'' of mine is nan at r = -0\.[45]"):
         jump_conditions(broken, -1.0, 0.0)
+
+
+def test_states_lie_where_the_viscous_potential_holds():
+    narrow = gf.Potential(
+        lambda r: r**2,
+        lambda r: 2.0 * r,
+        np.vectorize(lambda r: 2.0),
+        interval=(-0.5, 0.5),
+        name="W",
+    )
+    law = gf.make_law(elastic={"kind": "toda"}, viscous=narrow)
+    assert gf.jump_conditions(law, -0.4, 0.0).direction == 1
+    for refused in (
+        lambda: gf.jump_conditions(law, -1.0, 0.0),
+        lambda: gf.jump_conditions(law.elastic, -1.0, 0.0, dissipation=narrow),
+        lambda: gf.solve_front(law=law, states=(-1.0, 0.0)),
+    ):
+        with pytest.raises(ValueError, match=r"is -1\.0, but .*W is defined from -0.5 to 0.5"):
+            refused()

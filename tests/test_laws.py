@@ -1,217 +1,142 @@
-"""Materials, damping regimes and pistons against closed formulas and each other."""
-
-import math
-from pathlib import Path
+"""Laws: both forms of the configuration, what they know of themselves, and wrong ones."""
 
 import numpy as np
 import pytest
-from chains import driven_scene
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
-from granular_fronts.model.potentials import generalised_hertz
-from granular_fronts.scenes.configuration import check_configuration
-from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.studies.damping_regimes import evaluate_regimes
-from granular_fronts.studies.materials import evaluate_materials, regime
-from granular_fronts.studies.pistons import limit, measure_pistons, push_chain, repetition
+from granular_fronts.model.laws import make_law
+from granular_fronts.model.potentials import make_potential
 
-DEFAULT = Path(__file__).parents[1] / "config" / "default.yaml"
-TIGHT = {"relative": 1.0e-12, "absolute": 1.0e-14}
-
-
-@pytest.fixture(scope="module")
-def configuration():
-    return load_configuration(DEFAULT)
-
-
-@pytest.fixture(scope="module")
-def materials(configuration):
-    return evaluate_materials(**configuration["laws"]["materials"])
-
-
-def test_materials_are_consistent(materials):
-    for material in materials["material"].values:
-        one = materials.sel(material=material)
-        e, printed = float(one["restitution"]), float(one["gamma_printed"])
-        assert gf.restitution(float(one["gamma"])) == pytest.approx(e, rel=1e-12)
-        assert gf.restitution(printed) == pytest.approx(float(one["restitution_exact"]), rel=1e-12)
-        # The linear rule is right for weak damping and too low otherwise.
-        assert printed < float(one["gamma"])
-        assert abs(float(one["gamma"]) / printed - 1.0) < 3.0 * (1.0 - e)
+TODA = {"kind": "toda", "rate": 2.0}
+HERTZ = {"kind": "hertz", "alpha": 1.5}
+COSH = gf.Potential(
+    lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3.0, 3.0), name="cosh"
+)
+MAPPINGS = [
+    {"alpha": 1.5, "gamma": 0.1},
+    {"alpha": 1.5, "beta": 1.0, "gamma": 0.1},
+    {"alpha": 1.1},
+    {"elastic": TODA},
+    {"elastic": TODA, "viscous": {"kind": "linear", "gamma": 0.3}},
+    {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": 0.3}},
+    {"elastic": {"kind": "lennard_jones", "distance": 2.0}, "viscous": {"kind": "none"}},
+    {"elastic": HERTZ | {"stiffness": 2.0}, "viscous": {"kind": "kuwabara_kono", "gamma": 0.3}},
+    {"elastic": HERTZ, "viscous": {"kind": "simon_hunt_crossley", "gamma": 0.3}},
+    {"elastic": {"kind": "fpu", "cubic": -1.0}, "viscous": {"kind": "toda", "strength": 0.2}},
+]
 
 
-def test_front_damping_scales_with_the_velocity_alone(materials, configuration):
-    v_0 = configuration["laws"]["materials"]["impact_velocity"]
-    ratio = materials["gamma_front_piston"] / materials["gamma"]
-    expected = (materials["piston_velocity"] / v_0) ** 0.2
-    np.testing.assert_allclose(ratio, expected.broadcast_like(ratio), rtol=1e-12)
+@pytest.mark.parametrize("mapping", MAPPINGS, ids=str)
+def test_law_is_described_as_it_is_made(mapping):
+    law = gf.make_law(**mapping)
+    assert make_law(mapping) == law == make_law(law.describe())
+    assert hash(make_law(law.describe())) == hash(law)
+    assert make_law(law) is law
 
 
-def test_front_damping_hardly_depends_on_the_stiffness(configuration):
-    """γ ∝ k^(−1/15) at a given force: a handbook's modulus is good enough."""
-    beads = configuration["laws"]["materials"]["beads"]["cork"]
-    softer = beads | {"youngs_modulus": beads["youngs_modulus"] / 2.0}
-    found = evaluate_materials({"cork": beads, "softer": softer}, 0.5, [1.0], [100.0])
-    stiff, soft = found["gamma_front_force"].values[:, 0]
-    assert soft / stiff == pytest.approx(2.0 ** (1.0 / 15.0), rel=1e-12)
-
-
-def test_regime_is_that_of_the_tail():
-    """Below the critical damping the slowest tail root is complex, above it is real."""
-    critical = gf.critical_damping(1.5)
-    for gamma, word in ((0.999 * critical, "underdamped"), (1.001 * critical, "overdamped")):
-        assert regime(gamma) == word
-        assert (gf.tail_roots(1.5, gamma, count=1)[0].imag > 0.0) == (word == "underdamped")
-
-
-def test_regimes_follow_equation_29():
-    found = evaluate_regimes(1.5, [1.0, 1.25, 1.5, 2.5], 2.0, 5)
-    slopes = np.diff(np.log(found["gamma"])) / np.diff(np.log(found["velocity_ratio"]))
-    for beta, slope in zip(found["beta"].values, slopes, strict=True):
-        np.testing.assert_allclose(slope, 2.0 * beta / 2.5 - 1.0, atol=1e-14)
-    np.testing.assert_allclose(found["gamma"].sel(velocity_ratio=1.0, method="nearest"), 1.0)
-    critical = found["critical_gamma"]
-    assert float(critical.sel(beta=1.5)) == gf.critical_damping(1.5)
-    np.testing.assert_allclose(critical * critical["beta"], 1.5 * gf.critical_damping(1.5))
-    e = found["restitution"]
-    assert np.all(np.diff(e.sel(beta=2.5)) < 0.0)
-    assert np.all(np.diff(e.sel(beta=1.0)) >= 0.0)
-    assert np.all(np.diff(e.sel(beta=1.25)) == 0.0)
-
-
-QUANTITIES = ("speed", "compression", "velocity")
-PUSHED = [(1.5, 1.5, 0.3), (1.5, 1.5, 0.65), (1.5, 1.0, 0.3), (1.5, 2.5, 5.0), (2.0, 2.0, 0.3)]
-
-
-@pytest.mark.parametrize("ramp", [0.0, 10.0])
-@pytest.mark.parametrize("law", PUSHED)
-def test_piston_drives_a_front_of_equations_22_and_23(law, ramp):
-    """δ, v_p and c of eqs. (22), (23), whatever the damping, at once or by a ramp."""
-    velocity, power = 0.05, 2.0 / (law[0] + 1.0)
-    front = push_chain(named(law), velocity, ramp, 320, TIGHT)
-    assert front.expected_compression == pytest.approx(velocity**power, rel=1e-14)
-    assert front.expected_speed == pytest.approx(velocity ** (1.0 - power), rel=1e-14)
-    assert front.expected_velocity == pytest.approx(velocity, rel=1e-14)
-    for quantity in QUANTITIES:
-        measured, expected = getattr(front, quantity), getattr(front, f"expected_{quantity}")
-        assert abs(measured.value - expected) < measured.error < 1e-4
-    assert front.velocity_drift < 1e-13
-
-
-def named(law):
-    return dict(zip(("alpha", "beta", "gamma"), law, strict=True))
-
-
-def test_a_ramp_delays_the_front_but_does_not_change_it():
-    """Ramps of a tenth to five times the passage of a bead lead to one front, eq. (23)."""
-    fronts = [push_chain(named(PUSHED[0]), 0.05, ramp, 320, TIGHT) for ramp in (0.2, 2.0, 10.0)]
-    for front in fronts[1:]:
-        for quantity in QUANTITIES:
-            one, other = getattr(fronts[0], quantity), getattr(front, quantity)
-            assert abs(one.value - other.value) < one.error + other.error < 1e-4
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("ramp", [0.0, 10.0])
-def test_speed_of_a_long_driven_chain(ramp):
-    front = push_chain(named(PUSHED[0]), 0.05, ramp, 1280, TIGHT)
-    assert abs(front.speed.value - front.expected_speed) < front.speed.error < 1e-6
-
-
-@pytest.mark.parametrize("alpha", [1.1, 1.5, 2.0, 3.0])
-def test_reflection_at_a_front_is_the_repetition_to_the_power_minus_two(alpha):
-    """The jump conditions with a front a little stronger: v' over u', then its reflection."""
-    step = 1e-5
-    weak, strong = (
-        gf.jump_conditions(generalised_hertz(alpha), -delta, 0.0)
-        for delta in (1.0 - step, 1.0 + step)
-    )
-    slope = (strong.velocity_behind - weak.velocity_behind) / (2.0 * step)
-    sound = gf.jump_conditions(generalised_hertz(alpha), -1.0, 0.0).sound_minus
-    reflection = (slope - sound) / (slope + sound)
-    assert reflection == pytest.approx(repetition(alpha) ** -2, rel=1e-6)
-    assert (sound + 1.0) / (sound - 1.0) == pytest.approx(repetition(alpha), rel=1e-12)
-
-
-def test_the_limit_is_what_a_repeating_disturbance_leaves():
-    assert limit(3.0 - 0.5 / repetition(1.5) ** 2, 3.5, 1.5) == pytest.approx(3.0, rel=1e-15)
-
-
-def test_slowness_repeats_itself_with_the_opposite_sign():
-    """In a driven chain, 1/c of the front differs from (23) by an s with s(λn) = −s(n)/λ²."""
-    scene = {
-        "law": named(PUSHED[0]),
-        "beads": 801,
-        "boundary": {"kind": "piston", "velocity": 0.05, "right": 0.0},
-        "start": {"kind": "rest"},
-        "end_time": 760.0 / 0.05**0.2,
-        "tolerance": TIGHT,
-        "record": {"snapshots": [], "arrival_level": 0.5 * 0.05**0.8},
-    }
-    arrivals = gf.simulate_chain(scene)["arrival_time"].values * 0.05**0.2
-    disturbance = np.diff(arrivals) - 1.0
-    near = np.array([60, 70])
-    far = np.round(repetition(1.5) * near).astype(int)
-    ratios = disturbance[far] / disturbance[near]
-    np.testing.assert_allclose(ratios, -(repetition(1.5) ** -2), rtol=0.05)
-
-
-@pytest.mark.parametrize(("beta", "gamma"), [(1.5, 0.65), (1.0, 0.8), (2.5, 0.4)])
-def test_front_dissipates_what_the_jump_conditions_say(beta, gamma):
-    """Σ W''(δ⁺x) (δ⁺ẋ)², averaged over the passage of one bead, is cS whatever W (16)."""
-    theory = gf.jump_conditions(generalised_hertz(1.5), -1.0, 0.0)
-    assert theory.dissipated_power == pytest.approx(0.1, rel=1e-14)
-    early, late = (dissipated_power(1.5, beta, gamma, time) for time in (120.0, 240.0))
-    # What the sudden start leaves behind dies out as t^(-2).
-    assert (4.0 * late - early) / 3.0 == pytest.approx(theory.dissipated_power, rel=5e-4)
-    assert abs(late / theory.dissipated_power - 1.0) < 1.3e-3
-
-
-def dissipated_power(alpha, beta, gamma, start, samples=16):
-    """Power lost in a chain driven with δ = c = 1, averaged over the time 1/c."""
-    scene = driven_scene(gamma, int(1.2 * start) + 20, start + 1.0, alpha, beta, delta=1.0)
-    scene["record"] = {"snapshots": list(start + np.arange(samples) / samples)}
-    motion = gf.simulate_chain(scene)
-    u = motion["relative_displacement"].values[:, :-1]
-    rate = -np.diff(motion["velocity"].values, axis=1)
-    closed = u > 0.0
-    stiffness = np.where(closed, np.where(closed, u, 1.0) ** (beta - 1.0), 0.0)
-    return float((beta * gamma * stiffness * rate**2).sum(axis=1).mean())
-
-
-def test_pistons_are_gathered():
-    cases = {
-        "one": {"alpha": 1.5, "beta": 1.5, "gamma": 0.3},
-        "two": {"alpha": 1.2, "beta": 1.2, "gamma": 0.5},
-    }
-    found = measure_pistons(cases, 0.2, [0, 3], 64, {"relative": 1e-9, "absolute": 1e-12})
-    assert list(found["law"].values) == ["one", "two"]
-    assert list(found["ramp"].values) == [0.0, 3.0]
-    expected = [[0.2 ** (0.5 / 2.5)] * 2, [0.2 ** (0.2 / 2.2)] * 2]
-    np.testing.assert_allclose(found["front_speed_expected"], expected, rtol=1e-14)
-    for name in ("front_speed", "compression_behind", "velocity_behind"):
-        assert math.isfinite(found[name].error_estimate)
-        np.testing.assert_allclose(found[name], found[f"{name}_expected"], rtol=0.05)
+def test_both_forms_of_the_law_28_are_one():
+    short = make_law(alpha=1.5, beta=2.5, gamma=0.3)
+    long = make_law(elastic=HERTZ, viscous={"kind": "simon_hunt_crossley", "gamma": 0.3})
+    assert short == long
+    assert (short.alpha, short.beta, short.gamma) == (1.5, 2.5, 0.3)
+    bare = make_law(elastic=HERTZ)
+    assert (bare.alpha, bare.beta, bare.gamma) == (1.5, 1.5, 0.0)
 
 
 @pytest.mark.parametrize(
-    ("path", "value", "sentence"),
+    ("mapping", "expected"),
     [
-        ("materials.beads.steel.poisson_ratio", 0.5, "poisson_ratio is 0.5, but must be below"),
-        ("materials.beads.steel.youngs_modulus", -1.0, "youngs_modulus is -1.0, but must be above"),
-        ("materials.beads.cork.gamma", 0.5, "gamma is 0.5, but must be below 0.438"),
-        ("numerical_damping.profile.theta", 0.5, "theta is 0.5, but must be above 0.5"),
-        ("piston.beads", 4, "beads is 4, below its limit 32"),
-        ("piston.ramps", [0, -1], r"ramps \(entry 2\) is -1, below its limit 0"),
+        ({"alpha": 1.5, "gamma": 0.1}, 0.1),
+        ({"alpha": 1.5, "beta": 1.0, "gamma": 0.1}, None),
+        ({"alpha": 1.5, "beta": 1.0}, 0.0),
+        ({"elastic": TODA}, 0.0),
+        ({"elastic": TODA, "viscous": {"kind": "proportional", "gamma": 0.3}}, 0.3),
+        ({"elastic": TODA, "viscous": TODA | {"strength": 0.3}}, 0.3),
+        ({"elastic": TODA, "viscous": {"kind": "linear", "gamma": 0.3}}, None),
+        ({"elastic": COSH, "viscous": {"kind": "proportional", "gamma": 0.3}}, 0.3),
     ],
 )
-def test_impossible_configuration_is_refused(configuration, path, value, sentence):
-    changed = load_configuration(DEFAULT)
-    *parents, last = path.split(".")
-    node = changed["laws"]
-    for parent in parents:
-        node = node[parent]
-    node[last] = value
+def test_proportional_damping_is_recognised(mapping, expected):
+    law = make_law(mapping)
+    assert law.proportional == expected
+    r = np.linspace(-0.5, 0.5, 7)
+    if expected is not None:
+        np.testing.assert_allclose(law.viscous.first(r), expected * law.elastic.first(r))
+
+
+def test_damping_is_changed_by_a_factor():
+    law = make_law(elastic=TODA, viscous={"kind": "linear", "gamma": 0.3})
+    r = np.linspace(-0.5, 0.5, 7)
+    half = law.with_damping(0.5)
+    np.testing.assert_array_equal(half.viscous.first(r), 0.5 * law.viscous.first(r))
+    assert half.elastic == law.elastic
+    assert law.with_damping(0.0).proportional == 0.0
+
+
+def test_law_joins_domains_and_kinks():
+    law = make_law(
+        elastic={"kind": "lennard_jones"}, viscous={"kind": "power", "beta": 1.0, "gamma": 0.1}
+    )
+    assert law.domain == (-1.0, np.inf)
+    assert law.kinks == (0.0,)
+    mine = make_law(elastic={"kind": "lennard_jones"}, viscous=COSH)
+    assert mine.domain == (-1.0, 3.0)
+    assert mine.kinks == ()
+
+
+def test_a_users_law_says_that_a_file_cannot_hold_it():
+    described = make_law(elastic=COSH, viscous={"kind": "proportional", "gamma": 0.2}).describe()
+    assert described["elastic"]["name"] == "cosh"
+    assert "cannot make again" in described["elastic"]["note"]
+    assert described["viscous"] == {"kind": "proportional", "gamma": 0.2}
+
+
+@pytest.mark.parametrize(
+    ("mapping", "sentence"),
+    [
+        ({}, "no elastic potential: give elastic"),
+        ({"beta": 1.5}, "no alpha, the exponent of its elastic force: give one"),
+        ({"alfa": 1.5}, "'alfa' is no part of a law: did you mean alpha?"),
+        ({"alpha": 1.5, "elastic": TODA}, "alpha besides elastic, .*: leave one of them out"),
+        ({"alpha": 1.5, "gamma": -0.1}, "gamma is -0.1, but must be a finite number, at least 0"),
+        ({"alpha": 0}, "alpha is 0, but must be a finite number, above 0"),
+        ({"elastic": "toda"}, "elastic is 'toda', but must be a Mapping: give a mapping"),
+        ({"elastic": {"kind": "tode"}}, "'tode' is no kind of elastic potential: did you mean"),
+        ({"elastic": {"rate": 1.0}}, "None is no kind of elastic potential: choose one of hertz"),
+        ({"elastic": {"kind": "linear", "gamma": 1}}, "'linear' is no kind of elastic potential"),
+        ({"elastic": {"kind": "toda", "rat": 1}}, "'rat' is no parameter of toda: did you mean"),
+        ({"elastic": TODA, "viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
+        ({"elastic": TODA, "viscous": {"kind": "proportional"}}, "proportional has no gamma"),
+        (
+            {"elastic": TODA, "viscous": {"kind": "none", "gamma": 1.0}},
+            "'gamma' is no parameter of none",
+        ),
+        (
+            {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": -1.0}},
+            "gamma is -1.0, but must be a finite number, at least 0",
+        ),
+        (
+            {"elastic": TODA, "viscous": {"kind": "simon_hunt_crossley", "gamma": 1.0}},
+            "belongs to the elastic kind hertz, but the elastic one is Toda potential",
+        ),
+    ],
+)
+def test_wrong_law_is_named(mapping, sentence):
     with pytest.raises(InputError, match=sentence):
-        check_configuration(changed)
+        make_law(mapping)
+
+
+def test_a_law_that_is_no_power_has_no_exponents():
+    law = make_law(elastic=TODA)
+    assert not law.is_power
+    assert not make_law(elastic=HERTZ | {"stiffness": 2.0}).is_power
+    with pytest.raises(InputError, match=r"Toda potential .* has no alpha, beta and gamma"):
+        _ = law.alpha
+
+
+def test_potential_objects_and_mappings_make_equal_laws():
+    by_objects = make_law(
+        elastic=make_potential("toda", rate=2.0), viscous=make_potential("linear", gamma=0.3)
+    )
+    assert by_objects == make_law(elastic=TODA, viscous={"kind": "linear", "gamma": 0.3})

@@ -5,9 +5,10 @@ import itertools
 import numpy as np
 import pytest
 
-from granular_fronts.chain.state import make_law
+from granular_fronts.chain.equations import Boundary
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solitary_waves import gaussian, solitary_wave
+from granular_fronts.model.laws import make_law
 from granular_fronts.reference_methods import position_forms
 from granular_fronts.studies.choice_of_variables import (
     SCHEMES,
@@ -51,7 +52,9 @@ def test_rings_approach_their_equation_as_the_exponent_tends_to_one():
 
 def test_chains_too_short_for_their_waves_are_an_error():
     with pytest.raises(InputError, match="beads is 100, but waves run through about 230 beads"):
-        measure_limiting_cases(1.5, 0.1, 1.0, 100, 200.0, 0.5, [0.1], [1.0, 2.0], {})
+        measure_limiting_cases(
+            {"weak_gamma": 0.1, "strong_gamma": 1.0, "beads": 100, "end_time": 200.0}
+        )
 
 
 @pytest.mark.parametrize("alpha", [1.5, 2.0])
@@ -66,7 +69,7 @@ def test_an_elastic_collision_scales_as_equation_27_says(alpha):
 
 @pytest.mark.parametrize("beta", [1.0, 1.3, 1.5, 1.9])
 def test_only_positions_and_w_are_lipschitz(beta):
-    law = make_law(1.5, beta, 0.3)
+    law = make_law(alpha=1.5, beta=beta, gamma=0.3)
     assert quotient_power(position_forms.XV, law)[0] == pytest.approx(beta - 2.0, abs=0.02)
     bounded = min(beta, 1.5) - 1.0
     assert quotient_power(position_forms.XW, law)[0] == pytest.approx(bounded, abs=0.02)
@@ -74,12 +77,11 @@ def test_only_positions_and_w_are_lipschitz(beta):
 
 def test_schemes_have_their_order_where_the_contact_stays_closed():
     """The negative control of the loss of order: one contact, compressed throughout."""
-    law, start = make_law(1.5, 1.5, 0.3), np.array([2.0, 0.0, 0.1, -0.1])
+    law, start = make_law(alpha=1.5, gamma=0.3), np.array([2.0, 0.0, 0.1, -0.1])
+    system = position_forms.make_system(position_forms.XV, law, Boundary(ring=False), 2)
     for name, order in (("euler", 1.0), ("runge_kutta_4", 4.0)):
         ends = [
-            position_forms.integrate_by_stages(
-                position_forms.XV, law, (False, 0.0, 0.0), start, 0.5 / n, n, *SCHEMES[name]
-            )
+            position_forms.integrate_by_stages(system, start, 0.5 / n, n, *SCHEMES[name])
             for n in (16, 32, 64)
         ]
         changes = [np.abs(b - a).max() for a, b in itertools.pairwise(ends)]
@@ -87,7 +89,7 @@ def test_schemes_have_their_order_where_the_contact_stays_closed():
 
 
 def test_opening_costs_the_runge_kutta_method_its_order():
-    law = make_law(1.5, 1.5, 0.3)
+    law = make_law(alpha=1.5, gamma=0.3)
     in_velocities, _ = observed_order(position_forms.XV, law, "runge_kutta_4")
     in_w, _ = observed_order(position_forms.XW, law, "runge_kutta_4")
     assert 1.2 < in_velocities < 1.8

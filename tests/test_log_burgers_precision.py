@@ -46,7 +46,7 @@ def test_measured_errors_are_those_of_the_schemes():
     assert (runs["seconds"] > 0).all()
 
 
-def test_table_tells_order_and_verdict(tmp_path):
+def test_table_holds_order_and_verdict(tmp_path):
     grids = {"upwind": ([100, 200], [0.4, 0.2], [1.0, 8.0])}
     grids["finite_volumes"] = ([10, 20, 40], [6.4e-3, 1e-4, 1.5625e-6], [1e-3, 2e-3, 4e-3])
     rows = [

@@ -9,7 +9,7 @@ import pytest
 from heteroclinic_reference import DIGITS, Reference
 
 import granular_fronts as gf
-from granular_fronts.continuum.log_kdv_burgers import heteroclinic as orbit_module
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.continuum.log_kdv_burgers.equation import (
     amplitude_of_chain,
     damping_of_mu,
@@ -31,7 +31,11 @@ from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
     slow_orbit,
     state_on_manifold,
 )
-from granular_fronts.continuum.log_kdv_burgers.traced_orbit import REFINED, Accuracy, trace_orbit
+from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
+    FINER_STEPS,
+    Accuracy,
+    trace_orbit,
+)
 from granular_fronts.errors import InputError
 
 ACCURACY = 1.0e-13
@@ -146,7 +150,7 @@ def test_every_resolvable_turn_is_found(mu):
     np.testing.assert_allclose(-np.diff(s[late]), math.pi / frequency, rtol=1.0e-8)
     decrement = np.diff(np.log(np.abs(overshoot[late])))
     np.testing.assert_allclose(decrement, -math.pi * rate / frequency, rtol=1.0e-7)
-    assert abs(overshoot[-1]) * math.exp(decrement[-1]) < orbit_module.RESOLUTION
+    assert abs(overshoot[-1]) * math.exp(decrement[-1]) < EPSILON
 
 
 @pytest.mark.parametrize("mu", [2.5, 5.0, 11.0, 12.0, 50.0])
@@ -229,7 +233,7 @@ def test_expansion_has_the_order_of_its_first_missing_term(terms, order):
 
 @pytest.mark.parametrize("mu", [12.0, 14.0])
 def test_closed_form_and_trace_agree_where_both_hold(mu):
-    closed, traced = slow_orbit(mu), trace_orbit(mu, -math.inf, REFINED)
+    closed, traced = slow_orbit(mu), trace_orbit(mu, -math.inf, FINER_STEPS)
     s = np.linspace(traced.front.end, closed.s_at(700.0), 501)
     (p, v), (p_traced, v_traced) = closed.evaluate(s), traced.evaluate(s)
     np.testing.assert_allclose(np.exp(-p), np.exp(-p_traced), atol=2.0e-15)
@@ -249,7 +253,7 @@ def test_error_estimate_of_the_closed_form_covers_its_error():
 @pytest.mark.parametrize("tolerance", [1.0e-4, 1.0e-6, 1.0e-8, 1.0e-10])
 def test_error_follows_the_tolerance(tolerance):
     s = np.linspace(-30.0, 9.0, 301)
-    exact, orbit = (trace_orbit(0.3, -30.0, a) for a in (REFINED, Accuracy(12, tolerance, 4.0)))
+    exact, orbit = (trace_orbit(0.3, -30.0, a) for a in (FINER_STEPS, Accuracy(12, tolerance, 4.0)))
     error = np.abs(np.exp(-orbit.evaluate(s)[0]) - np.exp(-exact.evaluate(s)[0])).max()
     assert error < 2.0 * tolerance
     assert len(orbit.front.starts) < 150 * (1.0e-10 / tolerance) ** (1.0 / 12.0)

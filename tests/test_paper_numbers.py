@@ -15,7 +15,7 @@ from compute_heteroclinic import compute_heteroclinic
 from initiate_front import initiate_front
 from tabulate_statements import find_measure
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate
 from granular_fronts.output.departures import departures
 from granular_fronts.output.judgement import Range, half_unit, judge, range_of_criterion
 from granular_fronts.output.statements import (
@@ -94,13 +94,13 @@ def test_half_a_unit_of_the_last_digit(printed, half):
 )
 def test_half_a_unit_decides_on_a_printed_number(printed, value, verdict):
     statement = {"kind": "number", "printed": printed}
-    assert verdict_on(statement, Measured(value, 1e-9)) == verdict
+    assert verdict_on(statement, Estimate(value, 1e-9)) == verdict
 
 
 def test_another_half_width_decides_where_it_is_given():
     statement = {"kind": "number", "printed": "750", "within": 5}
-    assert verdict_on(statement, Measured(746.0, 0.1)) == REPRODUCED
-    assert verdict_on(statement, Measured(744.0, 0.1)) == NOT_REPRODUCED
+    assert verdict_on(statement, Estimate(746.0, 0.1)) == REPRODUCED
+    assert verdict_on(statement, Estimate(744.0, 0.1)) == NOT_REPRODUCED
 
 
 @pytest.mark.parametrize(
@@ -115,30 +115,30 @@ def test_another_half_width_decides_where_it_is_given():
     ],
 )
 def test_a_strict_inequality_leaves_out_its_limit(criterion, value, answer):
-    assert judge(range_of_criterion(criterion), Measured(value, 0.0)) is answer
+    assert judge(range_of_criterion(criterion), Estimate(value, 0.0)) is answer
 
 
 @pytest.mark.parametrize("value", [-1e-3, 0.0, 1e-3])
 @pytest.mark.parametrize("criterion", ["> 0", ">= 0", "< 0", "<= 0"])
 def test_an_error_over_a_limit_leaves_it_undecided(criterion, value):
-    assert judge(range_of_criterion(criterion), Measured(value, 2e-3)) is None
+    assert judge(range_of_criterion(criterion), Estimate(value, 2e-3)) is None
 
 
 def test_an_error_never_counts_in_favour():
     """Neither for a number just outside, nor for one just inside, nor for an inequality."""
     allowed = range_of_criterion("0.56 within 0.005")
-    assert judge(allowed, Measured(0.567, 0.003)) is None
-    assert judge(allowed, Measured(0.563, 0.003)) is None
-    assert judge(range_of_criterion("> 1"), Measured(0.9, 0.2)) is None
+    assert judge(allowed, Estimate(0.567, 0.003)) is None
+    assert judge(allowed, Estimate(0.563, 0.003)) is None
+    assert judge(range_of_criterion("> 1"), Estimate(0.9, 0.2)) is None
 
 
 @pytest.mark.parametrize("value", [0.56, 0.57, 100.0])
 def test_an_error_above_half_a_unit_decides_nothing(value):
     statement = {"kind": "number", "printed": "0.56"}
-    assert verdict_on(statement, Measured(value, 0.006)) == UNDECIDED
+    assert verdict_on(statement, Estimate(value, 0.006)) == UNDECIDED
 
 
-@pytest.mark.parametrize("measured", [Measured(math.nan, 0.0), Measured(0.56, math.nan)])
+@pytest.mark.parametrize("measured", [Estimate(math.nan, 0.0), Estimate(0.56, math.nan)])
 @pytest.mark.parametrize("printed", ["0.56", "> 0"])
 def test_what_is_not_a_number_decides_nothing(printed, measured):
     kind = "number" if printed == "0.56" else "inequality"
@@ -147,21 +147,21 @@ def test_what_is_not_a_number_decides_nothing(printed, measured):
 
 @pytest.mark.parametrize("criterion", ["> 0", "< 0", "0.56 within 0.005"])
 def test_a_negative_error_decides_nothing(criterion):
-    assert judge(range_of_criterion(criterion), Measured(0.56, -1e-9)) is None
-    assert judge(range_of_criterion(criterion), Measured(0.56, 0.0)) is not None
+    assert judge(range_of_criterion(criterion), Estimate(0.56, -1e-9)) is None
+    assert judge(range_of_criterion(criterion), Estimate(0.56, 0.0)) is not None
 
 
 def test_words_are_judged_by_their_criterion_alone():
     statement = {"kind": "words", "printed": "very small", "criterion": "at most 0.01"}
     assert criterion_of(statement) == "at most 0.01"
-    assert verdict_on(statement, Measured(0.001, 0.0)) == HOLDS
-    assert verdict_on(statement, Measured(0.1, 0.0)) == DOES_NOT_HOLD
+    assert verdict_on(statement, Estimate(0.001, 0.0)) == HOLDS
+    assert verdict_on(statement, Estimate(0.1, 0.0)) == DOES_NOT_HOLD
 
 
 def test_a_statement_that_cannot_be_judged_is_not():
     statement = {"kind": "number", "printed": "0.05", "not_judged": "circular"}
     assert criterion_of(statement) == ""
-    assert verdict_on(statement, Measured(0.05, 0.0)) == NOT_JUDGED
+    assert verdict_on(statement, Estimate(0.05, 0.0)) == NOT_JUDGED
 
 
 REFERENCE = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5}, "tolerance": {"relative": 1e-13}}

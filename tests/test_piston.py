@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from chains import TIGHT, driven_scene
+from chains import TIGHT, driven_scene, take_fixed_steps
 from scipy.integrate import solve_ivp
 
-from granular_fronts.chain import equations, run, strain
+import granular_fronts as gf
+from granular_fronts.chain import equations, run
 from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.simulate import simulate_chain, solve
-from granular_fronts.numerics.runge_kutta import NEW_SLOPE
+from granular_fronts.chain.state import D, U
 
 LAWS = [(1.5, 1.5, 0.3), (1.5, 1.5, 0.0), (1.2, 1.2, 0.3), (1.5, 1.0, 0.3), (1.5, 2.5, 5.0)]
 
@@ -108,15 +109,11 @@ def test_scipy_agrees_within_its_own_error(law):
 
 def fixed_steps(scene, steps):
     """u and d after `steps` equal steps over the ramp and as many over the rest."""
-    part = run.prepare(scene)
-    state, beads, ramp = part.state, scene["beads"], scene["boundary"]["ramp"]
+    part, ramp = run.prepare(scene), scene["boundary"]["ramp"]
     for duration in (ramp, scene["end_time"] - ramp):
-        for _ in range(steps):
-            strain.try_step(part.law, part.size, state, duration / steps, beads)
-            strain.evaluate_slopes(part.law, part.size, state, state.new_u, NEW_SLOPE, beads)
-            strain.accept(state, beads)
-        part = run.end_ramp(part)
-    return np.concatenate([state.u[1 : beads + 1], state.d[1 : beads + 1]])
+        take_fixed_steps(part.chain, part.table, duration / steps, steps)
+        run.end_ramp(part)
+    return np.concatenate([part.row(U), part.row(D)])
 
 
 @pytest.mark.parametrize("law", [(1.5, 1.5, 0.1), (1.2, 1.2, 0.3), (1.5, 1.0, 0.2)])
@@ -146,10 +143,11 @@ def test_conversion_to_strain_form_and_back(t):
     u, velocity = random.normal(size=(2, 30))
     boundary = Boundary(False, right=0.2, piston=Piston(0.5, 3.0))
     u[-1] = boundary.right
-    d = equations.strain_rates(velocity, u, boundary, 1.5, 0.4)
+    law = gf.make_law(alpha=1.5, gamma=0.4)
+    d = equations.strain_rates(velocity, u, boundary, law)
     # What the ramp adds to ẋ_1 at t = 0, and after its end no more.
     velocity[0] += 0.4 * (boundary.piston.acceleration_at(t) - 0.5 / 3.0)
-    back = equations.velocities(d, u, boundary, 1.5, 0.4, t=t)
+    back = equations.velocities(d, u, boundary, law, t=t)
     np.testing.assert_allclose(back, velocity, atol=2.0e-14)
 
 

@@ -32,7 +32,7 @@ def solution(error, seconds=0.5, share=1.0, **facts):
     return Run(fields, seconds, share * seconds, 10, 5, **facts)
 
 
-def test_no_error_is_told_below_that_of_the_reference():
+def test_no_error_is_stated_below_that_of_the_reference():
     close, far = errors_of(solution(1e-12), ANSWER), errors_of(solution(1e-3), ANSWER)
     assert close["error"] == close["velocity_error_sup"] == close["velocity_error_rms"] == 1e-9
     assert close["below_reference"] == 1.0
@@ -62,7 +62,7 @@ SETTINGS = {"tolerances": [1e-8, 1e-4], "repeats": 3, "methods": list(METHODS)}
 
 def test_what_fails_is_kept_and_what_is_absent_is_named():
     problem = Problem("mine", ANSWER, METHODS)
-    present, absent = measuring.warm_up(problem, SETTINGS)
+    present, absent = measuring.run_once(problem, SETTINGS)
     assert absent == {"elsewhere": "not installed"}
     rows = pd.DataFrame(measuring.measure("p", problem, SETTINGS, present))
     assert len(rows) == 6
@@ -85,7 +85,7 @@ def test_least_time_counts_and_a_long_run_is_not_repeated():
     methods = {"quick": lambda _: solution(1e-3, next(times)), "long": long}
     problem = Problem("quick", ANSWER, methods)
     settings = {"tolerances": [1e-3], "repeats": 3, "methods": list(methods)}
-    measuring.warm_up(problem, settings)
+    measuring.run_once(problem, settings)
     rows = measuring.measure("p", problem, settings, list(methods))
     assert [row["seconds"] for row in rows] == [0.1, 60.0]
     assert len(calls) == 2
@@ -97,7 +97,8 @@ def test_method_may_have_tolerances_of_its_own():
     assert measuring.tolerances_of(settings, "fast") == [1e-4, 1e-6]
 
 
-def test_stopwatch_tells_waiting_from_working():
+@pytest.mark.timing
+def test_stopwatch_distinguishes_waiting_from_working():
     with Stopwatch() as idle:
         time.sleep(0.05)
     assert idle.seconds >= 0.05
@@ -128,7 +129,7 @@ def test_own_forms_agree_with_the_stored_ring():
     for method in ("strain_form", "positions_and_w", "positions_and_velocities", "scipy_lsoda"):
         # Contacts open and close; only the strain form locates the events.
         limit = 2e-9 if method == "strain_form" else 1e-4
-        assert errors_of(problem.methods[method](1e-11), problem.reference)["error"] < limit
+        assert errors_of(problem.methods[method](1e-12), problem.reference)["error"] < limit
 
 
 @pytest.mark.parametrize("gamma", [0.1, 0.65])

@@ -7,9 +7,11 @@ import pytest
 from numpy.polynomial import Polynomial
 
 from granular_fronts.fronts.profile import newton
-from granular_fronts.fronts.profile.long_wave_front import continuum_front
+from granular_fronts.fronts.profile.equation import power_problem
+from granular_fronts.fronts.profile.long_wave_front import long_wave_front
+from granular_fronts.fronts.profile.newton import Unknowns
 from granular_fronts.fronts.profile.solve import (
-    make_law,
+    make_grid,
     quadrature_defect,
     refine,
     solve_on_grid,
@@ -105,18 +107,17 @@ def test_band_factors_solve_a_matrix_with_a_constant_stretch():
         np.testing.assert_allclose(x, exact, atol=1e-13)
 
 
-def dense_newton_matrix(law, weights, u, middle, half, speed):
+def dense_newton_matrix(problem, grid, s, speed):
     """The Jacobian of all equations and the phase condition by central differences."""
-    unknowns = np.append(u, speed)
+    unknowns = np.append(s, speed)
 
     def equations(unknowns):
-        u = np.ascontiguousarray(unknowns[:-1])
-        width = weights.hat.size // 2
-        force, damping = np.empty((2, u.size + 2 * width))
-        residual = np.empty(u.size)
-        newton.forces(law, width, u, force, damping)
-        newton.residuals(law, weights.hat, weights.jump, u, unknowns[-1], force, damping, residual)
-        return np.append(residual, u[middle] - half)
+        s = np.ascontiguousarray(unknowns[:-1])
+        forces = newton.make_forces(s.size, grid.hat.size // 2)
+        newton.fill_forces(problem, s, forces)
+        residual = np.empty(s.size)
+        newton.residuals(problem, grid, Unknowns(s, unknowns[-1:]), forces, residual)
+        return np.append(residual, s[grid.middle] - 0.5)
 
     columns = []
     for k in range(unknowns.size):
@@ -129,22 +130,20 @@ def dense_newton_matrix(law, weights, u, middle, half, speed):
 @pytest.mark.parametrize(("beta", "ahead"), [(1.5, 0.0), (1.0, 0.0), (2.5, 0.2)])
 def test_newton_step_is_that_of_the_full_matrix(beta, ahead):
     """One step of the shifted, bordered elimination against a dense solve."""
-    law = make_law(1.5, 0.4, beta, ahead)
+    problem = power_problem(1.5, 0.4, beta, ahead)
     spacing, middle = Fraction(1, 4), 60
-    weights = kernel_weights(spacing, 8)
-    xi = float(spacing) * np.arange(-middle, 30)
-    u = 1.0 - 0.5 * (1.0 - ahead) * (1.0 + np.tanh(xi))
-    residual, matrix = dense_newton_matrix(law, weights, u, middle, 0.5 * (1 + ahead), law.speed)
-    exact = np.append(u, law.speed) - np.linalg.solve(matrix, residual)
-    stepped, speed = u.copy(), np.array([law.speed])
-    arguments = (law, weights.hat, weights.jump, float(spacing), middle, 0.5 * (1 + ahead), 1e-15)
-    newton.iterate(*arguments, stepped, speed, np.empty(2))
-    np.testing.assert_allclose(np.append(stepped, speed), exact, atol=1e-5)
+    grid = make_grid(spacing, middle, kernel_weights(spacing, 8))
+    s = 0.5 * (1.0 - np.tanh(float(spacing) * np.arange(-middle, 30)))
+    residual, matrix = dense_newton_matrix(problem, grid, s, 1.0)
+    exact = np.append(s, 1.0) - np.linalg.solve(matrix, residual)
+    stepped = Unknowns(s.copy(), np.ones(1))
+    newton.iterate(problem, grid, 1e-15, stepped, np.empty(2))
+    np.testing.assert_allclose(np.concatenate(stepped), exact, atol=1e-5)
 
 
 def test_newton_converges_faster_than_linearly():
     residuals = solve_on_grid(
-        make_law(1.5, 0.3, 1.5),
+        power_problem(1.5, 0.3, 1.5),
         Window(25.0, 7.0),
         Fraction(1, 10),
         20,
@@ -156,12 +155,12 @@ def test_newton_converges_faster_than_linearly():
 
 def test_a_window_too_short_shows_in_the_speed():
     """The speed is the balance at the far left: it is off if the tail does not fit in."""
-    law = make_law(1.5, 0.1, 1.5)
-    full = choose_window(law)
+    problem = power_problem(1.5, 0.1, 1.5)
+    full = choose_window(problem)
     defects = []
     for share in (0.1, 0.3, 0.6, 1.0):
         profile = solve_on_grid(
-            law,
+            problem,
             Window(share * full.behind, full.ahead),
             Fraction(1, 10),
             20,
@@ -180,37 +179,37 @@ def test_a_window_too_short_shows_in_the_speed():
 )
 def test_grid_errors_fall_as_the_defect_says(alpha, gamma, beta, ahead):
     """The difference of two rules bounds the error against a finer grid, and both fall."""
-    law = make_law(alpha, gamma, beta, ahead)
-    fine = refine(solve_profile(law))
+    problem = power_problem(alpha, gamma, beta, ahead)
+    fine = refine(solve_profile(problem))
     window = Window(
-        *(n * float(fine.spacing) for n in (fine.middle, fine.u.size - fine.middle - 1))
+        *(n * float(fine.spacing) for n in (fine.middle, fine.s.size - fine.middle - 1))
     )
     defects, errors = [], []
     for count in (3, 4, 6):
-        coarse = solve_on_grid(law, window, Fraction(1, count), 20, fine.evaluate)
+        coarse = solve_on_grid(problem, window, Fraction(1, count), 20, fine.evaluate)
         defects.append(quadrature_defect(coarse))
-        errors.append(np.abs(coarse.u - fine.evaluate(coarse.xi)).max())
+        errors.append(np.abs(coarse.s - fine.evaluate(coarse.xi)).max())
     assert defects == sorted(defects, reverse=True)
     assert errors == sorted(errors, reverse=True)
     assert (np.array(errors) < 10.0 * np.array(defects)).all()
 
 
-def test_continuum_start_is_the_front_of_the_papers_equation():
+def test_front_of_long_waves_is_that_of_the_papers_equation():
     """For β = α it is (46), for β = 1 the closed form of its docstring."""
-    xi, u = continuum_front(make_law(1.5, 2.0, 1.5), 2.0)
-    y = (1.0 - (1.0 - 2.0**-0.5) * np.exp(xi / 6.0)).clip(0.0) ** 3
-    np.testing.assert_allclose(u, y ** (2.0 / 3.0), atol=1e-4)
-    xi, u = continuum_front(make_law(1.5, 2.0, 1.0), 2.0)
-    exact = (1.0 + (2.0**0.5 - 1.0) * np.exp(0.5 * xi / 2.0)) ** -2.0
-    np.testing.assert_allclose(u, exact, atol=1e-4)
+    start = long_wave_front(power_problem(1.5, 2.0, 1.5))
+    y = (1.0 - (1.0 - 2.0**-0.5) * np.exp(start.xi / 6.0)).clip(0.0) ** 3
+    np.testing.assert_allclose(start.evaluate(start.xi), y ** (2.0 / 3.0), atol=1e-4)
+    start = long_wave_front(power_problem(1.5, 2.0, 1.0))
+    exact = (1.0 + (2.0**0.5 - 1.0) * np.exp(0.5 * start.xi / 2.0)) ** -2.0
+    np.testing.assert_allclose(start.evaluate(start.xi), exact, atol=1e-4)
 
 
 def test_rate_ahead_solves_its_equation():
     gamma = 0.7
-    kappa = rate_ahead(make_law(1.5, gamma, 1.0))
+    kappa = rate_ahead(power_problem(1.5, gamma, 1.0))
     assert kappa == pytest.approx(4.0 * gamma * np.sinh(0.5 * kappa) ** 2, rel=1e-12)
 
 
 def test_a_law_out_of_reach_ends_with_a_reason():
-    profile = solve_profile(make_law(5.0, 1e-3, 5.0))
+    profile = solve_profile(power_problem(5.0, 1e-3, 5.0))
     assert profile.reason

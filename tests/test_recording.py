@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from chains import driven_scene
 
+from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.simulate import solve
 from granular_fronts.numerics.grids import regular_points
 
@@ -119,3 +120,10 @@ def test_nothing_is_recorded_that_was_not_asked_for():
     scene = driven_scene(end_time=20.0)
     dataset = solve(scene, scene["tolerance"]).dataset
     assert set(dataset.data_vars) == {"relative_displacement", "velocity"}
+
+
+def test_speed_is_the_slope_of_the_middle_and_none_without_a_slope():
+    bead = np.arange(100.0)
+    assert fitted_speed(bead / 0.7) == pytest.approx(0.7, rel=1e-14)
+    assert np.isnan(fitted_speed(np.abs(bead - 69.5)))  # Two waves meet in the middle.
+    assert np.isnan(fitted_speed(np.where(bead == 60, 1.0, np.nan)))

@@ -45,40 +45,37 @@ def test_error_weights_vanish_up_to_their_order(weights, order):
     assert moments[order] > 1.0e-8
 
 
-def dense(columns, weights):
-    full = np.zeros(rk.SLOPES)
-    full[list(columns)] = weights
-    return full
+@pytest.mark.parametrize("row", range(1, rk.STAGES))
+def test_windows_hold_the_rows_of_the_matrix_and_of_its_square(row):
+    """All the slopes that a stage uses lie in its window, and the others have weight 0."""
+    first, terms = rk.FIRST_SLOT[row], rk.TERMS[row]
+    for windows, matrix in ((rk.A_WINDOWS, rk.A), (rk.A_SQUARED_WINDOWS, rk.A @ rk.A)):
+        slots = np.zeros(rk.SLOPES)
+        slots[first : first + terms] = windows[row, :terms]
+        np.testing.assert_allclose(slots[rk.SLOT], matrix[row], atol=ROUNDING)
+        assert not windows[row, terms:].any()
 
 
-@pytest.mark.parametrize("row", range(rk.SLOPES))
-def test_sparse_rows_are_the_rows_of_the_matrix_and_of_its_square(row):
-    columns, a, a_squared = rk.STAGE_ROWS[row]
-    np.testing.assert_allclose(dense(columns, a), rk.A[row], atol=0.0)
-    np.testing.assert_allclose(dense(columns, a_squared), (rk.A @ rk.A)[row], atol=ROUNDING)
-
-
-@pytest.mark.parametrize("row", range(rk.SLOPES))
-def test_blocks_hold_the_same_rows(row):
-    used = slice(0, rk.ENDS[row])
-    for blocks, matrix in ((rk.A_IN_BLOCKS, rk.A), (rk.A_SQUARED_IN_BLOCKS, rk.A_SQUARED)):
-        full = np.zeros(rk.SLOPES)
-        np.add.at(full, rk.COLUMNS[row, used], blocks[row, used])
-        np.testing.assert_array_equal(full[:row], matrix[row, :row])
-        assert not full[row:].any(), "only slopes that are already known"
+def test_slots_hold_every_row():
+    np.testing.assert_array_equal(rk.A_SLOTS[:, rk.SLOT], rk.A)
+    np.testing.assert_allclose(rk.A_SQUARED_SLOTS[:, rk.SLOT], rk.A @ rk.A, atol=ROUNDING)
+    np.testing.assert_array_equal(rk.CONTINUOUS_OF_SLOT[rk.SLOT].T, rk.CONTINUOUS)
+    assert sorted(rk.SLOT) == list(range(rk.SLOPES))
 
 
 @pytest.mark.parametrize(
-    ("row", "product", "weights"),
+    ("final", "weights"),
     [
-        (rk.B_ROW, rk.B_A_ROW, rk.B),
-        (rk.ERROR_5_ROW, rk.ERROR_5_A_ROW, rk.ERROR_5),
-        (rk.ERROR_3_ROW, rk.ERROR_3_A_ROW, rk.ERROR_3),
+        (rk.FINAL_B, rk.B),
+        (rk.FINAL_B_A, rk.B @ rk.A),
+        (rk.FINAL_5, rk.ERROR_5),
+        (rk.FINAL_3, rk.ERROR_3),
     ],
 )
-def test_weights_of_the_strain_form_are_products_with_the_matrix(row, product, weights):
-    np.testing.assert_allclose(dense(*row), weights, atol=0.0)
-    np.testing.assert_allclose(dense(*product), weights @ rk.A, atol=ROUNDING)
+def test_final_stages_hold_all_that_the_new_state_needs(final, weights):
+    full = np.zeros(rk.SLOPES)
+    full[list(rk.FINAL_STAGES)] = final
+    np.testing.assert_allclose(full, weights, atol=ROUNDING)
 
 
 def continuous(theta):

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from potentials import hertz
 from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
 from granular_fronts.model.collision import damping_for_restitution
-from granular_fronts.model.potentials import generalised_hertz
 from granular_fronts.model.scaling import (
     damping_from_restitution,
     sphere_mass,
@@ -98,7 +98,7 @@ def struck_chain(k, m, gamma_0, velocity, length, end, alpha=1.5, beta=2.0):
 def test_front_has_unit_scales():
     """With v₀ = v_p the scales are those of the front, eqs. (22), (23) and (30)."""
     m, k, delta, damping = 0.05, 2.0e9, 3.0e-6, 1.0e-6
-    front = gf.jump_conditions(generalised_hertz(1.5, k), -delta, 0.0, mass=m)
+    front = gf.jump_conditions(hertz(1.5, k), -delta, 0.0, mass=m)
     v_p = velocity_of_compression(delta, m, k)
     assert v_p == pytest.approx(front.velocity_behind, rel=1e-13)
     assert velocity_of_force(k * delta**1.5, m, k) == pytest.approx(v_p, rel=1e-13)

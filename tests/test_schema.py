@@ -6,8 +6,10 @@ import re
 
 import pytest
 import yaml
-from test_configuration import DEFAULT, ROOT, SCENE
+from configurations import DEFAULT, ROOT, SCENE
 
+from granular_fronts.model.kinds import ELASTIC, VISCOUS
+from granular_fronts.model.laws import DEPENDENT
 from granular_fronts.scenes.yaml_files import load_configuration
 
 SCHEMA = ROOT / "workflow" / "schemas" / "config.schema.yaml"
@@ -55,10 +57,25 @@ def test_schema_says_of_every_number_that_it_is_dimensionless_or_in_which_unit(s
             assert re.search(r"dimensionless|in (m/s|[a-z]+s) \(SI\)", node["description"]), path
 
 
+POTENTIALS = ("schema.elastic_potential", "schema.viscous_potential")
+
+
 def test_schema_is_strict_at_every_level(schema):
+    """But for potentials, whose kinds and parameters `model.kinds` lists."""
     for path, node in schema_nodes(schema):
-        if "properties" in node and "allOf" not in node:
+        if "properties" in node and "allOf" not in node and path not in POTENTIALS:
             assert node.get("additionalProperties") is False, path
+
+
+@pytest.mark.parametrize("place", POTENTIALS)
+def test_schema_describes_every_kind_of_potential(schema, place):
+    name = place.removeprefix("schema.")
+    description = schema["$defs"][name]["properties"]["kind"]["description"]
+    known = ELASTIC if name == "elastic_potential" else VISCOUS
+    for kind, described in known.items():
+        assert kind in description
+        assert all(parameter in description for parameter in described.parameters), kind
+    assert name == "elastic_potential" or all(kind in description for kind in DEPENDENT)
 
 
 def test_keys_that_may_be_left_out_are_called_optional(schema):

@@ -11,7 +11,7 @@ from scipy.integrate import romb
 import granular_fronts as gf
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.shooting import equations
-from granular_fronts.fronts.shooting.initial_guess import Seed, chain_seed
+from granular_fronts.fronts.shooting.initial_guess import Guess, chain_guess
 from granular_fronts.fronts.shooting.sampling import sample_window
 from granular_fronts.fronts.shooting.solve import error_estimate, shoot_front
 
@@ -120,9 +120,9 @@ def test_driven_chain_and_continuum_lead_to_one_front(gamma):
     scene = driven_scene(gamma, beads=300, end_time=300.0)
     last = gf.simulate_chain(scene).isel(t=-1)
     snapshot = last["relative_displacement"].values, last["velocity"].values
-    seed = chain_seed(*snapshot, delta=0.1, alpha=1.5, gamma=gamma)
+    guess = chain_guess(*snapshot, delta=0.1, alpha=1.5, gamma=gamma)
     gamma_of_front = gamma * 0.1**0.25
-    driven = shoot_front(1.5, gamma_of_front, guess=seed)
+    driven = shoot_front(1.5, gamma_of_front, guess=guess)
     assert driven.converged, driven.reason
     assert driven.residuals[0] > 1.0e-4
     front = shot(1.5, gamma_of_front, 1.5)
@@ -133,10 +133,10 @@ def test_driven_chain_and_continuum_lead_to_one_front(gamma):
 @pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.02, 0.3655), (2.0, 1.0)])
 def test_front_of_another_damping_is_a_guess(alpha, gamma):
     guess = shoot_front(alpha, 1.05 * gamma)
-    warm = shoot_front(alpha, gamma, guess=guess)
-    assert warm.converged, warm.reason
+    continued = shoot_front(alpha, gamma, guess=guess)
+    assert continued.converged, continued.reason
     cold = shot(alpha, gamma, alpha).relative_displacement
-    np.testing.assert_allclose(warm.relative_displacement, cold, atol=1.0e-12)
+    np.testing.assert_allclose(continued.relative_displacement, cold, atol=1.0e-12)
 
 
 def test_sampling_is_consistent():
@@ -182,12 +182,12 @@ def test_failed_solve_is_a_record():
     """A guess far from any front, and a tolerance that rounding forbids."""
     bead = np.arange(-30, 10)
     noise = np.random.default_rng(5).uniform(-3.0, 3.0, size=(2, bead.size))
-    wild = shoot_front(1.5, 0.3, guess=Seed(bead, *noise))
+    wild = shoot_front(1.5, 0.3, guess=Guess(bead, *noise))
     strict = shoot_front(1.5, 0.3, tolerance=1.0e-18)
     assert not strict.converged
     assert "residual" in strict.reason or "settled" in strict.reason
     assert np.isnan(error_estimate(strict))
-    overflowing = shoot_front(1.5, 0.3, guess=Seed(bead, *(1.0e250 * noise)))
+    overflowing = shoot_front(1.5, 0.3, guess=Guess(bead, *(1.0e250 * noise)))
     assert not overflowing.converged
     assert not wild.converged
     assert wild.residuals[-1] > 1.0e-13

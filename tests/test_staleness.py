@@ -220,3 +220,49 @@ def test_results_without_the_record_of_how_they_were_made_are_refused(finished):
     assert f"answers another configuration of scene {SCENE}" in changed.stderr
     assert "remove results/smoke, or name another folder" in changed.stderr
     assert same.returncode == 0
+
+
+def test_results_of_other_code_without_the_record_of_how_they_were_made_are_refused(finished):
+    assert snakemake("--configfile", "config/smoke.yaml", folder=finished).returncode == 0
+    metadata = finished / ".snakemake/metadata"
+    metadata.rename(finished / ".snakemake/lost")
+    try:
+        with changed_code(finished, "src/granular_fronts/numerics/grids.py", "pass\n"):
+            run = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=finished)
+    finally:
+        shutil.rmtree(metadata, ignore_errors=True)
+        (finished / ".snakemake/lost").rename(metadata)
+    assert run.returncode == 1
+    assert "was made by another version of the code" in run.stderr
+
+
+@contextlib.contextmanager
+def changed_code(project, name, appended):
+    """Append to a file of the project while the block runs."""
+    file = project / name
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text + appended, encoding="utf-8")
+    try:
+        yield
+    finally:
+        file.write_text(text, encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("name", "appended", "repeated"),
+    [
+        ("src/granular_fronts/output/datasets.py", '"""Words."""\n# A comment.\n', set()),
+        ("workflow/scripts/figure_step.py", "# A comment.\n", set()),
+        ("src/granular_fronts/output/style.py", "pass\n", {"plot_fig01"}),
+        ("workflow/scripts/initiate_front.py", "pass\n", {"initiate_front", "plot_fig01"}),
+    ],
+)
+def test_a_change_of_code_repeats_what_stands_on_it_and_nothing_else(
+    finished, name, appended, repeated
+):
+    options = ["--configfile", "config/smoke.yaml"]
+    assert snakemake(*options, "--", "fig01", folder=finished).returncode == 0
+    with changed_code(finished, name, appended):
+        plan = snakemake("--dry-run", *options, "--", "fig01", folder=finished)
+    jobs = set(re.findall(r"^(\w+) +\d+$", plan.stdout, re.MULTILINE)) - {"fig01", "total"}
+    assert jobs == repeated, plan.stdout

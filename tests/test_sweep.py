@@ -5,6 +5,7 @@ import pytest
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
+from granular_fronts.fronts import sweep as sweeps
 from granular_fronts.numerics.extrapolation import (
     LARGEST_WEIGHT,
     REMEMBERED,
@@ -76,6 +77,19 @@ def test_a_point_that_fails_is_named_and_the_sweep_goes_on():
     assert sweep["reason"].values[1]
     assert np.isnan(sweep["overshoot"].values[1])
     assert 0.0 < sweep["overshoot"].values[0] < sweep["overshoot"].values[2]
+
+
+@pytest.mark.parametrize(
+    ("found", "reason"),
+    [(0, "fails a check on the grid of the sweep"), (1, "error of the front cannot be estimated")],
+)
+def test_a_front_without_values_has_not_converged(monkeypatch, found, reason):
+    nothing = np.full((found, len(sweeps.COLUMNS)), np.nan)
+    monkeypatch.setattr(sweeps, "follow", lambda *_: nothing)
+    fronts = gf.sweep_fronts(1.5, [0.5])
+    assert fronts["converged"].values.tolist() == [0]
+    assert reason in str(fronts["reason"].values[0])
+    assert np.isnan(fronts["width_10_90"]).all()
 
 
 def test_overshoot_falls_and_width_grows_with_damping():

@@ -9,7 +9,10 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _HOME_OF = {
+    "Potential": "granular_fronts.model.potentials",
     "Scaling": "granular_fronts.model.scaling",
+    "check_certificate": "granular_fronts.proofs.checker",
+    "collide": "granular_fronts.model.collision_by_law",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.log_burgers.evolution",
@@ -17,10 +20,12 @@ _HOME_OF = {
     "heteroclinic": "granular_fronts.continuum.log_kdv_burgers.heteroclinic",
     "jump_conditions": "granular_fronts.model.jump_conditions",
     "log_burgers_front": "granular_fronts.continuum.log_burgers.equation",
+    "make_law": "granular_fronts.model.laws",
+    "prove_front": "granular_fronts.proofs.certificate",
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
-    "sweep_fronts": "granular_fronts.fronts.profile.sweep",
+    "sweep_fronts": "granular_fronts.fronts.sweep",
     "tail_roots": "granular_fronts.fronts.linear.tails",
 }
 

@@ -1,27 +1,232 @@
-"""How wrong a number can be: a measured one, and one that was computed twice.
+r"""How wrong a number can be: a value with its error, and the refinement that estimates it.
 
-The modules named `measures` hold the measurements.
+An error estimate is the difference of a result to an independent refinement: the same problem
+solved again on a finer grid, by another order, or at a smaller tolerance (`with_refinement`).  Of a
+variable it is the largest difference over all points where both solutions are finite.  It is never
+smaller than the *rounding floor*, one unit in the last place of the largest value: two results may
+agree to the last bit by chance, and that bit is uncertain nevertheless.
+
+Estimates propagate through sums, products and quotients to first order and in the worst case,
+
+.. math::
+
+    \Delta(a \pm b) = \Delta a + \Delta b, \quad
+    \Delta(ab) = |b|\,\Delta a + |a|\,\Delta b, \quad
+    \Delta(a/b) = (\Delta a + |a/b|\,\Delta b) / |b| ,
+
+since the errors of two numbers from one solution are not independent.
+
+The modules named `measures` read estimates of single numbers off the solutions.
 """
 
-from typing import NamedTuple
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from granular_fronts.errors import SolveError
 
-class Measured(NamedTuple):
-    """A value and an estimate of its absolute error."""
+EPSILON = float(np.finfo(float).eps)
+"""Distance of 1 to the next double, 2⁻⁵²."""
+
+
+class Estimate(NamedTuple):
+    """A value and an estimate of its absolute error, with the arithmetic of such pairs.
+
+    Examples
+    --------
+    >>> Estimate(6.0, 0.25) / Estimate(2.0, 0.5)
+    Estimate(value=3.0, error=0.875)
+    """
 
     value: float
     error: float
 
+    # Numpy's numbers would otherwise take an estimate for an array of two.
+    __array_ufunc__ = None
 
-def error_attributes(value, other, method):
+    def __neg__(self):
+        return Estimate(-self.value, self.error)
+
+    def __add__(self, other):
+        other = _as_estimate(other)
+        return Estimate(self.value + other.value, self.error + other.error)
+
+    def __sub__(self, other):
+        return self + -_as_estimate(other)
+
+    def __mul__(self, other):
+        other = _as_estimate(other)
+        error = abs(other.value) * self.error + abs(self.value) * other.error
+        return Estimate(self.value * other.value, error)
+
+    def __truediv__(self, other):
+        other = _as_estimate(other)
+        ratio = self.value / other.value
+        return Estimate(ratio, (self.error + abs(ratio) * other.error) / abs(other.value))
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+def _as_estimate(number):
+    return number if isinstance(number, Estimate) else Estimate(number, 0.0)
+
+
+class Refined(NamedTuple):
+    """A solution, and the same problem solved more accurately."""
+
+    usual: Any
+    finer: Any
+
+    def map(self, function):
+        """A function of both solutions."""
+        return Refined(function(self.usual), function(self.finer))
+
+    def estimate(self, measure=float):
+        """A number that is measured on a solution, with its error.
+
+        Parameters
+        ----------
+        measure : callable
+            From a solution to a number.
+
+        Returns
+        -------
+        Estimate
+        """
+        return estimate(*self.map(measure))
+
+
+def with_refinement(solve: Callable, usual, finer) -> Refined:
+    """Solve a problem twice, so that the difference estimates the error.
+
+    Parameters
+    ----------
+    solve : callable
+        From a resolution (a tolerance, a grid, an order, or a record of these) to a solution.
+    usual, finer : object
+        Resolution of the solution, and of its independent refinement.
+
+    Returns
+    -------
+    Refined
+
+    Raises
+    ------
+    SolveError
+        As `solve` raises it; where the refinement fails, the sentence says so.
+    """
+    return refined_by(lambda _found: solve(finer), solve(usual))
+
+
+def refined_by(refine: Callable, found) -> Refined:
+    """A solution and its refinement, which starts from the solution; otherwise the same."""
+    try:
+        return Refined(found, refine(found))
+    except SolveError as error:
+        raise type(error)(
+            f"the refinement that should estimate the error failed: {error}"
+        ) from error
+
+
+def rounding_floor(values) -> float:
+    """One unit in the last place of the largest finite value; NaN where there is none."""
+    return float(np.spacing(_largest(values)))
+
+
+def largest_difference(values, others) -> float:
+    """Error estimate of values that were computed twice.
+
+    Parameters
+    ----------
+    values, others : array_like, same shape
+        NaN where there is nothing, an arrival that did not happen for example.
+
+    Returns
+    -------
+    float
+        The largest difference, at least the rounding floor; NaN where no pair is finite, and 0
+        where there are no values.
+    """
+    if np.size(values) == 0:
+        return 0.0
+    difference, size = _largest(np.subtract(values, others)), _largest(values)
+    return max(difference, float(np.spacing(size))) if size else difference
+
+
+def estimate(value, other) -> Estimate:
+    """A number that was computed twice, with its error."""
+    return Estimate(float(value), largest_difference(value, other))
+
+
+def rounded(value, units=1.0) -> Estimate:
+    """A number from a closed formula, whose error is some units in its last place."""
+    return Estimate(float(value), units * rounding_floor(value))
+
+
+def recorded(variable) -> Estimate:
+    """A number that a variable without dimensions holds, with its `error_estimate`."""
+    return Estimate(float(variable), float(variable.attrs["error_estimate"]))
+
+
+def tabulated(dataset, name) -> Estimate:
+    """A number of a dataset, with the error that stands in the variable beside it."""
+    return Estimate(float(dataset[name]), float(dataset[f"{name}_error"]))
+
+
+def estimated_variable(dims, estimates, method, **attributes):
+    """A variable from estimates, which carries the largest of their errors.
+
+    Parameters
+    ----------
+    dims : str or tuple of str
+    estimates : array_like of Estimate, shape of the dimensions
+        Pairs of value and error.
+    method : str
+        How the errors were found.
+    **attributes
+        Further attributes, `long_name` for example.
+
+    Returns
+    -------
+    tuple
+        As xarray takes it: dimensions, values, attributes.
+    """
+    values, errors = np.moveaxis(np.array(estimates, dtype=float), -1, 0)
+    return (
+        dims,
+        values,
+        {
+            **attributes,
+            "error_estimate": float(errors.max()),
+            "error_method": method,
+        },
+    )
+
+
+def variable_and_errors(name, dims, estimates, method, meaning) -> dict:
+    """A variable from estimates, and beside it one of their errors; arguments as above.
+
+    Returns
+    -------
+    dict
+        Variables under `name` and `<name>_error`.
+    """
+    errors = np.array(estimates, dtype=float)[..., 1]
+    return {
+        name: estimated_variable(dims, estimates, method, long_name=meaning),
+        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
+    }
+
+
+def error_attributes(values, others, method) -> dict:
     """Attributes that say how wrong a variable can be.
 
     Parameters
     ----------
-    value, other : ndarray, same shape
-        Two computations; where they agree, one unit of the last digit stands in.
+    values, others : array_like, same shape
+        Two computations.
     method : str
         How the second was made.
 
@@ -30,10 +235,14 @@ def error_attributes(value, other, method):
     dict
         `error_estimate` and `error_method`.
     """
-    largest = _largest(value)
-    estimate = max(_largest(value - other), float(np.spacing(largest)) if largest else 0.0)
-    return {"error_estimate": estimate, "error_method": method}
+    return {"error_estimate": largest_difference(values, others), "error_method": method}
 
 
 def _largest(values):
-    return float(np.max(np.abs(values), initial=0.0))
+    """Largest finite absolute value; NaN where there is none."""
+    sizes = np.abs(np.asarray(values, dtype=float))
+    largest = float(sizes.max(initial=0.0))
+    if sizes.size and math.isfinite(largest):
+        return largest
+    finite = sizes[np.isfinite(sizes)]
+    return float(finite.max()) if finite.size else math.nan

@@ -1,9 +1,10 @@
 """Arguments of functions: what a computation needs, or one sentence that says why it cannot be.
 
-A number, a count, an array of numbers, one of several names, an object of a kind.  Each function
-below returns the argument as plain float, int, ndarray, ... and otherwise raises an `InputError`
-that names the argument, shows what was given, and says what is needed and the way out.  Text, None,
-truth values, complex numbers, arrays where one number belongs, nan and inf are never numbers.
+A number, a count, an array of numbers, one of several names, an object of a kind, a path.  Each
+function below returns the argument as plain float, int, ndarray, ... and otherwise raises an
+`InputError` that names the argument, shows what was given, and says what is needed and the way out.
+Text, None, truth values, complex numbers, arrays where one number belongs, nan and inf are never
+numbers.
 
 Only arrays need numpy, which is imported where one is checked: the workflow checks its
 configuration at each start without it.
@@ -13,6 +14,7 @@ import contextlib
 import math
 import numbers
 import reprlib
+from pathlib import Path
 
 from granular_fronts.errors import InputError
 
@@ -46,7 +48,7 @@ def scalar(
     if math.isfinite(number) and _lies_within(number, above, least, below, most):
         return number
     limits = _limits_in_words(above, least, below, most)
-    raise InputError(f"{name} is {_shown(value)}, but must be a finite number{limits}: {advice}.")
+    raise InputError(f"{name} is {shown(value)}, but must be a finite number{limits}: {advice}.")
 
 
 def count(name, value, *, least=1, most=None, advice="give such a number"):
@@ -60,7 +62,7 @@ def count(name, value, *, least=1, most=None, advice="give such a number"):
     if number.is_integer() and _lies_within(number, None, least, None, most):
         return int(number)
     limits = _limits_in_words(None, least, None, most)
-    raise InputError(f"{name} is {_shown(value)}, but must be a whole number{limits}: {advice}.")
+    raise InputError(f"{name} is {shown(value)}, but must be a whole number{limits}: {advice}.")
 
 
 def array(
@@ -90,7 +92,7 @@ def array(
     except (TypeError, ValueError):
         given = np.empty(0, dtype=object)
     if given.dtype.kind not in "iuf":
-        raise InputError(f"{name} is {_shown(values)}, but must hold real numbers: {advice}.")
+        raise InputError(f"{name} is {shown(values)}, but must hold real numbers: {advice}.")
     found = given.astype(float)
     good = np.isfinite(found) & _lies_within(found, above, least, below, most)
     if good.all():
@@ -132,7 +134,7 @@ def choice(name, value, choices):
     if isinstance(value, str) and value in choices:
         return value
     raise InputError(
-        f"{name} is {_shown(value)}, but must be one of {', '.join(choices)}: choose one of these."
+        f"{name} is {shown(value)}, but must be one of {', '.join(choices)}: choose one of these."
     )
 
 
@@ -153,7 +155,24 @@ def instance(name, value, kind, advice):
     """
     if isinstance(value, kind):
         return value
-    raise InputError(f"{name} is {_shown(value)}, but must be a {kind.__name__}: {advice}.")
+    raise InputError(f"{name} is {shown(value)}, but must be a {kind.__name__}: {advice}.")
+
+
+def path(name, value):
+    """The path of a file, which need not exist.
+
+    Parameters
+    ----------
+    name : str
+    value : object
+
+    Returns
+    -------
+    Path
+    """
+    if isinstance(value, (str, Path)) and str(value) and "\0" not in str(value):
+        return Path(value)
+    raise InputError(f"{name} is {shown(value)}, but must be a path: give the name of a file.")
 
 
 @contextlib.contextmanager
@@ -210,7 +229,7 @@ def _limits_in_words(above, least, below, most):
     return f", {' and '.join(limits)}" if limits else ""
 
 
-def _shown(value):
+def shown(value):
     """What was given, short and on one line."""
     if getattr(value, "shape", ()):
         return f"an array of shape {tuple(value.shape)}"

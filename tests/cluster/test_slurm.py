@@ -33,10 +33,10 @@ NEEDED = {
     "cluster-environment.txt": importlib.util.find_spec("snakemake_executor_plugin_slurm"),
     "a machine that is no cluster": not Path("/etc/slurm/slurm.conf").exists(),
 }
-LACKING = [name for name, found in NEEDED.items() if not found]
+MISSING = [name for name, found in NEEDED.items() if not found]
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.skipif(bool(LACKING), reason=f"The cluster test needs {', '.join(LACKING)}."),
+    pytest.mark.skipif(bool(MISSING), reason=f"The cluster test needs {', '.join(MISSING)}."),
 ]
 
 

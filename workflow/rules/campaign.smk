@@ -7,10 +7,10 @@ include: "campaign_plan.smk"
 checkpoint plan_campaign:
     input:
         kernels=campaign_kernels,
-        modules=campaign_sources("plan_campaign"),
     output:
         plan="<results>/data/campaigns/{campaign}/plan.json",
     params:
+        code=campaign_code("plan_campaign"),
         campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
         name="{campaign}",
         chunk_seconds=config["chunk_seconds"],
@@ -33,9 +33,10 @@ rule solve_chunk:
     input:
         # A request has no rule: planning writes those that are not there, and none anew.
         request="<results>/data/campaigns/{campaign}/{chunk}.json",
-        modules=campaign_sources("solve_chunk"),
     output:
         dataset="<results>/data/campaigns/{campaign}/{chunk}.nc",
+    params:
+        code=campaign_code("solve_chunk"),
     log:
         "<logs>/solve_chunk/{campaign}/{chunk}.log",
     benchmark:
@@ -55,10 +56,10 @@ rule solve_chunk:
 rule merge_campaign:
     input:
         chunks=lambda wildcards: campaign_chunks(wildcards.campaign),
-        modules=sources("merge_campaign"),
     output:
         dataset="<results>/data/campaigns/{campaign}.nc",
     params:
+        code=code("merge_campaign"),
         campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
         name="{campaign}",
     log:
@@ -80,10 +81,11 @@ rule merge_campaign:
 rule summarise_campaign:
     input:
         dataset="<results>/data/campaigns/{campaign}.nc",
-        modules=sources("summarise_campaign"),
     output:
         csv="<results>/tables/campaign_{campaign}.csv",
         markdown="<results>/tables/campaign_{campaign}.md",
+    params:
+        code=code("summarise_campaign"),
     log:
         "<logs>/summarise_campaign/{campaign}.log",
     benchmark:

@@ -25,9 +25,9 @@ def campaign_kernels(wildcards):
     return KERNELS_OF_KIND[campaign_of(wildcards.campaign).kind_name]
 
 
-def campaign_sources(script):
-    """Return an input function that finds the files that a script and a campaign's kind stand on."""
-    return lambda wildcards: source_files(script, campaign_of(wildcards.campaign).kind.module)
+def campaign_code(script):
+    """Return a function for `params`: a digest of the code of a script and of a campaign's kind."""
+    return lambda wildcards: digest_of(script, campaign_of(wildcards.campaign).kind.module)
 
 
 def campaign_chunks(name):

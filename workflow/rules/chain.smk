@@ -3,11 +3,10 @@
 
 # Otherwise jobs that start together would each compile the same kernels.
 rule compile_kernels:
-    input:
-        modules=sources("compile_kernels", "granular_fronts.chain.compilation"),
     output:
         stamp="<results>/kernels.json",
     params:
+        code=code("compile_kernels", "granular_fronts.chain.compilation"),
         wings=["chain"],
     log:
         "<logs>/compile_kernels.log",
@@ -25,10 +24,10 @@ rule compile_kernels:
 rule initiate_front:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=sources("initiate_front"),
     output:
         dataset="<results>/data/chain/{scene}.nc",
     params:
+        code=code("initiate_front"),
         scene=lambda wildcards: config["scenes"]["chain"][wildcards.scene],
         scene_id="{scene}",
     log:

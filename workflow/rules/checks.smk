@@ -7,10 +7,10 @@ rule check_results:
         datasets=DATASETS,
         figures=DRAWN_FILES,
         tables=WRITTEN_FILES,
-        modules=sources("check_results"),
     output:
         verdict="<results>/checks.txt",
     params:
+        code=code("check_results"),
         results=subpath(output.verdict, parent=True),
         configuration=config,
     log:

@@ -18,6 +18,7 @@ os.environ.update(
     NUMBA_CACHE_DIR=os.path.join(workflow.basedir, ".numba_cache"),
 )
 
+from granular_fronts.numerics.source_code import code_digest
 from imports import import_closure, module_files
 from run_lock import FolderInUseError, lock_folder
 
@@ -61,22 +62,19 @@ wildcard_constraints:
 
 
 @cache
-def source_files(*names):
-    """Return the files of some modules and of all that these import.
+def digest_of(*names):
+    """Return a digest of the code of some modules and of all that these import."""
+    files = [MODULES[name] for name in import_closure(names, MODULES)]
+    return code_digest(files, Path(workflow.basedir))
 
-    Snakemake sees that a script has changed, but not what the script imports.
+
+def code(*names):
+    """Return a function for `params`: a digest of what a script and all that it imports do.
+
+    A job is repeated when this code changes, and not for a docstring or a comment. What a script
+    imports by a string is named after it, with wildcards. Nothing is read before a job is planned.
     """
-    imported = import_closure(names, MODULES)
-    return sorted(os.path.relpath(MODULES[name], workflow.basedir) for name in imported)
-
-
-def sources(*names):
-    """Return an input function that finds the files of a script and of all that it imports.
-
-    What a script imports by a string is named after it, with wildcards. Nothing is read before a
-    job is planned.
-    """
-    return lambda wildcards: source_files(*(name.format(wildcards=wildcards) for name in names))
+    return lambda wildcards: digest_of(*(name.format(wildcards=wildcards) for name in names))
 
 
 def contents(files):

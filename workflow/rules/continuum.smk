@@ -2,15 +2,14 @@
 
 
 rule compile_continuum_kernels:
-    input:
-        modules=sources(
+    output:
+        stamp="<results>/continuum_kernels.json",
+    params:
+        code=code(
             "compile_kernels",
             "granular_fronts.continuum.compilation",
             "granular_fronts.reference_methods.compilation",
         ),
-    output:
-        stamp="<results>/continuum_kernels.json",
-    params:
         wings=["continuum", "reference_methods"],
     log:
         "<logs>/compile_continuum_kernels.log",
@@ -28,10 +27,10 @@ rule compile_continuum_kernels:
 rule compute_heteroclinic:
     input:
         kernels=rules.compile_continuum_kernels.output.stamp,
-        modules=sources("compute_heteroclinic"),
     output:
         dataset="<results>/data/continuum/{scene}.nc",
     params:
+        code=code("compute_heteroclinic"),
         scene=lambda wildcards: config["scenes"]["heteroclinic"][wildcards.scene],
         scene_id="{scene}",
     log:
@@ -50,11 +49,10 @@ rule compute_heteroclinic:
 
 
 rule evaluate_fronts:
-    input:
-        modules=sources("evaluate_fronts"),
     output:
         dataset="<results>/data/continuum/log_burgers_fronts.nc",
     params:
+        code=code("evaluate_fronts"),
         exponents=config["front_exponents"],
     log:
         "<logs>/evaluate_fronts.log",
@@ -75,10 +73,10 @@ rule compare_periodic_chain:
             rules.compile_kernels.output.stamp,
             rules.compile_continuum_kernels.output.stamp,
         ],
-        modules=sources("compare_periodic_chain"),
     output:
         dataset="<results>/data/periodic/{scene}.nc",
     params:
+        code=code("compare_periodic_chain"),
         scene=lambda wildcards: config["scenes"]["periodic"][wildcards.scene],
         scene_id="{scene}",
     log:

@@ -11,7 +11,6 @@ for figure in FIGURES:
         input:
             **figure_inputs(figure),
             template=f"workflow/report/{figure}.rst",
-            modules=sources("figure_step", f"plot_{figure}"),
         output:
             pdf=f"<results>/{stem_of(figure)}.pdf",
             png=report(
@@ -23,6 +22,7 @@ for figure in FIGURES:
             caption=f"<results>/{stem_of(figure)}.rst",
             record=f"<results>/{stem_of(figure)}.json",
         params:
+            code=code("figure_step", f"plot_{figure}"),
             script=f"plot_{figure}",
             title=verbatim(FIGURES[figure]["title"]),
             alt=verbatim(FIGURES[figure]["alt"]),

@@ -7,10 +7,10 @@ rule compile_front_kernels:
             rules.compile_kernels.output.stamp,
             rules.compile_continuum_kernels.output.stamp,
         ],
-        modules=sources("compile_kernels", "granular_fronts.fronts.compilation"),
     output:
         stamp="<results>/front_kernels.json",
     params:
+        code=code("compile_kernels", "granular_fronts.fronts.compilation"),
         wings=["fronts"],
     log:
         "<logs>/compile_front_kernels.log",
@@ -28,10 +28,10 @@ rule compile_front_kernels:
 rule shoot_front:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=sources("shoot_front"),
     output:
         dataset="<results>/data/fronts/{scene}.nc",
     params:
+        code=code("shoot_front"),
         scene=lambda wildcards: config["scenes"]["front"][wildcards.scene],
         scene_id="{scene}",
     log:
@@ -52,10 +52,10 @@ rule shoot_front:
 rule survey_fronts:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=sources("survey_fronts"),
     output:
         dataset="<results>/data/fronts/survey.nc",
     params:
+        code=code("survey_fronts"),
         survey=config["exact_fronts"]["survey"],
     log:
         "<logs>/survey_fronts.log",
@@ -73,10 +73,10 @@ rule survey_fronts:
 rule map_critical_damping:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=sources("map_critical_damping"),
     output:
         dataset="<results>/data/fronts/critical_damping.nc",
     params:
+        code=code("map_critical_damping"),
         plane=config["exact_fronts"]["critical_damping"],
     log:
         "<logs>/map_critical_damping.log",
@@ -94,10 +94,10 @@ rule map_critical_damping:
 rule follow_trends:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=sources("follow_trends"),
     output:
         dataset="<results>/data/fronts/trends.nc",
     params:
+        code=code("follow_trends"),
         scene=config["exact_fronts"]["trends"],
     log:
         "<logs>/follow_trends.log",
@@ -115,10 +115,10 @@ rule follow_trends:
 rule compute_multipliers:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=sources("compute_multipliers"),
     output:
         dataset="<results>/data/fronts/multipliers.nc",
     params:
+        code=code("compute_multipliers"),
         stability=config["exact_fronts"]["multipliers"],
     log:
         "<logs>/compute_multipliers.log",
@@ -136,7 +136,6 @@ rule compute_multipliers:
 rule tabulate_fronts:
     input:
         survey=rules.survey_fronts.output.dataset,
-        modules=sources("tabulate_fronts"),
     output:
         properties_csv="<results>/tables/front_properties.csv",
         properties_markdown="<results>/tables/front_properties.md",
@@ -145,6 +144,7 @@ rule tabulate_fronts:
         properties_record="<results>/tables/front_properties.json",
         errors_record="<results>/tables/front_errors.json",
     params:
+        code=code("tabulate_fronts"),
         asked=asked("fronts/survey"),
     log:
         "<logs>/tabulate_fronts.log",
@@ -162,12 +162,12 @@ rule tabulate_fronts:
 rule tabulate_critical_damping:
     input:
         dataset=rules.map_critical_damping.output.dataset,
-        modules=sources("tabulate_critical_damping"),
     output:
         csv="<results>/tables/critical_damping.csv",
         markdown="<results>/tables/critical_damping.md",
         record="<results>/tables/critical_damping.json",
     params:
+        code=code("tabulate_critical_damping"),
         asked=asked("fronts/critical_damping"),
     log:
         "<logs>/tabulate_critical_damping.log",

@@ -4,10 +4,10 @@
 rule measure_hard_cases:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        modules=sources("measure_hard_cases"),
     output:
         dataset="<results>/data/precision/hard_cases.nc",
     params:
+        code=code("measure_hard_cases"),
         cases=config["hard_cases"],
     log:
         "<logs>/measure_hard_cases.log",
@@ -25,12 +25,12 @@ rule measure_hard_cases:
 rule tabulate_hard_cases:
     input:
         dataset=rules.measure_hard_cases.output.dataset,
-        modules=sources("tabulate_hard_cases"),
     output:
         csv="<results>/tables/hard_cases.csv",
         markdown="<results>/tables/hard_cases.md",
         record="<results>/tables/hard_cases.json",
     params:
+        code=code("tabulate_hard_cases"),
         asked=asked("precision/hard_cases"),
     log:
         "<logs>/tabulate_hard_cases.log",
@@ -48,10 +48,10 @@ rule tabulate_hard_cases:
 rule measure_stiff_damping:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=sources("measure_stiff_damping"),
     output:
         dataset="<results>/data/precision/stiff_damping.nc",
     params:
+        code=code("measure_stiff_damping"),
         problem=config["stiff_damping"],
     log:
         "<logs>/measure_stiff_damping.log",
@@ -69,12 +69,12 @@ rule measure_stiff_damping:
 rule tabulate_stiff_damping:
     input:
         dataset=rules.measure_stiff_damping.output.dataset,
-        modules=sources("tabulate_stiff_damping"),
     output:
         csv="<results>/tables/stiff_damping.csv",
         markdown="<results>/tables/stiff_damping.md",
         record="<results>/tables/stiff_damping.json",
     params:
+        code=code("tabulate_stiff_damping"),
         asked=asked("precision/stiff_damping"),
     log:
         "<logs>/tabulate_stiff_damping.log",

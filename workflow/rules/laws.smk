@@ -2,11 +2,10 @@
 
 
 rule evaluate_materials:
-    input:
-        modules=sources("evaluate_materials"),
     output:
         dataset="<results>/data/laws/materials.nc",
     params:
+        code=code("evaluate_materials"),
         materials=config["laws"]["materials"],
     log:
         "<logs>/evaluate_materials.log",
@@ -22,11 +21,10 @@ rule evaluate_materials:
 
 
 rule evaluate_damping_regimes:
-    input:
-        modules=sources("evaluate_damping_regimes"),
     output:
         dataset="<results>/data/laws/damping_regimes.nc",
     params:
+        code=code("evaluate_damping_regimes"),
         regimes=config["laws"]["damping_regimes"],
     log:
         "<logs>/evaluate_damping_regimes.log",
@@ -44,10 +42,10 @@ rule evaluate_damping_regimes:
 rule measure_numerical_damping:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=sources("measure_numerical_damping"),
     output:
         dataset="<results>/data/laws/numerical_damping.nc",
     params:
+        code=code("measure_numerical_damping"),
         scene=config["laws"]["numerical_damping"],
     log:
         "<logs>/measure_numerical_damping.log",
@@ -65,10 +63,10 @@ rule measure_numerical_damping:
 rule measure_pistons:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=sources("measure_pistons"),
     output:
         dataset="<results>/data/laws/piston.nc",
     params:
+        code=code("measure_pistons"),
         piston=config["laws"]["piston"],
     log:
         "<logs>/measure_pistons.log",
@@ -86,10 +84,10 @@ rule measure_pistons:
 rule compare_variables:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=sources("compare_variables"),
     output:
         dataset="<results>/data/laws/choice_of_variables.nc",
     params:
+        code=code("compare_variables"),
         scene=config["laws"]["choice_of_variables"],
     log:
         "<logs>/compare_variables.log",
@@ -110,10 +108,10 @@ rule measure_limiting_cases:
             rules.compile_kernels.output.stamp,
             rules.compile_continuum_kernels.output.stamp,
         ],
-        modules=sources("measure_limiting_cases"),
     output:
         dataset="<results>/data/laws/limiting_cases.nc",
     params:
+        code=code("measure_limiting_cases"),
         scene=config["laws"]["limiting_cases"],
     log:
         "<logs>/measure_limiting_cases.log",
@@ -131,10 +129,10 @@ rule measure_limiting_cases:
 rule check_jump_conditions:
     input:
         kernels=rules.compile_kernels.output.stamp,
-        modules=sources("check_jump_conditions"),
     output:
         dataset="<results>/data/laws/jump_conditions.nc",
     params:
+        code=code("check_jump_conditions"),
         scene=config["laws"]["jump_conditions"],
     log:
         "<logs>/check_jump_conditions.log",
@@ -152,12 +150,12 @@ rule check_jump_conditions:
 rule tabulate_jump_conditions:
     input:
         dataset=rules.check_jump_conditions.output.dataset,
-        modules=sources("tabulate_jump_conditions"),
     output:
         csv="<results>/tables/jump_conditions.csv",
         markdown="<results>/tables/jump_conditions.md",
         record="<results>/tables/jump_conditions.json",
     params:
+        code=code("tabulate_jump_conditions"),
         asked=asked("laws/jump_conditions"),
     log:
         "<logs>/tabulate_jump_conditions.log",
@@ -175,12 +173,12 @@ rule tabulate_jump_conditions:
 rule tabulate_materials:
     input:
         dataset=rules.evaluate_materials.output.dataset,
-        modules=sources("tabulate_materials"),
     output:
         csv="<results>/tables/materials.csv",
         markdown="<results>/tables/materials.md",
         record="<results>/tables/materials.json",
     params:
+        code=code("tabulate_materials"),
         asked=asked("laws/materials"),
     log:
         "<logs>/tabulate_materials.log",

@@ -16,10 +16,10 @@ rule measure_precision:
         kernels=rules.compile_front_kernels.output.stamp,
         reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
         scilab="workflow/scripts/peers/scilab.sce",
-        modules=sources("measure_precision", "problems.{wildcards.family}"),
     output:
         dataset="<results>/data/precision/{family}.nc",
     params:
+        code=code("measure_precision", "problems.{wildcards.family}"),
         family="{family}",
         problems=lambda wildcards: config["precision"][wildcards.family],
     log:
@@ -40,9 +40,10 @@ rule measure_precision:
 rule merge_precision:
     input:
         datasets=expand("<results>/data/precision/{family}.nc", family=config["precision"]),
-        modules=sources("merge_precision"),
     output:
         dataset="<results>/data/precision/speed_error.nc",
+    params:
+        code=code("merge_precision"),
     log:
         "<logs>/merge_precision.log",
     benchmark:
@@ -59,7 +60,6 @@ rule merge_precision:
 rule tabulate_speed_error:
     input:
         dataset=rules.merge_precision.output.dataset,
-        modules=sources("tabulate_speed_error"),
     output:
         csv="<results>/tables/speed_error.csv",
         markdown="<results>/tables/speed_error.md",
@@ -68,6 +68,7 @@ rule tabulate_speed_error:
         record="<results>/tables/speed_error.json",
         verdicts_record="<results>/tables/speed_verdicts.json",
     params:
+        code=code("tabulate_speed_error"),
         asked=asked("precision/speed_error"),
     log:
         "<logs>/tabulate_speed_error.log",
@@ -85,10 +86,10 @@ rule tabulate_speed_error:
 rule measure_log_burgers:
     input:
         kernels=rules.compile_continuum_kernels.output.stamp,
-        modules=sources("measure_log_burgers"),
     output:
         dataset="<results>/data/precision/log_burgers.nc",
     params:
+        code=code("measure_log_burgers"),
         problems=config["precision"]["log_burgers"],
         scenes=config["scenes"]["periodic"],
     log:
@@ -107,12 +108,12 @@ rule measure_log_burgers:
 rule tabulate_log_burgers:
     input:
         dataset=rules.measure_log_burgers.output.dataset,
-        modules=sources("tabulate_log_burgers"),
     output:
         csv="<results>/tables/log_burgers_solvers.csv",
         markdown="<results>/tables/log_burgers_solvers.md",
         record="<results>/tables/log_burgers_solvers.json",
     params:
+        code=code("tabulate_log_burgers"),
         asked=asked("precision/log_burgers"),
     log:
         "<logs>/tabulate_log_burgers.log",

@@ -2,7 +2,7 @@
 
 import yaml
 
-from granular_fronts.output.provenance import question_digest, read_record
+from granular_fronts.output.provenance import code_version, question_digest, read_record
 from questions import FAMILIES, questions, questions_on_demand
 
 ASKED = questions(config) | questions_on_demand(config)
@@ -22,22 +22,28 @@ def question(dataset):
 
 
 def check_history():
-    """Refuse results of another configuration of which Snakemake has no record.
+    """Refuse results of another configuration or code of which Snakemake has no record.
 
     What Snakemake knows of a file lies in .snakemake. Where that is lost, or the results come from
-    elsewhere, it would take any figure for one of the present configuration.
+    elsewhere, it would take any figure for one of the present configuration and code.
     """
     if glob(".snakemake/metadata/*"):
         return
     expected = {name.rpartition("/")[2]: question_digest(part) for name, part in ASKED.items()}
     for file in sorted(glob(f"{config['results']}/*/*.json")):
-        for made_from in read_record(Path(file)).get("made_from", []):
-            if expected.get(made_from["scene"], made_from["question"]) != made_from["question"]:
-                sys.exit(
-                    f"{file} answers another configuration of scene {made_from['scene']}, and "
-                    "the record of how it was made (.snakemake) is gone: remove "
-                    f"{config['results']}, or name another folder (--config results=...)."
-                )
+        record = read_record(Path(file))
+        differs = [
+            f"answers another configuration of scene {made_from['scene']}"
+            for made_from in record.get("made_from", [])
+            if expected.get(made_from["scene"], made_from["question"]) != made_from["question"]
+        ]
+        if record.get("code_version", code_version()) != code_version():
+            differs.append("was made by another version of the code")
+        if differs:
+            sys.exit(
+                f"{file} {differs[0]}, and the record of how it was made (.snakemake) is gone: "
+                f"remove {config['results']}, or name another folder (--config results=...)."
+            )
 
 
 def asked(*datasets):

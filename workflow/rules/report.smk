@@ -39,10 +39,10 @@ rule write_report:
             rules.check_results.benchmark,
         ],
         verdict=rules.check_results.output.verdict,
-        modules=sources("write_report"),
     output:
         page="<results>/report.html",
     params:
+        code=code("write_report"),
         configuration=config,
         results=subpath(output.page, parent=True),
         asked=asked(*questions(config)),

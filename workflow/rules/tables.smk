@@ -11,12 +11,12 @@ rule tabulate_paper_numbers:
     input:
         statements="config/paper_numbers.yaml",
         datasets=DATASETS,
-        modules=sources("tabulate_statements", *MEASURES),
     output:
         csv="<results>/tables/paper_numbers.csv",
         markdown="<results>/tables/paper_numbers.md",
         record="<results>/tables/paper_numbers.json",
     params:
+        code=code("tabulate_statements", *MEASURES),
         reference=reference(*questions(config)),
         asked=asked(*questions(config)),
     log:
@@ -36,12 +36,12 @@ rule tabulate_findings:
     input:
         statements="config/findings.yaml",
         datasets=DATASETS,
-        modules=sources("tabulate_statements", *MEASURES),
     output:
         csv="<results>/tables/findings.csv",
         markdown="<results>/tables/findings.md",
         record="<results>/tables/findings.json",
     params:
+        code=code("tabulate_statements", *MEASURES),
         reference=reference(*questions(config)),
         asked=asked(*questions(config)),
     log:

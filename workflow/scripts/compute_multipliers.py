@@ -1,4 +1,4 @@
-"""Multipliers of exact fronts in windows of several lengths, which tell whether they are stable.
+"""Floquet multipliers of exact fronts in windows of several lengths, which decide their stability.
 
 About ten seconds: python workflow/scripts/compute_multipliers.py
     --stability config/default.yaml:exact_fronts.multipliers --dataset multipliers.nc

@@ -21,7 +21,7 @@ def measure_limiting_cases(scene: dict, dataset: Path) -> None:
     dataset : Path
         The netCDF file to write.
     """
-    write_dataset(measure(**scene), dataset, scene_id="limiting_cases", config=scene)
+    write_dataset(measure(scene), dataset, scene_id="limiting_cases", config=scene)
 
 
 if __name__ == "__main__":

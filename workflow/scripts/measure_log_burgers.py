@@ -12,8 +12,8 @@ the largest over ξ̃ at the end, in Y, against finite volumes on fine cells; th
 their largest difference to the Fourier method, also refined. Where a scheme has both cells and a
 tolerance, the tolerance is tied to the sixth power of the cell width, so that neither is wasted.
 
-All runs take turns, on one thread, after one of each kind has compiled and warmed everything; short
-runs are repeated within their turn, and the least wall-clock time counts.
+All runs take turns, on one thread, after one of each kind has compiled everything and filled the
+caches; short runs are repeated within their turn, and the least wall-clock time counts.
 """
 
 import os

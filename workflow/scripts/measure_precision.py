@@ -1,7 +1,7 @@
 """Speed against error: our solvers and other people's on the same problems, side by side.
 
 The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
-the machine hits all of them; before that each has run once, to compile and to warm everything. Of
+the machine hits all of them; before that each has run once, to compile and to fill the caches. Of
 the repeats the least time counts. Errors are measured against a stored reference, outside the
 timing, and none is reported below the error of the reference. A method that is not installed is
 named and left out; one that fails is kept, without an error but with its reason.
@@ -53,7 +53,7 @@ def measure_precision(family: str, problems: dict, reference: Path, dataset: Pat
     rows, absent, facts = [], {}, {}
     for name, settings in problems.items():
         problem = module.make_problem(settings, states)
-        present, missing = warm_up(problem, settings)
+        present, missing = run_once(problem, settings)
         absent |= missing
         facts[name] = {"own_method": problem.ours, "reference_error": problem.reference_error}
         rows += [{"problem": name} | row for row in measure(name, problem, settings, present)]
@@ -76,7 +76,7 @@ def tolerances_of(settings, method):
     return sorted(listed, reverse=True)
 
 
-def warm_up(problem, settings):
+def run_once(problem, settings):
     """Run every method once at its loosest tolerance.
 
     Parameters

@@ -80,7 +80,7 @@ def run_once(problem, gamma, method, tolerance):
     started = time.process_time()
     integrate(run, accuracy, stiff_from=METHODS[method])
     seconds = time.process_time() - started
-    final = collect(scene, run.recording, run.boundary, run.momentum).isel(t=-1)
+    final = collect(scene, run).isel(t=-1)
     work = work_done(run.clock)
     return {
         "state": np.concatenate([final[name] for name in ("relative_displacement", "velocity")]),

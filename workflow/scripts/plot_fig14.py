@@ -15,7 +15,7 @@ COLUMNS = 3
 PANEL_HEIGHT = 2.3
 MOST_TICKS = 6
 MARKERS = "osD^vPX<>*"
-# Nothing in double precision is told apart further left.
+# Double precision resolves nothing further left.
 SMALLEST_ERROR = 1e-17
 
 

@@ -12,7 +12,7 @@ from step import run_step
 LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)
 JUDGED_LEVELS = (1e-4, 1e-6, 1e-9, 1e-12)
 PAPERS_WAY = ("scilab_ode", "upwind")
-# Ending of a method that is told its grid: to be timed, while users call the one that chooses it.
+# Ending of a method whose grid is given: to be timed, while users call the one that chooses it.
 ON_GIVEN_GRID = "_on_grid"
 PACKAGES = ("diffrax", "numbalsoda", "scilab", "scipy", "sundials", "upwind")
 BUSY = "timed while the machine was busy"
@@ -75,7 +75,7 @@ def remark(chosen):
     """What to know of the runs of one method."""
     remarks = sorted(set(chosen["message"].values) - {""})
     if (chosen["below_reference"] == 1.0).any():
-        remarks.append("closer than the reference can tell")
+        remarks.append("closer than the error of the reference")
     if (chosen["disturbed"] == 1.0).any():
         remarks.append(BUSY)
     return "; ".join(remarks)
@@ -109,7 +109,7 @@ def judge(data, level):
     """A sentence on what to use for one problem to reach one error.
 
     Nothing is said where the reference is no better than the error.  A method on a given grid is
-    told of beside the one that finds its grid itself, which is what a user calls.
+    named beside the one that finds its grid itself, which is what a user calls.
     """
     if level < float(data["reference_error"]):
         return ""
@@ -121,14 +121,16 @@ def judge(data, level):
         return f"Nobody reached {level:.0e}; {closest} came closest with {float(best.min()):.1e}."
     fastest = next(iter(times))
     others = rivals(times, fastest, own)
-    told = [f"{short(times[other] / times[fastest])} times faster than {other}" for other in others]
+    compared = [
+        f"{short(times[other] / times[fastest])} times faster than {other}" for other in others
+    ]
     unreached = [
         f"{method} did not get there with the tolerances asked"
         for method in PAPERS_WAY
         if fails(data, times, method)
     ]
     sentence = f"To {level:.0e} use {fastest} ({times[fastest]:.3g} ms)"
-    sentence += f", {' and '.join(told)}" if told else ", which alone reached it"
+    sentence += f", {' and '.join(compared)}" if compared else ", which alone reached it"
     given = f"{fastest}{ON_GIVEN_GRID}"
     alone = [f"on a given grid {reached[given]:.3g} ms"] if given in reached else []
     named = [fastest, *others, *([given] if alone else [])]

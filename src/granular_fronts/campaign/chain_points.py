@@ -6,21 +6,31 @@ damping is, from eq. (29) with :math:`v_0 = v_p = \delta^{(\alpha+1)/2}`,
 
 .. math:: \hat\gamma = \gamma\, \delta^{\beta - (\alpha + 1)/2} .
 
-One tolerance then means the same at every δ, and the recorded numbers compare across the grid.  The
-motion ends after `crossings` times N, the time in which the front crosses the chain.
+One tolerance then means the same at every δ, and the recorded numbers compare across the grid.  A
+law by the kinds of its potentials has no such units; it is solved in its own, and what is recorded
+is divided by δ and by :math:`c = (-V'(-\delta)/\delta)^{1/2}`, eq. (13), the speed of a front into
+contacts at rest.  The motion ends after `crossings` times N/c, in which the front crosses the
+chain.
 
 Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chunk, is solved again
 with the tolerance divided by `REFINEMENT`; the largest difference is the error estimate.
 """
 
+import functools
+import math
+
 import numpy as np
 
-from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST
+from granular_fronts.accuracy import largest_difference, with_refinement
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.campaign.laws import law_at
+from granular_fronts.campaign.one_by_one import solve_one_by_one
 from granular_fronts.chain.recording import fitted_speed
 from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
-from granular_fronts.output.progress import counted
+from granular_fronts.scenes.laws import front_speed
+from granular_fronts.scenes.validation import check_scene
 
 REFINED_EVERY = 25
 REFINEMENT = 10.0
@@ -40,7 +50,7 @@ def solve_chunk(points, settings, activity):
     points : dict of str to ndarray, shape (lines, fast)
         Parameters of kind ``chain``.
     settings : dict
-        `tolerance` (relative, per step), `scalars`, `profile` in bead numbers.
+        `tolerance` (relative, per step), `scalars`, `profile` in bead numbers, and `law`, if any.
     activity : str
         What the progress bar says.
 
@@ -48,35 +58,27 @@ def solve_chunk(points, settings, activity):
     -------
     Solved
     """
-    profile = settings["profile"]
+    profile, tolerance = settings["profile"], settings["tolerance"]
     beads = None if profile is None else KINDS["chain"].profile_points(profile)
-    shape = next(iter(points.values())).shape
-    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
+    sizes = dict.fromkeys(settings["scalars"], ())
     if beads is not None:
-        values["relative_displacement"] = np.full((*shape, beads.size), np.nan)
-    reasons = np.full(shape, "", dtype=object)
-    errors = dict.fromkeys(values, np.nan)
-    tolerance = settings["tolerance"]
-    indices = list(np.ndindex(shape))
-    for number, index in enumerate(counted(indices, activity, "point")):
-        point = {name: value[index] for name, value in points.items()}
-        try:
-            measured = _solve_point(point, tolerance, beads)
-            if number % REFINED_EVERY == 0 or number == len(indices) - 1:
-                refined = _solve_point(point, tolerance / REFINEMENT, beads)
-                for name in values:
-                    difference = np.max(np.abs(refined[name] - measured[name]))
-                    errors[name] = np.fmax(errors[name], difference)
-        except (ValueError, ArithmeticError) as error:
-            reasons[index] = str(error)
-            continue
-        for name, value in values.items():
-            value[index] = measured[name]
-    return Solved(values, reasons, errors, ERROR_METHOD)
+        sizes["relative_displacement"] = (beads.size,)
+
+    def measure(point, number, count):
+        solve = functools.partial(_solve_point, point, settings.get("law"), beads)
+        if number % REFINED_EVERY and number < count - 1:
+            return {name: (value, np.nan) for name, value in solve(tolerance).items()}
+        measured, refined = with_refinement(solve, tolerance, tolerance / REFINEMENT)
+        return {
+            name: (value, largest_difference(value, refined[name]))
+            for name, value in measured.items()
+        }
+
+    return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
 
 
-def _solve_point(point, tolerance, beads):
-    """Measures of one chain, and its final u at the given beads.
+def _solve_point(point, law, beads, tolerance):
+    """Measures of one chain in units of δ and 1/c, and its final u at the given beads.
 
     Raises
     ------
@@ -84,7 +86,10 @@ def _solve_point(point, tolerance, beads):
         If the motion cannot be followed, or if the front does not reach the far end of the range
         its speed is fitted over.
     """
-    scene = normalised_scene(point, tolerance)
+    if law is None:
+        scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
+    else:
+        scene, length, c = scene_of_law(point, law, tolerance)
     run = prepare(scene)
     integrate(run, scene["tolerance"])
     recording, count = run.recording, scene["beads"]
@@ -96,16 +101,16 @@ def _solve_point(point, tolerance, beads):
         )
     extremes = recording.extremes
     measured = {
-        "front_speed": speed,
-        "overshoot": peak - 1.0,
-        "largest_overshoot": extremes[LARGEST] - 1.0,
-        "smallest_compression": extremes[SMALLEST],
-        "first_gap_time": extremes[OPENING],
-        "first_gap_bead": extremes[OPENING + 1],
+        "front_speed": speed / c,
+        "overshoot": peak / length - 1.0,
+        "largest_overshoot": extremes.largest / length - 1.0,
+        "smallest_compression": extremes.smallest / length,
+        "first_gap_time": extremes.gap_time * c,
+        "first_gap_bead": extremes.gap_bead,
     }
     if beads is not None:
         measured["relative_displacement"] = np.where(
-            beads < count, run.state.u[np.minimum(beads, count)], np.nan
+            beads < count, run.row(U)[np.minimum(beads, count) - 1] / length, np.nan
         )
     return measured
 
@@ -137,3 +142,39 @@ def normalised_scene(point, tolerance):
         "tolerance": {"relative": tolerance, "absolute": ABSOLUTE_TO_RELATIVE * tolerance},
         "record": {"snapshots": [], "arrival_level": ARRIVAL_LEVEL, "extremes": True},
     }
+
+
+def scene_of_law(point, law, tolerance):
+    """The scene of a point with a law by the kinds of its potentials, and its units.
+
+    Parameters
+    ----------
+    point : mapping
+        Parameters of kind ``chain`` and the numbers of the law that vary.
+    law : mapping
+        Of the campaign.
+    tolerance : float
+        Relative, per step.
+
+    Returns
+    -------
+    scene : dict
+        A chain scene, checked.
+    delta, c : float
+        Units of length and speed.
+    """
+    law, delta, beads = law_at(law, point), float(point["delta"]), int(point["beads"])
+    c = front_speed(law, math.log10(delta))
+    scene = {
+        "law": law,
+        "beads": beads,
+        "boundary": {"kind": "pressure", "left": delta, "right": float(point["delta_right"])},
+        "start": {"kind": "rest"},
+        "end_time": float(point["crossings"]) * beads / c if c > 0.0 else math.inf,
+        "tolerance": {
+            "relative": float(tolerance),
+            "absolute": float(ABSOLUTE_TO_RELATIVE * tolerance * delta),
+        },
+        "record": {"snapshots": [], "arrival_level": ARRIVAL_LEVEL * delta, "extremes": True},
+    }
+    return check_scene("chain", scene, "of the point"), delta, c

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from granular_fronts.campaign.axes import count_values, expand_axis, order_errors, spacing_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
+from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.constraints import ranges_increase
 from granular_fronts.scenes.schema import violations
@@ -45,7 +46,8 @@ class Campaign(NamedTuple):
     axes : tuple of str
         The parameters that vary.
     settings : dict
-        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None).
+        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None), and
+        `law` where the campaign gives one by the kinds of its potentials.
     chunk_points : int or None
         Most points of a chunk; None to choose it from the measured cost.
     allow_large : bool
@@ -63,7 +65,8 @@ class Campaign(NamedTuple):
     @property
     def kind(self) -> Kind:
         """The kind itself."""
-        return KINDS[self.kind_name]
+        kind = KINDS[self.kind_name]
+        return kind.of_law(varied_numbers(self.grid)) if "law" in self.settings else kind
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -129,16 +132,20 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
         With a sentence for each thing that is wrong.
     """
     raise_if_any(name, violations(given, schema="campaign"))
-    kind = KINDS[given["kind"]]
+    raise_if_any(name, _form_errors(given))
+    kind, law = KINDS[given["kind"]], given.get("law")
+    axes = {name_of(axis) if law else axis: values for axis, values in given["axes"].items()}
+    if law:
+        kind = kind.of_law(varied_numbers(axes))
     fixed, record = given.get("fixed", {}), given.get("record", {})
-    raise_if_any(name, _name_errors(given["kind"], kind, given["axes"], fixed, record))
+    raise_if_any(name, _name_errors(given["kind"], kind, axes, fixed, record))
     raise_if_any(name, ranges_increase(given))
     if "profile" in record:
         raise_if_any(name, _profile_errors(kind, **record["profile"]))
-    for axis, values in given["axes"].items():
+    for axis, values in axes.items():
         raise_if_any(name, spacing_errors(axis, values))
-    raise_if_any(name, _size_errors(kind, given))
-    varied = {axis: tuple(expand_axis(values)) for axis, values in given["axes"].items()}
+    raise_if_any(name, _size_errors(kind, {**given, "axes": axes}))
+    varied = {axis: tuple(expand_axis(values)) for axis, values in axes.items()}
     constant = {
         parameter: (fixed.get(parameter, described.default),)
         for parameter, described in kind.parameters.items()
@@ -146,6 +153,8 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     }
     grid = constant | varied
     raise_if_any(name, _value_errors(kind, grid, varied))
+    if law:
+        raise_if_any(name, errors_of_law(law, grid))
     scalars = record.get("scalars", list(kind.scalars))
     return Campaign(
         name=name,
@@ -157,7 +166,8 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
             "tolerance": given.get("tolerance", DEFAULT_TOLERANCE),
             "scalars": sorted(scalars, key=list(kind.scalars).index),
             "profile": record.get("profile"),
-        },
+        }
+        | ({"law": law} if law else {}),
         chunk_points=given.get("chunk_points"),
         allow_large=given.get("allow_large", False),
     )
@@ -192,6 +202,20 @@ def raise_if_any(name: str, sentences: Iterator[str]) -> None:
     errors = [f"Campaign {name}: {sentence}" for sentence in sentences]
     if errors:
         raise InputError("\n".join(errors))
+
+
+def _form_errors(given) -> Iterator[str]:
+    """Say that a kind has no law, or that an axis varies a law that is not given."""
+    if "law" in given:
+        if KINDS[given["kind"]].beside_law is None:
+            yield f"law is given, but kind {given['kind']} has none: leave it out."
+        return
+    for axis in given["axes"]:
+        if axis.startswith(PREFIX):
+            yield (
+                f"axes.{axis} varies a number of the law, but there is none: give law, with its "
+                "elastic potential."
+            )
 
 
 def _size_errors(kind, given) -> Iterator[str]:

@@ -6,18 +6,20 @@ another order; rates from its extrema.  See `continuum.log_kdv_burgers.heterocli
 
 import math
 
-import numpy as np
-
-from granular_fronts.campaign.kinds import KINDS, Solved
-from granular_fronts.continuum.log_kdv_burgers.heteroclinic import compute_orbit, heteroclinic
+from granular_fronts.accuracy import EPSILON
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.campaign.one_by_one import solve_one_by_one
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
+    heteroclinic,
+    past_all_turns,
+    refined_orbit,
+)
 from granular_fronts.continuum.log_kdv_burgers.survey import measure_rates
-from granular_fronts.output.progress import counted
 
 ERROR_METHOD = (
     "largest difference to the orbit traced with another order; of a rate, its change along the "
     "orbit"
 )
-RESOLVED = 2.0**-52
 
 
 def solve_chunk(points, settings, activity):
@@ -36,32 +38,24 @@ def solve_chunk(points, settings, activity):
     -------
     Solved
     """
-    profile = settings["profile"]
+    profile, sizes = settings["profile"], dict.fromkeys(settings["scalars"], ())
     s = None if profile is None else KINDS["heteroclinic"].profile_points(profile)
-    shape = points["mu"].shape
-    values = {name: np.full(shape, np.nan) for name in settings["scalars"]}
     if s is not None:
-        values["rescaled_force"] = np.full((*shape, s.size), np.nan)
-    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(values, np.nan)
-    for index in counted(np.ndindex(shape), activity, "point"):
-        try:
-            measured = _measure(float(points["mu"][index]), s)
-        except (ValueError, ArithmeticError) as error:
-            reasons[index] = str(error)
-            continue
-        for name, value in values.items():
-            value[index], error = measured[name]
-            errors[name] = np.fmax(errors[name], error)
-    return Solved(values, reasons, errors, ERROR_METHOD)
+        sizes["rescaled_force"] = (s.size,)
+
+    def measure(point, _number, _count):
+        return _measure(float(point["mu"]), s)
+
+    return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
 
 
 def _measure(mu, s):
     """Each scalar of one orbit, and its profile, with an error."""
-    shape, again = _shape(mu, refined=False), _shape(mu, refined=True)
+    orbits = refined_orbit(mu, past_all_turns(mu))
     rate, rate_error, frequency, frequency_error = measure_rates(mu)
     measured = {
-        "overshoot": (shape[0], abs(shape[0] - again[0])),
-        "width_10_90": (shape[1], abs(shape[1] - again[1])),
+        "overshoot": orbits.estimate(_overshoot),
+        "width_10_90": orbits.estimate(_width),
         "growth_rate": (rate, rate_error),
         "angular_frequency": (frequency, frequency_error),
     }
@@ -71,11 +65,13 @@ def _measure(mu, s):
     return measured
 
 
-def _shape(mu, refined):
-    """Overshoot and width in s of one trace of the orbit."""
-    # Without damping there is no second turn to look for.
-    orbit = compute_orbit(mu, -math.inf if mu > 0.0 else -4.0, refined)
+def _overshoot(orbit):
+    """Largest y − 1 of an orbit, 0 where it is below the last digit of 1."""
     _, p = orbit.turning_points()
     overshoot = math.expm1(-p[0]) if p.size else 0.0
-    width = orbit.s_at(math.log(10.0)) - orbit.s_at(-math.log(0.9))
-    return (overshoot if overshoot > RESOLVED else 0.0), width
+    return overshoot if overshoot > EPSILON else 0.0
+
+
+def _width(orbit):
+    """Distance in s from y = 0.9 to y = 0.1."""
+    return orbit.s_at(math.log(10.0)) - orbit.s_at(-math.log(0.9))

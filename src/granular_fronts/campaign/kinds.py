@@ -6,6 +6,7 @@ progress bar; the answer is a `Solved`.  This module imports nothing heavy, sinc
 checked against it before any job.
 """
 
+import math
 from collections.abc import Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
@@ -53,6 +54,9 @@ class Kind(NamedTuple):
         Name and meaning of the profile that may be recorded, and of its coordinate.
     profile_counts : bool
         Whether only whole numbers make sense along the profile.
+    beside_law : mapping of str to Parameter or None
+        Parameters that take the place of α, β and γ where a campaign gives a law by the kinds of
+        its potentials; None for a kind without laws.
     """
 
     module: str
@@ -61,6 +65,29 @@ class Kind(NamedTuple):
     profile: tuple[str, str]
     profile_along: tuple[str, str]
     profile_counts: bool = False
+    beside_law: Mapping[str, Parameter] | None = None
+
+    def of_law(self, varied) -> "Kind":
+        """The kind for any law, some of whose numbers vary.
+
+        Parameters
+        ----------
+        varied : iterable of str
+            Their names, such as ``elastic_rate`` for ``law.elastic.rate``.
+
+        Returns
+        -------
+        Kind
+        """
+        kept = {
+            name: parameter
+            for name, parameter in self.parameters.items()
+            if name not in ("alpha", "beta", "gamma")
+        }
+        numbers = {
+            name: Parameter(f"law.{name.replace('_', '.', 1)}", -math.inf) for name in varied
+        }
+        return self._replace(parameters=numbers | self.beside_law | kept)
 
     def profile_points(self, profile) -> "np.ndarray":
         """Where a profile is recorded, evenly spaced from its start to its stop."""
@@ -119,7 +146,7 @@ KINDS: dict[str, Kind] = {
             ),
         },
         scalars={
-            "front_speed": "speed of the front over delta^((alpha - 1)/2)",
+            "front_speed": "speed of the front over c, which is delta^((alpha - 1)/2) for powers",
             "overshoot": "first maximum of u_n over delta at the middle of the chain, minus 1",
             "largest_overshoot": "largest u_n over delta of all beads and times, minus 1",
             "smallest_compression": "smallest u_n over delta of all beads and times",
@@ -129,6 +156,7 @@ KINDS: dict[str, Kind] = {
         profile=("relative_displacement", "relative displacement over delta at the end"),
         profile_along=("bead", "bead number n"),
         profile_counts=True,
+        beside_law={},
     ),
     "front": Kind(
         module="granular_fronts.campaign.front_points",
@@ -138,17 +166,22 @@ KINDS: dict[str, Kind] = {
             "gamma": GAMMA._replace(above=True),
         },
         scalars={
-            "overshoot": "largest relative displacement minus 1, 0 for a monotone front",
-            "width_10_90": "distance in beads over which u falls from 0.9 to 0.1",
+            "overshoot": "by how much u passes its value behind the front, 0 if it is monotone",
+            "width_10_90": "distance in beads over which u falls from 0.9 to 0.1 of its jump",
             "slope": "largest -u'",
-            "tail_rate": "rate at which u approaches 1 behind the front, Re lambda",
+            "tail_rate": "rate at which u settles behind the front, Re lambda",
             "tail_frequency": "frequency in xi of the slowest tail, Im lambda; 0 if it is monotone",
             "dissipated_power": "power dissipated by all contacts",
-            "speed_defect": "speed found minus 1",
+            "speed_defect": "speed found over the exact one, minus 1",
             "profile_error": "estimate of the largest error of u",
         },
         profile=("relative_displacement", "relative displacement u"),
         profile_along=("xi", "distance from the front, n - ct"),
+        beside_law={
+            "behind": Parameter("strain behind the front", -math.inf),
+            "ahead": Parameter("strain ahead of the front", -math.inf, default=0.0),
+            "damping": Parameter("factor of the viscous potential", 0.0, above=True, default=1.0),
+        },
     ),
     "heteroclinic": Kind(
         module="granular_fronts.campaign.heteroclinic_points",

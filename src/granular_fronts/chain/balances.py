@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain import equations
+from granular_fronts.chain.state import D, U
 
 
 class Snapshot(NamedTuple):
@@ -34,25 +35,28 @@ class Balances:
     def check(self, run):
         """Compare the run with the exact laws at its present time."""
         now = _measure(run)
-        stored = now.energy - self._start.energy + run.clock.dissipated[0]
+        stored = now.energy - self._start.energy + run.clock.dissipated
         if run.boundary.piston:
             self._check_piston(run, now, stored)
+        elif run.boundary.ring:
+            self._note("momentum", now.velocity.sum() - run.momentum, np.abs(now.velocity).sum())
+            self._note("energy", stored, now.energy)
         else:
             self._check_pressure(run, now, stored)
 
     def _check_pressure(self, run, now, stored):
-        left = equations.force(run.boundary.left, run.law.alpha)
-        right = equations.force(run.boundary.right, run.law.alpha)
+        left = equations.force(run.law.elastic, run.boundary.left)
+        right = equations.force(run.law.elastic, run.boundary.right)
         moved = now.positions - self._start.positions
-        gained = (left - right) * run.clock.t[0]
+        gained = (left - right) * run.clock.t
         drift = now.velocity.sum() - run.momentum - gained
         self._note("momentum", drift, np.abs(now.velocity).sum())
         self._note("energy", stored - left * moved[0] + right * moved[-1], now.energy)
 
     def _check_piston(self, run, now, stored):
         """The piston keeps its velocity; its work is known but for a sum over its ramp."""
-        t, piston = run.clock.t[0], run.boundary.piston
-        right = equations.force(run.boundary.right, run.law.alpha)
+        t, piston = run.clock.t, run.boundary.piston
+        right = equations.force(run.law.elastic, run.boundary.right)
         if t <= piston.ramp:
             self._last_of_ramp = now
         risen = self._last_of_ramp.positions - self._start.positions
@@ -79,27 +83,27 @@ class Balances:
         }
 
     def _note(self, law, drift, scale):
-        self._drift[law] = max(self._drift[law], abs(drift))
-        self._scale[law] = max(self._scale[law], abs(scale))
+        # Unlike max, the maximum of numpy is NaN where one of the two is.
+        self._drift[law] = np.maximum(self._drift[law], abs(drift))
+        self._scale[law] = np.maximum(self._scale[law], abs(scale))
 
 
 def _measure(run):
     """The `Snapshot` of the present."""
-    beads = slice(1, run.size.beads + 1)
-    u, d, positions = run.state.u[beads].copy(), run.state.d[beads], np.zeros(run.size.beads)
-    if not run.boundary.ring:
+    law, boundary = run.law, run.boundary
+    u, d, positions = run.row(U).copy(), run.row(D), np.zeros(run.chain.beads)
+    if not boundary.ring:
         positions = np.flip(np.cumsum(np.flip(u)))
-        u[-1] = run.boundary.right
-    law, boundary, t = run.law, run.boundary, run.clock.t[0]
+        u[-1] = boundary.right
     w = equations.generalised_velocities(d, boundary, run.momentum)
-    velocity = w + equations.velocity_correction(u, boundary, law.beta, law.gamma, t)
+    velocity = w + equations.velocity_correction(u, boundary, law, run.clock.t)
     return Snapshot(velocity, _energy(law, boundary, u, w, velocity), positions)
 
 
 def _energy(law, boundary, u, w, velocity):
     """H(w, u), with what `equations` adds to it for a piston."""
     if not boundary.piston:
-        return equations.energy(u, w, boundary, law.alpha)
+        return equations.energy(u, w, boundary, law.elastic)
     w[0] = velocity[0]
-    at_piston = law.gamma * velocity[0] * equations.force(u[0], law.beta)
-    return equations.energy(u, w, boundary, law.alpha) + at_piston
+    at_piston = velocity[0] * equations.force(law.viscous, u[0])
+    return equations.energy(u, w, boundary, law.elastic) + at_piston

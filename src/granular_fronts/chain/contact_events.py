@@ -1,23 +1,23 @@
 r"""Opening and closing contacts: where a step must end so that the order of the method survives.
 
-A force :math:`u_+^\alpha` is smooth in time except where its contact opens or closes.  There it
-behaves like :math:`(t - t^*)_+^\alpha`, and a step of any high-order method that straddles
-:math:`t^*` is wrong by about
+A force :math:`u_+^\alpha` is smooth in time except where its contact opens or closes, and any force
+is so except where its compression passes a *kink* u*, which the law declares.  There, at the time
+t*, a step of any high-order method that straddles t* is wrong by about
 
-.. math:: \kappa = h\,\gamma\, u_{max}^\beta + h^2\, u_{max}^\alpha ,
+.. math:: \kappa = h\,\lvert G(u) - G(u^*)\rvert + h^2\,\lvert F(u) - F(u^*)\rvert,
 
-with :math:`u_{max}` the larger compression at the two ends of the step: the most that the force of
-the step can contribute.  The embedded error estimate does not see this,
-since its stages sit mostly near the ends of the step.  Hence:
+at whichever end of the step this is larger: the most that the force of the step beyond the kink can
+contribute.  The embedded error estimate does not see this, since its stages sit mostly near the
+ends of the step.  Hence:
 
-- a step that changes the sign of a contact is accepted only if κ is below the tolerance;
-- **closing** (the force is zero before :math:`t^*`, so that everything before is smooth): the step
-  is cut to end just after :math:`t^*`, by so little that κ is below the tolerance; the next step
-  starts on the singular side, where the stages do see the singularity and the ordinary controller
-  works;
-- **opening** (the singular side lies before :math:`t^*`): the steps are graded towards
-  :math:`t^*`, each going the fraction `APPROACH` of the way, until the step that crosses it is
-  short enough.  The geometric sequence costs about a dozen steps per opening.
+- a step that takes a contact through a kink is accepted only if κ is below the tolerance;
+- **closing**, where κ is larger at the end of the step (the force of an open contact is zero, so
+  that everything before t* is smooth): the step is cut to end just after t*, by so little that κ is
+  below the tolerance; the next step starts on the singular side, where the stages do see the
+  singularity and the ordinary controller works;
+- **opening**, where κ is larger at its start (the singular side lies before t*): the steps are
+  graded towards t*, each going the fraction `APPROACH` of the way, until the step that crosses it
+  is short enough.  The geometric sequence costs about a dozen steps per opening.
 
 The time to the crossing comes from the parabola through u, its rate, and the rejected end value.
 """
@@ -26,40 +26,74 @@ import math
 
 from numba import uint64
 
-from granular_fronts.chain.state import PAIR
+from granular_fronts.chain.state import ELASTIC_SLOPES, NEW_U, VISCOUS_SLOPES, D, U
+from granular_fronts.model.passes import call_row_map
 from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.runge_kutta import SLOT
 
 APPROACH = 0.75
 CROSSING = 1.5
+MOST_TRIALS, SMALLEST_SHARE = 8, 0.1
 
 
 @kernel
-def changes_sign(state, last):
-    """Whether any of the contacts 1 … last opens or closes between the ends of the step."""
-    changes = 0
+def passes_kink(table, kink, last):
+    """Whether any of the contacts 1 … last passes the kink between the ends of the step."""
+    passages = 0
     for n in range(uint64(1), uint64(last + 1)):
-        changes += state.u[n] * state.new_u[n] < 0.0
-    return changes > 0
+        passages += (table[U, n] - kink) * (table[NEW_U, n] - kink) < 0.0
+    return passages > 0
 
 
 @kernel
-def contribution(law, compression, h):
-    """κ: the most that a force of this compression adds to u within a step h."""
-    largest = max(compression, 0.0)
-    return h * law.gamma * largest**law.beta + h * h * largest**law.alpha
+def passes_any_kink(chain, table, last):
+    """Whether any of the contacts 1 … last passes any kink of the law."""
+    passages = 0
+    for i in range(chain.law.kink_count):
+        passages += passes_kink(table, chain.law.kinks[i], last)
+    return passages > 0
 
 
 @kernel
-def compression_allowed(law, h, allowed):
-    """A compression whose contribution to a step h is at most `allowed`."""
-    by_force = (0.5 * allowed / (h * h)) ** (1.0 / law.alpha)
-    if law.gamma == 0.0:
-        return by_force
-    return min(by_force, (0.5 * allowed / (h * law.gamma)) ** (1.0 / law.beta))
+def forces_at(chain, table, u):
+    """F and G of one compression."""
+    law, probe = chain.law, chain.probe
+    probe[0] = u
+    call_row_map(law.elastic, probe, probe[1:], 0, 0, law.elastic_parameters)
+    if law.single:
+        return probe[1], law.gamma * probe[1]
+    call_row_map(law.viscous, probe, probe[2:], 0, 0, law.viscous_parameters)
+    return probe[1], probe[2]
 
 
 @kernel
-def time_to_zero(u, rate, new_u, h):
+def contribution(chain, table, u, kink, h):
+    """κ: the most that the force of this compression adds to u within a step h."""
+    force, damping = forces_at(chain, table, u)
+    force_at_kink, damping_at_kink = forces_at(chain, table, kink)
+    return h * abs(damping - damping_at_kink) + h * h * abs(force - force_at_kink)
+
+
+@kernel
+def compression_allowed(chain, table, u, kink, h, allowed):
+    """A compression between u and the kink whose κ is at most `allowed`, and not much smaller.
+
+    κ is taken for a power of the distance from the kink, with the exponent of the last two trials.
+    """
+    distance, kappa, exponent = u - kink, contribution(chain, table, u, kink, h), 1.0
+    for _ in range(MOST_TRIALS):
+        if SMALLEST_SHARE * allowed <= kappa <= allowed or kappa == 0.0:
+            break
+        nearer = distance * (0.5 * allowed / kappa) ** (1.0 / exponent)
+        kappa_there = contribution(chain, table, kink + nearer, kink, h)
+        if kappa_there > 0.0 and kappa_there != kappa:
+            exponent = math.log(kappa_there / kappa) / math.log(nearer / distance)
+        distance, kappa = nearer, kappa_there
+    return kink + distance
+
+
+@kernel
+def time_to_kink(u, rate, new_u, h):
     """First zero in (0, h) of the parabola with value u and slope `rate` at 0, value new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
     root = math.sqrt(max(rate * rate - 4.0 * curvature * u, 0.0))
@@ -74,8 +108,15 @@ def time_to_zero(u, rate, new_u, h):
 
 
 @kernel
-def step_at_contact(law, state, h, last, allowed):
-    """Step to try instead of h because of the contacts 1 … last, or h if no crossing does harm.
+def rate_of(chain, table, d_row, stage, n):
+    """Rate of change of u_n where d stands in a row and the slopes are those of a stage."""
+    slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+    return table[d_row, n] + chain.law.gamma * table[slopes + SLOT[stage], n]
+
+
+@kernel
+def step_at_kink(chain, table, kink, h, last, allowed):
+    """Step to try instead of h because of the contacts 1 … last, or h if no passage does harm.
 
     Parameters
     ----------
@@ -83,18 +124,31 @@ def step_at_contact(law, state, h, last, allowed):
         Largest κ that may pass, the absolute tolerance on u.
     """
     proposal = h
-    g = state.g if law.kind == PAIR else state.k
     for n in range(1, last + 1):
-        u, new_u = state.u[n], state.new_u[n]
-        if u * new_u >= 0.0 or contribution(law, max(u, new_u), h) <= allowed:
+        u, new_u = table[U, n], table[NEW_U, n]
+        if (u - kink) * (new_u - kink) >= 0.0:
             continue
-        zero = time_to_zero(u, state.d[n] + law.gamma * g[0, n], new_u, h)
-        if u < 0.0:
-            beyond = compression_allowed(law, h, 0.5 * allowed)
-            candidate = zero + beyond * (h - zero) / new_u
-        elif contribution(law, u, CROSSING * zero) <= allowed:
+        before = contribution(chain, table, u, kink, h)
+        after = contribution(chain, table, new_u, kink, h)
+        if max(before, after) <= allowed:
+            continue
+        zero = time_to_kink(u - kink, rate_of(chain, table, D, 0, n), new_u - kink, h)
+        if after >= before:
+            beyond = compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
+            candidate = zero + beyond * (h - zero) / (new_u - kink)
+        elif contribution(chain, table, u, kink, CROSSING * zero) <= allowed:
             candidate = CROSSING * zero
         else:
             candidate = APPROACH * zero
         proposal = min(proposal, candidate)
+    return proposal
+
+
+@kernel
+def step_at_contact(chain, table, h, last, allowed):
+    """Step to try instead of h because of all kinks of the law."""
+    proposal = h
+    for i in range(chain.law.kink_count):
+        kink = chain.law.kinks[i]
+        proposal = min(proposal, step_at_kink(chain, table, kink, h, last, allowed))
     return proposal

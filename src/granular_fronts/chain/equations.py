@@ -1,57 +1,59 @@
 r"""The dissipative chain in its variables, its boundaries, and its balance laws.
 
-James (2021), eqs. (24)-(32), dimensionless (m = k = 1):
+James (2021), eqs. (5) and (24)-(32), dimensionless (m = 1), with the forces of the compression u
+that follow from the potentials, :math:`F(u) = -V'(-u)` and :math:`G(u) = -W'(-u)`:
 
 .. math::
 
-    \dot x_n = w_n + \gamma\,(u_{n-1,+}^\beta - u_{n,+}^\beta), \qquad
-    \dot w_n = u_{n-1,+}^\alpha - u_{n,+}^\alpha, \qquad u_n = x_n - x_{n+1} .
+    \dot x_n = w_n + G(u_{n-1}) - G(u_n), \qquad
+    \dot w_n = F(u_{n-1}) - F(u_n), \qquad u_n = x_n - x_{n+1} .
 
-Three sets of variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
+For the law (28) they are :math:`F = u_+^\alpha` and :math:`G = \gamma u_+^\beta`.  Three sets of
+variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
 :math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
 arrays of states; the last axis is the bead n = 1 … N.
 
 Balance laws, summed over the chain with pressure at the ends.  The damping forces of the held
 contacts vanish (:math:`\dot u_0 = \dot u_N = 0`), and
 
-.. math:: \frac{d}{dt}\sum_n \dot x_n = \delta^\alpha - \tilde\delta^\alpha .
+.. math:: \frac{d}{dt}\sum_n \dot x_n = F(\delta) - F(\tilde\delta) .
 
-Contact n transmits :math:`T_n = u_{n,+}^\alpha + \gamma\,\frac{d}{dt}u_{n,+}^\beta`, bead n
+Contact n transmits :math:`T_n = F(u_n) + \frac{d}{dt}G(u_n)`, bead n
 receives :math:`T_{n-1} - T_n`, and the flux :math:`q_n = T_n \dot x_{n+1}` telescopes, so that
 eq. (6) adds up to
 
 .. math::
 
     \frac{d}{dt} H(\dot x, u) = P
-      - \sum_{n=1}^{N-1} \beta\gamma\, u_{n,+}^{\beta-1}\, \dot u_n^2, \quad
-    P = \delta^\alpha \dot x_1 - \tilde\delta^\alpha \dot x_N, \quad
-    H(v, u) = \sum_{n=1}^N \tfrac12 v_n^2 + \sum_{n=1}^{N-1} \frac{u_{n,+}^{\alpha+1}}{\alpha+1} .
+      - \sum_{n=1}^{N-1} G'(u_n)\, \dot u_n^2, \quad
+    P = F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N, \quad
+    H(v, u) = \sum_{n=1}^N \tfrac12 v_n^2 + \sum_{n=1}^{N-1} V(-u_n) .
 
-Where a contact opens, its dissipated power is no smoother than :math:`u_+^{\beta-1}`, and a
+Where a contact opens, its dissipated power is no smoother than G', and a
 quadrature over steps loses its order.  Subtracting
 :math:`\tfrac{d}{dt}\sum\tfrac12(\dot x_n^2 - w_n^2)` from both sides gives the same law in the
 variables (31)-(32), where all of it is as smooth as the forces:
 
 .. math::
 
-    \frac{d}{dt} H(w, u) = P - \gamma \sum_{n=1}^{N}
-      \bigl(u_{n-1,+}^\alpha - u_{n,+}^\alpha\bigr) \bigl(u_{n-1,+}^\beta - u_{n,+}^\beta\bigr) .
+    \frac{d}{dt} H(w, u) = P - \sum_{n=1}^{N}
+      \bigl(F(u_{n-1}) - F(u_n)\bigr) \bigl(G(u_{n-1}) - G(u_n)\bigr) .
 
-No term of the sum is negative: the damping takes energy in these variables too.  On a ring P is
-absent and both sums run over all N beads and contacts.
+Where F and G both grow with u no term of the sum is negative: the damping takes energy in these
+variables too.  On a ring P is absent and both sums run over all N beads and contacts.
 
 A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
 it exerts the unknown force :math:`f = T_1 + \dot V`.  In place of the momentum law stands
-:math:`\dot x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + \tilde\delta^\alpha`, its
+:math:`\dot x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + F(\tilde\delta)`, its
 work needs no quadrature while the acceleration :math:`a = \dot V` is constant:
 
 .. math::
 
-    \int f\,V\,dt = \Bigl[ V \sum_n \dot x_n - a \sum_n x_n + \tilde\delta^\alpha x_1 \Bigr] .
+    \int f\,V\,dt = \Bigl[ V \sum_n \dot x_n - a \sum_n x_n + F(\tilde\delta) x_1 \Bigr] .
 
 The viscous part of :math:`T_1` is no smoother than the power above.  In u and w the law therefore
-holds for :math:`H + \gamma V u_{1,+}^\beta`, with V for the velocity of bead 1; the sum begins with
-bead 2, and :math:`a\,u_{1,+}^\beta` is taken from it.
+holds for :math:`H + V G(u_1)`, with V for the velocity of bead 1; the sum begins with
+bead 2, and :math:`a\,G(u_1)` is taken from it.
 """
 
 from typing import NamedTuple
@@ -100,46 +102,60 @@ class Boundary(NamedTuple):
     piston: Piston | None = None
 
 
-def force(u, exponent):
-    """The contact force u₊^exponent, elementwise."""
-    return np.maximum(u, 0.0) ** exponent
+def force(potential, u):
+    """The force −V'(−u) of a potential at the compression u, elementwise."""
+    return -potential.first(-np.asarray(u, dtype=float))
 
 
-def forces_on_both_sides(u, boundary, exponent, t=0.0):
+def forces_on_both_sides(u, boundary, potential, shift=0.0):
     """Forces of the contacts n − 1 and n of every bead, each of the shape of `u`.
 
     Parameters
     ----------
     u : ndarray, shape (..., N)
         Relative displacements; with pressure at the ends u_N is the held value.
-    t : float or ndarray, shape (...), optional
-        Time, on which the force behind a piston depends.
+    boundary : Boundary
+    potential : model.potentials.Potential
+    shift : float or ndarray, shape (...), optional
+        How much larger than the force ahead of a piston that behind it is.
     """
-    ahead = force(u, exponent)
+    ahead = force(potential, u)
     behind = np.roll(ahead, 1, axis=-1)
     if boundary.piston:
-        behind[..., 0] = ahead[..., 0] + boundary.piston.acceleration_at(t)
+        behind[..., 0] = ahead[..., 0] + shift
     elif not boundary.ring:
-        behind[..., 0] = force(boundary.left, exponent)
+        behind[..., 0] = force(potential, boundary.left)
     return behind, ahead
 
 
-def velocity_correction(u, boundary, beta, gamma, t=0.0):
-    """ẋ − w of every bead, eq. (31)."""
-    behind, ahead = forces_on_both_sides(u, boundary, beta, t)
-    return gamma * (behind - ahead)
+def velocity_correction(u, boundary, law, t=0.0):
+    """ẋ − w of every bead, eq. (31).
+
+    Parameters
+    ----------
+    u : ndarray, shape (..., N)
+    boundary : Boundary
+    law : model.laws.Law
+    t : float or ndarray, shape (...), optional
+        Time, on which the convention for w of a piston depends (`strain`).
+    """
+    shift = 0.0
+    if boundary.piston:
+        shift = (law.proportional or 0.0) * boundary.piston.acceleration_at(t)
+    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, shift)
+    return behind - ahead
 
 
-def strain_rates(velocity, u, boundary, beta, gamma):
+def strain_rates(velocity, u, boundary, law):
     """d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
-    w = velocity - velocity_correction(u, boundary, beta, gamma)
+    w = velocity - velocity_correction(u, boundary, law)
     ahead = np.roll(w, -1, axis=-1)
     if not boundary.ring:
         ahead[..., -1] = 0.0
     return w - ahead
 
 
-def velocities(d, u, boundary, beta, gamma, momentum=0.0, t=0.0):
+def velocities(d, u, boundary, law, momentum=0.0, t=0.0):
     """Velocities ẋ_n from the strain form.
 
     Parameters
@@ -149,7 +165,7 @@ def velocities(d, u, boundary, beta, gamma, momentum=0.0, t=0.0):
     t : float or ndarray, shape (...), optional
         Time, which matters to a piston.
     """
-    correction = velocity_correction(u, boundary, beta, gamma, t)
+    correction = velocity_correction(u, boundary, law, t)
     return generalised_velocities(d, boundary, momentum) + correction
 
 
@@ -170,8 +186,8 @@ def generalised_velocities(d, boundary, momentum=0.0):
     return w
 
 
-def energy(u, velocity, boundary, alpha):
+def energy(u, velocity, boundary, potential):
     """H(v, u): kinetic energy of the velocities, ẋ or w, and elastic one of the moving contacts."""
     moving = u if boundary.ring else u[..., :-1]
     kinetic = 0.5 * np.sum(velocity**2, axis=-1)
-    return kinetic + np.sum(force(moving, alpha + 1.0), axis=-1) / (alpha + 1.0)
+    return kinetic + np.sum(potential.value(-moving), axis=-1)

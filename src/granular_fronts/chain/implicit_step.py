@@ -3,17 +3,16 @@ r"""One implicit step of a chain in strain form: five-stage Radau IIA, order 9.
 As in `runge_kutta` only u enters the forces, so that d is eliminated: with the coefficients of
 `radau`, the increments :math:`Z_i = U_i - u` obey
 
-.. math:: Z = h c\, d + \Delta_d \bigl( h\gamma A\, g(U) + h^2 A^2 f(U) \bigr), \qquad
-    g = u_+^\beta, \quad f = u_+^\alpha .
+.. math:: Z = h c\, d + \Delta_d \bigl( h A\, G(U) + h^2 A^2 F(U) \bigr) .
 
 In the rows :math:`W = T^{-1} Z` a simplified Newton step solves, for each eigenvalue λ of A,
 
 .. math:: \bigl(1 - \Delta_d\, q\bigr)\, \delta W = r, \qquad
-    q_n = h\gamma\lambda\, \beta U_n^{\beta-1} + h^2\lambda^2\, \alpha U_n^{\alpha-1},
+    q_n = h\lambda\, G'(U_n) + h^2\lambda^2\, F'(U_n),
 
 with U taken at the third stage: tridiagonal systems, whose columns are dominated by their
 diagonal, so that no pivot is needed.  The end point is the last stage, and
-:math:`d^+ = d + h \sum_j b_j \Delta_d f(U_j)`, so that the momentum law holds to round-off.
+:math:`d^+ = d + h \sum_j b_j \Delta_d F(U_j)`, so that the momentum law holds to round-off.
 
 The energy dissipated in a step is integrated by the weights of the method.
 """
@@ -24,8 +23,17 @@ from typing import NamedTuple
 import numpy as np
 from numba import uint64
 
-from granular_fronts.chain.state import HERTZ, PAIR
-from granular_fronts.chain.strain import NEGLIGIBLE
+from granular_fronts.chain.state import (
+    DAMPING,
+    FORCE,
+    MOST_PARAMETERS,
+    NEW_D,
+    NEW_U,
+    D,
+    U,
+    record_type,
+)
+from granular_fronts.model.passes import call_row_map, row_map, row_parameters
 from granular_fronts.numerics import radau
 from granular_fronts.numerics.compiled import kernel
 
@@ -37,6 +45,19 @@ _CONTRACT = {"contract"}
 _LAMBDA, _LAMBDA_SQUARED = radau.EIGENVALUES.copy(), radau.EIGENVALUES**2
 
 
+STEPS = record_type(("next", float), ("last", float), ("longest", float))
+"""Next step to try, the last accepted one (0 if there is none), and the longest that Newton's
+iteration is trusted with."""
+
+SLOPES = record_type(
+    ("elastic", np.int64),
+    ("viscous", np.int64),
+    ("elastic_parameters", float, MOST_PARAMETERS),
+    ("viscous_parameters", float, MOST_PARAMETERS),
+)
+"""Addresses and parameters of the row maps F' and G'."""
+
+
 class Workspace(NamedTuple):
     """Arrays of the implicit steps of one chain; rows are stages, or rows of the real layout.
 
@@ -45,14 +66,15 @@ class Workspace(NamedTuple):
     stages, increments, rows : ndarray, shape (5, columns)
         U; W = T⁻¹(U − u); the right-hand side and solution of a Newton step.
     force, damping, weighted : ndarray, shape (5, columns)
-        f(U), g(U), and what the Laplacian acts on, in rows.
+        F(U), G(U), and what the Laplacian acts on, in rows.
     coupling, pivot, lower : ndarray of complex, shape (3, columns)
         q, the inverse pivots and the factors of the elimination.
+    stiffness, viscosity : ndarray, shape (columns,)
+        F' and G' at the third stage.
     before : ndarray, shape (6, columns)
         Start and stages of the last accepted step.
-    step : ndarray, shape (3,)
-        Next step to try, the last accepted one (0 if there is none), and the longest that Newton's
-        iteration is trusted with.
+    steps, slopes : record
+        Of types `STEPS` and `SLOPES`.
     """
 
     stages: np.ndarray
@@ -64,36 +86,47 @@ class Workspace(NamedTuple):
     coupling: np.ndarray
     pivot: np.ndarray
     lower: np.ndarray
+    stiffness: np.ndarray
+    viscosity: np.ndarray
     before: np.ndarray
-    step: np.ndarray
+    steps: np.record
+    slopes: np.record
 
 
-def make_workspace(columns):
-    """All arrays, zero, and a small first step."""
+def make_workspace(law, columns):
+    """All arrays, zero, and a small first step.
+
+    Parameters
+    ----------
+    law : model.laws.Law
+    columns : int
+        Length of a row.
+    """
     five = [np.zeros((radau.STAGES, columns)) for _ in range(6)]
     complex_rows = [np.zeros((radau.SYSTEMS, columns), dtype=complex) for _ in range(3)]
     before = np.zeros((radau.STAGES + 1, columns))
-    return Workspace(*five, *complex_rows, before, np.array([FIRST_STEP, 0.0, np.inf]))
+    steps, slopes = np.zeros(1, STEPS)[0], np.zeros(1, SLOPES)[0]
+    steps.next, steps.longest = FIRST_STEP, np.inf
+    for name, potential in (("elastic", law.elastic), ("viscous", law.viscous)):
+        parameters = row_parameters(potential, 2)
+        slopes[name] = row_map(potential, 2)
+        slopes[f"{name}_parameters"][: parameters.size] = parameters
+    rows = np.zeros(columns), np.zeros(columns)
+    return Workspace(*five, *complex_rows, *rows, before, steps, slopes)
 
 
-@kernel(fastmath=_CONTRACT)
-def evaluate_forces(law, size, state, work, reach):
-    """f(U) and, where the exponents differ, g(U), with the forces of held contacts beyond."""
-    last = min(reach, size.contacts)
+@kernel
+def evaluate_forces(chain, table, work, reach):
+    """F(U) and, for laws with viscous slopes of their own, G(U); at rest beyond the window."""
+    law, last = chain.law, min(reach, chain.contacts)
     for i in range(radau.STAGES):
-        for n in range(uint64(1), uint64(last + 1)):
-            u = work.stages[i, n] if work.stages[i, n] > NEGLIGIBLE else 0.0
-            if law.kind == HERTZ:
-                work.force[i, n] = u * math.sqrt(u)
-            else:
-                work.force[i, n] = u**law.alpha
-                if law.kind == PAIR:
-                    work.damping[i, n] = u**law.beta
-        work.force[i, 0], work.damping[i, 0] = state.force[0], state.damping[0]
+        u, force, damping = work.stages[i], work.force[i], work.damping[i]
+        call_row_map(law.elastic, u, force, 1, last, law.elastic_parameters)
+        if not law.single:
+            call_row_map(law.viscous, u, damping, 1, last, law.viscous_parameters)
+        force[0], damping[0] = table[FORCE, 0], table[DAMPING, 0]
         for n in range(last + 1, reach + 2):
-            held = n > size.contacts
-            work.force[i, n] = state.force[n] if held else 0.0
-            work.damping[i, n] = state.damping[n] if held else 0.0
+            force[n], damping[n] = table[FORCE, n], table[DAMPING, n]
 
 
 @kernel(fastmath=_CONTRACT)
@@ -107,10 +140,11 @@ def apply(matrix, source, target, reach):
 
 
 @kernel(fastmath=_CONTRACT)
-def weigh_forces(law, work, h, reach):
-    """T⁻¹(hγ A g + h² A² f), what the Laplacian acts on."""
-    of_force, of_damping = h * h * radau.FORCE_TO_ROWS, h * law.gamma * radau.DAMPING_TO_ROWS
-    if law.kind != PAIR:
+def weigh_forces(chain, work, h, reach):
+    """T⁻¹(h A G + h² A² F), what the Laplacian acts on."""
+    gamma = chain.law.gamma
+    of_force, of_damping = h * h * radau.FORCE_TO_ROWS, h * gamma * radau.DAMPING_TO_ROWS
+    if chain.law.single:
         apply(of_force + of_damping, work.force, work.weighted, reach)
         return
     apply(of_force, work.force, work.weighted, reach)
@@ -121,36 +155,29 @@ def weigh_forces(law, work, h, reach):
 
 
 @kernel(fastmath=_CONTRACT)
-def residual(state, work, h, reach):
+def residual(table, work, h, reach):
     """What the stages leave: h c d + Δ_d(…) − Z, in rows."""
     for i in range(radau.STAGES):
         psi, rate = work.weighted[i], h * radau.RATE_TO_ROWS[i]
         w, row = work.increments[i], work.rows[i]
         for n in range(uint64(1), uint64(reach + 1)):
             laplacian = psi[n - uint64(1)] - 2.0 * psi[n] + psi[n + uint64(1)]
-            row[n] = rate * state.d[n] + laplacian - w[n]
+            row[n] = rate * table[D, n] + laplacian - w[n]
 
 
 @kernel(fastmath=_CONTRACT)
-def factorise(law, size, work, h, reach):
+def factorise(chain, work, h, reach):
     """Pivots and factors of the three systems, with U at the third stage."""
-    last = min(reach, size.contacts)
-    u = work.stages[2]
+    last, slopes = min(reach, chain.contacts), work.slopes
+    u, stiffness, viscosity = work.stages[2], work.stiffness, work.viscosity
+    call_row_map(slopes.elastic, u, stiffness, 1, last, slopes.elastic_parameters)
+    call_row_map(slopes.viscous, u, viscosity, 1, last, slopes.viscous_parameters)
     for i in range(radau.SYSTEMS):
-        on_damping = h * law.gamma * _LAMBDA[i] * law.beta
-        on_force = h * h * _LAMBDA_SQUARED[i] * law.alpha
+        on_damping, on_force = h * _LAMBDA[i], h * h * _LAMBDA_SQUARED[i]
         q, inverse, lower = work.coupling[i], work.pivot[i], work.lower[i]
         q[0], q[reach + 1], inverse[0] = 0.0, 0.0, 1.0
         for n in range(1, reach + 1):
-            q[n] = 0.0
-            if n <= last and u[n] > NEGLIGIBLE:
-                if law.kind == HERTZ:
-                    q[n] = (on_damping + on_force) * math.sqrt(u[n])
-                elif law.kind == PAIR:
-                    q[n] = on_damping * u[n] ** (law.beta - 1.0)
-                    q[n] += on_force * u[n] ** (law.alpha - 1.0)
-                else:
-                    q[n] = (on_damping + on_force) * u[n] ** (law.alpha - 1.0)
+            q[n] = on_damping * viscosity[n] + on_force * stiffness[n] if n <= last else 0.0
             factor = q[n - 1] * inverse[n - 1]
             pivot = 1.0 + 2.0 * q[n] - factor * q[n]
             lower[n] = factor
@@ -191,21 +218,21 @@ def add_rows(work, reach):
 
 
 @kernel(fastmath=_CONTRACT)
-def stages_from_rows(state, work, reach):
+def stages_from_rows(table, work, reach):
     """U = u + T W."""
     apply(radau.TO_STAGES, work.increments, work.stages, reach)
     for i in range(radau.STAGES):
         for n in range(uint64(1), uint64(reach + 1)):
-            work.stages[i, n] += state.u[n]
+            work.stages[i, n] += table[U, n]
 
 
 @kernel
-def predict(state, work, h, reach):
+def predict(table, work, h, reach):
     """First guess of W: the polynomial of the last step, continued; no change without one."""
     weights = np.zeros((radau.STAGES, radau.STAGES + 1))
-    if work.step[1] > 0.0:
+    if work.steps.last > 0.0:
         for i in range(radau.STAGES):
-            x = 1.0 + h / work.step[1] * radau.NODES[i]
+            x = 1.0 + h / work.steps.last * radau.NODES[i]
             for k in range(radau.STAGES + 1):
                 weights[i, k] = 1.0
                 for j in range(radau.STAGES + 1):
@@ -216,9 +243,9 @@ def predict(state, work, h, reach):
         for i in range(radau.STAGES):
             change = 0.0
             for k in range(radau.STAGES + 1):
-                change += weights[i, k] * (work.before[k, n] - state.u[n])
+                change += weights[i, k] * (work.before[k, n] - table[U, n])
             work.rows[i, n] = change
-            work.stages[i, n] = state.u[n] + change
+            work.stages[i, n] = table[U, n] + change
     apply(radau.TO_ROWS, work.rows, work.increments, reach)
 
 
@@ -230,17 +257,17 @@ class Allowed(NamedTuple):
 
 
 @kernel
-def iterate(law, size, state, work, h, allowed, reach):
+def iterate(chain, table, work, h, allowed, reach):
     """Newton's iteration for the stages: how often it went round, and whether it converged."""
-    factorise(law, size, work, h, reach)
+    factorise(chain, work, h, reach)
     before = math.inf
     for iteration in range(MOST_ITERATIONS):
-        evaluate_forces(law, size, state, work, reach)
-        weigh_forces(law, work, h, reach)
-        residual(state, work, h, reach)
+        evaluate_forces(chain, table, work, reach)
+        weigh_forces(chain, work, h, reach)
+        residual(table, work, h, reach)
         solve_rows(work, reach)
         change = add_rows(work, reach)
-        stages_from_rows(state, work, reach)
+        stages_from_rows(table, work, reach)
         if not math.isfinite(change):
             return iteration + 1, False
         ratio = change / before
@@ -255,12 +282,12 @@ def iterate(law, size, state, work, h, allowed, reach):
 
 
 @kernel
-def estimate(size, state, work, reach):
+def estimate(chain, table, work, reach):
     """Largest difference of the end point from the polynomial through the other stages."""
     largest = 0.0
     weights = radau.END_FROM_OTHERS
-    for n in range(1, min(reach, size.contacts) + 1):
-        difference = weights[0] * state.u[n] - work.stages[4, n]
+    for n in range(1, min(reach, chain.contacts) + 1):
+        difference = weights[0] * table[U, n] - work.stages[4, n]
         for i in range(radau.STAGES - 1):
             difference += weights[i + 1] * work.stages[i, n]
         largest = max(largest, abs(difference))
@@ -268,37 +295,37 @@ def estimate(size, state, work, reach):
 
 
 @kernel(fastmath=_CONTRACT)
-def finish(state, work, h, reach):
+def finish(table, work, h, reach):
     """New u and d, from the converged stages and their forces."""
     for n in range(uint64(1), uint64(reach + 1)):
         total = 0.0
         for i in range(radau.STAGES):
             f = work.force[i]
             total += radau.WEIGHTS[i] * (f[n - uint64(1)] - 2.0 * f[n] + f[n + uint64(1)])
-        state.new_u[n] = work.stages[4, n]
-        state.new_d[n] = state.d[n] + h * total
+        table[NEW_U, n] = work.stages[4, n]
+        table[NEW_D, n] = table[D, n] + h * total
 
 
 @kernel(fastmath=_CONTRACT)
-def dissipated_energy(law, work, h, reach):
+def dissipated_energy(chain, work, h, reach):
     """Energy lost in the step, from the forces of the converged stages on both sides of a bead."""
     energy = 0.0
     for i in range(radau.STAGES):
         f = work.force[i]
-        g = work.damping[i] if law.kind == PAIR else f
+        g = f if chain.law.single else work.damping[i]
         total = 0.0
         for n in range(uint64(1), uint64(reach + 1)):
             total += (f[n - uint64(1)] - f[n]) * (g[n - uint64(1)] - g[n])
-        energy += h * radau.WEIGHTS[i] * law.gamma * total
+        energy += h * radau.WEIGHTS[i] * chain.law.gamma * total
     return energy
 
 
 @kernel
-def accept(state, work, h, reach):
+def accept(table, work, h, reach):
     """Make the end point the next start, and remember the step."""
     for n in range(1, reach + 1):
-        work.before[0, n] = state.u[n]
+        work.before[0, n] = table[U, n]
         for i in range(radau.STAGES):
             work.before[i + 1, n] = work.stages[i, n]
-        state.u[n], state.d[n] = state.new_u[n], state.new_d[n]
-    work.step[1] = h
+        table[U, n], table[D, n] = table[NEW_U, n], table[NEW_D, n]
+    work.steps.last = h

@@ -1,8 +1,8 @@
 r"""Numbers measured on a simulated chain, each with an error, for comparison with the paper.
 
-A measure takes the dataset of a scene (see `recording`) and returns a `Measured`.  Errors are those
-of the recorded variables, carried through to first order; a quadrature or an interpolation on the
-space-time grid adds the change that halving the grid makes.
+A measure takes the dataset of a scene (see `recording`) and returns an `Estimate`.  Errors are
+those of the recorded variables, carried through to first order; a quadrature or an interpolation
+on the space-time grid adds the change that halving the grid makes.
 """
 
 import json
@@ -11,15 +11,10 @@ import math
 import numpy as np
 from scipy.signal import find_peaks
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate, estimate, recorded, rounded
 
 # A maximum of the mean compression counts if it stands out by this fraction of δ.
 PROMINENCE = 0.1
-
-
-def recorded(dataset, name):
-    """A recorded scalar and its error estimate."""
-    return Measured(float(dataset[name]), float(dataset[name].attrs["error_estimate"]))
 
 
 def scene_of(dataset):
@@ -35,12 +30,12 @@ def applied_displacement(dataset):
 def predicted_speed(dataset):
     """Speed of a front into an uncompressed chain, James (2021), eq. (21), with k = m = 1."""
     speed = applied_displacement(dataset) ** ((scene_of(dataset)["law"]["alpha"] - 1.0) / 2.0)
-    return Measured(speed, np.spacing(speed))
+    return rounded(speed)
 
 
 def front_speed(dataset):
     """Speed measured from the arrival times in the middle of the chain."""
-    return recorded(dataset, "front_speed")
+    return recorded(dataset["front_speed"])
 
 
 def force_overshoot(dataset):
@@ -49,29 +44,28 @@ def force_overshoot(dataset):
     peaks = dataset["first_peak"]
     peak = float(peaks.sel(bead=dataset.sizes["bead"] // 2)) / applied_displacement(dataset)
     error = alpha * peak ** (alpha - 1.0) * peaks.attrs["error_estimate"]
-    return Measured(peak**alpha, error / applied_displacement(dataset))
+    return Estimate(peak**alpha, error / applied_displacement(dataset))
 
 
 def displacement_overshoot(dataset):
     """Largest relative displacement of the whole motion over δ, minus 1."""
-    largest = recorded(dataset, "largest_relative_displacement")
-    delta = applied_displacement(dataset)
-    return Measured(largest.value / delta - 1.0, largest.error / delta)
+    largest = recorded(dataset["largest_relative_displacement"])
+    return largest / applied_displacement(dataset) - 1.0
 
 
 def first_gap_time(dataset):
     """Time at which the first contact opens."""
-    return recorded(dataset, "first_gap_time")
+    return recorded(dataset["first_gap_time"])
 
 
 def smallest_relative_displacement(dataset):
     """Smallest relative displacement of the whole motion: minus the widest gap."""
-    return recorded(dataset, "smallest_relative_displacement")
+    return recorded(dataset["smallest_relative_displacement"])
 
 
 def smallest_relative_displacement_time(dataset):
     """When the widest gap is reached."""
-    return recorded(dataset, "smallest_relative_displacement_time")
+    return recorded(dataset["smallest_relative_displacement_time"])
 
 
 def mean_compression(dataset):
@@ -79,12 +73,11 @@ def mean_compression(dataset):
     mean = dataset["mean_relative_displacement"] / applied_displacement(dataset)
     peaks, _ = find_peaks(mean, prominence=PROMINENCE)
     if peaks.size < 2:
-        return Measured(math.nan, math.nan)
+        return Estimate(math.nan, math.nan)
     period = mean.isel(t_grid=slice(peaks[0], peaks[1] + 1))
     duration = float(period["t_grid"][-1] - period["t_grid"][0])
-    value = float(period.integrate("t_grid")) / duration
-    coarse = float(period.isel(t_grid=slice(None, None, 2)).integrate("t_grid")) / duration
-    return Measured(value, abs(value - coarse))
+    coarse = period.isel(t_grid=slice(None, None, 2))
+    return estimate(period.integrate("t_grid"), coarse.integrate("t_grid")) / duration
 
 
 def middle_compression(dataset):
@@ -92,18 +85,17 @@ def middle_compression(dataset):
     mean = dataset["mean_relative_displacement"] / applied_displacement(dataset)
     peaks, _ = find_peaks(mean, prominence=PROMINENCE)
     if peaks.size == 0:
-        return Measured(math.nan, math.nan)
+        return Estimate(math.nan, math.nan)
 
     oscillation = mean.values[peaks[0] :]
     # An extreme may lie between two times of the grid.
     error = 0.5 * np.abs(np.diff(oscillation)).max()
-    return Measured(0.5 * (oscillation.max() + oscillation.min()), error)
+    return Estimate(0.5 * (oscillation.max() + oscillation.min()), error)
 
 
 def smallest_velocity(dataset):
     """Smallest velocity of any bead on the space-time grid."""
-    velocity = dataset["velocity_grid"]
-    return Measured(float(velocity.min()), float(velocity.attrs["error_estimate"]))
+    return recorded(dataset["velocity_grid"].min(keep_attrs=True))
 
 
 def smallest_velocity_behind(dataset):
@@ -114,9 +106,8 @@ def smallest_velocity_behind(dataset):
     velocity = dataset["velocity_grid"]
     passed = velocity.where(velocity["t_grid"] >= dataset["arrival_time"])
     scale = applied_displacement(dataset) * predicted_speed(dataset).value
-    value = float(passed.min()) / scale
-    coarse = float(passed.isel(t_grid=slice(None, None, 2)).min()) / scale
-    return Measured(value, abs(value - coarse) + velocity.attrs["error_estimate"] / scale)
+    smallest = estimate(passed.min(), passed.isel(t_grid=slice(None, None, 2)).min())
+    return (smallest + Estimate(0.0, velocity.attrs["error_estimate"])) / scale
 
 
 def momentum_growth(dataset):
@@ -124,7 +115,7 @@ def momentum_growth(dataset):
     total = dataset["total_velocity"].isel(t_grid=-1)
     alpha = scene_of(dataset)["law"]["alpha"]
     exact = applied_displacement(dataset) ** alpha * float(total["t_grid"])
-    return Measured(float(total) / exact, dataset["total_velocity"].attrs["error_estimate"] / exact)
+    return recorded(total) / exact
 
 
 def velocity_front(dataset):
@@ -135,16 +126,14 @@ def velocity_front(dataset):
     velocity = dataset["velocity"].isel(t=0)
     scale = applied_displacement(dataset) * predicted_speed(dataset).value
     profile, beads = velocity.values / scale, velocity["bead"].values
-    place = last_fall(profile, beads, 0.5)
-    return Measured(place, abs(place - last_fall(profile[::2], beads[::2], 0.5)))
+    return estimate(last_fall(profile, beads, 0.5), last_fall(profile[::2], beads[::2], 0.5))
 
 
 def peak_spread(dataset, beads):
     """Largest less smallest first peak of u/δ at some beads."""
     peaks = dataset["first_peak"].sel(bead=beads)
-    delta = applied_displacement(dataset)
-    error = 2.0 * peaks.attrs["error_estimate"] / delta
-    return Measured(float(peaks.max() - peaks.min()) / delta, error)
+    largest, smallest = peaks.max(keep_attrs=True), peaks.min(keep_attrs=True)
+    return (recorded(largest) - recorded(smallest)) / applied_displacement(dataset)
 
 
 def spacing_defect(dataset, beads):
@@ -152,14 +141,14 @@ def spacing_defect(dataset, beads):
     arrival = dataset["arrival_time"].sel(bead=beads).values
     ratios = predicted_speed(dataset).value * np.diff(arrival) / np.diff(beads)
     error = 2.0 * dataset["arrival_time"].attrs["error_estimate"] / np.diff(arrival).min()
-    return Measured(float(np.abs(ratios - 1.0).max()), error)
+    return Estimate(float(np.abs(ratios - 1.0).max()), error)
 
 
 def crossings(dataset, bead):
     """Number of times that u of a bead of the steady regime passes through δ."""
     u = dataset["relative_displacement_steady"].sel(bead_steady=bead)
     sides = np.sign(u.values - applied_displacement(dataset))
-    return Measured(float(np.count_nonzero(np.diff(sides))), 0.0)
+    return Estimate(float(np.count_nonzero(np.diff(sides))), 0.0)
 
 
 def second_arrival_time(dataset):
@@ -172,7 +161,7 @@ def second_arrival_time(dataset):
     late = velocity.sel(t_grid=slice(2.0 * float(dataset["arrival_time"].max()), None))
     times, gains = late["t_grid"].values, np.diff(late.values)
     i = int(np.argmax(gains))
-    return Measured(0.5 * (times[i] + times[i + 1]), float(times[i + 1] - times[i]))
+    return Estimate(0.5 * (times[i] + times[i + 1]), float(times[i + 1] - times[i]))
 
 
 def openings_after_the_widest_gap(dataset):
@@ -183,13 +172,13 @@ def openings_after_the_widest_gap(dataset):
     level = u.attrs["error_estimate"]
     later = u.sel(t_grid=slice(start, None)).values
     opened = (later[:-1] > level) & (later[1:] < -level)
-    return Measured(float(opened.any(axis=0).sum()), 0.0)
+    return Estimate(float(opened.any(axis=0).sum()), 0.0)
 
 
 def openings(dataset):
     """Number of contacts that are seen open on the space-time grid."""
     u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
-    return Measured(float((u < -u.attrs["error_estimate"]).any("t_grid").sum()), 0.0)
+    return Estimate(float((u < -u.attrs["error_estimate"]).any("t_grid").sum()), 0.0)
 
 
 def thickening(dataset):
@@ -230,8 +219,7 @@ def _width_ratio(dataset, late, early):
         return float(widths[0] / widths[1])
 
     grid = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
-    value = ratio(grid)
-    return Measured(value, abs(value - ratio(grid.isel(bead=slice(None, None, 2)))))
+    return estimate(ratio(grid), ratio(grid.isel(bead=slice(None, None, 2))))
 
 
 def _width(grid, dataset, t):

@@ -19,8 +19,9 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain import equations
-from granular_fronts.chain.integrator import LARGEST, OPENING, SMALLEST, Recording
+from granular_fronts.chain.recorder import EXTREMES, NEXT, Recording
 from granular_fronts.numerics.grids import regular_points
+from granular_fronts.numerics.runge_kutta import DEGREE
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
 # before the far end.
@@ -44,37 +45,44 @@ def probe_samples(scene):
     return np.concatenate(times), np.concatenate(beads)
 
 
-def make_recording(scene, columns):
+def make_recording(scene, ahead, u):
     """Empty arrays for everything the scene asks for.
 
     Parameters
     ----------
     scene : mapping
         A checked chain scene.
-    columns : int
-        Row length of the integrator's arrays.
+    ahead : float
+        Compression ahead of the active window.
+    u : ndarray, shape (columns,)
+        Compressions at t = 0, a row of the engine.
     """
+    columns = u.size
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
     profile_times = np.union1d(snapshots, grid_times(scene))
     times, beads = probe_samples(scene)
     order = np.argsort(times, kind="stable")
-    extremes = np.full(8, np.nan)
-    extremes[[LARGEST, SMALLEST]] = -np.inf, np.inf
+    next_, extremes = np.zeros(1, NEXT)[0], np.full(1, np.nan).repeat(8).view(EXTREMES)[0]
+    next_.arrival = 1
+    extremes.largest, extremes.smallest = -np.inf, np.inf
+    level = float(record.get("arrival_level", np.nan))
     return Recording(
         stops=_stops(scene, snapshots),
         profile_times=profile_times,
-        profile_u=np.zeros((profile_times.size, columns)),
+        profile_u=np.full((profile_times.size, columns), ahead),
         profile_d=np.zeros((profile_times.size, columns)),
         sample_times=times[order],
         sample_beads=beads[order],
         samples=np.zeros(times.size),
-        cursor=np.zeros(3, dtype=np.int64),
-        level=float(record.get("arrival_level", np.nan)),
+        next=next_,
+        level=level,
+        side=np.where(u < level, 1.0, -1.0),
         arrival=np.full(columns, np.nan),
         first_peak=np.full(columns, np.nan),
         first_peak_time=np.full(columns, np.nan),
         extremes=extremes,
+        coefficients=np.zeros(DEGREE + 1),
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),
     )
@@ -87,35 +95,38 @@ def _stops(scene, snapshots):
     return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
 
 
-def collect(scene, recording, boundary, momentum):
-    """The dataset of everything recorded.
+def collect(scene, run):
+    """The dataset of everything that a run of a scene has recorded.
 
     Parameters
     ----------
-    boundary : equations.Boundary
-    momentum : float
-        Σẋ_n of the start, which fixes the mean velocity of a ring.
+    scene : mapping
+    run : chain.run.Run
+
+    Returns
+    -------
+    xarray.Dataset
     """
+    recording = run.recording
     beads = np.arange(1, scene["beads"] + 1)
     dataset = xr.Dataset(coords={"bead": beads})
-    dataset = dataset.merge(_profiles(scene, recording, boundary, momentum))
+    dataset = dataset.merge(_profiles(scene, run))
     dataset = dataset.merge(_probes(scene, recording))
     if not np.isnan(recording.level):
         dataset = dataset.merge(_arrivals(scene, recording))
     if recording.track_extremes:
-        dataset = dataset.merge(_extremes(recording))
+        dataset = dataset.merge(_extremes(recording.extremes))
     return dataset
 
 
-def _profiles(scene, recording, boundary, momentum):
-    beads = scene["beads"]
-    law = scene["law"]
+def _profiles(scene, run):
+    recording, boundary, beads = run.recording, run.boundary, scene["beads"]
     u = recording.profile_u[:, 1 : beads + 1]
     d = recording.profile_d[:, 1 : beads + 1]
     if not boundary.ring:
         u[:, -1] = boundary.right
     times = recording.profile_times
-    velocity = equations.velocities(d, u, boundary, law["beta"], law["gamma"], momentum, times)
+    velocity = equations.velocities(d, u, boundary, run.law, run.momentum, times)
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     rows = np.searchsorted(recording.profile_times, snapshots)
     variables = {
@@ -155,7 +166,10 @@ def _probes(scene, recording):
 
 
 def fitted_speed(arrival):
-    """Slope of bead number over arrival time in the middle of the chain; NaN if fewer than two.
+    """Slope of bead number over arrival time in the middle of the chain.
+
+    NaN if fewer than two beads were passed there, or if neither end was passed first, as on a ring
+    with two waves.
 
     Parameters
     ----------
@@ -167,7 +181,8 @@ def fitted_speed(arrival):
     if passed.size < 2:
         return np.nan
     beads, times = passed - passed.mean(), arrival[passed] - arrival[passed].mean()
-    return (beads @ beads) / (beads @ times)
+    slowness = (beads @ times) / (beads @ beads)
+    return 1.0 / slowness if slowness != 0.0 else np.nan
 
 
 def _arrivals(scene, recording):
@@ -181,15 +196,9 @@ def _arrivals(scene, recording):
     return xr.Dataset(variables)
 
 
-def _extremes(recording):
-    values = recording.extremes
-    names = {
-        LARGEST: "largest_relative_displacement",
-        SMALLEST: "smallest_relative_displacement",
-    }
-    variables = {"first_gap_time": values[OPENING], "first_gap_bead": values[OPENING + 1]}
-    for start, name in names.items():
-        variables[name] = values[start]
-        variables[f"{name}_time"] = values[start + 1]
-        variables[f"{name}_bead"] = values[start + 2]
+def _extremes(extremes):
+    variables = {"first_gap_time": extremes.gap_time, "first_gap_bead": extremes.gap_bead}
+    for kind in ("largest", "smallest"):
+        for part in ("", "_time", "_bead"):
+            variables[f"{kind}_relative_displacement{part}"] = float(extremes[f"{kind}{part}"])
     return xr.Dataset(variables)

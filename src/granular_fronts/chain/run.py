@@ -12,16 +12,36 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain import equations, integrator, stiff
+from granular_fronts.chain.contact_law import compile_law, is_at_rest_without_stiffness
 from granular_fronts.chain.equations import Boundary, Piston
+from granular_fronts.chain.recorder import Recording
 from granular_fronts.chain.recording import make_recording
-from granular_fronts.chain.state import Law, Size, State, make_law, make_state
-from granular_fronts.chain.strain import evaluate_slopes, reach_of
+from granular_fronts.chain.state import (
+    CHAIN,
+    DAMPING,
+    FORCE,
+    NEW_U,
+    ROWS_OF_PAIR,
+    ROWS_OF_SINGLE,
+    D,
+    U,
+    make_table,
+)
+from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import SolveError
+from granular_fronts.model import kinds
+from granular_fronts.model.laws import Law, make_law
+from granular_fronts.numerics.runge_kutta import STAGES
 
 FIRST_STEP = 1.0e-6
+# Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
+# force to first order, every stage carries them one bead further.
+MARGIN_WITHOUT_STIFFNESS = 4
 STEPS_PER_BLOCK = 2000
 # Where a stiff run needs the explicit pair for a while, it tries the implicit steps this often.
 STEPS_BETWEEN_ATTEMPTS = 100
+# How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
+CLOSE_TO_AN_END = 1.0e-6
 
 
 class Run(NamedTuple):
@@ -29,23 +49,32 @@ class Run(NamedTuple):
 
     Attributes
     ----------
-    law : state.Law
-    size : state.Size
+    law : model.laws.Law
     boundary : equations.Boundary
-    state : state.State
-    clock : integrator.Clock
-    recording : integrator.Recording
+    chain : record
+        Of type `state.CHAIN`.
+    table : ndarray, shape (rows, columns)
+        Rows of the chain, see `state`.
+    recording : recorder.Recording
     momentum : float
         Σẋ_n at t = 0.
     """
 
     law: Law
-    size: Size
     boundary: Boundary
-    state: State
-    clock: integrator.Clock
-    recording: integrator.Recording
+    chain: np.record
+    table: np.ndarray
+    recording: Recording
     momentum: float
+
+    @property
+    def clock(self):
+        """Time and work so far (`state.CLOCK`)."""
+        return self.chain.clock
+
+    def row(self, row):
+        """Entries 1 … N of a row of the table, a view."""
+        return self.table[row, 1 : self.chain.beads + 1]
 
 
 def prepare(scene):
@@ -56,21 +85,19 @@ def prepare(scene):
     SolveError
         If the forces of the start or the boundary overflow.
     """
-    law = make_law(**scene["law"])
+    law = make_law(scene["law"])
     boundary = make_boundary(scene)
     u, velocity = initial_state(scene, boundary)
-    size = make_size(scene["beads"], boundary)
     with np.errstate(over="ignore", invalid="ignore"):
-        state = load_state(law, size, boundary, u, velocity)
-    if not (np.isfinite(state.d).all() and np.isfinite(state.force).all()):
+        chain, table = make_chain(law, boundary, u, velocity)
+        integrator.begin(chain, table)
+    if not (np.isfinite(table[D]).all() and np.isfinite(table[FORCE]).all()):
         raise SolveError(
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    clock = start_clock(size, state)
-    evaluate_slopes(law, size, state, state.u, 0, clock.reach[0])
-    record = make_recording(scene, state.u.size)
-    return Run(law, size, boundary, state, clock, record, float(velocity.sum()))
+    recording = make_recording(scene, chain.ahead, table[U])
+    return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
 def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STIFF):
@@ -96,42 +123,36 @@ def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STI
     if 0.0 < ramp < stops[-1]:
         rising = run.recording._replace(stops=stops[stops <= ramp])
         _advance(run._replace(recording=rising), tolerance, after_block, stiff_from)
-        run = end_ramp(run)
+        end_ramp(run)
     _advance(run, tolerance, after_block, stiff_from)
 
 
 def end_ramp(run):
-    """The run without the acceleration of its piston, whose velocity ẋ_1 stays as it is."""
-    run.state.d[1] += run.law.gamma * run.size.acceleration
-    size = run.size._replace(acceleration=0.0)
-    evaluate_slopes(run.law, size, run.state, run.state.u, 0, run.clock.reach[0])
-    return run._replace(size=size)
+    """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
+    run.table[D, 1] += (run.law.proportional or 0.0) * run.clock.acceleration
+    run.clock.acceleration = 0.0
+    integrator.begin(run.chain, run.table)
 
 
 def _advance(run, tolerance, after_block, stiff_from):
     """Advance a run to the last of its stops."""
-    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
-    is_stiff = stiff.suits(run, stiff_from)
-    advance_stiff = stiff.make_advance(run, relative, absolute) if is_stiff else None
-    steps = STEPS_BETWEEN_ATTEMPTS if is_stiff else STEPS_PER_BLOCK
+    implicit = stiff.ImplicitSteps(run) if stiff.suits(run, stiff_from) else None
+    steps = STEPS_BETWEEN_ATTEMPTS if implicit else STEPS_PER_BLOCK
     status = integrator.RUNNING
     while status == integrator.RUNNING:
-        if is_stiff:
-            status = advance_stiff()
+        if implicit:
+            status = implicit.advance(run, tolerance)
         if status == integrator.RUNNING:
-            status = integrator.advance(
-                run.law,
-                run.size,
-                run.state,
-                run.clock,
-                relative,
-                absolute,
-                run.recording,
-                steps,
-            )
+            status = advance_explicit(run, tolerance, steps)
         after_block(run)
     if status != integrator.FINISHED:
         raise SolveError(_cause(status, run))
+
+
+def advance_explicit(run, tolerance, steps):
+    """Take up to so many steps of the explicit pair; a status of `integrator`."""
+    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
+    return integrator.advance(run.chain, run.table, run.recording, relative, absolute, steps)
 
 
 def make_boundary(scene):
@@ -143,13 +164,6 @@ def make_boundary(scene):
         piston = Piston(float(boundary["velocity"]), float(boundary.get("ramp", 0.0)))
         return Boundary(ring=False, right=float(boundary.get("right", 0.0)), piston=piston)
     return Boundary(ring=False, left=float(boundary["left"]), right=float(boundary["right"]))
-
-
-def make_size(beads, boundary):
-    """What the kernels need to know of the boundary."""
-    if boundary.piston:
-        return Size(beads, beads - 1, True, float(boundary.piston.acceleration_at(0.0)))
-    return Size(beads, beads if boundary.ring else beads - 1)
 
 
 def initial_state(scene, boundary):
@@ -167,69 +181,94 @@ def initial_state(scene, boundary):
     return u, velocity
 
 
-def load_state(law, size, boundary, u, velocity):
-    """Arrays of the integrator at t = 0, with the forces of held contacts in place."""
-    state = make_state(size.beads)
-    beads = slice(1, size.beads + 1)
-    state.u[beads] = u
-    state.d[beads] = equations.strain_rates(velocity, u, boundary, law.beta, law.gamma)
+def make_chain(law, boundary, u, velocity):
+    """A chain in memory at t = 0, with the forces of held contacts in place.
+
+    Parameters
+    ----------
+    law : model.laws.Law
+    boundary : equations.Boundary
+    u, velocity : ndarray, shape (N,)
+        Relative displacements and velocities; with an end on the right u_N is the held value.
+
+    Returns
+    -------
+    chain : record
+        Of type `state.CHAIN`.
+    table : ndarray
+        Its rows.
+    """
+    beads, chain = u.size, np.zeros(1, CHAIN)[0]
+    chain["law"] = compile_law(law)
+    chain.beads, chain.contacts = beads, beads if boundary.ring else beads - 1
+    chain.ahead = boundary.right
+    has_slack = is_at_rest_without_stiffness(law, boundary.right)
+    chain.margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
+    chain.clock.h = FIRST_STEP
+    if boundary.piston:
+        chain.piston = True
+        chain.clock.acceleration = boundary.piston.acceleration_at(0.0)
+    table = make_table(ROWS_OF_SINGLE if chain.law.single else ROWS_OF_PAIR, beads)
+    table[U, 1 : beads + 1] = u
+    table[D, 1 : beads + 1] = equations.strain_rates(velocity, u, boundary, law)
     if not boundary.ring:
-        state.u[size.beads] = 0.0
-        for forces, exponent in ((state.force, law.alpha), (state.damping, law.beta)):
-            forces[0] = equations.force(boundary.left, exponent)
-            forces[size.beads :] = equations.force(boundary.right, exponent)
-    return state
-
-
-def start_clock(size, state):
-    """A clock at t = 0; the first step is small and grows tenfold while the error allows it."""
-    return integrator.Clock(
-        t=np.zeros(1),
-        h=np.array([FIRST_STEP]),
-        reach=np.array([_first_reach(size, state)]),
-        counts=np.zeros(5, dtype=np.int64),
-        dissipated=np.zeros(1),
-    )
-
-
-def _first_reach(size, state):
-    """The whole chain unless its right part is at rest, untouched and free."""
-    if size.contacts == size.beads or state.force[size.beads] > 0.0:
-        return size.beads
-    return reach_of(size, state.u, state.d, size.beads)
+        table[U, beads] = 0.0
+        for row, potential in ((FORCE, law.elastic), (DAMPING, law.viscous)):
+            table[row, 0], table[row, 1:] = equations.force(
+                potential, (boundary.left, boundary.right)
+            )
+    moves_at_the_end = boundary.ring or table[D, beads] != 0.0
+    chain.clock.reach = beads if moves_at_the_end else end_of_window(chain, table, beads - 1)
+    return chain, table
 
 
 def work_done(clock):
     """Steps and right-hand sides so far, as a dict."""
     return {
-        "steps_accepted": int(clock.counts[integrator.ACCEPTED]),
-        "steps_rejected": int(clock.counts[integrator.REJECTED]),
-        "steps_cut_at_contacts": int(clock.counts[integrator.REJECTED_AT_CONTACT]),
-        "steps_implicit": int(clock.counts[integrator.IMPLICIT]),
-        "right_hand_sides": int(clock.counts[integrator.STAGE_COUNT]),
+        "steps_accepted": int(clock.accepted),
+        "steps_rejected": int(clock.rejected),
+        "steps_cut_at_contacts": int(clock.cut),
+        "steps_implicit": int(clock.implicit),
+        "right_hand_sides": int(clock.right_hand_sides),
     }
 
 
 def _cause(status, run):
     """The sentence for a solve that stopped."""
-    t, state = run.clock.t[0], run.state
-    contacts = slice(1, run.size.contacts + 1)
+    t, contacts = run.clock.t, slice(1, run.chain.contacts + 1)
+    u, new_u = run.table[U, contacts], run.table[NEW_U, contacts]
     if status == integrator.OPENED:
-        bead = 1 + int(np.argmin(state.new_u[contacts]))
+        bead = 1 + int(np.argmin(new_u))
+        is_hertzian = run.law.elastic.shape is kinds.hertz
+        which = "For alpha < 1" if is_hertzian else f"For {run.law.elastic.name}"
         return (
-            f"At t = {t:.6g} the contact of beads {bead} and {bead + 1} opens. For alpha < 1 the "
+            f"At t = {t:.6g} the contact of beads {bead} and {bead + 1} opens. {which} the "
             "force is not differentiable there and the motion is not known to be unique: "
             "precompress the chain, lower the load, or end the run earlier."
         )
+    if status == integrator.NOT_FINITE and _comes_to_an_end(run.law, u).any():
+        bead, (low, high) = 1 + int(np.argmax(_comes_to_an_end(run.law, u))), run.law.domain
+        return (
+            f"At t = {t:.6g} the strain of contact {bead} leaves the interval from {low:g} to "
+            f"{high:g} in which the law holds: take a law with a wider interval, lower the load, "
+            "or end the run earlier."
+        )
     if status == integrator.NOT_FINITE:
-        bead = 1 + int(np.argmax(~np.isfinite(state.new_u[contacts])))
+        bead = 1 + int(np.argmax(~np.isfinite(new_u)))
         return (
             f"At t = {t:.6g} the state of bead {bead} is not a finite number however short the "
             "step: the start or the boundary values are too large for double precision."
         )
-    bead = 1 + int(np.argmax(np.abs(state.new_u[contacts] - state.u[contacts])))
+    bead = 1 + int(np.argmax(np.abs(new_u - u)))
     return (
-        f"At t = {t:.6g} the step size collapsed to {run.clock.h[0]:.3g}, with the fastest change "
+        f"At t = {t:.6g} the step size collapsed to {run.clock.h:.3g}, with the fastest change "
         f"at bead {bead}: the tolerance cannot be met in double precision; raise "
         "tolerance.relative or tolerance.absolute."
     )
+
+
+def _comes_to_an_end(law, u):
+    """Whether each strain −u is as good as at an end of the law's domain."""
+    low, high = law.domain
+    size = max((abs(end) for end in law.domain if np.isfinite(end)), default=0.0)
+    return np.minimum(-u - low, high + u) <= CLOSE_TO_AN_END * size

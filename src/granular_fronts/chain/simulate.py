@@ -11,12 +11,11 @@ from an independent refinement and not from the step controller, and bounds the 
 error shrinks with the tolerance, down to the point where both runs consist of rounding.
 """
 
-import math
 from typing import NamedTuple
 
-import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import error_attributes
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
@@ -133,25 +132,20 @@ def solve(scene, tolerance, activity="solving"):
         with time_bar(activity, scene["end_time"]) as show_time:
 
             def after_block(run):
-                show_time(run.clock.t[0])
+                show_time(run.clock.t)
                 balances.check(run)
 
             integrate(run, tolerance, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    dataset = collect(scene, run.recording, run.boundary, run.momentum)
-    return Solution(dataset, work_done(run.clock), balances.drifts())
+    return Solution(collect(scene, run), work_done(run.clock), balances.drifts())
 
 
 def _with_error_estimates(solution, refined, tolerance):
     """The dataset of `solution`, each variable with its largest difference to `refined`."""
     dataset = solution.dataset
     for name, variable in dataset.data_vars.items():
-        difference = _largest(np.abs(variable - refined[name]))
-        # Two runs may agree to the last bit by chance; the last bit itself is still uncertain.
-        rounding = np.finfo(float).eps * _largest(np.abs(variable))
-        estimate = max(difference, rounding)
-        variable.attrs |= {"error_estimate": estimate, "error_method": ERROR_METHOD}
+        variable.attrs |= error_attributes(variable, refined[name], ERROR_METHOD)
     dataset.attrs |= {
         "solver": STIFF_SOLVER if solution.counts["steps_implicit"] else SOLVER,
         "relative_tolerance": float(tolerance["relative"]),
@@ -160,8 +154,3 @@ def _with_error_estimates(solution, refined, tolerance):
         **solution.drifts,
     }
     return dataset
-
-
-def _largest(values):
-    """Largest finite entry, or NaN if there is none."""
-    return float(values.max()) if np.isfinite(values).any() else math.nan

@@ -1,100 +1,109 @@
-"""What a compiled chain works on: its law, its size, and its arrays in memory."""
+r"""What a compiled chain works on: one table of rows, and a record of all else.
+
+Table.  Every row holds one number for each contact; entry n = 0 … N + 1 is the bead number.
+
+========== ===========================================================================
+row        entry n
+========== ===========================================================================
+`U`, `D`   state at the start of the step
+`NEW_U` …  state at its end
+`PARTIAL`  part of a stage's u_n, where elastic and viscous slopes are summed apart
+`VALUE`    u_n of a stage
+`FORCE`    elastic force F(u_n) of the last stage; held forces at the ends stay in place
+`DAMPING`  viscous function G(u_n) of the last stage, if it has slopes of its own
+`SLOPES`   sixteen rows, Δ_d F of every stage in its slot (`numerics.runge_kutta`)
+`DAMPING_SLOPES` sixteen more, Δ_d G, if it has slopes of its own
+========== ===========================================================================
+
+Law.  The engine knows a law by addresses of compiled loops over rows (`model.passes`) and by what
+its user declared of it: the compressions at which it is not smooth.  Where the viscous potential is
+proportional to the elastic one, :math:`G = \gamma F` needs no slopes of its own: the law is
+*single*.
+"""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.numerics.runge_kutta import SLOPES
+from granular_fronts.numerics.runge_kutta import LONG, SLOPES, STAGES
 
-HERTZ, POWER, PAIR = 0, 1, 2
+# As numpy integers, so that kernels are compiled once and not for each row.
+U, D, NEW_U, NEW_D, PARTIAL, VALUE, FORCE, DAMPING = np.arange(8)
+ELASTIC_SLOPES = np.int64(8)
+VISCOUS_SLOPES = ELASTIC_SLOPES + SLOPES
+ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 
-
-class Law(NamedTuple):
-    """Contact law (28): kernel kind, exponents α and β, damping γ, all dimensionless."""
-
-    kind: int
-    alpha: float
-    beta: float
-    gamma: float
+MOST_PARAMETERS, MOST_KINKS = 8, 8
 
 
-class State(NamedTuple):
-    r"""Arrays of one chain; index n = 0 … N + 1 is the bead number, stages come first.
+def record_type(*fields):
+    """A type of records whose fields are attributes, in Python as in kernels."""
+    return np.dtype((np.record, np.dtype(list(fields), align=True)))
 
-    Attributes
-    ----------
-    u, d : ndarray, shape (columns,)
-        State at the start of the step.
-    new_u, new_d : ndarray, shape (columns,)
-        State at its end.
-    force, damping : ndarray, shape (columns,)
-        :math:`u_+^\alpha` and :math:`u_+^\beta` of the last stage, boundary values included.
-    k, g : ndarray, shape (16, columns)
-        Slopes of the stages.
+
+LAW = record_type(
+    ("elastic", np.int64),
+    ("viscous", np.int64),
+    ("stage_pass", np.int64),
+    ("elastic_parameters", float, MOST_PARAMETERS),
+    ("viscous_parameters", float, MOST_PARAMETERS),
+    ("single", np.bool),
+    ("gamma", float),
+    ("kinks", float, MOST_KINKS),
+    ("kink_count", np.int64),
+    ("has_stiff_kinks", np.bool),
+    ("attraction", float),
+)
+"""A law as the kernels know it: addresses of the row maps F and G, and of the loop that sums slopes
+and takes F at once (0 if there is none); their parameters; whether G = γF, and γ (1 if not, the
+factor of the viscous slopes); compressions at which F or G is not smooth, and whether F' is
+infinite there, so that no contact may pass; 1 if the law acts in extension too, else 0."""
+
+CLOCK = record_type(
+    *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
+    *[
+        (name, np.int64)
+        for name in ("reach", "accepted", "rejected", "cut", "implicit", "right_hand_sides")
+    ],
+)
+"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0; last
+bead of the active window; steps accepted, rejected, cut at contacts and implicit; right-hand sides.
+"""
+
+CHAIN = record_type(
+    ("law", LAW),
+    ("clock", CLOCK),
+    ("beads", np.int64),
+    ("contacts", np.int64),
+    ("piston", np.bool),
+    ("ahead", float),
+    ("margin", np.int64),
+    ("elastic_weights", float, (STAGES, LONG)),
+    ("viscous_weights", float, (STAGES, LONG)),
+    ("probe", float, 3),
+)
+"""Law and clock; number N of beads and of contacts that move, N − 1, or N on a ring; whether bead 1
+is a piston; compression ahead of the active window, and how many beads the window reaches beyond
+the last one that moves; weights of the slopes in every stage of the present step; room for the law
+at a single compression.
+
+A record is passed to kernels by its address: unlike a tuple of arrays it costs nothing to hand on.
+"""
+
+
+def make_table(rows, beads):
+    """A table of zeros for a chain of `beads` beads.
+
+    Rows are whole cache lines long, column 1, the first bead, starts one, and the length is no
+    multiple of 4096 bytes, which makes rows collide in the cache.
     """
-
-    u: np.ndarray
-    d: np.ndarray
-    new_u: np.ndarray
-    new_d: np.ndarray
-    force: np.ndarray
-    damping: np.ndarray
-    k: np.ndarray
-    g: np.ndarray
+    columns = row_length(beads)
+    buffer = np.zeros(rows * columns + 8)
+    offset = (-(buffer.ctypes.data // 8 + 1)) % 8
+    return buffer[offset : offset + rows * columns].reshape(rows, columns)
 
 
-class Size(NamedTuple):
-    """Number of beads N, of moving contacts (N − 1, or N on a ring), and what closes bead 1.
-
-    Attributes
-    ----------
-    beads, contacts : int
-    piston : bool
-        Whether bead 1 is a piston.
-    acceleration : float
-        That of the piston now.
-    """
-
-    beads: int
-    contacts: int
-    piston: bool = False
-    acceleration: float = 0.0
-
-
-def make_law(alpha, beta, gamma):
-    """Choose the cheapest kernel that is exact for the exponents.
-
-    Parameters
-    ----------
-    alpha, beta, gamma : float
-        Exponents and damping of the contact law, James (2021), eq. (28).
-
-    Returns
-    -------
-    Law
-    """
-    one_nonlinearity = beta == alpha or gamma == 0.0
-    kind = PAIR if not one_nonlinearity else HERTZ if alpha == 1.5 else POWER
-    return Law(kind, float(alpha), float(beta), float(gamma))
-
-
-def make_state(beads):
-    """Allocate the arrays of a chain of `beads` beads, all zero."""
-    columns = _columns(beads)
-    vectors = _aligned_zeros((6, columns))
-    return State(*vectors, _aligned_zeros((SLOPES, columns)), _aligned_zeros((SLOPES, columns)))
-
-
-def _columns(beads):
-    """Row length: whole cache lines, but no multiple of 4096 bytes, which makes rows collide."""
+def row_length(beads):
+    """Entries of a row, at least N + 2."""
     columns = 8 * math.ceil((beads + 2) / 8)
     return columns + 8 if columns % 512 == 0 else columns
-
-
-def _aligned_zeros(shape):
-    """Zeros whose column 1, the first bead, starts a 64-byte cache line."""
-    size = math.prod(shape)
-    buffer = np.zeros(size + 16)
-    offset = next(i for i in range(8) if (buffer.ctypes.data + 8 * (i + 1)) % 64 == 0)
-    return buffer[offset : offset + size].reshape(shape)

@@ -1,13 +1,13 @@
 """Numbers measured on fronts of the amplitude equations, for comparison with the paper.
 
-A measure takes the dataset of a scene (see `survey` and `log_burgers`) and returns a `Measured`.
+A measure takes the dataset of a scene (see `survey` and `log_burgers`) and returns an `Estimate`.
 """
 
 import math
 
 import numpy as np
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate, tabulated
 from granular_fronts.continuum.log_kdv_burgers.equation import CRITICAL_DAMPING, linear_rates
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import gaussian_centre
 
@@ -33,18 +33,18 @@ def squared_slope_underdamped(dataset):
 
 def _squared_slope(dataset, pick):
     squares = dataset["squared_slope_at_one"]
-    return Measured(float(pick(squares.values)), float(squares.attrs["error_estimate"]))
+    return Estimate(float(pick(squares.values)), float(squares.attrs["error_estimate"]))
 
 
 def smallest_steepness(dataset):
     """Smallest −y'/(y(1 − y)) before any front first reaches y = 1: above 0 where q is."""
-    return Measured(min(map(_steepness, _each_mu(dataset))), _steepness_error(dataset))
+    return Estimate(min(map(_steepness, _each_mu(dataset))), _steepness_error(dataset))
 
 
 def largest_overdamped_slope(dataset):
     """Largest y'/(y(1 − y)) of all fronts with μ of 2 and above; none rises."""
     overdamped = dataset.sel(mu=dataset["mu"] >= CRITICAL_DAMPING)
-    return Measured(-min(map(_steepness, _each_mu(overdamped))), _steepness_error(dataset))
+    return Estimate(-min(map(_steepness, _each_mu(overdamped))), _steepness_error(dataset))
 
 
 def _each_mu(dataset):
@@ -73,7 +73,7 @@ def residual_of_orbits(dataset, smallest_mu):
     """
     sweep = _each_mu(dataset.sel(mu=dataset["mu"] >= smallest_mu))
     fine, coarse = np.max([_orbit_defects(orbit) for orbit in sweep], axis=0)
-    return Measured(float(fine), float(coarse) / 2.0**6)
+    return Estimate(float(fine), float(coarse) / 2.0**6)
 
 
 def _orbit_defects(orbit):
@@ -94,7 +94,7 @@ def gaussian_defect(dataset):
     """Largest difference between the front for μ = 0 and the Gaussian of Remark 8."""
     y = dataset["rescaled_force"].sel(mu=0.0)
     exact = np.exp(0.5 - 0.25 * (y["s"] - gaussian_centre()) ** 2)
-    return Measured(float(abs(y - exact).max()), float(y.attrs["error_estimate"]))
+    return Estimate(float(abs(y - exact).max()), float(y.attrs["error_estimate"]))
 
 
 def growth_rate(dataset, mu):
@@ -115,8 +115,7 @@ def frequency(dataset, mu):
 
 
 def _ratio(dataset, name, mu, exact):
-    one = dataset.sel(mu=mu)
-    return Measured(float(one[name]) / exact, float(one[f"{name}_error"]) / exact)
+    return tabulated(dataset.sel(mu=mu), name) / exact
 
 
 def transition(dataset):
@@ -126,7 +125,7 @@ def transition(dataset):
     slope, value = np.polyfit(oscillating["mu"] ** 2, squares, 1)
     errors = 2.0 * oscillating["angular_frequency"] * oscillating["angular_frequency_error"]
     mu = math.sqrt(-value / slope)
-    return Measured(mu, float(errors.max()) / (2.0 * mu * abs(slope)))
+    return Estimate(mu, float(errors.max()) / (2.0 * mu * abs(slope)))
 
 
 def flux_distance(dataset, alpha, smallest=0.0):
@@ -144,4 +143,4 @@ def profile_distance(dataset, alpha):
 def _sampled_maximum(values):
     """Largest value on a grid, and what leaving out every other point changes."""
     value = float(values.max())
-    return Measured(value, abs(value - float(values[::2].max())) + 1.0e-15)
+    return Estimate(value, abs(value - float(values[::2].max())) + 1.0e-15)

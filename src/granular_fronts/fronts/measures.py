@@ -1,12 +1,12 @@
 """What the paper says of fronts in numbers, measured on exact fronts.
 
 A measure takes the dataset of a front scene (see `comparison`), of the curves of critical damping
-(see `damping_map`) or of families of fronts (see `trends`), and returns a `Measured`.
+(see `damping_map`) or of families of fronts (see `trends`), and returns an `Estimate`.
 """
 
 import numpy as np
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate, estimate, recorded
 
 FEW_DIGITS = 1.0e-14
 """Relative error of critical damping, a few units of the last digit."""
@@ -16,29 +16,29 @@ def force_overshoot(front):
     """Largest elastic force over the force behind the front, (max u/δ)^α."""
     alpha, overshoot = front.attrs["alpha"], front.attrs["overshoot"]
     force = (1.0 + overshoot) ** alpha
-    return Measured(force, alpha * force * front.attrs["error_estimate"])
+    return Estimate(force, alpha * force * front.attrs["error_estimate"])
 
 
 def displacement_overshoot(front):
     """Largest u/δ − 1, 0 for a monotone front."""
-    return Measured(front.attrs["overshoot"], front.attrs["error_estimate"])
+    return Estimate(front.attrs["overshoot"], front.attrs["error_estimate"])
 
 
 def dissipated_power(front):
     """Power that all contacts dissipate, in units of the front."""
-    return Measured(front.attrs["dissipated_power"], front.attrs["dissipated_power_error"])
+    return Estimate(front.attrs["dissipated_power"], front.attrs["dissipated_power_error"])
 
 
 def velocity_overshoot(front):
     """Largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
-    largest = _vertex(front["velocity"].values, 1.0)
-    return Measured(largest.value - 1.0, largest.error + front["velocity"].error_estimate)
+    velocity = front["velocity"]
+    return _vertex(velocity.values, 1.0) + Estimate(-1.0, velocity.error_estimate)
 
 
 def smallest_velocity_behind(front):
     """Smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
-    smallest = _vertex(front["velocity"].where(front["xi"] < 0.0, drop=True).values, -1.0)
-    return Measured(smallest.value, smallest.error + front["velocity"].error_estimate)
+    velocity = front["velocity"].where(front["xi"] < 0.0, drop=True)
+    return _vertex(velocity.values, -1.0) + Estimate(0.0, velocity.error_estimate)
 
 
 def _vertex(values, sign):
@@ -49,7 +49,7 @@ def _vertex(values, sign):
     top = int(np.argmax(sign * values))
     left, middle, right = values[top - 1 : top + 2]
     rise = 0.125 * (left - right) ** 2 / (2.0 * middle - left - right)
-    return Measured(float(middle + rise), abs(float(rise)))
+    return estimate(middle + rise, middle)
 
 
 def distance(front, field, limit):
@@ -64,20 +64,20 @@ def distance(front, field, limit):
     """
     value = front[f"{field}_{limit}"]
     errors = value.attrs["error_estimate"] + front[field].attrs["error_estimate"]
-    return Measured(float(value.attrs["distance"]), float(errors))
+    return Estimate(float(value.attrs["distance"]), float(errors))
 
 
 def tail_over_long_wave(curves, alpha):
     """Critical damping of the lattice, by its tail, over that of section 5, μ = 2."""
     one = curves.sel(alpha=alpha)
     ratio = float(one["critical_damping_tail"] / one["critical_damping_long_wave"])
-    return Measured(ratio, FEW_DIGITS * ratio)
+    return Estimate(ratio, FEW_DIGITS * ratio)
 
 
 def critical_damping(curves, alpha):
     """Critical damping of the lattice by its tail, γc."""
     value = float(curves["critical_damping_tail"].sel(alpha=alpha))
-    return Measured(value, FEW_DIGITS * value)
+    return Estimate(value, FEW_DIGITS * value)
 
 
 def tail_contrast(trends, beta):
@@ -86,8 +86,7 @@ def tail_contrast(trends, beta):
     Above 0 if a front oscillates at small velocities, below 0 if it does at large ones.
     """
     frequency = trends["tail_frequency"].sel(beta=beta).sortby("piston_velocity")
-    contrast = float(frequency[0] - frequency[-1])
-    return Measured(contrast, 2.0 * frequency.attrs["error_estimate"])
+    return recorded(frequency[0]) - recorded(frequency[-1])
 
 
 def critical_power_of_pressure(trends):
@@ -95,7 +94,7 @@ def critical_power_of_pressure(trends):
     gamma = trends["critical_gamma"]
     span = np.log(gamma["displacement"].values[-1] / gamma["displacement"].values[0])
     power = float(np.log(gamma.values[-1] / gamma.values[0]) / span)
-    return Measured(power, 2.0 * gamma.attrs["error_estimate"] / float(gamma.min() * span))
+    return Estimate(power, 2.0 * gamma.attrs["error_estimate"] / float(gamma.min() * span))
 
 
 def width_power(trends):
@@ -106,25 +105,22 @@ def width_power(trends):
     closest = trends["width_of_exponent"].sortby("exponent")[:3]
     alpha = closest["exponent"].values
     logarithms = np.log(1.0 - 1.0 / alpha), np.log(closest.values)
-    power, next_power = np.diff(logarithms[1]) / np.diff(logarithms[0])
-    return Measured(float(power), abs(float(power - next_power)))
+    return estimate(*np.diff(logarithms[1]) / np.diff(logarithms[0]))
 
 
 def narrowing(trends):
     """Width of the front at the smallest δ over that at the largest, γ and α fixed."""
     width = trends["width_of_displacement"].sortby("displacement")
-    ratio = float(width[0] / width[-1])
-    return Measured(ratio, (1.0 + ratio) * width.attrs["error_estimate"] / float(width[-1]))
+    return recorded(width[0]) / recorded(width[-1])
 
 
 def gaussian_distance(trends, exponent):
     """Largest distance of u of a solitary wave to the Gaussian, both over their peaks."""
-    distance = trends["gaussian_distance"].sel(exponent=exponent)
-    return Measured(float(distance), distance.attrs["error_estimate"])
+    return recorded(trends["gaussian_distance"].sel(exponent=exponent))
 
 
 def solitary_force(trends, exponent):
     """Largest force u^α of a solitary wave over e^(1/2), that of the Gaussian."""
     peak = trends["solitary_peak"].sel(exponent=exponent)
     force = float(peak) ** exponent / np.exp(0.5)
-    return Measured(float(force), exponent * float(force) * peak.attrs["error_estimate"])
+    return Estimate(float(force), exponent * float(force) * peak.attrs["error_estimate"])

@@ -1,33 +1,42 @@
-"""Exact fronts of the lattice as data: the public face of this wing.
+"""Exact fronts of a chain as data: the public face of this wing.
 
-Units are those of the front, δ = c = 1 for a chain at rest ahead; γ from a run at another δ with
-β = α is multiplied by δ^((α − 1)/2), James (2021), eq. (30).
+Two powers are given by their exponents and γ, in units where the compression behind is 1; γ from a
+run at another δ with β = α is multiplied by δ^((α − 1)/2), James (2021), eq. (30).  Any law is
+given as such, together with the strains that its front joins.
 """
 
+import json
 import math
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import refined_by
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
-from granular_fronts.fronts.profile.newton import Law
-from granular_fronts.fronts.profile.solve import (
-    ORDER,
-    REFINED_ORDER,
-    make_law,
-    refine,
-    solve_profile,
+from granular_fronts.fronts.profile.equation import (
+    FrontProblem,
+    front_problem,
+    normalise,
+    power_speed,
 )
+from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
 from granular_fronts.fronts.properties import MEASURES, measure, velocity
 from granular_fronts.fronts.shooting import solve as shooting
 from granular_fronts.fronts.shooting.sampling import sample_front
-from granular_fronts.fronts.validation import check_front, check_law, check_right_state
+from granular_fronts.fronts.validation import (
+    check_front,
+    check_given_law,
+    check_law,
+    check_right_state,
+    is_given_by_law,
+)
+from granular_fronts.model.laws import Law, make_law
 from granular_fronts.numerics.interpolation import interpolate_all
 
 ACCEPTED_ERROR = 1e-12
-"""Error estimate of u up to which a front is called converged."""
+"""Error of the strain, relative to the larger state, up to which a front is called converged."""
 
 ERROR_METHODS = {
     "profile": f"largest difference to a solution with {REFINED_ORDER} instead of {ORDER} points "
@@ -36,7 +45,18 @@ ERROR_METHODS = {
     f"{shooting.LONGER_BEHIND:g} behind and {shooting.LONGER_AHEAD} beads ahead",
 }
 
+FIELDS = ("relative_displacement", "velocity", "strain")
+
 RESOLUTION = 2.0**-52
+
+
+class Question(NamedTuple):
+    """Which front is sought: a law, the strains R_b behind and R_a ahead, and their problem."""
+
+    law: Law
+    behind: float
+    ahead: float
+    problem: FrontProblem
 
 
 class Solution(NamedTuple):
@@ -44,26 +64,35 @@ class Solution(NamedTuple):
 
     Attributes
     ----------
-    law : newton.Law
+    problem : equation.FrontProblem
     spacing : float
-    xi, u, velocity : ndarray, shape (points,)
-        On a uniform grid.
+    xi, s, velocity : ndarray, shape (points,)
+        On a uniform grid; the velocity ẋ in the units of the law.
     residuals : ndarray
         Largest residual before each step and after the last.
     speed_defect : float
     """
 
-    law: Law
+    problem: FrontProblem
     spacing: float
     xi: np.ndarray
-    u: np.ndarray
+    s: np.ndarray
     velocity: np.ndarray
     residuals: np.ndarray
     speed_defect: float
 
 
-def solve_front(alpha, gamma, beta=None, method="profile", right_state=0.0):
-    """The travelling front from compression 1 behind to `right_state` ahead.
+def solve_front(
+    alpha=None,
+    gamma=None,
+    beta=None,
+    method="profile",
+    right_state=0.0,
+    *,
+    law=None,
+    states=None,
+):
+    """A travelling front: of two powers, or of any law between two states.
 
     Parameters
     ----------
@@ -74,39 +103,69 @@ def solve_front(alpha, gamma, beta=None, method="profile", right_state=0.0):
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
     method : {"profile", "shooting"}
-        By the advance–delay equation, see `profile`; or by the motion of a window of beads, see
-        `shooting`, which knows a chain at rest ahead only.
+        By the advance–delay equation, see `profile.equation`; or by the motion of a window of
+        beads, see `shooting`, which knows two powers and a chain at rest ahead only.
     right_state : float, optional
-        Compression r ahead, 0 ≤ r < 1; the speed is c = ((1 − r^α)/(1 − r))^(1/2), eq. (14).
+        Compression r ahead of a front of two powers from compression 1, 0 ≤ r < 1; the speed is
+        c = ((1 − r^α)/(1 − r))^(1/2), eq. (14).
+    law : Law or mapping, optional
+        In place of alpha, gamma, beta and right_state: a law of `make_law`, or what it takes.
+    states : pair of float, optional
+        Strains R_b behind and R_a ahead, with the law, negative in compression.
 
     Returns
     -------
     xarray.Dataset
-        `relative_displacement` and `velocity` on `xi` = n − ct, a uniform grid where u(0) is
-        (1 + r)/2, and beyond which u is 1 or r to round-off; both with `error_estimate` and
-        `error_method`.  `residual_history` on `iteration`, the largest residual before each step
-        and after the last.  Attributes: the law, `method`, `speed`, `converged` (0 or 1) and
-        `reason`, `residual`, `speed_defect` (the speed found over the exact one, less 1; shooting
-        prescribes it), `error_estimate` of u, `overshoot`, `width_10_90`, `slope`,
-        `dissipated_power`, and `…_error` of these four.  Where converged is 0, all but the law and
-        the reason are NaN.
+        `relative_displacement`, `velocity` and `strain`, the first with its sign changed, on `xi`
+        = n − ct, a uniform grid beyond which the strain is R_b or R_a to round-off, and on which
+        it is half-way between them at ξ = 0; each with `error_estimate` and `error_method`.
+        Velocities are those of eq. (12), −cR behind and ahead; a uniform one may be added.
+        `residual_history` on `iteration`, the largest residual before each step and after the
+        last.  Attributes: `law` as JSON, `state_behind`, `state_ahead`, for two powers from
+        compression 1 `alpha`, `beta`, `gamma`, `right_state`; `method`, `speed`, `converged` (0 or
+        1) and `reason`, `residual`, `speed_defect` (the speed found over the exact one, less 1;
+        shooting prescribes it), `error_estimate` of the strain, `overshoot`, `width_10_90`,
+        `slope`, `dissipated_power`, and `…_error` of these four and of the defect.  Where
+        converged is 0, all but the law and the reason are NaN.
 
     Raises
     ------
     InputError
         If a parameter is out of range, or no such front exists.
+
+    Examples
+    --------
+    >>> front = solve_front(law={"elastic": {"kind": "toda"},
+    ...                          "viscous": {"kind": "linear", "gamma": 0.3}}, states=(-2.0, 0.0))
+    >>> round(front.attrs["speed"], 3)
+    1.787
     """
     choice("method", method, METHODS)
-    alpha, gamma, beta = check_law(alpha, gamma, beta)
-    law = make_law(alpha, gamma, beta, check_right_state(right_state))
+    powers = {"alpha": alpha, "gamma": gamma, "beta": beta}
+    right_state = check_right_state(right_state)
+    if is_given_by_law(powers, {"law": law, "states": states}):
+        law, states = check_given_law(law, states)
+        if right_state > 0.0:
+            raise InputError(
+                f"right_state is {right_state} beside a law, whose states say what is ahead: leave "
+                "it out."
+            )
+        question = Question(law, *states, front_problem(law, *states))
+    else:
+        question = _question_of_powers(*check_law(alpha, gamma, beta), right_state)
     try:
-        return _describe(method, *METHODS[method](law))
+        return _describe(method, question, *METHODS[method](question))
     except NoFrontError as failure:
-        return _describe_failure(method, law, str(failure))
+        return _describe_failure(method, question, str(failure))
+
+
+def _question_of_powers(alpha, gamma, beta, right_state):
+    law, ahead = make_law(alpha=alpha, beta=beta, gamma=gamma), 0.0 - right_state
+    return Question(law, -1.0, ahead, normalise(law, -1.0, ahead, power_speed(alpha, right_state)))
 
 
 def evaluate_front(front, xi, name="relative_displacement"):
-    """The relative displacement, or the velocity, of a front anywhere.
+    """The relative displacement, the velocity or the strain of a front anywhere.
 
     Parameters
     ----------
@@ -114,13 +173,13 @@ def evaluate_front(front, xi, name="relative_displacement"):
         From `solve_front`, converged.
     xi : array_like
         Positions n − ct.
-    name : {"relative_displacement", "velocity"}, optional
+    name : {"relative_displacement", "velocity", "strain"}, optional
 
     Returns
     -------
     ndarray
-        Shape of `xi`, by local polynomials through 20 points; the states of both ends beyond the
-        grid.
+        Shape of `xi`, by local polynomials through 20 points; beyond the grid its first and its
+        last value, which are those of both states to round-off.
 
     Raises
     ------
@@ -129,121 +188,151 @@ def evaluate_front(front, xi, name="relative_displacement"):
     """
     check_front(front)
     xi = array("xi", xi, advice="leave that point out")
-    ends = _ends(front.attrs["speed"], front.attrs["right_state"])
-    choice("name", name, ends)
-    positions = _positions(front["xi"].values, xi.ravel())
-    return interpolate_all(front[name].values, positions, *ends[name]).reshape(xi.shape)
+    choice("name", name, [field for field in FIELDS if field in front])
+    values, positions = front[name].values, _positions(front["xi"].values, xi.ravel())
+    return interpolate_all(values, positions, values[0], values[-1]).reshape(xi.shape)
 
 
-def by_profile(law):
+def by_profile(question):
     """A front and its refinement by the profile equation."""
-    profile = solve_profile(law)
-    if profile.reason:
-        raise NoFrontError(profile.reason)
-    refined = refine(profile)
-    if refined.reason:
-        raise NoFrontError(
-            f"the refinement that should estimate the error failed: {refined.reason}"
-        )
+    profiles = refined_by(
+        lambda found: _settled(refine(found)), _settled(solve_profile(question.problem))
+    )
     return [
         Solution(
-            law,
+            found.problem,
             float(found.spacing),
             found.xi,
-            found.u,
+            found.s,
             velocity(found, order),
             found.residuals,
             found.speed_defect,
         )
-        for found, order in ((profile, ORDER), (refined, REFINED_ORDER))
+        for found, order in zip(profiles, (ORDER, REFINED_ORDER), strict=True)
     ]
 
 
-def by_shooting(law):
+def _settled(profile):
+    if profile.reason:
+        raise NoFrontError(profile.reason)
+    return profile
+
+
+def by_shooting(question):
     """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
-    if law.ahead > 0.0:
+    law = question.law
+    if not (law.is_power and question.behind == -1.0):
         raise InputError(
-            f"right_state is {law.ahead}, but shooting closes its window on a chain at rest: use "
-            'method "profile".'
+            f"law is {json.dumps(law.describe(), default=str)} and the states are "
+            f"{question.behind:g} and {question.ahead:g}, but shooting knows two powers from "
+            'compression 1 into a chain at rest: use method "profile".'
         )
-    shot = shooting.shoot_front(law.alpha, law.gamma, law.beta)
-    if not shot.converged:
-        raise NoFrontError(shot.reason)
-    refined = shooting.refine(shot)
-    if not refined.converged:
-        raise NoFrontError(
-            f"the refinement that should estimate the error failed: {refined.reason}"
+    if question.ahead < 0.0:
+        raise InputError(
+            f"right_state is {-question.ahead}, but shooting closes its window on a chain at rest: "
+            'use method "profile".'
         )
+    shots = refined_by(
+        lambda found: _converged(shooting.refine(found)),
+        _converged(shooting.shoot_front(law.alpha, law.gamma, law.beta)),
+    )
     points = math.ceil(6.0 + 4.3 * law.alpha)
     return [
-        Solution(law, 1.0 / points, *sample_front(found, points), found.residuals, 0.0)
-        for found in (shot, refined)
+        Solution(
+            question.problem,
+            1.0 / points,
+            *sample_front(found, points),
+            found.residuals,
+            0.0,
+        )
+        for found in shots
     ]
+
+
+def _converged(shot):
+    if not shot.converged:
+        raise NoFrontError(shot.reason)
+    return shot
 
 
 METHODS = {"profile": by_profile, "shooting": by_shooting}
 
 
-def _describe(method, solution, refined):
+def _describe(method, question, solution, refined):
     """The dataset of a front, its errors the differences to the refined one."""
-    law, ends = solution.law, _ends(solution.law.speed, solution.law.ahead)
+    problem = question.problem
+    size = problem.size
     positions = _positions(solution.xi, refined.xi)
-    pairs = {
-        "relative_displacement": (solution.u, refined.u),
-        "velocity": (solution.velocity, refined.velocity),
-    }
-    errors = {
-        name: _difference(interpolate_all(values, positions, *ends[name]), others)
-        for name, (values, others) in pairs.items()
-    }
-    error = errors["relative_displacement"]
-    if error > ACCEPTED_ERROR:
-        raise NoFrontError(f"u errs by about {error:.1e}, more than {ACCEPTED_ERROR:g}")
+    again = interpolate_all(solution.s, positions, 1.0, 0.0)
+    error = max(abs(problem.jump) * _largest(again - refined.s), RESOLUTION * size)
+    if error > ACCEPTED_ERROR * size:
+        raise NoFrontError(f"the strain errs by {error:.1e}, more than {ACCEPTED_ERROR * size:g}")
+    ends = (-problem.speed * R for R in (question.behind, question.ahead))
+    again = interpolate_all(solution.velocity, positions, *ends)
+    velocity_error = max(_largest(again - refined.velocity), RESOLUTION * problem.speed * size)
+    u = problem.start + problem.jump * solution.s
     found, found_again = measure(solution), measure(refined)
     return _dataset(
         method,
-        law,
+        question,
         solution.xi,
-        {name: (values, errors[name]) for name, (values, _) in pairs.items()},
+        {
+            "relative_displacement": (u, error),
+            "velocity": (solution.velocity, velocity_error),
+            "strain": (-u, error),
+        },
         solution.residuals,
         converged=1,
         reason="",
         residual=float(solution.residuals[-1]),
         speed_defect=solution.speed_defect,
+        speed_defect_error=abs(solution.speed_defect - refined.speed_defect),
         error_estimate=error,
         **found,
         **{f"{name}_error": abs(found[name] - found_again[name]) for name in MEASURES},
     )
 
 
-def _describe_failure(method, law, reason):
-    """The dataset of a law whose front was not found: NaN at ξ = 0."""
+def _describe_failure(method, question, reason):
+    """The dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
-    fields = dict.fromkeys(("relative_displacement", "velocity"), nothing)
-    unknown = ("residual", "speed_defect", "error_estimate", *MEASURES)
+    unknown = ("residual", "speed_defect", "speed_defect_error", "error_estimate", *MEASURES)
     unknown += tuple(f"{name}_error" for name in MEASURES)
-    values = dict.fromkeys(unknown, math.nan)
     return _dataset(
-        method, law, np.zeros(1), fields, np.empty(0), converged=0, reason=reason, **values
+        method,
+        question,
+        np.zeros(1),
+        dict.fromkeys(FIELDS, nothing),
+        np.empty(0),
+        converged=0,
+        reason=reason,
+        **dict.fromkeys(unknown, math.nan),
     )
 
 
-def _dataset(method, law, xi, fields, residuals, **attributes):
+def _dataset(method, question, xi, fields, residuals, **attributes):
     variables = {
         name: ("xi", values, {"error_estimate": error, "error_method": ERROR_METHODS[method]})
         for name, (values, error) in fields.items()
     }
     variables["residual_history"] = ("iteration", residuals)
-    described = {
-        "alpha": law.alpha,
-        "beta": law.beta,
-        "gamma": law.gamma,
-        "right_state": law.ahead,
-        "speed": law.speed,
-        "method": method,
-    }
     coordinate = {"xi": ("xi", xi, {"long_name": "distance from the front, n - ct"})}
+    described = describe_front(question.law, question.behind, question.ahead)
+    described |= {"speed": question.problem.speed, "method": method}
     return xr.Dataset(variables, coords=coordinate, attrs=described | attributes)
+
+
+def describe_front(law, behind, ahead):
+    """Law and states as attributes of a dataset."""
+    described = {
+        "law": json.dumps(law.describe(), default=str),
+        "state_behind": behind,
+        "state_ahead": ahead,
+    }
+    if not (law.is_power and behind == -1.0):
+        return described
+    powers = {"alpha": law.alpha, "beta": law.beta, "gamma": law.gamma}
+    return described | powers | {"right_state": 0.0 - ahead}
 
 
 def _positions(grid, xi):
@@ -253,11 +342,5 @@ def _positions(grid, xi):
     return xi / grid[middle + 1] + middle
 
 
-def _ends(speed, ahead):
-    """Values of each field behind and ahead of its grid."""
-    return {"relative_displacement": (1.0, ahead), "velocity": (speed, speed * ahead)}
-
-
-def _difference(values, others):
-    """Largest difference, or one unit of the last digit where they agree."""
-    return max(float(np.abs(values - others).max()), RESOLUTION)
+def _largest(differences):
+    return float(np.abs(differences).max())

@@ -5,8 +5,9 @@ James (2021), section 2.  Every function returns plain numbers, or raises an `In
 
 import xarray as xr
 
-from granular_fronts.arguments import instance, scalar
+from granular_fronts.arguments import instance, scalar, sequence
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
 
 
 def check_law(alpha, gamma, beta=None):
@@ -57,10 +58,64 @@ def check_right_state(right_state):
     )
 
 
+def is_given_by_law(powers, parts):
+    """Whether a front is given by a law and its states, not by the numbers of two powers.
+
+    Parameters
+    ----------
+    powers, parts : dict
+        Arguments of either form by name; None where one is not given.
+
+    Raises
+    ------
+    InputError
+        If both forms are mixed.
+    """
+    powers, parts = (
+        [name for name, value in form.items() if value is not None] for form in (powers, parts)
+    )
+    if powers and parts:
+        raise InputError(
+            f"{powers[0]} and {parts[0]} are given together: give either alpha and gamma, or a law "
+            "with its states."
+        )
+    return bool(parts)
+
+
+def check_given_law(law, states):
+    """A law, and the strains R_b and R_a that its front joins."""
+    for name, value in (("law", law), ("states", states)):
+        if value is None:
+            raise InputError(
+                f"{name} is missing: a front of any law needs law and states=(R_behind, R_ahead)."
+            )
+    law = make_law(law)
+    states = sequence("states", states, advice="give the strains R_behind and R_ahead")
+    if states.size != 2:
+        raise InputError(
+            f"states holds {states.size} numbers, but a front joins two: give the strains "
+            "R_behind and R_ahead."
+        )
+    return law, tuple(map(float, states))
+
+
+def check_front_of_powers(front):
+    """A front as data of two powers, from compression 1 into a chain at rest."""
+    check_front(front)
+    if not {"alpha", "beta", "gamma"} <= front.attrs.keys() or front.attrs.get("right_state"):
+        raise InputError(
+            f"front has the law {front.attrs.get('law')} and joins R = "
+            f"{front.attrs.get('state_behind')} to {front.attrs.get('state_ahead')}, but its "
+            "multipliers are known for two powers from compression 1 into a chain at rest only: "
+            "give such a front, scaled by eq. (30)."
+        )
+    return front
+
+
 def check_front(front):
     """A front as data, unless it says itself that it has not converged."""
     instance("front", front, xr.Dataset, "take one from solve_front")
-    needed = {"alpha", "beta", "gamma", "relative_displacement", "velocity", "xi"}
+    needed = {"relative_displacement", "velocity", "xi"}
     if missing := sorted(needed - {*front.attrs, *front.variables}):
         raise InputError(f"front has no {', '.join(missing)}: take a front from solve_front.")
     if not front.attrs.get("converged", 1):

@@ -47,6 +47,7 @@ The equations are integrated by DOP853 to a relative error of a few 1e-14.  The 
 exponent and its limits are ours.
 """
 
+import functools
 import math
 
 import numpy as np
@@ -59,6 +60,9 @@ from granular_fronts.arguments import double_precision, scalar
 TOLERANCE = 3.0e-14
 ABSOLUTE_TOLERANCE = 1.0e-20
 LARGEST_STEP = 0.1
+
+ACCURACY = 1.0e-12
+"""Error of the collisions of one exponent."""
 
 FORGETTING = 45.0
 """Λ at which the start is forgotten on the slow curve; exp(−45) is below rounding."""
@@ -177,10 +181,37 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
     if strength > slow:
         power_law = math.log(slow / strength) / (2.0 * nu - 1.0)
         return log_restitution(nu, slow, largest_step) + power_law
-    theta, log_radius = _approach(nu, strength, largest_step)
+
+    def damping(log_radius, sine):
+        return strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)
+
+    method = functools.partial(
+        DOP853, max_step=0.5 * largest_step, rtol=TOLERANCE, atol=ABSOLUTE_TOLERANCE
+    )
+    return log_restitution_by(damping, method, LEAST_LOGARITHM, creeps=nu < 0.5)
+
+
+def log_restitution_by(damping, method, least, creeps=False):
+    """Logarithm of e for a damping g that is a function of ln ρ and sin θ.
+
+    Parameters
+    ----------
+    damping : callable
+    method : callable
+        A solver of SciPy with its tolerances.
+    least : float
+        Where ln ρ falls below, the result is −∞.
+    creeps : bool, optional
+        Whether the beads never part once θ' ≤ 0.
+
+    Returns
+    -------
+    float
+    """
+    theta, log_radius = _approach(damping, method, least, creeps)
     if theta < 0.5 * math.pi:
         return -math.inf
-    return _part(nu, strength, theta, log_radius, largest_step)
+    return _part(damping, theta, log_radius, method)
 
 
 def _steepest(nu):
@@ -198,40 +229,36 @@ def slow_strength(nu):
     return (contraction / (nu * 2.0 ** (1.0 - 1.0 / nu))) ** nu
 
 
-def _approach(nu, strength, largest_step):
+def _approach(damping, method, least, creeps):
     """θ and ln ρ just past θ = π/2, or where they stay for ever."""
 
     def slopes(_, state):
         theta, log_radius = state
         # A trial step may lead beyond θ = π.
         sine = max(math.sin(theta), 0.0)
-        damping = strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)
-        return np.array([2.0 - damping * math.cos(theta), -damping * sine])
+        g = damping(log_radius, sine)
+        return np.array([2.0 - g * math.cos(theta), -g * sine])
 
-    solver = _solver(slopes, 0.0, [0.0, 0.0], math.inf, 0.5 * largest_step)
+    solver = method(slopes, 0.0, [0.0, 0.0], math.inf)
     while solver.y[0] < 0.5 * math.pi:
         solver.step()
-        if solver.y[1] < LEAST_LOGARITHM or (nu < 0.5 and slopes(0.0, solver.y)[0] <= 0.0):
+        if solver.y[1] < least or (creeps and slopes(0.0, solver.y)[0] <= 0.0):
             break
     return solver.y
 
 
-def _part(nu, strength, theta, log_radius, largest_step):
+def _part(damping, theta, log_radius, method):
     """Logarithm of ρ at θ = π; from π/2 on θ grows at a rate above 2 and serves as the variable."""
 
     def slope(theta, log_radius):
         sine = max(math.sin(theta), 0.0)
-        damping = strength * math.exp((2.0 * nu - 1.0) * log_radius[0]) * sine ** (2.0 * nu)
-        return np.array([-damping * sine / (2.0 - damping * math.cos(theta))])
+        g = damping(log_radius[0], sine)
+        return np.array([-g * sine / (2.0 - g * math.cos(theta))])
 
-    solver = _solver(slope, theta, [log_radius], math.pi, largest_step)
+    solver = method(slope, theta, [log_radius], math.pi)
     while solver.status == "running":
         solver.step()
     return float(solver.y[0])
-
-
-def _solver(slopes, start, state, stop, largest_step):
-    return DOP853(slopes, start, state, stop, largest_step, rtol=TOLERANCE, atol=ABSOLUTE_TOLERANCE)
 
 
 def _strength(gamma, alpha, nu):

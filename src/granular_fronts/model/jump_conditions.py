@@ -39,15 +39,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.accuracy import EPSILON, Estimate
 from granular_fronts.arguments import double_precision, instance, scalar
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
 from granular_fronts.model.potentials import Potential
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 SPLIT = 0.4
 """Where the interval is cut in two; off the middle, since symmetry hides a kink there."""
 
-EPSILON = float(np.finfo(float).eps)
 
 CLOSE_ENOUGH = 1.0e-13
 """Relative error at which the first of several ways is good enough."""
@@ -109,29 +110,22 @@ class JumpConditions(NamedTuple):
         return abs(self.speed) * self.energy_per_bead
 
 
-class Estimate(NamedTuple):
-    """A number and an estimate of its absolute error."""
-
-    value: float
-    error: float
-
-
-def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
+def jump_conditions(law, R_minus, R_plus, *, mass=1.0, dissipation=None):
     """Speed, direction, velocities and losses of a front between two states.
 
     The conditions are necessary: that a front exists they do not say.
 
     Parameters
     ----------
-    potential : granular_fronts.model.potentials.Potential
-        V.
+    law : Law, Mapping or Potential
+        A law, or the mapping of which `granular_fronts.make_law` makes one; or V alone.
     R_minus, R_plus : float
         States at n → −∞ and n → +∞; negative in compression.
     mass : float, optional
         m, above 0.
-    dissipation : granular_fronts.model.potentials.Potential, optional
-        W. None stands for some convex potential that acts between the states, which is all that
-        the results depend on; `model.potentials.NO_DISSIPATION` for a conservative chain.
+    dissipation : Potential, optional
+        W beside V alone. None stands for some convex potential that acts between the states, which
+        is all that the results depend on; a law without damping makes a conservative chain.
 
     Returns
     -------
@@ -142,12 +136,16 @@ def jump_conditions(potential, R_minus, R_plus, *, mass=1.0, dissipation=None):
     InputError
         If the states exclude a front, with the statement of James (2021) that excludes it; or if
         an argument is impossible.
+
+    Examples
+    --------
+    >>> front = jump_conditions({"alpha": 1.5, "gamma": 0.1}, -0.0625, 0.0)
+    >>> front.direction, front.speed
+    (1, 0.5)
     """
-    _check_potential("potential", potential)
-    if dissipation is not None:
-        _check_potential("dissipation", dissipation)
+    potential, dissipation = _potentials(law, dissipation)
     mass = scalar("mass", mass, above=0.0, advice="give the bead's mass")
-    R_minus, R_plus = _check_states(potential, R_minus=R_minus, R_plus=R_plus)
+    R_minus, R_plus = _check_states(potential, dissipation, R_minus=R_minus, R_plus=R_plus)
     with double_precision("The front", "bring the states and the mass closer to 1"):
         return _conditions(potential, R_minus, R_plus, mass, dissipation)
 
@@ -190,11 +188,11 @@ def signed_area(potential, R_minus, R_plus):
 
     def from_third_derivative():
         mean = _mean(lambda s: s * (1.0 - s) * potential.third(R_minus + s * jump))
-        return _scaled(-0.5 * jump**3, mean)
+        return mean * (-0.5 * jump**3)
 
     def from_second_derivative():
         mean = _mean(lambda s: (s - 0.5) * potential.second(R_minus + s * jump))
-        return _scaled(-(jump**2), mean)
+        return mean * (-(jump**2))
 
     def from_differences():
         return _area_from_differences(potential, R_minus, R_plus)
@@ -216,7 +214,7 @@ def _squared_speed(potential, R_minus, R_plus):
     return _first_good(
         [
             lambda: _mean_stiffness(potential, R_minus, R_plus),
-            lambda: _scaled(1.0 / jump, _difference(potential.first, R_minus, R_plus)),
+            lambda: _difference(potential.first, R_minus, R_plus) * (1.0 / jump),
         ]
     )
 
@@ -250,10 +248,6 @@ def _quadrature(function, start, stop):
     half = 0.5 * (stop - start)
     terms = half * WEIGHTS * function(start + half * (1.0 + NODES))
     return float(terms.sum()), float(np.abs(terms).sum())
-
-
-def _scaled(factor, estimate):
-    return Estimate(factor * estimate.value, abs(factor) * estimate.error)
 
 
 def _first_good(ways):
@@ -303,23 +297,32 @@ def _sound_speed(potential, R, mass):
     return math.sqrt(stiffness / mass) if stiffness >= 0.0 else math.nan
 
 
-def _check_potential(name, potential):
-    instance(
-        name,
-        potential,
-        Potential,
-        "make one with potential_from_expression or potential_from_functions of "
-        "granular_fronts.model.potentials",
-    )
+def _potentials(law, dissipation):
+    """V and W (None if W is not given) of a law or of a potential."""
+    if dissipation is not None:
+        instance("dissipation", dissipation, Potential, "make one with granular_fronts.Potential")
+    if isinstance(law, Potential):
+        return law, dissipation
+    law = make_law(law)
+    if dissipation is not None:
+        raise InputError(
+            f"dissipation is {dissipation.name}, but the law has a viscous potential already, "
+            f"{law.viscous.name}: leave dissipation out, or give the elastic potential alone."
+        )
+    return law.elastic, law.viscous
 
 
-def _check_states(potential, **states):
-    """Two different states inside the potential's domain, as floats."""
-    low, high = potential.domain
-    advice = f"{potential.name} is defined from {low:g} to {high:g}, so give a state inside"
-    R_minus, R_plus = (
-        scalar(name, R, least=low, most=high, advice=advice) for name, R in states.items()
-    )
+def _check_states(*potentials, **states):
+    """Two different states inside the domains of the potentials, as floats."""
+    for potential in potentials:
+        if potential is None:
+            continue
+        low, high = potential.domain
+        advice = f"{potential.name} is defined from {low:g} to {high:g}, so give a state inside"
+        states = {
+            name: scalar(name, R, least=low, most=high, advice=advice) for name, R in states.items()
+        }
+    R_minus, R_plus = states.values()
     if R_minus == R_plus:
         raise InputError(
             f"R_minus and R_plus are both {R_minus}, but a front joins two different states "

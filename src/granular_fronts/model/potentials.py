@@ -1,240 +1,277 @@
-r"""Contact laws: potentials of the elastic and of the dissipative force; James (2021), section 2.
+r"""Potentials of the elastic and of the viscous force of a contact; James (2021), section 2.
 
-With :math:`r_n = x_{n+1} - x_n`, negative in compression, the lattice (5) is
+With the strain :math:`r_n = x_{n+1} - x_n`, negative in compression, the chain (5) is
 
 .. math:: m\ddot x = \delta^-\bigl(V'(r) + \tfrac{d}{dt}W'(r)\bigr), \qquad r = \delta^+x,
 
-with an elastic potential V and a convex potential W of the dissipative force.  The contact law (2)
-of granular chains is (4), the generalised Hertz potential for both:
+with an elastic potential V and a convex potential W of the viscous force.  The contact law (2) of
+granular chains is (4), the generalised Hertz potential for both:
 
 .. math:: V(r) = \frac{k}{\alpha+1}(-r)_+^{\alpha+1}, \qquad
           W(r) = \frac{\gamma_0 k}{\beta+1}(-r)_+^{\beta+1} .
 
-A `Potential` is either kind.  Its four functions take and return arrays.  Potentials with a minimum
-have it at r = 0, where the chain is at rest; the units are the user's.
+A `Potential` is either of the two: of a named kind (see `model.kinds`), of a user's own functions,
+or of a SymPy expression.  Its functions take and return arrays; `model.passes` compiles them for
+chains.  Potentials with a minimum have it at r = 0, where the chain is at rest; the units are the
+user's.
 
 This module imports nothing heavier than numpy; SymPy is needed by those alone who bring an
 expression.
 """
 
-import itertools
-import math
-from collections.abc import Callable
-from typing import NamedTuple
+import difflib
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from granular_fronts.arguments import scalar, sequence
+from granular_fronts.arguments import scalar
 from granular_fronts.errors import InputError
+from granular_fronts.model.given_functions import check_functions, check_interval, check_kinks
+from granular_fronts.model.kinds import KINDS
 
-CHECKED_POINTS = 12
-DIFFERENCE_STEP = 1.0e-4
-"""Step of the finite differences that check a user's derivatives, relative to the interval."""
-
-DIFFERENCE_TOLERANCE = 1.0e-6
-"""Disagreement that a check lets pass, relative to the largest derivative on the interval."""
-
-NO_LIMITS = (-math.inf, math.inf)
+GIVEN = "given"
+"""Kind of a potential whose functions are the user's."""
 
 
-class Potential(NamedTuple):
-    """A potential of r and its derivatives, as functions from arrays to arrays.
+class Origin:
+    """What tells one potential of a user's functions from every other, even of the same functions.
+
+    Functions may depend on variables outside themselves, whose values change between the two.
+    """
+
+
+@dataclass(frozen=True, init=False)
+class Potential:
+    """A potential of the strain r with its derivatives, from a user's functions.
+
+    The functions are checked first.  A potential of a named kind comes from `make_potential`.
+
+    Parameters
+    ----------
+    value, first, second, third : callable
+        V, V', V'' and V''' (optional), from an array of r to an array of the same shape.  Chains
+        compile V' and V'' for single numbers: write them of arithmetic, of conditions by
+        ``np.where``, and of functions of numpy that numba compiles.  Variables outside them must
+        not change once the potential is in use; after a change build another one.
+    interval : tuple of float
+        Interval of r in which all strains will lie; the check samples it, and r outside is refused.
+    kinks : tuple of float, optional
+        Strains at which the potential is not smooth, such as 0 for a contact that opens there.
+    name : str, optional
+        What messages call it.
 
     Attributes
     ----------
     name : str
         For messages.
-    value, first, second : callable
-        V, V' and V''.
-    third : callable or None
-        V'''; without it the states of a front must not be too close (see `model.jump_conditions`).
+    kind : str
+        Name in the configuration; "given" for a user's own.
+    factor : float
+        What the shape, or the user's functions, are multiplied by.
+    parameters : tuple of float
+        Those of the shape; () for a user's own.
     domain : tuple of float
         Open interval of r in which the functions hold.
-    """
-
-    name: str
-    value: Callable
-    first: Callable
-    second: Callable
-    third: Callable | None = None
-    domain: tuple[float, float] = NO_LIMITS
-
-
-def generalised_hertz(alpha, stiffness=1.0):
-    """V(r) = k/(α + 1) (−r)₊^(α+1), eq. (4); with γ₀k for k and β for α it is W.
-
-    Parameters
-    ----------
-    alpha : float
-        Exponent, above 0. Below 1 the contact softens, and V'' is infinite at r = 0.
-    stiffness : float, optional
-        k, above 0.
-    """
-    alpha, stiffness = _positive(alpha=alpha, stiffness=stiffness)
-
-    def power(r, exponent, factor):
-        compression = np.maximum(-np.asarray(r, dtype=float), 0.0)
-        if factor == 0.0:
-            return np.zeros_like(compression)
-        # At r = 0 a negative exponent belongs to the compressed side; a gap carries no force.
-        with np.errstate(divide="ignore"):
-            return np.where(np.asarray(r) <= 0.0, factor * compression**exponent, 0.0)
-
-    return Potential(
-        f"Hertz potential with alpha = {alpha:g}",
-        lambda r: power(r, alpha + 1.0, stiffness / (alpha + 1.0)),
-        lambda r: power(r, alpha, -stiffness),
-        lambda r: power(r, alpha - 1.0, alpha * stiffness),
-        lambda r: power(r, alpha - 2.0, -alpha * (alpha - 1.0) * stiffness),
-    )
-
-
-def fpu(quadratic=1.0, cubic=0.0, quartic=0.0):
-    """Fermi–Pasta–Ulam: V(r) = κr²/2 + ar³/3 + br⁴/4; α has b = 0, β has a = 0, harmonic both.
-
-    Parameters
-    ----------
-    quadratic, cubic, quartic : float
-        κ, a and b.
-    """
-    given = {"quadratic": quadratic, "cubic": cubic, "quartic": quartic}
-    quadratic, cubic, quartic = (scalar(name, value) for name, value in given.items())
-    polynomial = np.polynomial.Polynomial(
-        [0.0, 0.0, quadratic / 2.0, cubic / 3.0, quartic / 4.0], symbol="r"
-    )
-    return Potential(
-        "FPU potential",
-        polynomial,
-        polynomial.deriv(1),
-        polynomial.deriv(2),
-        polynomial.deriv(3),
-    )
-
-
-def toda(strength=1.0, rate=1.0):
-    """V(r) = (a/b)(e^(−br) + br − 1), stiffer in compression.
-
-    Parameters
-    ----------
-    strength, rate : float
-        a and b, above 0.
-    """
-    strength, rate = _positive(strength=strength, rate=rate)
-    return Potential(
-        "Toda potential",
-        lambda r: strength / rate * (np.expm1(-rate * r) + rate * r),
-        lambda r: -strength * np.expm1(-rate * r),
-        lambda r: strength * rate * np.exp(-rate * r),
-        lambda r: -strength * rate**2 * np.exp(-rate * r),
-    )
-
-
-def morse(depth=1.0, rate=1.0):
-    """V(r) = D (1 − e^(−br))², with a well of depth D.
-
-    Parameters
-    ----------
-    depth, rate : float
-        D and b, above 0.
-    """
-    depth, rate = _positive(depth=depth, rate=rate)
-
-    def decay(r):
-        return np.exp(-rate * r)
-
-    return Potential(
-        "Morse potential",
-        lambda r: depth * np.expm1(-rate * r) ** 2,
-        lambda r: -2.0 * depth * rate * decay(r) * np.expm1(-rate * r),
-        lambda r: 2.0 * depth * rate**2 * decay(r) * (2.0 * decay(r) - 1.0),
-        lambda r: 2.0 * depth * rate**3 * decay(r) * (1.0 - 4.0 * decay(r)),
-    )
-
-
-def lennard_jones(depth=1.0, distance=1.0):
-    """V(r) = D (s⁻⁶ − 1)², s = 1 + r/d: s⁻¹² − 2s⁻⁶ raised to have its minimum 0 at r = 0.
-
-    Parameters
-    ----------
-    depth, distance : float
-        D and the distance d of the particles at rest, above 0. It holds for r > −d.
-    """
-    depth, distance = _positive(depth=depth, distance=distance)
-
-    def derivative(order):
-        # The n-th derivative of s^(-p) is (-1)^n p (p + 1) … (p + n − 1) s^(-p - n).
-        twelve, six = (float(math.prod(range(p, p + order)) * (-1) ** order) for p in (12, 6))
-        scale = depth / distance**order
-
-        def evaluate(r):
-            s = 1.0 + r / distance
-            return scale * s ** (-6 - order) * (twelve * s**-6 - 2.0 * six)
-
-        return evaluate
-
-    return Potential(
-        "Lennard-Jones potential",
-        lambda r: depth * ((1.0 + r / distance) ** -6 - 1.0) ** 2,
-        derivative(1),
-        derivative(2),
-        derivative(3),
-        (-distance, math.inf),
-    )
-
-
-NO_DISSIPATION = Potential("no dissipation", *[np.zeros_like] * 4)
-"""W = 0, the conservative chain."""
-
-
-def potential_from_functions(value, first, second, third=None, *, interval, name="the potential"):
-    """A potential from a user's functions, which are checked first.
-
-    Parameters
-    ----------
-    value, first, second, third : callable
-        V, V', V'' and V''' (optional), from an array of r to an array of the same shape.
-    interval : tuple of float
-        Interval of r that the states will lie in; the check samples it, and r outside is refused.
-    name : str, optional
-        What messages call it.
-
-    Returns
-    -------
-    Potential
+    kinks : tuple of float
+        Strains at which they are not smooth.
+    functions : tuple of callable or None
+        A user's V, V', V'' and V''', of arrays.
+    scalar_functions : tuple of callable or None
+        The same in the form that is compiled for single numbers.
+    origin : Origin or None
+        Of a user's own potential, shared by its multiples alone.
 
     Raises
     ------
     InputError
         If a function is not vectorised or returns no finite numbers inside the interval, or if a
         derivative disagrees with a finite difference of the function before it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> stiffening = Potential(
+    ...     lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3.0, 3.0)
+    ... )
+    >>> float(stiffening.second(0.0))
+    1.0
     """
-    low, high = _check_interval(interval)
-    functions = {"V": value, "V'": first, "V''": second}
-    if third is not None:
-        functions["V'''"] = third
-    nodes = 0.5 * (low + high) + 0.5 * (high - low) * _gauss_nodes(CHECKED_POINTS)
-    for symbol, function in functions.items():
-        _check_values(function, nodes, symbol, name)
-    symbols = list(functions)
-    for symbol, derivative in itertools.pairwise(symbols):
-        step = DIFFERENCE_STEP * (high - low)
-        _check_derivative(functions[symbol], functions[derivative], nodes, step, derivative, name)
-    return Potential(name, value, first, second, third, (low, high))
+
+    name: str
+    kind: str
+    factor: float
+    parameters: tuple[float, ...]
+    domain: tuple[float, float]
+    kinks: tuple[float, ...]
+    functions: tuple[Callable, ...] | None = field(compare=False)
+    scalar_functions: tuple[Callable, ...] | None = field(compare=False)
+    origin: Origin | None
+
+    def __init__(
+        self, value, first, second, third=None, *, interval, kinks=(), name="the potential"
+    ):
+        low, high = check_interval(interval)
+        functions = (value, first, second, third)
+        check_functions(functions, low, high, name)
+        functions = tuple(map(_hashable, functions))
+        self.__dict__.update(
+            name=name,
+            kind=GIVEN,
+            factor=1.0,
+            parameters=(),
+            domain=(low, high),
+            kinks=check_kinks(kinks),
+            functions=functions,
+            scalar_functions=functions,
+            origin=Origin(),
+        )
+
+    @classmethod
+    def _of(cls, **attributes):
+        """A potential with these attributes, which are not checked."""
+        potential = object.__new__(cls)
+        potential.__dict__.update(attributes)
+        return potential
+
+    @classmethod
+    def from_expression(cls, expression, symbol, *, interval, kinks=(), name=None):
+        """A potential from a SymPy expression, which is differentiated for the user.
+
+        Parameters
+        ----------
+        expression : sympy.Expr
+            V, an expression of one symbol.
+        symbol : sympy.Symbol
+            The one that stands for r.
+        interval, kinks : tuple of float
+            As for `Potential`.
+        name : str, optional
+            What messages call it; the expression itself by default.
+
+        Returns
+        -------
+        Potential
+
+        Raises
+        ------
+        InputError
+            If the expression has other symbols, has no numbers, or fails the check of `Potential`.
+
+        Examples
+        --------
+        >>> import sympy
+        >>> r = sympy.Symbol("r")
+        >>> quartic = Potential.from_expression(r**4 / 4, r, interval=(-2.0, 2.0))
+        >>> float(quartic.first(-2.0))
+        -8.0
+        """
+        import sympy
+
+        others = sorted(map(str, sympy.sympify(expression).free_symbols - {symbol}))
+        if others:
+            raise InputError(
+                f"The expression {expression} depends on {', '.join(others)} besides {symbol}: "
+                "substitute numbers for everything else."
+            )
+        # Of a real number |r| and max(r, 0) have derivatives, which their pieces give.
+        r = sympy.Symbol("r", real=True)
+        pieces = sympy.sympify(expression).subs(symbol, r).rewrite(sympy.Piecewise)
+        derivatives = [sympy.diff(pieces, r, order) for order in range(4)]
+        try:
+            of_arrays, of_numbers = (
+                [sympy.lambdify(r, derivative, language) for derivative in derivatives]
+                for language in ("numpy", "math")
+            )
+            potential = cls(
+                *map(_on_arrays, of_arrays),
+                interval=interval,
+                kinks=kinks,
+                name=name or str(expression),
+            )
+        except (NameError, NotImplementedError) as error:
+            raise InputError(
+                f"The expression {expression} or a derivative is unknown to numpy: write it with "
+                f"Piecewise. SymPy says: {str(error).splitlines()[0]}"
+            ) from error
+        return cls._of(**vars(potential) | {"scalar_functions": tuple(of_numbers)})
+
+    @property
+    def shape(self):
+        """``shape(r, order, p)`` of a named kind, None for a user's own."""
+        return None if self.kind == GIVEN else KINDS[self.kind].shape
+
+    def value(self, r):
+        """V(r), from an array of r to an array of the same shape."""
+        return self.derivative(r, 0)
+
+    def first(self, r):
+        """V'(r)."""
+        return self.derivative(r, 1)
+
+    def second(self, r):
+        """V''(r)."""
+        return self.derivative(r, 2)
+
+    @property
+    def third(self):
+        """V''' as a function of r; None if a user has not given it."""
+        known = self.functions is None or self.functions[3] is not None
+        return self._third if known else None
+
+    def _third(self, r):
+        return self.derivative(r, 3)
+
+    def derivative(self, r, order):
+        """The derivative of an order from 0 to 3; 3 only where `third` is known."""
+        r = np.asarray(r, dtype=float)
+        with np.errstate(all="ignore"):
+            if self.functions is not None:
+                return self.factor * np.asarray(self.functions[order](r), dtype=float)
+            return self.factor * self.shape(r, order, self.parameters)
+
+    def scaled(self, factor):
+        """The potential times a number of 0 or more."""
+        return self.with_factor(self.factor * factor)
+
+    def with_factor(self, factor):
+        """The same functions with another factor."""
+        return self._of(**vars(self) | {"factor": factor})
+
+    def ratio_to(self, other):
+        """The number a for which this potential is a times the other one; None if there is none."""
+        mine, others = (
+            (potential.shape, potential.parameters, potential.functions)
+            for potential in (self, other)
+        )
+        if self.factor == 0.0:
+            return 0.0
+        return self.factor / other.factor if mine == others and other.factor > 0.0 else None
+
+    def describe(self):
+        """The mapping of which `make_potential` makes it; a note for a user's own functions."""
+        if self.kind == GIVEN:
+            return {
+                "kind": GIVEN,
+                "name": self.name,
+                "note": "functions of a user's own, which this mapping cannot make again",
+            }
+        described, shape_parameters = KINDS[self.kind], iter(self.parameters)
+        return {"kind": self.kind} | {
+            name: self.factor if name == described.factor else next(shape_parameters)
+            for name in described.parameters
+        }
 
 
-def potential_from_expression(expression, symbol, *, interval, name=None):
-    """A potential from a SymPy expression, which is differentiated for the user.
+def make_potential(kind, **parameters):
+    """A potential of a named kind.
 
     Parameters
     ----------
-    expression : sympy.Expr
-        V, an expression of one symbol.
-    symbol : sympy.Symbol
-        The one that stands for r.
-    interval : tuple of float
-        As in `potential_from_functions`.
-    name : str, optional
-        What messages call it; the expression itself by default.
+    kind : str
+        A name in `model.kinds.KINDS`.
+    **parameters : float
+        Of that kind; those that have a default may be left out.
 
     Returns
     -------
@@ -243,80 +280,77 @@ def potential_from_expression(expression, symbol, *, interval, name=None):
     Raises
     ------
     InputError
-        If the expression has other symbols, or fails the check of `potential_from_functions`.
+        If there is no such kind or parameter, or if a value is out of range.
+
+    Examples
+    --------
+    >>> float(make_potential("hertz", alpha=1.5).first(-4.0))
+    -8.0
     """
-    import sympy
+    described = look_up(kind, "kind", KINDS)
+    for name in parameters:
+        look_up(name, f"parameter of {kind}", described.parameters)
+    values = {
+        name: _number(kind, name, parameter, parameters)
+        for name, parameter in described.parameters.items()
+    }
+    factor = values.pop(described.factor, 1.0)
+    shape_parameters = tuple(values.values())
+    return Potential._of(
+        name=f"{described.title} potential",
+        kind=kind,
+        factor=factor,
+        parameters=shape_parameters,
+        domain=described.domain(shape_parameters),
+        kinks=described.kinks,
+        functions=None,
+        scalar_functions=None,
+        origin=None,
+    )
 
-    others = sorted(map(str, sympy.sympify(expression).free_symbols - {symbol}))
-    if others:
-        raise InputError(
-            f"The expression {expression} depends on {', '.join(others)} besides {symbol}: "
-            "substitute numbers for everything else."
-        )
-    functions = [
-        _on_arrays(sympy.lambdify(symbol, sympy.diff(expression, symbol, order), "numpy"))
-        for order in range(4)
-    ]
-    return potential_from_functions(*functions, interval=interval, name=name or str(expression))
+
+def look_up(name, meaning, known):
+    """The entry of a name, or a sentence with the nearest name.
+
+    Parameters
+    ----------
+    name : object
+    meaning : str
+        What it names, for the sentence.
+    known : mapping of str
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    if isinstance(name, str) and name in known:
+        return known[name]
+    near = difflib.get_close_matches(str(name), known, n=1)
+    advice = f"did you mean {near[0]}?" if near else f"choose one of {', '.join(known)}."
+    raise InputError(f"{name!r} is no {meaning}: {advice}")
 
 
-def _check_interval(interval):
-    """Both ends of an interval, in their order."""
-    ends = sequence("interval", interval)
-    if ends.size != 2 or not ends[0] < ends[1]:
-        raise InputError(f"interval is {interval}, but must grow: give its two ends in order.")
-    return map(float, ends)
+def _number(kind, name, parameter, given):
+    """The value of a parameter, checked."""
+    if name not in given and parameter.default is None:
+        raise InputError(f"{kind} has no {name}, {parameter.meaning}: give one.")
+    return scalar(
+        name,
+        given.get(name, parameter.default),
+        above=parameter.above,
+        least=parameter.least,
+        advice=f"give {kind} such a number",
+    )
+
+
+def _hashable(function):
+    """A callable, in a function if it has no hash, as polynomials of numpy have none."""
+    if function is None or isinstance(function, Hashable):
+        return function
+    return lambda r: function(r)
 
 
 def _on_arrays(function):
     """A function that gives an array even where SymPy found a constant."""
     return lambda r: np.zeros_like(r) + function(r)
-
-
-def _check_values(function, nodes, symbol, name):
-    """Refuse a function that is not vectorised, or has no finite value at a node."""
-    try:
-        with np.errstate(all="ignore"):
-            values = np.asarray(function(nodes), dtype=float)
-    except (TypeError, ValueError) as error:
-        raise InputError(
-            f"{symbol} of {name} is not vectorised: given an array it fails with '{error}'. Use "
-            "functions of numpy, or numpy.vectorize."
-        ) from error
-    if values.shape != nodes.shape:
-        raise InputError(
-            f"{symbol} of {name} is not vectorised: given {nodes.size} values of r it returns an "
-            f"array of shape {values.shape}. Return one number for each r."
-        )
-    if not np.isfinite(values).all():
-        bad = int(np.argmin(np.isfinite(values)))
-        raise InputError(
-            f"{symbol} of {name} is {values[bad]} at r = {nodes[bad]:.6g}: correct it, or choose "
-            "an interval in which the potential is finite."
-        )
-
-
-def _check_derivative(function, derivative, nodes, step, symbol, name):
-    """Refuse a derivative that a difference quotient of fourth order contradicts."""
-    differences = 8.0 * (function(nodes + step) - function(nodes - step))
-    differences -= function(nodes + 2.0 * step) - function(nodes - 2.0 * step)
-    quotients, given = differences / (12.0 * step), derivative(nodes)
-    size = np.abs(function(nodes)).max() + np.abs(nodes).max() * np.abs(quotients).max()
-    rounding = 4.0 * np.finfo(float).eps * size / step
-    distances = np.abs(quotients - given)
-    worst = int(np.argmax(distances))
-    if distances[worst] > DIFFERENCE_TOLERANCE * np.abs(quotients).max() + rounding:
-        raise InputError(
-            f"{symbol} of {name} is {given[worst]:.6g} at r = {nodes[worst]:.6g}, but the finite "
-            f"difference there is {quotients[worst]:.6g}: correct the derivative, or choose an "
-            "interval in which it exists."
-        )
-
-
-def _gauss_nodes(count):
-    return np.polynomial.legendre.leggauss(count)[0]
-
-
-def _positive(**values):
-    """The values as floats above 0, in the order given."""
-    return [scalar(name, value, above=0.0) for name, value in values.items()]

@@ -13,7 +13,7 @@ no entry waits for the one before.  Loops run over slices with unsigned indices,
 compiler needs to see that neighbouring entries lie side by side in memory.
 """
 
-from numba import uint64
+from numba import int64, uint64
 
 from granular_fronts.numerics.compiled import kernel
 
@@ -22,7 +22,7 @@ from granular_fronts.numerics.compiled import kernel
 def factorise(band, lower, prefix):
     """Replace a matrix by its factors, L below the diagonal and U above, with 1/U on it."""
     rows = band.shape[0]
-    eliminate(band, lower, 0, prefix)
+    eliminate(band, lower, int64(0), prefix)
     for i in range(prefix, min(prefix + lower, rows)):
         for place in range(lower - (i - prefix)):
             subtract(band, lower, prefix - 1, i, place)

@@ -5,19 +5,22 @@ calls.  Here the cache folder of a kernel carries a digest of its own wing and o
 this one calls, so that stale machine code cannot be used, and a change in one wing leaves the
 kernels of the others alone.
 
+Numba compiles a function once for each type of its arguments, and to it a literal integer is a type
+of its own: callers write ``int64(2)`` where others pass a variable.
+
 Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
 while.  Numba itself reports each compilation, so that the line comes when there is one and not
 otherwise.
 """
 
 import functools
-import hashlib
-import os
 import sys
 from pathlib import Path
 
 import numba
 from numba.core import event
+
+from granular_fronts.numerics.source_code import cache_root, code_digest
 
 SOURCES = Path(__file__).parents[1]
 
@@ -102,20 +105,32 @@ def wing_of(function):
     return file.relative_to(SOURCES).parts[0] if SOURCES in file.parents else file.parent.name
 
 
-def cache_folder(wing):
-    """Folder of a wing's machine code, under NUMBA_CACHE_DIR or the user's cache folder."""
-    user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    base = Path(os.environ.get("NUMBA_CACHE_DIR", user_cache / "granular_fronts"))
-    patterns = [f"{name}/**/*.py" for name in (wing, *CALLED_WINGS.get(wing, ()))]
-    return base / f"{wing}_{source_digest(*patterns)}"
+def callback(signature, **options):
+    """Compile a function that kernels call by its address, cached like a kernel.
+
+    Parameters
+    ----------
+    signature : numba signature
+    **options
+        Options of `numba.cfunc`.
+
+    Returns
+    -------
+    callable
+        The decorator that makes the compiled function, with an attribute `address`.
+    """
+
+    def compile_cached(function):
+        wing = wing_of(function)
+        numba.config.CACHE_DIR = str(cache_folder(wing))
+        return numba.cfunc(signature, cache=True, **options)(function)
+
+    return compile_cached
 
 
 @functools.cache
-def source_digest(*patterns):
-    """Digest of the package's files that match the patterns, all by default, 12 hexadecimals."""
-    digest = hashlib.sha256()
-    for pattern in patterns or ("**/*.py",):
-        for path in sorted(SOURCES.glob(pattern)):
-            name = path.relative_to(SOURCES).as_posix()
-            digest.update(name.encode() + b"\0" + path.read_bytes())
-    return digest.hexdigest()[:12]
+def cache_folder(wing):
+    """Folder of a wing's machine code, under NUMBA_CACHE_DIR or the user's cache folder."""
+    wings = (wing, *CALLED_WINGS.get(wing, ()))
+    files = [file for name in wings for file in (SOURCES / name).rglob("*.py")]
+    return cache_root() / f"{wing}_{code_digest(files, SOURCES)}"

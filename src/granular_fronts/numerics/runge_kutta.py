@@ -21,6 +21,17 @@ linear in the slopes too, and go through the same algebra: for a weight vector :
 combination in :math:`u` has the weights :math:`h\gamma e` on :math:`g` and :math:`h^2 eA` on
 :math:`k`.
 
+Storage.  The slopes of the stages stand in rows side by side, in *slots*: those of the first two
+stages change places, since from stage 5 on no stage uses the second one.  A stage then sums `SHORT`
+or `LONG` neighbouring rows from `FIRST_SLOT` on, which a compiler unrolls and vectorises; weights
+of rows that it does not use are zero.  The new state and the error estimates use the slopes of
+`FINAL_STAGES` alone.
+
+Step control.  Where the state travels from one bead to the next the error of a step oscillates.
+The step therefore grows by :math:`0.9\,e^{-1/16}` only, with e the error in units of the tolerance,
+and by the square of this where e is below `SMALL_ERROR`; after a rejection it shrinks by
+:math:`0.9\,e^{-1/8}`.
+
 The coefficients are those of the code DOP853 (Hairer, Norsett, Wanner, *Solving Ordinary
 Differential Equations I*, second edition, section II.10), read from `scipy.integrate.DOP853`.
 
@@ -38,9 +49,13 @@ SLOPES = 16
 NEW_SLOPE = 12
 DEGREE = 7
 ROUNDING = 1.0e-15
-BLOCK = 4
+SHORT, LONG = 5, 10
+SLOT = np.array([1, 0, *range(2, SLOPES)])
+FIRST_SLOT = np.array([0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1])
+TERMS = np.array([SHORT] * 7 + [LONG] * 5)
 ERROR_EXPONENT = -1.0 / 8.0
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.9, 0.2, 10.0
+CAUTION, SMALL_ERROR = 0.5, 0.02
 
 
 def _coefficient_matrix():
@@ -72,26 +87,22 @@ def _continuous_weights():
     return weights
 
 
-def _sparse(*weights):
-    """Columns where any of the weights is not zero, and the weights there, as tuples.
-
-    Compiled loops unroll a tuple by its length, and skip the zeros, a third of all coefficients.
-    """
-    columns = np.flatnonzero(np.any(np.abs(weights) > 0.0, axis=0))
-    values = (tuple(map(float, np.asarray(row)[columns])) for row in weights)
-    return tuple(map(int, columns)), *values
+def _in_slots(matrix):
+    """Rows of a matrix over slopes with the columns in the order of their slots."""
+    reordered = np.zeros_like(matrix)
+    reordered[:, SLOT] = matrix
+    return np.ascontiguousarray(reordered)
 
 
-def _in_blocks():
-    """For each stage: columns with weights, padded by column 0 to whole blocks; A and A² there."""
-    columns, ends = np.zeros((SLOPES, SLOPES), np.int64), np.zeros(SLOPES, np.int64)
-    on_g, on_k = np.zeros((2, SLOPES, SLOPES))
-    for row in range(SLOPES):
-        found = np.flatnonzero((A[row, :row] != 0.0) | (A_SQUARED[row, :row] != 0.0))
-        ends[row] = BLOCK * -(-found.size // BLOCK)
-        columns[row, : found.size] = found
-        on_g[row, : found.size], on_k[row, : found.size] = A[row, found], A_SQUARED[row, found]
-    return columns, ends, on_g, on_k
+def _windows(matrix):
+    """For each stage the weights of the slots in its window, ten of them, shape (STAGES, 10)."""
+    slots = _in_slots(matrix)
+    return np.array(
+        [
+            np.where(np.arange(LONG) < TERMS[row], slots[row, first : first + LONG], 0.0)
+            for row, first in enumerate(FIRST_SLOT)
+        ]
+    )
 
 
 def _times_matrix(weights):
@@ -102,24 +113,21 @@ def _times_matrix(weights):
 
 A = _coefficient_matrix()
 A_SQUARED = _times_matrix(A)
-STAGE_ROWS = tuple(_sparse(A[row, :row], A_SQUARED[row, :row]) for row in range(SLOPES))
-# The columns of A and of A² apart, where each has slopes of its own.  The first stages have no A².
-A_ROWS = tuple(_sparse(A[row, :row]) for row in range(SLOPES))
-A_SQUARED_ROWS = (((0,), (0.0,)),) * 2 + tuple(
-    _sparse(A_SQUARED[row, :row]) for row in range(2, SLOPES)
-)
-# The same row by row in blocks, the last of which is filled up with weights 0.
-COLUMNS, ENDS, A_IN_BLOCKS, A_SQUARED_IN_BLOCKS = _in_blocks()
 C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
 B = A[NEW_SLOPE]
 ERROR_5, ERROR_3 = (
     np.pad(weights, (0, SLOPES - weights.size)) for weights in (DOP853.E5, DOP853.E3)
 )
-B_ROW, B_A_ROW = _sparse(B), _sparse(_times_matrix(B))
-ERROR_5_ROW, ERROR_5_A_ROW = _sparse(ERROR_5), _sparse(_times_matrix(ERROR_5))
-ERROR_3_ROW, ERROR_3_A_ROW = _sparse(ERROR_3), _sparse(_times_matrix(ERROR_3))
+B_A = _times_matrix(B)
+A_WINDOWS, A_SQUARED_WINDOWS = _windows(A), _windows(A_SQUARED)
+A_SLOTS, A_SQUARED_SLOTS = _in_slots(A), _in_slots(A_SQUARED)
+FINAL_STAGES = (0, 5, 6, 7, 8, 9, 10, 11)
+FINAL_SLOTS = tuple(map(int, SLOT[list(FINAL_STAGES)]))
+FINAL_B, FINAL_B_A, FINAL_5, FINAL_3 = (
+    tuple(map(float, weights[list(FINAL_STAGES)])) for weights in (B, B_A, ERROR_5, ERROR_3)
+)
 CONTINUOUS = _continuous_weights()
 CONTINUOUS_A = CONTINUOUS @ A
-# The same by slope: the coefficients of one contact's polynomial then add up in vector registers.
-CONTINUOUS_OF_SLOPE = np.ascontiguousarray(CONTINUOUS.T)
-CONTINUOUS_A_OF_SLOPE = np.ascontiguousarray(CONTINUOUS_A.T)
+# The same by slot: the coefficients of one contact's polynomial then add up in vector registers.
+CONTINUOUS_OF_SLOT = np.ascontiguousarray(_in_slots(CONTINUOUS).T)
+CONTINUOUS_A_OF_SLOT = np.ascontiguousarray(_in_slots(CONTINUOUS_A).T)

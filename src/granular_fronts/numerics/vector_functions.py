@@ -125,6 +125,39 @@ def exponentials_less_one(x, rounded, power, result):
         result[i] = power[i] * small_exponential_less_one(r) + (power[i] - 1.0)
 
 
+@kernel(fastmath=_CONTRACT, forceinline=True)
+def reduced_argument(x):
+    """Both r and 2^k of x = k ln 2 + r; k stays within the range of a double."""
+    rounded = min(max(x * (1.0 / LN2), LOWEST_EXPONENT), INFINITE_EXPONENT) + ROUNDER
+    k = rounded - ROUNDER
+    return (x - k * LN2_HIGH) - k * LN2_LOW, double_of((bits_of(rounded) << FRACTION_BITS) + ONE)
+
+
+@kernel(fastmath=_CONTRACT, forceinline=True)
+def exponential(x):
+    """e^x for a loop that is to be vectorised: no branch, no call.
+
+    Parameters
+    ----------
+    x : float
+        Above −1e20, not checked; the result is infinite above 709.7, and about 0 below −708.
+
+    Returns
+    -------
+    float
+        Within two units of the last place.
+    """
+    r, scale = reduced_argument(x)
+    return scale * (1.0 + small_exponential_less_one(r))
+
+
+@kernel(fastmath=_CONTRACT, forceinline=True)
+def exponential_less_one(x):
+    """e^x − 1, the same way; nothing cancels where x is small."""
+    r, scale = reduced_argument(x)
+    return scale * small_exponential_less_one(r) + (scale - 1.0)
+
+
 @kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
 def power(x, exponent):
     """x^exponent for a loop that is to be vectorised: no branch, no call.

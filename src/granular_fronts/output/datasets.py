@@ -19,10 +19,8 @@ import netCDF4
 import numpy as np
 import xarray as xr
 
-import granular_fronts
-from granular_fronts.numerics.compiled import source_digest
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import data_digest, origin, question_digest
+from granular_fronts.output.provenance import code_version, data_digest, origin, question_digest
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
@@ -33,7 +31,7 @@ LONG_NAMES = {
     "bead": "bead number n",
     "beads_ahead": "beads ahead of the front in the window",
     "beads_behind": "beads behind the front in the window",
-    "below_reference": "whether the reference is too coarse to tell the error",
+    "below_reference": "whether the reference is too coarse to measure the error",
     "beta": "exponent of the viscous force",
     "case": "name of the hard case",
     "compression": "rescaled relative displacement y^(1/alpha)",
@@ -57,6 +55,7 @@ LONG_NAMES = {
     "event_error": "median error of the velocity after a collision",
     "event_steps": "median number of steps through a collision",
     "expected": "what the solution must do",
+    "factor": "number that the viscous potential is multiplied by",
     "first_gap_bead": "bead n whose contact with n + 1 opens first",
     "first_gap_time": "time at which the first contact opens",
     "first_peak": "first maximum of u_n after the arrival",
@@ -76,7 +75,7 @@ LONG_NAMES = {
     "material": "material of the beads",
     "mean_relative_displacement": "mean relative displacement (x_1 - x_N)/N",
     "measured": "measured value of the quantity",
-    "message": "why there is no result, or a doubtful one",
+    "message": "why there is no result, or an uncertain one",
     "method": "integrator",
     "mu": "damping parameter of the logarithmic KdV-Burgers equation",
     "mu_front": "damping parameter of the front's logarithmic KdV-Burgers equation",
@@ -131,6 +130,7 @@ LONG_NAMES = {
     "step": "time step of the theta-method",
     "steps": "steps taken",
     "stiffness": "stiffness k of the contact",
+    "strain": "strain r = x_(n+1) - x_n, negative in compression",
     "t": "time",
     "tail_frequency": "angular frequency of the tail behind the front, per site",
     "tail_rate": "rate at which u approaches 1 behind the front, per site",
@@ -186,8 +186,10 @@ def write_dataset(dataset, path, *, scene_id, config):
         Final name of the netCDF file.
     scene_id : str
     config : mapping
-        The part of the configuration that was computed, stored as JSON with its digest.
+        The part of the configuration that was computed, stored as JSON with its digest; a `Law` in
+        it is stored as it describes itself.
     """
+    config = json.loads(json.dumps(config, default=lambda law: law.describe()))
     described = dataset.copy()
     for name, variable in described.variables.items():
         given = dataset[name].attrs
@@ -272,11 +274,6 @@ def read_origins(folder, names):
 def configuration_of(dataset):
     """The part of the configuration that a dataset was computed with."""
     return json.loads(dataset.attrs["config"])
-
-
-def code_version():
-    """Version of the package and digest of its sources, the same on every machine."""
-    return f"{granular_fronts.__version__}+{source_digest()}"
 
 
 def _plain(value):

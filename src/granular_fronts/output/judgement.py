@@ -95,7 +95,7 @@ def judge(allowed, measured):
     Parameters
     ----------
     allowed : Range
-    measured : Measured
+    measured : Estimate
 
     Returns
     -------

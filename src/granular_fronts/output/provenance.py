@@ -8,18 +8,24 @@ by digests, the first 16 hexadecimals of a SHA-256,
 
 and the triple of scene, question and data is the *origin* of whatever is made from the dataset.
 Each figure and each table has a *record* beside it, a JSON file that names the digest of each of
-its files and the origins of all datasets that it was made from.  With the records a finished folder
-can be checked without running anything: every file must be the one of its record, every origin
-must be that of the dataset that lies there now, and every dataset must answer what is asked now.
+its files, the origins of all datasets that it was made from, and the version of the code.  With the
+records a finished folder can be checked without running anything: every file must be the one of its
+record, every origin must be that of the dataset that lies there now, and every dataset must answer
+what is asked now.
 """
 
 import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+import granular_fronts
+from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.output.files import complete_file
+
+SOURCES = Path(granular_fronts.__file__).parent
 
 DIGEST_LENGTH = 16
 
@@ -42,6 +48,12 @@ def question_digest(configuration: Any) -> str:
     str
     """
     return digest(json.dumps(configuration, sort_keys=True).encode())
+
+
+@cache
+def code_version() -> str:
+    """Version of the package and digest of its code, the same on every machine."""
+    return f"{granular_fronts.__version__}+{code_digest(SOURCES.rglob('*.py'), SOURCES)}"
 
 
 def data_digest(dataset: Any) -> str:
@@ -107,6 +119,7 @@ def write_record(
     record = {
         "files": {file.name: digest(file.read_bytes()) for file in files},
         "made_from": sorted(map(dict, origins), key=lambda made_from: made_from["scene"]),
+        "code_version": code_version(),
         **facts,
     }
     with complete_file(path) as unfinished:

@@ -9,7 +9,7 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 - `criterion`: what words and findings are judged by (see `granular_fronts.output.judgement`);
 - `scene`: the scene, or a list of scenes, whose datasets are measured;
 - `measure`: `module.function`, a function of `granular_fronts.module` that takes these
-  datasets and returns a `Measured`;
+  datasets and returns an `Estimate`;
 - `arguments`: what else that function takes, by name;
 - `expected`: the verdict in the default configuration;
 - `not_judged`: why there is no verdict, for a statement that cannot be judged;
@@ -22,7 +22,7 @@ tolerances may differ.
 
 import math
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import Estimate
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.judgement import half_unit, judge, range_of_criterion
@@ -39,7 +39,7 @@ ANSWERS = {
 }
 """What to call a statement that is true, and one that is false."""
 
-UNMEASURED = Measured(math.nan, math.nan)
+UNMEASURED = Estimate(math.nan, math.nan)
 
 
 def scenes_of(statement):
@@ -76,7 +76,7 @@ def verdict_on(statement, measured):
     Parameters
     ----------
     statement : mapping
-    measured : Measured
+    measured : Estimate
 
     Returns
     -------
@@ -148,7 +148,7 @@ def measure_departed(function, datasets, arguments):
 
     Returns
     -------
-    Measured
+    Estimate
         Not a number where there is nothing to measure.
     """
     try:

@@ -1,21 +1,24 @@
 r"""The chain in its textbook variables, for comparison with the strain form.
 
 The same eighth-order pair, stepping (x, w), James (2021), eqs. (31)-(32), or (x, ẋ), eq. (28),
-without window, event location or special kernels.  They show what the choice of variables buys: a
+without window, event location or fused loops.  They show what the choice of variables buys: a
 force of :math:`x_{n-1} - x_n` cancels digits, and in (x, ẋ) the right-hand side
 
-.. math:: \ddot x_n = T_{n-1} - T_n, \qquad
-    T_n = u_{n,+}^\alpha + \beta\gamma\, u_{n,+}^{\beta-1}\,\dot u_n
+.. math:: \ddot x_n = T_{n-1} - T_n, \qquad T_n = F(u_n) + G'(u_n)\,\dot u_n
 
-is only :math:`C^{\beta-1}` where a contact opens or closes, so that the observed order drops by
-one.  On a ring :math:`x_{n+N} = x_n - \sum_k u_k` (eq. 26).
+is only as smooth as G', :math:`C^{\beta-1}` for the law (28), where a contact opens or closes, so
+that the observed order drops by one.  On a ring :math:`x_{n+N} = x_n - \sum_k u_k` (eq. 26).
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from granular_fronts.chain import equations
+from granular_fronts.chain.equations import Boundary
+from granular_fronts.model.laws import Law
+from granular_fronts.model.passes import call_row_map, row_map, row_parameters
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel
 
@@ -25,68 +28,192 @@ _A = np.ascontiguousarray(rk.A[: rk.STAGES, : rk.STAGES])
 _B, _E5, _E3 = (weights[: rk.STAGES].copy() for weights in (rk.B, rk.ERROR_5, rk.ERROR_3))
 
 
-@kernel
-def derivative(form, law, ends, y, result):
-    """Time derivative of y = (x, w) or (x, ẋ).
+class Contacts(NamedTuple):
+    """What the kernels know of a system.
+
+    Attributes
+    ----------
+    form : int
+        XW or XV.
+    ring : bool
+    left, right : float
+        Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of
+        all relative displacements over one turn, and `left` is unused.
+    elastic, viscous : int
+        Addresses of the row maps F, and G (XW) or G' (XV).
+    elastic_parameters, viscous_parameters : ndarray
+    u, rate, force, damping : ndarray, shape (N + 1,)
+        Work space: contacts 0 … N, their rates, F, and G or G'.
+    """
+
+    form: int
+    ring: bool
+    left: float
+    right: float
+    elastic: int
+    viscous: int
+    elastic_parameters: np.ndarray
+    viscous_parameters: np.ndarray
+    u: np.ndarray
+    rate: np.ndarray
+    force: np.ndarray
+    damping: np.ndarray
+
+
+class System(NamedTuple):
+    """A chain in positions.
+
+    Attributes
+    ----------
+    form : int
+        XW for (x, w), XV for (x, ẋ).
+    law : model.laws.Law
+    boundary : chain.equations.Boundary
+        Pressure at the ends or a ring.
+    contacts : Contacts
+    """
+
+    form: int
+    law: Law
+    boundary: Boundary
+    contacts: Contacts
+
+
+def make_system(form, law, boundary, beads, turn=0.0):
+    """A chain in positions.
 
     Parameters
     ----------
     form : int
         XW or XV.
-    law : state.Law
-    ends : tuple (is_ring, left, right)
-        Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of
-        all relative displacements over one turn, and `left` is unused.
-    y, result : ndarray, shape (2 N,)
+    law : model.laws.Law
+    boundary : chain.equations.Boundary
+    beads : int
+    turn : float, optional
+        On a ring, the sum of all relative displacements.
+
+    Returns
+    -------
+    System
     """
-    is_ring, left, right = ends
+    order = 1 if form == XW else 2
+    contacts = Contacts(
+        form,
+        boundary.ring,
+        boundary.left,
+        turn if boundary.ring else boundary.right,
+        row_map(law.elastic, 1),
+        row_map(law.viscous, order),
+        row_parameters(law.elastic, 1),
+        row_parameters(law.viscous, order),
+        *np.zeros((4, beads + 1)),
+    )
+    return System(form, law, boundary, contacts)
+
+
+def pack(form, law, boundary, u, velocity):
+    """A system and its state vector, from relative displacements and velocities.
+
+    Parameters
+    ----------
+    form : int
+        XW or XV.
+    law : model.laws.Law
+    boundary : chain.equations.Boundary
+    u, velocity : ndarray, shape (N,)
+        With pressure at the ends u_N is the held value.
+
+    Returns
+    -------
+    System
+    y : ndarray, shape (2 N,)
+    """
+    x = np.zeros(u.size)
+    x[:-1] = np.flip(np.cumsum(np.flip(u[:-1])))
+    rate = velocity
+    if form == XW:
+        rate = velocity - equations.velocity_correction(u, boundary, law)
+    system = make_system(form, law, boundary, u.size, float(u.sum()))
+    return system, np.concatenate([x, rate])
+
+
+def unpack(system, y):
+    """Relative displacements and velocities, both of shape (N,), from a state vector."""
+    x, rate = np.split(y, 2)
+    u = np.append(x[:-1] - x[1:], system.contacts.right)
+    if system.boundary.ring:
+        u[-1] -= x[0] - x[-1]
+    if system.form == XV:
+        return u, rate
+    return u, rate + equations.velocity_correction(u, system.boundary, system.law)
+
+
+def right_hand_side(system, y):
+    """Time derivative of a state vector."""
+    result = np.empty_like(y)
+    derivative(system.contacts, y, result)
+    return result
+
+
+def integrate_fixed(system, y, h, steps):
+    """`steps` steps of constant size h, from and to a state vector."""
+    return _integrate_fixed(system.contacts, y, h, steps)
+
+
+def integrate_by_stages(system, y, h, steps, nodes, weights):
+    """`steps` steps of constant size h of a method whose stages each use the one before alone.
+
+    Euler's method has the nodes [0] and weights [1], the classical one of order 4 the nodes
+    [0, 1/2, 1/2, 1] and weights [1, 2, 2, 1]/6.
+    """
+    return _integrate_by_stages(system.contacts, y, h, steps, nodes, weights)
+
+
+def integrate_adaptive(system, y, h, end_time, relative, absolute):
+    """From 0 to `end_time` with error control; returns the state and the accepted steps.
+
+    The state is NaN if the step size collapses.
+    """
+    return _integrate_adaptive(system.contacts, y, h, end_time, relative, absolute)
+
+
+@kernel
+def derivative(contacts, y, result):
+    """Time derivative of y = (x, w) or (x, ẋ)."""
+    u, u_rate, force, damping = contacts.u, contacts.rate, contacts.force, contacts.damping
     beads = y.size // 2
     x, rate = y[:beads], y[beads:]
-    closing = right - (x[0] - x[beads - 1])
-    u = closing if is_ring else left
-    u_rate = (rate[beads - 1] - rate[0]) if is_ring else 0.0
-    force, damping = contact(form, law, u, u_rate)
+    for n in range(1, beads):
+        u[n], u_rate[n] = x[n - 1] - x[n], rate[n - 1] - rate[n]
+    u[0], u[beads], u_rate[0], u_rate[beads] = contacts.left, contacts.right, 0.0, 0.0
+    if contacts.ring:
+        u[beads] = u[0] = contacts.right - (x[0] - x[beads - 1])
+        u_rate[beads] = u_rate[0] = rate[beads - 1] - rate[0]
+    call_row_map(contacts.elastic, u, force, 0, beads, contacts.elastic_parameters)
+    call_row_map(contacts.viscous, u, damping, 0, beads, contacts.viscous_parameters)
+    if contacts.form == XW:
+        for n in range(beads):
+            result[n] = rate[n] + damping[n] - damping[n + 1]
+            result[beads + n] = force[n] - force[n + 1]
+        return
+    for n in range(beads + 1):
+        force[n] += damping[n] * u_rate[n]
     for n in range(beads):
-        if n < beads - 1:
-            u, u_rate = x[n] - x[n + 1], rate[n] - rate[n + 1]
-        else:
-            u = closing if is_ring else right
-            u_rate = (rate[beads - 1] - rate[0]) if is_ring else 0.0
-        next_force, next_damping = contact(form, law, u, u_rate)
-        if form == XW:
-            result[n] = rate[n] + damping - next_damping
-            result[beads + n] = force - next_force
-        else:
-            result[n] = rate[n]
-            result[beads + n] = force + damping - next_force - next_damping
-        force, damping = next_force, next_damping
+        result[n] = rate[n]
+        result[beads + n] = force[n] - force[n + 1]
 
 
 @kernel
-def contact(form, law, u, u_rate):
-    """Elastic force, and γ u₊^β (XW) or its time derivative (XV)."""
-    if u <= 0.0:
-        return 0.0, 0.0
-    force = u * math.sqrt(u) if law.alpha == 1.5 else u**law.alpha
-    if law.gamma == 0.0:
-        return force, 0.0
-    damping = force if law.beta == law.alpha else u**law.beta
-    if form == XW:
-        return force, law.gamma * damping
-    return force, law.gamma * law.beta * damping / u * u_rate
-
-
-@kernel
-def step(form, law, ends, y, slopes, h, relative, absolute):
+def step(contacts, y, slopes, h, relative, absolute):
     """One step of the pair; returns the new state and the error in units of the tolerance."""
     stage = np.empty_like(y)
-    derivative(form, law, ends, y, slopes[0])
+    derivative(contacts, y, slopes[0])
     for row in range(1, rk.STAGES):
         stage[:] = y
         for j in range(row):
             if _A[row, j] != 0.0:
                 stage += h * _A[row, j] * slopes[j]
-        derivative(form, law, ends, stage, slopes[row])
+        derivative(contacts, stage, slopes[row])
     increment, fifth, third = np.zeros_like(y), np.zeros_like(y), np.zeros_like(y)
     for j in range(rk.STAGES):
         increment += h * _B[j] * slopes[j]
@@ -105,44 +232,34 @@ def step(form, law, ends, y, slopes, h, relative, absolute):
 
 
 @kernel
-def integrate_fixed(form, law, ends, y, h, steps):
-    """`steps` steps of constant size h."""
+def _integrate_fixed(contacts, y, h, steps):
     slopes = np.empty((rk.STAGES, y.size))
     for _ in range(steps):
-        y, _error = step(form, law, ends, y, slopes, h, 1.0, 1.0)
+        y, _error = step(contacts, y, slopes, h, 1.0, 1.0)
     return y
 
 
 @kernel
-def integrate_by_stages(form, law, ends, y, h, steps, nodes, weights):
-    """`steps` steps of constant size h of a method whose stages each use the one before alone.
-
-    Euler's method has the nodes [0] and weights [1], the classical one of order 4 the nodes
-    [0, 1/2, 1/2, 1] and weights [1, 2, 2, 1]/6.
-    """
+def _integrate_by_stages(contacts, y, h, steps, nodes, weights):
     slope = np.zeros_like(y)
     for _ in range(steps):
         increment = np.zeros_like(y)
         for stage in range(nodes.size):
-            derivative(form, law, ends, y + h * nodes[stage] * slope, slope)
+            derivative(contacts, y + h * nodes[stage] * slope, slope)
             increment += weights[stage] * slope
         y = y + h * increment
     return y
 
 
 @kernel
-def integrate_adaptive(form, law, ends, y, h, end_time, relative, absolute):
-    """From 0 to `end_time` with error control; returns the state and the accepted steps.
-
-    The state is NaN if the step size collapses.
-    """
+def _integrate_adaptive(contacts, y, h, end_time, relative, absolute):
     slopes = np.empty((rk.STAGES, y.size))
     t, accepted = 0.0, 0
     while t < end_time:
         t_new = min(t + h, end_time)
         if t_new <= t:
             return np.full_like(y, np.nan), accepted
-        trial, error = step(form, law, ends, y, slopes, t_new - t, relative, absolute)
+        trial, error = step(contacts, y, slopes, t_new - t, relative, absolute)
         factor = rk.LARGEST_FACTOR
         if error > 0.0:
             factor = max(rk.SMALLEST_FACTOR, rk.SAFETY * error**rk.ERROR_EXPONENT)
@@ -150,31 +267,3 @@ def integrate_adaptive(form, law, ends, y, h, end_time, relative, absolute):
             t, y, accepted = t_new, trial, accepted + 1
         h *= min(rk.LARGEST_FACTOR, factor)
     return y, accepted
-
-
-def pack(form, law, boundary, u, velocity):
-    """State vector y of a form, and its `ends`, from relative displacements and velocities.
-
-    Parameters
-    ----------
-    u, velocity : ndarray, shape (N,)
-        With pressure at the ends u_N is the held value.
-    """
-    x = np.zeros(u.size)
-    x[:-1] = np.flip(np.cumsum(np.flip(u[:-1])))
-    ends = (boundary.ring, boundary.left, float(u.sum()) if boundary.ring else boundary.right)
-    rate = velocity.copy()
-    if form == XW:
-        rate -= equations.velocity_correction(u, boundary, law.beta, law.gamma)
-    return np.concatenate([x, rate]), ends
-
-
-def unpack(form, law, boundary, ends, y):
-    """Relative displacements and velocities, both of shape (N,), from a state vector."""
-    x, rate = np.split(y, 2)
-    u = np.empty(x.size)
-    u[:-1] = x[:-1] - x[1:]
-    u[-1] = ends[2] - (x[0] - x[-1]) if boundary.ring else boundary.right
-    if form == XV:
-        return u, rate
-    return u, rate + equations.velocity_correction(u, boundary, law.beta, law.gamma)

@@ -14,10 +14,14 @@ from collections.abc import Callable, Iterator, Mapping
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.law_constraints import (
     beads_are_solid,
+    ends_of_contacts_are_pressed,
+    laws_of_cases_are_possible,
     piston_tolerance_resolves_motion,
     pressed_chains_hold_waves,
+    softening_start_is_compressed,
     states_are_compressed,
     states_differ,
+    strains_lie_in_domain,
     theta_steps_meet_end,
 )
 from granular_fronts.scenes.scales import (
@@ -145,18 +149,6 @@ def start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
         yield (
             f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
             f"velocity {begins}: give {begins} first."
-        )
-
-
-def softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
-    """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
-    alpha = scene["law"]["alpha"]
-    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
-    if alpha < 1 and smallest <= 0:
-        yield (
-            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
-            f"infinite, and the smallest relative displacement at the start is {smallest}: "
-            "take alpha of 1 or more, or a start compressed everywhere."
         )
 
 
@@ -322,6 +314,8 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
         ring_is_set_in_motion,
         start_lists_every_bead,
         start_agrees_with_piston,
+        ends_of_contacts_are_pressed,
+        strains_lie_in_domain,
         softening_start_is_compressed,
         probes_are_on_chain,
         arrival_level_can_be_met,
@@ -351,7 +345,11 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "laws.materials": (beads_are_solid,),
     "laws.damping_regimes": (),
     "laws.numerical_damping": (theta_steps_meet_end,),
-    "laws.jump_conditions": (states_differ, states_are_compressed),
+    "laws.jump_conditions": (
+        laws_of_cases_are_possible,
+        states_differ,
+        states_are_compressed,
+    ),
     "laws.choice_of_variables": (),
     "laws.limiting_cases": (pressed_chains_hold_waves,),
     "laws.piston": (relative_tolerance_above_floor, piston_tolerance_resolves_motion),

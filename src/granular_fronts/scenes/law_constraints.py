@@ -1,9 +1,10 @@
-"""Constraints of the sections under ``laws``: beads in SI units, steps, states and pistons."""
+"""Constraints of laws: of scenes, and of the sections under ``laws``, beads, states and pistons."""
 
 import math
 from collections.abc import Iterator, Mapping
 
-from granular_fronts.scenes.scales import absolute_tolerance_errors, decades_of_compression
+from granular_fronts.scenes.laws import decades_of_impact, domain_of, exponent_of, law_errors
+from granular_fronts.scenes.scales import MOST_DECADES, absolute_tolerance_errors
 from granular_fronts.scenes.schema import name_entry
 
 DENSITIES = 1.0, 30_000.0
@@ -21,8 +22,60 @@ FORMING_TIME = 16.0
 Of α = 1 the width from 90 to 10 per cent grows like 2.56 (γt)^(1/2); it is seen at a quarter too.
 """
 
+HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set()}
+"""Ends at which each kind of boundary holds a relative displacement."""
+
 THETA_END_ERROR = 1.0e-9
 """Rounding of end_time over a step of the θ-method, relative to end_time."""
+
+
+def softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
+    """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
+    alpha = exponent_of(scene["law"])
+    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
+    if alpha is not None and alpha < 1 and smallest <= 0:
+        yield (
+            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
+            f"infinite, and the smallest relative displacement at the start is {smallest}: "
+            "take alpha of 1 or more, or a start compressed everywhere."
+        )
+
+
+def ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
+    """No end or piston pulls, and no level of arrival is stretched, where contacts open."""
+    if exponent_of(scene["law"]) is None:
+        return
+    boundary = scene["boundary"]
+    found = {f"boundary.{end}": boundary.get(end, 0) for end in ("left", "right")}
+    for key, value in found.items():
+        if value < 0:
+            yield f"{key} is {value}, below its limit 0: give 0 or more."
+    velocity = boundary.get("velocity", 1)
+    if velocity <= 0:
+        yield f"boundary.velocity is {velocity}, but must be above 0: give a number above 0."
+    level = scene["record"].get("arrival_level", 1)
+    if level <= 0:
+        yield f"record.arrival_level is {level}, but must be above 0: give a number above 0."
+
+
+def strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
+    """The law holds for the contacts at the ends that are held, and at the start."""
+    low, high = domain_of(scene["law"])
+    boundary, start = scene["boundary"], scene["start"]
+    held = sorted(HELD_ENDS[boundary["kind"]])
+    found = {f"boundary.{end}": boundary.get(end, 0) for end in held}
+    if start["kind"] == "rest":
+        found["start.relative_displacement of a chain at rest"] = 0
+    found |= {
+        name_entry("start.relative_displacement", index): u
+        for index, u in enumerate(start.get("relative_displacement", []))
+    }
+    for key, u in found.items():
+        if not low < -u < high:
+            yield (
+                f"{key} is {u}, but the law holds for relative displacements between {-high:g} "
+                f"and {-low:g} only: give one between, or another law."
+            )
 
 
 def beads_are_solid(materials: Mapping) -> Iterator[str]:
@@ -78,11 +131,28 @@ def pressed_chains_hold_waves(section: Mapping) -> Iterator[str]:
 def piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
     """The absolute tolerance suits the compression that the piston makes with each law."""
     for law in section["cases"].values():
-        size = decades_of_compression(law["alpha"], [section["velocity"]])
+        size = decades_of_impact(law, section["velocity"], MOST_DECADES)
         errors = [*absolute_tolerance_errors(section["tolerance"]["absolute"], size)]
         if errors:
             yield from errors
             return
+
+
+def laws_of_cases_are_possible(section: Mapping) -> Iterator[str]:
+    """Both potentials of every case exist, and hold in its states."""
+    for name, case in section["cases"].items():
+        law = {"elastic": case["elastic"], "viscous": case["dissipation"]}
+        errors = [*law_errors({"law": law})]
+        yield from (f"cases.{name}.{error}" for error in errors)
+        if errors:
+            continue
+        low, high = domain_of(law)
+        for state in case["states"]:
+            if not low < state < high:
+                yield (
+                    f"cases.{name}.states has {state}, but its law holds for strains between "
+                    f"{low:g} and {high:g} only: give states between."
+                )
 
 
 def states_are_compressed(section: Mapping) -> Iterator[str]:
@@ -90,7 +160,8 @@ def states_are_compressed(section: Mapping) -> Iterator[str]:
     for name, case in section["cases"].items():
         behind, ahead = case["states"]
         for force in ("elastic", "dissipation"):
-            if case[force]["kind"] == "hertz" and behind != ahead and min(behind, ahead) >= 0:
+            is_contact = case[force]["kind"] in ("hertz", "power")
+            if is_contact and behind != ahead and min(behind, ahead) >= 0:
                 yield (
                     f"cases.{name}.states are {behind} and {ahead}, where the {force} force of "
                     "Hertz vanishes, since no strain is below 0: give a compressed state, below 0."

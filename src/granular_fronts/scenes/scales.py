@@ -4,7 +4,9 @@ A scene is driven by relative displacements of about δ, with energies of about 
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
+
+from granular_fronts.scenes.laws import decades_of_energy, decades_of_impact, is_short
 
 MOST_DECADES = 140
 """Decades on either side of 1 within which the square of a number is a double too."""
@@ -28,8 +30,6 @@ def decades(value: float) -> float:
 def decades_of_displacement(scene: Mapping) -> float:
     """Decimal logarithm of the largest relative displacement that drives a scene.
 
-    A velocity v compresses contacts by about v^(2/(α + 1)).
-
     Parameters
     ----------
     scene : mapping
@@ -46,27 +46,10 @@ def decades_of_displacement(scene: Mapping) -> float:
     displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
     displacements += start.get("relative_displacement", [])
     velocities = [boundary.get("velocity", 0.0), *start.get("velocity", [])]
+    fastest = max(map(abs, velocities))
     return max(
-        max(map(decades, displacements)), decades_of_compression(scene["law"]["alpha"], velocities)
+        max(map(decades, displacements)), decades_of_impact(scene["law"], fastest, MOST_DECADES)
     )
-
-
-def decades_of_compression(alpha: float, velocities: Sequence[float]) -> float:
-    """Decimal logarithm of the compression that the largest of some velocities makes.
-
-    Parameters
-    ----------
-    alpha : float
-        Exponent of the elastic force.
-    velocities : sequence of float
-        Of beads.
-
-    Returns
-    -------
-    float
-        −∞ for beads at rest.
-    """
-    return 2.0 / (alpha + 1.0) * max(map(decades, velocities))
 
 
 def energies_are_representable(scene: Mapping) -> Iterator[str]:
@@ -75,14 +58,16 @@ def energies_are_representable(scene: Mapping) -> Iterator[str]:
         return
     law, size = scene["law"], decades_of_displacement(scene)
     if math.isfinite(size):
-        for name in [key for key in ("alpha", "beta") if key in law]:
-            found = (law[name] + 1.0) * size
+        for name, found in decades_of_energy(law, size).items():
             if abs(found) > MOST_DECADES:
+                key = f"law.{name} is {law[name]}, which" if is_short(law) else f"law.{name}"
                 yield (
-                    f"law.{name} is {law[name]}, which with relative displacements of about "
-                    f"1e{size:+.0f} makes energies of about 1e{found:+.0f}, beyond the "
-                    f"1e±{MOST_DECADES} that double precision can square: bring both nearer to 1."
+                    f"{key} with relative displacements of about 1e{size:+.0f} makes energies of "
+                    f"about 1e{found:+.0f}, beyond the 1e±{MOST_DECADES} that double precision can "
+                    "square: bring both nearer to 1."
                 )
+    if not is_short(law):
+        return
     found = decades(law["gamma"])
     if math.isfinite(found) and abs(found) > MOST_DECADES:
         yield (

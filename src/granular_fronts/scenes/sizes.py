@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.scenes.laws import front_speed
 from granular_fronts.scenes.scales import decades_of_displacement
 
 MOST_MEMORY = 16 * 2**30
@@ -379,6 +380,5 @@ def _crossing_time(scene, beads):
     size = decades_of_displacement(scene)
     if not math.isfinite(size):
         return 0.0
-    speed = 10.0 ** (0.5 * (scene["law"]["alpha"] - 1.0) * size)
-    distance = speed * scene["end_time"]
+    distance = front_speed(scene["law"], size) * scene["end_time"]
     return distance * (beads if distance > beads else 0.5 * distance) * SECONDS_PER_CROSSING

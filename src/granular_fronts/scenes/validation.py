@@ -1,8 +1,9 @@
 """Validate one scene, or any section of a configuration, before anything is computed.
 
-Four levels of checks each rely on those before: the schema in ``workflow/schemas`` says which keys
-exist, what each means and in which range it lies; energies must be numbers that a computer can
-hold; constraints tie keys together; and the whole must fit into memory and a month.
+Five levels of checks each rely on those before: the schema in ``workflow/schemas`` says which keys
+exist, what each means and in which range it lies; the law must be one that can be made; energies
+must be numbers that a computer can hold; constraints tie keys together; and the whole must fit into
+memory and a month.
 
 This module imports neither numpy nor numba: the workflow checks its configuration at each start.
 """
@@ -11,9 +12,12 @@ from collections.abc import Mapping, Sequence
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase, steps_fit_ranges
+from granular_fronts.scenes.laws import is_of_potentials, law_errors, made_law
 from granular_fronts.scenes.scales import energies_are_representable
 from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sizes import size_errors
+
+ANY_LAW = {"alpha": 1, "beta": 1, "gamma": 0}
 
 
 def check_scene(family: str, scene: Mapping, name: str) -> dict:
@@ -24,14 +28,15 @@ def check_scene(family: str, scene: Mapping, name: str) -> dict:
     family : str
         Key under ``scenes`` of the configuration, for example ``chain``.
     scene : Mapping
-        One entry of that family; numpy arrays and numbers are welcome.
+        One entry of that family; numpy arrays and numbers are welcome, and so is a `Law`, or a
+        mapping of which `make_law` makes one.
     name : str
         What the sentences call the scene.
 
     Returns
     -------
     dict
-        The scene in plain Python values, as a configuration file would hold it.
+        The scene in plain Python values, as a configuration file would hold it, but for a `Law`.
 
     Raises
     ------
@@ -40,8 +45,14 @@ def check_scene(family: str, scene: Mapping, name: str) -> dict:
     """
     scene = _plain(scene)
     place = ("scenes", family, name)
+    if isinstance(scene, dict) and is_of_potentials(scene.get("law")):
+        raise_if_any([f"Scene {name}: {error}" for error in law_errors(scene)])
+        scene["law"] = made_law(scene["law"])
+    # A law that is made already obeys the schema.
+    has_law = hasattr(scene.get("law"), "elastic") if isinstance(scene, dict) else False
+    as_written = scene | {"law": ANY_LAW} if has_law else scene
     raise_if_any(
-        [*violations(scene, definition=f"{family}_scene", place=place)]
+        [*violations(as_written, definition=f"{family}_scene", place=place)]
         or [f"Scene {name}: {error}" for error in section_errors(f"scenes.{family}.*", scene)]
     )
     return scene
@@ -63,7 +74,8 @@ def section_errors(path: str, section: Mapping) -> list[str]:
         Sentences that begin with a key inside the section.
     """
     return (
-        [*energies_are_representable(section)]
+        [*law_errors(section)]
+        or [*energies_are_representable(section)]
         or [
             error
             for constraint in (ranges_increase, steps_fit_ranges, *CONSTRAINTS[path])

@@ -19,20 +19,27 @@ not come back to its first beads.
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import Estimate, variable_and_errors
 from granular_fronts.chain.equations import Boundary, velocity_correction
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.chain.state import make_law
 from granular_fronts.model.collision import restitution
-from granular_fronts.reference_methods import position_forms
+from granular_fronts.model.laws import make_law
+from granular_fronts.reference_methods.position_forms import (
+    XV,
+    XW,
+    integrate_by_stages,
+    make_system,
+    right_hand_side,
+)
 
-FORMS = {"positions_and_velocities": position_forms.XV, "positions_and_w": position_forms.XW}
+FORMS = {"positions_and_velocities": XV, "positions_and_w": XW}
 SCHEMES = {
     "euler": (np.array([0.0]), np.array([1.0])),
     "runge_kutta_4": (np.array([0.0, 0.5, 0.5, 1.0]), np.array([1.0, 2.0, 2.0, 1.0]) / 6.0),
 }
 """Nodes and weights of methods in which each stage uses the one before it alone."""
 
-FREE = (False, 0.0, 0.0)
+FREE = Boundary(ring=False)
 """Ends of a chain on which nothing presses."""
 
 COMPRESSIONS = 2.0 ** -np.arange(10.0, 31.0, 2.0)
@@ -64,16 +71,28 @@ def compare_variables(alpha, betas, gamma):
         both for β = α.
     """
     powers = [
-        [quotient_power(form, make_law(alpha, beta, gamma)) for beta in betas]
+        [quotient_power(form, make_law(alpha=alpha, beta=beta, gamma=gamma)) for beta in betas]
         for form in FORMS.values()
     ]
-    law = make_law(alpha, alpha, gamma)
+    law = make_law(alpha=alpha, gamma=gamma)
     orders = [[observed_order(form, law, scheme) for scheme in SCHEMES] for form in FORMS.values()]
     drift, error = conserved_velocity_drift(alpha, gamma)
     return xr.Dataset(
         {
-            **_fitted("quotient_power", "power of h in a difference quotient", "beta", powers),
-            **_fitted("observed_order", "observed order of convergence", "scheme", orders),
+            **variable_and_errors(
+                "quotient_power",
+                ("variables", "beta"),
+                powers,
+                FITTED,
+                "power of h in a difference quotient",
+            ),
+            **variable_and_errors(
+                "observed_order",
+                ("variables", "scheme"),
+                orders,
+                FITTED,
+                "observed order of convergence",
+            ),
             "conserved_velocity_drift": (
                 (),
                 drift,
@@ -92,61 +111,44 @@ def compare_variables(alpha, betas, gamma):
     )
 
 
-def _fitted(name, meaning, dimension, pairs):
-    """Fitted slopes, and beside them their errors."""
-    values, errors = np.moveaxis(np.array(pairs), -1, 0)
-    dims = ("variables", dimension)
-    described = {"long_name": meaning, "error_estimate": float(errors.max())}
-    return {
-        name: (dims, values, {**described, "error_method": FITTED}),
-        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
-    }
-
-
 def slope(x, y):
     """Slope of a line through the logarithms, and how much it differs between two halves."""
     x, y = np.log(x), np.log(y)
     middle = x.size // 2
-    halves = [
-        np.polyfit(x[part], y[part], 1)[0] for part in (slice(middle + 1), slice(middle, None))
-    ]
-    return float(np.polyfit(x, y, 1)[0]), abs(float(halves[0] - halves[1]))
+    whole, first, second = (
+        float(np.polyfit(x[part], y[part], 1)[0])
+        for part in (slice(None), slice(middle + 1), slice(middle, None))
+    )
+    return Estimate(whole, abs(first - second))
 
 
 def quotient_power(form, law):
     """Power of h in the difference quotient of the right-hand side where a contact closes."""
-    quotients = []
+    system, quotients = make_system(form, law, FREE, 2), []
     for compression in COMPRESSIONS:
         opened, closed = (
-            right_hand_side(form, law, np.array([h, 0.0, 1.0, 0.0])) for h in (0.0, compression)
+            right_hand_side(system, np.array([h, 0.0, 1.0, 0.0])) for h in (0.0, compression)
         )
         quotients.append(np.abs(closed - opened).max() / compression)
     return slope(COMPRESSIONS, np.array(quotients))
 
 
-def right_hand_side(form, law, state):
-    """Time derivative of (x, ẋ) or (x, w) of beads on which nothing presses."""
-    result = np.empty_like(state)
-    position_forms.derivative(form, law, FREE, state, result)
-    return result
-
-
 def observed_order(form, law, scheme):
     """Order of the velocity after a collision, and how far two halves of the steps disagree."""
     parting = -restitution(law.gamma, law.alpha, law.beta)
+    system = make_system(form, law, FREE, 2)
     errors = [
-        np.median([abs(part_beads(form, law, scheme, gap, steps) - parting) for gap in GAPS])
+        np.median([abs(part_beads(system, scheme, gap, steps) - parting) for gap in GAPS])
         for steps in STEP_COUNTS
     ]
-    order, change = slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
-    return -order, change
+    return -slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
 
 
-def part_beads(form, law, scheme, gap, steps):
+def part_beads(system, scheme, gap, steps):
     """Relative velocity ẋ_1 − ẋ_2 after bead 1 has come with velocity 1 from a distance."""
     start = np.array([-gap, 0.0, 1.0, 0.0])
     h = COLLISION_END / steps
-    state = position_forms.integrate_by_stages(form, law, FREE, start, h, steps, *SCHEMES[scheme])
+    state = integrate_by_stages(system, start, h, steps, *SCHEMES[scheme])
     return state[2] - state[3]
 
 
@@ -171,8 +173,9 @@ def conserved_velocity_drift(alpha, gamma):
         "choice of variables",
     )
     boundary = Boundary(ring=False, left=1.0, right=0.0)
+    law = make_law(alpha=alpha, gamma=gamma)
     w = [
-        velocity - velocity_correction(u, boundary, alpha, gamma)
+        velocity - velocity_correction(u, boundary, law)
         for u, velocity in zip(
             motion["relative_displacement"].values, motion["velocity"].values, strict=True
         )

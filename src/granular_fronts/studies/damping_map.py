@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.fronts.linear.critical_damping import critical_damping, meaning_changes_at
-from granular_fronts.fronts.profile.sweep import sweep_fronts
+from granular_fronts.fronts.sweep import sweep_fronts
 
 DEFINITIONS = ("tail", "double-root", "long-wave", "overshoot")
 

@@ -18,6 +18,7 @@ Gaussian (see `solitary_waves`).
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import Estimate, estimated_variable, with_refinement
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solitary_waves import (
@@ -28,10 +29,12 @@ from granular_fronts.fronts.solitary_waves import (
 )
 from granular_fronts.fronts.solve import NoFrontError, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 
 BISECTIONS = 45
 ROOTS = {"error_estimate": 1.0e-14, "error_method": "a few units of the last digit"}
+FRONT_METHOD = "difference of the front to a refined one"
+WAVE_METHOD = "change on a grid of twice the points"
 BISECTION = {"error_estimate": 1.0e-11, "error_method": "width of the last interval"}
 
 
@@ -74,27 +77,25 @@ def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponen
     normalised = [gamma * displacement ** ((alpha - 1.0) / 2.0) for displacement in displacements]
     thin = [front_width(alpha, damping) for damping in normalised]
     wide = [front_width(a, mu * np.sqrt((1.0 - 1.0 / a) / 12.0)) for a in exponents]
-    waves = np.array([solitary_shape(a) for a in exponents])
-    front_method = "difference of the front to a refined one"
-    wave_method = "change on a grid of twice the points"
+    peaks, distances = zip(*(solitary_shape(a) for a in exponents), strict=True)
     return xr.Dataset(
         {
             "tail_frequency": (("beta", "piston_velocity"), frequencies, ROOTS),
             "critical_gamma": ("displacement", critical, BISECTION),
-            "width_of_displacement": _family(
-                "displacement", thin, "width of a front in beads", front_method
+            "width_of_displacement": estimated_variable(
+                "displacement", thin, FRONT_METHOD, long_name="width of a front in beads"
             ),
-            "width_of_exponent": _family(
-                "exponent", wide, "width of a front in beads", front_method
+            "width_of_exponent": estimated_variable(
+                "exponent", wide, FRONT_METHOD, long_name="width of a front in beads"
             ),
-            "solitary_peak": _family(
-                "exponent", waves[:, 0], "largest compression of a solitary wave", wave_method
+            "solitary_peak": estimated_variable(
+                "exponent", peaks, WAVE_METHOD, long_name="largest compression of a solitary wave"
             ),
-            "gaussian_distance": _family(
+            "gaussian_distance": estimated_variable(
                 "exponent",
-                waves[:, 1],
-                "distance of a solitary wave to the Gaussian, over the peak",
-                wave_method,
+                distances,
+                WAVE_METHOD,
+                long_name="distance of a solitary wave to the Gaussian, over the peak",
             ),
         },
         {
@@ -110,13 +111,6 @@ def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponen
     )
 
 
-def _family(dimension, pairs, meaning, method):
-    """A variable from pairs of value and error."""
-    values, errors = np.moveaxis(np.array(pairs), -1, 0)
-    attributes = {"error_estimate": float(errors.max()), "error_method": method}
-    return dimension, values, {"long_name": meaning, **attributes}
-
-
 def tail_frequency(alpha, beta, velocity):
     """Im λ of the slowest exponent of a tail, with critical damping at the velocity 1."""
     gamma = critical_damping(alpha, beta) * velocity ** (2.0 * beta / (alpha + 1.0) - 1.0)
@@ -125,13 +119,13 @@ def tail_frequency(alpha, beta, velocity):
 
 def critical_gamma(alpha, displacement):
     """γ of (28), β = α, at which the tail of a front from δ into rest ceases to oscillate."""
-    elastic = generalised_hertz(alpha)
+    elastic = make_potential("hertz", alpha=alpha)
     behind = np.array([-displacement])
     speed = jump_conditions(elastic, -displacement, 0.0).speed
     stiffness = float(elastic.second(behind)[0])
 
     def oscillates(gamma):
-        viscosity = float(generalised_hertz(alpha, gamma).second(behind)[0])
+        viscosity = float(make_potential("hertz", alpha=alpha, stiffness=gamma).second(behind)[0])
         slope = speed * viscosity / stiffness
         # The exponent and damping of the normalised chain with this tail.
         return tail_roots(stiffness / speed**2, slope, count=1)[0].imag > 0.0
@@ -150,16 +144,18 @@ def front_width(alpha, gamma):
         raise NoFrontError(
             f"No front for alpha = {alpha}, gamma = {gamma:.6g}: {front.attrs['reason']}."
         )
-    return front.attrs["width_10_90"], front.attrs["width_10_90_error"]
+    return Estimate(front.attrs["width_10_90"], front.attrs["width_10_90_error"])
 
 
 def solitary_shape(alpha):
     """Peak of a solitary wave and its distance to the Gaussian, each with its error."""
-    wave, refined = (solitary_wave(alpha, n * POINTS_PER_BEAD) for n in (1, 2))
-    pairs = zip(_shape(alpha, wave), _shape(alpha, refined), strict=True)
-    return [(value, abs(value - other) + SETTLED) for value, other in pairs]
+    waves = with_refinement(
+        lambda points: solitary_wave(alpha, points), POINTS_PER_BEAD, 2 * POINTS_PER_BEAD
+    )
 
+    def distance(wave):
+        exact = gaussian(alpha, wave.xi)
+        return np.abs(wave.u / wave.u.max() - exact / exact.max()).max()
 
-def _shape(alpha, wave):
-    exact, peak = gaussian(alpha, wave.xi), float(wave.u.max())
-    return peak, float(np.abs(wave.u / peak - exact / exact.max()).max())
+    settled = Estimate(0.0, SETTLED)
+    return waves.estimate(lambda wave: wave.u.max()) + settled, waves.estimate(distance) + settled

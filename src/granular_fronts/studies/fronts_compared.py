@@ -1,11 +1,11 @@
-r"""One front by every road: profile equation, shooting, a driven chain, three continuum models.
+r"""One front by every method: profile equation, shooting, a driven chain, three continuum models.
 
 Everything is shown in the frame δ = c = 1 with the phase u(0) = 1/2, where u is
 `relative_displacement` and the velocity is in units of :math:`\delta^{(\alpha+1)/2}`.  The profile
-method gives the reference on a regular grid of ξ; each other road is compared with it where that
-road is known: shooting on a grid of its own, the chain at its beads, the continuum fronts on ξ.
+method gives the reference on a regular grid of ξ; each other method is compared with it where
+it is known: shooting on a grid of its own, the chain at its beads, the continuum fronts on ξ.
 
-Each variable of another road carries its `distance` to the exact front, the largest absolute
+Each variable of another method carries its `distance` to the exact front, the largest absolute
 difference over the window.  There is no freedom to shift in it, since all have the same phase.
 """
 
@@ -38,10 +38,10 @@ def compare_front(scene, name="given"):
     Returns
     -------
     xarray.Dataset
-        `relative_displacement` and `velocity` on `xi` and, with a suffix, by each other road:
+        `relative_displacement` and `velocity` on `xi` and, with a suffix, by each other method:
         `_shooting` on `xi_shooting`, `_driven` on `xi_driven`, each continuum front on `xi`;
         `<field>_difference` is that of the two exact methods on `xi_shooting`.
-        `residual_history_<method>` on `iteration_<method>` tells of the two exact methods.  The
+        `residual_history_<method>` on `iteration_<method>` belongs to the two exact methods.  The
         properties of the front are attributes, as those of `solve_front`.
 
     Raises
@@ -63,17 +63,17 @@ def compare_front(scene, name="given"):
     seen = shot.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_shooting")
     driven = drive_front(alpha, gamma, scene["driven_bead"], name)
     driven = driven.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_driven")
-    for road, other in (("shooting", seen), ("driven", driven)):
+    for method, other in (("shooting", seen), ("driven", driven)):
         for field in FIELDS:
-            dataset[f"{field}_{road}"] = _with_distance(other[field], front, field)
+            dataset[f"{field}_{method}"] = _with_distance(other[field], front, field)
     for field in FIELDS:
         exact = evaluate_front(front, seen["xi_shooting"].values, field)
         dataset[f"{field}_difference"] = seen[field] - exact
-    for road, values in continuum_fronts(alpha, gamma, xi).items():
+    for method, values in continuum_fronts(alpha, gamma, xi).items():
         for field, value in zip(FIELDS, values, strict=True):
             attributes = {"error_estimate": LAST_DIGIT, "error_method": CONTINUUM_METHOD}
             variable = xr.DataArray(value, {"xi": xi}, attrs=attributes)
-            dataset[f"{field}_{road}"] = _with_distance(variable, front, field)
+            dataset[f"{field}_{method}"] = _with_distance(variable, front, field)
     for method, solution in (("profile", front), ("shooting", shot)):
         history = solution["residual_history"].rename(iteration=f"iteration_{method}")
         dataset[f"residual_history_{method}"] = history

@@ -3,20 +3,19 @@ r"""The jump conditions of section 2 of James (2021) against fronts that are sol
 For any V and W the speed (13), the direction (17), the jump of the velocity (12) and the power lost
 (16) follow from the two states alone.  They are measured here in three ways.
 
-Exact front (`fronts.profile.any_law`): its speed is an unknown of the equations, and its
-power an integral over the profile.  The discrete equations imply (13) as the exact ones do, so that
-this speed tells whether the front reaches both states, and the power whether it is resolved.
-Error: change on a finer grid, by another order, on a longer window, and rounding.
+Exact front (`fronts.solve`): its speed is an unknown of the equations, and its power an integral
+over the profile.  The discrete equations imply (13) as the exact ones do, so that this speed shows
+whether the front reaches both states, and the power whether it is resolved.  Error: change on a
+finer grid, by another order, on a longer window, and rounding.
 
-Travelling front: the exact front, put into a chain of beads (`granular_fronts.chain.any_law`),
-travels; its speed is the slope of the times at which the contacts pass the middle between the
-states.  No code is shared with the profile.  Error: change with a tolerance a hundred times larger,
-and rounding of the times.
+Travelling front: the exact front, put into a chain of beads (`chain.simulate`), travels; its speed
+is the slope of the times at which the contacts pass the middle between the states.  No code is
+shared with the profile.  Error: what the error of these times can do to the slope, and rounding.
 
-Driven front: the chain starts from a jump between the two states, sharp and symmetric: beads
-behind and ahead have their velocities, one contact between them has the mean strain.  With
-the velocities :math:`-cR_\pm` such a start leaves nothing behind: strain and velocity are conserved
-and would all be in the front, were it not for the inner structure that the front has to find.  This
+Driven front: the chain starts from a short straight ramp between the two states, each bead with
+the velocity −c times the mean strain of its two contacts.  Such a start leaves nothing behind:
+strain and velocity are conserved and would all be in the front, were it not for the inner structure
+that the front has to find.  (A sharp jump would open the contacts of a softening law.)  This
 transient dies out algebraically, about as the inverse square of the distance, which is why driven
 speeds are no better than they are.  The speed is the slope of the times of passage over the
 second half of the way; the jump of the velocity and the power are measured at its end, over the
@@ -24,8 +23,10 @@ passage of one bead and the contacts of the front.  Error: the change on the las
 way, which for the inverse square is three times the error that is left, or a quarter of the change
 on the doubling before, and rounding.
 Weakly nonlinear or strongly damped fronts form slowly, at an exponential rate; they need a longer
-way, or have larger errors.  The chain behind the jump is so long that nothing that its held end
+way, or have larger errors.  The chain behind the ramp is so long that nothing that its held end
 reflects reaches the front.
+
+A front that runs to smaller n is measured in the reflected chain, with the states exchanged.
 """
 
 import math
@@ -33,16 +34,18 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import Measured
-from granular_fronts.chain.any_law import compile_law, make_chain, run_chain
+from granular_fronts.accuracy import Estimate
+from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import NoFrontError
-from granular_fronts.fronts.profile.any_law import refine, solve_any_front
-from granular_fronts.fronts.profile.lattice import choose_window, make_lattice
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.named_potentials import make_potential, make_slope
+from granular_fronts.model.laws import make_law
 
 EPSILON = float(np.finfo(float).eps)
 ROOM_BEHIND = 60
+RAMP = 4
+"""Contacts over which a driven front starts."""
+
 TRAVEL, TRAVEL_TOLERANCE = 40, 1.0e-14
 SAMPLES = 16
 """Instants within the passage of one bead, whose powers are averaged."""
@@ -52,7 +55,7 @@ PROFILE_XI = np.arange(-15.0, 15.01, 0.1)
 ERROR_METHODS = {
     "expected": "rounding and quadrature, by granular_fronts.model.jump_conditions",
     "exact": "change on a finer grid, by another order, on a longer window; and rounding",
-    "travelling": "change with a tolerance 100 times larger, and rounding of the times",
+    "travelling": "what the errors of the times of passage can do to their slope",
     "driven": "change on the last doubling of the way, or a quarter of that before",
 }
 
@@ -63,8 +66,8 @@ def measure_jumps(cases, beads, tolerance):
     Parameters
     ----------
     cases : mapping
-        For each name `elastic` and `dissipation`, potentials for `named_potentials`, and `states`,
-        R₋ and R₊.
+        For each name `elastic` and `dissipation`, kinds of potentials with their parameters
+        (`model.kinds`), and `states`, R₋ and R₊.
     beads : int
         How far driven fronts run.
     tolerance : float
@@ -102,26 +105,24 @@ def measure_jumps(cases, beads, tolerance):
 
 def _measure(name, case, beads, tolerance):
     """Everything of one lattice, by the name of the variable, and its profile."""
-    potential, dissipation = map(make_potential, (case["elastic"], case["dissipation"]))
+    law = make_law(elastic=case["elastic"], viscous=case["dissipation"])
     states = tuple(map(float, case["states"]))
-    theory = jump_conditions(potential, *states, dissipation=dissipation)
-    lattice = make_lattice(potential, dissipation, *states)
-    front = solve_any_front(lattice)
-    refined = refine(front)
-    if front.reason or refined.reason:
-        raise NoFrontError(f"The front of {name} is not found: {front.reason or refined.reason}.")
-    law = compile_law(make_slope(case["elastic"]), make_slope(case["dissipation"]))
+    theory = jump_conditions(law, *states)
     sign = theory.direction
+    # Reflected where the front runs to smaller n, so that it runs to larger n.
+    front = solve_front(law=law, states=states[::sign])
+    if not front.attrs["converged"]:
+        raise NoFrontError(f"The front of {name} is not found: {front.attrs['reason']}.")
     power_error = theory.dissipated_power * (
         theory.speed_error / abs(theory.speed) + theory.energy_error / theory.energy_per_bead
     )
-    driven = drive_front(law, lattice, beads, tolerance)
+    driven = drive_front(law, front, beads, tolerance)
     row = {
         "state_minus": (states[0], 0.0),
         "state_plus": (states[1], 0.0),
         "direction": (sign, 0.0),
         "speed_expected": (theory.speed, theory.speed_error),
-        "speed_exact": _changed(sign * front.speed, sign * refined.speed),
+        "speed_exact": _signed(sign, exact_speed(front)),
         "speed_travelling": _signed(sign, travelling_speed(law, front)),
         "speed_driven": _signed(sign, driven["speed"]),
         "velocity_jump_expected": (
@@ -130,18 +131,39 @@ def _measure(name, case, beads, tolerance):
         ),
         "velocity_jump_driven": driven["velocity_jump"],
         "power_expected": (theory.dissipated_power, power_error),
-        "power_exact": _changed(front.dissipated_power(), refined.dissipated_power()),
+        "power_exact": _rounded(
+            front.attrs["dissipated_power"], front.attrs["dissipated_power_error"]
+        ),
         "power_driven": driven["power"],
     }
-    return row, front.evaluate(PROFILE_XI)
+    behind, ahead = states[::sign]
+    return row, (evaluate_front(front, PROFILE_XI, "strain") - ahead) / (behind - ahead)
 
 
-def _changed(value, refined):
-    return Measured(value, abs(value - refined) + 8.0 * EPSILON * abs(value))
+def exact_speed(front):
+    """Speed at which the profile equation has the front.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+        From `fronts.solve.solve_front`.
+
+    Returns
+    -------
+    Estimate
+    """
+    speed = front.attrs["speed"]
+    return _rounded(
+        speed * (1.0 + front.attrs["speed_defect"]), speed * front.attrs["speed_defect_error"]
+    )
 
 
-def _signed(sign, measurement):
-    return Measured(sign * measurement.value, measurement.error)
+def _rounded(value, error):
+    return Estimate(value, error + 8.0 * EPSILON * abs(value))
+
+
+def _signed(sign, estimate):
+    return Estimate(sign * estimate.value, estimate.error)
 
 
 def travelling_speed(law, front):
@@ -149,78 +171,100 @@ def travelling_speed(law, front):
 
     Parameters
     ----------
-    law : object
-        Compiled law of the chain.
-    front : granular_fronts.fronts.profile.any_law.AnyFront
+    law : granular_fronts.model.laws.Law
+    front : xarray.Dataset
+        Of this law, from `fronts.solve.solve_front`.
 
     Returns
     -------
-    Measured
+    Estimate
     """
-    lattice = front.lattice
-    sites = np.arange(math.floor(front.xi[0]), TRAVEL + math.ceil(front.xi[-1]) + 1.0)
-    strain = lattice.strain(front.evaluate(sites))
-    strain[0], strain[-1] = lattice.behind, lattice.ahead
-    jump = lattice.behind - lattice.ahead
-    rate = -front.speed * jump * front.evaluate_slope(sites)
-    speeds = []
-    for tolerance in (TRAVEL_TOLERANCE, 100.0 * TRAVEL_TOLERANCE):
-        chain = make_chain(law, strain, rate, 0.01)
-        arrivals = np.full(sites.size, math.nan)
-        run_chain(chain, TRAVEL / front.speed, tolerance * abs(jump), lattice.strain(0.5), arrivals)
-        passed = np.flatnonzero(~np.isnan(arrivals) & (sites > 0.0))
-        speeds.append(_slope(arrivals[passed]))
+    xi, speed = front["xi"].values, front.attrs["speed"]
+    first = math.floor(xi[0])
+    sites = np.arange(first, TRAVEL + math.ceil(xi[-1]) + 1.0)
+    motion = simulate_chain(
+        _scene(
+            law,
+            front,
+            evaluate_front(front, sites),
+            evaluate_front(front, sites, "velocity"),
+            TRAVEL_TOLERANCE,
+            snapshots=[TRAVEL / speed],
+        )
+    )
+    arrival = motion["arrival_time"]
+    passed = slice(1 - first, TRAVEL - first)
     # The passages are 1/c apart and good to some units of rounding of the strain.
-    strict = _changed(*speeds)
-    return strict._replace(error=strict.error + 24.0 * EPSILON * strict.value)
+    time_error = arrival.attrs["error_estimate"] + 8.0 * EPSILON / speed
+    return _speed(arrival.values[passed], time_error)
 
 
-def drive_front(law, lattice, beads, tolerance):
-    """Start a chain from a jump between the states and measure the front that forms.
+def drive_front(law, front, beads, tolerance):
+    """Start a chain from a ramp between the states and measure the front that forms.
 
     Parameters
     ----------
-    law : object
-        Compiled law of the chain.
-    lattice : granular_fronts.fronts.profile.lattice.Lattice
+    law : granular_fronts.model.laws.Law
+    front : xarray.Dataset
+        The exact front, for states, speed and lengths.
     beads : int
         How far the front runs.
     tolerance : float
-        Largest error per step.
+        Largest error per step, relative and in units of the jump.
 
     Returns
     -------
     dict
-        `speed`, `velocity_jump` (ahead less behind) and `power`, each a `Measured`.
+        `speed`, `velocity_jump` (ahead less behind) and `power`, each an `Estimate`.
     """
-    c, jump = lattice.speed, lattice.behind - lattice.ahead
-    window_behind, window_ahead = choose_window(lattice)
-    origin = _room_behind(lattice, beads)
-    contacts = origin + beads + math.ceil(window_ahead)
-    strain = np.where(np.arange(contacts + 2) < origin, lattice.behind, lattice.ahead)
-    strain[origin] = lattice.strain(0.5)
-    rate = np.zeros(contacts + 2)
-    rate[origin] = c * jump
-    chain = make_chain(law, strain, rate, 0.01)
-    arrivals = np.full(contacts + 2, math.nan)
-    level, error = lattice.strain(0.5), tolerance * abs(jump)
-
-    def run(chain, time):
-        run_chain(chain, time, error, level, arrivals)
-
+    behind, ahead, c = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
+    window_behind, window_ahead = np.abs(front["xi"].values[[0, -1]])
+    # The contact in the middle of the ramp.
+    origin = _room_behind(law, behind, c, beads)
+    contact = np.arange(origin + beads + math.ceil(window_ahead) + 2)
+    share = np.clip(0.5 - (contact - origin) / RAMP, 0.0, 1.0)
+    strain = ahead + (behind - ahead) * share
+    velocity = -0.5 * c * (strain[:-1] + strain[1:])
     ways = (beads // 4, beads // 2, beads)
+    moments = [(way - 1.0 + np.arange(1, SAMPLES + 1) / SAMPLES) / c for way in ways]
+    scene = _scene(law, front, -strain[1:], velocity, tolerance, snapshots=np.concatenate(moments))
+    motion = simulate_chain(scene)
     # Farther behind, what is left of the front is smaller than what the start has left there.
     length = math.ceil(0.5 * window_behind)
     velocity_jumps, powers = zip(
-        *(_measure_at(chain, lattice, way, max(origin + way - length, 0), run) for way in ways),
+        *(
+            _measure_at(motion.sel(t=times), law, slice(max(origin + way - length, 1), None))
+            for way, times in zip(ways, moments, strict=True)
+        ),
         strict=True,
     )
-    times = arrivals[origin : origin + beads - 2]
-    speeds = [_slope(times[way // 2 : way]) for way in ways]
+    times = motion["arrival_time"].sel(bead=slice(origin, origin + beads - 3)).values
+    speeds = [_speed(times[way // 2 : way], 0.0).value for way in ways]
     return {
         "speed": _settling(*speeds),
         "velocity_jump": _settling(*velocity_jumps),
         "power": _settling(*powers),
+    }
+
+
+def _scene(law, front, u, velocity, tolerance, snapshots):
+    """A chain between the states of a front, from relative displacements and velocities given."""
+    behind, ahead = front.attrs["state_behind"], front.attrs["state_ahead"]
+    return {
+        "law": law,
+        "beads": velocity.size,
+        "boundary": {"kind": "pressure", "left": -behind, "right": -ahead},
+        "start": {
+            "kind": "given",
+            "relative_displacement": u[:-1].tolist(),
+            "velocity": velocity.tolist(),
+        },
+        "end_time": float(snapshots[-1]),
+        "tolerance": {"relative": tolerance, "absolute": tolerance * abs(behind - ahead)},
+        "record": {
+            "snapshots": list(map(float, snapshots)),
+            "arrival_level": -0.5 * (behind + ahead),
+        },
     }
 
 
@@ -231,35 +275,30 @@ def _settling(early, halfway, late):
     change that happens to vanish in the second is caught by this.
     """
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
-    return Measured(late, change + 8.0 * EPSILON * abs(late))
+    return Estimate(late, change + 8.0 * EPSILON * abs(late))
 
 
-def _room_behind(lattice, beads):
-    """Contacts behind the jump, so that no reflection from the end catches the front.
+def _room_behind(law, behind, speed, beads):
+    """Contacts behind the ramp, so that no reflection from the end catches the front.
 
     Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     """
-    stiffness, viscosity = lattice.curvatures(1.0)
-    lead = 0.5 * beads * (math.sqrt(stiffness) / lattice.speed - 1.0)
-    spread = 5.0 * math.sqrt(viscosity * beads / lattice.speed)
+    lead = 0.5 * beads * (math.sqrt(law.elastic.second(behind)) / speed - 1.0)
+    spread = 5.0 * math.sqrt(law.viscous.second(behind) * beads / speed)
     return ROOM_BEHIND + math.ceil(lead + spread)
 
 
-def _measure_at(chain, lattice, way, first, run):
-    """Velocity jump and power of a front about to have run a way, over the contacts from `first`.
-
-    Both are means over the passage of the last bead.
-    """
-    velocity_jumps, powers = [], []
-    for k in range(SAMPLES):
-        run(chain, (way - 1.0 + (k + 1.0) / SAMPLES) / lattice.speed)
-        strain, rate = chain.strain[first:], chain.strain_rate[first:]
-        velocity_jumps.append(rate.sum())
-        powers.append((lattice.dissipation.second(strain) * rate**2).sum())
-    return float(np.mean(velocity_jumps)), float(np.mean(powers))
+def _measure_at(motion, law, front):
+    """Velocity jump and power of a front over some contacts, means over the snapshots."""
+    strain = -motion["relative_displacement"].sel(bead=front).values[:, :-1]
+    rate = np.diff(motion["velocity"].sel(bead=front).values, axis=1)
+    power = (law.viscous.second(strain) * rate**2).sum(axis=1)
+    return float(rate.sum(axis=1).mean()), float(power.mean())
 
 
-def _slope(times):
-    """Sites passed per time."""
+def _speed(times, time_error):
+    """Sites passed per time, from the times of neighbouring sites and their error."""
     sites = np.arange(times.size) - 0.5 * (times.size - 1)
-    return float(1.0 / (sites @ times / (sites @ sites)))
+    slowness = float(sites @ times / (sites @ sites))
+    error = time_error * float(np.abs(sites).sum() / (sites @ sites))
+    return Estimate(1.0 / slowness, error / slowness**2)

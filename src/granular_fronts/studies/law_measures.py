@@ -1,6 +1,6 @@
 """Numbers measured on contact laws, for comparison with the paper.
 
-A measure takes the dataset that a module of this folder makes and returns a `Measured`.
+A measure takes the dataset that a module of this folder makes and returns an `Estimate`.
 """
 
 import math
@@ -8,24 +8,22 @@ import math
 import numpy as np
 from scipy.stats import linregress
 
-from granular_fronts.accuracy import Measured
+from granular_fronts.accuracy import EPSILON, Estimate, recorded, rounded, tabulated
 from granular_fronts.model.collision import weak_damping_slope
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.named_potentials import make_potential
+from granular_fronts.model.potentials import make_potential
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.studies.materials import ALPHA
 
 
 def weak_damping_constant(_dataset):
     """γ/(1 − e) in the limit e → 1, a closed formula."""
-    value = weak_damping_slope(ALPHA)
-    return Measured(value, 4.0 * float(np.spacing(value)))
+    return rounded(weak_damping_slope(ALPHA), units=4.0)
 
 
 def gamma(dataset, material):
     """γ of the exact collision with the coefficient of restitution of a material."""
-    found = dataset["gamma"]
-    return Measured(float(found.sel(material=material)), float(found.attrs["error_estimate"]))
+    return recorded(dataset["gamma"].sel(material=material))
 
 
 def velocity_power(dataset, beta):
@@ -34,7 +32,7 @@ def velocity_power(dataset, beta):
     ends = law.isel(velocity_ratio=[0, -1])
     span = math.log(float(ends["velocity_ratio"][1] / ends["velocity_ratio"][0]))
     power = math.log(float(ends[1] / ends[0])) / span
-    return Measured(power, 8.0 * float(np.finfo(float).eps))
+    return Estimate(power, 8.0 * EPSILON)
 
 
 def restitution_gain(dataset, beta):
@@ -42,31 +40,28 @@ def restitution_gain(dataset, beta):
 
     Above 0 if damping is weak at small velocities, below 0 if it is weak at large ones.
     """
-    slowest, fastest = dataset["restitution"].sel(beta=beta).isel(velocity_ratio=[0, -1]).values
-    error = 2.0 * dataset["restitution"].attrs["error_estimate"]
-    return Measured(float(slowest - fastest), error)
+    restitution = dataset["restitution"].sel(beta=beta)
+    return recorded(restitution[0]) - recorded(restitution[-1])
 
 
 def order_of_agreement(dataset):
     """Smallest observed order of the distance between the θ-method and the damped chain."""
-    order = dataset["order"]
-    return Measured(float(order.min()), float(order.attrs["error_estimate"]))
+    return recorded(dataset["order"].min(keep_attrs=True))
 
 
 def order_of_two_stages(dataset):
     """The same for the explicit scheme of two stages."""
-    order = dataset["order_two_stages"]
-    return Measured(float(order.min()), float(order.attrs["error_estimate"]))
+    return recorded(dataset["order_two_stages"].min(keep_attrs=True))
 
 
 def quotient_power(dataset, variables, beta):
     """Power of h in the difference quotient of the right-hand side where a contact closes."""
-    return _with_its_error(dataset.sel(variables=variables, beta=beta), "quotient_power")
+    return tabulated(dataset.sel(variables=variables, beta=beta), "quotient_power")
 
 
 def observed_order(dataset, variables, scheme):
     """Order with which a scheme with fixed steps passes a collision."""
-    return _with_its_error(dataset.sel(variables=variables, scheme=scheme), "observed_order")
+    return tabulated(dataset.sel(variables=variables, scheme=scheme), "observed_order")
 
 
 def order_gain(dataset, scheme):
@@ -75,17 +70,12 @@ def order_gain(dataset, scheme):
         observed_order(dataset, variables, scheme)
         for variables in ("positions_and_w", "positions_and_velocities")
     )
-    return Measured(good.value - bad.value, good.error + bad.error)
-
-
-def _with_its_error(dataset, name):
-    return Measured(float(dataset[name]), float(dataset[f"{name}_error"]))
+    return good - bad
 
 
 def conserved_velocity_drift(dataset):
     """Largest distance of w_n to v_p far behind a front, at all times."""
-    drift = dataset["conserved_velocity_drift"]
-    return Measured(float(drift), float(drift.attrs["error_estimate"]))
+    return recorded(dataset["conserved_velocity_drift"])
 
 
 def persistence(dataset, gamma):
@@ -99,9 +89,8 @@ def spreading(dataset, alpha):
 
 
 def _late_over_early(dataset, name):
-    early, late = (_with_its_error(dataset.isel(t=row), name) for row in (0, -1))
-    ratio = late.value / early.value
-    return Measured(ratio, (late.error + ratio * early.error) / early.value)
+    early, late = (tabulated(dataset.isel(t=row), name) for row in (0, -1))
+    return late / early
 
 
 def approach_power(dataset):
@@ -111,14 +100,12 @@ def approach_power(dataset):
     """
     distance = dataset["ring_distance"]
     line = linregress(np.log(distance["exponent"].values - 1.0), np.log(distance.values))
-    return Measured(float(line.slope), 2.0 * float(line.stderr))
+    return Estimate(float(line.slope), 2.0 * float(line.stderr))
 
 
 def softening_speed(dataset):
     """Speed (14) of the front of a softening force into the smallest compression ahead."""
-    speeds = dataset["softening_speed"]
-    smallest = speeds.sortby("strain_ahead")[0]
-    return Measured(float(smallest), float(speeds.attrs["error_estimate"]))
+    return recorded(dataset["softening_speed"].sortby("strain_ahead")[0])
 
 
 def contact_time_power(dataset):
@@ -136,7 +123,7 @@ def _power_of(values):
     velocity, value = values["impact_velocity"].values[[0, -1]], values.values[[0, -1]]
     span = math.log(velocity[1] / velocity[0])
     errors = float(values.attrs["error_estimate"]) / value
-    return Measured(math.log(value[1] / value[0]) / span, float(errors.sum()) / span)
+    return Estimate(math.log(value[1] / value[0]) / span, float(errors.sum()) / span)
 
 
 def front_speed(dataset, law, ramp):
@@ -156,8 +143,7 @@ def velocity_behind(dataset, law, ramp):
 
 def _over_expected(dataset, name, law, ramp):
     case = dataset.sel(law=law, ramp=ramp)
-    expected = float(case[f"{name}_expected"])
-    return Measured(float(case[name]) / expected, float(case[f"{name}_error"]) / expected)
+    return tabulated(case, name) / float(case[f"{name}_expected"])
 
 
 def signed_speed(dataset, law):
@@ -165,7 +151,7 @@ def signed_speed(dataset, law):
     case = dataset.sel(law=law)
     expected = abs(float(case["speed_expected"]))
     errors = (case[name].attrs["error_estimate"] for name in ("speed_exact", "speed_expected"))
-    return Measured(float(case["speed_exact"]) / expected, sum(errors) / expected)
+    return Estimate(float(case["speed_exact"]) / expected, sum(errors) / expected)
 
 
 def worst_agreement(dataset, quantity):
@@ -183,7 +169,7 @@ def worst_agreement(dataset, quantity):
         if name in dataset
     ]
     largest = max(float(ratio.max()) for ratio in ratios)
-    return Measured(largest, 4.0 * float(np.spacing(largest)))
+    return rounded(largest, units=4.0)
 
 
 def sonic_margin(dataset):
@@ -197,12 +183,12 @@ def sonic_margin(dataset):
 
 
 def _sonic_margin(front, case):
-    theory = jump_conditions(make_potential(case["elastic"]), *map(float, case["states"]))
+    theory = jump_conditions(make_potential(**case["elastic"]), *map(float, case["states"]))
     speed, error = abs(float(front["speed_driven"])), float(front["speed_driven_error"])
     sounds = (theory.sound_minus, theory.sound_plus)
     behind, ahead = sounds if float(front["direction"]) > 0.0 else reversed(sounds)
     difference = abs(behind - ahead)
-    return Measured(min(behind - speed, speed - ahead) / difference, error / difference)
+    return Estimate(min(behind - speed, speed - ahead) / difference, error / difference)
 
 
 def speed_spread(dataset, laws):
@@ -210,4 +196,4 @@ def speed_spread(dataset, laws):
     fronts = dataset.sel(law=laws)
     speeds = fronts["speed_travelling"]
     error = 2.0 * float(fronts["speed_travelling_error"].max())
-    return Measured(float(speeds.max() - speeds.min()), error)
+    return Estimate(float(speeds.max() - speeds.min()), error)

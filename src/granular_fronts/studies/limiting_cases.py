@@ -20,11 +20,16 @@ Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations
 import numpy as np
 import xarray as xr
 
-from granular_fronts.chain.measures import last_fall, recorded
+from granular_fronts.accuracy import (
+    estimate,
+    recorded,
+    variable_and_errors,
+)
+from granular_fronts.chain.measures import last_fall
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
 from granular_fronts.scenes.validation import raise_if_any
 from granular_fronts.studies.ring_against_equations import compare_with_chain
@@ -36,38 +41,19 @@ BEHIND = slice(0.5, 0.8)
 ERROR_METHOD = "of the chain, or the change that leaving out every other bead makes"
 
 
-def measure_limiting_cases(
-    alpha,
-    weak_gamma,
-    strong_gamma,
-    beads,
-    end_time,
-    softening,
-    strains_ahead,
-    impact_velocities,
-    rings,
-):
+def measure_limiting_cases(section):
     """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
     Parameters
     ----------
-    alpha : float
-        Exponent of both forces of fronts and collisions, above 1.
-    weak_gamma, strong_gamma : float
-        Damping of a front that oscillates, and of waves whose width is compared.
-    beads : int
-        Of the pressed chains, which are longer than the waves run.
-    end_time : float
-        Of the pressed chains; they are also seen at a quarter of it.
-    softening : float
-        Exponent below 1.
-    strains_ahead : sequence of float
-        Compressions ahead of its front, −R₊ above 0.
-    impact_velocities : sequence of float
-        v₀ of the collisions.
-    rings : mapping
-        `exponents`, `gamma`, which is γc, and `half_length`, `half_width` and `slow_time` in units
-        of ξ and τ.
+    section : mapping
+        As under `laws: limiting_cases:` of the configuration: `alpha` above 1, exponent of both
+        forces of fronts and collisions; `weak_gamma` and `strong_gamma`, the damping of a front
+        that oscillates and of waves whose width is compared; `beads` and `end_time` of the pressed
+        chains, which are longer than the waves run, and are also seen at a quarter of the time;
+        `softening`, an exponent below 1, and `strains_ahead`, the compressions −R₊ above 0 ahead of
+        its front; `impact_velocities` v₀ of the collisions; `rings` with `exponents`, `gamma`,
+        which is γc, and `half_length`, `half_width` and `slow_time` in units of ξ and τ.
 
     Returns
     -------
@@ -82,73 +68,42 @@ def measure_limiting_cases(
     InputError
         If the pressed chains are too short for their waves, or the time is.
     """
-    pressed = {"beads": beads, "end_time": end_time}
-    pressed |= {"weak_gamma": weak_gamma, "strong_gamma": strong_gamma}
-    raise_if_any([*pressed_chains_hold_waves(pressed)])
-    times = [0.25 * end_time, end_time]
+    raise_if_any([*pressed_chains_hold_waves(section)])
+    alpha, rings = section["alpha"], section["rings"]
+    gammas, exponents = [0.0, section["weak_gamma"]], [1.0, alpha]
+    times = [0.25 * section["end_time"], section["end_time"]]
 
-    def press(exponent, gamma):
-        return press_chain(exponent, gamma, beads, times)
+    def press(measure, exponent, gamma):
+        return [measure(u) for u in press_chain(exponent, gamma, section["beads"], times)]
 
-    oscillations = [
-        [oscillation_behind(profile) for profile in press(alpha, gamma)]
-        for gamma in (0.0, weak_gamma)
-    ]
-    widths = [
-        [wave_width(profile) for profile in press(exponent, strong_gamma)]
-        for exponent in (1.0, alpha)
-    ]
-    elastic = generalised_hertz(softening)
-    speeds = [jump_conditions(elastic, -1.0, -strain) for strain in strains_ahead]
-    speeds = [(theory.speed, theory.speed_error) for theory in speeds]
-    times_and_depths = np.array([collide(alpha, velocity) for velocity in impact_velocities])
+    oscillations = [press(oscillation_behind, alpha, gamma) for gamma in gammas]
+    widths = [press(wave_width, exponent, section["strong_gamma"]) for exponent in exponents]
+    elastic = make_potential("hertz", alpha=section["softening"])
+    fronts = [jump_conditions(elastic, -1.0, -strain) for strain in section["strains_ahead"]]
+    speeds = [(theory.speed, theory.speed_error) for theory in fronts]
+    collisions = [collide(alpha, velocity) for velocity in section["impact_velocities"]]
+    times_of_contact, indentations = zip(*collisions, strict=True)
     distances = [ring_distance(exponent, rings) for exponent in rings["exponents"]]
-    return xr.Dataset(
-        {
-            **_described(
-                "ring_distance", ("exponent",), distances, "distance of a ring to its equation"
-            ),
-            **_described("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
-            **_described("width", ("alpha", "t"), widths, "width of the wave"),
-            **_described("softening_speed", ("strain_ahead",), speeds, "speed of the front"),
-            **_described(
-                "contact_time",
-                ("impact_velocity",),
-                times_and_depths[:, 0],
-                "time for which two beads are in contact",
-            ),
-            **_described(
-                "indentation",
-                ("impact_velocity",),
-                times_and_depths[:, 1],
-                "largest compression of two beads",
-            ),
-        },
-        {
-            "gamma": [0.0, weak_gamma],
-            "alpha": [1.0, alpha],
-            "t": times,
-            "exponent": _axis("exponent", rings["exponents"], "exponent of both forces"),
-            "strain_ahead": _axis("strain_ahead", strains_ahead, "compression ahead of the front"),
-            "impact_velocity": _axis(
-                "impact_velocity", impact_velocities, "relative velocity of an impact"
-            ),
-        },
-    )
-
-
-def _described(name, dims, pairs, meaning):
-    """A variable and its errors, from pairs of both."""
-    values, errors = np.moveaxis(np.array(pairs), -1, 0)
-    attributes = {"error_estimate": float(errors.max()), "error_method": ERROR_METHOD}
-    return {
-        name: (dims, values, {"long_name": meaning, **attributes}),
-        f"{name}_error": (dims, errors, {"long_name": f"error of the {meaning}"}),
+    measured = [
+        ("ring_distance", "exponent", distances, "distance of a ring to its equation"),
+        ("oscillation", ("gamma", "t"), oscillations, "range of u behind the wave"),
+        ("width", ("alpha", "t"), widths, "width of the wave"),
+        ("softening_speed", "strain_ahead", speeds, "speed of the front"),
+        ("contact_time", "impact_velocity", times_of_contact, "time of contact of two beads"),
+        ("indentation", "impact_velocity", indentations, "largest compression of two beads"),
+    ]
+    axes = [
+        ("exponent", rings["exponents"], "exponent of both forces"),
+        ("strain_ahead", section["strains_ahead"], "compression ahead of the front"),
+        ("impact_velocity", section["impact_velocities"], "relative velocity of an impact"),
+    ]
+    variables = {}
+    for name, dims, estimates, meaning in measured:
+        variables |= variable_and_errors(name, dims, estimates, ERROR_METHOD, meaning)
+    coordinates = {
+        name: (name, list(values), {"long_name": meaning}) for name, values, meaning in axes
     }
-
-
-def _axis(name, values, meaning):
-    return name, list(values), {"long_name": meaning}
+    return xr.Dataset(variables, {"gamma": gammas, "alpha": exponents, "t": times, **coordinates})
 
 
 def press_chain(alpha, gamma, beads, times):
@@ -172,19 +127,19 @@ def oscillation_behind(profile):
     """Range of u over a part of the way of a wave behind its front, and its error."""
     way = last_fall(profile, np.arange(1.0, profile.size + 1.0), 0.5)
     part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
-    value = float(np.ptp(part))
-    return value, abs(value - float(np.ptp(part[::2])))
+    return estimate(np.ptp(part), np.ptp(part[::2]))
 
 
 def wave_width(profile):
     """Distance from 90 to 10 per cent, in beads, and its error."""
     places = np.arange(1.0, profile.size + 1.0)
-    value, coarse = (
-        last_fall(profile[::stride], places[::stride], 0.1)
-        - last_fall(profile[::stride], places[::stride], 0.9)
-        for stride in (1, 2)
+    return estimate(
+        *(
+            last_fall(profile[::stride], places[::stride], 0.1)
+            - last_fall(profile[::stride], places[::stride], 0.9)
+            for stride in (1, 2)
+        )
     )
-    return value, abs(value - coarse)
 
 
 def collide(alpha, velocity):
@@ -201,7 +156,9 @@ def collide(alpha, velocity):
         },
         f"collision with velocity {velocity:g}",
     )
-    return recorded(motion, "first_gap_time"), recorded(motion, "largest_relative_displacement")
+    return tuple(
+        recorded(motion[name]) for name in ("first_gap_time", "largest_relative_displacement")
+    )
 
 
 def ring_distance(alpha, rings):

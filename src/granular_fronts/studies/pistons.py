@@ -44,9 +44,10 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import CubicSpline
 
+from granular_fronts.accuracy import Estimate
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.jump_conditions import jump_conditions
-from granular_fronts.model.potentials import generalised_hertz
+from granular_fronts.model.potentials import make_potential
 
 ERROR_METHOD = (
     "largest change over the last doubling of the distance from the piston, and change by the "
@@ -81,23 +82,16 @@ SCALES = 2.0 ** -np.linspace(0.0, 1.0, 9)
 """Distances and times over the largest ones: the last doubling."""
 
 
-class Limit(NamedTuple):
-    """A measured quantity of the front far from the piston, and its error estimate."""
-
-    value: float
-    error: float
-
-
 class DrivenFront(NamedTuple):
-    """Front ahead of a piston, and what theory says.
+    """Front ahead of a piston, its limits far from the piston, and what theory says.
 
     Attributes
     ----------
-    speed : Limit
+    speed : Estimate
         c in beads per unit of time.
-    compression : Limit
+    compression : Estimate
         δ behind the front.
-    velocity : Limit
+    velocity : Estimate
         v_p of the beads behind the front.
     expected_speed, expected_compression, expected_velocity : float
         By (23) and (22), through `granular_fronts.model.jump_conditions`.
@@ -105,9 +99,9 @@ class DrivenFront(NamedTuple):
         Largest change of the piston's own velocity from what is prescribed, relative.
     """
 
-    speed: Limit
-    compression: Limit
-    velocity: Limit
+    speed: Estimate
+    compression: Estimate
+    velocity: Estimate
     expected_speed: float
     expected_compression: float
     expected_velocity: float
@@ -147,7 +141,7 @@ def push_chain(law, velocity, ramp, beads, tolerance):
     """
     alpha = law["alpha"]
     delta = velocity ** (2.0 / (alpha + 1.0))
-    theory = jump_conditions(generalised_hertz(alpha), -delta, 0.0)
+    theory = jump_conditions(make_potential("hertz", alpha=alpha), -delta, 0.0)
     far = ARRIVED * beads / theory.speed * SCALES
     times = 0.5 * ramp + np.append(far, far / repetition(alpha))
     motion = simulate_chain(
@@ -214,7 +208,7 @@ def _limit_behind(field, first, places, width, alpha):
 def _last(limits, shifted, error):
     """The limit from the farthest measurement, with the error of the integration."""
     changes = np.abs(limits - limits[0]).max() + np.abs(shifted - limits).max()
-    return Limit(float(limits[0]), float(changes + error))
+    return Estimate(float(limits[0]), float(changes + error))
 
 
 def measure_pistons(cases, velocity, ramps, beads, tolerance):

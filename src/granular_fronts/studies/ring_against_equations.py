@@ -32,7 +32,7 @@ from granular_fronts.continuum.log_burgers.evolution import (
     LOGARITHMIC,
     UNLIMITED,
     describe,
-    solve_twice,
+    solve_refined,
 )
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.model.amplitude_scaling import scaling_of
@@ -111,25 +111,22 @@ def _solve_equation(scene, equation, chain):
     """What one equation says, and how far from it the chain is."""
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     grid = regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
-    solutions = solve_twice(scene, equation, np.concatenate([snapshots, grid]))
+    solutions = solve_refined(scene, equation, np.concatenate([snapshots, grid]))
     beads = bead_numbers(scene)
     site = np.linspace(beads[0], beads[-1], SITES_PER_BEAD * (beads.size - 1) + 1)
     drawn = np.arange(snapshots.size)
     compared = snapshots.size + np.arange(grid.size)
-    curves = [_forces(scene, solution, drawn, site) for solution in solutions]
-    at_beads = [_forces(scene, solution, compared, beads) for solution in solutions]
+    curves = solutions.map(lambda solution: _forces(scene, solution, drawn, site))
+    at_beads = solutions.map(lambda solution: _forces(scene, solution, compared, beads))
     dataset = xr.Dataset(coords={"t": snapshots, "t_grid": grid, "site": site, "bead": beads})
     for field, scale, convert in _fields(scene):
-        curve, finer_curve = map(convert, curves)
-        dataset[f"{field}_{equation}"] = (
-            ("t", "site"),
-            curve,
-            error_attributes(curve, finer_curve, ERROR_METHOD),
-        )
-        distances = _distances(chain[f"{field}_grid"], *map(convert, at_beads), scale)
+        curve = curves.map(convert)
+        attributes = error_attributes(*curve, ERROR_METHOD)
+        dataset[f"{field}_{equation}"] = (("t", "site"), curve.usual, attributes)
+        distances = _distances(chain[f"{field}_grid"], *at_beads.map(convert), scale)
         for kind, distance in distances.items():
             dataset[f"{field}_{kind}_{equation}"] = distance
-    facts = describe(solutions[0])
+    facts = describe(solutions.usual)
     return dataset.assign_attrs({f"{equation}_{key}": value for key, value in facts.items()})
 
 

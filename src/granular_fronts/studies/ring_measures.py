@@ -1,7 +1,7 @@
 r"""Numbers measured on a ring and its logarithmic Burgers equation, James (2021), section 4.3.
 
-A measure takes the dataset of a periodic scene (see `studies.ring_against_equations`) and returns a
-`Measured`.
+A measure takes the dataset of a periodic scene (see `studies.ring_against_equations`) and returns
+an `Estimate`.
 
 Shock.  The ring is cut open half a turn behind and ahead of :math:`p + \tilde c t`, where the
 centre of the start would be; the shock stands where the last fall of u through δ/2 lies, by linear
@@ -14,8 +14,8 @@ interpolated between beads, the change that leaving out every other bead makes i
 import numpy as np
 from scipy.stats import linregress
 
-from granular_fronts.accuracy import Measured
-from granular_fronts.chain.measures import last_fall, recorded, scene_of
+from granular_fronts.accuracy import Estimate, estimate, recorded, rounded
+from granular_fronts.chain.measures import last_fall, scene_of
 from granular_fronts.model.amplitude_scaling import scaling_of
 
 # What counts as a bump, relative to δ.
@@ -30,37 +30,32 @@ def scales(dataset):
     return scaling_of(scene_of(dataset))
 
 
-def exactly(value):
-    """A number from a closed formula, wrong by rounding only."""
-    return Measured(float(value), float(np.spacing(abs(value))))
-
-
 def epsilon(dataset):
     """Small parameter ε of section 4."""
-    return exactly(scales(dataset).epsilon)
+    return rounded(scales(dataset).epsilon)
 
 
 def half_length(dataset):
     """Half of the ring in ξ, ℓ = (p − 1/2) ε."""
-    return exactly(scales(dataset).half_length(scene_of(dataset)["half_beads"]))
+    return rounded(scales(dataset).half_length(scene_of(dataset)["half_beads"]))
 
 
 def ring_length(dataset):
     """L of eq. (26), minus the sum of all relative displacements of the start."""
-    return exactly(-float(dataset["relative_displacement"].sel(t=0.0).sum()))
+    return rounded(-float(dataset["relative_displacement"].sel(t=0.0).sum()))
 
 
 def upwind_spacing(dataset):
     """Space step of the explicit scheme."""
     points = scene_of(dataset)["equations"]["upwind"]["points"]
-    return exactly(2.0 * half_length(dataset).value / points)
+    return rounded(2.0 * half_length(dataset).value / points)
 
 
 def upwind_step(dataset):
     """Time step of the explicit scheme, 4/5 of the limit of stability at Y = η."""
     spacing = upwind_spacing(dataset).value
     fastest = abs(np.log(scene_of(dataset)["start"]["floor"]))
-    return exactly(0.8 * spacing**2 / (2.0 + fastest * spacing))
+    return rounded(0.8 * spacing**2 / (2.0 + fastest * spacing))
 
 
 def displacement_excess(dataset):
@@ -88,7 +83,7 @@ def _excess(dataset, field, solver):
     peak, ratio = float(chain.max()), float(equation.max() / chain.max())
     # Against the accurate solution the upwind run is wrong by design; its number has no error.
     wrong = 0.0 if solver == "upwind" else equation.attrs["error_estimate"]
-    return Measured(100.0 * (ratio - 1.0), 100.0 * (wrong + chain.attrs["error_estimate"]) / peak)
+    return Estimate(100.0 * (ratio - 1.0), 100.0 * (wrong + chain.attrs["error_estimate"]) / peak)
 
 
 def shock_speed(dataset):
@@ -103,21 +98,19 @@ def shock_speed_equation(dataset):
 
 def shock_speed_ratio(dataset):
     """Speed of the chain's shock over that of the equation's, between the last two snapshots."""
-    chain, equation = shock_speed(dataset), shock_speed_equation(dataset)
-    ratio = chain.value / equation.value
-    return Measured(ratio, (chain.error + ratio * equation.error) / equation.value)
+    return shock_speed(dataset) / shock_speed_equation(dataset)
 
 
 def shock_lead(dataset):
     """Beads by which the chain's shock is ahead of the equation's at the last snapshot."""
     chain, equation = (shock_place(dataset, dataset[name].isel(t=-1)) for name in (CHAIN, EQUATION))
-    return Measured(chain.value - equation.value, chain.error + equation.error)
+    return chain - equation
 
 
 def shock_travel(dataset):
     """Beads over which the chain's shock has run at the last snapshot."""
     first, last = (shock_place(dataset, dataset[CHAIN].isel(t=row)) for row in (0, -1))
-    return Measured(last.value - first.value, last.error + first.error)
+    return last - first
 
 
 def aftershock_distance(dataset):
@@ -132,7 +125,7 @@ def aftershock_distance(dataset):
             profiles.append(np.interp(last_fall(u, sites, 0.5) - behind, sites, u))
         return float(np.abs(profiles[0] - profiles[1]).max())
 
-    return Measured(distance(1), abs(distance(1) - distance(2)))
+    return estimate(distance(1), distance(2))
 
 
 def profile_correlation(dataset):
@@ -147,21 +140,19 @@ def profile_correlation(dataset):
         approximate = np.interp(sites, *_cut_open(dataset, equation, 1))
         return float(np.corrcoef(np.maximum(u, 0.0), approximate)[0, 1])
 
-    return Measured(correlation(1), abs(correlation(1) - correlation(2)))
+    return estimate(correlation(1), correlation(2))
 
 
 def _speed(dataset, name):
     first, last = (shock_place(dataset, dataset[name].isel(t=row)) for row in (-2, -1))
-    duration = float(dataset["t"][-1] - dataset["t"][-2])
-    return Measured((last.value - first.value) / duration, (last.error + first.error) / duration)
+    return (last - first) / float(dataset["t"][-1] - dataset["t"][-2])
 
 
 def shock_place(dataset, profile):
     """Position of the shock of a profile of u at one time, in beads, on the ring cut open."""
-    place, coarse = (
-        last_fall(*reversed(_cut_open(dataset, profile, stride)), 0.5) for stride in (1, 2)
+    return estimate(
+        *(last_fall(*reversed(_cut_open(dataset, profile, stride)), 0.5) for stride in (1, 2))
     )
-    return Measured(place, abs(place - coarse))
 
 
 def _cut_open(dataset, profile, stride):
@@ -180,7 +171,7 @@ def _cut_open(dataset, profile, stride):
 def small_parameter_ratio(dataset):
     """ε/min(1, γc), which section 4.1 requires to be much less than 1."""
     scaling = scales(dataset)
-    return exactly(scaling.epsilon / min(1.0, scaling.gamma * scaling.speed))
+    return rounded(scaling.epsilon / min(1.0, scaling.gamma * scaling.speed))
 
 
 def plateau_ratio(first, second):
@@ -189,38 +180,35 @@ def plateau_ratio(first, second):
         scene_of(dataset)["start"]["half_width"] / scales(dataset).epsilon
         for dataset in (first, second)
     ]
-    return exactly(lengths[1] / lengths[0])
+    return rounded(lengths[1] / lengths[0])
 
 
 def final_peak(dataset):
     """Largest u/δ of the chain at the last snapshot."""
-    u, delta = dataset[CHAIN].isel(t=-1), scales(dataset).delta
-    return Measured(float(u.max()) / delta, u.attrs["error_estimate"] / delta)
+    return recorded(dataset[CHAIN].isel(t=-1).max(keep_attrs=True)) / scales(dataset).delta
 
 
 def peak_ratio(first, second):
     """Largest u/δ at the last snapshot of the second scene over that of the first."""
-    one, two = final_peak(first), final_peak(second)
-    ratio = two.value / one.value
-    return Measured(ratio, (two.error + ratio * one.error) / one.value)
+    return final_peak(second) / final_peak(first)
 
 
 def bump_of_equation(dataset):
     """Largest u/δ − 1 of the equation in all snapshots."""
-    u, delta = dataset[EQUATION], scales(dataset).delta
-    return Measured(float(u.max()) / delta - 1.0, u.attrs["error_estimate"] / delta)
+    return recorded(dataset[EQUATION].max(keep_attrs=True)) / scales(dataset).delta - 1.0
 
 
 def gap_of_equation(dataset):
     """Smallest u/δ of the equation in all snapshots."""
-    u, delta = dataset[EQUATION], scales(dataset).delta
-    return Measured(float(u.min()) / delta, u.attrs["error_estimate"] / delta)
+    return recorded(dataset[EQUATION].min(keep_attrs=True)) / scales(dataset).delta
 
 
 def smallest_velocity_of_equation(dataset):
     """Smallest velocity of the equation in all snapshots, over its scale."""
-    velocity, scale = dataset["velocity_logarithmic"], scales(dataset).velocity_scale
-    return Measured(float(velocity.min()) / scale, velocity.attrs["error_estimate"] / scale)
+    return (
+        recorded(dataset["velocity_logarithmic"].min(keep_attrs=True))
+        / scales(dataset).velocity_scale
+    )
 
 
 def bump_birthplace(dataset):
@@ -230,19 +218,18 @@ def bump_birthplace(dataset):
     profile = u.isel(t_grid=int(np.argmax(u.max("bead").values > level)))
     shock = shock_place(dataset, profile)
     # The bump is seen at whole beads, the vertex lies within half a bead.
-    return Measured(shock.value - _vertex(profile.values), shock.error + 0.5)
+    return shock - Estimate(_vertex(profile.values), 0.5)
 
 
 def deepest_gap(dataset):
     """Smallest relative displacement of the whole motion."""
-    return recorded(dataset, "smallest_relative_displacement")
+    return recorded(dataset["smallest_relative_displacement"])
 
 
 def bump_height(dataset):
     """Largest u/δ − 1 of the whole motion: the bump on top of the plateau when it forms."""
-    largest = recorded(dataset, "largest_relative_displacement")
-    delta = scales(dataset).delta
-    return Measured(largest.value / delta - 1.0, largest.error / delta)
+    largest = recorded(dataset["largest_relative_displacement"])
+    return largest / scales(dataset).delta - 1.0
 
 
 def bump_velocity(dataset):
@@ -256,10 +243,10 @@ def bump_velocity(dataset):
     start = int(np.argmax(high))
     stop = start + int(np.argmin(np.append(high[start:], False)))
     if not high[start] or stop - start < 3:
-        return Measured(np.nan, np.nan)
+        return Estimate(np.nan, np.nan)
     places = [_vertex(profile) for profile in u.values[start:stop]]
     line = linregress(u["t_grid"].values[start:stop], places)
-    return Measured(float(line.slope), 2.0 * float(line.stderr))
+    return Estimate(float(line.slope), 2.0 * float(line.stderr))
 
 
 def _vertex(profile):

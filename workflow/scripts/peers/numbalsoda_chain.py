@@ -1,9 +1,9 @@
 """The integrators of numbalsoda on the chain, with a compiled right-hand side.
 
 Traps met: numbalsoda hands back what it has when it gives up (NaN from lsoda), and only its flag
-tells. Its step limit between two output times is 10 000, and lifted here. In contacts and momenta
-(u, w) instead of (x, w) its dop853 was 10 % faster at errors above 1e-9 and 8 % slower below 1e-11:
-the choice of unknowns does not decide the comparison.
+shows it. Its step limit between two output times is 10 000, and lifted here. In contacts and
+momenta (u, w) instead of (x, w) its dop853 was 10 % faster at errors above 1e-9 and 8 % slower
+below 1e-11: the choice of unknowns does not decide the comparison.
 """
 
 from functools import cache, partial

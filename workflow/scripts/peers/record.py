@@ -19,9 +19,9 @@ class Run:
     seconds, cpu_seconds : float
         Wall-clock and processor time of the solve alone.
     right_hand_sides, steps : float
-        Work; NaN where the tool does not tell.
+        Work; NaN where the tool does not report it.
     message : str
-        Empty, or why there is no result or a doubtful one.
+        Empty, or why there is no result or an uncertain one.
     absent : bool
         Whether the method is not installed.
     """

@@ -121,8 +121,8 @@ def trace(right_hand_side, start, half, fields, s, options, tail_atol, front_ato
 def run_bvp(mu, s, tolerance):
     """Collocation of fourth order on both sides of y(0) = ½."""
     p = np.linspace(np.log(2.0), BVP_END, FIRST_NODES)
-    reach = np.trapezoid(1.0 / tail_slope(p, mu), p)
-    lengths = np.array([s[0], max(s[-1], reach)])
+    length = np.trapezoid(1.0 / tail_slope(p, mu), p)
+    lengths = np.array([s[0], max(s[-1], length)])
 
     def right_hand_side(_, unknowns):
         halves = unknowns.reshape(2, 2, -1)

@@ -17,7 +17,7 @@ from granular_fronts.chain.run import (
     prepare,
     work_done,
 )
-from granular_fronts.chain.state import make_law
+from granular_fronts.model.laws import make_law
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.reference_methods import position_forms
 from peers import (
@@ -106,7 +106,7 @@ def run_strain_form(scene, tolerance):
     run = prepare(scene)
     with Stopwatch() as watch:
         integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
-    final = collect(scene, run.recording, run.boundary, run.momentum).isel(t=-1)
+    final = collect(scene, run).isel(t=-1)
     work = work_done(run.clock)
     return Run(
         {name: final[name].values for name in FIELDS},
@@ -118,12 +118,12 @@ def run_strain_form(scene, tolerance):
 
 def run_plain_form(form, scene, tolerance):
     """The same pair in (x, w) or (x, ẋ)."""
-    law, boundary = make_law(**scene["law"]), make_boundary(scene)
-    y, ends = position_forms.pack(form, law, boundary, *initial_state(scene, boundary))
+    law, boundary = make_law(scene["law"]), make_boundary(scene)
+    system, y = position_forms.pack(form, law, boundary, *initial_state(scene, boundary))
     absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]
     with Stopwatch() as watch:
         y, accepted = position_forms.integrate_adaptive(
-            form, law, ends, y, FIRST_STEP, end, tolerance, absolute
+            system, y, FIRST_STEP, end, tolerance, absolute
         )
-    fields = dict(zip(FIELDS, position_forms.unpack(form, law, boundary, ends, y), strict=True))
+    fields = dict(zip(FIELDS, position_forms.unpack(system, y), strict=True))
     return Run(fields, **watch.times, right_hand_sides=STAGES * accepted, steps=accepted)

@@ -11,9 +11,9 @@ from functools import partial
 import numpy as np
 
 from granular_fronts.fronts.linear.tails import tail_roots
+from granular_fronts.fronts.profile.equation import power_problem
 from granular_fronts.fronts.profile.solve import (
     ORDER,
-    make_law,
     solve_coarse,
     solve_on_grid,
     solve_profile,
@@ -70,19 +70,19 @@ def make_problem(problem, states):
 def run_profile(gamma, bead, _tolerance):
     """The profile equation from nothing, window and grid included."""
     with Stopwatch() as watch:
-        profile = solve_profile(make_law(ALPHA, gamma, ALPHA))
+        profile = solve_profile(power_problem(ALPHA, gamma, ALPHA))
         fields = {} if profile.reason else values_at(profile, bead)
     return Run(fields, **watch.times, message=profile.reason)
 
 
 def run_profile_on_grid(gamma, bead, spacing):
     """The same on a grid of a given spacing."""
-    law = make_law(ALPHA, gamma, ALPHA)
+    problem = power_problem(ALPHA, gamma, ALPHA)
     with Stopwatch() as watch:
-        window = choose_window(law)
-        coarse = solve_coarse(law, window)
+        window = choose_window(problem)
+        coarse = solve_coarse(problem, window)
         spacing = Fraction(spacing).limit_denominator(1000)
-        profile = solve_on_grid(law, window, spacing, ORDER, coarse.evaluate)
+        profile = solve_on_grid(problem, window, spacing, ORDER, coarse.evaluate)
         fields = {} if profile.reason else values_at(profile, bead)
     return Run(fields, **watch.times, message=profile.reason)
 
@@ -90,10 +90,9 @@ def run_profile_on_grid(gamma, bead, spacing):
 def values_at(profile, bead):
     """Relative displacements and velocities of a profile at whole ξ."""
     positions = profile.positions(bead.astype(float))
-    speed = profile.law.speed
     return {
-        "relative_displacement": interpolate_all(profile.u, positions, 1.0, 0.0),
-        "velocity": interpolate_all(velocity(profile, ORDER), positions, speed, 0.0),
+        "relative_displacement": interpolate_all(profile.s, positions, 1.0, 0.0),
+        "velocity": interpolate_all(velocity(profile, ORDER), positions, 1.0, 0.0),
     }
 
 

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from granular_fronts.continuum.log_kdv_burgers.slow_manifold import STIFF_DAMPING, slow_orbit
-from granular_fronts.continuum.log_kdv_burgers.traced_orbit import USUAL, trace_orbit
+from granular_fronts.continuum.log_kdv_burgers.traced_orbit import USUAL_STEPS, trace_orbit
 from peers import scipy_heteroclinic
 from peers.record import Run, Stopwatch
 from problems.problem import Problem, read_reference
@@ -51,7 +51,7 @@ def make_problem(problem, states):
 def run_taylor_series(mu, s, tolerance):
     """Taylor series from the far end of the tail."""
     with Stopwatch() as watch:
-        orbit = trace_orbit(mu, s[0], USUAL._replace(tolerance=tolerance))
+        orbit = trace_orbit(mu, s[0], USUAL_STEPS._replace(tolerance=tolerance))
         p, v = orbit.evaluate(s)
     return finished(p, v, watch, orbit.counts()["steps"])
 

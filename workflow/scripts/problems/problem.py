@@ -59,7 +59,7 @@ def errors_of(run, reference):
     -------
     dict
         `error`, the largest of all fields; `below_reference`, whether the answer is too coarse to
-        tell it; `<field>_error_sup` and `<field>_error_rms`.  Empty for a run without a result.
+        measure it; `<field>_error_sup` and `<field>_error_rms`.  Empty for a run without a result.
     """
     if not run.fields:
         return {}

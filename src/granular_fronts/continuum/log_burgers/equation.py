@@ -1,8 +1,8 @@
 r"""The logarithmic Burgers limit of the generalised Kuwabara-Kono chain (James 2021, section 4).
 
-The relative displacements of the chain with :math:`\beta = \alpha` obey
+The relative displacements of the chain with :math:`\beta = \alpha` (35) obey
 :math:`\ddot u = (1 + \gamma\,d/dt)\,\Delta_d u_+^\alpha` (36).  Waves that vary over many beads
-solve it approximately as
+solve it approximately as (37),
 
 .. math::
 
@@ -10,7 +10,8 @@ solve it approximately as
     \tau = \tfrac12\gamma\varepsilon^2c^2 t, \quad c = \delta^{(\alpha-1)/2}, \quad
     \varepsilon = \frac{\alpha - 1}{\alpha\gamma c},
 
-provided that :math:`(1 - 1/\alpha)^{1/2} \ll \gamma c`.  The rescaled force y obeys (40),
+provided that :math:`(1 - 1/\alpha)^{1/2} \ll \gamma c`.  An expansion in
+:math:`\varepsilon` (38), integrated once (39), gives (40) for the rescaled force y,
 
 .. math::
 

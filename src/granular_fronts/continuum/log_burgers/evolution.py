@@ -14,7 +14,7 @@ the error itself.
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import error_attributes
+from granular_fronts.accuracy import error_attributes, with_refinement
 from granular_fronts.continuum.log_burgers.solution import SMOOTH_CELLS, SOLVER, solve
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.validation import check_scene
@@ -64,21 +64,23 @@ def evolve_unlimited(scene, name="given"):
 def _evolve(scene, name, equation):
     scene = check_scene("periodic", scene, name)
     times = np.asarray(scene["record"]["snapshots"], dtype=float)
-    solution, refined = solve_twice(scene, equation, times)
+    solutions = solve_refined(scene, equation, times)
+    solution = solutions.usual
     cells, half_length = scene["equations"][equation]["cells"], solution.half_length
     xi = half_length * (2.0 * np.arange(cells) + 1.0 - cells) / cells
     rows = range(times.size)
-    force = np.array([solution.rescaled_force(row, xi) for row in rows])
-    finer = np.array([refined.rescaled_force(row, xi) for row in rows])
-    attributes = error_attributes(force, finer, ERROR_METHOD)
+    forces = solutions.map(
+        lambda solved: np.array([solved.rescaled_force(row, xi) for row in rows])
+    )
+    attributes = error_attributes(*forces, ERROR_METHOD)
     return xr.Dataset(
-        {"rescaled_force": (("t", "xi"), force, attributes)},
+        {"rescaled_force": (("t", "xi"), forces.usual, attributes)},
         {"t": times, "xi": xi, "slow_time": ("t", scaling_of(scene).slow_rate * times)},
         attrs=describe(solution),
     )
 
 
-def solve_twice(scene, equation, times):
+def solve_refined(scene, equation, times):
     """Solve one of the equations of a checked scene, and once more on a finer grid.
 
     Parameters
@@ -91,21 +93,20 @@ def solve_twice(scene, equation, times):
 
     Returns
     -------
-    solution, refined : Evolution
+    accuracy.Refined of Evolution
     """
     resolution = scene["equations"][equation]
     alpha = 1.0 if equation == LOGARITHMIC else scene["law"]["alpha"]
     cells, tolerance = resolution["cells"], resolution["tolerance"]
-    solution = solve(scene, alpha, times, cells, tolerance)
-    refined = solve(
-        scene,
-        alpha,
-        times,
-        CELL_REFINEMENT * cells,
-        TOLERANCE_REFINEMENT * tolerance,
-        smooth_cells=CELL_REFINEMENT * SMOOTH_CELLS,
+    usual = {"cells": cells, "tolerance": tolerance, "smooth_cells": SMOOTH_CELLS}
+    finer = {
+        "cells": CELL_REFINEMENT * cells,
+        "tolerance": TOLERANCE_REFINEMENT * tolerance,
+        "smooth_cells": CELL_REFINEMENT * SMOOTH_CELLS,
+    }
+    return with_refinement(
+        lambda resolution: solve(scene, alpha, times, **resolution), usual, finer
     )
-    return solution, refined
 
 
 def describe(solution):

@@ -49,7 +49,7 @@ GHOSTS = 3
 VALUE_WEIGHTS = (37.0 / 60.0, -8.0 / 60.0, 1.0 / 60.0)
 SLOPE_WEIGHTS = (49.0 / 36.0, -5.0 / 36.0, 1.0 / 90.0)
 # Largest eigenvalue of the discrete second derivative, times −Δ².
-DIFFUSION_REACH = 272.0 / 45.0
+DIFFUSION_RADIUS = 272.0 / 45.0
 
 
 class Equation(NamedTuple):

@@ -137,7 +137,7 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cel
             _advance(equation, state, clock, tolerance, joins)
             averages = state.averages.reshape(-1, 2).mean(axis=1)
     mean_drift = max(abs(row.mean() - mean) for row in kept)
-    counts, shortfall = time_steps.work_done(clock), float(clock.shortfall[0])
+    counts, shortfall = time_steps.work_done(clock), float(clock.shortfall)
     return Evolution(start, times, kept, half_length, alpha, counts, float(mean_drift), shortfall)
 
 
@@ -165,6 +165,6 @@ def _advance(equation, state, clock, tolerance, slow_time):
     status = time_steps.advance(equation, state, clock, tolerance, slow_time)
     if status == time_steps.COLLAPSED:
         raise SolveError(
-            f"At slow time {clock.t[0]:.6g} the step size collapsed to {clock.h[0]:.3g}: the "
+            f"At slow time {clock.t:.6g} the step size collapsed to {clock.h:.3g}: the "
             f"tolerance {tolerance:g} cannot be met in double precision; raise it."
         )

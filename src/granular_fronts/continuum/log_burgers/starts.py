@@ -44,10 +44,10 @@ class Plateau(NamedTuple):
 
     def _integral(self, distance, power):
         """∫ y^q from 0 to a distance."""
-        reach = np.sqrt(1.0 - self.floor)
-        fallen = np.clip(distance - self.half_width, 0.0, reach)
+        fall = np.sqrt(1.0 - self.floor)
+        fallen = np.clip(distance - self.half_width, 0.0, fall)
         slope = 0.5 * beta(0.5, power + 1.0) * betainc(0.5, power + 1.0, fallen**2)
-        beyond = np.maximum(distance - self.half_width - reach, 0.0)
+        beyond = np.maximum(distance - self.half_width - fall, 0.0)
         return np.minimum(distance, self.half_width) + slope + self.floor**power * beyond
 
 

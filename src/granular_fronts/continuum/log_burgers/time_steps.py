@@ -21,10 +21,10 @@ stable if its polynomial is at most 1 on
 
 .. math:: z(\theta) = -b\,\frac{G(\theta)}{G(\pi)} - i\sqrt{\frac{p\,b}{G(\pi)}}\,S(\theta),
 
-that is, if :math:`p \le p(b)`.  Along the real axis the method reaches further per stage than the
-classical one of fourth order, and its region is wide too, so that the diffusion of a fine grid and
-the advection of a coarse one both leave it long steps.  `PARABOLA` holds :math:`p(b)` for the
-:math:`b` of `REAL_REACH`, measured when the module is imported.
+that is, if :math:`p \le p(b)`.  Along the real axis the method is stable further out per stage than
+the classical one of fourth order, and its region is wide too, so that the diffusion of a fine grid
+and the advection of a coarse one both leave it long steps.  `PARABOLA` holds :math:`p(b)` for the
+:math:`b` of `DIFFUSION_NUMBERS`, measured when the module is imported.
 """
 
 from typing import NamedTuple
@@ -34,15 +34,15 @@ import numpy as np
 from granular_fronts.continuum.log_burgers import finite_volumes
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
+from granular_fronts.numerics.records import make_record, record_type
 
 STAGES = 10
 # Ten times the weights of order 3 less those of order 4, which are all 1/10.
 EMBEDDED_DIFFERENCE = (1.0, -1.0, -1.0, 2.0, -1.0, -1.0, 1.0, -1.0, 2.0, -1.0)
-REAL_REACH = np.arange(12.0, 1.5, -0.5)
+DIFFUSION_NUMBERS = np.arange(12.0, 1.5, -0.5)
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0
 RESOLUTION = 1.0e-14
 FINISHED, COLLAPSED = 0, 1
-ACCEPTED, REJECTED, EVALUATIONS = 0, 1, 2
 
 
 def stability_polynomial(z):
@@ -52,25 +52,25 @@ def stability_polynomial(z):
     return 1.0 / 25.0 + 9.0 / 25.0 * half_way + 3.0 / 5.0 * euler**5 * (0.4 * half_way + 0.6)
 
 
-def spectrum(reach, parabola, angle):
+def spectrum(b, p, angle):
     """Eigenvalues z(θ) for given b and p, times the step."""
     diffusion, advection = finite_volumes.symbols(angle)
-    per_reach = reach / finite_volumes.DIFFUSION_REACH
-    return -per_reach * diffusion - 1j * np.sqrt(parabola * per_reach) * advection
+    scale = b / finite_volumes.DIFFUSION_RADIUS
+    return -scale * diffusion - 1j * np.sqrt(p * scale) * advection
 
 
-def _largest_parabola(reach):
-    """Largest p at which a real reach is stable, with a margin of 2 %."""
+def _largest_parabola(b):
+    """Largest p at which a step with the given b is stable, with a margin of 2 %."""
     angle = np.linspace(0.0, np.pi, 513)[1:]
     lower, upper = 0.0, 64.0
     for _ in range(24):
         middle = 0.5 * (lower + upper)
-        growth = np.abs(stability_polynomial(spectrum(reach, middle, angle))).max()
+        growth = np.abs(stability_polynomial(spectrum(b, middle, angle))).max()
         lower, upper = (middle, upper) if growth <= 1.0 else (lower, middle)
     return 0.98 * lower
 
 
-PARABOLA = np.array([_largest_parabola(reach) for reach in REAL_REACH])
+PARABOLA = np.array([_largest_parabola(b) for b in DIFFUSION_NUMBERS])
 
 
 class State(NamedTuple):
@@ -97,13 +97,12 @@ class State(NamedTuple):
     work: finite_volumes.Work
 
 
-class Clock(NamedTuple):
-    """Time and step size (arrays of one entry), counts of work, largest shortfall lifted."""
-
-    t: np.ndarray
-    h: np.ndarray
-    counts: np.ndarray
-    shortfall: np.ndarray
+CLOCK = record_type(
+    *((name, float) for name in ("t", "h", "shortfall")),
+    *((name, np.int64) for name in ("accepted", "rejected", "right_hand_sides")),
+)
+"""Time, next step, and the largest shortfall lifted; steps accepted and rejected, right-hand sides.
+"""
 
 
 def make_state(averages):
@@ -114,7 +113,7 @@ def make_state(averages):
 
 def make_clock(first_step):
     """Clock at time 0."""
-    return Clock(np.zeros(1), np.array([first_step]), np.zeros(3, np.int64), np.zeros(1))
+    return make_record(CLOCK, h=first_step)
 
 
 @kernel
@@ -125,7 +124,7 @@ def advance(equation, state, clock, tolerance, stop):
     ----------
     equation : finite_volumes.Equation
     state : State
-    clock : Clock
+    clock : record of CLOCK
     tolerance : float
         Error per step in the maximum norm over cells.
     stop : float
@@ -135,9 +134,9 @@ def advance(equation, state, clock, tolerance, stop):
     int
         FINISHED, or COLLAPSED if the step size fell below `RESOLUTION` of it.
     """
-    while clock.t[0] < stop and not interrupted():
-        remaining = stop - clock.t[0]
-        h = min(clock.h[0], largest_stable_step(equation, state.averages))
+    while clock.t < stop and not interrupted():
+        remaining = stop - clock.t
+        h = min(clock.h, largest_stable_step(equation, state.averages))
         lands = h >= remaining
         if lands:
             h = remaining
@@ -146,21 +145,21 @@ def advance(equation, state, clock, tolerance, stop):
         if h < RESOLUTION * stop and not lands:
             return COLLAPSED
         error = try_step(equation, state, h) / tolerance
-        clock.counts[EVALUATIONS] += STAGES
+        clock.right_hand_sides += STAGES
         factor = LARGEST_FACTOR
         if error > 0.0:
             factor = min(LARGEST_FACTOR, max(SMALLEST_FACTOR, SAFETY * error ** (-0.25)))
         if error <= 1.0:
-            clock.t[0] = stop if lands else clock.t[0] + h
-            clock.counts[ACCEPTED] += 1
+            clock.t = stop if lands else clock.t + h
+            clock.accepted += 1
             shortfall = finite_volumes.lift(state.trial, equation.bound)
-            clock.shortfall[0] = max(clock.shortfall[0], shortfall)
+            clock.shortfall = max(clock.shortfall, shortfall)
             state.averages[:] = state.trial
             # A step cut short to land says little about the next one.
-            clock.h[0] = max(clock.h[0], h * factor) if lands else h * factor
+            clock.h = max(clock.h, h * factor) if lands else h * factor
         else:
-            clock.counts[REJECTED] += 1
-            clock.h[0] = h * factor
+            clock.rejected += 1
+            clock.h = h * factor
     return FINISHED
 
 
@@ -169,10 +168,12 @@ def largest_stable_step(equation, averages):
     """Largest step for which diffusion and advection are both stable."""
     smallest, largest = averages.min(), averages.max()
     strength, diffusion = finite_volumes.advection_and_diffusion(equation, smallest, largest)
-    stiffness = diffusion * finite_volumes.DIFFUSION_REACH / equation.width**2
+    stiffness = diffusion * finite_volumes.DIFFUSION_RADIUS / equation.width**2
     best = 0.0
-    for row in range(REAL_REACH.size):
-        best = max(best, min(REAL_REACH[row] / stiffness, PARABOLA[row] / max(strength, 1e-300)))
+    for row in range(DIFFUSION_NUMBERS.size):
+        best = max(
+            best, min(DIFFUSION_NUMBERS[row] / stiffness, PARABOLA[row] / max(strength, 1e-300))
+        )
     return best
 
 
@@ -206,7 +207,7 @@ def try_step(equation, state, h):
 def work_done(clock):
     """Steps and right-hand sides so far, as a dict."""
     return {
-        "steps_accepted": int(clock.counts[ACCEPTED]),
-        "steps_rejected": int(clock.counts[REJECTED]),
-        "right_hand_sides": int(clock.counts[EVALUATIONS]),
+        "steps_accepted": int(clock.accepted),
+        "steps_rejected": int(clock.rejected),
+        "right_hand_sides": int(clock.right_hand_sides),
     }

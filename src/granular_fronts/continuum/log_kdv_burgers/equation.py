@@ -1,13 +1,15 @@
 r"""The logarithmic KdV–Burgers equation, its coefficients, and the plane of its stationary waves.
 
-James (2021), section 5.  For β = α near 1 and damping of the order of :math:`(\alpha - 1)^{1/2}`,
+James (2021), section 5.  For β = α near 1 and damping of the order of :math:`(\alpha - 1)^{1/2}`
+the ansatz (52),
 
 .. math::
 
     u_n(t) = \delta\, y(s, \tau)^{1/\alpha}, \qquad s = 2\sqrt 3\,\varepsilon (n - ct), \qquad
     \tau = \sqrt 3\,\varepsilon^3 c t, \qquad \varepsilon = (1 - 1/\alpha)^{1/2},
 
-with :math:`c = \delta^{(\alpha-1)/2}`, turns the chain into (55), with the one parameter (54):
+with :math:`c = \delta^{(\alpha-1)/2}`, turns the chain through the expansion (53) into (55), with
+the one parameter (54):
 
 .. math::
 

@@ -17,11 +17,12 @@ variable; it comes from an independent refinement, and where it vanishes the las
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import error_attributes
+from granular_fronts.accuracy import EPSILON, error_attributes, with_refinement
 from granular_fronts.arguments import sequence
 from granular_fronts.continuum.log_kdv_burgers.equation import check_mu, linear_rates
 from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
@@ -31,14 +32,16 @@ from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
     slow_orbit,
 )
 from granular_fronts.continuum.log_kdv_burgers.taylor import REST
-from granular_fronts.continuum.log_kdv_burgers.traced_orbit import REFINED, USUAL, trace_orbit
+from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
+    FINER_STEPS,
+    USUAL_STEPS,
+    Accuracy,
+    trace_orbit,
+)
 from granular_fronts.errors import InputError
 
 UNDERFLOW_P = 1074.0 * math.log(2.0)
 """−ln of the smallest double above zero: the end of the tail."""
-
-RESOLUTION = 2.0**-52
-"""Smallest deviation y − 1 that a turning point is resolved at."""
 
 ACCEPTED_ERROR = 1e-12
 """Error estimate of y up to which the orbit is called converged."""
@@ -54,6 +57,16 @@ ERROR_METHODS = {
     "series": "largest difference to Taylor series of order {0.order} with other steps",
     "expansion": f"largest difference to the expansion with {FEWER_TERMS} terms",
 }
+
+
+class Resolution(NamedTuple):
+    """How an orbit is computed, by Taylor series or by the expansion."""
+
+    steps: Accuracy
+    terms: int
+
+
+USUAL, FINER = Resolution(USUAL_STEPS, TERMS), Resolution(FINER_STEPS, FEWER_TERMS)
 
 
 def heteroclinic(mu, s=None):
@@ -84,12 +97,13 @@ def heteroclinic(mu, s=None):
     mu = check_mu(mu)
     s = None if s is None else sequence("s", s, advice="leave that point out")
     first = min(_first_of_default(mu) if s is None else float(s.min()), 0.0)
-    orbit, again = compute_orbit(mu, first), compute_orbit(mu, first, refined=True)
+    orbits = refined_orbit(mu, first)
+    orbit = orbits.usual
     if s is None:
         s = np.linspace(first, orbit.s_at(TAIL_P), DEFAULT_POINTS)
     _check_underflow(mu, s, orbit)
-    values, others = _profile(orbit, s), _profile(again, s)
-    turns, other_turns = _turns(orbit, first), _turns(again, first)
+    values, others = orbits.map(lambda each: _profile(each, s))
+    turns, other_turns = orbits.map(lambda each: _turns(each, first))
     common = min(turns[0].size, other_turns[0].size)
     method = _error_method(mu)
     variables = {
@@ -101,7 +115,7 @@ def heteroclinic(mu, s=None):
     }
     logarithm, ahead = variables["log_rescaled_force"], s >= 0.0
     relative = np.max(np.abs(1.0 - others[2][ahead] / values[2][ahead]), initial=0.0)
-    logarithm[2]["relative_error_estimate"] = max(float(relative), RESOLUTION)
+    logarithm[2]["relative_error_estimate"] = max(float(relative), EPSILON)
     error = variables["rescaled_force"][2]["error_estimate"]
     return xr.Dataset(
         variables,
@@ -134,12 +148,26 @@ def turning_points(mu):
         If mu is below 0 or not finite, or so small that the turns are too many to follow.
     """
     mu = check_mu(mu)
-    # Without damping there is no second turn to look for.
-    first = -math.inf if mu > 0.0 else -4.0
+    first = past_all_turns(mu)
     return _turns(compute_orbit(mu, first), first)
 
 
-def compute_orbit(mu, first, refined=False):
+def past_all_turns(mu):
+    """An s beyond which there is no turn; without damping there is one, the maximum."""
+    return -math.inf if mu > 0.0 else -4.0
+
+
+def refined_orbit(mu, first):
+    """The orbit, and the same by another order; parameters and errors as of `compute_orbit`.
+
+    Returns
+    -------
+    accuracy.Refined of orbits
+    """
+    return with_refinement(lambda resolution: compute_orbit(mu, first, resolution), USUAL, FINER)
+
+
+def compute_orbit(mu, first, resolution=USUAL):
     """The orbit by the method that suits μ.
 
     Parameters
@@ -148,8 +176,7 @@ def compute_orbit(mu, first, refined=False):
         Damping, μ ≥ 0.
     first : float
         Smallest s that will be asked for, at most 0.
-    refined : bool, optional
-        Compute it the second way, for an error estimate.
+    resolution : Resolution, optional
 
     Returns
     -------
@@ -159,8 +186,8 @@ def compute_orbit(mu, first, refined=False):
     # A whole number would have every kernel compiled again.
     mu = float(mu)
     if mu >= STIFF_DAMPING:
-        return slow_orbit(mu, FEWER_TERMS if refined else TERMS)
-    return trace_orbit(mu, first, REFINED if refined else USUAL)
+        return slow_orbit(mu, resolution.terms)
+    return trace_orbit(mu, first, resolution.steps)
 
 
 def squared_slope_at_one(mu):
@@ -188,13 +215,13 @@ def squared_slope_at_one(mu):
         orbit = slow_orbit(mu)
         s = orbit.s_at(REST)
     else:
-        orbit = compute_orbit(mu, _first_reach(mu))
+        orbit = compute_orbit(mu, _before_crossing(mu))
         s = orbit.s_at(0.0)
     p, v = orbit.evaluate(np.array([s]))
     return float((v[0] * math.exp(-p[0])) ** 2)
 
 
-def _first_reach(mu):
+def _before_crossing(mu):
     """An s before which the orbit has crossed y = 1 or rests there."""
     return -4.0 - min(_half_turn(mu), _decay_length(mu, REST_DECAY))
 
@@ -250,10 +277,11 @@ def _turns(orbit, first):
     """Positions and y − 1 of the turning points that are resolved and not before `first`."""
     s, p = orbit.turning_points()
     overshoot = np.expm1(-p)
-    keep = (np.abs(overshoot) >= RESOLUTION) & (s >= first)
+    # Below the last digit of 1 a deviation y − 1 is not resolved.
+    keep = (np.abs(overshoot) >= EPSILON) & (s >= first)
     return s[keep], overshoot[keep]
 
 
 def _error_method(mu):
     kind = "expansion" if mu >= STIFF_DAMPING else "series"
-    return ERROR_METHODS[kind].format(REFINED)
+    return ERROR_METHODS[kind].format(FINER_STEPS)

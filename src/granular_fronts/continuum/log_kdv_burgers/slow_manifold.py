@@ -40,8 +40,8 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.continuum.log_kdv_burgers.equation import linear_rates
-from granular_fronts.continuum.log_kdv_burgers.taylor import series_sum
 from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.polynomials import polynomial
 
 STIFF_DAMPING = 12.0
 """From this μ on the whole orbit comes from the expansion."""
@@ -105,7 +105,7 @@ def state_on_manifold(mu, h, v):
     """
     r = 1.0 / (2.0 * v + mu)
     x = r * max(mu, 1.0)
-    excess = x * series_sum(h[1:], x)
+    excess = x * polynomial(h[1:], x)
     rate = r * (1.0 + excess)
     return v * (v + mu - rate), 0.5 * excess - mu * (v + 0.5 * rate)
 
@@ -136,13 +136,13 @@ class SlowOrbit(NamedTuple):
         # In blocks, so that Ctrl-C is answered in between.
         for first in range(0, s.size, BLOCK):
             block = slice(first, first + BLOCK)
-            evaluate_slow(*self, s[block], p[block], v[block])
+            evaluate_slow(self, s[block], p[block], v[block])
         return p, v
 
     def s_at(self, p):
         """The s at which −ln y is p > 0."""
         v = v_at(self.mu, self.h, p)
-        return s_between(self.mu, self.slow, self.fast, self.time, self.v_half, v)
+        return s_between(self, self.v_half, v)
 
     def turning_points(self):
         """None: the orbit is monotone."""
@@ -196,7 +196,7 @@ def v_at(mu, h, p):
         r = 1.0 / (2.0 * v + mu)
         value, _ = state_on_manifold(mu, h, v)
         # dp/dv = p'/v' = 1/(r H)
-        step = (value - p) * r * series_sum(h, r * max(mu, 1.0))
+        step = (value - p) * r * polynomial(h, r * max(mu, 1.0))
         v -= step
         if abs(step) <= 1e-15 * v:
             break
@@ -204,43 +204,43 @@ def v_at(mu, h, p):
 
 
 @kernel
-def s_between(mu, slow, fast, time, v_from, v_to):
+def s_between(orbit, v_from, v_to):
     """Change of s from one v to another, by the closed form."""
-    x_from, x_to = mu / (2.0 * v_from + mu), mu / (2.0 * v_to + mu)
+    x_from, x_to = orbit.mu / (2.0 * v_from + orbit.mu), orbit.mu / (2.0 * v_to + orbit.mu)
     return (
         2.0 * (v_to - v_from)
-        + fast * math.log(v_to / v_from)
-        + slow * math.log(x_from / x_to)
-        - (series_sum(time, x_to) - series_sum(time, x_from))
+        + orbit.fast * math.log(v_to / v_from)
+        + orbit.slow * math.log(x_from / x_to)
+        - (polynomial(orbit.time, x_to) - polynomial(orbit.time, x_from))
     )
 
 
 @kernel
-def evaluate_slow(mu, slow, fast, h, time, v_half, s, p, v):
+def evaluate_slow(orbit, s, p, v):
     """Both p and v at each s, by Newton's method in ln v.
 
     They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
 
     Parameters
     ----------
-    mu, slow, fast, h, time, v_half
-        The attributes of `SlowOrbit`.
+    orbit : SlowOrbit
     s : ndarray, shape (points,)
     p, v : ndarray, shape (points,)
         Filled.
     """
-    rate_half = series_sum(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
+    mu, h, v_half = orbit.mu, orbit.h, orbit.v_half
+    rate_half = polynomial(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
     for i in range(s.size):
         # From v too large the iteration is monotone: d(ln v)/ds lies between the rate at y = ½
         # and λ₋, and dv/ds below ½.
         if s[i] < 0.0:
             current = max(v_half * math.exp(s[i] * rate_half), SMALLEST_V)
         else:
-            current = v_half * math.exp(min(slow * s[i], math.log1p(0.5 * s[i] / v_half)))
+            current = v_half * math.exp(min(orbit.slow * s[i], math.log1p(0.5 * s[i] / v_half)))
         for _ in range(NEWTON_STEPS):
             r = 1.0 / (2.0 * current + mu)
-            distance = s[i] - s_between(mu, slow, fast, time, v_half, current)
-            change = distance * r * series_sum(h, r * mu)
+            distance = s[i] - s_between(orbit, v_half, current)
+            change = distance * r * polynomial(h, r * mu)
             current = max(current * math.exp(change), SMALLEST_V)
             if abs(change) < CONVERGED_CHANGE:
                 break

@@ -7,7 +7,7 @@ described in `workflow/schemas/config.schema.yaml`.  Variables of the dataset:
   range: `overshoot`, `turning_point` on (mu, turn), NaN where an orbit has fewer;
 - what the orbits are near (1, 0): `squared_slope_at_one`, and, measured on the orbit and not
   computed from μ, `growth_rate` and `angular_frequency`, each with its `_error`, on (mu), NaN where
-  the orbit does not tell;
+  they cannot be measured;
 - the double well: `potential` on (y);
 - the phase portrait: `rescaled_force_portrait`, `slope_portrait` on (trajectory, s_portrait), NaN
   where a trajectory has left the window.
@@ -19,7 +19,7 @@ import numpy as np
 import xarray as xr
 from scipy.integrate import solve_ivp
 
-from granular_fronts.accuracy import error_attributes
+from granular_fronts.accuracy import error_attributes, with_refinement
 from granular_fronts.continuum.log_kdv_burgers.equation import (
     CRITICAL_DAMPING,
     planar_system,
@@ -79,7 +79,7 @@ def survey_heteroclinic(scene, name="given"):
 
 
 def survey_fronts(dampings, s):
-    """Fronts for a list of dampings, and what each tells about (1, 0).
+    """Fronts for a list of dampings, and how each approaches (1, 0).
 
     Parameters
     ----------
@@ -196,19 +196,17 @@ def draw_portrait(mu, starts, span, step, limit):
         ]
         return np.concatenate([np.asarray(halves[0])[:, :, :0:-1], np.asarray(halves[1])], axis=2)
 
-    kept = follow(PORTRAIT_TOLERANCE)
-    difference = np.nan_to_num(kept - follow(PORTRAIT_TOLERANCE / PORTRAIT_REFINEMENT))
+    portraits = with_refinement(
+        follow, PORTRAIT_TOLERANCE, PORTRAIT_TOLERANCE / PORTRAIT_REFINEMENT
+    )
     method = f"largest difference to DOP853 at a tolerance divided by {PORTRAIT_REFINEMENT:g}"
-    dims = ("trajectory", "s_portrait")
+    variables = {}
+    for i, name in enumerate(("rescaled_force_portrait", "slope_portrait")):
+        values, others = portraits.map(lambda portrait, i=i: portrait[:, i])
+        attributes = error_attributes(values, others, method)
+        variables[name] = (("trajectory", "s_portrait"), values, attributes)
     return xr.Dataset(
-        {
-            name: (
-                dims,
-                kept[:, i],
-                {"error_estimate": np.abs(difference[:, i]).max(), "error_method": method},
-            )
-            for i, name in enumerate(("rescaled_force_portrait", "slope_portrait"))
-        },
+        variables,
         coords={"s_portrait": s, "trajectory": np.arange(1, len(starts) + 1)},
         attrs={"portrait_mu": mu},
     )

@@ -26,9 +26,13 @@ up to about N/e over that rate.
 Starts of steps are exact: a step is rounded to the difference of two representable s.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.polynomials import polynomial
+from granular_fronts.numerics.records import record_type
 
 RUNNING, ARRIVED, AT_REST = range(3)
 
@@ -39,6 +43,33 @@ REST = 1e-20
 
 # Part of the plane where p and v are the unknowns; e is near −1/2 there and loses nothing.
 NEAR = 0.25
+
+
+class Accuracy(NamedTuple):
+    """How a trace chooses its steps.
+
+    Attributes
+    ----------
+    order : int
+        Of the Taylor series.
+    tolerance : float
+        Size of the last terms relative to the solution.
+    contraction : float
+        Largest product of a step and the rate at which the orbit attracts, for stability.
+    """
+
+    order: int
+    tolerance: float
+    contraction: float
+
+
+POINT = record_type(*((name, float) for name in "svep"))
+"""A point of an orbit; e counts unless p and v are both below `NEAR`."""
+
+
+def make_point(s, v, e, p):
+    """A point from four numbers."""
+    return np.array((s, v, e, p), POINT)[()]
 
 
 @kernel
@@ -71,15 +102,6 @@ def position_series(mu, v, p):
 
 
 @kernel
-def series_sum(series, x):
-    """Value of a polynomial, constant coefficient first."""
-    value = 0.0
-    for k in range(series.size - 1, -1, -1):
-        value = value * x + series[k]
-    return value
-
-
-@kernel
 def series_slope(series, x):
     """Derivative of a polynomial, constant coefficient first."""
     value = 0.0
@@ -99,16 +121,15 @@ def step_of_series(series, scale, tolerance):
 
 
 @kernel
-def follow(mu, tolerance, contraction, state, s_stop, p_stop, starts, jets, energies):
+def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
     """Follow a solution towards smaller s, step by step, until there is no room left.
 
     Parameters
     ----------
-    mu, tolerance, contraction : float
-        Damping; largest last terms of the series relative to the solution; largest product of a
-        step and the rate of attraction.
-    state : ndarray, shape (4,)
-        s, v, e and p; updated in place.  e counts unless p and v are both below `NEAR`.
+    mu : float
+    accuracy : Accuracy
+    point : record of POINT
+        Updated in place.
     s_stop, p_stop : float
         The solution has arrived when s ≤ s_stop or p ≤ p_stop.
     starts : ndarray, shape (steps,)
@@ -125,36 +146,37 @@ def follow(mu, tolerance, contraction, state, s_stop, p_stop, starts, jets, ener
     """
     v = np.empty(jets.shape[1])
     for step in range(starts.size):
-        if state[0] <= s_stop or state[3] <= p_stop:
+        if point.s <= s_stop or point.p <= p_stop:
             return step, ARRIVED
-        if abs(state[1]) + abs(state[3]) < REST:
+        if abs(point.v) + abs(point.p) < REST:
             return step, AT_REST
         p = jets[step]
-        starts[step] = state[0]
-        v[0] = state[1]
-        near = abs(state[1]) < NEAR and abs(state[3]) < NEAR
+        starts[step] = point.s
+        v[0] = point.v
+        near = abs(point.v) < NEAR and abs(point.p) < NEAR
         if near:
-            p[0] = state[3]
+            p[0] = point.p
             position_series(mu, v, p)
-            length = step_of_series(v, abs(v[0]) + abs(p[0]), tolerance)
+            length = step_of_series(v, abs(v[0]) + abs(p[0]), accuracy.tolerance)
         else:
-            energies[0] = state[2]
+            energies[0] = point.e
             energy_series(mu, v, energies, p)
+            energy_scale = abs(energies[0]) + mu * (1.0 + abs(v[0]))
             length = min(
-                step_of_series(v, 1.0 + abs(v[0]), tolerance),
-                step_of_series(energies, abs(energies[0]) + mu * (1.0 + abs(v[0])), tolerance),
+                step_of_series(v, 1.0 + abs(v[0]), accuracy.tolerance),
+                step_of_series(energies, energy_scale, accuracy.tolerance),
             )
-        length = min(length, contraction / max(abs(2.0 * v[0] + mu), 1.0))
-        s_new = state[0] - length
-        h = s_new - state[0]
-        state[0] = s_new
-        state[1] = series_sum(v, h)
+        length = min(length, accuracy.contraction / max(abs(2.0 * v[0] + mu), 1.0))
+        s_new = point.s - length
+        h = s_new - point.s
+        point.s = s_new
+        point.v = polynomial(v, h)
         if near:
-            state[3] = series_sum(p, h)
-            state[2] = state[1] * state[1] - state[3] - 0.5
+            point.p = polynomial(p, h)
+            point.e = point.v * point.v - point.p - 0.5
         else:
-            state[2] = series_sum(energies, h)
-            state[3] = state[1] * state[1] - 0.5 - state[2]
+            point.e = polynomial(energies, h)
+            point.p = point.v * point.v - 0.5 - point.e
     return starts.size, RUNNING
 
 
@@ -182,17 +204,17 @@ def evaluate_steps(starts, jets, end, s, p, v):
                 low = middle
             else:
                 high = middle
-        p[i] = series_sum(jets[low], s[i] - starts[low])
+        p[i] = polynomial(jets[low], s[i] - starts[low])
         v[i] = series_slope(jets[low], s[i] - starts[low])
 
 
 @kernel
-def locate(series, level, reach):
-    """The x in [reach, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
-    left, right = reach, 0.0
-    x = 0.5 * reach
+def locate(series, level, end):
+    """The x in [end, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
+    left, right = end, 0.0
+    x = 0.5 * end
     for _ in range(200):
-        value = series_sum(series, x) - level
+        value = polynomial(series, x) - level
         if value > 0.0:
             right = x
         else:
@@ -200,7 +222,7 @@ def locate(series, level, reach):
         slope = series_slope(series, x)
         newton = x - value / slope if slope != 0.0 else left
         new = newton if left < newton < right else 0.5 * (left + right)
-        if abs(new - x) <= 1e-16 * abs(reach) or new in (left, right):
+        if abs(new - x) <= 1e-16 * abs(end) or new in (left, right):
             return new
         x = new
     return x
@@ -225,15 +247,15 @@ def locate_turns(starts, jets, end, s, p):
     count = 0
     derivative = np.empty(jets.shape[1] - 1)
     for step in range(starts.size):
-        reach = (starts[step + 1] if step + 1 < starts.size else end) - starts[step]
-        first, last = jets[step, 1], series_slope(jets[step], reach)
+        span = (starts[step + 1] if step + 1 < starts.size else end) - starts[step]
+        first, last = jets[step, 1], series_slope(jets[step], span)
         if (first > 0.0) == (last > 0.0):
             continue
         sign = 1.0 if first > 0.0 else -1.0
         for k in range(derivative.size):
             derivative[k] = sign * (k + 1) * jets[step, k + 1]
-        x = locate(derivative, 0.0, reach)
+        x = locate(derivative, 0.0, span)
         s[count] = starts[step] + x
-        p[count] = series_sum(jets[step], x)
+        p[count] = polynomial(jets[step], x)
         count += 1
     return count

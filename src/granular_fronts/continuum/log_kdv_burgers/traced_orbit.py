@@ -15,14 +15,16 @@ from granular_fronts.continuum.log_kdv_burgers.slow_manifold import expand, stat
 from granular_fronts.continuum.log_kdv_burgers.taylor import (
     AT_REST,
     RUNNING,
+    Accuracy,
     evaluate_steps,
     follow,
     locate,
     locate_turns,
+    make_point,
     series_slope,
-    series_sum,
 )
 from granular_fronts.errors import InputError
+from granular_fronts.numerics.polynomials import polynomial
 
 START_P = 760.0
 """p at which the trace starts: y = e^(−745) is the last double above zero."""
@@ -32,26 +34,8 @@ MOST_STEPS = 200_000
 ROOM = 512
 
 
-class Accuracy(NamedTuple):
-    """How a trace chooses its steps.
-
-    Attributes
-    ----------
-    order : int
-        Of the Taylor series.
-    tolerance : float
-        Size of the last terms relative to the solution.
-    contraction : float
-        Largest product of a step and the rate at which the orbit attracts, for stability.
-    """
-
-    order: int
-    tolerance: float
-    contraction: float
-
-
-USUAL = Accuracy(order=20, tolerance=1e-17, contraction=6.0)
-REFINED = Accuracy(order=26, tolerance=1e-20, contraction=5.0)
+USUAL_STEPS = Accuracy(order=20, tolerance=1e-17, contraction=6.0)
+FINER_STEPS = Accuracy(order=26, tolerance=1e-20, contraction=5.0)
 """For error estimates: another order, and steps of another length."""
 
 
@@ -123,7 +107,7 @@ class TracedOrbit(NamedTuple):
         }
 
 
-def trace_orbit(mu, s_stop, accuracy=USUAL):
+def trace_orbit(mu, s_stop, accuracy=USUAL_STEPS):
     """Trace the orbit from the far end of its tail.
 
     Parameters
@@ -145,32 +129,32 @@ def trace_orbit(mu, s_stop, accuracy=USUAL):
     """
     v = math.sqrt(START_P + 0.5 + 0.25 * mu**2) - 0.5 * mu
     p, e = state_on_manifold(mu, expand(mu, START_TERMS), v)
-    state = np.array([0.0, v, e, p])
     energies = np.empty(accuracy.order + 1)
-    tail, _ = _collect(mu, accuracy, state, -math.inf, math.log(2.0), energies)
+    tail, _ = _collect(mu, accuracy, make_point(0.0, v, e, p), -math.inf, math.log(2.0), energies)
     half = locate(tail.jets[-1], math.log(2.0), tail.end - tail.starts[-1])
-    at_half = [0.0, series_slope(tail.jets[-1], half), series_sum(energies, half), math.log(2.0)]
+    v, e = series_slope(tail.jets[-1], half), polynomial(energies, half)
+    at_half = make_point(0.0, v, e, math.log(2.0))
     # Differences of the clock are exact; its sum with a small s would not be.
     tail = Steps((tail.starts - tail.starts[-1]) - half, tail.jets, 0.0)
-    front, status = _collect(mu, accuracy, np.array(at_half), s_stop, -math.inf, energies)
+    front, status = _collect(mu, accuracy, at_half, s_stop, -math.inf, energies)
     return TracedOrbit(mu, tail, front, status == AT_REST)
 
 
-def _collect(mu, accuracy, state, s_stop, p_stop, energies):
-    """Steps from a state to a stop, and the status they end with."""
+def _collect(mu, accuracy, point, s_stop, p_stop, energies):
+    """Steps from a point to a stop, and the status they end with."""
     starts, jets, total, status, room = [], [], 0, RUNNING, ROOM
     while status == RUNNING:
         if total >= MOST_STEPS:
             raise InputError(
                 f"For mu = {mu} the orbit turns so often that {MOST_STEPS} steps lead only to "
-                f"s = {state[0]:.6g}: ask for nothing before that, or for a larger mu."
+                f"s = {point.s:.6g}: ask for nothing before that, or for a larger mu."
             )
         more_starts, more_jets = np.empty(room), np.empty((room, accuracy.order + 1))
         steps, status = follow(
-            mu, *accuracy[1:], state, s_stop, p_stop, more_starts, more_jets, energies
+            mu, accuracy, point, s_stop, p_stop, more_starts, more_jets, energies
         )
         starts.append(more_starts[:steps])
         jets.append(more_jets[:steps])
         total += steps
         room = min(2 * room, 8192)
-    return Steps(np.concatenate(starts), np.concatenate(jets), float(state[0])), status
+    return Steps(np.concatenate(starts), np.concatenate(jets), float(point.s)), status

@@ -41,7 +41,8 @@ from scipy.optimize import brentq
 
 from granular_fronts.arguments import choice, scalar
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.profile.solve import make_law, solve_profile
+from granular_fronts.fronts.profile.equation import power_problem
+from granular_fronts.fronts.profile.solve import solve_profile
 from granular_fronts.fronts.properties import measure
 from granular_fronts.fronts.validation import check_alpha, check_beta
 
@@ -180,7 +181,7 @@ def _vanishing_overshoot(alpha, beta, cut):
     """The γ at which the overshoot of the exact front equals the cut."""
 
     def excess(gamma):
-        profile = solve_profile(make_law(alpha, gamma, beta))
+        profile = solve_profile(power_problem(alpha, gamma, beta))
         if profile.reason:
             raise InputError(
                 f"The front for alpha = {alpha}, beta = {beta}, gamma = {gamma:.6g} was not found "

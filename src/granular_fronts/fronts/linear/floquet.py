@@ -1,9 +1,9 @@
-r"""Multipliers of a front: whether it returns to itself after a small kick.
+r"""Floquet multipliers of a front: whether it returns to itself after a small kick.
 
-Map.  Let the chain move for one bead-time and follow the front by one bead: in the frame δ = c = 1
-the map :math:`T(u, d)_n = \Phi(u, d)_{n+1}` leaves an exact front as it is (`front_equations`).  A
-small perturbation is multiplied by the derivative of T from bead-time to bead-time; the eigenvalues
-z of that derivative are the multipliers.
+Monodromy.  Let the chain move for one bead-time and follow the front by one bead: in the frame δ =
+c = 1 the map :math:`T(u, d)_n = \Phi(u, d)_{n+1}` leaves an exact front unchanged
+(`shooting.equations`).  The derivative of T is the monodromy matrix, which a small perturbation is
+multiplied by from bead-time to bead-time; its eigenvalues z are the Floquet multipliers.
 
 Translation.  A shifted front is a front: :math:`(U', D')` has the multiplier 1.  From the left the
 multiplier belongs to a conservation law: as long as nothing reaches the ends,
@@ -14,11 +14,11 @@ state itself, stands beside it.
 
 Untouched chain.  Ahead u = 0 and no contact is stiff: :math:`\delta\dot u = \delta d`,
 :math:`\delta\dot d = 0`, and T is the shift towards the front times a Jordan block at 1.  On an
-infinite chain every :math:`z^n`, |z| < 1, is then an eigenvector: a perturbation that lies in wait
-ahead.  It says nothing of the front, and nothing enters the window from there: the block becomes
-nilpotent and its multipliers 0.  Rounding spreads a nilpotent block of k contacts over
-:math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no meaning; the window ends
-where u is lost in rounding.
+infinite chain every :math:`z^n`, |z| < 1, is then an eigenvector: a perturbation of the chain
+ahead, which the front has not met.  It says nothing of the front, and nothing enters the window
+from there: the block becomes nilpotent and its multipliers 0.  Rounding spreads a nilpotent block
+of k contacts over :math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no meaning;
+the window ends where u is lost in rounding.
 
 Compressed chain.  Behind, a wave :math:`e^{iqn + \sigma t}` obeys
 :math:`\sigma^2 + \beta\gamma\kappa\,\sigma + \alpha\kappa = 0`,
@@ -29,11 +29,11 @@ one: of the two sound waves, with velocities :math:`\pm\sqrt\alpha - 1` in the f
 one runs into the front and one away from it, the sign of Lax's shocks, and a weight that damps the
 one feeds the other.
 
-Window.  With B beads behind, and u = 1 held at the rear, a long wave travels to and fro in
-:math:`B/(\sqrt\alpha - 1) + B/(\sqrt\alpha + 1)` bead-times.  The rear reflects u with the factor
-−1; at the front the jump conditions :math:`v = cu`, :math:`cv = u^\alpha`, linearised with the
-speed c free to change, give :math:`-(\sqrt\alpha - 1)^2/(\sqrt\alpha + 1)^2`.  Hence the largest
-multiplier beside that of translation is real, and
+Window.  With B beads behind, and u = 1 held at the last of them, a long wave travels to and fro in
+:math:`B/(\sqrt\alpha - 1) + B/(\sqrt\alpha + 1)` bead-times.  The held end reflects u with the
+factor −1; at the front the jump conditions :math:`v = cu`, :math:`cv = u^\alpha`, linearised with
+the speed c free to change, give :math:`-(\sqrt\alpha - 1)^2/(\sqrt\alpha + 1)^2`.  Hence the
+largest multiplier beside that of translation is real, and
 
 .. math::
 
@@ -53,12 +53,12 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.arguments import count
-from granular_fronts.chain.state import make_law
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.shooting import bead_flow, tail_closure
-from granular_fronts.fronts.shooting.initial_guess import Seed, fit
+from granular_fronts.fronts.shooting.bead_flow import PowerLaw
+from granular_fronts.fronts.shooting.initial_guess import Guess, fit
 from granular_fronts.fronts.shooting.solve import LARGEST_DECAY_PER_STEP
-from granular_fronts.fronts.validation import check_front
+from granular_fronts.fronts.validation import check_front_of_powers
 
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300
@@ -71,7 +71,7 @@ INTEGER_XI = 1.0e-9
 
 
 def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
-    """Multipliers of flow-then-shift, linearised at a front, in a finite window.
+    """Floquet multipliers of a front, the eigenvalues of its monodromy matrix, in a finite window.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
         1/2 at ξ = 0; attributes alpha, beta, gamma; in the frame δ = c = 1.
     beads_behind : int, optional
         Beads behind ξ = 0, at rest with u = 1 where the front does not reach. By default as many
-        as the tail needs (`rear`), but from 40 to 300.
+        as the tail needs, but from 40 to 300.
     beads_ahead : int, optional
         Beads ahead of it; by default to the first with u < 1e-16.
 
@@ -98,7 +98,7 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
         If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
         another integer is not among the points.
     """
-    check_front(front)
+    check_front_of_powers(front)
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
     if 4.0 * beta * gamma > STEPS * LARGEST_DECAY_PER_STEP:
         raise InputError(
@@ -106,17 +106,17 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
             f"explicit steps per bead-time resolve {STEPS * LARGEST_DECAY_PER_STEP:g}: take a "
             "front of weaker damping."
         )
-    seed = _at_beads(front, beta, gamma)
+    sampled = _at_beads(front, beta, gamma)
     limits = {"most": MOST_BEADS, "advice": "give a number of beads, or leave it out"}
     if beads_behind is None:
         needed = tail_closure.tail_length(tail_closure.slow_roots(alpha, gamma, beta))
         beads_behind = math.ceil(min(max(needed, FEWEST_BEHIND), MOST_BEHIND))
     if beads_ahead is None:
-        ahead = seed.relative_displacement[seed.bead > 0]
+        ahead = sampled.relative_displacement[sampled.bead > 0]
         beads_ahead = 1 + int(np.argmin(np.append(ahead, 0.0) > UNTOUCHED))
     beads_behind = count("beads_behind", beads_behind, **limits)
     beads_ahead = count("beads_ahead", beads_ahead, **limits)
-    u, d = fit(seed, np.arange(-beads_behind, beads_ahead + 1)).T
+    u, d = fit(sampled, np.arange(-beads_behind, beads_ahead + 1)).T
     values = multipliers(u, d, alpha, gamma, beta)
     residual = flow_residual(u, d, alpha, gamma, beta)
     return xr.DataArray(
@@ -136,7 +136,7 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
 
 
 def multipliers(u, d, alpha, gamma, beta):
-    """Eigenvalues of `return_matrix`, the one next to 1 first, then by decreasing modulus.
+    """Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus.
 
     Parameters
     ----------
@@ -148,14 +148,14 @@ def multipliers(u, d, alpha, gamma, beta):
     -------
     ndarray of complex, shape (2 beads,)
     """
-    values = np.linalg.eigvals(return_matrix(u, d, alpha, gamma, beta)).astype(complex)
+    values = np.linalg.eigvals(monodromy_matrix(u, d, alpha, gamma, beta)).astype(complex)
     translation = np.argmin(np.abs(values - 1.0))
     others = np.delete(values, translation)
     others = others[np.lexsort((-others.imag, -np.abs(others)))]
     return np.concatenate([values[translation : translation + 1], others])
 
 
-def return_matrix(u, d, alpha, gamma, beta):
+def monodromy_matrix(u, d, alpha, gamma, beta):
     """Derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
 
     Parameters
@@ -168,7 +168,7 @@ def return_matrix(u, d, alpha, gamma, beta):
     ndarray, shape (2 beads, 2 beads)
         Acts on (u_1, d_1, u_2, d_2, …).
     """
-    law, beads = make_law(alpha, beta, gamma), u.size
+    law, beads = PowerLaw(alpha, beta, gamma), u.size
     _, stiffness = _flow(law, u, d)
     spread = min(bead_flow.spread_of(law, STEPS, max(1.0, float(u.max()))), beads)
     weights = bead_flow.make_weights(law, 1.0 / STEPS)
@@ -193,7 +193,7 @@ def flow_residual(u, d, alpha, gamma, beta):
     -------
     float
     """
-    change, _ = _flow(make_law(alpha, beta, gamma), u, d)
+    change, _ = _flow(PowerLaw(alpha, beta, gamma), u, d)
     state = np.pad([u, d], [(0, 0), (0, 1)])
     return float(np.abs(np.diff(state, axis=1) + change[:, 2:-1]).max())
 
@@ -204,8 +204,8 @@ def _flow(law, u, d):
     start[:, 1:-2] = u, d
     stiffness = bead_flow.make_stiffness(law, STEPS, u.size + 3)
     weights = bead_flow.make_weights(law, 1.0 / STEPS)
-    rear_contact = np.ones((STEPS, bead_flow.STAGES))
-    return bead_flow.flow(law, weights, rear_contact, *start, stiffness), stiffness
+    driver = np.ones((STEPS, bead_flow.STAGES))
+    return bead_flow.flow(law, weights, driver, *start, stiffness), stiffness
 
 
 def compressed_chain_multipliers(alpha, gamma, beta, q):
@@ -248,7 +248,7 @@ def _at_beads(front, beta, gamma):
         )
     u, velocity = (front[name].values[whole] for name in ("relative_displacement", "velocity"))
     w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)
-    return Seed(bead[1:-1], u[1:-1], -np.diff(w))
+    return Guess(bead[1:-1], u[1:-1], -np.diff(w))
 
 
 def _verdict(values, residual):

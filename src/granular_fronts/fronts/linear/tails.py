@@ -48,6 +48,7 @@ import cmath
 import math
 
 import numpy as np
+from numba import int64
 from scipy.optimize import brentq
 
 from granular_fronts import arguments
@@ -145,7 +146,7 @@ def lowest_roots_of_all(alpha, damping, count):
     """The `count` roots with the smallest real parts, in that order; NaN for one not found."""
     roots = np.empty(3 + count, np.complex128)
     found = lowest_strip(alpha, damping, roots)
-    strip = 2
+    strip = int64(2)
     while found < count or not beyond(alpha, damping, strip, roots[count - 1].real):
         if found < roots.size:
             found += 1
@@ -244,7 +245,7 @@ def strip_root(alpha, damping, strip):
 
 @kernel
 def lowest_strip(alpha, damping, roots):
-    """Fill in the roots with 0 ≤ Im λ < 2π: three real ones (3), or one and a pair (2)."""
+    """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one beside a pair."""
     low = where_bell_falls(alpha * damping, 0.0, BEND)
     high = where_bell_falls(alpha * damping, FLAT, BEND)
     end = 1.0 / damping

@@ -1,53 +1,95 @@
-r"""A start for Newton's iteration: the front of the chain without its inertia of long waves.
+r"""The front of long waves: where Newton's iteration starts, and how long a front is.
 
-For waves that vary over many sites :math:`K * u` is u and its derivative, and the profile equation
-(see `profile`) becomes
+For waves that vary over many sites the convolutions of `equation` are the function and its
+derivative, and the profile equation becomes
 
-.. math::
+.. math:: s = p(s) - \frac{d}{d\xi} q(s) ,
 
-    c^2 (u - r) = u^\alpha - r^\alpha - \gamma c\,(u^\beta)' ,
-
-for β = α and r = 0 the equation behind James (2021), eq. (46), and for β = 1 the front
+for Hertz contacts with β = α the equation behind James (2021), eq. (46), and for β = 1 the front
 
 .. math::
 
-    u = [1 + (2^{\alpha-1} - 1)\, e^{(\alpha-1)\xi/\gamma}]^{-1/(\alpha-1)} .
+    s = [1 + (2^{\alpha-1} - 1)\, e^{(\alpha-1)\xi/\gamma}]^{-1/(\alpha-1)} .
 
-It is solved for ξ(u) by one integral.  Where damping is weak the front is never steeper than the
-one at about critical damping, which serves as a start there.
+It is solved for ξ by one integral, with the variable x in :math:`s = 1/(1 + e^x)`,
+
+.. math:: \xi = \int_0^x \frac{q'(s)\, s\,(1 - s)}{s - p(s)}\,dx .
+
+Next to both ends :math:`p(1) - p(s)` and p(s) lose their digits; slopes of p stand in for them.
+The front is good for strong damping.  Where damping is weak it is never steeper than the one at
+about critical damping, where the slowest tail of long waves has a double root,
+:math:`q'(1)^2 = p'(1)\,(p'(1) - 1)/3`; that one serves as a start there.
 """
+
+import math
+from typing import NamedTuple
 
 import numpy as np
 
-# Up to 36, beyond which u is 1 to the last digit and the integrand has no value.
-LOGITS = np.linspace(-36.0, 36.0, 721)
+from granular_fronts.fronts.profile.equation import evaluate, evaluate_slopes
+from granular_fronts.numerics.compiled import kernel
+
+# Up to 36, beyond which s is 1 to the last digit and the integrand has no value.
+X = np.linspace(-36.0, 36.0, 721)
+
+CLOSE = 1.0e-5
+"""Distance of s from an end below which a slope of p stands for a difference of p."""
 
 
-def continuum_front(law, damping):
-    """The front of the long-wave equation, inverted.
+class LongWaveFront(NamedTuple):
+    """Increasing ξ with ξ = 0 at s = 1/2, and x with s = 1/(1 + e^x), shape (points,) each."""
+
+    xi: np.ndarray
+    x: np.ndarray
+
+    def evaluate(self, xi):
+        """Values of s at any ξ, 1-D."""
+        return 1.0 / (1.0 + np.exp(np.interp(xi, self.xi, self.x)))
+
+
+def long_wave_front(problem):
+    """The front of long waves of a problem.
 
     Parameters
     ----------
-    law : newton.Law
-    damping : float
-        γ to use.
+    problem : equation.FrontProblem
 
     Returns
     -------
-    xi, u : ndarray, shape (721,)
-        Increasing ξ with decreasing u from 1 to r; u is half-way between at ξ = 0.
+    LongWaveFront
+        Infinite or falling ξ where p crosses its chord, and long waves have no front.
     """
-    share = 1.0 / (1.0 + np.exp(LOGITS))
-    lacking = 1.0 / (1.0 + np.exp(-LOGITS))
-    jump = 1.0 - law.ahead
-    u = law.ahead + jump * share
-    from_behind = -np.expm1(law.alpha * np.log1p(-jump * lacking)) - law.speed**2 * jump * lacking
-    if law.ahead > 0.0:
-        rise = law.ahead**law.alpha * np.expm1(law.alpha * np.log1p(jump * share / law.ahead))
-    else:
-        rise = u**law.alpha
-    from_ahead = law.speed**2 * jump * share - rise
-    pull = np.where(share > 0.5, from_behind, from_ahead)
-    slope = damping * law.speed * law.beta * u ** (law.beta - 1.0) * jump * share * lacking / pull
-    xi = np.concatenate([[0.0], np.cumsum(0.5 * (slope[1:] + slope[:-1]) * np.diff(LOGITS))])
-    return xi - xi[LOGITS.size // 2], u
+    return LongWaveFront(integrate(problem, X), X)
+
+
+def at_least_critically_damped(problem):
+    """The problem, or where its damping is weak the same with about critical damping."""
+    stiffness, viscosity = problem.behind.p_slope, problem.behind.q_slope
+    critical = math.sqrt(stiffness * (stiffness - 1.0) / 3.0) / viscosity
+    return problem._replace(damping=max(problem.damping, critical))
+
+
+@kernel(error_model="numpy")
+def integrate(problem, x):
+    """ξ at the points x, by the trapezoidal rule; 0 in the middle."""
+    s, rest = 1.0 / (1.0 + np.exp(x)), 1.0 / (1.0 + np.exp(-x))
+    p, q, slope, q_slope, mean_slope = [np.empty(x.size) for _ in range(5)]
+    evaluate(problem, s, p, q)
+    evaluate_slopes(problem, s, slope, q_slope)
+    # Halfway to the end nearby.
+    evaluate_slopes(problem, np.where(s > 0.5, 1.0 - 0.5 * rest, 0.5 * s), mean_slope, slope)
+    rate = np.empty(x.size)
+    for k in range(x.size):
+        if rest[k] < CLOSE:
+            pull = (mean_slope[k] - 1.0) * rest[k]
+        elif s[k] < CLOSE and problem.elastic.ahead != 0.0:
+            pull = (1.0 - mean_slope[k]) * s[k]
+        elif s[k] > 0.5:
+            pull = (problem.behind.p - p[k]) - rest[k]
+        else:
+            pull = s[k] - p[k]
+        rate[k] = q_slope[k] * s[k] * rest[k] / pull
+    xi = np.zeros(x.size)
+    for k in range(1, x.size):
+        xi[k] = xi[k - 1] + 0.5 * (rate[k - 1] + rate[k]) * (x[k] - x[k - 1])
+    return xi - xi[x.size // 2]

@@ -1,13 +1,14 @@
-"""Newton's iteration for the discretised profile equation of `profile`, compiled.
+"""Newton's iteration for the discretised profile equation of `equation`, compiled.
 
-Unknowns are the values u at all grid points of the window, and the speed c.  On the left the
-linearised operator has index +1: without further conditions it is solved by a family, the shifts of
-the front.  The phase condition picks one, and one equation is left over, the one at the far left,
-which determines c.  In the matrix the equations 1 … middle therefore stand one row higher than
-their unknowns, the phase condition stands in row `middle`, and equation 0 and the column of c make
-the border.  Thus ordered, the band matrix has well-conditioned factors without pivoting: the shift
-turns the index of its left part into zero.  Ordered without the shift, it would be singular to
-working precision, with solutions that satisfy all equations and are false.
+Unknowns are the values s at all grid points of the window, and the speed σ in units of the exact
+one: with the weights of the two convolutions the equations are σ² s = hat * p + σ jump * q.  On the
+left the linearised operator has index +1: without further conditions it is solved by a family, the
+shifts of the front.  The phase condition, s = 1/2 at ξ = 0, picks one, and one equation is left
+over, the one at the far left, which determines σ.  In the matrix the equations 1 … middle therefore
+stand one row higher than their unknowns, the phase condition stands in row `middle`, and equation 0
+and the column of σ make the border.  Thus ordered, the band matrix has well-conditioned factors
+without pivoting: the shift turns the index of its left part into zero.  Ordered without the shift,
+it would be singular to working precision, with solutions that satisfy all equations and are false.
 """
 
 from typing import NamedTuple
@@ -15,61 +16,79 @@ from typing import NamedTuple
 import numpy as np
 from numba import uint64
 
+from granular_fronts.fronts.profile.equation import evaluate, evaluate_slopes
 from granular_fronts.numerics.band import factorise, product, substitute
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
-from granular_fronts.numerics.vector_functions import power
 
 SETTLED, WANDERING, NOT_FINITE = range(3)
 
 
-class Law(NamedTuple):
-    """What the equation depends on: exponents α and β, damping γ, state ahead r, exact speed c₀."""
+class Grid(NamedTuple):
+    """A uniform grid and its quadrature.
 
-    alpha: float
-    beta: float
-    gamma: float
-    ahead: float
-    speed: float
+    Attributes
+    ----------
+    spacing : float
+        Distance of the points, in sites.
+    middle : int
+        Index of the point ξ = 0.
+    hat, jump : ndarray, shape (2w + 1,)
+        Weights of the two convolutions.
+    """
+
+    spacing: float
+    middle: int
+    hat: np.ndarray
+    jump: np.ndarray
 
 
-# Longest change of u in one step, and the step after which the factors are kept.
+class Unknowns(NamedTuple):
+    """The unknowns.
+
+    Attributes
+    ----------
+    s : ndarray, shape (points,)
+    speed : ndarray, shape (1,)
+        σ.
+    """
+
+    s: np.ndarray
+    speed: np.ndarray
+
+
+class Forces(NamedTuple):
+    """p and q, or their slopes, at the points and at w more on either side, where s is given."""
+
+    p: np.ndarray
+    q: np.ndarray
+
+
+# Longest change of s in one step, and the step after which the factors are kept.
 LONGEST_CHANGE = 0.4
 KEEP_FACTORS = 1e-5
 
-# How close to 1 u must be for its equations to count as those of the state behind, in the matrix,
+# How close to 1 s must be for its equations to count as those of the state behind, in the matrix,
 # and over how many sites their factors settle.
 STEADY = 1e-4
 SETTLING = 16.0
-
-# The power is taken of normal numbers only.
-SMALLEST = 1e-300
 
 # Steps of this size that stop to shrink are round-off.
 ROUND_OFF = 1e-11
 
 
 @kernel(error_model="numpy")
-def iterate(law, hat, jump, spacing, middle, half, tolerance, u, speed, history):
+def iterate(problem, grid, tolerance, unknowns, history):
     """Solve the equations by Newton's iteration from a start.
 
     Parameters
     ----------
-    law : Law
-    hat, jump : ndarray, shape (2w + 1,)
-        Weights of the two convolutions.
-    spacing : float
-        Distance of the points, in sites.
-    middle : int
-        Index of the point where u is prescribed.
-    half : float
-        Its value there.
+    problem : equation.FrontProblem
+    grid : Grid
     tolerance : float
         The iteration ends when the next change would be below it.
-    u : ndarray, shape (points,)
+    unknowns : Unknowns
         Start, then solution.
-    speed : ndarray, shape (1,)
-        Likewise c.
     history : ndarray, shape (steps + 1,)
         Receives the largest residual before each step and after the last.
 
@@ -77,42 +96,40 @@ def iterate(law, hat, jump, spacing, middle, half, tolerance, u, speed, history)
     -------
     steps, status : int
     """
-    points, width = u.size, hat.size // 2
-    force = np.empty(points + 2 * width)
-    damping = np.empty(points + 2 * width)
-    residual = np.empty(points)
+    s, speed = unknowns
+    points, width, middle = s.size, grid.hat.size // 2, grid.middle
+    forces = make_forces(points, width)
+    residual, x, z = np.empty(points), np.empty(points), np.empty(points)
     border = np.empty(width + 1)
-    x, z = np.empty(points), np.empty(points)
+    damping_number = problem.damping * problem.behind.q
     last = change = 1.0
     fresh = True
     for step in range(history.size):
-        forces(law, width, u, force, damping)
-        history[step] = residuals(law, hat, jump, u, speed[0], force, damping, residual)
+        fill_forces(problem, s, forces)
+        history[step] = residuals(problem, grid, unknowns, forces, residual)
         if not history[step] < 1e6:
             return step, NOT_FINITE
         if step > 0:
             remaining = change * change / last if step > 1 else change
-            solved = history[step] < 100.0 * tolerance * (1.0 + law.gamma)
+            solved = history[step] < 100.0 * tolerance * (1.0 + damping_number)
             if solved and (remaining < tolerance or 0.5 * last < change < ROUND_OFF):
                 return step, SETTLED
             last = change
         if step + 1 == history.size or interrupted():
             break
         if fresh:
-            steady = steady_points(u, middle, STEADY * min(1.0, last))
-            prefix = width + int(SETTLING / spacing)
+            steady = steady_points(s, middle, STEADY * min(1.0, last))
+            prefix = width + int(SETTLING / grid.spacing)
             skipped = steady - prefix
             if skipped <= width:
                 prefix, skipped = points, 0
             band = np.empty((points - skipped, 2 * width + 2))
-            corner = assemble(
-                law, hat, jump, middle, u, speed[0], damping, prefix, skipped, band, border, z
-            )
+            corner = assemble(problem, grid, unknowns, forces, prefix, band, border, z)
             factorise(band, width, prefix)
             substitute(band, width, prefix, skipped, z)
             pivot = corner - product(border, z)
         x[:middle] = residual[1 : middle + 1]
-        x[middle] = u[middle] - half
+        x[middle] = s[middle] - 0.5
         x[middle + 1 :] = residual[middle + 1 :]
         substitute(band, width, prefix, skipped, x)
         speed_change = (residual[0] - product(border, x)) / pivot
@@ -122,66 +139,49 @@ def iterate(law, hat, jump, spacing, middle, half, tolerance, u, speed, history)
             change = max(change, abs(x[k]))
         factor = min(1.0, LONGEST_CHANGE / change) if change > 0.0 else 1.0
         for k in range(points):
-            u[k] -= factor * x[k]
+            s[k] -= factor * x[k]
         speed[0] -= factor * speed_change
         fresh = change > KEEP_FACTORS or change > 0.01 * last
     return step, WANDERING
 
 
 @kernel
-def forces(law, width, u, force, damping):
-    """Fill in u₊^α − r^α and u₊^β − r^β, the states of both ends included."""
-    rest, drag = law.ahead**law.alpha, law.ahead**law.beta
-    for k in range(width):
-        force[k], damping[k] = 1.0 - rest, 1.0 - drag
-        force[force.size - 1 - k] = damping[force.size - 1 - k] = 0.0
-    inside = slice(width, width + u.size)
-    raise_to(law.alpha, u, force[inside])
-    if law.beta == law.alpha:
-        damping[inside] = force[inside]
-    else:
-        raise_to(law.beta, u, damping[inside])
-    force[inside] -= rest
-    damping[inside] -= drag
+def make_forces(points, width):
+    """Room for p and q."""
+    return Forces(np.zeros(points + 2 * width), np.zeros(points + 2 * width))
 
 
-@kernel(fastmath={"contract"})
-def raise_to(exponent, u, result):
-    """Write u₊^exponent, by roots where they do and else by the vectorised power."""
-    if exponent == 1.5:
-        for k in range(uint64(u.size)):
-            value = max(u[k], 0.0)
-            result[k] = value * np.sqrt(value)
-    elif exponent == 0.5:
-        for k in range(uint64(u.size)):
-            result[k] = np.sqrt(max(u[k], 0.0))
-    elif exponent == 0.0:
-        result[:] = 1.0
-    else:
-        for k in range(uint64(u.size)):
-            whole = power(u[k], exponent)
-            result[k] = whole if u[k] > SMALLEST else 0.0
+@kernel
+def fill_forces(problem, s, forces):
+    """Write p and q at the points, and of the states of both ends beyond them."""
+    p, q = forces
+    width = (p.size - s.size) // 2
+    p[:width], q[:width] = problem.behind.p, problem.damping * problem.behind.q
+    evaluate(problem, s, p[width:-width], q[width:-width])
+    p[p.size - width :] = q[p.size - width :] = 0.0
 
 
 @kernel(fastmath=True)
-def residuals(law, hat, jump, u, speed, force, damping, residual):
+def residuals(problem, grid, unknowns, forces, residual):
     """Fill in the residuals of all equations; return the largest."""
+    s, speed = unknowns.s, unknowns.speed[0]
+    p, q = forces
     largest = 0.0
-    drag = law.gamma * speed * jump
-    if law.beta == law.alpha:
-        both = hat + drag
-        for k in range(u.size):
+    drag = speed * grid.jump
+    if problem.proportional:
+        both = grid.hat + problem.damping * problem.speed * drag
+        for k in range(s.size):
             total = 0.0
-            for j in range(hat.size):
-                total += both[j] * force[k + j]
-            residual[k] = speed * speed * (u[k] - law.ahead) - total
+            for j in range(both.size):
+                total += both[j] * p[k + j]
+            residual[k] = speed * speed * s[k] - total
     else:
-        for k in range(u.size):
+        for k in range(s.size):
             total = 0.0
-            for j in range(hat.size):
-                total += hat[j] * force[k + j] + drag[j] * damping[k + j]
-            residual[k] = speed * speed * (u[k] - law.ahead) - total
-    for k in range(u.size):
+            for j in range(drag.size):
+                total += grid.hat[j] * p[k + j] + drag[j] * q[k + j]
+            residual[k] = speed * speed * s[k] - total
+    for k in range(s.size):
         # A NaN must not be lost in the comparison.
         if not abs(residual[k]) <= largest:
             largest = abs(residual[k])
@@ -189,68 +189,57 @@ def residuals(law, hat, jump, u, speed, force, damping, residual):
 
 
 @kernel
-def largest_convolution(law, hat, jump, u):
-    """Largest value of hat * P + γc₀ jump * Q for any weights."""
-    width = hat.size // 2
-    force, damping = np.empty(u.size + 2 * width), np.empty(u.size + 2 * width)
-    forces(law, width, u, force, damping)
-    at_rest = np.full(u.size, law.ahead)
-    return residuals(law, hat, jump, at_rest, law.speed, force, damping, np.empty(u.size))
+def largest_convolution(problem, grid, s):
+    """Largest value of hat * p + jump * q for any weights."""
+    forces = make_forces(s.size, grid.hat.size // 2)
+    fill_forces(problem, s, forces)
+    nothing = Unknowns(np.zeros(s.size), np.ones(1))
+    return residuals(problem, grid, nothing, forces, np.empty(s.size))
 
 
 @kernel(fastmath=True)
-def assemble(law, hat, jump, middle, u, speed, damping, prefix, skipped, band, border, column):
-    """Fill in the matrix, the border row of equation 0 and the column of c; return the corner."""
-    points, width = u.size, hat.size // 2
-    stiffness, viscosity = np.empty(points + 2 * width), np.empty(points + 2 * width)
-    slopes(law, width, u, stiffness, viscosity)
-    drag = law.gamma * speed * jump
+def assemble(problem, grid, unknowns, forces, prefix, band, border, column):
+    """Fill in the matrix, the border row of equation 0 and the column of σ; return the corner.
+
+    After row ``prefix - 1`` of the band as many rows are left out as it is short of the points.
+    """
+    s, speed, middle = unknowns.s, unknowns.speed[0], grid.middle
+    points, width = s.size, grid.hat.size // 2
+    skipped = points - band.shape[0]
+    slopes = make_forces(points, width)
+    evaluate_slopes(problem, s, slopes.p[width:-width], slopes.q[width:-width])
+    drag = speed * grid.jump
     for i in range(band.shape[0]):
         k = i if i < prefix else i + skipped
         shift = 1 if k < middle else 0
         equation = k + shift
         band[i, 0] = band[i, 2 * width + 1] = 0.0
-        row, elastic, viscous = band[i, shift:], stiffness[equation:], viscosity[equation:]
-        for j in range(uint64(hat.size)):
-            row[j] = -(hat[j] * elastic[j] + drag[j] * viscous[j])
+        row, elastic, viscous = band[i, shift:], slopes.p[equation:], slopes.q[equation:]
+        for j in range(uint64(drag.size)):
+            row[j] = -(grid.hat[j] * elastic[j] + drag[j] * viscous[j])
         row[width] += speed * speed
     band[middle - skipped, :] = 0.0
     band[middle - skipped, width] = 1.0
     for k in range(points):
-        column[k] = speed_slope(law, jump, u, speed, damping, k + 1 if k < middle else k)
+        column[k] = speed_slope(grid, unknowns, forces, k + 1 if k < middle else k)
     column[middle] = 0.0
     for j in range(width, 2 * width + 1):
-        border[j - width] = -(hat[j] * stiffness[j] + drag[j] * viscosity[j])
+        border[j - width] = -(grid.hat[j] * slopes.p[j] + drag[j] * slopes.q[j])
     border[0] += speed * speed
-    return speed_slope(law, jump, u, speed, damping, 0)
+    return speed_slope(grid, unknowns, forces, 0)
 
 
 @kernel(fastmath=True)
-def slopes(law, width, u, stiffness, viscosity):
-    """Fill in αu₊^(α−1) and βu₊^(β−1); zero outside the window, where u is given."""
-    stiffness[:] = 0.0
-    viscosity[:] = 0.0
-    inside = slice(width, width + u.size)
-    raise_to(law.alpha - 1.0, u, stiffness[inside])
-    stiffness[inside] *= law.alpha
-    if law.beta == law.alpha:
-        viscosity[inside] = stiffness[inside]
-    else:
-        raise_to(law.beta - 1.0, u, viscosity[inside])
-        viscosity[inside] *= law.beta
-
-
-@kernel(fastmath=True)
-def speed_slope(law, jump, u, speed, damping, equation):
-    """Derivative of one equation with respect to c."""
-    drag = law.gamma * product(jump, damping[equation:])
-    return 2.0 * speed * (u[equation] - law.ahead) - drag
+def speed_slope(grid, unknowns, forces, equation):
+    """Derivative of one equation with respect to σ."""
+    viscous = product(grid.jump, forces.q[equation:])
+    return 2.0 * unknowns.speed[0] * unknowns.s[equation] - viscous
 
 
 @kernel
-def steady_points(u, middle, tolerance):
-    """How many points at the left end have u = 1 within a tolerance."""
+def steady_points(s, middle, tolerance):
+    """How many points at the left end have s = 1 within a tolerance."""
     for k in range(middle):
-        if abs(u[k] - 1.0) > tolerance:
+        if abs(s[k] - 1.0) > tolerance:
             return k
     return middle

@@ -1,35 +1,21 @@
-r"""The exact profile of a front, by its advance–delay equation in convolution form.
+"""The exact profile of a front, from nothing: windows, grids and starts.
 
-A travelling front :math:`u_n(t) = u(\xi)`, ξ = n − ct, of the chain with damping exponent β
-satisfies (from James 2021, eqs. (5) and (36); his section 6 shoots for it instead)
+Discretisation.  s of `equation` is sought at the points of a uniform grid, 1 and 0 beyond the
+window, and the integrals are replaced by the rules of `numerics.quadrature` with local polynomials
+through 20 points.  The unknowns are these values and the speed, the conditions all equations and
+s(0) = 1/2 (`newton`).  The weights sum to one exactly as the kernel does, so that the discrete
+equations have the speed of the jump conditions: that it comes out to round-off says that the window
+is long enough, not that the grid is fine enough.
 
-.. math::
+Two grids.  The equation is solved on a coarse grid, from the front of long waves, and then on a
+fine one, whose spacing follows from the difference of two quadrature rules on the coarse solution.
+A third grid, finer, with another order and a longer window, gives the error estimate.
 
-    c^2 u'' = \Bigl(1 - \gamma c\,\frac{d}{d\xi}\Bigr)_{\!\beta}
-              \bigl[P(\xi + 1) - 2P(\xi) + P(\xi - 1)\bigr],
-
-where the derivative acts on :math:`Q = u_+^\beta` and the rest on :math:`P = u_+^\alpha`.
-Integrated twice, with u → r ahead, it is an equation of the second kind,
-
-.. math::
-
-    c^2 (u - r) = \int_{-1}^{1} (1 - |s|)\,[P(\xi - s) - r^\alpha]\,ds
-                + \gamma c \int_{-1}^{1} \operatorname{sgn}(s)\, Q(\xi - s)\,ds .
-
-u → 1 behind; the limit ξ → −∞ gives :math:`c^2 = (1 - r^\alpha)/(1 - r)`, eq. (14), whatever β and
-γ.  The kernel contains no difference of neighbouring values, so that round-off stays what it is.
-
-Discretisation.  u is sought at the points of a uniform grid, 1 and r beyond the window, and the
-integrals are replaced by the rules of `quadrature` with local polynomials through 20 points.  The
-unknowns are these values and c, the conditions all equations and u(0) = (1 + r)/2 (`newton`).  The
-weights sum to one exactly as the kernel does, so that the discrete equations have the same c: that
-c − c₀ is at round-off says that the window is long enough, not that the grid is fine enough.
-
-Two grids.  The equation is solved on a coarse grid, from the front of the long-wave equation, and
-then on a fine one, whose spacing follows from the difference of two quadrature rules on the coarse
-solution.  A third grid, finer, with another order and a longer window, gives the error estimate.
+Where the front of long waves does not lead to the front, one of stronger damping is solved first
+and followed back, by steps as long as Newton's iteration allows.
 """
 
+import functools
 import math
 from fractions import Fraction
 from typing import NamedTuple
@@ -37,11 +23,15 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.fronts.profile import newton
-from granular_fronts.fronts.profile.long_wave_front import continuum_front
-from granular_fronts.fronts.profile.newton import Law
-from granular_fronts.fronts.profile.window import choose_window, coarse_spacing, rational
+from granular_fronts.fronts.profile.equation import FrontProblem
+from granular_fronts.fronts.profile.long_wave_front import (
+    at_least_critically_damped,
+    long_wave_front,
+)
+from granular_fronts.fronts.profile.newton import Grid, Unknowns
+from granular_fronts.fronts.profile.window import Window, choose_window, coarse_spacing, rational
 from granular_fronts.numerics.interpolation import interpolate_all
-from granular_fronts.numerics.quadrature import kernel_weights
+from granular_fronts.numerics.quadrature import Weights, kernel_weights
 
 COARSE_ORDER, ORDER, OTHER_ORDER = 8, 20, 16
 REFINED_ORDER = 22
@@ -60,6 +50,9 @@ AT_REST = 5e-14
 # A front on the coarse grid serves as a start only, and need not show the end of its tail.
 COARSE_SHARE = 0.6
 ADJUSTMENTS = 8
+
+# What is not resolved here is not smooth; and the longest grid.
+FINEST = Fraction(1, 128)
 MOST_POINTS = 800_000
 
 # Longest window, in sites, in which fronts have been found.
@@ -75,63 +68,48 @@ class Profile(NamedTuple):
 
     Attributes
     ----------
-    law : newton.Law
+    problem : equation.FrontProblem
     spacing : Fraction
         Distance of the points, in sites.
     middle : int
-        Index of ξ = 0.
-    u : ndarray, shape (points,)
-    speed : float
+        Index of ξ = 0, where s = 1/2.
+    s : ndarray, shape (points,)
+    speed_defect : float
+        Relative deviation of the speed from that of the jump conditions.
     residuals : ndarray
         Largest residual before each Newton step and after the last, grid after grid.
     reason : str
         Why this is not a front; empty if it is one.
     """
 
-    law: Law
+    problem: FrontProblem
     spacing: Fraction
     middle: int
-    u: np.ndarray
-    speed: float
+    s: np.ndarray
+    speed_defect: float
     residuals: np.ndarray
     reason: str = ""
 
     @property
     def xi(self):
         """Coordinates of the points, shape (points,)."""
-        return float(self.spacing) * np.arange(-self.middle, self.u.size - self.middle)
-
-    @property
-    def half(self):
-        """Value at ξ = 0."""
-        return 0.5 * (1.0 + self.law.ahead)
-
-    @property
-    def speed_defect(self):
-        """Relative deviation of c from its exact value."""
-        return self.speed / self.law.speed - 1.0
+        return float(self.spacing) * np.arange(-self.middle, self.s.size - self.middle)
 
     def evaluate(self, xi):
-        """Values of u at any positions, 1-D."""
-        return interpolate_all(self.u, self.positions(xi), 1.0, self.law.ahead)
+        """Values of s at any positions, 1-D."""
+        return interpolate_all(self.s, self.positions(xi), 1.0, 0.0)
 
     def positions(self, xi):
         """Positions in units of the spacing, 0 at the first point."""
         return xi / float(self.spacing) + self.middle
 
 
-def make_law(alpha, gamma, beta, ahead=0.0):
-    """A law with its exact speed, eq. (14)."""
-    squared = -math.expm1(alpha * math.log(ahead)) / (1.0 - ahead) if ahead > 0.0 else 1.0
-    return Law(float(alpha), float(beta), float(gamma), float(ahead), math.sqrt(squared))
-
-
-def solve_profile(law):
-    """The front of a law from nothing: a coarse grid, then a fine one.
+def solve_profile(problem):
+    """The front of a problem from nothing: a coarse grid, then a fine one.
 
     Parameters
     ----------
-    law : newton.Law
+    problem : equation.FrontProblem
 
     Returns
     -------
@@ -139,88 +117,82 @@ def solve_profile(law):
         With a `reason` if it is not the front.
     """
     with np.errstate(all="ignore"):
-        # A law beyond double precision has no length.
-        window = choose_window(law)
+        # A problem beyond double precision has no length.
+        window = choose_window(problem)
     if not window.length <= MOST_SITES:
         taken = f"{window.length:.2g}" if np.isfinite(window.length) else "countless"
         return no_profile(
-            law,
+            problem,
             f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
-            f"{MOST_SITES:.0e}: bring gamma closer to 1, alpha and right_state away from 1",
+            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and the force between the "
+            "states away from a linear one (alpha and right_state away from 1)",
         )
-    profile = solve_coarse(law, window.longer(COARSE_SHARE))
+    profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
         return profile
-    spacing = expected_spacing(profile)
+    spacing = max(expected_spacing(profile), FINEST)
     for _ in range(ADJUSTMENTS):
         before = profile.residuals
-        profile = solve_on_grid(law, window, spacing, ORDER, profile.evaluate)
+        profile = solve_on_grid(problem, window, spacing, ORDER, profile.evaluate)
         profile = profile._replace(residuals=np.concatenate([before, profile.residuals]))
         if profile.reason:
             return profile
         defect, stretch = quadrature_defect(profile), needed_stretch(profile)
-        sharp = defect > DEFECT
-        if not sharp and stretch == (1.0, 1.0):
+        sharp = defect > DEFECT * problem.magnification
+        if (not sharp and stretch == (1.0, 1.0)) or (sharp and spacing == FINEST):
             break
         window = window.longer(*stretch)
         if sharp:
-            spacing = min(expected_spacing(profile), rational(0.8 * float(spacing)))
+            finer = min(expected_spacing(profile), rational(0.8 * float(spacing)))
+            spacing = max(finer, FINEST)
     if sharp:
         return profile._replace(
             reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points "
-            "per site: the front is too sharp for it"
+            "per site: the front is too sharp for it, or its law has a kink between the states"
         )
     return profile._replace(reason=reason_against(profile))
 
 
-def no_profile(law, reason):
+def no_profile(problem, reason):
     """A record without a front, which was not looked for."""
-    return Profile(law, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
+    return Profile(problem, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
 
 
 def refine(profile):
     """The same front on a finer grid, by another order, on a longer window."""
-    window = choose_window(profile.law)
-    behind = max(window.behind, float(profile.spacing) * profile.middle)
-    ahead = max(window.ahead, float(profile.spacing) * (profile.u.size - profile.middle))
-    spacing = rational(float(profile.spacing) / 1.4)
+    spacing = float(profile.spacing)
+    window = Window(spacing * profile.middle, spacing * (profile.s.size - profile.middle))
     return solve_on_grid(
-        profile.law,
-        window._replace(behind=1.1 * behind, ahead=1.1 * ahead),
-        spacing,
+        profile.problem,
+        window.longer(1.1, 1.1),
+        rational(spacing / 1.4),
         REFINED_ORDER,
         profile.evaluate,
     )
 
 
-def solve_coarse(law, window):
+def solve_coarse(problem, window):
     """The front on the coarse grid, from the long-wave front or else from stronger damping."""
-    direct = _from_long_wave(law, window)
+    direct = _from_long_wave(problem, window)
     if not direct.reason:
         return direct
     for factor in STRONGER:
-        strong = law._replace(gamma=factor * law.gamma)
+        strong = problem._replace(damping=factor * problem.damping)
         known = _from_long_wave(strong, choose_window(strong))
         if not known.reason:
-            return _walk(known, law, window)
+            return _walk(known, problem, window)
     return direct
 
 
-def _walk(known, law, window):
+def _walk(known, problem, window):
     """Follow the front to weaker damping, by steps as long as Newton's iteration allows."""
     ratio = LONGEST_RATIO
     while True:
-        gamma = max(law.gamma, known.law.gamma / ratio)
-        arrives = gamma == law.gamma
-        next_law = law._replace(gamma=gamma)
-        next_window = window if arrives else choose_window(next_law)
-        attempt = solve_on_grid(
-            next_law,
-            next_window,
-            coarse_spacing(next_law, next_window),
-            COARSE_ORDER,
-            known.evaluate,
-            COARSE_TOLERANCE,
+        damping = max(problem.damping, known.problem.damping / ratio)
+        arrives = damping == problem.damping
+        weaker = problem._replace(damping=damping)
+        attempt = _solve_coarse_from(
+            known.evaluate, weaker, window if arrives else choose_window(weaker)
         )
         if not attempt.reason:
             known = attempt
@@ -229,34 +201,30 @@ def _walk(known, law, window):
         ratio = math.sqrt(ratio) if attempt.reason else ratio
 
 
-def _from_long_wave(law, window):
-    """The front on the coarse grid, from the long-wave front of not too weak damping."""
-    weakest = law.alpha / law.beta * math.sqrt((1.0 - 1.0 / law.alpha) / 3.0)
-    known, values = continuum_front(law, max(law.gamma, weakest))
-    return solve_on_grid(
-        law,
-        window,
-        coarse_spacing(law, window),
-        COARSE_ORDER,
-        lambda xi: np.interp(xi, known, values),
-        COARSE_TOLERANCE,
-    )
+def _from_long_wave(problem, window):
+    start = long_wave_front(at_least_critically_damped(problem))
+    return _solve_coarse_from(start.evaluate, problem, window)
 
 
-def solve_on_grid(law, window, spacing, order, start, tolerance=TOLERANCE):
+def _solve_coarse_from(start, problem, window):
+    spacing = coarse_spacing(problem, window)
+    return solve_on_grid(problem, window, spacing, COARSE_ORDER, start, COARSE_TOLERANCE)
+
+
+def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
     """The front on one grid.
 
     Parameters
     ----------
-    law : newton.Law
+    problem : equation.FrontProblem
     window : window.Window
     spacing : Fraction
     order : int
         Points of the local polynomials.
     start : callable
-        u at the given ξ, for Newton's iteration.
+        s at the given ξ, for Newton's iteration.
     tolerance : float, optional
-        Change of u at which the iteration ends.
+        Change of the strain, relative to the larger state, at which the iteration ends.
 
     Returns
     -------
@@ -265,25 +233,21 @@ def solve_on_grid(law, window, spacing, order, start, tolerance=TOLERANCE):
     middle = math.ceil(window.behind / spacing)
     points = middle + 1 + math.ceil(window.ahead / spacing)
     if points > MOST_POINTS:
-        return no_profile(law, f"the window would need {points} points, more than {MOST_POINTS}")
-    weights = kernel_weights(spacing, order)
-    profile = Profile(law, spacing, middle, np.empty(points), law.speed, np.empty(0))
-    u = np.ascontiguousarray(start(profile.xi))
-    u[middle] = profile.half
-    speed, history = np.array([law.speed]), np.empty(STEPS + 1)
-    step, status = newton.iterate(
-        law,
-        weights.hat,
-        weights.jump,
-        float(spacing),
-        middle,
-        profile.half,
-        tolerance,
-        u,
-        speed,
-        history,
+        return no_profile(
+            problem, f"the window would need {points} points, more than {MOST_POINTS}"
+        )
+    profile = Profile(problem, spacing, middle, np.empty(points), math.nan, np.empty(0))
+    unknowns = Unknowns(np.ascontiguousarray(start(profile.xi)), np.ones(1))
+    unknowns.s[middle] = 0.5
+    grid = make_grid(spacing, middle, kernel_weights(spacing, order))
+    history = np.empty(STEPS + 1)
+    tolerance *= problem.magnification
+    step, status = newton.iterate(problem, grid, tolerance, unknowns, history)
+    profile = profile._replace(
+        s=unknowns.s,
+        speed_defect=float(unknowns.speed[0]) - 1.0,
+        residuals=history[: step + 1],
     )
-    profile = profile._replace(u=u, speed=float(speed[0]), residuals=history[: step + 1])
     if status == newton.SETTLED:
         return profile
     return profile._replace(
@@ -293,15 +257,23 @@ def solve_on_grid(law, window, spacing, order, start, tolerance=TOLERANCE):
 
 def reason_against(profile):
     """Why a solution of the equations is not the front sought, in words; empty if it may be."""
-    residual = profile.residuals[-1]
-    if residual > RESIDUAL_TOLERANCE * (1.0 + profile.law.gamma):
+    problem, s, residual = profile.problem, profile.s, profile.residuals[-1]
+    rounding = problem.magnification
+    if residual > RESIDUAL_TOLERANCE * rounding * (1.0 + problem.damping_number):
         return f"the residual is {residual:.1e}, above round-off"
-    if abs(profile.speed_defect) > SPEED_TOLERANCE:
+    if abs(profile.speed_defect) > SPEED_TOLERANCE * rounding:
         return f"the speed is wrong by {profile.speed_defect:.1e}: this is not a front"
-    if profile.u[profile.middle + 1 :].max() >= profile.half:
-        return "u exceeds its value at xi = 0 ahead of it: another part of the wave is at xi = 0"
-    if profile.u.min() < profile.law.ahead - BELOW:
-        return f"u falls to {profile.u.min():.3g}, below the state ahead: this is another branch"
+    if s[profile.middle + 1 :].max() >= 0.5:
+        return "the front passes its value at xi = 0 again ahead: another part of it is at xi = 0"
+    if s.min() < -BELOW * rounding:
+        return (
+            f"the strain passes the state ahead by {-s.min():.3g} of the jump: this is another "
+            "branch"
+        )
+    if not problem.least < s.min() <= s.max() < problem.most:
+        return (
+            f"the front overshoots by {s.max() - 1.0:.3g} of the jump, out of the domain of the law"
+        )
     if needed_stretch(profile) != (1.0, 1.0):
         return "the ends of the window are not at rest: the tail decays more slowly than expected"
     return ""
@@ -309,20 +281,33 @@ def reason_against(profile):
 
 def needed_stretch(profile):
     """Factors by which the window is too short behind and ahead, 1.0 where it is not."""
-    behind = np.abs(profile.u[: 4 + profile.u.size // 200] - 1.0).max()
-    ahead = np.abs(profile.u[-4:] - profile.law.ahead).max()
-    return (1.2 if behind > AT_REST else 1.0), (1.3 if ahead > AT_REST else 1.0)
+    at_rest = AT_REST * profile.problem.magnification
+    behind = np.abs(profile.s[: 4 + profile.s.size // 200] - 1.0).max()
+    ahead = np.abs(profile.s[-4:]).max()
+    return (1.2 if behind > at_rest else 1.0), (1.3 if ahead > at_rest else 1.0)
 
 
 def quadrature_defect(profile):
     """Largest difference of the right-hand sides by rules of orders 20 and 16."""
-    fine, other = (kernel_weights(profile.spacing, order) for order in (ORDER, OTHER_ORDER))
-    more = (fine.hat.size - other.hat.size) // 2
-    hat, jump = fine.hat - np.pad(other.hat, more), fine.jump - np.pad(other.jump, more)
-    return newton.largest_convolution(profile.law, hat, jump, profile.u)
+    grid = make_grid(profile.spacing, profile.middle, differences_of_rules(profile.spacing, ORDER))
+    return newton.largest_convolution(profile.problem, grid, profile.s)
+
+
+@functools.cache
+def differences_of_rules(spacing, order):
+    """Weights of an order less those of order 16."""
+    rule, other = (kernel_weights(spacing, of) for of in (order, OTHER_ORDER))
+    more = (rule.hat.size - other.hat.size) // 2
+    return Weights(*(a - np.pad(b, more) for a, b in zip(rule, other, strict=True)))
+
+
+def make_grid(spacing, middle, weights):
+    """The grid as compiled code takes it."""
+    return Grid(float(spacing), middle, weights.hat, weights.jump)
 
 
 def expected_spacing(coarse):
     """Spacing at which the defect is expected to be at round-off."""
-    ratio = DEFECT / max(quadrature_defect(coarse), 1e-30)
+    allowed = DEFECT * coarse.problem.magnification
+    ratio = allowed / max(quadrature_defect(coarse), 1e-30)
     return rational(float(coarse.spacing) * min(max(ratio ** (1.0 / ASSUMED_POWER), 0.2), 2.0))

@@ -1,25 +1,27 @@
 r"""How much of the line, and how finely, a front has to be computed.
 
-Behind the front u − 1 decays like :math:`e^{\lambda\xi}` with the slowest root λ of the dispersion
-relation (`tails`), so that a window of `DECAY`/Re λ reaches down to round-off.  Ahead, for r = 0
-and β > 1, u falls doubly exponentially after a stretch that the long-wave front describes; for
-r > 0 or β = 1 the tail is the exponential :math:`e^{-\kappa\xi}`.  These lengths are estimates: the
-solution itself shows whether its ends are at rest (`profile.needed_stretch`).
+Tails.  Near either state :math:`s \sim e^{\lambda\xi}` with
 
-The grid.  A front with exponent α falls ahead by a factor that grows like a tower, and its sharpest
-part needs some (6 + 4.3α) points per site for the last digits; a wide front with small α − 1 needs
-fewer.  A solution on a coarse grid shows it: the difference of its convolutions by rules of two
-orders falls with the spacing like a known power.
+.. math:: \lambda^2 = (p' - \lambda q')\,(2\cosh\lambda - 2),
+
+the dispersion relation of `fronts.linear.tails` with α = p' and αg = q'.  Behind, a window of
+`DECAY`/Re λ with the slowest root reaches down to round-off.  Ahead the tail is the exponential
+:math:`e^{-\kappa\xi}`; where p' and q' vanish s falls doubly exponentially after a stretch that the
+long-wave front describes.  These lengths are estimates: the solution itself shows whether its ends
+are at rest (`solve.needed_stretch`).
+
+The grid.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α: there by a
+factor that grows like a tower, and the sharpest part needs some (6 + 4.3α) points per site for the
+last digits; a wide front with small α − 1 needs fewer.  A solution on a coarse grid shows it: the
+difference of its convolutions by rules of two orders falls with the spacing like a known power.
 """
 
 import math
 from fractions import Fraction
 from typing import NamedTuple
 
-import numpy as np
-
 from granular_fronts.fronts.linear.tails import lowest_roots_of_all, rate_of_tail_ahead
-from granular_fronts.fronts.profile.long_wave_front import continuum_front
+from granular_fronts.fronts.profile.long_wave_front import long_wave_front
 
 DECAY = 37.0
 """Natural logarithm of what is left of a tail at the end of the window."""
@@ -43,33 +45,29 @@ class Window(NamedTuple):
         return Window(self.behind * behind, self.ahead * ahead)
 
 
-def choose_window(law):
-    """Window of a law, from its tails."""
-    root = lowest_roots_of_all(
-        law.alpha / law.speed**2, law.beta * law.gamma * law.speed / law.alpha, 1
-    )[0]
-    return Window(DECAY / root.real, _length_ahead(law))
+def choose_window(problem):
+    """Window of a problem, from the tails of its front."""
+    root = lowest_roots_of_all(problem.behind.p_slope, problem.tail_damping, 1)[0]
+    return Window(DECAY / root.real, _length_ahead(problem))
 
 
-def _length_ahead(law):
-    xi, u = continuum_front(law, law.gamma)
-    long_wave = xi[min(np.searchsorted(law.ahead - u, -1e-17), xi.size - 1)]
-    dispersive = 12.5 / math.sqrt(12.0 * (1.0 - 1.0 / law.alpha))
-    return max(long_wave + dispersive, DECAY / rate_ahead(law))
+def _length_ahead(problem):
+    long_wave = long_wave_front(problem).xi[-1]
+    dispersive = 12.5 / math.sqrt(12.0 * (1.0 - 1.0 / problem.behind.p_slope))
+    return max(long_wave + dispersive, DECAY / rate_ahead(problem))
 
 
-def rate_ahead(law):
-    """κ of the tail ahead, u − r ~ e^(−κξ); infinite where u falls faster, r = 0 and β > 1."""
-    stiffness = law.alpha * law.ahead ** (law.alpha - 1.0)
-    viscosity = law.beta * law.ahead ** (law.beta - 1.0) * law.gamma * law.speed
+def rate_ahead(problem):
+    """κ of the tail ahead, s ~ e^(−κξ); infinite where s falls faster, p'(0) = q'(0) = 0."""
+    stiffness, viscosity = problem.ahead.p_slope, problem.damping * problem.ahead.q_slope
     if stiffness == viscosity == 0.0:
         return math.inf
-    return rate_of_tail_ahead(stiffness, viscosity, law.speed)
+    return rate_of_tail_ahead(stiffness, viscosity, 1.0)
 
 
-def coarse_spacing(law, window):
+def coarse_spacing(problem, window):
     """Spacing of the first grid: a third of the points of a sharp front, and not too many."""
-    per_site = 2.0 + 1.6 * law.alpha
+    per_site = 2.0 + 1.6 * problem.behind.p_slope
     return rational(max(1.0 / per_site, window.length / POINTS_COARSE))
 
 

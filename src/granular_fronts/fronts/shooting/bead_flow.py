@@ -7,7 +7,7 @@ Equations.  A window holds the contacts n = 1 … M of a chain in strain form,
     \dot u_n = d_n + \gamma\,(\Delta_d u_+^\beta)_n, \qquad
     \dot d_n = (\Delta_d u_+^\alpha)_n ,
 
-with a rear contact :math:`u_0(t)` that is prescribed, and :math:`u_{M+1} = 0` ahead.
+with a driven contact :math:`u_0(t)` behind, which is prescribed, and :math:`u_{M+1} = 0` ahead.
 
 Discretisation.  S equal steps h of the eighth-order method of `numerics.runge_kutta`,
 in its strain form
@@ -43,9 +43,9 @@ Arrays run over n = 0 … M + 1, so that an index is the number of the contact i
 from typing import NamedTuple
 
 import numpy as np
+from numba import int64
 
-from granular_fronts.chain.state import HERTZ, PAIR
-from granular_fronts.chain.strain import NEGLIGIBLE
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.interrupts import interrupted
@@ -55,6 +55,14 @@ _CONTRACT = {"contract"}
 WHOLE_STEP = rk.NEW_SLOPE
 FORGOTTEN = 1.0e-15
 WIDEST_SPREAD = 150
+
+
+class PowerLaw(NamedTuple):
+    """Contact law (28) in the frame δ = c = 1: exponents of both forces, and the damping."""
+
+    alpha: float
+    beta: float
+    gamma: float
 
 
 class Weights(NamedTuple):
@@ -79,12 +87,38 @@ class Stiffness(NamedTuple):
     damping: np.ndarray
 
 
+class Stages(NamedTuple):
+    """What a step computes with: slopes of all stages, one stage value, and its forces.
+
+    Attributes
+    ----------
+    k, g : ndarray, shape (12, M + 2)
+        Laplacians of the elastic and of the viscous force; one array where β = α.
+    value, force : ndarray, shape (M + 2,)
+    """
+
+    k: np.ndarray
+    g: np.ndarray
+    value: np.ndarray
+    force: np.ndarray
+
+
+@kernel
+def make_stages(law, columns):
+    """Slopes and forces of nothing, for M + 2 columns."""
+    k = np.zeros((rk.STAGES, columns))
+    g = np.zeros((rk.STAGES, columns)) if law.alpha != law.beta else k
+    return Stages(k, g, np.zeros(columns), np.zeros(columns))
+
+
 def make_weights(law, h):
     """Weights of a step h for a law."""
     rows = slice(0, rk.STAGES + 1)
     a, a_squared = rk.A[rows, : rk.STAGES], rk.A_SQUARED[rows, : rk.STAGES]
     on_k, on_g = h * h * a_squared, h * law.gamma * a
-    return Weights(h, on_k, on_g) if law.kind == PAIR else Weights(h, on_k + on_g, 0.0 * on_g)
+    if law.alpha == law.beta:
+        return Weights(h, on_k + on_g, 0.0 * on_g)
+    return Weights(h, on_k, on_g)
 
 
 def stage_times(duration, steps):
@@ -95,23 +129,23 @@ def stage_times(duration, steps):
 def make_stiffness(law, steps, columns):
     """Room for the stiffnesses of a flow; one array serves both where β = α."""
     elastic = np.zeros((steps, rk.STAGES, columns))
-    return Stiffness(elastic, elastic.copy() if law.kind == PAIR else elastic)
+    return Stiffness(elastic, elastic.copy() if law.alpha != law.beta else elastic)
 
 
 @kernel(fastmath=_CONTRACT)
-def gather(d, weights, row, c, pair, k, g, value):
-    """Write U − u of a stage, or of the end of the step, into `value`."""
-    last = d.size - 1
+def gather(d, weights, row, c, stages):
+    """Write U − u of a stage, or of the end of the step, into the stage value."""
+    value, last = stages.value, d.size - 1
     for n in range(1, last):
         value[n] = c * weights.h * d[n]
     for j in range(min(row, rk.STAGES)):
         on_k, on_g = weights.on_k[row, j], weights.on_g[row, j]
         if on_k != 0.0:
             for n in range(1, last):
-                value[n] += on_k * k[j, n]
-        if pair and on_g != 0.0:
+                value[n] += on_k * stages.k[j, n]
+        if on_g != 0.0:
             for n in range(1, last):
-                value[n] += on_g * g[j, n]
+                value[n] += on_g * stages.g[j, n]
 
 
 @kernel(fastmath=_CONTRACT)
@@ -143,11 +177,11 @@ def add(change, to):
 
 
 @kernel(fastmath=_CONTRACT)
-def forces(law, exponent, u, force, stiffness):
-    """Contact forces and their derivatives."""
+def forces(exponent, u, force, stiffness):
+    """Contact forces u₊^exponent and their derivatives."""
     for n in range(u.size - 1):
         compression = u[n] if u[n] > NEGLIGIBLE else 0.0
-        if law.kind == HERTZ:
+        if exponent == 1.5:
             root = np.sqrt(compression)
             force[n] = compression * root
             stiffness[n] = 1.5 * root
@@ -157,7 +191,7 @@ def forces(law, exponent, u, force, stiffness):
 
 
 @kernel(fastmath=_CONTRACT)
-def flow(law, weights, rear, u, d, stiffness):
+def flow(law, weights, driver, u, d, stiffness):
     """Change of a window in the time of all steps, and the stiffnesses on the way.
 
     The change is summed apart from the state, so that it is not rounded to the last digit of 1 in
@@ -165,9 +199,9 @@ def flow(law, weights, rear, u, d, stiffness):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : PowerLaw
     weights : Weights
-    rear : ndarray, shape (steps, 12)
+    driver : ndarray, shape (steps, 12)
         u_0 at the times of all stages.
     u, d : ndarray, shape (M + 2,)
         State at the start.
@@ -179,50 +213,46 @@ def flow(law, weights, rear, u, d, stiffness):
     ndarray, shape (2, M + 2)
         Changes of u and d.
     """
-    pair = law.kind == PAIR
     change, d_now = np.zeros((2, u.size)), d.copy()
-    k, value, force = np.zeros((rk.STAGES, u.size)), np.zeros(u.size), np.zeros(u.size)
-    g = np.zeros((rk.STAGES, u.size)) if pair else k
-    for step in range(rear.shape[0]):
+    stages = make_stages(law, u.size)
+    value, force = stages.value, stages.force
+    for step in range(driver.shape[0]):
         for row in range(rk.STAGES):
-            gather(d_now, weights, row, rk.C[row], pair, k, g, value)
-            value[0] = rear[step, row]
+            gather(d_now, weights, row, rk.C[row], stages)
+            value[0] = driver[step, row]
             add(change[0], value)
             add(u, value)
-            forces(law, law.alpha, value, force, stiffness.elastic[step, row])
-            laplacian(force, k[row])
-            if pair:
-                forces(law, law.beta, value, force, stiffness.damping[step, row])
-                laplacian(force, g[row])
-        gather(d_now, weights, WHOLE_STEP, 1.0, pair, k, g, value)
+            forces(law.alpha, value, force, stiffness.elastic[step, row])
+            laplacian(force, stages.k[row])
+            if law.alpha != law.beta:
+                forces(law.beta, value, force, stiffness.damping[step, row])
+                laplacian(force, stages.g[row])
+        gather(d_now, weights, int64(WHOLE_STEP), 1.0, stages)
         add(value, change[0])
-        add_slopes(weights, k, value, change[1])
+        add_slopes(weights, stages.k, value, change[1])
         d_now[:] = d + change[1]
     return change
 
 
 @kernel(fastmath=_CONTRACT)
-def push(law, weights, rear, stiffness, u, d, k, g, value, force):
-    """Move a perturbation (u, d) of the window, and `rear` of its driver, in place.
-
-    The other arguments are room for slopes, stage values and forces.
-    """
-    pair = law.kind == PAIR
-    for step in range(rear.shape[0]):
+def push(law, weights, driver, stiffness, u, d, stages):
+    """Move a perturbation (u, d) of the window, and `driver` of its driven contact, in place."""
+    value, force = stages.value, stages.force
+    for step in range(driver.shape[0]):
         for row in range(rk.STAGES):
-            gather(d, weights, row, rk.C[row], pair, k, g, value)
+            gather(d, weights, row, rk.C[row], stages)
             add(u, value)
-            value[0] = rear[step, row]
+            value[0] = driver[step, row]
             for n in range(u.size - 1):
                 force[n] = stiffness.elastic[step, row, n] * value[n]
-            laplacian(force, k[row])
-            if pair:
+            laplacian(force, stages.k[row])
+            if law.alpha != law.beta:
                 for n in range(u.size - 1):
                     force[n] = stiffness.damping[step, row, n] * value[n]
-                laplacian(force, g[row])
-        gather(d, weights, WHOLE_STEP, 1.0, pair, k, g, value)
+                laplacian(force, stages.g[row])
+        gather(d, weights, int64(WHOLE_STEP), 1.0, stages)
         add(value, u)
-        add_slopes(weights, k, value, d)
+        add_slopes(weights, stages.k, value, d)
 
 
 @kernel
@@ -242,15 +272,13 @@ def derivative(law, weights, stiffness, spread):
     """
     steps, _, columns = stiffness.elastic.shape
     stride, last = 2 * spread + 1, columns - 2
-    band = np.zeros((columns, stride, 2, 2))
-    k, value, force = np.zeros((rk.STAGES, columns)), np.zeros(columns), np.zeros(columns)
-    g = np.zeros((rk.STAGES, columns)) if law.kind == PAIR else k
-    rear, moved = np.zeros((steps, rk.STAGES)), np.zeros((2, columns))
+    band, stages = np.zeros((columns, stride, 2, 2)), make_stages(law, columns)
+    driver, moved = np.zeros((steps, rk.STAGES)), np.zeros((2, columns))
     for colour in range(min(stride, last)):
         for j in range(2):
             moved[:] = 0.0
             moved[j, 1 + colour : last + 1 : stride] = 1.0
-            push(law, weights, rear, stiffness, moved[0], moved[1], k, g, value, force)
+            push(law, weights, driver, stiffness, moved[0], moved[1], stages)
             for start in range(1 + colour, last + 1, stride):
                 for n in range(max(1, start - spread), min(last, start + spread) + 1):
                     band[n, start - n + spread, 0, j] = moved[0, n]
@@ -261,23 +289,21 @@ def derivative(law, weights, stiffness, spread):
 
 
 @kernel
-def derivative_by_rear(law, weights, rear, stiffness):
+def derivative_by_driver(law, weights, driver, stiffness):
     """Derivative of the flow by a change of the driver.
 
     Parameters
     ----------
-    rear : ndarray, shape (changes, steps, 12)
+    driver : ndarray, shape (changes, steps, 12)
 
     Returns
     -------
     ndarray, shape (changes, 2, M + 2)
     """
     columns = stiffness.elastic.shape[2]
-    k, value, force = np.zeros((rk.STAGES, columns)), np.zeros(columns), np.zeros(columns)
-    g = np.zeros((rk.STAGES, columns)) if law.kind == PAIR else k
-    moved = np.zeros((rear.shape[0], 2, columns))
-    for i in range(rear.shape[0]):
-        push(law, weights, rear[i], stiffness, moved[i, 0], moved[i, 1], k, g, value, force)
+    stages, moved = make_stages(law, columns), np.zeros((driver.shape[0], 2, columns))
+    for i in range(driver.shape[0]):
+        push(law, weights, driver[i], stiffness, moved[i, 0], moved[i, 1], stages)
     return moved
 
 
@@ -286,7 +312,7 @@ def spread_of(law, steps, compression):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : PowerLaw
     steps : int
     compression : float
         Uniform u, at least the largest of the window in question.
@@ -309,10 +335,9 @@ def spread_of(law, steps, compression):
 def contact_column(law, weights, stiffness, contact):
     """What one contact, moved in u and then in d, does to all: shape (4, M + 2), absolute."""
     steps, _, columns = stiffness.elastic.shape
-    k, value, force = np.zeros((rk.STAGES, columns)), np.zeros(columns), np.zeros(columns)
-    g = np.zeros((rk.STAGES, columns)) if law.kind == PAIR else k
-    rear, moved = np.zeros((steps, rk.STAGES)), np.zeros((4, columns))
+    stages = make_stages(law, columns)
+    driver, moved = np.zeros((steps, rk.STAGES)), np.zeros((4, columns))
     for j in range(2):
         moved[3 * j, contact] = 1.0
-        push(law, weights, rear, stiffness, moved[2 * j], moved[2 * j + 1], k, g, value, force)
+        push(law, weights, driver, stiffness, moved[2 * j], moved[2 * j + 1], stages)
     return np.abs(moved)

@@ -7,9 +7,9 @@ shifted by one contact,
 .. math:: \Phi(u, d)_n = (u, d)_{n-1}, \qquad n = 1 \dots M + 1 .
 
 Ahead, contact M + 1 is untouched before and after.  Behind, contact 0 moves in the modes of the
-tail (`rear`), :math:`(u, d)_0 = (1, 0) + \sum_k a_k (u, d)^{(k)}`, and the modes are tied to the
-state of the first contacts, where :math:`(u, d)_n` equals the same sum, n = 1 … 4.  The phase is
-fixed by u = 1/2 at the `centre`.
+tail (`tail_closure`), :math:`(u, d)_0 = (1, 0) + \sum_k a_k (u, d)^{(k)}`, and the modes are tied
+to the state of the first contacts, where :math:`(u, d)_n` equals the same sum, n = 1 … 4.  The
+phase is fixed by the phase condition u = 1/2 at the `centre`.
 
 Unknowns are the amplitudes a, then u and d of every contact.  There are 2 (M + 1) + 8 + 1 equations
 for 2 M unknowns and the few amplitudes.  They can all hold, since 1 is the speed that the jump
@@ -21,8 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain.state import Law
 from granular_fronts.fronts.shooting import bead_flow, tail_closure
+from granular_fronts.fronts.shooting.bead_flow import PowerLaw
 from granular_fronts.numerics.banded_qr import band_storage
 from granular_fronts.numerics.compiled import kernel
 
@@ -35,18 +35,18 @@ class Window(NamedTuple):
 
     Attributes
     ----------
-    law : chain.state.Law
+    law : bead_flow.PowerLaw
     contacts : int
         Number M of contacts in the window.
     centre : int
         Contact, counted from 1, where u = 1/2.
     steps, spread : int
-        Runge-Kutta steps per bead-time, and reach of influence (`bead_map`).
+        Runge-Kutta steps per bead-time, and contacts that influence crosses in it (`bead_flow`).
     roots : ndarray of complex
         Roots of the tail that close the window behind.
     """
 
-    law: Law
+    law: PowerLaw
     contacts: int
     centre: int
     steps: int
@@ -148,12 +148,15 @@ def jacobian(window, stiffness):
     weights = bead_flow.make_weights(window.law, 1.0 / window.steps)
     driver = driver_modes(window, bead_flow.stage_times(1.0, window.steps))
     band = bead_flow.derivative(window.law, weights, stiffness, window.spread)
-    by_rear = bead_flow.derivative_by_rear(window.law, weights, driver, stiffness)
+    by_driver = bead_flow.derivative_by_driver(
+        window.law, weights, np.ascontiguousarray(driver), stiffness
+    )
     lower = 2 * (TIED_CONTACTS + window.spread) + 2
     upper = len(driver) + 2 * window.spread + 1
     rows = band_storage(2 * (TIED_CONTACTS + window.contacts + 1) + 1, lower, upper)
     place = phase_row(window)
-    _assemble(rows, lower, place, window.centre, band, by_rear, tail_modes(window))
+    tail = np.ascontiguousarray(tail_modes(window))
+    _assemble(rows, lower, place, window.centre, band, by_driver, tail)
     return rows, lower
 
 
@@ -163,9 +166,9 @@ def phase_row(window):
 
 
 @kernel
-def _assemble(rows, lower, phase_row, centre, band, by_rear, tail):
+def _assemble(rows, lower, phase_row, centre, band, by_driver, tail):
     """Fill the band; column m − 2 + 2 n + i holds component i of contact n after m modes."""
-    modes, spread, last = by_rear.shape[0], band.shape[1] // 2, band.shape[0] - 2
+    modes, spread, last = by_driver.shape[0], band.shape[1] // 2, band.shape[0] - 2
     tied = tail.shape[1] - 1
     rows[phase_row, modes - 2 + 2 * centre - phase_row + lower] = 1.0
     for row in range(2 * tied):
@@ -190,4 +193,4 @@ def _assemble(rows, lower, phase_row, centre, band, by_rear, tail):
                         rows[row, modes - 2 + 2 * start + j + shift] += band[n, o, i, j]
         if n <= spread:
             for mode in range(modes):
-                rows[row, mode + shift] += by_rear[mode, i, n]
+                rows[row, mode + shift] += by_driver[mode, i, n]

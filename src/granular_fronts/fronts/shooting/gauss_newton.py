@@ -4,7 +4,7 @@ With r the residuals and J their derivative by the unknowns x, a step solves
 
 .. math:: \min_{\delta x} \| J\,\delta x + r \|_2
 
-by reflections (`banded_qr`), J being the exact derivative of the computed flow (`bead_map`).  The
+by reflections (`banded_qr`), J being the exact derivative of the computed flow (`bead_flow`).  The
 step is halved until the sum of squares falls.  There are more equations than unknowns, but all of
 them hold at a front: r = 0 there, and convergence is quadratic.  A minimum where some equation does
 not hold is no front, and is reported as a failure.
@@ -76,7 +76,7 @@ def descend(window, unknowns, tolerance):
     Descent
     """
     rows, stiffness = equations.residual(window, unknowns)
-    residuals, step_sizes, flows = [_largest(rows)], [], 1
+    residuals, step_sizes, flows = [largest(rows)], [], 1
     reason = f"not settled after {MOST_STEPS} Gauss-Newton steps"
     while len(step_sizes) < MOST_STEPS:
         matrix, lower = equations.jacobian(window, stiffness)
@@ -90,8 +90,8 @@ def descend(window, unknowns, tolerance):
             )
             break
         unknowns, rows, stiffness = attempt.unknowns, attempt.rows, attempt.stiffness
-        residuals.append(_largest(rows))
-        step_sizes.append(attempt.fraction * _largest(step))
+        residuals.append(largest(rows))
+        step_sizes.append(attempt.fraction * largest(step))
         if residuals[-1] <= tolerance and step_sizes[-1] <= SETTLED:
             reason = ""
             break
@@ -105,7 +105,7 @@ def _damped(window, unknowns, step, norm, tolerance):
         trial = _move(window, unknowns, fraction * step)
         rows, stiffness = equations.residual(window, trial)
         flows += 1
-        if _norm(rows) < norm or _largest(rows) <= tolerance:
+        if _norm(rows) < norm or largest(rows) <= tolerance:
             return Attempt(fraction, trial, rows, stiffness, flows)
         fraction *= 0.5
     return Attempt(0.0, unknowns, rows, stiffness, flows)
@@ -125,7 +125,8 @@ def _move(window, unknowns, step):
     return moved
 
 
-def _largest(values):
+def largest(values):
+    """Largest absolute value."""
     return float(np.abs(values).max())
 
 

@@ -30,7 +30,7 @@ P_FIRST, P_LAST, P_POINTS = 1.0e-17, 45.0, 2000
 ORBIT_END = 600.0
 
 
-class Seed(NamedTuple):
+class Guess(NamedTuple):
     """A state of a chain near a front of δ = c = 1.
 
     Attributes
@@ -46,7 +46,7 @@ class Seed(NamedTuple):
     strain_rate: np.ndarray
 
 
-def continuum_seed(alpha, gamma, beta, bead):
+def continuum_guess(alpha, gamma, beta, bead):
     """The front of section 4 or 5 at the given consecutive beads.
 
     Parameters
@@ -57,7 +57,7 @@ def continuum_seed(alpha, gamma, beta, bead):
 
     Returns
     -------
-    Seed
+    Guess
     """
     epsilon = math.sqrt(1.0 - 1.0 / alpha)
     mu = 2.0 * math.sqrt(3.0) * beta * gamma / (alpha * epsilon)
@@ -66,7 +66,7 @@ def continuum_seed(alpha, gamma, beta, bead):
         u, slope = _heteroclinic(alpha, mu, 2.0 * math.sqrt(3.0) * epsilon, around)
     else:
         u, slope = _overdamped(alpha, gamma, beta, around)
-    return Seed(bead, u[1:-1], -slope[1:-1] - gamma * np.diff(u**beta, 2))
+    return Guess(bead, u[1:-1], -slope[1:-1] - gamma * np.diff(u**beta, 2))
 
 
 def overdamped_length(alpha, gamma, beta):
@@ -74,7 +74,7 @@ def overdamped_length(alpha, gamma, beta):
     return float(_overdamped_xi(alpha, gamma, beta)[1][-1])
 
 
-def chain_seed(relative_displacement, velocity, delta, alpha, gamma, beta=None):
+def chain_guess(relative_displacement, velocity, delta, alpha, gamma, beta=None):
     """The front in one snapshot of a driven chain.
 
     Parameters
@@ -90,7 +90,7 @@ def chain_seed(relative_displacement, velocity, delta, alpha, gamma, beta=None):
 
     Returns
     -------
-    Seed
+    Guess
     """
     beta = alpha if beta is None else beta
     gamma = gamma * delta ** (beta - 0.5 * (alpha + 1.0))
@@ -98,15 +98,15 @@ def chain_seed(relative_displacement, velocity, delta, alpha, gamma, beta=None):
     velocity = np.asarray(velocity, dtype=float) / delta ** (0.5 * (alpha + 1.0))
     w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)
     front = int(np.flatnonzero(u > 0.5)[-1])
-    return Seed(np.arange(1, u.size - 1) - front, u[1:-1], -np.diff(w))
+    return Guess(np.arange(1, u.size - 1) - front, u[1:-1], -np.diff(w))
 
 
-def fit(seed, bead):
-    """State of shape (beads, 2) at the given beads: 1 behind the seed, 0 ahead of it."""
+def fit(guess, bead):
+    """State of shape (beads, 2) at the given beads: 1 behind the guess, 0 ahead of it."""
     state = np.zeros((bead.size, 2))
-    state[bead < seed.bead[0], 0] = 1.0
-    _, place, origin = np.intersect1d(bead, seed.bead, return_indices=True)
-    state[place] = np.column_stack([seed.relative_displacement, seed.strain_rate])[origin]
+    state[bead < guess.bead[0], 0] = 1.0
+    _, place, origin = np.intersect1d(bead, guess.bead, return_indices=True)
+    state[place] = np.column_stack([guess.relative_displacement, guess.strain_rate])[origin]
     return state
 
 

@@ -3,8 +3,9 @@ r"""A front by shooting as a function of ξ: between its contacts, and in the ta
 Between.  While a window flows, contact n passes through all of the front between n and n − 1,
 :math:`u_n(t) = U(n - t)`, exact to the integrator.
 
-Behind.  The window ends where the tail is a sum of modes to round-off (`rear`), with amplitudes
-that the shot has found.  A mode of u that goes like :math:`e^{\lambda\xi}` has the velocity
+Behind.  The window ends where the tail is a sum of modes to round-off (`tail_closure`), with
+amplitudes that the shot has found.  A mode of u that goes like :math:`e^{\lambda\xi}` has the
+velocity
 
 .. math:: \dot x - 1 = \frac{\lambda}{e^{\lambda} - 1}\, e^{\lambda\xi},
 

@@ -1,14 +1,15 @@
 r"""Exact fronts by shooting, James (2021), section 6.
 
-A front of δ = c = 1 solves the over-determined `front_equations`: the flow of a window over one
+A front of δ = c = 1 solves the over-determined `equations`: the flow of a window over one
 bead-time, shifted back by one contact, returns the window.
 
-The system is solved by `gauss_newton` from one of the `seeds`, in a window chosen by `reach`.  That
-u is below `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is checked.
+The system is solved by `gauss_newton` from an `initial_guess`, in a window chosen by `window_size`.
+That u is below `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is
+checked.
 
 Accuracy.  The residual falls to a few units of the last digit.  For α near 1 one combination of the
-equations, the conserved sums over the window, hardly depends on u, and `bead_map` takes care of the
-rounding in it: the front is found to 1e-12 from α = 1.02 on.
+equations, the conserved sums over the window, hardly depends on u, and `bead_flow` takes care of
+the rounding in it: the front is found to 1e-12 from α = 1.02 on.
 
 Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
 steps are doubled and the solve goes on.
@@ -23,11 +24,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain.state import make_law
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess, tail_closure
+from granular_fronts.fronts.shooting.bead_flow import PowerLaw
 from granular_fronts.fronts.shooting.equations import Window, join, split
-from granular_fronts.fronts.shooting.gauss_newton import descend
+from granular_fronts.fronts.shooting.gauss_newton import descend, largest
 from granular_fronts.fronts.shooting.window_size import check_window, choose_beads, missing_beads
 from granular_fronts.fronts.validation import check_law
 
@@ -91,9 +92,9 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
         β ≥ 1, α by default.
     beads : pair of int, optional
         Beads behind and ahead of bead 0; by default as many as the tails need.
-    guess : Seed or Shot, optional
-        Start of the iteration; by default the continuum front of `seeds`, and where that fails the
-        front of a stronger damping.
+    guess : initial_guess.Guess or Shot, optional
+        Start of the iteration; by default a continuum front, and where that fails the front of a
+        stronger damping.
     tolerance : float, optional
         Largest residual of any equation.
 
@@ -110,7 +111,7 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
         If the front would need too many beads or steps.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
-    law = make_law(alpha, beta, gamma)
+    law = PowerLaw(alpha, beta, gamma)
     _check_steps(law)
     roots = tail_closure.slow_roots(law.alpha, law.gamma, law.beta)
     behind, ahead = choose_beads(law, roots) if beads is None else check_window(roots, *beads)
@@ -141,8 +142,8 @@ def _shoot_in_window(law, roots, bead, guess, tolerance):
     steps = max(FEWEST_STEPS, math.ceil(_decay(law) / LARGEST_DECAY_PER_STEP))
     if guess is not None:
         return _shoot(law, roots, bead, guess, steps, tolerance)
-    seed = initial_guess.continuum_seed(law.alpha, law.gamma, law.beta, bead)
-    shot = _shoot(law, roots, bead, seed, steps, tolerance)
+    start = initial_guess.continuum_guess(law.alpha, law.gamma, law.beta, bead)
+    shot = _shoot(law, roots, bead, start, steps, tolerance)
     if shot.converged or law.gamma >= WEAK_DAMPING:
         return shot
     stronger = shoot_front(law.alpha, CONTINUATION * law.gamma, law.beta, tolerance=tolerance)
@@ -194,8 +195,8 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
     unknowns = join(np.zeros(equations.count_modes(roots)), state)
     residuals, step_sizes, evaluations = [], [], 0
     while True:
-        largest = max(1.0, float(state[:, 0].max()))
-        spread = bead_flow.spread_of(law, steps, largest)
+        compression = max(1.0, float(state[:, 0].max()))
+        spread = bead_flow.spread_of(law, steps, compression)
         window = Window(law, bead.size, int(1 - bead[0]), steps, spread, roots)
         descent = descend(window, unknowns, tolerance)
         unknowns = descent.unknowns
@@ -235,7 +236,7 @@ def _flow_error(window, unknowns):
     """Change of the flow over a bead-time when its steps are doubled."""
     finer = window._replace(steps=2 * window.steps)
     changes = [equations.flow(each, unknowns)[0] for each in (window, finer)]
-    return _largest(changes[0] - changes[1])
+    return largest(changes[0] - changes[1])
 
 
 def _reason_against(bead, state, flow_error):
@@ -261,7 +262,3 @@ def bead_velocities(window, amplitudes, state, time):
     u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
     w = np.cumsum(state[::-1, 1])[::-1]
     return w - law.gamma * np.diff(np.maximum(u, 0.0) ** law.beta)
-
-
-def _largest(values):
-    return float(np.abs(values).max())

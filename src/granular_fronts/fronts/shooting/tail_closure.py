@@ -72,10 +72,10 @@ def modes(law, roots, xi):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : bead_flow.PowerLaw
     roots : ndarray of complex, shape (roots,)
     xi : array_like
-        Distances from the rear contact.
+        Distances from the driven contact.
 
     Returns
     -------

@@ -1,12 +1,12 @@
 r"""How many beads behind and ahead of its centre a front needs in double precision.
 
 Behind, a window may end where the squares of the slowest modes of the tail are lost in rounding,
-:math:`19.2/\operatorname{Re}\lambda` beads from the centre (`rear`): half as many as the modes
-themselves would need.
+:math:`19.2/\operatorname{Re}\lambda` beads from the centre (`tail_closure`): half as many as the
+modes themselves would need.
 
 Ahead u falls super-exponentially.  For β > 1, :math:`p = -\ln u` grows at least by the factor
-min(α, β) from bead to bead once the overdamped front of `seeds` has come to its end; for β = 1,
-:math:`u \sim e^{-\kappa\xi}` with :math:`\kappa = 4\gamma\sinh^2(\kappa/2)`.
+min(α, β) from bead to bead once the overdamped front of `initial_guess` has come to its end; for β
+= 1, :math:`u \sim e^{-\kappa\xi}` with :math:`\kappa = 4\gamma\sinh^2(\kappa/2)`.
 """
 
 import math
@@ -29,7 +29,7 @@ def choose_beads(law, roots):
 
     Parameters
     ----------
-    law : chain.state.Law
+    law : bead_flow.PowerLaw
     roots : ndarray of complex
         Roots of the tail, the slowest first.
 

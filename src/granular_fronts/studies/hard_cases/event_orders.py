@@ -76,9 +76,9 @@ def blind(form, gap, steps):
     """Steps and parting velocity of a plain form with fixed steps."""
     run = prepare(collision(LAW, gap))
     u, velocity = np.array([-gap, 0.0]), np.array([1.0, 0.0])
-    y, ends = position_forms.pack(form, run.law, run.boundary, u, velocity)
-    y = position_forms.integrate_fixed(form, run.law, ends, y, END_TIME / steps, steps)
-    _, velocity = position_forms.unpack(form, run.law, run.boundary, ends, y)
+    system, y = position_forms.pack(form, run.law, run.boundary, u, velocity)
+    y = position_forms.integrate_fixed(system, y, END_TIME / steps, steps)
+    _, velocity = position_forms.unpack(system, y)
     return steps, velocity[1] - velocity[0]
 
 

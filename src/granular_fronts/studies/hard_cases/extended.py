@@ -21,11 +21,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.accuracy import with_refinement
 from granular_fronts.errors import SolveError
 
 REAL = np.longdouble
-SEQUENCES = ((2, 4, 6, 8, 12, 16, 24, 32), (2, 4, 6, 8, 10, 12, 14))
-TOLERANCES = (REAL("1e-17"), REAL("1e-16"))
+SEQUENCE, OTHER_SEQUENCE = (2, 4, 6, 8, 12, 16, 24, 32), (2, 4, 6, 8, 10, 12, 14)
+TOLERANCE, OTHER_TOLERANCE = REAL("1e-17"), REAL("1e-16")
 FEWEST_COLUMNS = 4
 FIRST_STEP = REAL("1e-4")
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 2.0
@@ -72,9 +73,10 @@ def reference_state(motion, end_time):
             f"numpy.longdouble has a significand of {np.finfo(REAL).nmant + 1} bits here and 64 "
             "are needed for a reference: measure the hard cases on an x86-64 machine."
         )
-    kept, other = (
-        _integrate(motion, REAL(end_time), sequence, tolerance)
-        for sequence, tolerance in zip(SEQUENCES, TOLERANCES, strict=True)
+    kept, other = with_refinement(
+        lambda resolution: _integrate(motion, REAL(end_time), *resolution),
+        (SEQUENCE, TOLERANCE),
+        (OTHER_SEQUENCE, OTHER_TOLERANCE),
     )
     error = max(float(np.abs(a - b).max()) for a, b in zip(kept, other, strict=True))
     return Reference(*(part.astype(float) for part in kept), error)

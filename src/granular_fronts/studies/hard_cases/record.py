@@ -1,4 +1,4 @@
-"""What a hard case tells, and when it has passed."""
+"""The record of a hard case, and when it has passed."""
 
 from typing import NamedTuple
 

@@ -38,9 +38,9 @@ def test_ring_starts_as_the_paper_says():
 def test_chain_and_equations_start_alike(compared):
     start = compared.sel(t=0.0)
     for name in ("logarithmic", "unlimited", "upwind"):
-        told = start[f"relative_displacement_{name}"].sel(site=start["bead"].values)
+        equation = start[f"relative_displacement_{name}"].sel(site=start["bead"].values)
         near = 1.0e-12 if name != "upwind" else 0.01
-        np.testing.assert_allclose(told, start["relative_displacement"], atol=near)
+        np.testing.assert_allclose(equation, start["relative_displacement"], atol=near)
 
 
 def test_solvers_contribute_far_less_than_the_model(compared):
@@ -55,10 +55,10 @@ def test_solvers_contribute_far_less_than_the_model(compared):
 
 def test_shock_runs_at_the_speed_of_the_front(compared):
     """The speed of a front into an uncompressed chain is c, eq. (21)."""
-    chain, told = measures.shock_speed(compared), measures.shock_speed_equation(compared)
+    chain, equation = measures.shock_speed(compared), measures.shock_speed_equation(compared)
     front = 5.0**0.05
     assert chain.value == pytest.approx(front, abs=0.02)
-    assert told.value == pytest.approx(front, abs=0.02)
+    assert equation.value == pytest.approx(front, abs=0.02)
     assert abs(measures.shock_lead(compared).value) < 1.0
 
 

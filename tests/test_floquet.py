@@ -1,4 +1,4 @@
-"""Multipliers of flow-then-shift: translation, sound waves, and fronts of the chain itself."""
+"""Floquet multipliers of fronts: translation, sound waves, and fronts of the chain itself."""
 
 import functools
 
@@ -12,9 +12,9 @@ from granular_fronts.errors import InputError
 from granular_fronts.fronts.linear.floquet import (
     compressed_chain_multipliers,
     front_multipliers,
+    monodromy_matrix,
     multipliers,
     reflection_radius,
-    return_matrix,
 )
 from granular_fronts.fronts.shooting.sampling import sample_window
 from granular_fronts.fronts.shooting.solve import shoot_front
@@ -61,12 +61,12 @@ def test_translation_is_an_eigenvector_at_one(alpha, gamma, beta):
     front = shot(alpha, gamma, beta, 2)
     state = front.relative_displacement, front.strain_rate
     mode = translation_mode(front)
-    defect = return_matrix(*state, alpha, gamma, beta) @ mode - mode
+    defect = monodromy_matrix(*state, alpha, gamma, beta) @ mode - mode
     assert np.abs(defect).max() < 1.0e-9 * np.abs(mode).max()
 
 
 @by_law
-def test_return_matrix_is_the_derivative_of_flow_then_shift(alpha, gamma, beta):
+def test_monodromy_matrix_is_the_derivative_of_flow_then_shift(alpha, gamma, beta):
     """Differences of the nonlinear flow, by the chain engine itself with pressure behind."""
     front = shot(alpha, gamma, beta)
     beads = front.bead.size
@@ -75,7 +75,7 @@ def test_return_matrix_is_the_derivative_of_flow_then_shift(alpha, gamma, beta):
     kick[:, front.relative_displacement < 1.0e-3] = 0.0
     after = [one_bead_time(front, sign * kick) for sign in (1.0, -1.0)]
     difference = 0.5 * (after[0] - after[1])[:, 1 : beads + 1]
-    matrix = return_matrix(front.relative_displacement, front.strain_rate, alpha, gamma, beta)
+    matrix = monodromy_matrix(front.relative_displacement, front.strain_rate, alpha, gamma, beta)
     product = (matrix @ kick.T.ravel()).reshape(-1, 2).T
     np.testing.assert_allclose(difference, product, atol=1.0e-11)
 
@@ -126,10 +126,10 @@ def test_front_is_stable(alpha, gamma, beta):
 @pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG, (3.0, 0.1)])
 def test_translation_defect_falls_with_the_window(alpha, gamma):
     front = front_dataset(alpha, gamma, alpha, 2)
-    reach = -int(shot(alpha, gamma, alpha).bead[0])
+    length = -int(shot(alpha, gamma, alpha).bead[0])
     defects = [
         front_multipliers(front, beads_behind=b).attrs["translation_defect"]
-        for b in (reach // 2, reach, 2 * reach - 2)
+        for b in (length // 2, length, 2 * length - 2)
     ]
     assert defects[1] < 1.0e-3 * defects[0]
     assert defects[2] < 1.0e-10
@@ -160,7 +160,7 @@ def test_beads_ahead_do_not_matter(alpha, gamma, beta):
 def test_untouched_chain_is_nilpotent():
     """Shift and Jordan block: with nothing entering from ahead no power of T survives."""
     beads = 20
-    matrix = return_matrix(np.zeros(beads), np.zeros(beads), 1.5, 0.3, 1.5)
+    matrix = monodromy_matrix(np.zeros(beads), np.zeros(beads), 1.5, 0.3, 1.5)
     shift_and_block = np.kron(np.eye(beads, k=1), [[1.0, 1.0], [0.0, 1.0]])
     ahead = slice(2 * 16, None)
     np.testing.assert_allclose(matrix[ahead], shift_and_block[ahead], atol=3.0e-15)
@@ -175,7 +175,7 @@ def test_momentum_is_conserved_seen_from_the_front(alpha, gamma, beta):
     weights = np.column_stack([np.ones(n.size), n]).ravel()
     for steeper in (1.0, 2.0):
         u, d = front.relative_displacement**steeper, front.strain_rate
-        defect = weights @ return_matrix(np.abs(u), d, alpha, gamma, beta) - weights
+        defect = weights @ monodromy_matrix(np.abs(u), d, alpha, gamma, beta) - weights
         from_ends = 2 * (front.window.spread + 5)
         assert np.abs(defect[from_ends:-from_ends]).max() < 1.0e-13 * n.size
 
@@ -188,10 +188,10 @@ def test_compressed_chain_touches_the_circle_at_one_only():
     np.testing.assert_allclose(z[:, ~away], 1.0, atol=1.0e-15)
 
 
-def test_compressed_chain_is_that_of_the_return_matrix():
+def test_compressed_chain_is_that_of_the_monodromy_matrix():
     """In the middle of a long compressed window a plane wave is multiplied by z."""
     alpha, gamma, q, beads = 1.5, 0.1, 0.7, 60
-    matrix = return_matrix(np.ones(beads), np.zeros(beads), alpha, gamma, alpha)
+    matrix = monodromy_matrix(np.ones(beads), np.zeros(beads), alpha, gamma, alpha)
     kappa = 2.0 - 2.0 * np.cos(q)
     z = compressed_chain_multipliers(alpha, gamma, alpha, q)[0]
     sigma = np.log(z * np.exp(-1j * q))
@@ -201,7 +201,7 @@ def test_compressed_chain_is_that_of_the_return_matrix():
     np.testing.assert_allclose(moved[middle], z * wave[middle], atol=1.0e-13)
 
 
-def test_what_is_no_front_is_told():
+def test_what_is_no_front_is_reported():
     front = front_dataset(*STRONG, 1.5)
     front["relative_displacement"] = front["relative_displacement"] ** 2
     result = front_multipliers(front)

@@ -1,21 +1,32 @@
-"""The power of the kernels, against many digits."""
+"""Power and exponential of the kernels, against many digits."""
 
 import mpmath
+import numba
 import numpy as np
 import pytest
 
-from granular_fronts.chain.strain import NEGLIGIBLE, raise_to
-from granular_fronts.numerics.vector_functions import power
+from granular_fronts.model.passes import NEGLIGIBLE, call_row_map, row_map, row_parameters
+from granular_fronts.model.potentials import make_potential
+from granular_fronts.numerics.vector_functions import (
+    exponential,
+    exponential_less_one,
+    power,
+)
 
 DIGITS = 50
 RANGES = [(1.0e-3, 10.0), (0.99, 1.01), (NEGLIGIBLE, 1.0e-3), (10.0, 1.0e20)]
 
 
+@numba.njit
+def call(address, u, force, parameters):
+    call_row_map(address, u, force, 0, u.size - 1, parameters)
+
+
 def compiled_powers(x, exponent):
-    """The kernel's loop, which starts at bead 1."""
-    u, force = np.append(0.0, x), np.zeros(x.size + 1)
-    raise_to(exponent, u, force, x.size)
-    return force[1:]
+    """The force of a Hertz potential."""
+    potential, force = make_potential("hertz", alpha=exponent), np.zeros(x.size)
+    call(row_map(potential, 1), x, force, row_parameters(potential, 1))
+    return force
 
 
 @pytest.mark.parametrize("exponent", [1.0 / 3.0, 0.7, 1.0, 1.01, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0])
@@ -52,3 +63,23 @@ def test_power_rises_across_the_edges_of_the_reduction(exponent):
 def test_power_that_no_double_holds_is_infinite():
     assert power(1.0e200, 2.5) == np.inf
     assert power(1.0e100, 2.5) == pytest.approx(1.0e250, rel=1.0e-15)
+
+
+@pytest.mark.parametrize(("least", "largest"), [(-40.0, 40.0), (-1e-3, 1e-3), (-700.0, 700.0)])
+@pytest.mark.parametrize(
+    ("computed", "exact"), [(exponential, mpmath.exp), (exponential_less_one, mpmath.expm1)]
+)
+def test_exponential_is_right_to_the_last_places(computed, exact, least, largest):
+    for x in np.random.default_rng(1).uniform(least, largest, 500):
+        with mpmath.workdps(DIGITS):
+            wanted = exact(mpmath.mpf(x))
+            error = abs(float((mpmath.mpf(computed(x)) - wanted) / np.spacing(abs(float(wanted)))))
+        assert error < 2.0
+
+
+def test_exponential_beyond_double_precision():
+    assert (exponential(800.0), exponential_less_one(800.0)) == (np.inf, np.inf)
+    assert exponential(-1e10) == pytest.approx(0.0, abs=1e-100)
+    assert exponential_less_one(-1e10) == -1.0
+    assert exponential_less_one(0.0) == 0.0
+    assert np.isnan([exponential(np.nan), exponential_less_one(np.nan)]).all()

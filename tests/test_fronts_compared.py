@@ -72,12 +72,12 @@ def test_a_driven_front_comes_closer_the_farther_it_has_run():
     assert errors[0] > 2.0 * errors[1] > 4.0 * errors[2]
 
 
-def test_comparison_holds_every_road():
+def test_comparison_holds_every_method():
     compared = compare_front(SCENE)
     assert float(compared["relative_displacement_shooting"].attrs["distance"]) < 1e-12
     assert np.abs(compared["velocity_difference"]).max() < 1e-12
-    for road in ("driven", "logarithmic", "unlimited", "heteroclinic"):
-        assert compared[f"relative_displacement_{road}"].attrs["distance"] > 1e-9
+    for method in ("driven", "logarithmic", "unlimited", "heteroclinic"):
+        assert compared[f"relative_displacement_{method}"].attrs["distance"] > 1e-9
     assert compared["residual_history_profile"].values[-1] < 1e-14
 
 
@@ -90,7 +90,7 @@ def test_window_is_kept_at_the_step_asked_for():
     assert 4.6 < xi[-1] <= 5.0
 
 
-def test_survey_and_map_tell_what_single_fronts_tell():
+def test_survey_and_map_agree_with_single_fronts():
     survey = survey_fronts([1.3], [0.1, 0.5])
     plane = map_critical_damping(np.array([1.3]), np.array([0.1, 0.5]), 1e-3)
     for gamma in (0.1, 0.5):

@@ -1,0 +1,174 @@
+"""Many exact fronts: one after the other along the damping, each from the ones before it.
+
+The fronts are solved from strong to weak damping on one grid (`profile.continuation`).  Where
+Newton's iteration does not settle, the grid becomes too coarse or a front fails another check, the
+sweep starts anew at that damping with a window and a grid of its own, and so does a front whose
+error turns out too large.  Where this fails too, the values are NaN with a reason, and the sweep
+goes on.
+
+Accuracy.  Every stretch is swept a second time on a finer grid, by another order, on a longer
+window (`profile.solve.refine`); the differences are the error estimates.
+"""
+
+import math
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.arguments import sequence
+from granular_fronts.fronts.profile.continuation import COLUMNS, follow
+from granular_fronts.fronts.profile.equation import front_problem, power_problem
+from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
+from granular_fronts.fronts.properties import MEASURES
+from granular_fronts.fronts.solve import ACCEPTED_ERROR, RESOLUTION, describe_front
+from granular_fronts.fronts.validation import (
+    check_alpha,
+    check_beta,
+    check_given_law,
+    is_given_by_law,
+)
+
+ERROR_METHOD = (
+    f"difference to a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
+    "on grids finer by 1.4 or more and windows longer by 1.1"
+)
+
+
+def sweep_fronts(alpha=None, gammas=None, beta=None, *, law=None, states=None, factors=None):
+    """Measures of the exact fronts for many dampings.
+
+    Parameters
+    ----------
+    alpha : float
+        Exponent of the elastic force, above 1.
+    gammas : array_like, shape (fronts,)
+        Dampings above 0, in any order; close neighbours make the sweep fast.
+    beta : float, optional
+        Exponent of the damping force, at least 1; alpha by default.
+    law : Law or mapping, optional
+        In place of alpha, gammas and beta: a law of `make_law`, or what it takes.
+    states : pair of float, optional
+        Strains R_b behind and R_a ahead, with the law.
+    factors : array_like, shape (fronts,)
+        What W of the law is multiplied by, above 0, in any order.
+
+    Returns
+    -------
+    xarray.Dataset
+        On `gamma`, or `factor` of a law, in the order given: `overshoot`, `width_10_90`, `slope`,
+        `dissipated_power`, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
+        `tail_frequency`, real and imaginary part of the slowest tail exponent; `error_estimate` of
+        the strain, the largest of the errors of the overshoot, of the width times the slope, and
+        of the dissipated power per bead, or where that is too large the difference of the strain
+        itself; `converged` (0 or 1) and `reason`.  Units are those of the law.
+
+    Raises
+    ------
+    InputError
+        If a parameter is out of range, or the jump conditions exclude the fronts.
+    """
+    limits = {"above": 0.0, "advice": "without damping there is no front"}
+    powers = {"alpha": alpha, "gammas": gammas, "beta": beta}
+    if is_given_by_law(powers, {"law": law, "states": states, "factors": factors}):
+        law, (behind, ahead) = check_given_law(law, states)
+        name, dampings = "factor", sequence("factors", factors, **limits)
+        problem, attributes = front_problem(law, behind, ahead), describe_front(law, behind, ahead)
+    else:
+        alpha, beta = check_alpha(alpha), check_beta(alpha, beta)
+        name, dampings = "gamma", sequence("gammas", gammas, **limits)
+        problem, attributes = power_problem(alpha, 1.0, beta), {"alpha": alpha, "beta": beta}
+    distinct, place = np.unique(-dampings, return_inverse=True)
+    fronts = _describe(problem, name, -distinct, *_sweep(problem, problem.damping * -distinct))
+    return fronts.isel({name: place}).assign_attrs(attributes)
+
+
+def _sweep(problem, dampings):
+    """For decreasing dampings the values on two grids, error estimates and reasons."""
+    values, others = np.full((2, dampings.size, len(COLUMNS)), math.nan)
+    reasons = np.full(dampings.size, "", dtype=object)
+    first = 0
+    while first < dampings.size:
+        found, again, reason = _stretch(problem, dampings[first:])
+        end = first + max(len(found), 1)
+        reasons[first:end] = reason
+        values[first : first + len(found)], others[first : first + len(again)] = found, again
+        first = end
+    accepted = ACCEPTED_ERROR * problem.size
+    estimates = _estimates(problem, values, _errors(problem, values, others))
+    for k in np.flatnonzero(estimates > accepted):
+        found, again, estimate = _alone(problem._replace(damping=dampings[k]))
+        if estimate < estimates[k]:
+            values[k], others[k], estimates[k] = found, again, estimate
+    return values, others, estimates, reasons
+
+
+def _stretch(problem, dampings):
+    """Fronts from the first damping on, as far as one grid carries; their values on two grids."""
+    nothing = np.empty((0, len(COLUMNS)))
+    start = solve_profile(problem._replace(damping=dampings[0]))
+    if start.reason:
+        return nothing, nothing, start.reason
+    finer = refine(start)
+    if finer.reason:
+        return (
+            nothing,
+            nothing,
+            f"the refinement that should estimate the error failed: {finer.reason}",
+        )
+    found = follow(start, dampings, ORDER)
+    again = follow(finer, dampings[: len(found)], REFINED_ORDER)
+    common = min(len(found), len(again))
+    reason = "" if common else "the front fails a check on the grid of the sweep"
+    return found[:common], again[:common], reason
+
+
+def _alone(problem):
+    """One front on a window and a grid of its own: values on two grids, error of the strain."""
+    start = solve_profile(problem)
+    finer = refine(start) if not start.reason else start
+    if finer.reason:
+        return None, None, math.inf
+    damping = np.array([problem.damping])
+    found, again = follow(start, damping, ORDER), follow(finer, damping, REFINED_ORDER)
+    if not (len(found) and len(again)):
+        return None, None, math.inf
+    difference = float(np.abs(start.evaluate(finer.xi) - finer.s).max())
+    return found[0], again[0], abs(problem.jump) * difference
+
+
+def _describe(problem, name, places, values, others, estimate, reasons):
+    """The dataset of a sweep on the coordinate `name`."""
+    errors = _errors(problem, values, others)
+    accepted = ACCEPTED_ERROR * problem.size
+    # The negation also holds for NaN, which compares with nothing.
+    inaccurate = ~(estimate <= accepted)
+    for k in np.flatnonzero(inaccurate & (reasons == "")):
+        reasons[k] = f"the front errs by about {estimate[k]:.1e}, more than {accepted:g}"
+        if math.isnan(estimate[k]):
+            reasons[k] = "the error of the front cannot be estimated"
+    values[inaccurate] = math.nan
+    variables = {
+        column: (name, values[:, k], {"error_method": ERROR_METHOD} if column in MEASURES else {})
+        for k, column in enumerate(COLUMNS)
+    }
+    variables["overshoot"][2]["long_name"] = "how far the strain passes the state behind"
+    variables["slope"][2]["long_name"] = "steepest slope of the strain, per site"
+    variables |= {f"{column}_error": (name, errors[:, k]) for k, column in enumerate(MEASURES)}
+    variables |= {
+        "error_estimate": (name, estimate),
+        "converged": (name, np.array([int(reason == "") for reason in reasons])),
+        "reason": (name, reasons.astype(str)),
+    }
+    return xr.Dataset(variables, coords={name: places})
+
+
+def _errors(problem, values, others):
+    """Differences of two computations, or the rounding of the larger state where they agree."""
+    return np.maximum(np.abs(values - others), RESOLUTION * problem.size)
+
+
+def _estimates(problem, values, errors):
+    """Error of the strain of every front, from those of its measures."""
+    overshoot, width, _, power = errors.T[: len(MEASURES)]
+    power_of_strain = abs(problem.jump) * problem.speed**3
+    return np.max([overshoot, width * values[:, 2], power / power_of_strain], axis=0)

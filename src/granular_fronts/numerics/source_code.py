@@ -1,0 +1,85 @@
+"""What source files do, by digests that docstrings, comments and layout do not change.
+
+The digest of a file is that of its syntax tree without the strings that stand as statements of
+their own.  Parsing all files takes a third of a second, so the digests are kept in a file of the
+cache folder, once kernels have made it, by the contents of what they belong to.
+"""
+
+import ast
+import hashlib
+import json
+import os
+from collections.abc import Iterable
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+KEPT = "code_digests.json"
+
+
+def cache_root() -> Path:
+    """The folder of all that is derived from the sources: NUMBA_CACHE_DIR or the user's cache."""
+    user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    return Path(os.environ.get("NUMBA_CACHE_DIR", user_cache / "granular_fronts"))
+
+
+def code_digest(files: Iterable[Path], root: Path) -> str:
+    """Digest of some files, 16 hexadecimals.
+
+    Parameters
+    ----------
+    files : iterable of Path
+        Python files, in any order.
+    root : Path
+        Folder above them; what lies between counts as their names.
+
+    Returns
+    -------
+    str
+    """
+    contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
+    keys = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
+    kept = _read_kept(cache_root() / KEPT)
+    new = {keys[name]: syntax_digest(contents[name]) for name in keys if keys[name] not in kept}
+    if new:
+        kept.update(new)
+        _keep(cache_root() / KEPT, kept)
+    lines = "\n".join(f"{name} {kept[keys[name]]}" for name in sorted(keys))
+    return hashlib.sha256(lines.encode()).hexdigest()[:16]
+
+
+def syntax_digest(content: bytes) -> str:
+    """Digest of the syntax tree of a file without docstrings."""
+    tree = ast.parse(content)
+    for node in ast.walk(tree):
+        for field in ("body", "orelse", "finalbody"):
+            statements = getattr(node, field, None)
+            if isinstance(statements, list):
+                setattr(node, field, [one for one in statements if not _is_docstring(one)])
+    return hashlib.sha256(ast.dump(tree).encode()).hexdigest()
+
+
+def _is_docstring(node: ast.AST) -> bool:
+    """Whether a node is a string that stands as a statement of its own."""
+    is_constant = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    return is_constant and isinstance(node.value.value, str)
+
+
+@cache
+def _read_kept(path: Path) -> dict[str, str]:
+    """The digests that are kept, none where the file is missing or damaged."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+
+
+def _keep(path: Path, digests: dict[str, str]) -> None:
+    """Write the digests at once or not at all, where there is a cache within reach."""
+    unfinished = path.with_name(f"{path.name}.{os.getpid()}")
+    try:
+        unfinished.write_text(json.dumps(digests), encoding="utf-8")
+        unfinished.replace(path)
+    except OSError:
+        with suppress(OSError):
+            unfinished.unlink()

@@ -1,0 +1,17 @@
+"""Fronts that are proved: existence, enclosure, uniqueness and shape by ball arithmetic.
+
+A *certificate* is a file of an approximate front P̄ and of an approximate inverse A of the
+linearisation there; `certificate` makes it with floating-point arithmetic and any method it likes.
+`checker` then proves, in balls and with nothing but python-flint and NumPy, that a front exists
+near P̄, and what it looks like.  What has to be believed is the mathematics of `existence`,
+`right_inverse`, `consequences` and `rear_expansion`, the code of `checker`, `consequences`,
+`rear_expansion` and `balls`, and python-flint below it.
+"""
+
+from importlib.util import find_spec
+
+if find_spec("flint") is None:
+    raise ModuleNotFoundError(
+        "Proofs of fronts need python-flint: install it by pip install 'granular-fronts[proofs]'.",
+        name="flint",
+    )

@@ -1,0 +1,28 @@
+"""Check certificates of fronts: python -m granular_fronts.proofs FILE ...."""
+
+import sys
+
+from granular_fronts.proofs.checker import check_certificate
+
+
+def main(paths):
+    """Print what each certificate proves; 1 if one proves nothing."""
+    if not paths:
+        print(__doc__)
+        return 2
+    failed = 0
+    for path in paths:
+        record = check_certificate(path)
+        failed |= not record["proved"]
+        print(f"{path}: {'proved' if record['proved'] else 'not proved: ' + record['reason']}")
+        if record["proved"]:
+            print(f"  for alpha in {record['alpha']}, gamma in {record['gamma']}:")
+        for line in record["statements"]:
+            print(f"  {line}")
+        for found in record["inequalities"]:
+            print(f"    {found['left']:.6g} < {found['right']:.6g}  {found['name']}")
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,135 @@
+"""Ball arithmetic for the checker: bounds, polynomials on cells, the kernel and its inverses.
+
+A ball of python-flint contains the number that it stands for; an operation on balls contains all
+results.  `largest` and `above` are the only ways from balls to single numbers, both upwards.
+
+The kernel K(s) = 1 − |s| + γ sgn s on |s| < 1 is linear between its kinks −1, 0 and 1, which are
+ends of cells.  With K_w(s) = K(s) e^(−ws), cells of width h = 1/n and a piecewise constant g,
+
+    e = g − α K_w − α K_w*g
+
+is smooth on each cell, so that ∫|e| over a cell is at most h |e| in its middle plus h/2 ∫|e'|.  In
+the middles K_w*g is a sum of g times integrals of K_w over cells about s = m h, and with the jumps
+2γ, −γ e^(−w) and −γ e^w of K_w at 0, 1 and −1,
+
+    Σ ∫|e'| ≤ α k' + α (k' + γ (2 + e^w + e^(−w))) ‖g‖₁,     k' = (e^w − e^(−w))/w + w ‖K_w‖₁.
+
+If the bound of ‖e‖₁ is below 1, δ − α K_w has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm
+at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
+"""
+
+import math
+
+import numpy as np
+from flint import acb, arb, arb_poly, fmpq
+
+UNIT = arb(0, 1)  # the interval from −1 to 1
+MATRIX_UNIT, INVERSE_UNIT = 2.0**-16, 2.0**-20
+
+
+class NotProvedError(Exception):
+    """Names what is not certain, or which field is not what it must be."""
+
+
+def kernel(gamma, w, n):
+    """K_w at s = (m + 1/2)/n; integrals of K_w, and of its modulus, over |s − m/n| < 1/(2n).
+
+    On half a cell of width l the midpoint rule errs by l³/24 K_w'' somewhere on it.
+    """
+    half, middles, whole, absolute = arb(1) / (2 * n), [], [arb(0)], [arb(0)]
+    for j in range(-2 * n, 2 * n):
+        sign, s = (1 if j >= 0 else -1), arb(fmpq(2 * j + 1, 4 * n))
+        around, end = s + half / 2 * UNIT, s + half / 2
+        (line, decay), (lines, decays), (last, last_decay) = (
+            (1 + sign * (gamma - x), (-w * x).exp()) for x in (s, around, end)
+        )
+        bend = decays * w * (w * lines + 2 * sign)
+        whole.append(half * line * decay + half**3 / 24 * bend)
+        one_sign = lines > 0 or lines < 0
+        absolute.append(abs(whole[-1] if one_sign else half * lines * decays))
+        if j % 2 == 0:
+            middles.append(last * last_decay)
+    whole, absolute = array([*whole, 0]), array([*absolute, 0])
+    return array(middles), whole[::2] + whole[1::2], absolute[::2] + absolute[1::2]
+
+
+def inverse_defect(alpha, gamma, w, n, g, begin):
+    """∫|g| from each cell on, and a bound of ‖e‖₁.
+
+    g, from s = begin/n on, is stored by its second differences in units of INVERSE_UNIT.
+    """
+    if not begin <= -n or begin + len(g) < n:
+        raise NotProvedError("an inverse of the rear does not cover (−1, 1)")
+    g, (middles, whole, absolute) = array(summed(g) * INVERSE_UNIT), kernel(gamma, w, n)
+    e = -alpha * convolve(whole, g)
+    e[n:-n] += g
+    e[-begin : 2 * n - begin] -= alpha * middles
+    norms = np.cumsum(np.abs([*g, arb(0)])[::-1])[::-1] / n
+    smooth = (2 * w.sinh() / w if w > 0 else 2) + w * absolute.sum()
+    slopes = alpha * (smooth + (smooth + 2 * gamma * (1 + w.cosh())) * norms[0])
+    return norms, np.abs(e).sum() / n + slopes / (2 * n)
+
+
+def summed(differences):
+    """Integers from their second differences; of a matrix, once along each axis."""
+    return differences.cumsum(axis=0).cumsum(axis=-1)
+
+
+def convolve(f, g):
+    """All coefficients of a product of polynomials."""
+    product = (arb_poly(list(f)) * arb_poly(list(g))).coeffs()
+    return np.array(product + [arb(0)] * (len(f) + len(g) - 1 - len(product)), dtype=object)
+
+
+def antiderivatives(pieces, h):
+    """The continuous antiderivative, 0 at the left end, of polynomials on cells of width h."""
+    found, total = [], arb(0)
+    for piece in pieces:
+        integral = piece.integral() * (h / 2)
+        found.append(integral + (total - integral(arb(-1))))
+        total = found[-1](arb(1))
+    return found
+
+
+def size(f):
+    """Bound of the modulus of a polynomial on (−1, 1)."""
+    return sum(map(abs, f.coeffs()), arb(0))
+
+
+def bounds(f):
+    """Exact bounds of a polynomial on (−1, 1)."""
+    middle, rest = f[0], size(f - f[0])
+    return (middle - rest).lower(), (middle + rest).upper()
+
+
+def array(values):
+    """An array of balls."""
+    return np.array([arb(value) for value in values], dtype=object)
+
+
+def disc(radius):
+    """The smallest square that contains all complex numbers of modulus `radius`."""
+    return acb(radius * UNIT, radius * UNIT)
+
+
+def power(u, exponent):
+    """u₊^exponent, for exponents above 0."""
+    if u <= 0:
+        return arb(0)
+    return u**exponent if u > 0 else arb(0).union(u.upper() ** exponent)
+
+
+def largest(values):
+    """The least exact upper bound of all values."""
+    tops = [value.upper() for value in values]
+    if not all(top.is_finite() for top in tops):
+        raise NotProvedError("a bound is not finite")
+    found = tops[0]
+    for top in tops:
+        found = found if top <= found else top
+    return found
+
+
+def above(x):
+    """A double above a ball."""
+    return math.nextafter(float(x.upper()), math.inf)

@@ -1,0 +1,206 @@
+"""Make the certificate of a front: floating-point arithmetic, trusted for nothing."""
+
+import math
+import re
+from fractions import Fraction
+
+import numpy as np
+
+from granular_fronts import arguments
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.linear.tails import tail_roots
+from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.proofs import right_inverse
+from granular_fronts.proofs.balls import INVERSE_UNIT, MATRIX_UNIT
+from granular_fronts.proofs.checker import EXPANSION, check_certificate
+from granular_fronts.proofs.existence import approximate
+
+LOST, LOST_BEHIND = 1e-4, 0.01
+SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
+NEAR_ONE = 1e-11
+DRIFT = 6e-4
+FINE = 40
+COARSE = 20
+WIDEST = 1e-8
+START = 1.5e-5
+
+
+def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):
+    """Prove that a front exists, near the computed one, and what it looks like.
+
+    Parameters
+    ----------
+    alpha : int, float, str or Fraction
+        Exponent of the force, above 1: 2, "3/2" or "1.5".
+    gamma : int, float, str, Fraction or pair of them
+        Damping, above 0 (β = α); a pair is an interval, for every point of which the proof holds.
+    path : str or path
+        The certificate is written here, in a folder that exists.
+    cells : int, optional
+        Cells of the window per bead, from 8 to 200.
+    fine : int, optional
+        Cells of the inverse behind per cell of the window, from 1 to 1000.
+    drift : float, optional
+        Largest |a(u)/α − 1| behind the window, between 0 and 1.
+
+    Returns
+    -------
+    dict
+        See `check_certificate`.
+
+    Raises
+    ------
+    InputError
+        If an argument is impossible, the front is not found, or the numbers do not fit into a
+        certificate.
+    """
+    alpha, interval, path = rational(alpha, "alpha", above=1), _interval(gamma), _place(path)
+    cells = arguments.count("cells", cells, least=8, most=200)
+    fine = arguments.count("fine", fine, most=1000)
+    drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
+    middle = float(sum(interval) / 2)
+    front = solve_front(float(alpha), middle)
+    if not front.attrs["converged"]:
+        raise InputError(f"no front to prove: {front.attrs['reason']}.")
+    fields = describe(front, alpha, interval, cells, fine, drift)
+    record = _write_and_check(path, fields)
+    if not record["proved"] and "roots" in fields:  # Perhaps without the expansion behind.
+        fields = {name: values for name, values in fields.items() if name not in EXPANSION}
+        record = _write_and_check(path, fields | {"weights": fields["weights"][:1]})
+    return record
+
+
+def _write_and_check(path, fields):
+    with path.open("wb") as file:
+        np.savez_compressed(file, **fields)
+    return check_certificate(path)
+
+
+def describe(front, alpha, interval, n, fine, drift):
+    """The fields of the certificate of a computed front."""
+    exponent, gamma = float(alpha), front.attrs["gamma"]
+    xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
+    behind = _beads(-xi[abs(u - 1) > NEAR_ONE][0])
+    ahead = _beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
+    c = _beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
+    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST)
+
+    roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
+    longer = _beads(6.5 / roots[0].real) * n
+    first, last = -(c + q + 2) - longer // n, ahead + 1
+    middles = (np.arange((last - first) * n) + 0.5) / n + first
+    strain = np.maximum(evaluate_front(front, middles), 0.0)
+    stiffness = exponent * strain ** (exponent - 1)
+    correction = right_inverse.window_correction(stiffness, gamma, n, -first * n, longer)
+    fields = {
+        "alpha": _integers(alpha.numerator, alpha.denominator),
+        "gamma": _integers(*(k for end in interval for k in (end.numerator, end.denominator))),
+        "sizes": _integers(behind, ahead, n, p, q, c, fine),
+        "profile": approximate(front, behind, ahead, n),
+        "inverse": _differences(g, INVERSE_UNIT, np.int32),
+        "correction": _differences(correction, MATRIX_UNIT, np.int16),
+        "weights": np.array([round(0.9 * roots[0].real, 4)]),
+    }
+    narrow = interval[1] - interval[0] < WIDEST
+    if narrow and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
+        radius = 1e-9 + 20 * float(interval[1] - interval[0])
+        fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
+    return fields
+
+
+def _expansion(alpha, gamma, n, roots, radius, xi, u):
+    """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀."""
+    slow, fast = _weights(alpha, gamma, np.array([root.real for root in roots]))
+    g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND) for w in (slow, fast)]
+    x0 = math.floor(xi[(abs(u - 1) > START) & (xi < 0)][0])
+    found = [(root.real, root.imag, radius) for root in roots if root.real < fast]
+    return {
+        "weights": np.array([slow, fast]),
+        "roots": np.array(found),
+        "starts": _integers(x0, *(-p * n for _, p, _ in g)),
+        "slow_inverse": _differences(g[0][0], INVERSE_UNIT, np.int32),
+        "fast_inverse": _differences(g[1][0], INVERSE_UNIT, np.int32),
+    }
+
+
+def _weights(alpha, gamma, roots):
+    """θ and η of Lemma 8: the remainder, about Γ_η e^((η − λ₁)t), small four beads behind x₀."""
+
+    def norm(w):
+        return abs(right_inverse.rear_inverse(alpha, gamma, w, COARSE, 0.1)[0]).sum() / COARSE
+
+    def merit(weights):
+        slow, fast = weights
+        return np.log(1 + norm(fast)) - 4 * fast + 0.1 * np.log(1 + norm(slow))
+
+    choices = [
+        (slow, fast)
+        for slow in np.round(roots[0] * np.linspace(0.84, 0.94, 6), 4)
+        for fast in np.round(slow * np.linspace(1.72, 1.96, 9), 4)
+        if (roots < fast).sum() <= 2 and abs(roots - fast).min() > 0.02 * fast
+    ]
+    return min(choices, key=merit)
+
+
+def rational(number, name="number", above=0):
+    """A fraction of at most 18 digits; a float stands for the decimal it is written as."""
+    try:
+        found = Fraction(_written(number))
+        if found > above and max(found.numerator, found.denominator) < 10**18:
+            return found
+    except (TypeError, ValueError, ArithmeticError):
+        pass
+    raise InputError(
+        f"{name} is {arguments.shown(number)}, but must be a number above {above} of at most 18"
+        " digits: write a fraction as '3/10'."
+    )
+
+
+def _written(number):
+    """What a fraction is made from; numbers of thousands of digits are not expanded."""
+    if isinstance(number, bool) or re.search(r"[eE][+-]?[\d_]{3}", str(number)):
+        raise ValueError
+    return repr(float(number)) if isinstance(number, float) else number
+
+
+def _place(path):
+    """Where a file can be written."""
+    path = arguments.path("path", path)
+    if path.is_dir() or not path.parent.is_dir():
+        raise InputError(f"path is {path}, but must be a file in a folder that exists: name one.")
+    return path
+
+
+def _interval(gamma):
+    """Both ends of an interval of γ, which are one number for a single γ."""
+    ends = gamma if isinstance(gamma, (tuple, list)) else (gamma, gamma)
+    if len(ends) != 2:
+        raise InputError(
+            f"gamma is {arguments.shown(gamma)}, but must be a number or two: give it."
+        )
+    low, high = (rational(end, "gamma") for end in ends)
+    if low > high:
+        raise InputError(
+            f"the interval of gamma runs from {low} down to {high}: exchange its ends."
+        )
+    return low, high
+
+
+def _beads(length):
+    return max(1, math.ceil(length))
+
+
+def _integers(*numbers):
+    if max(map(abs, numbers)) >= 2**63:
+        raise InputError("a fraction has more than 18 digits: round it.")
+    return np.array(numbers, dtype=np.int64)
+
+
+def _differences(values, unit, kind):
+    """Second differences in integers, once along each axis of a matrix."""
+    found = np.rint(values / unit).astype(np.int64)
+    for axis in (0, -1):
+        found = np.diff(found, axis=axis, prepend=0)
+    if abs(found).max() > np.iinfo(kind).max:
+        raise InputError("the window's matrix is too rough for a certificate: use more cells.")
+    return found.astype(kind)

@@ -1,0 +1,265 @@
+"""Check the certificate of a front in ball arithmetic, with python-flint and NumPy alone.
+
+The theorem and its proof are in `existence`, the operator A and the bounds of `bound_inverse` in
+`right_inverse`, what follows in `consequences` and `rear_expansion`.  A certificate holds exact
+doubles and integers, of which nothing is assumed.  A comparison of balls holds if it holds for all
+of their points; wherever one does not, and whatever else happens, nothing is proved.
+"""
+
+from functools import partial
+
+import numpy as np
+from flint import arb, arb_poly, arb_series, ctx, fmpq
+
+from granular_fronts import arguments
+from granular_fronts.proofs.balls import (
+    MATRIX_UNIT,
+    UNIT,
+    NotProvedError,
+    above,
+    antiderivatives,
+    array,
+    bounds,
+    convolve,
+    inverse_defect,
+    kernel,
+    largest,
+    power,
+    size,
+    summed,
+)
+from granular_fronts.proofs.consequences import shape
+from granular_fronts.proofs.rear_expansion import expand, require_zeros
+
+PRECISION, TAYLOR_ORDER, SMALL_STRAIN = 80, 8, 1e-7
+EXPANSION = {  # kind of number and axes
+    "roots": ("f8", 2),
+    "starts": ("i8", 1),
+    "slow_inverse": ("i4", 1),
+    "fast_inverse": ("i4", 1),
+}
+FIELDS = {
+    "alpha": ("i8", 1),
+    "gamma": ("i8", 1),
+    "sizes": ("i8", 1),
+    "profile": ("f8", 2),
+    "inverse": ("i4", 1),
+    "correction": ("i2", 2),
+    "weights": ("f8", 1),
+}
+
+
+def check_certificate(path):
+    """Prove what a certificate claims.
+
+    Parameters
+    ----------
+    path : str or path
+        A file that `prove_front` wrote.
+
+    Returns
+    -------
+    dict
+        `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
+        parameters for all of which the `statements` hold; `error`, a bound of |u* − ū|;
+        `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded outwards) and
+        their difference `margin`.
+
+    Raises
+    ------
+    InputError
+        If `path` is no path.  A file that is missing or damaged is one that proves nothing.
+    """
+    path = arguments.path("path", path)
+    record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
+    before, ctx.prec = ctx.prec, PRECISION
+    try:
+        front = Front(read(path))
+        statements = [*front.exists(), *shape(front), *front.rear()]
+        record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+        record |= {"error": front.error, "statements": statements, "proved": True}
+        record["inequalities"] = front.inequalities
+    except Exception as failure:
+        record["reason"] = f"{type(failure).__name__}: {failure}"
+    finally:
+        ctx.prec = before
+    return record
+
+
+class Front:
+    """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
+
+    The window [−b, M] of A is its last W cells.
+    """
+
+    def __init__(self, data):
+        self.data, self.inequalities = data, []
+        alpha, low, high = (
+            arb(fmpq(*map(int, data[name][k : k + 2])))
+            for name, k in (("alpha", 0), ("gamma", 0), ("gamma", 2))
+        )
+        self.law = self.alpha, self.gamma = alpha, low.union(high)
+        self.require("alpha > 1", arb(1), self.alpha)
+        self.require("gamma > 0", arb(0), self.gamma)
+        behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
+        self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
+        self.M = ahead + 1
+        self.W, cells = (self.c + q + ahead + 3) * n, (self.left + ahead + 1) * n
+        have = len(data["profile"]), len(data["inverse"]), *data["correction"].shape
+        want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
+        if have != want:
+            raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
+        self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
+        pieces = [arb_poly([1])] * ((self.left + 1 - behind) * n)
+        pieces += [arb_poly(row) for row in data["profile"].tolist()] + [arb_poly([0])] * (2 * n)
+        once = antiderivatives(pieces, self.h)
+        twice = antiderivatives(once, self.h)
+        P1, P2 = (
+            [f[j + n] - 2 * f[j] + f[j - n] for j in range(n, n + cells)] for f in (once, twice)
+        )
+        self.P = pieces[n : n + cells]
+        self.u = [g - self.gamma * f for f, g in zip(P1, P2, strict=True)]
+        self.u_mid = array(u[0] for u in self.u)
+        self.u_low, self.u_high = map(array, zip(*map(bounds, self.u), strict=True))
+
+    def require(self, name, left, right):
+        """Note left < right, or stop."""
+        if not left < right:
+            raise NotProvedError(f"{name}: {left} is not certainly below {right}")
+        left, right = above(left), -above(-right)
+        self.inequalities.append(
+            {"name": name, "left": left, "right": right, "margin": right - left}
+        )
+
+    def a(self, u):
+        """α u₊^(α − 1)."""
+        return self.alpha * power(u, self.alpha - 1)
+
+    def exists(self):
+        """The theorem: a solution, its enclosure and its uniqueness; Lemma 4."""
+        self.bound_inverse()
+        Y0 = largest(map(self.residual, range(len(self.u))))
+        self.require("Z1 < 1", self.Z1, arb(1))
+        near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))
+        self.r = r = next(filter(partial(self.contracts, Y0), near), Y0).upper()
+        far = (arb(2) ** fmpq(-k, 4) for k in range(400))
+        farthest = next(filter(partial(self.contracts, Y0), far), r).max(r)
+        self.require("Z1 + Z2(r) < 1", self.Z1 + self.Z2(r), arb(1))
+        self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
+        self.P_error, self.u_error = self.rho * r, self.kappa * r
+        self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * r
+        self.error = above(largest([*self.u_error, *(self.outer_kappa * r)]))
+        yield (
+            "There is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0 ahead, with |u* − ū| <"
+            f" {1.001 * self.error:.3e} on the whole line; it is the only P̄ + A y with ‖y‖ <"
+            f" {0.999 * float(farthest):.3e}."
+        )
+        yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
+
+    def contracts(self, Y0, r):
+        """Whether the theorem's inequality holds at the radius r."""
+        return bool((1 - self.Z1 - self.Z2(r)) * r > Y0)
+
+    def Z2(self, r):  # noqa: N802
+        """The largest κ |a(ū + w) − a(ū)| with |w| ≤ κ r."""
+        ends = zip(self.outer_kappa, (arb(1), arb(0)), (arb(1), arb(0)), strict=True)
+        changes = []
+        for kappa, low, high in (*ends, *zip(self.kappa, self.u_low, self.u_high, strict=True)):
+            changes.append(kappa * self.rise(low, high, kappa * r))
+        return largest(changes)
+
+    def rise(self, low, high, w):
+        """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
+        top = low.max(w) if self.alpha <= 2 else high + w
+        return self.a(top) - self.a(top - w)
+
+    def residual(self, j):
+        """Bound of |P̄ − ū₊^α| on cell j by a Taylor polynomial about its middle."""
+        P, u, m = self.P[j], self.u[j], TAYLOR_ORDER
+        if not self.u_low[j] > SMALL_STRAIN:
+            return size(P) + power(abs(self.u_high[j]), self.alpha)
+        terms = []
+        for point, order in ((arb_poly([0, 1]), m), (arb_poly([UNIT, 1]), m + 1)):
+            p, v = (arb_series(f(point).coeffs(), order) for f in (P, u))
+            terms += (p - v**self.alpha).coeffs()[len(terms) : order]
+        return sum(map(abs, terms), arb(0))
+
+    def bound_inverse(self):
+        """Z1, and the row norms ρ of A and κ of K*A, on all cells and outside."""
+        n, W, h, nK, alpha = self.n, self.W, self.h, self.nK, self.alpha
+        a_low, a_mid, a_high = (
+            array(map(self.a, u)) for u in (self.u_low, self.u_mid, self.u_high)
+        )
+        far = (self.left - self.c) * n
+        drift = largest(abs(a / alpha - 1) for a in (*a_low[:far], *a_high[:far]))
+        self.require("|a(ū)/α − 1| behind −c", drift, arb(1))
+        a_low, a_mid, a_high = (a[-W:] for a in (a_low, a_mid, a_high))
+        middles, whole, absolute = kernel(self.gamma, arb(0), n)
+        begin = -self.p * n * self.fine
+        tails, defect = inverse_defect(
+            *self.law, arb(0), n * self.fine, self.data["inverse"], begin
+        )
+        self.require("‖e‖", defect, arb(1))
+
+        ones = np.eye(W)
+        H = ones + summed(self.data["correction"]) * MATRIX_UNIT
+        rest, v = array([0] * W), array([0] * W)
+        for j in range(W):  # columns of 1 − L_h H
+            smooth = convolve(whole, H[:, j])[n:-n]
+            rest += np.abs(ones[:, j] - H[:, j] + a_mid * smooth) * (a_mid[j] * nK)
+        for k in range(W):  # rows of H diag(a)
+            row = H[k] * a_mid
+            edges = convolve(middles[::-1], row)[n - 1 : n + W]
+            v[k] = h * np.abs(edges).sum() + h / 2 * np.abs(row).sum()
+
+        w, swing = v + 1, array([h * h / 2] * (2 * n + 1))
+        swing[[0, n, -1]] += h * self.gamma * array([fmpq(1, 2), 1, fmpq(1, 2)])
+        change, modulus = (np.convolve(w, f)[n:-n] for f in (swing, absolute))
+        inner = a_high * change + (a_high - a_low) * modulus
+        entering = alpha * (self.gamma**2 + (1 - self.gamma) ** 2) / 2 * largest(w[:n])
+        gain = 1 + largest([entering, *rest[:n]])
+        outer = gain * (defect + drift * (tails[0] + defect)) + nK * largest(a_high[-n:])
+        self.Z1 = outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])
+
+        reach = np.clip((np.arange(W) - n) * self.fine - begin, 0, len(tails) - 1)
+        added = gain * tails[reach] + rest
+        behind = gain * (1 + tails[0])
+        rho = np.concatenate([[behind] * n, w + added, [arb(1)] * n])
+        direct = np.convolve(rho, absolute + swing)[2 * n : -2 * n]
+        through = v + added + inner + outer
+        kappa = [
+            d.min(t / a) if a > 0 else d for d, t, a in zip(direct, through, a_low, strict=True)
+        ]
+        first = (gain * tails[0] + entering * (1 + drift) + outer) / (alpha * (1 - drift))
+        more = len(self.u) - W
+        self.rho, self.rho_behind = array([behind] * more + [*rho[n:-n]]), behind
+        self.kappa = array([first] * more + kappa)
+        self.outer_kappa = array([first, nK * largest(rho[-2 * n :])])
+
+    def rear(self):
+        """Lemma 7 and, where the certificate has its data, the expansion behind."""
+        theta, *more = map(arb, self.data["weights"].tolist())
+        self.require("theta > 0", arb(0), theta)
+        require_zeros(self, "no root up to theta", theta, 0)
+        yield f"u* − 1 = O(exp({float(theta)!r} ξ)) as ξ → −∞."
+        if more:
+            yield from expand(self, theta, *more)
+
+
+def read(path):
+    """The arrays of a certificate, of the kinds and shapes that they must have."""
+    with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+        data = {name: file[name] for name in file.files}
+    fields = FIELDS | EXPANSION if len(data["weights"]) == 2 else FIELDS
+    if sorted(data) != sorted(fields):
+        raise NotProvedError(f"the fields are {sorted(data)}, not {sorted(fields)}")
+    for name, values in data.items():
+        kind = values.dtype.str[1:], values.ndim
+        if kind != fields[name] or not values.size or not np.isfinite(values).all():
+            raise NotProvedError(f"{name} is {kind}, not finite numbers {fields[name]}")
+    sizes, alpha, gamma = data["sizes"], data["alpha"], data["gamma"]
+    if sizes.shape != (7,) or sizes.min() < 1 or sizes.max() > 1000:
+        raise NotProvedError(f"sizes are {sizes}, not seven numbers from 1 to 1000")
+    if alpha.shape != (2,) or gamma.shape != (4,) or min(alpha[1], *gamma[1::2]) < 1:
+        raise NotProvedError("alpha is not one fraction, or gamma not two")
+    return data

@@ -1,0 +1,100 @@
+"""What follows from an enclosure: the kernel of the linearisation, and the shape of the front.
+
+Notation of `existence`; P = P*, u = u*, S(x) = sup |u| over ξ ≥ x, I(x) = ∫ P over (x − 1, x), and
+k = ‖K‖₁ = 1 + γ² for γ ≤ 1, 2γ for γ ≥ 1.
+
+**Lemma 4 (the linearisation).** L* = DQ(P*) is onto and its kernel is spanned by P*'.
+
+*Proof.* L*A = DG(y*) is invertible, as ‖1 − DG(y*)‖ < 1; so L* is onto, A is injective with closed
+range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w
+↦ H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
+−b) with a common bound and Lipschitz constant.  In the splitting of L^∞ at −b this operator is
+triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal, and the index of
+the latter in L^∞ of a half line is ± the winding number of 1 + ĝ (Gohberg and Krein; kernels in
+L¹). (1 + ĝ)(1 − α K̂) = 1 + ê with |ê| ≤ ‖e‖₁ < 1, so that number is, up to sign, that of D(iω) =
+1 − α K̂(iω) = 1 − α (1 − iγω) sinc²(ω/2).  D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D
+= 1; D(−iω) is the conjugate: D winds once.  So |ind A| = 1; A being injective, ind A = −1 and dim
+ker L* = codim Ran A = 1.  Since P is Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is
+a bounded element of the kernel, not 0 as P is not constant. ∎
+
+Consequences: the front is isolated up to shifts (let φ vanish on Ran A with φ(P') = 1; for a
+solution P₁ near P some small shift makes φ(P₁ − P) = 0, so P₁ = P + A y with a small y, and the
+theorem's uniqueness gives P₁ = P); and, by the implicit function theorem for P̄ + A y in the space
+of y that vanish at both ends, it continues to a C¹ branch in γ.
+
+**Lemma 5 (ahead).** Let u > 0 on (x₁ − 1, x₁], s = S(x₁)^(α−1), k s < 1 and
+
+    (1 + 2γ)(1 + γ) s < 1 − k s,      γ (1 + γ) s/2 < 1 − k s.
+
+Then u > 0 and u' < 0 on [x₁, ∞).
+
+*Proof.* Let x ≥ x₁ and I = I(x).  For ξ ≥ x the part of u(ξ) = ∫ K(ξ − η) P(η) dη with η < x is
+between 0 and (1 + γ) I, the rest at most k S^α in modulus: S(x) ≤ (1 + γ) I/(1 − k S(x)^(α−1)).
+The negative part of K has mass at most γ²/2 (for γ > 1 it has γ − 1/2 ≤ γ²/2), hence u(x) ≥ γ I −
+γ²/2 S^α.  Derivatives: u'(x) = −I + ∫₀¹ P(x + s) ds + γ (2 P(x) − P(x − 1) − P(x + 1)) ≤ −I + (1 +
+2γ) S^α.  With S^α ≤ s (1 + γ) I/(1 − k s) both conditions give u(x) > 0 and u'(x) < 0 if I(x) > 0.
+At a first zero x > x₁ of u we would have I(x) > 0, so there is none. ∎
+
+**Lemma 6 (double exponential tail).** Then ln(−ln u(x))/x → ln α as x → ∞.
+
+*Proof.* For x > x₁ + 1, u decreases on [x − 1, ∞), so u(x) ≤ k u(x − 1)^α.  Below, u(x) ≥ c I(x)
+with c > 0 by the second condition, and I(x) ≥ κ u(x − 1 + κ)^α for 0 < κ < 1.  For v = −ln u → ∞
+this reads v(x) ≥ α v(x − 1) − C, so lim inf ln v/x ≥ ln α, and v(x) ≤ α v(x − 1 + κ) + C_κ, so lim
+sup ln v/x ≤ ln α/(1 − κ) for every κ. ∎
+
+**Lemma 7 (behind).** If D has no zero with 0 < Re λ ≤ θ, then u − 1 = O(e^(θξ)) as ξ → −∞.
+
+*Proof.* z = u − 1 → 0 solves z − α K*z = K*N(z), |N(z)| ≤ C z² where z is small.  D ≠ 0 on the
+imaginary axis, so δ − α K has an inverse δ + G with G in L¹ (Wiener), and G decays exponentially,
+as K has compact support.  With s(x) = sup |z| over ξ < x, cutting at x leaves z 1_{<x} − α K*(z
+1_{<x}) = K*(N 1_{<x}) + E, where |E| ≤ C s(x + 1) on [x − 1, x + 1] and E = 0 elsewhere: s(x − d)
+≤ C s(x + 1)² + C s(x + 1) ∫|G| over (−∞, 1 − d) ≤ s(x + 1)/2 for large d and −x.  So z = O(e^(rξ))
+for some r > 0. Then N = O(e^(2rξ)), and as δ − α K is invertible with the weight e^(−wξ) for 0 ≤ w
+≤ θ, z = O(e^(min(2r, θ) ξ)); finitely many steps give θ. ∎
+"""
+
+from flint import arb, fmpq
+
+from granular_fronts.proofs.balls import NotProvedError, above, bounds, largest, power
+
+
+def shape(front):
+    """Positivity, decrease on a half line, the tail ahead and the overshoot."""
+    low, high = front.u_low - front.u_error, front.u_high + front.u_error
+    x1 = _small_from(front, low, high)
+    front.require("u > 0 in the window", arb(0), -largest(-low[:x1]))
+    front.require("u > 0 behind it", front.outer_kappa[0] * front.r, arb(1))
+    fall, slope = x1, []
+    while fall:
+        steepest = bounds(front.u[fall - 1].derivative() * 2 * front.n)[1] + front.slope_error
+        if not steepest < 0:
+            break
+        fall, slope = fall - 1, [*slope, steepest]
+    if slope:
+        front.require("u' < 0 in the window", largest(slope), arb(0))
+    front.fall = fmpq(fall, front.n) - front.left
+    yield (
+        f"u* > 0 on the whole line, u*' < 0 for ξ ≥ {front.fall}, and ln(−ln u*)/ξ → ln α as ξ → ∞."
+    )
+    tops = [u[0] - error for u, error in zip(front.u, front.u_error, strict=True)]
+    top = max(tops, key=lambda u: float(u.lower()))
+    if top > 1:
+        front.require("overshoot", arb(1), top)
+        yield f"max u* > {-above(-top)!r}: the front overshoots."
+
+
+def _small_from(front, low, high):
+    """The first cell of the longest half line on which both conditions of Lemma 5 hold."""
+    gamma, sup, sides = front.gamma, front.outer_kappa[1] * front.r, None
+    for i in range(len(low) - 1, front.n, -1):
+        sup = largest([sup, abs(low[i]), abs(high[i])])
+        s = power(sup, front.alpha - 1)
+        falls, stays = ((1 + 2 * gamma) * (1 + gamma) * s, gamma * (1 + gamma) * s / 2)
+        if not (falls < 1 - front.nK * s and stays < 1 - front.nK * s):
+            break
+        first, sides = i, (falls, stays, 1 - front.nK * s)
+    if sides is None:
+        raise NotProvedError("the front is not yet small at the end of the window")
+    front.require("decrease ahead", sides[0], sides[2])
+    front.require("u > 0 ahead", sides[1], sides[2])
+    return first

@@ -1,0 +1,139 @@
+"""What the checks of a scene ask of its law: that it is possible, and the sizes that it makes.
+
+The short form of a law, by its exponents, needs no more than arithmetic.  The long form, by the
+kinds of its potentials, and a `Law` from Python are evaluated: only then are `model.laws` and with
+it numpy imported, since the workflow checks its configuration at each start.
+"""
+
+import functools
+import json
+import math
+import sys
+from collections.abc import Iterator, Mapping
+
+from granular_fronts.errors import InputError
+
+DECADES_PER_UNIT = 8
+"""Compressions for each factor of 10 among which the one of an energy is looked up."""
+
+
+def is_short(law: object) -> bool:
+    """Whether a law is given by its exponents."""
+    return isinstance(law, Mapping) and "alpha" in law
+
+
+def law_errors(section: Mapping) -> Iterator[str]:
+    """Say why the law of a section cannot be made."""
+    law = section.get("law")
+    if law is None or is_short(law):
+        return
+    try:
+        made_law(law)
+    except InputError as error:
+        yield f"law: {error}"
+
+
+def made_law(law: object):
+    """The `model.laws.Law` of a long form, or of one that is made already.
+
+    Raises
+    ------
+    InputError
+        If the law is impossible.
+    """
+    if is_of_potentials(law):
+        from granular_fronts.model.laws import make_law
+
+        return make_law(law)
+    if isinstance(law, Mapping):
+        return _made(json.dumps(law, sort_keys=True))
+    return law
+
+
+def is_of_potentials(law: object) -> bool:
+    """Whether a law is a mapping with a potential that is made already, as Python can give it."""
+    return isinstance(law, Mapping) and any(hasattr(part, "domain") for part in law.values())
+
+
+@functools.lru_cache
+def _made(text):
+    from granular_fronts.model.laws import make_law
+
+    return make_law(json.loads(text))
+
+
+def exponent_of(law: object) -> float | None:
+    """Exponent α of a Hertz potential, None for other elastic potentials."""
+    if is_short(law):
+        return law["alpha"]
+    elastic = made_law(law).elastic
+    return elastic.parameters[0] if elastic.kind == "hertz" else None
+
+
+def domain_of(law: object) -> tuple[float, float]:
+    """Open interval of the strains for which a law holds."""
+    return (-math.inf, math.inf) if is_short(law) else made_law(law).domain
+
+
+def decades_of_impact(law: object, velocity: float, most: int) -> float:
+    """Decimal logarithm of the strain that a velocity makes of contacts at rest.
+
+    A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
+    the law (28), or stretches them as far where that takes less.
+
+    Parameters
+    ----------
+    law : Mapping or Law
+    velocity : float
+    most : int
+        Decades on either side of 1 among which it is sought.
+
+    Returns
+    -------
+    float
+        −∞ for no velocity.
+    """
+    if velocity == 0.0:
+        return -math.inf
+    if is_short(law):
+        return 2.0 / (law["alpha"] + 1.0) * math.log10(abs(velocity))
+    import numpy as np
+
+    elastic = made_law(law).elastic
+    sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
+    energies = np.fmax(*(elastic.value(sign * 10.0**sizes) for sign in (-1.0, 1.0)))
+    energies -= elastic.value(0.0)
+    inside = -(10.0**sizes) > elastic.domain[0]
+    enough = ~inside | (energies >= float(velocity) ** 2)
+    return float(sizes[np.argmax(enough)]) if enough.any() else float(most)
+
+
+def front_speed(law: object, size: float) -> float:
+    """Speed of a front into contacts at rest, (V'(−u)/−u)^½ for a compression u = 10^size."""
+    if is_short(law):
+        return 10.0 ** (0.5 * (law["alpha"] - 1.0) * size)
+    elastic, u = made_law(law).elastic, 10.0**size
+    if -u <= elastic.domain[0]:
+        return 0.0
+    return math.sqrt(abs(float(elastic.first(-u))) / u)
+
+
+def decades_of_energy(law: object, size: float) -> dict[str, float]:
+    """Decimal logarithms of V and W at a compression of 10^size, by key of the law."""
+    if is_short(law):
+        return {key: (law[key] + 1.0) * size for key in ("alpha", "beta") if key in law}
+    made = made_law(law)
+    energies = {key: _decades_of_energy(getattr(made, key), size) for key in ("elastic", "viscous")}
+    return {key: found for key, found in energies.items() if math.isfinite(found)}
+
+
+def _decades_of_energy(potential, size):
+    """The same of one potential, −∞ where it is 0."""
+    if potential.factor == 0.0 or -(10.0**size) <= potential.domain[0]:
+        return -math.inf
+    if potential.kind in ("hertz", "power"):
+        return math.log10(potential.factor) + (potential.parameters[0] + 1.0) * size
+    low, high = potential.domain
+    at_rest = potential.value(0.0) if low < 0.0 < high else 0.0
+    energy = abs(float(potential.value(-(10.0**size)) - at_rest))
+    return math.log10(min(energy, sys.float_info.max)) if energy else -math.inf

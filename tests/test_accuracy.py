@@ -1,0 +1,93 @@
+"""Values with their errors: refinement, rounding floor, propagation."""
+
+import math
+
+import numpy as np
+import pytest
+
+from granular_fronts.accuracy import (
+    Estimate,
+    largest_difference,
+    rounded,
+    rounding_floor,
+    with_refinement,
+)
+from granular_fronts.errors import NoFrontError
+
+
+def test_error_is_the_largest_difference_of_two_computations():
+    assert largest_difference([1.0, -2.0], [1.25, -2.5]) == 0.5
+
+
+@pytest.mark.parametrize("size", [1.0, 3.0e5, 2.0e-9])
+def test_last_digit_of_the_largest_stands_in_where_two_computations_agree(size):
+    error = largest_difference([-size, 0.0], [-size, 0.0])
+    assert size + error == np.nextafter(size, np.inf)
+    assert rounding_floor([-size, 0.0]) == error
+
+
+def test_zeros_and_no_values_at_all_have_no_error():
+    assert largest_difference([0.0], [0.0]) == largest_difference([], []) == 0.0
+
+
+def test_points_without_a_value_do_not_count():
+    assert largest_difference([1.0, math.nan], [1.5, 3.0]) == 0.5
+    assert math.isnan(largest_difference([math.nan], [math.nan]))
+
+
+def trapezoidal(points):
+    x = np.linspace(0.0, 1.0, points)
+    return float(np.trapezoid(np.exp(x), x))
+
+
+def test_difference_to_a_refinement_estimates_the_error():
+    """Half the spacing: the error of the trapezoidal rule is 4/3 of the difference."""
+    found = with_refinement(trapezoidal, 11, 21).estimate()
+    true_error = abs(found.value - (math.e - 1.0))
+    assert found.error == pytest.approx(0.75 * true_error, rel=1e-2)
+    useless = with_refinement(trapezoidal, 11, 11).estimate()
+    assert useless.error == np.spacing(useless.value) < 1e-12 * true_error
+
+
+def test_failed_refinement_is_called_so_and_a_failed_solution_is_not():
+    def solve(order):
+        if order > 4:
+            raise NoFrontError("no convergence at order 6")
+        return order
+
+    with pytest.raises(
+        NoFrontError, match=r"^the refinement that should estimate the error failed"
+    ):
+        with_refinement(solve, 4, 6)
+    with pytest.raises(NoFrontError, match=r"^no convergence"):
+        with_refinement(solve, 6, 4)
+
+
+CORNERS = [(x, y) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+
+
+@pytest.mark.parametrize(
+    "combine",
+    [
+        lambda a, b: a + b,
+        lambda a, b: a - b,
+        lambda a, b: a * b,
+        lambda a, b: a / b,
+        lambda a, b: np.float64(2.0) * a - b / 3.0,
+        lambda a, b: 1.0 + -a * b,
+    ],
+)
+def test_errors_propagate_to_first_order_in_the_worst_case(combine):
+    """The corners of the box of errors lie within the estimate, and one of them on its edge."""
+    a, b = Estimate(-3.0, 1e-7), Estimate(2.0, 2e-7)
+    found = combine(a, b)
+    assert isinstance(found, Estimate)
+    assert found.value == combine(a.value, b.value)
+    distances = [
+        abs(combine(a.value + x * a.error, b.value + y * b.error) - found.value) for x, y in CORNERS
+    ]
+    assert max(distances) == pytest.approx(found.error, rel=1e-5)
+
+
+def test_closed_formula_is_known_to_some_units_of_its_last_place():
+    assert rounded(-3.0, units=4.0) == Estimate(-3.0, 4.0 * np.spacing(3.0))

@@ -1,0 +1,344 @@
+"""Exact fronts of any law between any states: identities, the chain as the judge, and sweeps."""
+
+import json
+import math
+import re
+
+import numpy as np
+import pytest
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.profile.equation import evaluate, front_problem, power_problem
+from granular_fronts.fronts.profile.solve import (
+    quadrature_defect,
+    refine,
+    solve_on_grid,
+    solve_profile,
+)
+from granular_fronts.fronts.profile.window import Window
+from granular_fronts.output.datasets import read_dataset, write_dataset
+
+COSH = gf.Potential(
+    lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3.0, 3.0), name="cosh"
+)
+
+
+def law_of(elastic, viscous, **parameters):
+    elastic = elastic if isinstance(elastic, gf.Potential) else {"kind": elastic} | parameters
+    return gf.make_law(elastic=elastic, viscous=viscous)
+
+
+def linear(gamma):
+    return {"kind": "linear", "gamma": gamma}
+
+
+NONLINEAR = {"kind": "fpu", "quadratic": 0.5, "quartic": 0.25}
+POWER = {"kind": "power", "beta": 1.25, "gamma": 0.4}
+FRONTS = {
+    "toda": (law_of("toda", linear(0.3)), (-2.0, 0.0)),
+    "fpu": (law_of("fpu", NONLINEAR, cubic=3.0), (1.0, 0.0)),
+    "morse": (law_of("morse", linear(0.5)), (-1.0, 0.1)),
+    "hertz": (law_of("hertz", POWER, alpha=1.5, stiffness=2.0), (-0.5, -0.1)),
+    "cosh": (law_of(COSH, linear(0.4)), (-2.0, -0.5)),
+    "lennard_jones": (law_of("lennard_jones", linear(0.2), depth=1.0 / 72.0), (-0.08, 0.01)),
+    "proportional": (law_of("toda", {"kind": "proportional", "gamma": 0.2}), (-1.5, 0.5)),
+}
+XI = np.array([-6.0, -2.0, -0.5, 0.75, 2.0])
+STRAINS = {
+    "toda": [-1.951859922144571, -1.721405324692268, -1.861974966476461, -0.240188284430707,
+             -0.016298076860316],
+    "fpu": [0.999932499474206, 0.975914599124553, 0.741940529054578, 0.182504110697769,
+            0.018841253429861],
+    "morse": [-0.978110497286408, -0.830927471847077, -0.978992429148710, -0.002249352385251,
+              0.095557493912533],
+    "hertz": [-0.499892188134406, -0.471224684541977, -0.358460962436909, -0.216537241700960,
+              -0.133224797145338],
+    "cosh": [-2.001026614177878, -2.034793250436034, -1.618703176060056, -0.846582188544363,
+             -0.580529720423852],
+    "lennard_jones": [-0.080155885312800, -0.065735067797633, -0.074492902475315,
+                      -0.000506456917223, 0.009353518953401],
+}  # fmt: skip
+"""Strains at `XI` by another code: SciPy's band solver without row maps, windows of its own."""
+
+by_front = pytest.mark.parametrize("name", FRONTS)
+
+
+def solved(name):
+    law, states = FRONTS[name]
+    front = gf.solve_front(law=law, states=states)
+    assert front.attrs["converged"] == 1, front.attrs["reason"]
+    return front
+
+
+@by_front
+def test_front_obeys_the_jump_conditions(name):
+    """The speed is an unknown and the power an integral; neither knows of the theory."""
+    front, (law, states) = solved(name), FRONTS[name]
+    theory = gf.jump_conditions(law, *states)
+    attributes = front.attrs
+    assert attributes["speed"] == theory.speed
+    assert abs(attributes["speed_defect"]) <= 1e-14
+    assert attributes["dissipated_power"] == pytest.approx(theory.dissipated_power, rel=1e-13)
+    assert attributes["error_estimate"] <= 2e-13 * max(map(abs, states))
+    ends = front["strain"].values[[0, -1]]
+    np.testing.assert_allclose(ends, states, atol=1e-13)
+    ends = front["velocity"].values[[0, -1]]
+    np.testing.assert_allclose(
+        ends, [theory.velocity_behind, theory.velocity_ahead], atol=1e-12 * theory.speed
+    )
+    np.testing.assert_array_equal(front["strain"], -front["relative_displacement"])
+    halfway = gf.evaluate_front(front, 0.0, "strain")
+    assert halfway == pytest.approx(0.5 * sum(states), rel=1e-15)
+
+
+@pytest.mark.parametrize("name", STRAINS)
+def test_front_is_that_of_another_code(name):
+    front = solved(name)
+    found = gf.evaluate_front(front, XI, "strain")
+    np.testing.assert_allclose(found, STRAINS[name], atol=3e-14)
+
+
+def carried(law, states, front, shift=0.0):
+    """Largest change of u when the chain carries a front for one bead-time, seen from the front."""
+    behind, ahead = states
+    first = math.ceil(-front["xi"].values[0]) + 2
+    beads = np.arange(1.0, first + math.ceil(front["xi"].values[-1]) + 4)
+    u = gf.evaluate_front(front, beads - first) + shift * np.exp(-((beads - first) ** 2))
+    period = 1.0 / front.attrs["speed"]
+    later = gf.simulate_chain(
+        {
+            "law": law,
+            "beads": beads.size,
+            "boundary": {"kind": "pressure", "left": -behind, "right": -ahead},
+            "start": {
+                "kind": "given",
+                "relative_displacement": u[:-1].tolist(),
+                "velocity": gf.evaluate_front(front, beads - first, "velocity").tolist(),
+            },
+            "end_time": period,
+            "tolerance": {"relative": 1e-14, "absolute": 1e-15 * max(map(abs, states))},
+            "record": {"snapshots": [period]},
+        }
+    )
+    found = later["relative_displacement"].values[0, :-1]
+    return np.abs(found - gf.evaluate_front(front, beads - first - 1.0)[:-1]).max()
+
+
+@by_front
+def test_chain_carries_the_front_by_one_bead_per_bead_time(name):
+    law, states = FRONTS[name]
+    front, size = solved(name), max(map(abs, states))
+    assert carried(law, states, front) <= 1e-12 * size
+    # Neither another state nor another damping is carried.
+    assert carried(law, states, front, shift=1e-3 * size) > 1e-6 * size
+    assert carried(law.with_damping(1.05), states, front) > 1e-4 * size
+
+
+@by_front
+def test_grid_errors_fall_as_the_defect_says(name):
+    law, states = FRONTS[name]
+    problem = front_problem(law, *states)
+    fine = refine(solve_profile(problem))
+    window = Window(
+        *(n * float(fine.spacing) for n in (fine.middle, fine.s.size - fine.middle - 1))
+    )
+    defects, errors = [], []
+    for factor in (4, 3, 2):
+        spacing = factor * fine.spacing
+        coarse = solve_on_grid(problem, window, spacing, 20, fine.evaluate)
+        defects.append(quadrature_defect(coarse))
+        errors.append(np.abs(coarse.s - fine.evaluate(coarse.xi)).max())
+    assert defects == sorted(defects, reverse=True)
+    assert errors == sorted(errors, reverse=True)
+    assert errors[0] > 30.0 * errors[2]
+    assert (np.array(errors) < 10.0 * np.array(defects) + 1e-14).all()
+
+
+@pytest.mark.parametrize("beta", [1.5, 1.0, 2.5])
+def test_both_ways_to_two_powers_are_one(beta):
+    known = gf.solve_front(1.5, 0.3, beta)
+    found = gf.solve_front(law={"alpha": 1.5, "beta": beta, "gamma": 0.3}, states=(-1.0, 0.0))
+    np.testing.assert_allclose(found["strain"], known["strain"], atol=1e-15)
+    assert found.attrs.keys() == known.attrs.keys()
+    shot = gf.solve_front(law=json.loads(found.attrs["law"]), states=(-1, 0), method="shooting")
+    other = gf.evaluate_front(found, shot["xi"].values)
+    np.testing.assert_allclose(shot["relative_displacement"], other, atol=1e-13)
+
+
+@pytest.mark.parametrize("delta", [0.1, 20.0])
+def test_fronts_scale_with_the_compression(delta):
+    """For β = α by eq. (30): u/δ, velocities over δ^((α + 1)/2) and γδ^((α − 1)/2)."""
+    alpha, gamma = 1.5, 0.2
+    front = gf.solve_front(law={"alpha": alpha, "gamma": gamma}, states=(-delta, 0.0))
+    known = gf.solve_front(alpha, gamma * delta ** (0.5 * (alpha - 1.0)))
+    assert "alpha" not in front.attrs
+    for name, scale in (
+        ("relative_displacement", delta),
+        ("velocity", delta ** (0.5 * (alpha + 1.0))),
+    ):
+        found = gf.evaluate_front(front, XI, name) / scale
+        np.testing.assert_allclose(found, gf.evaluate_front(known, XI, name), atol=1e-14)
+    assert front.attrs["overshoot"] == pytest.approx(delta * known.attrs["overshoot"], abs=1e-13)
+    power = 0.1 * delta ** (0.5 * (3.0 * alpha + 1.0))
+    assert front.attrs["dissipated_power"] == pytest.approx(power, rel=1e-13)
+
+
+def test_units_of_a_law_do_not_matter():
+    """Stiffness k and damping γ√k: the same profile, faster by √k."""
+    soft, hard = (
+        gf.solve_front(
+            law=law_of("toda", linear(0.3 * math.sqrt(k)), strength=k), states=(-2.0, 0.0)
+        )
+        for k in (1.0, 1e6)
+    )
+    strains = (gf.evaluate_front(front, XI, "strain") for front in (soft, hard))
+    np.testing.assert_allclose(*strains, atol=1e-13)
+    assert hard.attrs["speed"] == pytest.approx(1e3 * soft.attrs["speed"], rel=1e-14)
+
+
+def test_close_states_have_the_digits_that_rounding_leaves():
+    """Strains near −1 are known to 1e-16, and the jump of 0.01 accordingly less well."""
+    law = law_of("toda", linear(0.3))
+    front = gf.solve_front(law=law, states=(-1.0, -0.99))
+    theory = gf.jump_conditions(law, -1.0, -0.99)
+    assert front.attrs["converged"] == 1
+    assert front.attrs["error_estimate"] < 2e-14
+    assert front.attrs["dissipated_power"] == pytest.approx(theory.dissipated_power, rel=1e-11)
+
+
+def test_weak_damping_is_reached_from_strong_damping():
+    front = gf.solve_front(law=law_of("toda", linear(0.05)), states=(-2.0, 0.0))
+    assert front.attrs["converged"] == 1
+    assert front.attrs["overshoot"] > 0.5
+    power = gf.jump_conditions(law_of("toda", linear(0.05)), -2.0, 0.0).dissipated_power
+    assert front.attrs["dissipated_power"] == pytest.approx(power, rel=1e-12)
+
+
+@by_front
+def test_slopes_of_p_and_q_are_their_derivatives(name):
+    problem, step = front_problem(*FRONTS[name][:1], *FRONTS[name][1]), 1e-5
+    assert problem.behind.p == pytest.approx(1.0, rel=1e-14)
+    s = np.array([0.2, 0.5, 0.8, 1.0])
+    values = np.empty((2, 2, s.size))
+    for sign, (p, q) in zip((1.0, -1.0), values, strict=True):
+        evaluate(problem, s + sign * step, p, q)
+    (p_slope, q_slope) = (values[0] - values[1]) / (2.0 * step)
+    assert p_slope[-1] == pytest.approx(problem.behind.p_slope, rel=1e-8)
+    assert q_slope[-1] == pytest.approx(problem.damping * problem.behind.q_slope, rel=1e-8)
+
+
+@pytest.mark.parametrize("name", ["toda", "hertz", "cosh", "proportional"])
+def test_sweep_of_a_law_agrees_with_single_fronts(name):
+    law, states = FRONTS[name]
+    factors = np.random.default_rng(7).permutation(np.geomspace(0.5, 4.0, 12))
+    sweep = gf.sweep_fronts(law=law, states=states, factors=factors)
+    np.testing.assert_array_equal(sweep["factor"], factors)
+    assert (sweep["converged"] == 1).all()
+    power = gf.jump_conditions(law, *states).dissipated_power
+    np.testing.assert_allclose(sweep["dissipated_power"], power, rtol=1e-12)
+    assert json.loads(sweep.attrs["law"]) == law.describe()
+    for factor in factors[::5]:
+        front = gf.solve_front(law=law.with_damping(factor), states=states)
+        point = sweep.sel(factor=factor)
+        for measure in ("overshoot", "width_10_90", "slope", "dissipated_power"):
+            allowed = 2.0 * (point[f"{measure}_error"] + front.attrs[f"{measure}_error"])
+            allowed += 1e-14 * (1.0 + abs(front.attrs[measure]))
+            assert abs(point[measure] - front.attrs[measure]) <= allowed
+
+
+def test_a_front_of_any_law_can_be_written_and_read(tmp_path):
+    law, states = FRONTS["cosh"]
+    front = solved("cosh")
+    sweep = gf.sweep_fronts(law=law, states=states, factors=[1.0, 2.0])
+    for found, variable in ((front, "strain"), (sweep, "overshoot")):
+        write_dataset(found, tmp_path / "fronts.nc", scene_id="fronts", config={})
+        again = read_dataset(tmp_path / "fronts.nc", "fronts")
+        np.testing.assert_array_equal(again[variable], found[variable])
+        assert json.loads(again.attrs["law"])["elastic"]["name"] == "cosh"
+
+
+TODA = law_of("toda", linear(0.3))
+
+
+@pytest.mark.parametrize(
+    ("law", "states", "sentence"),
+    [
+        (TODA, (0.0, -2.0), r"leaves R = -2 behind it, eq\. \(17\): give \(-2, 0\)"),
+        (TODA, (-1.0, -1.0), "both -1"),
+        (law_of("toda", {"kind": "none"}), (-2.0, 0.0), "Nothing dissipates"),
+        (law_of("fpu", linear(0.3)), (-1.0, 0.0), "Remark 3"),
+        (law_of("lennard_jones", linear(0.3)), (-1.5, 0.0), "at least -1"),
+        (law_of("fpu", linear(1.0), quartic=1.0), (-1.0, 0.9), "V''' has one sign"),
+        (law_of("hertz", linear(1.0), alpha=0.5), (0.0, -1.0), "V'' is inf, W'' is 1"),
+        (
+            law_of("toda", {"kind": "power", "beta": 0.5, "gamma": 1.0}),
+            (-1.0, 0.0),
+            "R = 0, the state ahead of the front .*W'' is inf",
+        ),
+        (
+            law_of("fpu", {"kind": "power", "beta": 1.5, "gamma": 1.0}, cubic=1.0),
+            (1.0, -0.1),
+            "W'' is 0 at R = 1, the state behind the front, and waves there never decay",
+        ),
+    ],
+)
+def test_fronts_that_are_not_sought_are_refused(law, states, sentence):
+    with pytest.raises(InputError, match=sentence):
+        gf.solve_front(law=law, states=states)
+
+
+@pytest.mark.parametrize(
+    ("law", "states", "words"),
+    [
+        (law_of("hertz", linear(0.3), alpha=300.0), (-1.0, 0.0), "."),
+        (law_of("toda", linear(1e7)), (-2.0, 0.0), "sites"),
+        (law_of("toda", linear(0.3)), (-1.0, -1.0 + 1e-9), "sites"),
+        (
+            law_of("toda", {"kind": "power", "beta": 1.0, "gamma": 0.3}),
+            (-1.0, 0.5),
+            "128 points per site: .* kink between the states",
+        ),
+    ],
+)
+def test_what_cannot_be_found_is_a_record_with_a_reason(law, states, words):
+    front = gf.solve_front(law=law, states=states)
+    assert front.attrs["converged"] == 0
+    assert re.search(words, front.attrs["reason"])
+    assert np.isnan(front["strain"].values).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({"law": TODA}, "states is missing"),
+        ({"states": (-1, 0)}, "law is missing"),
+        ({"law": TODA, "states": (-1, 0, 1)}, "states holds 3 numbers"),
+        ({"law": TODA, "states": (-1, 0), "alpha": 1.5}, "alpha and law are given together"),
+        ({"law": TODA, "states": (-1, 0), "right_state": 0.1}, "right_state is 0.1 beside a law"),
+        ({"law": TODA, "states": (-1, 0), "method": "shooting"}, "shooting knows two powers"),
+        ({"law": {"elastic": {"kind": "tode"}}, "states": (-1, 0)}, "did you mean toda"),
+        ({"law": 1.5, "states": (-1, 0)}, "law is 1.5"),
+        ({}, "alpha is None"),
+    ],
+)
+def test_impossible_arguments_are_refused(arguments, sentence):
+    with pytest.raises(InputError, match=sentence):
+        gf.solve_front(**arguments)
+
+
+def test_multipliers_are_known_for_two_powers_only():
+    for front in (solved("toda"), gf.solve_front(1.5, 0.3, right_state=0.2)):
+        with pytest.raises(InputError, match="known for two powers from compression 1"):
+            gf.front_multipliers(front)
+
+
+def test_two_powers_are_normalised_as_they_are():
+    """p = s^α and q = γs^β to the last bit, whatever is done for other states."""
+    problem = power_problem(1.5, 0.3, 2.5)
+    s = np.linspace(-0.1, 1.2, 66)
+    p, q = np.empty((2, s.size))
+    evaluate(problem, s, p, q)
+    u = np.maximum(s, 0.0)
+    np.testing.assert_array_equal(p, u * np.sqrt(u))
+    np.testing.assert_allclose(q, 0.3 * u**2.5, rtol=4e-16)

@@ -1,0 +1,374 @@
+"""The bounds of the checker, computed again by other means: quadrature, dense matrices, doubles."""
+
+# ruff: noqa: N802
+
+import numpy as np
+import pytest
+from scipy import integrate, optimize
+
+flint = pytest.importorskip("flint")
+
+from test_proof_checker import DATA, PROVED, load  # noqa: E402
+
+import granular_fronts as gf  # noqa: E402
+from granular_fronts.proofs import balls, consequences, rear_expansion  # noqa: E402
+from granular_fronts.proofs.checker import Front, read  # noqa: E402
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
+
+
+SLOW = {"monotone": (), "overshoot": (), "steep": pytest.mark.slow}
+
+
+class Certificate:
+    """A certificate in doubles, with functions of ξ instead of polynomials on cells."""
+
+    def __init__(self, name):
+        data = load(name)
+        self.alpha = data["alpha"][0] / data["alpha"][1]
+        low, high = (data["gamma"][k] / data["gamma"][k + 1] for k in (0, 2))
+        self.gamma = (low + high) / 2
+        self.behind, self.ahead, self.n, self.p, self.q, self.c, self.fine = data["sizes"].tolist()
+        self.profile = data["profile"]
+        self.g = np.cumsum(np.cumsum(data["inverse"])) / 2**20
+        size = len(data["correction"])
+        correction = data["correction"].astype(int)
+        self.H = np.eye(size) + np.cumsum(np.cumsum(correction, axis=1), axis=0) / 2**16
+        self.b, self.M = self.c + self.q + 2, self.ahead + 1
+
+    def P(self, xi):
+        xi = np.asarray(xi, dtype=float)
+        cell = np.floor((xi + self.behind) * self.n).astype(int)
+        inside = (cell >= 0) & (cell < len(self.profile))
+        t = 2 * ((xi + self.behind) * self.n - cell) - 1
+        rows = self.profile[np.where(inside, cell, 0)]
+        values = sum(rows[..., k] * t**k for k in range(rows.shape[-1]))
+        return np.where(inside, values, np.where(cell < 0, 1.0, 0.0))
+
+    def u(self, xi):
+        """K*P̄ by Gauss quadrature between ends of cells."""
+        xi = np.atleast_1d(xi)
+        return np.array([self.integral(x) for x in xi])
+
+    def integral(self, x):
+        ends = np.arange(np.ceil((x - 1) * self.n), np.floor((x + 1) * self.n) + 1) / self.n
+        ends = np.unique(np.concatenate([[x - 1, x, x + 1], ends]))
+        middle, half = (ends[1:] + ends[:-1]) / 2, np.diff(ends) / 2
+        eta = middle[:, None] + half[:, None] * NODES
+        values = self.K(x - eta) * self.P(eta)
+        return float((values @ WEIGHTS) @ half)
+
+    def K(self, s):
+        return np.where(abs(s) < 1, 1 - abs(s) + self.gamma * np.sign(s), 0.0)
+
+    def a(self, u):
+        return self.alpha * np.maximum(u, 0) ** (self.alpha - 1)
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=SLOW[name]) for name in PROVED],
+)
+def pair(request):
+    """A certificate as the checker sees it, in balls, and as this module does."""
+    before, flint.ctx.prec = flint.ctx.prec, 80
+    front = Front(read(DATA / f"{request.param}.npz"))
+    front.statements = [*front.exists(), *consequences.shape(front)]
+    yield front, Certificate(request.param)
+    flint.ctx.prec = before
+
+
+def floats(values):
+    return np.array([float(value.mid()) for value in values])
+
+
+def test_strain_is_the_convolution(pair):
+    front, known = pair
+    middles = (np.arange(len(front.u)) + 0.5) / front.n - front.left
+    some = np.arange(3, len(middles), 7)
+    assert floats(front.u_mid)[some] == pytest.approx(known.u(middles[some]), abs=2e-13)
+    edges = [float(front.u[k](flint.arb(1)).mid()) for k in some]
+    assert edges == pytest.approx(known.u((some + 1) / front.n - front.left), abs=1e-13)
+
+
+def test_residual_is_bounded_and_not_much_too_large(pair):
+    front, known = pair
+    t = np.linspace(-0.999, 0.999, 9)
+    bound, found = [], []
+    for j in range(0, len(front.u), 5):
+        xi = (j + 0.5 + t / 2) / front.n - front.left
+        found.append(abs(known.P(xi) - np.maximum(known.u(xi), 0) ** known.alpha).max())
+        bound.append(float(front.residual(j).upper()))
+    assert (np.array(found) <= np.array(bound) + 1e-14).all()
+    assert max(np.array(found) / bound) > 0.9
+
+
+def test_ranges_contain_the_strain(pair):
+    front, known = pair
+    for j in range(0, len(front.u), 11):
+        u = known.u((j + np.linspace(0.01, 0.99, 5)) / front.n - front.left)
+        assert (floats([front.u_low[j]]) - 1e-13 <= u).all()
+        assert (u <= floats([front.u_high[j]]) + 1e-13).all()
+
+
+def test_norms_are_those_of_dense_matrices(pair):
+    """Z₁, ρ and κ by the formulas of `right_inverse` with matrices instead of polynomials."""
+    front, known = pair
+    n, h, alpha, gamma = front.n, 1 / front.n, known.alpha, known.gamma
+    W = (known.b + known.M) * n
+    nK = integrate.quad(lambda s: abs(float(known.K(s))), -1, 1, points=(0, gamma - 1, 1 - gamma))[
+        0
+    ]
+    low, mid, high = (known.a(floats(u)) for u in (front.u_low, front.u_mid, front.u_high))
+    far = (front.left - known.c) * n
+    drift = max(abs(low[:far] / alpha - 1).max(), abs(high[:far] / alpha - 1).max())
+    low, mid, high = low[-W:], mid[-W:], high[-W:]
+
+    def cells(function, values):
+        """∫ function(K) over a cell seen from the middle of another, from 16 points a half."""
+        s = (
+            values[:, None]
+            + np.linspace(-1, 1, 33)[1::2] * h / 4
+            + np.array([[-1], [1]])[:, None] * h / 4
+        )
+        return function(known.K(s)).mean(axis=-1).sum(axis=0) * h / 2
+
+    x = (np.arange(W) + 0.5) * h - known.b
+    offsets = np.subtract.outer(x, x)
+    flat = np.round(offsets * n).astype(int)
+    whole = cells(lambda k: k, np.arange(-n, n + 1) * h)
+    absolute = cells(abs, np.arange(-n, n + 1) * h)
+    near = abs(flat) <= n
+    T = np.where(near, whole[np.clip(flat + n, 0, 2 * n)], 0)
+    T_abs = np.where(near, absolute[np.clip(flat + n, 0, 2 * n)], 0)
+    rest = abs(np.eye(W) - known.H + mid[:, None] * (T @ known.H)) @ mid * nK
+    edges = np.arange(W + 1) * h - known.b
+    weighted = known.H * mid
+    v = h * abs(weighted @ known.K(np.subtract.outer(x, edges))).sum(axis=1)
+    v += h / 2 * abs(weighted).sum(axis=1)
+    w = 1 + v
+
+    def swing(f):
+        total = np.zeros(W)
+        for m in range(-n, n + 1):
+            weight = h * h / 2 + h * gamma * (m == 0) + h * gamma / 2 * (abs(m) == n)
+            total += weight * np.interp(np.arange(W) + m, np.arange(-n, W + n), f)
+        return total
+
+    change = swing(np.pad(w, n))
+    inner = high * change + (high - low) * (T_abs @ w)
+    forward = integrate.quad(lambda s: abs(1 - s - gamma), 0, 1, points=(abs(1 - gamma),))[0]
+    forward = max(forward, (gamma**2 + (1 - gamma) ** 2) / 2)
+    entering = alpha * forward * w[:n].max()
+    gain = 1 + max(entering, rest[:n].max())
+
+    ng = n * known.fine
+    norms = np.append(np.cumsum(abs(known.g)[::-1])[::-1] / ng, 0)
+    middles = (np.arange(-ng, ng) + 0.5) / ng
+    g_whole = np.concatenate([[0], known.K((np.arange(-2 * ng, 2 * ng) + 0.5) / (2 * ng)), [0]])
+    g_whole = (g_whole[::2] + g_whole[1::2]) / (2 * ng)
+    e = -alpha * np.convolve(g_whole, known.g)
+    e[ng:-ng] += known.g
+    e[known.p * ng : (known.p + 2) * ng] -= alpha * known.K(middles)
+    e = abs(e).sum() / ng + alpha * (2 + (2 + 4 * gamma) * norms[0]) / (2 * ng)
+    outer = gain * (e + drift * (norms[0] + e)) + nK * high[-n:].max()
+    Z1 = outer + max(inner[:n].max(), (inner + rest)[n:].max(), entering * drift)
+    assert float(front.Z1.mid()) == pytest.approx(Z1, rel=1e-4)
+
+    position = np.round((x - h / 2 + known.b - 1 + known.p) * ng).astype(int)
+    spill = norms[np.clip(position, 0, len(norms) - 1)]
+    rho = w + rest + gain * spill
+    assert floats(front.rho)[-W:] == pytest.approx(rho, rel=1e-8)
+    assert floats(front.rho)[:-W] == pytest.approx(gain * (1 + norms[0]), rel=1e-8)
+    padded = np.concatenate([np.full(n, gain * (1 + norms[0])), rho, np.ones(n)])
+    direct = swing(padded) + sum(
+        absolute[n + m] * padded[n - m : n - m + W] for m in range(-n, n + 1)
+    )
+    with np.errstate(divide="ignore"):
+        through = (v + gain * spill + rest + inner + outer) / low
+    assert floats(front.kappa)[-W:] == pytest.approx(np.minimum(direct, through), rel=2e-3)
+    behind = (gain * norms[0] + entering * (1 + drift) + outer) / (alpha * (1 - drift))
+    assert floats(front.outer_kappa) == pytest.approx(
+        [behind, nK * max(1, rho[-n:].max())], rel=1e-4
+    )
+
+
+@pytest.mark.parametrize(
+    "pair",
+    [
+        name if name == "overshoot" else pytest.param(name, marks=pytest.mark.slow)
+        for name in PROVED
+    ],
+    indirect=True,
+)
+def test_inverse_is_one(pair):
+    """A on a finer mesh: 1 − L A and A reach a good part of their bounds, and no more."""
+    front, known = pair
+    n, k = front.n, 3
+    h, left, right = 1 / (n * k), known.b + known.p + 2, known.M + 1
+    x = (np.arange((left + right) * n * k) + 0.5) * h - left
+    offsets = np.round(np.subtract.outer(x, x) / h).astype(int)
+
+    def convolution(values, first):
+        index = offsets - first
+        inside = (index >= 0) & (index < len(values))
+        return np.where(inside, values[np.clip(index, 0, len(values) - 1)], 0.0)
+
+    halves = np.concatenate([[0], known.K((np.arange(-2 * n * k, 2 * n * k) + 0.5) * h / 2), [0]])
+    K = convolution((halves[::2] + halves[1::2]) * h / 2, -n * k)
+    ng = n * known.fine
+    positions = np.arange(-known.p * n * k - 1, known.q * n * k + 2)
+    primitive = np.concatenate([[0], np.cumsum(known.g)]) / ng
+    grid = np.arange(-known.p * ng, known.q * ng + 1) / ng
+    g = np.interp((positions + 0.5) * h, grid, primitive)
+    g -= np.interp((positions - 0.5) * h, grid, primitive)
+    G = np.eye(len(x)) + convolution(g, positions[0])
+
+    window = (x > -known.b) & (x < known.M)
+    middles = window & (np.arange(len(x)) % k == k // 2)
+    u = np.zeros(len(x))
+    cells = (x > -front.left) & (x < known.M)
+    u[cells] = np.interp(
+        x[cells],
+        (np.arange(len(front.u)) + 0.5) / n - front.left,
+        floats(front.u_mid),
+    )
+    u[x <= -front.left] = 1.0
+    stiffness = known.a(u)
+    sources = np.diag(window.astype(float))
+    R = stiffness[middles][:, None] * (K @ sources)[middles]
+    spread = np.kron(np.eye(window.sum() // k), np.ones((k, 1)))
+    f = sources.copy()
+    f[window] += spread @ (known.H @ R)
+    left_of = x < -known.b
+    s = np.where((left_of & (x > -known.b - 1))[:, None], known.alpha * (K @ f), 0.0)
+    T = convolution_of_cells(known, n)
+    a_mid = stiffness[middles]
+    remaining = (np.eye(len(T)) - known.H + a_mid[:, None] * (T @ known.H)) @ R
+    remaining[n:] = 0.0
+    d = np.zeros_like(f)
+    d[window] = spread @ remaining
+    A = G @ (np.diag(left_of.astype(float)) + s + d) + f + np.diag((x > known.M).astype(float))
+    LA = A - stiffness[:, None] * (K @ A)
+    safe = (x > -known.b - 3) & (x < known.M + 0.9)  # Away from the ends of this mesh.
+    defect = abs(np.eye(len(x)) - LA)[safe].sum(axis=1)
+    assert 0.02 < defect.max() < float(front.Z1.mid())
+    norms = abs(A)[window].sum(axis=1)
+    rho = np.repeat(floats(front.rho)[-window.sum() // k :], k)
+    assert (norms < rho * 1.02).all()
+    assert norms[k * n * known.b // 2 :].max() > 0.5 * rho[k * n * known.b // 2 :].max()
+    kappa = np.repeat(floats(front.kappa)[-window.sum() // k :], k)
+    assert (abs(K @ A)[window].sum(axis=1) < kappa * 1.02).all()
+
+
+def convolution_of_cells(known, n):
+    halves = np.concatenate([[0], known.K((np.arange(-2 * n, 2 * n) + 0.5) / (2 * n)), [0]])
+    whole = (halves[::2] + halves[1::2]) / (2 * n)
+    offsets = np.subtract.outer(np.arange(len(known.H)), np.arange(len(known.H)))
+    return np.where(abs(offsets) <= n, whole[np.clip(offsets + n, 0, 2 * n)], 0.0)
+
+
+def test_computed_fronts_lie_in_the_enclosures(pair):
+    front, known = pair
+    computed = gf.solve_front(known.alpha, known.gamma)
+    xi = np.linspace(-front.left, known.M, 200)
+    difference = abs(gf.evaluate_front(computed, xi) - known.u(xi)).max()
+    assert difference < front.error
+    assert computed.attrs["error_estimate"] < front.error
+    if known.alpha == 2:
+        statement = next(line for line in front.statements if "overshoots" in line)
+        assert 1 + computed.attrs["overshoot"] > float(statement.split()[3].rstrip(":"))
+
+
+def test_slowest_mode_by_other_means():
+    """λ₁, C₁ and A against roots and quadrature in doubles, and against the computed front."""
+    before, flint.ctx.prec = flint.ctx.prec, 80
+    front, known = Front(read(DATA / "monotone.npz")), Certificate("monotone")
+    list(front.exists())
+    x0 = int(front.data["starts"][0])
+    roots = [rear_expansion.find_root(front, *row) for row in front.data["roots"].tolist()]
+    source, errors = rear_expansion.boundary_source(front, (front.left + x0) * front.n)
+    flint.ctx.prec = before
+    alpha, gamma = known.alpha, known.gamma
+
+    def D(x):
+        return 1 - alpha * (1 - gamma * x) * (2 * np.cosh(x) - 2) / x**2
+
+    rate = optimize.brentq(D, 1.3, 1.6)
+    assert float(roots[0].real.mid()) == pytest.approx(rate, rel=1e-13)
+    pair = complex(float(roots[1].real.mid()), float(roots[1].imag.mid()))
+    assert abs(D(pair)) < 1e-12
+
+    def Q(t):
+        return float(known.P(x0 + t)) - 1
+
+    def z(t):
+        return known.integral(x0 + t) - 1
+
+    def quad(f, low, high):
+        edges = np.arange(np.floor(low * front.n), np.ceil(high * front.n) + 1) / front.n
+        edges = np.unique(np.clip(edges, low, high))
+        middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
+        nodes, weights = np.polynomial.legendre.leggauss(4)
+        return sum(
+            r * w * f(m + r * x)
+            for m, r in zip(middle, half, strict=True)
+            for x, w in zip(nodes, weights, strict=True)
+        )
+
+    for k in (1, 7, 18):
+        t = (k + 0.5) / front.n
+        early = -gamma * Q(t) - (t - gamma) * Q(1e-12) + quad(Q, 0, t)
+        late = -alpha * ((1 - t + gamma) * z(0) - gamma * z(t - 1) - quad(z, t - 1, 0))
+        assert float(source[k][0].mid()) == pytest.approx(early, rel=1e-6, abs=1e-13)
+        assert float(source[front.n + k][0].mid()) == pytest.approx(late, rel=1e-6, abs=1e-13)
+    computed = gf.solve_front(alpha, gamma)
+    statement = next(s for s in PROVED["monotone"]["statements"] if "A exp" in s)
+    bounds = statement.split("15}, ")[-1].split(", ")[-1].split(" − 1e-6 < A < ")
+    low, high = float(bounds[0]), float(bounds[1].split(" +")[0])
+    u = gf.evaluate_front(computed, [-12.0])
+    assert low < float((1 - u[0]) * np.exp(rate * 12)) < high
+    assert float(errors[0].upper()) > 0
+
+
+def test_kernels_and_their_norms_by_quadrature():
+    before, flint.ctx.prec = flint.ctx.prec, 80
+    for gamma, w, n in ((0.3, 0.0, 20), (0.3, 1.3, 20), (1.4, 0.7, 15)):
+        middles, whole, absolute = balls.kernel(flint.arb(gamma), flint.arb(w), n)
+
+        def K(s, gamma=gamma, w=w):
+            sign = 1 if s > 0 else -1
+            return (1 - abs(s) + gamma * sign) * np.exp(-w * s) * (abs(s) < 1)
+
+        assert floats(middles) == pytest.approx([K((m + 0.5) / n) for m in range(-n, n)], rel=1e-12)
+        for m in range(-n, n + 1):
+            ends = np.array([m - 0.5, m, m + 0.5]) / n
+            found = sum(integrate.quad(K, *e)[0] for e in (ends[:2], ends[1:]))
+            size = sum(
+                integrate.quad(lambda s: abs(K(s)), *e, limit=200)[0] for e in (ends[:2], ends[1:])
+            )
+            assert whole[n + m].overlaps(flint.arb(found, 1e-8))
+            assert size - 1e-9 <= float(absolute[n + m].upper()) <= size + 2 / n**2
+            assert float(whole[n + m].rad()) < 1e-5
+    flint.ctx.prec = before
+
+
+@pytest.mark.parametrize(("w", "zeros"), [(1.0, 0), (1.6, 1), (2.5, 3)])
+def test_zeros_are_counted(w, zeros):
+    before, flint.ctx.prec = flint.ctx.prec, 80
+    front = Front(read(DATA / "monotone.npz"))
+    for count in range(5):
+        if count == zeros:
+            rear_expansion.require_zeros(front, "zeros", flint.arb(w), count)
+        else:
+            with pytest.raises(balls.NotProvedError):
+                rear_expansion.require_zeros(front, "zeros", flint.arb(w), count)
+    flint.ctx.prec = before
+
+
+def test_certificates_are_made_as_those_kept(tmp_path):
+    record = gf.prove_front(2, ("3/10", "300000001/1000000000"), tmp_path / "made.npz")
+    assert record["proved"], record["reason"]
+    known = {name: left for name, left, _ in PROVED["overshoot"]["inequalities"]}
+    made = {one["name"]: one["left"] for one in record["inequalities"]}
+    assert made["Z1 < 1"] == pytest.approx(known["Z1 < 1"], rel=0.05)

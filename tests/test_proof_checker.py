@@ -1,0 +1,280 @@
+"""What the checker of proofs proves, and that it proves nothing from what is wrong."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from projects import ROOT
+
+flint = pytest.importorskip("flint")
+
+from granular_fronts.proofs.checker import check_certificate  # noqa: E402
+
+DATA = ROOT / "tests/test_proof_data"
+PROVED = json.loads((DATA / "proved.json").read_text())
+
+
+def load(name):
+    with np.load(DATA / f"{name}.npz") as file:
+        return {field: file[field] for field in file.files}
+
+
+def check(data, folder):
+    np.savez(folder / "certificate.npz", **data)
+    return check_certificate(folder / "certificate.npz")
+
+
+@pytest.mark.parametrize("name", PROVED)
+def test_certificates_prove_what_they_proved(name):
+    record = check_certificate(DATA / f"{name}.npz")
+    assert record["proved"], record["reason"]
+    assert record["statements"] == PROVED[name]["statements"]
+    found, known = record["inequalities"], PROVED[name]["inequalities"]
+    assert [one["name"] for one in found] == [one[0] for one in known]
+    for one, (_, left, right) in zip(found, known, strict=True):
+        assert one["left"] == pytest.approx(left, rel=1e-9, abs=1e-13)
+        assert one["right"] == pytest.approx(right, rel=1e-9, abs=1e-13)
+        assert one["left"] < one["right"]
+        assert one["margin"] == one["right"] - one["left"] > 0
+
+
+def test_front_at_three_tenths_is_monotone_and_steeper_ones_overshoot():
+    assert "monotone" in PROVED["monotone"]["statements"][-1]
+    for name in ("overshoot", "steep"):
+        assert any("overshoots" in line for line in PROVED[name]["statements"])
+        assert not any("monotone" in line for line in PROVED[name]["statements"])
+
+
+def test_parameters_are_enclosed():
+    record = check_certificate(DATA / "overshoot.npz")
+    low, high = record["gamma"]
+    assert low <= 0.3 < 0.300000001 <= high < 0.30000001
+    assert record["alpha"][0] <= 2 <= record["alpha"][1] < 2 + 1e-12
+
+
+# Each changes one certificate so that its claim is false, or that nothing can be proved from it.
+
+
+def setting(**values):
+    return lambda data: data.update({name: np.array(value) for name, value in values.items()})
+
+
+def changed(name, change):
+    def apply(data):
+        data[name] = change(data[name])
+
+    return apply
+
+
+def at(index, value):
+    def change(values):
+        values = values.copy()
+        values[index] = value
+        return values
+
+    return change
+
+
+def shifted_half(profile):
+    return np.concatenate([profile[20:320], np.repeat(profile[320:321], 20, 0), profile[320:]])
+
+
+def step(profile):
+    profile = np.zeros_like(profile)
+    profile[: len(profile) * 4 // 5, 0] = 1
+    return profile
+
+
+LIES = {
+    "negative gamma": setting(gamma=[-3, 10, -3, 10]),
+    "no gamma": setting(gamma=[0, 1, 0, 1]),
+    "gamma 0.29": setting(gamma=[29, 100, 29, 100]),
+    "gamma 0.31": setting(gamma=[31, 100, 31, 100]),
+    "gamma 0.5": setting(gamma=[1, 2, 1, 2]),
+    "a wide interval": setting(gamma=[29, 100, 31, 100]),
+    "half of gamma wrong": setting(gamma=[3, 10, 5, 10]),
+    "gamma over 0": setting(gamma=[3, 0, 3, 0]),
+    "gamma over −10": setting(gamma=[-3, -10, -3, -10]),
+    "one fraction for gamma": setting(gamma=[3, 10]),
+    "gamma in doubles": setting(gamma=[3.0, 10.0, 3.0, 10.0]),
+    "alpha 1": setting(alpha=[1, 1]),
+    "alpha 1.51": setting(alpha=[151, 100]),
+    "alpha negative": setting(alpha=[-3, 2]),
+    "a reflected front": changed("profile", lambda f: f[::-1] * (-1.0) ** np.arange(f.shape[1])),
+    "a step": changed("profile", step),
+    "no front": changed("profile", np.zeros_like),
+    "half of the front shifted": changed("profile", shifted_half),
+    "cells exchanged": changed("profile", lambda f: at([200, 220], f[[220, 200]])(f)),
+    "coefficients reversed": changed("profile", lambda f: f[:, ::-1].copy()),
+    "a cell lost": changed("profile", lambda f: f[1:]),
+    "not a number": changed("profile", at((100, 3), np.nan)),
+    "infinity": changed("profile", at((100, 0), np.inf)),
+    "huge": changed("profile", at((100, 0), 1e308)),
+    "single precision": changed("profile", lambda f: f.astype(np.float32)),
+    "complex": changed("profile", lambda f: f.astype(complex)),
+    "no matrix": changed("correction", np.zeros_like),
+    "matrix shifted": changed("correction", lambda f: np.roll(f, 20, axis=0)),
+    "matrix transposed": changed("correction", lambda f: f.T.copy()),
+    "matrix negative": changed("correction", lambda f: -f),
+    "matrix cut": changed("correction", lambda f: f[:-1]),
+    "one entry wrong": changed("correction", at((150, 150), 32767)),
+    "no inverse": changed("inverse", np.zeros_like),
+    "inverse reversed": changed("inverse", lambda f: f[::-1].copy()),
+    "inverse cut": changed("inverse", lambda f: f[:-1]),
+    "inverse zero beyond one bead": changed("inverse", at(slice(6400, None), 0)),
+    "inverse as doubles": changed("inverse", lambda f: f.astype(float)),
+    "empty": changed("inverse", lambda f: f[:0]),
+    "negative sizes": changed("sizes", lambda f: -f),
+    "huge sizes": changed("sizes", at(0, 2**62)),
+    "zero sizes": changed("sizes", at(5, 0)),
+    "a longer rear": changed("sizes", at(0, 18)),
+    "a shorter window": changed("sizes", at(5, 3)),
+    "other cells": changed("sizes", at(2, 21)),
+    "p and q exchanged": changed("sizes", lambda f: f[[0, 1, 2, 4, 3, 5, 6]]),
+    "sizes as a matrix": changed("sizes", lambda f: f[None]),
+    "no weights": changed("weights", lambda f: f[:0]),
+    "three weights": changed("weights", lambda f: np.append(f, 3.0)),
+    "a weight that is not a number": changed("weights", at(0, np.nan)),
+    "negative theta": changed("weights", at(0, -0.5)),
+    "theta beyond the slowest root": changed("weights", at(0, 1.5)),
+    "eta beyond 2 theta": changed("weights", at(1, 2.9)),
+    "eta below the pair": changed("weights", at(1, 1.9)),
+    "eta below the slowest root": changed("weights", at(1, 1.45)),
+    "a root that is none": changed("roots", at((0, 0), 1.4)),
+    "the slowest root twice": changed("roots", lambda f: f[[0, 0]]),
+    "the pair alone": changed("roots", lambda f: f[1:]),
+    "roots exchanged": changed("roots", lambda f: f[::-1].copy()),
+    "a wide square": changed("roots", at((0, 2), 3.0)),
+    "a negative radius": changed("roots", lambda f: f * [1, 1, 0]),
+    "x0 beyond the cells": changed("starts", at(0, 40)),
+    "x0 far behind": changed("starts", at(0, -60)),
+    "x0 in the front": changed("starts", at(0, 0)),
+    "inverse misplaced": changed("starts", at(1, -800)),
+    "inverse far away": changed("starts", at(2, -(2**40))),
+    "no slow inverse": changed("slow_inverse", np.zeros_like),
+    "no fast inverse": changed("fast_inverse", np.zeros_like),
+    "field missing": lambda data: data.pop("correction"),
+    "field of the expansion missing": lambda data: data.pop("roots"),
+    "field too many": setting(proved=[1]),
+}
+
+
+# These take longest, since all bounds are computed first.  Others of their kind are always tried.
+LATE = {
+    "alpha 1.51",
+    "gamma 0.29",
+    "half of the front shifted",
+    "cells exchanged",
+    "no slow inverse",
+    "inverse far away",
+    "inverse misplaced",
+    "x0 far behind",
+    "gamma 0.31",
+    "eta below the pair",
+    "theta beyond the slowest root",
+    "x0 beyond the cells",
+    "a negative radius",
+}
+
+
+@pytest.mark.parametrize(
+    "lie", [pytest.param(lie, marks=pytest.mark.slow if lie in LATE else ()) for lie in LIES]
+)
+def test_nothing_is_proved_from_what_is_wrong(lie, tmp_path):
+    data = load("monotone")
+    LIES[lie](data)
+    record = check(data, tmp_path)
+    assert record["proved"] is False
+    assert record["reason"]
+    assert record["statements"] == record["inequalities"] == []
+
+
+def test_half_an_overshoot_is_no_overshoot(tmp_path):
+    """A certificate of a front that overshoots, claimed for a γ where it does not exist."""
+    data = load("steep") | {"gamma": np.array([7, 10, 7, 10])}
+    assert not check(data, tmp_path)["proved"]
+
+
+@pytest.mark.parametrize("content", [b"", b"PK\3\4", b"not a certificate"])
+def test_files_that_are_no_certificates(content, tmp_path):
+    path = tmp_path / "file.npz"
+    path.write_bytes(content)
+    assert not check_certificate(path)["proved"]
+    path.write_bytes((DATA / "monotone.npz").read_bytes()[:-1000])
+    assert not check_certificate(path)["proved"]
+    for nothing in (tmp_path / "nowhere.npz", tmp_path):
+        record = check_certificate(nothing)
+        assert record["proved"] is False
+        assert record["reason"]
+
+
+def test_objects_are_not_read(tmp_path):
+    np.savez(tmp_path / "file.npz", weights=np.array([{}], dtype=object))
+    record = check_certificate(tmp_path / "file.npz")
+    assert not record["proved"]
+    assert "pickle" in record["reason"]
+
+
+def test_precision_of_others_is_left_alone():
+    flint.ctx.prec = 53
+    check_certificate(DATA / "overshoot.npz")
+    check_certificate("nowhere")
+    assert flint.ctx.prec == 53
+
+
+def test_command_needs_flint_and_numpy_only():
+    """The command runs, and loads nothing of what is installed but flint and NumPy."""
+    script = (
+        "import sys; from granular_fronts.proofs.__main__ import main; "
+        f"code = main([{str(DATA / 'overshoot.npz')!r}]); "
+        "known = set(sys.stdlib_module_names) | {'flint', 'numpy', 'granular_fronts', '__main__', "
+        "'cython_runtime'}; "
+        "print({name.split('.')[0] for name in sys.modules if not name.startswith('_')} - known); "
+        "sys.exit(code)"
+    )
+    run = subprocess.run(
+        [sys.executable, "-S", "-c", f"import sys; sys.path[:0] = {sys.path!r}; {script}"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    assert "overshoots" in run.stdout
+    assert run.stdout.strip().splitlines()[-1] == "set()"
+
+
+def test_command_says_what_failed(tmp_path):
+    command = [sys.executable, "-m", "granular_fronts.proofs", str(tmp_path / "nowhere.npz")]
+    run = subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PYTHONPATH": str(ROOT / "src")},
+    )
+    assert run.returncode == 1
+    assert "not proved: FileNotFoundError" in run.stdout
+
+
+@pytest.mark.parametrize("name", ["prove_front", "check_certificate"])
+def test_without_flint_a_sentence_says_how_to_install_it(name):
+    script = (
+        "import sys; from importlib.machinery import PathFinder; find = PathFinder.find_spec; "
+        "PathFinder.find_spec = classmethod(lambda cls, name, *more: "
+        "None if name == 'flint' else find(name, *more)); "
+        f"import granular_fronts as gf; gf.{name}"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PYTHONPATH": str(ROOT / "src")},
+    )
+    assert run.returncode == 1
+    assert run.stderr.strip().splitlines()[-1] == (
+        "ModuleNotFoundError: Proofs of fronts need python-flint: install it by "
+        "pip install 'granular-fronts[proofs]'."
+    )

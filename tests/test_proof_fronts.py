@@ -1,0 +1,50 @@
+"""Fronts proved from nothing: those of the paper's figures, and others of all shapes."""
+
+from fractions import Fraction
+
+import pytest
+
+pytest.importorskip("flint")
+
+import granular_fronts as gf
+from granular_fronts.proofs.checker import check_certificate
+
+FIGURES = {
+    "figure 1": (Fraction(6, 100), {"cells": 48, "fine": 100, "drift": 3e-4}, "overshoots"),
+    "figure 3": (Fraction(65, 100), {}, "monotone"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("figure", FIGURES)
+def test_fronts_of_the_paper(figure, tmp_path):
+    """γ (1/10)^(−1/4), enclosed by fractions: the fourth powers prove it."""
+    gamma, options, statement = FIGURES[figure]
+    start = int(float(gamma) * 10**-0.25 * 10**13)
+    low, high = Fraction(start - 1, 10**13), Fraction(start + 2, 10**13)
+    assert low**4 * 10 < gamma**4 < high**4 * 10
+    record = gf.prove_front("3/2", (low, high), tmp_path / "front.npz", **options)
+    assert record["proved"], record["reason"]
+    assert statement in " ".join(record["statements"])
+
+
+CASES = {
+    ("3/2", "3333/10000"): "monotone",
+    ("3/2", "3655/10000"): "monotone",
+    ("3/2", "1/5"): "overshoots",
+    ("3/2", "1/10"): "overshoots",
+    (2, "1/2"): "monotone",
+    ("6/5", "1/5"): "ln α",
+    ("3/2", "1"): "monotone",
+    ("3/2", "6/5"): "A exp(λ ξ)",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CASES)
+def test_other_fronts(case, tmp_path):
+    options = {"cells": 40, "fine": 100, "drift": 1e-4} if Fraction(case[1]) >= 1 else {}
+    record = gf.prove_front(*case, tmp_path / "front.npz", **options)
+    assert record["proved"], record["reason"]
+    assert CASES[case] in " ".join(record["statements"])
+    assert check_certificate(tmp_path / "front.npz") == record
