@@ -289,7 +289,10 @@ def _describe(method, question, solution, refined):
         speed_defect_error=abs(solution.speed_defect - refined.speed_defect),
         error_estimate=error,
         **found,
-        **{f"{name}_error": abs(found[name] - found_again[name]) for name in MEASURES},
+        **{
+            f"{name}_error": max(abs(found[name] - found_again[name]), RESOLUTION * size)
+            for name in MEASURES
+        },
     )
 
 

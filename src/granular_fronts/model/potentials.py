@@ -35,7 +35,7 @@ GIVEN = "given"
 
 
 class Origin:
-    """What tells one potential of a user's functions from every other, even of the same functions.
+    """What distinguishes a potential of a user's functions from all others, of the same ones even.
 
     Functions may depend on variables outside themselves, whose values change between the two.
     """
