@@ -6,9 +6,9 @@ the adaptive pair of `integrator`, or with the implicit steps of `stiff` where d
 
 Accuracy.  Every scene is integrated a second time, with the tolerance divided by `REFINEMENT` until
 more steps are taken; the largest difference between the two runs is the error estimate of each
-recorded variable.  It comes
-from an independent refinement and not from the step controller, and bounds the error as long as the
-error shrinks with the tolerance, down to the point where both runs consist of rounding.
+recorded variable.  It comes from an independent refinement and not from the step controller.  It is
+an estimate and no bound: where the error shrinks with the tolerance it is about nine tenths of the
+error or more, and where both runs consist of rounding it may be half of it.
 """
 
 from typing import NamedTuple
