@@ -6,7 +6,6 @@ import pandas as pd
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
-from granular_fronts.studies.materials import regime
 from step import run_step
 
 
@@ -52,7 +51,7 @@ def make_row(one, kind, dimension, value):
         "front": f"{value:g} {unit}",
         "gamma_of_front": gamma,
         "mu": float(front[f"mu_front_{kind}"]),
-        "regime": regime(gamma),
+        "regime": "underdamped" if gamma < float(one["critical_gamma"]) else "overdamped",
         "rests_on": RESTS_ON[kind],
         "numerical error": float(one[f"gamma_front_{kind}"].attrs["error_estimate"]),
     }

@@ -8,11 +8,10 @@ the curves stay apart in grey print and for colour-blind readers.
 import logging
 
 import matplotlib
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
 from matplotlib import cycler
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.figure import Figure
 
 from granular_fronts.output.files import complete_file
 
@@ -47,8 +46,7 @@ logging.getLogger("fontTools").setLevel(logging.ERROR)
 
 _SETTINGS = {
     "figure.constrained_layout.use": True,
-    "figure.dpi": 100,
-    "savefig.dpi": 200,
+    "figure.dpi": 200,
     "font.size": 9,
     "axes.titlesize": 9,
     "axes.labelsize": 9,
@@ -73,15 +71,16 @@ def new_figure(height, mosaic):
     height : float
         In inches.
     mosaic : list of list of str
-        Names of the panels, as in `matplotlib.pyplot.subplot_mosaic`.
+        Names of the panels, as in `matplotlib.figure.Figure.subplot_mosaic`.
 
     Returns
     -------
     figure : matplotlib.figure.Figure
     panels : dict of matplotlib.axes.Axes
     """
-    plt.rcParams.update(_SETTINGS)
-    return plt.subplot_mosaic(mosaic, figsize=(TEXT_WIDTH, height))
+    matplotlib.rcParams.update(_SETTINGS)
+    figure = Figure(figsize=(TEXT_WIDTH, height))
+    return figure, figure.subplot_mosaic(mosaic)
 
 
 def fill_rows(names, columns):
@@ -113,7 +112,10 @@ def save_figure(figure, pdf, png, origins):
         What the figure was drawn from, as `provenance.origin` gives, kept in both files.
     """
     keywords = " ".join("{scene}:{question}:{data}".format(**origin) for origin in origins)
-    for path, metadata in ((pdf, {"CreationDate": None}), (png, {})):
-        with complete_file(path) as unfinished:
-            figure.savefig(unfinished, metadata={"Keywords": keywords, **metadata})
-    plt.close(figure)
+    # `savefig` would draw each format twice and arrange the panels anew for each.
+    with complete_file(png) as unfinished:
+        FigureCanvasAgg(figure).print_png(unfinished, metadata={"Keywords": keywords})
+    figure.set_layout_engine("none")
+    with complete_file(pdf) as unfinished:
+        metadata = {"Keywords": keywords, "CreationDate": None}
+        FigureCanvasPdf(figure).print_pdf(unfinished, metadata=metadata)
