@@ -85,8 +85,19 @@ def half_unit(printed):
     -------
     str
         In plain digits where they are few, for example "0.005" or "5e-05".
+
+    Raises
+    ------
+    ValueError
+        If the text is infinite or no number, and so has no last digit.
     """
-    return f"{float(Decimal(5).scaleb(Decimal(printed).as_tuple().exponent - 1)):g}"
+    exponent = Decimal(printed).as_tuple().exponent
+    if not isinstance(exponent, int):
+        raise ValueError(
+            f"The printed number is {printed}, which has no last digit: give its digits, or say "
+            "`within` what the number is reproduced."
+        )
+    return f"{float(Decimal(5).scaleb(exponent - 1)):g}"
 
 
 def judge(allowed, measured):
