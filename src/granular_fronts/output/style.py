@@ -6,13 +6,19 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
+from collections.abc import Collection, Iterable, Mapping
+from pathlib import Path
+from typing import Any
 
 import matplotlib
 
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
-from matplotlib import cycler
+from matplotlib.axes import Axes
+from matplotlib.colors import Colormap
+from matplotlib.figure import Figure
+from matplotlib.rcsetup import cycler
 
 from granular_fronts.output.files import complete_file
 
@@ -45,7 +51,7 @@ PACKAGE_COLOURS = {
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
 
-_SETTINGS = {
+_SETTINGS: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
     "figure.dpi": 100,
     "savefig.dpi": 200,
@@ -65,7 +71,7 @@ _SETTINGS = {
 }
 
 
-def new_figure(height, mosaic):
+def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
     """A figure of text width with the panels of a mosaic.
 
     Parameters
@@ -84,23 +90,23 @@ def new_figure(height, mosaic):
     return plt.subplot_mosaic(mosaic, figsize=(TEXT_WIDTH, height))
 
 
-def fill_rows(names, columns):
+def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
     """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
     filled = [*names, *["."] * (-len(names) % columns)]
     return [filled[first : first + columns] for first in range(0, len(filled), columns)]
 
 
-def compression_map():
+def compression_map() -> Colormap:
     """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
     return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
 
 
-def velocity_map():
+def velocity_map() -> Colormap:
     """Colour map of velocities, light at rest."""
     return matplotlib.colormaps["viridis_r"]
 
 
-def save_figure(figure, pdf, png, origins):
+def save_figure(figure: Figure, pdf: Path, png: Path, origins: Iterable[Mapping[str, str]]) -> None:
     """Save both formats, each appearing under its name only when complete.
 
     The PDF carries no date, so that equal data give equal files.
