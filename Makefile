@@ -28,7 +28,7 @@ help: ## Print these targets, and those of the workflow where it is installed.
 	    $(BIN)/snakemake -c1 --quiet host progress reason -- help 2>&1 | grep '^  '; \
 	else echo "The targets of the workflow are shown once make has installed it."; fi
 
-test: lint ## Check the style and run the fast tests.
+test: lint ## Check style and types, and run the fast tests.
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
 	@$(BIN)/pytest -m timing
@@ -37,11 +37,12 @@ slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests (about twelve minutes)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
-lint: .venv/installed ## Check the style and the workflow's rules.
-	@echo "Checking style and the workflow's rules."
+lint: .venv/installed ## Check the style, the workflow's rules and the types.
+	@echo "Checking style, the workflow's rules and types."
 	$(call quietly,$(BIN)/ruff check .)
 	$(call quietly,$(BIN)/ruff format --check .)
 	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
+	$(call quietly,$(BIN)/python -m mypy)
 
 .venv/installed: environment.txt
 	@command -v $(PYTHON) >/dev/null || { \
@@ -76,4 +77,4 @@ readme: .venv/installed ## Bring the numbers and the figure of the README up to 
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."
-	@rm -rf results .snakemake .numba_cache .pytest_cache .ruff_cache .hypothesis
+	@rm -rf results .snakemake .numba_cache .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -73,7 +73,7 @@ def named_in(file: Path) -> set[str]:
 
     A name taken from a module may be a module itself, so both are among them.
     """
-    named = set()
+    named: set[str] = set()
     for module, names in IMPORT.findall(file.read_text(encoding="utf-8")):
         for name in re.findall(r"[\w.]+", names):
             dotted = f"{module}.{name}" if module else name

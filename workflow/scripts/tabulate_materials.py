@@ -1,8 +1,10 @@
 """Glass, steel and cork: damping by two rules, and their fronts; James (2021), remark 6."""
 
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
+import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
@@ -37,7 +39,7 @@ RESTS_ON = {
 """What the damping of a front follows from; the paper prints the mass of cork alone."""
 
 
-def make_row(one, kind, dimension, value):
+def make_row(one: xr.Dataset, kind: str, dimension: str, value: float) -> dict[str, Any]:
     """One row of the table, as a dict."""
     front = one.sel({dimension: value})
     gamma = float(front[f"gamma_front_{kind}"])

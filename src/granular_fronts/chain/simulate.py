@@ -11,7 +11,8 @@ an estimate and no bound: where the error shrinks with the tolerance it is about
 error or more, and where both runs consist of rounding it may be half of it.
 """
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import xarray as xr
 
@@ -50,7 +51,7 @@ class Solution(NamedTuple):
     drifts: dict
 
 
-def simulate_chain(scene, name="given"):
+def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Integrate one chain scene and estimate the errors of what it records.
 
     Parameters

@@ -6,12 +6,17 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
+from collections.abc import Collection, Iterable, Mapping
+from pathlib import Path
+from typing import Any
 
 import matplotlib
-from matplotlib import cycler
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
+from matplotlib.rcsetup import cycler
 
 from granular_fronts.output.files import complete_file
 
@@ -44,7 +49,7 @@ PACKAGE_COLOURS = {
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
 
-_SETTINGS = {
+_SETTINGS: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
     "figure.dpi": 200,
     "font.size": 9,
@@ -63,7 +68,7 @@ _SETTINGS = {
 }
 
 
-def new_figure(height, mosaic):
+def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
     """A figure of text width with the panels of a mosaic.
 
     Parameters
@@ -83,23 +88,23 @@ def new_figure(height, mosaic):
     return figure, figure.subplot_mosaic(mosaic)
 
 
-def fill_rows(names, columns):
+def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
     """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
     filled = [*names, *["."] * (-len(names) % columns)]
     return [filled[first : first + columns] for first in range(0, len(filled), columns)]
 
 
-def compression_map():
+def compression_map() -> Colormap:
     """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
     return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
 
 
-def velocity_map():
+def velocity_map() -> Colormap:
     """Colour map of velocities, light at rest."""
     return matplotlib.colormaps["viridis_r"]
 
 
-def save_figure(figure, pdf, png, origins):
+def save_figure(figure: Figure, pdf: Path, png: Path, origins: Iterable[Mapping[str, str]]) -> None:
     """Save both formats, each appearing under its name only when complete.
 
     The PDF carries no date, so that equal data give equal files.

@@ -11,6 +11,9 @@ the error estimate.  Space is of sixth order and steps of fourth, so that the es
 the error itself.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -27,7 +30,7 @@ ERROR_METHOD = (
 )
 
 
-def evolve_log_burgers(scene, name="given"):
+def evolve_log_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Solve the logarithmic Burgers equation, James (2021), eq. (50), for a periodic scene.
 
     Parameters
@@ -53,7 +56,7 @@ def evolve_log_burgers(scene, name="given"):
     return _evolve(scene, name, LOGARITHMIC)
 
 
-def evolve_unlimited(scene, name="given"):
+def evolve_unlimited(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Solve James (2021), eq. (40), before the limit α → 1, for a periodic scene.
 
     Parameters, result (with y for Y) and errors as of `evolve_log_burgers`.

@@ -59,7 +59,9 @@ LARGEST_ALPHA = 1e50
 """Up to it the products of the equations of the crossing do not underflow."""
 
 
-def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
+def critical_damping(
+    alpha: float, beta: float | None = None, definition: str = "tail", cut: float = 1e-3
+) -> float:
     """Damping at which fronts stop to oscillate, in the sense asked for; δ = c = 1.
 
     Parameters
@@ -100,7 +102,7 @@ def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
     return alpha / beta * _MEANINGS[definition](alpha)
 
 
-def meaning_changes_at():
+def meaning_changes_at() -> float:
     """α* ≈ 1.1877, up to which critical damping is a double root of the tail.
 
     Returns

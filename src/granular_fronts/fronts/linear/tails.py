@@ -80,7 +80,7 @@ HEIGHTS = (2.5, 4.0, 5.5, 1.0, 6.1)
 DEPTHS = (0.1, 0.5, 1.5, 3.0)
 
 
-def tail_roots(alpha, gamma, beta=None, count=6):
+def tail_roots(alpha: float, gamma: float, beta: float | None = None, count: int = 6) -> np.ndarray:
     """Exponents λ of the tail behind a front, u − 1 ~ e^(λξ), those that decay slowest first.
 
     Parameters
