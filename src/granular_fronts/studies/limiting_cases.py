@@ -26,7 +26,7 @@ from granular_fronts.accuracy import (
     variable_and_errors,
 )
 from granular_fronts.chain.measures import last_fall
-from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.potentials import make_potential
@@ -108,7 +108,7 @@ def measure_limiting_cases(section):
 
 def press_chain(alpha, gamma, beads, times):
     """Relative displacements, shape (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
-    motion = simulate_chain(
+    motion = simulate_once(
         {
             "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
             "beads": beads,
