@@ -7,7 +7,7 @@ from rings import at_end, coarsen, scene_with, slope_and_residual
 import granular_fronts as gf
 from granular_fronts.continuum.log_burgers.equation import log_burgers_front
 from granular_fronts.continuum.log_burgers.evolution import evolve_unlimited
-from granular_fronts.continuum.log_burgers.solution import solve
+from granular_fronts.continuum.log_burgers.solution import START_LEVELS, solve
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model.amplitude_scaling import scaling_of
@@ -124,7 +124,7 @@ def test_equation_40_is_solved_through_its_steep_start():
     scene["equations"]["unlimited"] = {"cells": 512, "tolerance": 1.0e-6}
     force = evolve_unlimited(scene)["rescaled_force"]
     assert force.attrs["error_estimate"] < 5.0e-5
-    fine = solve(scene, 1.5, [0.5, 3.33], 1536, 1.0e-7, smooth_cells=8.0)
+    fine = solve(scene, 1.5, [0.5, 3.33], 1536, 1.0e-7, levels=START_LEVELS, smooth_cells=8.0)
     exact = np.array([fine.rescaled_force(row, force["xi"].values) for row in range(2)])
     assert np.abs(force.values - exact).max() < 2.0 * force.attrs["error_estimate"]
 

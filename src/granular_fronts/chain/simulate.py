@@ -82,6 +82,16 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     return _with_error_estimates(solution, refined.dataset, scene["tolerance"])
 
 
+def simulate_once(scene, name="given"):
+    """Integrate one chain scene at its tolerance, for measures with error estimates of their own.
+
+    Parameters, result and errors are those of `simulate_chain`, but that no variable carries an
+    error estimate.
+    """
+    scene = check_scene("chain", scene, name)
+    return solve(scene, scene["tolerance"], f"scene {name}, solving").dataset
+
+
 def refine(scene, solution, activity):
     """Integrate a scene again, more accurately.
 

@@ -77,52 +77,27 @@ def small_exponential_less_one(r):
     return r + r * r * tail
 
 
-@kernel(error_model="numpy")
-def logarithms(x, exponent, mantissa, result):
-    """Natural logarithm of every entry.
+@kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
+def logarithm(x):
+    """Natural logarithm for a loop that is to be vectorised: no branch, no call.
 
     Parameters
     ----------
-    x : ndarray, shape (n,)
+    x : float
         Positive and normal, that is, at least 2.3e-308; not checked.
-    exponent : ndarray of int64, shape (n,)
-        Work space, as `mantissa`.
-    mantissa, result : ndarray, shape (n,)
+
+    Returns
+    -------
+    float
+        Within one unit of the last place.
     """
-    bits, mantissa_bits = x.view(np.int64), mantissa.view(np.int64)
-    for i in range(x.size):
-        shifted = bits[i] + (ONE - ROOT_HALF)
-        exponent[i] = (shifted >> FRACTION_BITS) - BIAS
-        mantissa_bits[i] = (shifted & FRACTION) + ROOT_HALF
-    for i in range(x.size):
-        k, f = float(exponent[i]), mantissa[i] - 1.0
-        s = f / (2.0 + f)
-        half_square = 0.5 * f * f
-        small = s * (half_square + remainder_of_logarithm(s)) + k * LN2_LOW
-        result[i] = k * LN2_HIGH - ((half_square - small) - f)
-
-
-@kernel(error_model="numpy")
-def exponentials_less_one(x, rounded, power, result):
-    """e^x − 1 of every entry.
-
-    Parameters
-    ----------
-    x : ndarray, shape (n,)
-        Between −700 and 700; not checked.
-    rounded, power : ndarray, shape (n,)
-        Work space.
-    result : ndarray, shape (n,)
-        Not `x` itself, or the loop is not vectorised.
-    """
-    bits, power_bits = rounded.view(np.int64), power.view(np.int64)
-    for i in range(x.size):
-        rounded[i] = x[i] * (1.0 / np.log(2.0)) + ROUNDER
-        power_bits[i] = (bits[i] << FRACTION_BITS) + ONE
-    for i in range(x.size):
-        k = rounded[i] - ROUNDER
-        r = (x[i] - k * LN2_HIGH) - k * LN2_LOW
-        result[i] = power[i] * small_exponential_less_one(r) + (power[i] - 1.0)
+    shifted = bits_of(x) + (ONE - ROOT_HALF)
+    k = double_of((shifted >> FRACTION_BITS) - BIAS + ROUNDER_BITS) - ROUNDER
+    f = double_of((shifted & FRACTION) + ROOT_HALF) - 1.0
+    s = f / (2.0 + f)
+    half_square = 0.5 * f * f
+    small = s * (half_square + remainder_of_logarithm(s)) + k * LN2_LOW
+    return k * LN2_HIGH - ((half_square - small) - f)
 
 
 @kernel(fastmath=_CONTRACT, forceinline=True)

@@ -18,7 +18,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.accuracy import error_attributes, with_refinement
-from granular_fronts.continuum.log_burgers.solution import SMOOTH_CELLS, SOLVER, solve
+from granular_fronts.continuum.log_burgers.solution import SMOOTH_CELLS, SOLVER, solve, start_levels
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.validation import check_scene
 
@@ -114,8 +114,9 @@ def solve_refined(scene, equation, times):
 
 def describe(solution):
     """Attributes that say how an equation was solved."""
+    finer = 2 ** start_levels(solution.alpha)
     return {
-        "solver": SOLVER,
+        "solver": f"{SOLVER}, {finer} times finer cells at the start",
         **solution.counts,
         "mean_drift": solution.mean_drift,
         "largest_shortfall": solution.largest_shortfall,

@@ -34,6 +34,7 @@ the tail over half a period of it, so that it is far below any visible size befo
 to oscillate: this meaning needs a cut.
 """
 
+import functools
 import math
 
 import numpy as np
@@ -112,6 +113,7 @@ def meaning_changes_at() -> float:
     return 1.0 + _excess_alpha(_bend())
 
 
+@functools.cache
 def _tail(alpha):
     return _double_root(alpha) if alpha <= meaning_changes_at() else _crossing(alpha)
 
@@ -140,7 +142,7 @@ def _crossing(alpha):
 def _alpha_of_crossing(z):
     """α = q + αg x, from α* at z = 2π to infinity at z = 0."""
     x = _crossing_real_part(z)
-    return 1.0 / (1.0 + _bell_series(x)[0]) + _slope_of_line(x, z) * x
+    return 1.0 / (1.0 + _bell_excess(x)) + _slope_of_line(x, z) * x
 
 
 def _crossing_real_part(z):
@@ -162,7 +164,7 @@ def _slope_of_line(x, z):
 
 def _equations(x, z):
     """Right-hand sides a, b and coefficients c, d of αg."""
-    q, y = 1.0 / (1.0 + _bell_series(x)[0]), 2.0 * math.pi - z
+    q, y = 1.0 / (1.0 + _bell_excess(x)), 2.0 * math.pi - z
     sine = np.sinc(y / math.pi) if y < 3.0 else -math.sin(z) / y
     half_sine = np.sinc(0.5 * y / math.pi)
     a = q * math.cosh(x) * half_sine**2 - 1.0
@@ -195,8 +197,13 @@ def _vanishing_overshoot(alpha, beta, cut):
     while excess(above) > 0.0:
         above *= 1.5
     while excess(below) < 0.0:
-        below /= 1.5
+        above, below = below, below / 1.5
     return brentq(excess, below, above, xtol=1e-15, rtol=1e-13)
+
+
+def _bell_excess(x):
+    """S − 1 from its series, all terms positive."""
+    return float(COEFFICIENTS @ x ** (2 * SERIES))
 
 
 def _bell_series(x):
