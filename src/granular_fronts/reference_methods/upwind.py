@@ -101,7 +101,8 @@ def march(values, spacing, step, steps):
     for _ in range(steps):
         if interrupted():
             break
-        padded[1:-1] = values
+        for i in range(n):
+            padded[i + 1] = values[i]
         padded[0], padded[n + 1] = values[n - 1], values[0]
         logarithms(values, exponent, mantissa, wind)
         for i in range(n):
