@@ -33,7 +33,7 @@ import math
 import numpy as np
 
 from granular_fronts.numerics.bits import bits_of, double_of, multiply_add
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 LN2 = math.log(2.0)
 LN2_HIGH, LN2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
@@ -60,7 +60,7 @@ LOWEST_EXPONENT, INFINITE_EXPONENT = -1022.0, 1024.0
 _CONTRACT = {"contract"}
 
 
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def remainder_of_logarithm(s):
     """R(s²)."""
     z = s * s
@@ -68,7 +68,7 @@ def remainder_of_logarithm(s):
     return z * (P0 + w * (P2 + w * (P4 + w * P6))) + w * (P1 + w * (P3 + w * P5))
 
 
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def small_exponential_less_one(r):
     """e^r − 1 for |r| ≤ ½ ln 2."""
     tail = TAYLOR[12]
@@ -100,7 +100,7 @@ def logarithm(x):
     return k * LN2_HIGH - ((half_square - small) - f)
 
 
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def reduced_argument(x):
     """Both r and 2^k of x = k ln 2 + r; k stays within the range of a double."""
     rounded = min(max(x * (1.0 / LN2), LOWEST_EXPONENT), INFINITE_EXPONENT) + ROUNDER

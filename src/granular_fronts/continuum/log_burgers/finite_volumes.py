@@ -42,7 +42,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.vector_functions import exponential_less_one, logarithm
 
 GHOSTS = 3
@@ -99,13 +99,14 @@ def symbols(angle):
     return over_cell * (np.sin(odd) @ SLOPE_WEIGHTS), over_cell * (np.cos(odd) @ VALUE_WEIGHTS)
 
 
-@kernel
+@subroutine
 def reconstruct(width, averages, work):
     """Values and derivatives of v at the edges, into `work`; edge i lies left of cell i."""
     n = averages.size
-    work.padded[GHOSTS : n + GHOSTS] = averages
-    work.padded[:GHOSTS] = averages[n - GHOSTS :]
-    work.padded[n + GHOSTS :] = averages[:GHOSTS]
+    for i in range(n):
+        work.padded[GHOSTS + i] = averages[i]
+    for i in range(GHOSTS):
+        work.padded[i], work.padded[n + GHOSTS + i] = averages[n - GHOSTS + i], averages[i]
     far_left, left, near_left = work.padded[:-5], work.padded[1:-4], work.padded[2:-3]
     near_right, right, far_right = work.padded[3:-2], work.padded[4:-1], work.padded[5:]
     v0, v1, v2 = VALUE_WEIGHTS
@@ -118,7 +119,7 @@ def reconstruct(width, averages, work):
         gradient[i] = s0 * inner + s1 * middle + s2 * (far_right[i] - far_left[i])
 
 
-@kernel
+@subroutine
 def evaluate_rates(equation, averages, work, rates):
     """Time derivative of the cell averages.
 
@@ -146,7 +147,7 @@ def evaluate_rates(equation, averages, work, rates):
         rates[i] = (flux[i] - flux[i + 1]) * per_width
 
 
-@kernel
+@subroutine
 def advection_and_diffusion(equation, smallest, largest):
     """Largest c²/D and largest D over values between two extremes.
 
@@ -162,7 +163,7 @@ def advection_and_diffusion(equation, smallest, largest):
     return strength, diffusion
 
 
-@kernel
+@subroutine
 def lift(averages, bound):
     """Raise every average to the bound at the expense of the nearest that can spare it.
 

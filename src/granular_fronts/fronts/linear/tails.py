@@ -54,7 +54,7 @@ from scipy.optimize import brentq
 from granular_fronts import arguments
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.validation import check_law
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
 BEND = 2.3469413041671690
@@ -154,7 +154,7 @@ def lowest_roots_of_all(alpha, damping, count):
         else:
             # The last place holds the largest real part so far, which is not among the first.
             roots[found - 1] = strip_root(alpha, damping, strip)
-        roots[:found] = roots[:found][np.argsort(roots[:found].real)]
+        sort_by_real_part(roots[:found])
         strip += 1
         if strip > MOST_STRIPS or interrupted():
             roots[:] = math.nan
@@ -162,7 +162,18 @@ def lowest_roots_of_all(alpha, damping, count):
     return roots[:count]
 
 
-@kernel
+@subroutine
+def sort_by_real_part(roots):
+    """Sort in place, NaN last, by insertion: all but the last few stand in order already."""
+    for i in range(1, roots.size):
+        root, k = roots[i], i
+        while k > 0 and not roots[k - 1].real <= root.real:
+            roots[k] = roots[k - 1]
+            k -= 1
+        roots[k] = root
+
+
+@subroutine
 def beyond(alpha, damping, strip, real_part):
     """Whether all half-strips from this one on hold only roots with a larger real part."""
     height = 2.0 * math.pi * (strip - 1)
@@ -175,7 +186,7 @@ def beyond(alpha, damping, strip, real_part):
     return not smallest <= 4.0 * math.cosh(0.5 * real_part) ** 2
 
 
-@kernel
+@subroutine
 def excess(x):
     """S(x) − 1 without cancellation, complex x."""
     if abs(x) >= 1.0:
@@ -188,7 +199,7 @@ def excess(x):
     return total
 
 
-@kernel
+@subroutine
 def log_slope(x):
     """S'(x)/S(x) = coth(x/2) − 2/x, complex x."""
     if abs(x) < 0.05:
@@ -196,7 +207,7 @@ def log_slope(x):
     return cmath.cosh(0.5 * x) / cmath.sinh(0.5 * x) - 2.0 / x
 
 
-@kernel
+@subroutine
 def newton(x, alpha, damping, known):
     """Newton's iteration for a root of α(1 − gλ)S(λ) − 1 other than the known one, from x.
 
@@ -225,7 +236,7 @@ def newton(x, alpha, damping, known):
     return nearest
 
 
-@kernel
+@subroutine
 def strip_root(alpha, damping, strip):
     """The root with 2π(k − 1) < Im λ < 2πk, k ≥ 2.
 
@@ -243,7 +254,7 @@ def strip_root(alpha, damping, strip):
     return x if inside and x.real > 0.0 else complex(math.nan, math.nan)
 
 
-@kernel
+@subroutine
 def lowest_strip(alpha, damping, roots):
     """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one beside a pair."""
     low = where_bell_falls(alpha * damping, 0.0, BEND)
@@ -264,7 +275,7 @@ def lowest_strip(alpha, damping, roots):
     return 2
 
 
-@kernel
+@subroutine
 def complex_root(alpha, damping, known):
     """The root with 0 ≤ Im λ < 2π beside the known real one.
 
@@ -287,13 +298,13 @@ def complex_root(alpha, damping, known):
     return complex(math.nan, math.nan)
 
 
-@kernel
+@subroutine
 def in_lowest_strip(x):
     """Whether Re x > 0 and |Im x| < 2π."""
     return x.real > 0.0 and abs(x.imag) < 2.0 * math.pi
 
 
-@kernel
+@subroutine
 def gap(x, alpha, damping):
     """α(1 − gx) − 1/S(x), real x ≥ 0, without cancellation."""
     if x == 0.0:
@@ -304,7 +315,7 @@ def gap(x, alpha, damping):
     return (alpha - 1.0) - alpha * damping * x + more / (1.0 + more)
 
 
-@kernel
+@subroutine
 def meeting(above, below, alpha, damping):
     """The x between two points where the line α(1 − gx) crosses the bell 1/S(x), by bisection."""
     while True:
@@ -317,7 +328,7 @@ def meeting(above, below, alpha, damping):
             below = x
 
 
-@kernel
+@subroutine
 def where_bell_falls(slope, flat, steep):
     """The x between two points where 1/S(x) falls with a slope; `steep` if it never does."""
     while True:
