@@ -36,6 +36,7 @@ to oscillate: this meaning needs a cut.
 
 import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 from scipy.optimize import brentq
@@ -178,7 +179,11 @@ def _long_wave(alpha):
     return math.sqrt((1.0 - 1.0 / alpha) / 3.0)
 
 
-_MEANINGS = {"tail": _tail, "double-root": _double_root, "long-wave": _long_wave}
+_MEANINGS: dict[str, Callable[[float], float]] = {
+    "tail": _tail,
+    "double-root": _double_root,
+    "long-wave": _long_wave,
+}
 
 
 def _vanishing_overshoot(alpha, beta, cut):
