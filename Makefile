@@ -35,7 +35,7 @@ test: lint ## Check the style and run the fast tests.
 	@$(BIN)/pytest -m timing
 
 slow: .venv/installed ## Run the slow tests.
-	@echo "Running the slow tests (about twelve minutes)."
+	@echo "Running the slow tests (about eight minutes)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
 lint: .venv/installed ## Check the style and the workflow's rules.
