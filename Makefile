@@ -8,8 +8,9 @@ PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python
 # The workflow compiles its kernels into this folder; the tests find them there.
 export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 
-# Tests run side by side, those of one file one after the other.
+# Tests run side by side, those of one file one after the other, each process on one core.
 SIDE_BY_SIDE := --numprocesses auto --dist loadfile
+test slow: export OPENBLAS_NUM_THREADS := 1
 
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
@@ -34,7 +35,7 @@ test: lint ## Check style and types, and run the fast tests.
 	@$(BIN)/pytest -m timing
 
 slow: .venv/installed ## Run the slow tests.
-	@echo "Running the slow tests (about twelve minutes)."
+	@echo "Running the slow tests (about eight minutes)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
 lint: .venv/installed ## Check the style, the workflow's rules and the types.
