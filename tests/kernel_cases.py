@@ -3,10 +3,12 @@
 Each case returns arrays, computed by compiled kernels or, after ``import uncompiled``, by Python.
 """
 
+import numba
 import numpy as np
 from chains import driven_scene, ring_scene, smooth_ring
 from rings import scene_with
 
+import granular_fronts as gf
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare
@@ -21,7 +23,10 @@ from granular_fronts.fronts.shooting import equations
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw, spread_of
 from granular_fronts.fronts.shooting.initial_guess import continuum_guess, fit
 from granular_fronts.fronts.shooting.tail_closure import slow_roots
+from granular_fronts.model import passes
 from granular_fronts.model.laws import make_law
+from granular_fronts.model.potentials import make_potential
+from granular_fronts.numerics import interpolation
 from granular_fronts.numerics.banded_qr import solve_least_squares
 from granular_fronts.reference_methods import position_forms
 from granular_fronts.reference_methods.theta_method import integrate_from_rest
@@ -84,6 +89,54 @@ def implicit_steps():
     run = prepare(scene)
     integrate(run, LOOSE, stiff_from=0.0)
     return variables(collect(scene, run))
+
+
+def implicit_steps_of_two_laws():
+    """With probes on the way, and the dissipated energy."""
+    record = {"snapshots": [40.0], "balances": True, "grid": {"step": 20.0}}
+    probes = {"far": {"beads": [2, 4], "start": 10.0, "stop": 40.0, "step": 10.0}}
+    scene = driven_scene(20.0, 6, 40.0, 1.5, 1.2, 1.0, tolerance=LOOSE, record=record)
+    run = prepare(scene | {"record": record | {"probes": probes}})
+    integrate(run, LOOSE, stiff_from=0.0)
+    assert run.clock.implicit > 0
+    return variables(collect(scene | {"record": record | {"probes": probes}}, run))
+
+
+def powers():
+    """Row maps of each special power, and of a potential that a user gives."""
+    u, found = np.array([-1.0, 0.0, 0.3, 2.0]), []
+    functions = lambda r: 0.5 * r * r, lambda r: 1.0 * r, lambda r: 1.0 + 0.0 * r
+    given = gf.Potential(*functions, interval=(-3.0, 3.0))
+    for alpha in (1.0, 1.5, 2.0, 2.5):
+        found += rows(make_potential("hertz", alpha=alpha), u)
+    return [*found, *rows(given, u)]
+
+
+def rows(potential, u):
+    """Force and its slope on a row of compressions."""
+    found = []
+    for order in (1, 2):
+        result = np.empty(u.size)
+        fill_row(
+            passes.row_map(potential, order), u, result, passes.row_parameters(potential, order)
+        )
+        found.append(result)
+    return found
+
+
+@numba.njit
+def fill_row(address, u, result, parameters):
+    passes.call_row_map(address, u, result, 0, u.size - 1, parameters)
+
+
+def interpolants():
+    """Between the points of a grid, on them, and beyond its ends."""
+    values = np.tanh(np.linspace(3.0, -3.0, 31))
+    places = np.array([-50.0, 0.5, 7.0, 29.3, 80.0])
+    return [
+        interpolation.interpolate_all(values, places, 1.0, -1.0),
+        np.array([interpolation.find_level(values, level, 1.0, -1.0) for level in (0.2, 2.0)]),
+    ]
 
 
 def positions():
@@ -164,6 +217,9 @@ CASES = (
     chains_of_other_laws,
     ring_of_two_powers,
     implicit_steps,
+    implicit_steps_of_two_laws,
+    powers,
+    interpolants,
     positions,
     theta_method,
     upwind,

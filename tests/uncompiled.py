@@ -49,6 +49,12 @@ def call_row_map(address, u, result, first, last, parameters):
     called[address - 1](u[: last + 1], result[: last + 1], first, last, parameters)
 
 
+def call_with_factor(address, u):
+    result = np.empty_like(u)
+    call_row_map(address, u, result, 0, u.size - 1, np.ones(1))
+    return result
+
+
 def call_stage_pass(address, table, window, last, factor, weights, parameters):
     called[address - 1](table, table.shape[1], *window, last, factor, weights, parameters)
 
@@ -56,12 +62,13 @@ def call_stage_pass(address, table, window, last, factor, weights, parameters):
 bits.bits_of = lambda number: np.float64(number).view(np.int64)
 bits.double_of = lambda number: np.int64(number).view(np.float64)
 bits.multiply_add = multiply_add
-compiled.callback = callback
+compiled.callback = numba.cfunc = callback
 numba.carray = carray
 ndarray.to_fixed_tuple = lambda array, size: tuple(array[:size])
 # Compiled code mixes whole numbers of both kinds, of which numpy would make a double.
 numba.int64 = numba.uint64 = int
 interrupts._interrupt_has_come = lambda: 0
 # These take the names above when they are imported.
-import_module("granular_fronts.model.passes").call_row_map = call_row_map
+passes = import_module("granular_fronts.model.passes")
+passes.call_row_map, passes._call, passes._number = call_row_map, call_with_factor, float
 import_module("granular_fronts.chain.stage_passes").call_stage_pass = call_stage_pass

@@ -278,8 +278,6 @@ def configuration_of(dataset):
 
 def _plain(value):
     """An attribute value that netCDF can hold."""
-    if isinstance(value, bool):
-        return int(value)
     return value.item() if isinstance(value, np.generic) else value
 
 
