@@ -28,6 +28,8 @@ from granular_fronts.model.laws import make_law
 from granular_fronts.model.potentials import make_potential
 from granular_fronts.numerics import interpolation
 from granular_fronts.numerics.banded_qr import solve_least_squares
+from granular_fronts.numerics.polynomials import crossing
+from granular_fronts.numerics.vector_functions import exponential, exponential_less_one
 from granular_fronts.reference_methods import position_forms
 from granular_fronts.reference_methods.theta_method import integrate_from_rest
 from granular_fronts.reference_methods.upwind import evolve_upwind
@@ -60,7 +62,7 @@ def chain_with_gaps():
 
 
 def chains_of_other_laws():
-    """Toda's law with a dashpot, FPU's with two nonlinear forces, and a piston."""
+    """Toda's law with a dashpot, FPU's with two nonlinear forces, another power, and a piston."""
     toda, dashpot = {"kind": "toda", "strength": 0.7, "rate": 1.3}, {"kind": "linear", "gamma": 0.3}
     fpu = {"kind": "fpu", "quadratic": 1.0, "cubic": -0.3, "quartic": 0.2}
     piston = {"kind": "piston", "velocity": 0.1, "ramp": 1.0, "right": 0.0}
@@ -70,6 +72,7 @@ def chains_of_other_laws():
         for change in (
             {"law": {"elastic": toda, "viscous": dashpot}},
             {"law": {"elastic": fpu, "viscous": toda}},
+            {"law": {"alpha": 2.5, "beta": 2.5, "gamma": 0.1}},
             {"boundary": piston},
         )
         for values in variables(simulate_chain(scene | change))
@@ -139,14 +142,29 @@ def interpolants():
     ]
 
 
+def vector_functions():
+    x = np.linspace(-700.0, 700.0, 15)
+    pairs = [(exponential(each), exponential_less_one(each)) for each in x]
+    return [np.log(np.array(pairs)[:, 0]), np.array(pairs)[7:9, 1]]
+
+
+def crossings():
+    """Where polynomials meet a level: straight, bent so that Newton's step leaves, and flat."""
+    polynomials = ([0.0, 1.0], [0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], [0.0, 3.0, -3.0, 1.0])
+    levels = (0.3, 0.5, 1.0 - 1e-9)
+    return [np.array([crossing(np.array(c), level) for c in polynomials for level in levels])]
+
+
 def positions():
     """(x, w) and (x, ẋ) by fixed, staged and controlled steps."""
     law, start = make_law(alpha=1.5, gamma=0.3), np.array([2.0, 0.0, 0.1, -0.1])
     found = []
     for form in (position_forms.XW, position_forms.XV):
         system = position_forms.make_system(form, law, Boundary(ring=False, left=0.1), 2)
+        ring = position_forms.make_system(form, law, Boundary(ring=True), 2, 0.5)
         found += [
             position_forms.integrate_fixed(system, start, 0.05, 3),
+            position_forms.integrate_fixed(ring, start, 0.05, 3),
             position_forms.integrate_by_stages(system, start, 0.05, 3, *SCHEMES["euler"]),
             position_forms.integrate_adaptive(system, start, 0.05, 0.5, 1e-5, 1e-7)[0],
         ]
@@ -180,7 +198,7 @@ def heteroclinic_orbits():
 
 def tails():
     """Oscillating and monotone, with one real exponent and with three."""
-    laws = ((1.5, 0.05), (1.5, 0.8), (1.05, 0.2), (3.0, 1.2))
+    laws = ((1.5, 0.05), (1.5, 0.8), (1.05, 0.2), (3.0, 1.2), (1.001, 0.034))
     return [tail_roots(*law, count=count) for law in laws for count in (1, 3)]
 
 
@@ -220,6 +238,8 @@ CASES = (
     implicit_steps_of_two_laws,
     powers,
     interpolants,
+    vector_functions,
+    crossings,
     positions,
     theta_method,
     upwind,
