@@ -40,10 +40,10 @@ slow: .venv/installed ## Run the slow tests.
 # Jobs of a small run, tests, and kernels as Python (tests/test_uncompiled.py), each in processes of
 # its own whose data are put together.
 MEASURED := $(BIN)/python -m coverage run -m
-SMALL := snakemake -c2 --quiet all --configfile config/smoke.yaml --config results=results/coverage
+SMALL := snakemake -c2 --configfile config/smoke.yaml --config results=results/coverage
 
 coverage: .venv/installed ## Measure which lines the workflow and the fast tests run.
-	@echo "Measuring the coverage of a small run and of the fast tests (about eight minutes)."
+	@echo "Measuring the coverage of a small run and of the fast tests."
 	@rm -rf .coverage .coverage.* results/coverage
 	@$(MEASURED) $(SMALL) -- all hard_cases stiff_damping precision
 	@$(MEASURED) $(SMALL) campaign=smoke -- campaign
