@@ -10,15 +10,23 @@ import tqdm
 from configurations import SMOKE, refusal, set_value
 
 import granular_fronts as gf
+from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.errors import InputError, NoFrontError, SolveError
 from granular_fronts.fronts import solitary_waves
 from granular_fronts.fronts.linear import floquet
 from granular_fronts.fronts.linear.critical_damping import critical_damping
+from granular_fronts.fronts.shooting import gauss_newton
 from granular_fronts.fronts.solve import solve_front
 from granular_fronts.model.scaling import Scaling
 from granular_fronts.output import files, progress
 from granular_fronts.proofs import __main__ as proofs
-from granular_fronts.studies import front_survey, front_trends, fronts_compared
+from granular_fronts.proofs import certificate
+from granular_fronts.studies import (
+    front_survey,
+    front_trends,
+    fronts_compared,
+    jump_conditions_measured,
+)
 from step import is_held, load_yaml_or_leaf
 
 TODA = {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}}
@@ -166,3 +174,36 @@ def test_a_notebook_without_widgets_gets_the_bar_of_the_terminal(monkeypatch):
 def test_checker_asks_for_a_file(capsys):
     assert proofs.main([]) == 2
     assert "python -m granular_fronts.proofs FILE" in capsys.readouterr().out
+
+
+def test_a_table_of_jump_conditions_names_the_lattice_without_a_front(monkeypatch):
+    monkeypatch.setattr(jump_conditions_measured, "solve_front", without_front)
+    case = {"elastic": TODA["elastic"], "dissipation": TODA["viscous"], "states": [-1.0, 0.0]}
+    with pytest.raises(NoFrontError, match=r"^The front of mine is not found: the residual is 1"):
+        jump_conditions_measured._measure("mine", case, 40, {"relative": 1e-6, "absolute": 1e-8})
+
+
+def test_a_shot_that_does_not_settle_says_why(monkeypatch):
+    monkeypatch.setattr(gauss_newton, "MOST_STEPS", 1)
+    front = solve_front(1.5, 0.3, method="shooting")
+    assert not front.attrs["converged"]
+    assert "not settled after 1 Gauss-Newton steps" in front.attrs["reason"]
+
+
+def test_a_certificate_needs_a_front(monkeypatch, tmp_path):
+    monkeypatch.setattr(certificate, "solve_front", without_front)
+    with pytest.raises(InputError, match=r"no front to prove: the residual is 1"):
+        gf.prove_front("3/2", "0.3", tmp_path / "front.npz")
+
+
+def test_a_fraction_with_too_many_digits():
+    with pytest.raises(InputError, match=r"a fraction has more than 18 digits: round it"):
+        certificate._integers(2**63)
+
+
+def test_a_campaign_may_give_beads_by_a_range():
+    axes = {"beads": {"linspace": [40, 1e12, 3]}, "gamma": [0.1]}
+    with pytest.raises(InputError, match=r"axes\.beads"):
+        check_campaign(
+            {"kind": "chain", "axes": axes, "fixed": {"alpha": 1.5, "delta": 0.1}}, "big"
+        )
