@@ -15,7 +15,7 @@ test slow: export OPENBLAS_NUM_THREADS := 1
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
-.PHONY: all help test slow lint readme clean
+.PHONY: all help test slow coverage lint readme clean
 
 all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -37,6 +37,21 @@ test: lint ## Check style and types, and run the fast tests.
 slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests (about eight minutes)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
+
+# Jobs of a small run, tests, and kernels as Python (tests/test_uncompiled.py), each in processes of
+# its own whose data are put together.
+MEASURED := $(BIN)/python -m coverage run -m
+SMALL := snakemake -c2 --configfile config/smoke.yaml --config results=results/coverage
+
+coverage: .venv/installed ## Measure which lines the workflow and the fast tests run.
+	@echo "Measuring the coverage of a small run and of the fast tests."
+	@rm -rf .coverage .coverage.* results/coverage
+	@$(MEASURED) $(SMALL) -- all hard_cases stiff_damping precision
+	@$(MEASURED) $(SMALL) campaign=smoke -- campaign
+	@$(MEASURED) pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
+	@$(BIN)/python -m coverage combine --quiet
+	@$(BIN)/python tests/coverage_of_jobs.py
+	@$(BIN)/python -m coverage report
 
 lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@echo "Checking style, the workflow's rules and types."
@@ -78,4 +93,4 @@ readme: .venv/installed ## Bring the numbers and the figure of the README up to 
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."
-	@rm -rf results .snakemake .numba_cache .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	@rm -rf results .coverage .coverage.* .snakemake .numba_cache .pytest_cache .ruff_cache .mypy_cache .hypothesis

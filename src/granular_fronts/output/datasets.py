@@ -282,8 +282,6 @@ def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:
 
 def _plain(value: Any) -> Any:
     """An attribute value that netCDF can hold."""
-    if isinstance(value, bool):
-        return int(value)
     return value.item() if isinstance(value, np.generic) else value
 
 

@@ -64,10 +64,6 @@ def read_yaml(file: Path | str) -> Any:
         raise InputError(f"{file} cannot be read ({error}): name a text file in UTF-8.") from None
     except yaml.YAMLError as error:
         raise InputError(_syntax_error(file, error)) from None
-    except RecursionError:
-        raise InputError(
-            f"{file} is nested too deeply to be read: name a file as in config/default.yaml."
-        ) from None
     if loader.repeated:
         raise InputError(
             "\n".join(
