@@ -275,7 +275,7 @@ def with_damping(problem, damping):
     )
 
 
-@subroutine
+@kernel
 def evaluate(problem, s, p, q):
     """Write p and q of every s.
 
