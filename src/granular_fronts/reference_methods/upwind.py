@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import InputError
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.vector_functions import logarithm
 
@@ -95,17 +95,19 @@ def march(values, spacing, step, steps):
     """Advance `values`, in place, by a number of equal steps."""
     n, advection, diffusion = values.size, step / spacing, step / spacing**2
     old, new = np.empty(n + 2), np.empty(n + 2)
-    old[1:-1] = values
+    for i in range(n):
+        old[i + 1] = values[i]
     for _ in range(steps):
         if interrupted():
             break
         old[0], old[n + 1] = old[n], old[1]
         step_once(old, new, advection, diffusion)
         old, new = new, old
-    values[:] = old[1:-1]
+    for i in range(n):
+        values[i] = old[i + 1]
 
 
-@kernel(error_model="numpy")
+@subroutine(error_model="numpy")
 def step_once(old, new, advection, diffusion):
     """One step of all points; `old` and `new` have one more on either side."""
     left, centre, right, stepped = old[:-2], old[1:-1], old[2:], new[1:-1]
