@@ -11,7 +11,7 @@ from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.model.collision import restitution
 from granular_fronts.studies.half_step_checks import collision_loss
 from granular_fronts.studies.half_step_damping import (
-    excess_of_peak,
+    excess_by_table,
     excess_of_tail,
     measure_half_step_damping,
     tail_root,
@@ -86,15 +86,17 @@ def test_motion_of_the_scheme_has_its_root():
 
 def test_excess_of_a_peak_inverts_its_table():
     factors, peaks = (0.9, 1.0, 1.1, 1.3), [1.5, 1.4, 1.31, 1.2]
-    assert excess_of_peak(np.array(peaks), factors, peaks) == pytest.approx(np.array(factors) - 1.0)
-    assert np.isnan(excess_of_peak(np.array([1.6, 1.1]), factors, peaks)).all()
+    assert excess_by_table(np.array(peaks), factors, peaks) == pytest.approx(
+        np.array(factors) - 1.0
+    )
+    assert np.isnan(excess_by_table(np.array([1.6, 1.1]), factors, peaks)).all()
 
 
 def test_damping_added_to_the_accurate_chain_is_read_as_such():
     factors = (0.97, 1.0, 1.07, 1.17, 1.3)
     table = [accurate_chain(CASE._replace(gamma=0.1 * factor))[0].peak for factor in factors]
     peak, _ = accurate_chain(CASE._replace(gamma=0.1 * 1.023))
-    assert excess_of_peak(np.array(peak.peak), factors, table) == pytest.approx(0.023, abs=2e-6)
+    assert excess_by_table(np.array(peak.peak), factors, table) == pytest.approx(0.023, abs=2e-6)
 
 
 def test_orders_and_excess_are_of_first_order():

@@ -159,8 +159,8 @@ def measure_excess(case, steps):
     error = np.array([np.abs(one.u - exact.u).max() for one in found])
     orders = np.log(error[:-1] / error[1:]) / np.log(steps[:-1] / steps[1:])
     peak = np.array([one.peak for one in found])
-    overshoot = excess_of_peak(peak, FACTORS, table)
-    coarse = excess_of_peak(peak, FACTORS[:2] + FACTORS[3:], table[:2] + table[3:])
+    overshoot = excess_by_table(peak, FACTORS, table)
+    coarse = excess_by_table(peak, FACTORS[:2] + FACTORS[3:], table[:2] + table[3:])
     return Excess(
         error,
         peak,
@@ -174,7 +174,7 @@ def measure_excess(case, steps):
     )
 
 
-def excess_of_peak(peaks, factors, table):
+def excess_by_table(peaks, factors, table):
     """γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table.
 
     Parameters
