@@ -133,7 +133,7 @@ def start_velocities(scene):
 
 
 def farthest(scene):
-    """How far any bead moves at the most: by twice the velocity of a front, or of the start."""
+    """How far a bead moves at the most: at thrice the velocity of a front, or of the start."""
     law, left = scene["law"], scene["boundary"]["left"]
     fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, start_velocities(scene)))
-    return 2.0 * fastest * scene["end_time"]
+    return 3.0 * fastest * scene["end_time"]
