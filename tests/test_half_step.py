@@ -16,6 +16,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.reference_methods.half_step import Chain, integrate
 
 SCRIPT = ROOT / "tests" / "references" / "make_lammps_reference.py"
+OTHERS = xr.load_dataset(ROOT / "tests" / "references" / "other_codes_reference.nc")
 STORED = xr.load_dataset(ROOT / "tests" / "references" / "lammps_reference.nc")
 BEADS, END = 8, 12.0
 
@@ -68,6 +69,21 @@ def test_stored_motions_open_contacts_and_name_the_version():
     gaps = -np.diff(STORED["displacement"].values, axis=1)
     assert (gaps.min(axis=1) < -0.01).sum() >= 6
     assert STORED.attrs["title"] == "LAMMPS (22 Jul 2025 - Update 4), fix nve"
+
+
+@pytest.mark.parametrize("gamma", OTHERS["gamma"].values)
+@pytest.mark.parametrize(("code", "beta"), [("liggghts", 1.5), ("yade", 1.25)])
+def test_other_codes_move_by_the_same_scheme(code, beta, gamma):
+    """YADE keeps velocities of half steps, and starts with rest half a step before t = 0."""
+    stored = OTHERS.sel(code=code, gamma=gamma)
+    step, (x, v) = OTHERS.attrs["step"], np.zeros((2, stored.sizes["bead"]))
+    if code == "yade":
+        v[0] = 0.5 * step * 0.1**1.5
+    motion = integrate(Chain(1.5, beta, float(gamma), left=0.1), x, v, step, int(stored["steps"]))
+    velocity = np.diff(motion.x[-2:], axis=0)[0] / step if code == "yade" else motion.v[-1]
+    assert float(stored["beta"]) == beta
+    np.testing.assert_allclose(motion.x[-1], stored["displacement"], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(velocity, stored["velocity"], rtol=0, atol=2e-13)
 
 
 needs_lammps = pytest.mark.skipif(not shutil.which("lmp"), reason="LAMMPS is not installed")

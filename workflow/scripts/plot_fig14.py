@@ -15,8 +15,8 @@ COLUMNS = 3
 PANEL_HEIGHT = 2.3
 MOST_TICKS = 6
 MARKERS = "osD^vPX<>*"
-# Discrete-element codes, which are built for other problems: named at their curves.
-CODES = ("lammps",)
+# Discrete-element codes, built for other problems, and the side of their names at their curves.
+CODES = {"lammps_nve": "left", "lammps_mvv": "right"}
 # Double precision resolves nothing further left.
 SMALLEST_ERROR = 1e-17
 
@@ -59,25 +59,24 @@ def choose_looks(data):
     looks, used = {}, {}
     ours = set(data["own_method"].values)
     for method in map(str, data["method"].values):
-        package = method.split("_")[0]
-        colour = PACKAGE_COLOURS.get(package, PACKAGE_COLOURS["ours"])
+        colour = PACKAGE_COLOURS.get(method.split("_")[0], PACKAGE_COLOURS["ours"])
         index = used.setdefault(colour, 0)
         used[colour] += 1
         looks[method] = {
             "color": colour,
             "marker": MARKERS[index % len(MARKERS)],
-            "linestyle": style_of(package, method in ours),
+            "linestyle": style_of(method, method in ours),
             "linewidth": 1.6 if method in ours else 0.8,
             "markersize": 4.0 if method in ours else 3.0,
         }
     return looks
 
 
-def style_of(package, is_own_method):
+def style_of(method, is_own_method):
     """Full lines for integrators, dotted for other methods of ours, dash-dotted for codes."""
-    if package in CODES:
+    if method in CODES:
         return "-."
-    return "-" if is_own_method or package in PACKAGE_COLOURS else ":"
+    return "-" if is_own_method or method.split("_")[0] in PACKAGE_COLOURS else ":"
 
 
 def label(method):
@@ -93,10 +92,10 @@ def draw_problem(axes, data, looks):
         chosen = chosen.isel(tolerance=np.flatnonzero(np.isfinite(chosen["error"])))
         disturbed = chosen["disturbed"].values == 1.0
         axes.loglog(chosen["error"], chosen["seconds"], **look)
-        if method.split("_")[0] in CODES and chosen["error"].size:
+        if method in CODES and chosen["error"].size:
             end = chosen.isel(tolerance=-1)
             place = float(end["error"]), float(end["seconds"])
-            axes.annotate(label(method), place, color=look["color"], fontsize=6, ha="right")
+            axes.annotate(label(method), place, color=look["color"], fontsize=6, ha=CODES[method])
         axes.loglog(
             chosen["error"][disturbed],
             chosen["seconds"][disturbed],
