@@ -12,7 +12,8 @@ from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.results_files import Result
 from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.studies.half_step_damping import measure_half_step_damping
+from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
+from granular_fronts.studies.half_step_motions import Case, collision_time
 
 PAGE = (ROOT / "docs" / "practitioners.md").read_text(encoding="utf-8")
 COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
@@ -51,14 +52,30 @@ def test_table_of_checks(measured):
             assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
 
 
+RULE = re.search(
+    r"(\S+) to (\S+) times this in\s+the middle of (\d+) beads.* (\S+) to\s+(\S+) times, and less",
+    PAGE,
+    re.DOTALL,
+)
+
+
+def holds_tightly(ratio, low, high):
+    """Whether printed limits are those of some ratios, to the digits printed."""
+    return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
+
+
 def test_rule_of_thumb_for_the_overshoot(measured):
-    low, high = map(float, re.search(r"\*\*, (\S+) to (\S+) times this", PAGE).groups())
     fine = measured.sel(step=slice(0.0201, None))
-    ratio = fine["excess_overshoot"] / fine["step"]
-    assert low <= float(ratio.min())
-    assert float(ratio.max()) <= high
-    assert float(ratio.max()) == pytest.approx(high, abs=0.05)
-    assert float(ratio.min()) == pytest.approx(low, abs=0.05)
+    ratio = (fine["excess_overshoot"] / fine["step"]).values
+    assert holds_tightly(ratio, float(RULE[4]), float(RULE[5]))
+
+
+@pytest.mark.slow
+def test_rule_of_thumb_in_a_long_chain():
+    unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
+    chains = [Case(1.5, 1.5, gamma, int(RULE[3]), 208 * unit) for gamma in (0.01, 0.03, 0.13)]
+    ratios = [measure_excess(case, unit / counts).overshoot * counts for case in chains]
+    assert holds_tightly(np.array(ratios), float(RULE[1]), float(RULE[2]))
 
 
 def half_steps(problem, step):

@@ -17,9 +17,10 @@ by two observables.
 
   the dispersion relation of `fronts.linear.tails` for h → 0.
 
-The two differ, so that the error is no damping: no other γ makes up for it.  For small γ and h the
-first is of order h alone.  The tail says less, since there the error is in quadrature with the
-damping: for an imaginary λ it changes the frequency.
+The two differ, so that the error is no damping: no other γ makes up for it.  In a long chain the
+first is nearly h/t_c for every γ, since the error changes the peak by an amount of order hγ, as the
+damping itself does by one of order γ.  The tail says less, since there the error is in quadrature
+with the damping: for an imaginary λ it changes the frequency.
 """
 
 import cmath
