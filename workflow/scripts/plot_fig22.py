@@ -103,7 +103,10 @@ def draw_checks(axes, data):
     axes.set_ylim(bottom=1.0e-9)
     momentum = float(chain["momentum_defect"].max())
     axes.legend(
-        fontsize=6.5, title_fontsize=6.5, loc="lower right", title=f"momentum: below {momentum:.0e}"
+        fontsize=6.5,
+        title_fontsize=6.5,
+        loc="lower right",
+        title=f"momentum: at most {momentum:.1e}",
     )
 
 

@@ -1,6 +1,11 @@
 """Results beside the accurate answer."""
 
+import numpy as np
+
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
+
+START = 0.01
+"""Share of the largest u at which the drawn motion begins."""
 
 
 def draw(problem, answer, results, findings):
@@ -35,7 +40,8 @@ def draw_motion(axes, problem, answer, results):
         axes.plot(
             result.t, found, ".", color=colour, markersize=2.5, label=f"$h = {result.step:g}$"
         )
-    axes.set(xlabel="$t$", ylabel=f"$u_{{{contact}}}$")
+    moving = answer["t"].values[np.abs(u.values) > START * float(abs(u).max())]
+    axes.set(xlabel="$t$", ylabel=f"$u_{{{contact}}}$", xlim=(moving[0], moving[-1]))
     axes.legend(fontsize=7)
 
 
@@ -46,4 +52,6 @@ def draw_errors(axes, findings):
     slope = [errors[-1] * step / steps[-1] for step in steps]
     axes.loglog(steps, slope, ":", color=CHAIN_COLOUR, label="order 1")
     axes.set(xlabel="$h$", ylabel="largest error")
+    axes.set_xticks(steps, [f"{step:g}" for step in steps])
+    axes.set_xticks([], minor=True)
     axes.legend(fontsize=7)
