@@ -88,6 +88,7 @@ LONG_NAMES = {
     "multiplier_real": "real part of a multiplier of flow-then-shift",
     "observed_order": "slope of error against steps",
     "order": "observed order of convergence",
+    "order_error": "error of the observed order",
     "overshoot": "deviation from 1, the value behind a front, at an extremum",
     "own_method": "method that this project stands for",
     "passed": "1 if the error is within the limit",

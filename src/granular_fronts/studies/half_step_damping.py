@@ -93,8 +93,8 @@ def measure_half_step_damping(scene):
     -------
     xarray.Dataset
         On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
-        `excess_tail`; on (beta, gamma): `peak_exact`, `order`; for the chain that is shown the
-        checks of `measure_checks` and the motion of `compare_motion`.
+        `excess_tail`; on (beta, gamma): `peak_exact`, `order`, `order_error`; for the chain that is
+        shown the checks of `measure_checks` and the motion of `compare_motion`.
     """
     unit, shown = collision_time(scene["alpha"]), scene["shown"]
     steps = unit / np.sort(scene["steps_per_collision"])
@@ -135,6 +135,7 @@ def collect(found):
             "excess_overshoot": variable("overshoot", "reading_error", READING_METHOD),
             "excess_tail": (("beta", "gamma", "step"), stacked("tail"), tail),
             "order": variable("order", "order_change", ORDER_METHOD),
+            "order_error": variable("order_change", "order_change", ORDER_METHOD),
         }
     )
 

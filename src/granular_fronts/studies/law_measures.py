@@ -56,7 +56,7 @@ def order_of_two_stages(dataset):
 
 def order_of_half_steps(dataset, beta, gamma):
     """Observed order of the half-step scheme towards the accurate chain."""
-    return recorded(dataset["order"].sel(beta=beta, gamma=gamma))
+    return tabulated(dataset.sel(beta=beta, gamma=gamma), "order")
 
 
 def excess_damping(dataset, observable, beta, gamma, steps_per_collision):
