@@ -261,6 +261,22 @@ def numerical_damping():
     return sample(coordinates, variables, {"profile": profile})
 
 
+def half_step_damping():
+    """A motion by the scheme and accurately, and what is read and checked, over the step."""
+    chains = ["beta", "gamma", "step"]
+    names = ("excess_overshoot", "excess_tail", "error", "restitution_defect", "energy_defect")
+    variables = {f"relative_displacement_{name}": ["t"] for name in ("accurate", "method")}
+    variables |= dict.fromkeys([*names, "speed_defect", "momentum_defect"], chains)
+    coordinates = {
+        "beta": [1.5, 1.25],
+        "gamma": [0.05, 0.2],
+        "step": [0.04, 0.02, 0.01],
+        "t": np.linspace(0.0, 40.0, 41),
+    }
+    shown = {"beta": 1.25, "gamma": 0.2, "steps_per_collision": 25}
+    return sample(coordinates, variables | {"order": ["beta", "gamma"]}, {"shown": shown})
+
+
 PROBES = ("relative_displacement_steady", "relative_displacement_transient")
 GRIDS = ("relative_displacement_grid", "velocity_grid")
 
@@ -288,5 +304,6 @@ SAMPLES = {
     "fig17": lambda: {"data": jump_conditions()},
     "fig18": lambda: {"data": damping_regimes()},
     "fig19": lambda: {"data": numerical_damping()},
+    "fig22": lambda: {"data": half_step_damping()},
 }
 """What each figure is given, by the names of its arguments."""

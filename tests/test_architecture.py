@@ -23,6 +23,7 @@ WINGS = (
     "fronts",
     "reference_methods",
     "studies",
+    "referee",
     "proofs",
     "campaign",
 )

@@ -75,6 +75,7 @@ SECTIONS_REFUSED = [
     ("laws.piston.beads", 10**9, ["beads = 1000000000", "years", "lower beads"]),
     ("laws.jump_conditions.beads", 10**9, ["beads = 1000000000", "years", "lower beads"]),
     ("laws.numerical_damping.profile.step", 1e-12, ["profile.step = 1e-12", "days"]),
+    ("laws.half_step_damping.collision_times", 10**9, ["collision_times = 1000000000", "GiB"]),
     ("stiff_damping.repeats", 10**12, ["repeats = 1000000000000", "years", "lower repeats"]),
     ("precision.chain.contact_loss.end_time", 1e300, ["end_time = 1e+300", "years"]),
     ("precision.log_burgers.weak.longest_steps", [1e-30], ["longest_steps = [1e-30]", "raise"]),

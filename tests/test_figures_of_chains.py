@@ -1,4 +1,4 @@
-"""Figures 1 to 7b and 19: each curve, dot and colour is a number of the chain's dataset."""
+"""Figures 1 to 7b, 19 and 22: each curve, dot and colour is a number of the chain's dataset."""
 
 import numpy as np
 import pytest
@@ -163,3 +163,48 @@ def test_figure_19_shows_both_distances_over_the_step():
         for theta, order in zip((0.75, 1.0), orders, strict=True)
     ]
     assert_labels(axes, "$h$", r"$\max_n |\Delta u_n|/\delta$", "log log")
+
+
+def test_figure_22_shows_a_motion_about_the_arrival_of_the_front():
+    data, panels = picture("fig22")
+    axes = panels["motion"]
+    for line, name in zip(curves(axes), ("accurate", "method"), strict=True):
+        assert_curve(line, data["t"], data[f"relative_displacement_{name}"])
+    assert legend(axes) == ["accurate", "scheme, $h = t_c/25$"]
+    arrival = float(data["t"][data["relative_displacement_accurate"] > 0.5][0])
+    assert axes.get_xlim() == (arrival - 4.0, arrival + 12.0)
+    assert axes.get_title() == r"$\beta = 1.25$, $\gamma = 0.2$"
+    assert_labels(axes, "$t$", "$u_n$")
+
+
+def test_figure_22_shows_excess_damping_and_errors_of_each_chain_over_the_step():
+    data, panels = picture("fig22")
+    chains = [data.sel(gamma=gamma, beta=beta) for gamma in (0.05, 0.2) for beta in (1.5, 1.25)]
+    readings, errors = curves(panels["excess"]), curves(panels["error"])
+    for tail, overshoot, error, chain in zip(
+        readings[::2], readings[1::2], errors, chains, strict=True
+    ):
+        assert_curve(tail, data["step"], chain["excess_tail"])
+        assert_curve(overshoot, data["step"], chain["excess_overshoot"])
+        assert_curve(error, data["step"], chain["error"])
+        assert tail.get_color() != overshoot.get_color() == error.get_color()
+    assert legend(panels["excess"]) == [r"$\gamma = 0.05$", r"$\gamma = 0.2$"]
+    lowest, highest = float(data["order"].min()), float(data["order"].max())
+    assert panels["error"].get_title() == f"orders {lowest:.2f} to {highest:.2f}"
+    assert_labels(panels["excess"], "$h/t_c$", "excess damping", "log log")
+    assert_labels(panels["error"], "$h/t_c$", r"$\max_n |\Delta u_n|$", "log log")
+
+
+def test_figure_22_shows_what_each_check_sees_of_the_chain_that_is_drawn():
+    data, panels = picture("fig22")
+    axes, chain = panels["checks"], data.sel(beta=1.25, gamma=0.2)
+    names = ("excess_overshoot", "excess_tail", "restitution_defect", "energy_defect")
+    for line, name in zip(curves(axes), (*names, "speed_defect"), strict=True):
+        assert_curve(line, data["step"], chain[name])
+    assert (
+        axes.get_legend()
+        .get_title()
+        .get_text()
+        .endswith(f"at most {float(chain['momentum_defect'].max()):.1e}")
+    )
+    assert_labels(axes, "$h/t_c$", "relative error", "log log")

@@ -318,6 +318,7 @@ def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_pat
         ("evaluate_damping_regimes", "damping_regimes", "regimes"),
         ("evaluate_materials", "materials", "materials"),
         ("measure_numerical_damping", "numerical_damping", "scene"),
+        ("measure_half_step_damping", "half_step_damping", "scene"),
         ("evaluate_fronts", "log_burgers_fronts", "exponents"),
     ],
 )

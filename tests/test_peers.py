@@ -9,7 +9,8 @@ from chains import smooth_ring
 
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from peers import record, scilab_chain, scipy_fronts, scipy_heteroclinic
+from granular_fronts.reference_methods.half_step import Chain, integrate
+from peers import lammps_chain, record, scilab_chain, scipy_fronts, scipy_heteroclinic
 from peers.chain_system import ChainSystem, SparseJacobian, front_initiation, numpy_right_hand_side
 from problems.chain import PEERS
 
@@ -76,6 +77,66 @@ def test_an_absent_package_says_so(monkeypatch, name):
     run = PEERS[name](DRIVEN, 1e-8, 1e-10)
     assert run.absent
     assert "not installed" in run.message
+
+
+def test_absent_lammps_says_so(monkeypatch):
+    monkeypatch.setattr(lammps_chain, "find_command", lambda: None)
+    run = lammps_chain.METHODS["lammps_nve"](DRIVEN, 0.1, 0.0)
+    assert run.absent
+    assert "lmp of LAMMPS is not on the path" in run.message
+
+
+def fake_lammps(folder, text, dump=None):
+    """A command that prints a text, writes a dump, and fails without one."""
+    command = folder / "lmp"
+    (folder / "report").write_text(text)
+    copy = f"cp {dump} ." if dump else "exit 1"
+    command.write_text(f"#!/bin/sh\ncat {folder / 'report'}\n{copy}\n")
+    command.chmod(0o755)
+    return str(command)
+
+
+def test_lammps_is_read_as_it_reports(monkeypatch, tmp_path):
+    """Its scheme is ours to round-off, see test_half_step.py; here ours takes its place."""
+    system = front_initiation(gamma=0.3, end=12.0, beads=5)
+    chain = Chain(1.5, 1.5, 0.3, left=0.1)
+    motion = integrate(chain, np.zeros(5), np.zeros(5), 0.5, 24)
+    lines = ["ITEM: TIME", "12.0", "ITEM: TIMESTEP", "24", "ITEM: ATOMS id x vx"]
+    rows = zip(motion.x[-1].tolist(), motion.v[-1].tolist(), strict=True)
+    lines += [f"{n + 1} {n + x!r} {v!r}" for n, (x, v) in enumerate(rows)]
+    (tmp_path / "chain_0.5.dump").write_text("\n".join(lines))
+    report = "Loop time of 0.25 on 1 procs for 24 steps with 5 atoms\n\n90.0% CPU use with 1 MPI"
+    command = fake_lammps(tmp_path, report, tmp_path / "chain_0.5.dump")
+    monkeypatch.setattr(lammps_chain, "find_command", lambda: command)
+    run = lammps_chain.METHODS["lammps_nve"](system, 0.5, 0.0)
+    assert (run.seconds, run.cpu_seconds, run.steps) == (0.25, pytest.approx(0.225), 24)
+    u = run.fields["relative_displacement"]
+    np.testing.assert_allclose(u[:-1], -np.diff(motion.x[-1]), rtol=0, atol=1e-14)
+    assert u[-1] == 0.0
+    np.testing.assert_array_equal(run.fields["velocity"], motion.v[-1])
+
+
+def test_failing_lammps_is_quoted(monkeypatch, tmp_path):
+    command = fake_lammps(tmp_path, "reading\nERROR: Lost atoms: original 20 current 7\nbye\n")
+    monkeypatch.setattr(lammps_chain, "find_command", lambda: command)
+    run = lammps_chain.METHODS["lammps_mvv"](DRIVEN, 2.0, 0.0)
+    assert run.message == "LAMMPS failed: ERROR: Lost atoms: original 20 current 7"
+    assert "no whole number" in lammps_chain.METHODS["lammps_nve"](DRIVEN, 0.7, 0.0).message
+
+
+@pytest.mark.skipif(not lammps_chain.find_command(), reason="LAMMPS is not installed")
+@pytest.mark.parametrize(("name", "order"), [("lammps_nve", 1.0), ("lammps_mvv", 2.0)])
+def test_lammps_comes_closer_at_its_order(name, order):
+    system = front_initiation(gamma=0.3, end=30.0, beads=20)
+    expected = PEERS["scipy_dop853"](system, 1e-13, 1e-15)
+    errors = []
+    for step in (0.1, 0.05):
+        run = lammps_chain.METHODS[name](system, step, 0.0)
+        assert run.cpu_seconds > 0.0
+        errors.append(
+            max(np.abs(run.fields[field] - expected.fields[field]).max() for field in run.fields)
+        )
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
 
 
 @pytest.mark.parametrize("name", scipy_fronts.METHODS)

@@ -316,6 +316,17 @@ def test_figure_14_draws_every_point_and_names_failures(merged):
     plt.close("all")
 
 
+def test_figure_14_names_a_discrete_element_code_at_its_curve():
+    data, _ = measured_family("precision_chain", {"one": {"strain_form": 1.0, "lammps_nve": 9.0}})
+    axes = drawing.plot_fig14(data).axes[0]
+    (curve,) = [line for line in axes.get_lines() if line.get_linestyle() == "-."]
+    (name,) = axes.texts
+    assert name.get_text() == "lammps nve"
+    assert name.xy == (1e-12, pytest.approx(9.0 * 1e-12**-0.125))
+    assert name.get_color() == curve.get_color()
+    plt.close("all")
+
+
 def test_readme_shows_the_verdicts(tmp_path):
     (tmp_path / "tables").mkdir()
     (tmp_path / "tables" / "speed_verdicts.csv").write_text("problem,error,verdict\na,1e-09,b\n")

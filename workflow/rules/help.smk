@@ -9,6 +9,7 @@ TARGETS_IN_WORDS = {
     "precision": "Time against error of all solvers, with figure 14; a quarter of an hour.",
     "hard_cases": "Problems at the edge, with figure 15.",
     "stiff_damping": "Explicit and implicit steps compared at strong damping.",
+    "referee": "Problems with accurate answers for discrete-element codes.",
     "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",
     "help": "This list.",
 }

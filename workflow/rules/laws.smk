@@ -60,6 +60,27 @@ rule measure_numerical_damping:
         "../scripts/measure_numerical_damping.py"
 
 
+rule measure_half_step_damping:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+    output:
+        dataset="<results>/data/laws/half_step_damping.nc",
+    params:
+        code=code("measure_half_step_damping"),
+        scene=config["laws"]["half_step_damping"],
+    log:
+        "<logs>/measure_half_step_damping.log",
+    benchmark:
+        "<benchmarks>/measure_half_step_damping.tsv"
+    threads: 1
+    message:
+        "Measuring the damping that the step of discrete-element codes brings."
+    conda:
+        environment
+    script:
+        "../scripts/measure_half_step_damping.py"
+
+
 rule measure_pistons:
     input:
         kernels=rules.compile_kernels.output.stamp,

@@ -28,6 +28,7 @@ rule write_report:
             rules.evaluate_materials.benchmark,
             rules.evaluate_damping_regimes.benchmark,
             rules.measure_numerical_damping.benchmark,
+            rules.measure_half_step_damping.benchmark,
             rules.measure_pistons.benchmark,
             rules.compare_variables.benchmark,
             rules.measure_limiting_cases.benchmark,

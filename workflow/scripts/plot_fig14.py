@@ -18,6 +18,8 @@ COLUMNS = 3
 PANEL_HEIGHT = 2.3
 MOST_TICKS = 6
 MARKERS = "osD^vPX<>*"
+# Discrete-element codes, built for other problems, and the side of their names at their curves.
+CODES = {"lammps_nve": "left", "lammps_mvv": "right"}
 # Double precision resolves nothing further left.
 SMALLEST_ERROR = 1e-17
 
@@ -67,11 +69,18 @@ def choose_looks(data: xr.Dataset) -> dict[str, dict[str, Any]]:
         looks[method] = {
             "color": colour,
             "marker": MARKERS[index % len(MARKERS)],
-            "linestyle": "-" if method in ours or colour != PACKAGE_COLOURS["ours"] else ":",
+            "linestyle": style_of(method, method in ours),
             "linewidth": 1.6 if method in ours else 0.8,
             "markersize": 4.0 if method in ours else 3.0,
         }
     return looks
+
+
+def style_of(method: str, is_own_method: bool) -> str:
+    """Full lines for integrators, dotted for other methods of ours, dash-dotted for codes."""
+    if method in CODES:
+        return "-."
+    return "-" if is_own_method or method.split("_")[0] in PACKAGE_COLOURS else ":"
 
 
 def label(method: str) -> str:
@@ -87,6 +96,10 @@ def draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]])
         chosen = chosen.isel(tolerance=np.flatnonzero(np.isfinite(chosen["error"])))
         disturbed = chosen["disturbed"].values == 1.0
         axes.loglog(chosen["error"], chosen["seconds"], **look)
+        if method in CODES and chosen["error"].size:
+            end = chosen.isel(tolerance=-1)
+            place = float(end["error"]), float(end["seconds"])
+            axes.annotate(label(method), place, color=look["color"], fontsize=6, ha=CODES[method])
         axes.loglog(
             chosen["error"][disturbed],
             chosen["seconds"][disturbed],

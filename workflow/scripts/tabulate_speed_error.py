@@ -17,7 +17,7 @@ JUDGED_LEVELS = (1e-4, 1e-6, 1e-9, 1e-12)
 PAPERS_WAY = ("scilab_ode", "upwind")
 # Ending of a method whose grid is given: to be timed, while users call the one that chooses it.
 ON_GIVEN_GRID = "_on_grid"
-PACKAGES = ("diffrax", "numbalsoda", "scilab", "scipy", "sundials", "upwind")
+PACKAGES = ("diffrax", "lammps", "numbalsoda", "scilab", "scipy", "sundials", "upwind")
 BUSY = "timed while the machine was busy"
 
 

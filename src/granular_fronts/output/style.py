@@ -44,6 +44,7 @@ PACKAGE_COLOURS = {
     "numbalsoda": "#1a8f3c",
     "sundials": "#8a4a12",
     "diffrax": "#d02fb4",
+    "lammps": "#e08a00",
 }
 
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.

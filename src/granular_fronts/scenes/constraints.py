@@ -346,6 +346,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "laws.materials": (beads_are_solid,),
     "laws.damping_regimes": (),
     "laws.numerical_damping": (theta_steps_meet_end,),
+    "laws.half_step_damping": (),
     "laws.jump_conditions": (
         laws_of_cases_are_possible,
         states_differ,

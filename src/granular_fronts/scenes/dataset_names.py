@@ -15,6 +15,7 @@ RESULTS = {
     "materials": "the materials of remark 6",
     "damping_regimes": "the damping regimes",
     "numerical_damping": "the numerical damping",
+    "half_step_damping": "the damping by the half-step scheme",
     "jump_conditions": "the fronts measured against the jump conditions",
     "choice_of_variables": "the comparison of variables",
     "limiting_cases": "the limiting cases",

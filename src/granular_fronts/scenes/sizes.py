@@ -265,6 +265,19 @@ def size_of_theta_method(section: Mapping) -> Iterator[Part]:
         )
 
 
+def size_of_half_steps(section: Mapping) -> Iterator[Part]:
+    """A motion by equal steps for each law, damping and step, of which every state is held."""
+    beads, longest = float(section["beads"]), float(section["collision_times"])
+    motions = len(section["betas"]) * len(section["gammas"])
+    counts = section["steps_per_collision"]
+    yield Part(
+        ("beads", "collision_times", "steps_per_collision"),
+        (),
+        COLUMNS_PER_ROW * beads * longest * max(counts),
+        motions * beads * longest * sum(counts) * SECONDS_PER_POINT,
+    )
+
+
 def size_of_driven_fronts(section: Mapping) -> Iterator[Part]:
     """Fronts that run through `beads` beads, one for each law (and each ramp of a piston)."""
     fronts, beads = len(section["cases"]) * len(section.get("ramps", [0])), float(section["beads"])
@@ -349,6 +362,7 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "laws.materials": size_of_materials,
     "laws.damping_regimes": size_of_regimes,
     "laws.numerical_damping": size_of_theta_method,
+    "laws.half_step_damping": size_of_half_steps,
     "laws.jump_conditions": size_of_driven_fronts,
     "laws.choice_of_variables": size_of_variables,
     "laws.limiting_cases": size_of_limiting_cases,

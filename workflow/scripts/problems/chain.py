@@ -1,7 +1,8 @@
 """Front initiation of James (2021), section 3.3, up to a stored long-double state.
 
 Our integrator solves it in strain form, and the same pair in (x, w) and (x, ẋ), without window and
-event location.  An absolute tolerance is a hundredth of the relative one for every method.
+event location.  An absolute tolerance is a hundredth of the relative one for every method; of
+LAMMPS, a discrete-element code, a tolerance is the step.
 """
 
 from functools import partial
@@ -22,6 +23,7 @@ from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.reference_methods import position_forms
 from peers import (
     diffrax_chain,
+    lammps_chain,
     numbalsoda_chain,
     scilab_chain,
     scipy_chain,
@@ -71,7 +73,8 @@ def make_problem(problem, states):
         start={"kind": "rest"},
     )
     reference = read_reference(states.isel(state=found[0]), FIELDS)
-    return Problem(OURS, reference, methods_for(scene, system))
+    codes = {name: partial(run_peer, solve, system) for name, solve in lammps_chain.METHODS.items()}
+    return Problem(OURS, reference, methods_for(scene, system) | codes)
 
 
 def chain_scene(system, boundary, start):

@@ -1,0 +1,78 @@
+"""Judge results of a discrete-element code: python -m granular_fronts.referee FILE ....
+
+Each file is called PROBLEM_STEP.dump (LAMMPS) or PROBLEM_STEP.csv (columns t, bead, x, v). The
+problems and their answers are made by snakemake -c2 referee.
+"""
+
+import argparse
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+from granular_fronts.errors import InputError, exit_on_error
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.problems import Problem
+from granular_fronts.referee.results_files import read_result
+
+
+def main(arguments):
+    """Print what each problem's results show, and draw them."""
+    parser = argparse.ArgumentParser(
+        prog="python -m granular_fronts.referee",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE")
+    parser.add_argument("--answers", type=Path, default=Path("results", "referee"))
+    parser.add_argument("--error", type=float, default=1.0e-3, help="error that would do")
+    parser.add_argument("--figures", type=Path, help="folder for a figure of each problem")
+    options = parser.parse_args(arguments)
+    with exit_on_error("The results cannot be judged."):
+        known = known_problems(options.answers)
+        for name, results in by_problem(options.files, known).items():
+            judge(known[name], results, options)
+
+
+def known_problems(folder):
+    """Files of the answers by problem."""
+    known = {path.stem: path for path in sorted(folder.glob("*.nc"))}
+    if not known:
+        raise InputError(
+            f"{folder} holds no answers: make them by snakemake -c2 referee, or name their folder "
+            "by --answers."
+        )
+    return known
+
+
+def by_problem(files, known):
+    """Results of each problem, the largest step first."""
+    found = defaultdict(list)
+    for result in (read_result(file, known) for file in files):
+        if any(result.step == other.step for other in found[result.problem]):
+            raise InputError(
+                f"{result.problem} is there twice with step {result.step:g}: give each step once."
+            )
+        found[result.problem].append(result)
+    return {
+        name: sorted(results, key=lambda result: -result.step) for name, results in found.items()
+    }
+
+
+def judge(path, results, options):
+    """One problem."""
+    answer = read_dataset(path)
+    problem = Problem(**configuration_of(answer))
+    findings = [find(problem, answer, result) for result in results]
+    print("\n".join(report(problem, findings, options.error)))
+    if options.figures:
+        # Who asks for no figure does not wait for Matplotlib.
+        from granular_fronts.referee.drawing import draw
+
+        options.figures.mkdir(parents=True, exist_ok=True)
+        figure = draw(problem, answer, results, findings)
+        figure.savefig(options.figures / f"{problem.name}.png")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

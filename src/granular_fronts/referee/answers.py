@@ -1,0 +1,135 @@
+"""Accurate answers to the problems, each with its error, as netCDF and CSV.
+
+A problem is solved by the chain's own integrator, and again with a tolerance a tenth of it; the
+largest difference is the error (see `chain.simulate`).  The reading of the damping (`readings`) is
+made at several dampings around the given one, so that a run can be told which it looks like.
+"""
+
+import csv
+import io
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.referee.readings import NAMES, read_motion, scale_of
+
+LAST_BEADS = 3
+"""How many velocities at the end are listed."""
+
+
+def solve(problem):
+    """The accurate answer.
+
+    Parameters
+    ----------
+    problem : Problem
+
+    Returns
+    -------
+    xarray.Dataset
+        `relative_displacement` on (t, contact) and `velocity` on (t, bead); `reading` on (factor,),
+        dampings over γ; `value` and `value_error` on (quantity,).
+    """
+    motion = simulate_chain(problem.scene, problem.name)
+    t, u, v = states(motion)
+    readings = [read_at(problem, factor) for factor in problem.factors]
+    names, values, errors = zip(*quantities(motion), strict=True)
+    field = {
+        name: {key: motion[f"{name}_grid"].attrs[key] for key in ("error_estimate", "error_method")}
+        for name in ("relative_displacement", "velocity")
+    }
+    worst = max(attributes["error_estimate"] for attributes in field.values())
+    reading = {
+        "error_estimate": 2.0 * worst / scale_of(problem),
+        "error_method": "twice the error of u or of the velocity",
+        "long_name": NAMES[problem.motion],
+    }
+    stated = {"error_estimate": float(max(errors)), "error_method": "see value_error"}
+    return xr.Dataset(
+        {
+            "relative_displacement": (("t", "contact"), u, field["relative_displacement"]),
+            "velocity": (("t", "bead"), v, field["velocity"]),
+            "reading": ("factor", readings, reading),
+            "value": ("quantity", list(values), stated),
+            "value_error": ("quantity", list(errors)),
+        },
+        {
+            "t": t,
+            "contact": np.arange(1, u.shape[1] + 1),
+            "bead": np.arange(1, v.shape[1] + 1),
+            "factor": problem.factors,
+            "quantity": list(names),
+        },
+    )
+
+
+def states(motion):
+    """Times, relative displacements and velocities of all states."""
+    u = motion["relative_displacement_grid"].values[:, :-1]
+    return motion["t_grid"].values, u, motion["velocity_grid"].values
+
+
+def read_at(problem, factor):
+    """The reading of the damping, of the same motion at another damping."""
+    law = problem.scene["law"]
+    scene = problem.scene | {"law": law | {"gamma": factor * law["gamma"]}}
+    return read_motion(problem, *states(simulate_chain(scene, problem.name)))
+
+
+def quantities(motion):
+    """Names, values and errors of single numbers."""
+
+    def recorded(name):
+        return float(motion[name]), float(motion[name].attrs["error_estimate"])
+
+    velocities = motion["velocity_grid"].isel(t_grid=-1)
+    error = float(velocities.attrs["error_estimate"])
+    yield "largest relative displacement", *recorded("largest_relative_displacement")
+    if np.isfinite(motion["first_gap_time"]):
+        yield "time of the first gap", *recorded("first_gap_time")
+        yield "contact of the first gap", *recorded("first_gap_bead")
+    for bead in motion["bead"].values[-LAST_BEADS:]:
+        yield f"velocity of bead {bead} at the end", float(velocities.sel(bead=bead)), error
+
+
+def table_of(answers):
+    """All single numbers of some answers as CSV.
+
+    Parameters
+    ----------
+    answers : mapping of str to xarray.Dataset
+
+    Returns
+    -------
+    str
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["problem", "quantity", "value", "error"])
+    for name, answer in answers.items():
+        for row in zip(
+            answer["quantity"].values,
+            answer["value"].values,
+            answer["value_error"].values,
+            strict=True,
+        ):
+            writer.writerow([name, row[0], repr(float(row[1])), f"{row[2]:.1e}"])
+    return text.getvalue()
+
+
+def states_of(answer):
+    """The states half-way and at the end as CSV: t, bead, u of its right contact, v, error."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["t", "bead", "u", "v", "error"])
+    fields = answer["relative_displacement"], answer["velocity"]
+    error = max(field.attrs["error_estimate"] for field in fields)
+    for row in (answer.sizes["t"] // 2, -1):
+        state = answer.isel(t=row)
+        u = [*state["relative_displacement"].values, 0.0]
+        for bead, left, v in zip(answer["bead"].values, u, state["velocity"].values, strict=True):
+            writer.writerow(
+                [float(state["t"]), int(bead), repr(float(left)), repr(float(v)), f"{error:.1e}"]
+            )
+    return text.getvalue()

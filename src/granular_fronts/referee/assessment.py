@@ -1,0 +1,166 @@
+"""How far results are from the answer: errors, order, the damping they look like, and advice."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.errors import InputError
+from granular_fronts.referee.readings import NAMES, excess_damping, read_motion, velocity_scale
+
+CLEAR = 0.25
+"""Distance within which an observed order counts as the whole number."""
+
+NO_ORDER = 0.3
+"""Observed order below which the error does not depend on the step."""
+
+SAME_TIME = 1.0e-6
+"""Distance of two times that count as one, over the interval between states."""
+
+
+class Finding(NamedTuple):
+    """What one result shows.
+
+    Attributes
+    ----------
+    step : float
+    error : float
+        The larger of the errors of u over δ and of the velocities over δ^(5/4), of all states.
+    reading, excess : float
+        See `readings`; NaN where there is none.
+    """
+
+    step: float
+    error: float
+    reading: float
+    excess: float
+
+
+def find(problem, answer, result):
+    """Compare a result with the answer.
+
+    Parameters
+    ----------
+    problem : Problem
+    answer : xarray.Dataset
+    result : results_files.Result
+
+    Returns
+    -------
+    Finding
+
+    Raises
+    ------
+    InputError
+        If beads or times differ.
+    """
+    rows = matching_rows(problem, answer, result)
+    u, v = -np.diff(result.x[rows], axis=1), result.v[rows]
+    distances = (
+        np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
+        np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
+    )
+    reading = read_motion(problem, answer["t"].values, u, v)
+    table = answer["reading"].values, answer["factor"].values
+    excess = excess_damping(reading, table[1], table[0])
+    return Finding(result.step, float(max(distances)), reading, excess)
+
+
+def matching_rows(problem, answer, result):
+    """Rows of a result at the times of the answer."""
+    name = f"{problem.name} with step {result.step:g}"
+    beads = problem.scene["beads"]
+    if result.x.shape[1] != beads:
+        raise InputError(
+            f"{name} has {result.x.shape[1]} beads, but the problem has {beads}: compute these."
+        )
+    times = answer["t"].values
+    rows = np.abs(result.t[:, None] - times).argmin(axis=0)
+    off = np.abs(result.t[rows] - times) > SAME_TIME * problem.interval
+    if off.any():
+        raise InputError(
+            f"{name} has no state at t = {times[off][0]:g}, its last is at t = {result.t[-1]:g}: "
+            f"write states every {problem.interval:g} up to {times[-1]:g}, with a step that "
+            "divides this; where the run was lost, give a smaller step."
+        )
+    return rows
+
+
+class Order(NamedTuple):
+    """Slope of the logarithm of the error over that of the step, and its scatter.
+
+    `scatter` is half the range of the slopes between neighbouring steps; NaN for two steps.
+    """
+
+    value: float
+    scatter: float
+
+
+def observed_order(findings):
+    """The order that the errors of two or more steps show."""
+    steps, errors = (np.log([getattr(one, name) for one in findings]) for name in ("step", "error"))
+    slopes = np.diff(errors) / np.diff(steps)
+    scatter = 0.5 * np.ptp(slopes) if slopes.size > 1 else np.nan
+    return Order(float(np.polyfit(steps, errors, 1)[0]), float(scatter))
+
+
+def report(problem, findings, wanted):
+    """Sentences on all results of one problem.
+
+    Parameters
+    ----------
+    problem : Problem
+    findings : list of Finding
+        Of different steps, the largest first.
+    wanted : float
+        Error that would do, of the size of `Finding.error`.
+
+    Yields
+    ------
+    str
+    """
+    yield problem.title
+    for one in findings:
+        yield f"  step {one.step:g}: largest error {one.error:.1e}{damping_in_words(problem, one)}."
+    if len(findings) < 2:
+        yield "  Give a second step, and the order is found."
+        return
+    order = observed_order(findings)
+    scatter = "" if np.isnan(order.scatter) else f" ± {order.scatter:.2f}"
+    yield f"  The observed order is {order.value:.2f}{scatter}."
+    yield from (f"  {line}" for line in advice(problem, findings[-1], order.value, wanted))
+
+
+def damping_in_words(problem, finding):
+    """What the reading says, as the end of a sentence."""
+    if np.isnan(finding.excess):
+        return ""
+    side = "large" if finding.excess > 0.0 else "small"
+    return (
+        f"; {NAMES[problem.motion]} {finding.reading:.5g}, as if gamma were "
+        f"{100.0 * abs(finding.excess):.2g} % too {side}"
+    )
+
+
+def advice(problem, finest, order, wanted):
+    """What to change."""
+    if order < NO_ORDER and finest.error > wanted:
+        yield (
+            "The error does not fall with the step: this is another problem. Compare law, mass, "
+            "radius, force and start with the file of the problem in words."
+        )
+        return
+    if finest.error <= wanted:
+        yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."
+    else:
+        step = finest.step * (wanted / finest.error) ** (1.0 / order)
+        yield f"For an error of {wanted:g} take the step {step:.2g}."
+    if abs(order - 1.0) < CLEAR:
+        yield (
+            "Order one is that of velocity Verlet whose viscous force sees the velocity of half a "
+            "step ago. A predicted velocity makes it two: in LAMMPS fix mvv/dpd 1.0, which the "
+            f"deck {problem.name}.lmp takes with -var integrator mvv."
+        )
+    elif abs(order - 2.0) < CLEAR:
+        yield "The order is two: half the step is a quarter of the error."
+    else:
+        yield "The order is not clear yet: add a smaller step."

@@ -1,0 +1,57 @@
+"""Results beside the accurate answer."""
+
+import numpy as np
+
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
+
+START = 0.01
+"""Share of the largest u at which the drawn motion begins."""
+
+
+def draw(problem, answer, results, findings):
+    """A contact in the middle against time, and errors against the step.
+
+    Parameters
+    ----------
+    problem : Problem
+    answer : xarray.Dataset
+    results : list of results_files.Result
+    findings : list of assessment.Finding
+        In the same order.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    figure, panels = new_figure(3.2, [["motion", "error"]])
+    draw_motion(panels["motion"], problem, answer, results)
+    draw_errors(panels["error"], findings)
+    figure.suptitle(problem.title, fontsize=9)
+    return figure
+
+
+def draw_motion(axes, problem, answer, results):
+    """Draw u of the contact in the middle."""
+    contact = problem.scene["beads"] // 2
+    u = answer["relative_displacement"].sel(contact=contact)
+    axes.plot(answer["t"], u, "-", color=EQUATION_COLOUR, label="accurate")
+    for colour, result in zip(PROBE_COLOURS[2:], results, strict=False):
+        found = result.x[:, contact - 1] - result.x[:, contact]
+        axes.plot(
+            result.t, found, ".", color=colour, markersize=2.5, label=f"$h = {result.step:g}$"
+        )
+    moving = answer["t"].values[np.abs(u.values) > START * float(abs(u).max())]
+    axes.set(xlabel="$t$", ylabel=f"$u_{{{contact}}}$", xlim=(moving[0], moving[-1]))
+    axes.legend(fontsize=7)
+
+
+def draw_errors(axes, findings):
+    """Largest errors, with a line of slope 1 through the smallest step."""
+    steps, errors = [one.step for one in findings], [one.error for one in findings]
+    axes.loglog(steps, errors, "o", color=CHAIN_COLOUR, markersize=4)
+    slope = [errors[-1] * step / steps[-1] for step in steps]
+    axes.loglog(steps, slope, ":", color=CHAIN_COLOUR, label="order 1")
+    axes.set(xlabel="$h$", ylabel="largest error")
+    axes.set_xticks(steps, [f"{step:g}" for step in steps])
+    axes.set_xticks([], minor=True)
+    axes.legend(fontsize=7)

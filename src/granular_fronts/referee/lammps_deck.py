@@ -1,0 +1,139 @@
+r"""A chain as input of LAMMPS, the law mapped exactly; written from the scene of the chain.
+
+Beads are spheres of diameter 1 and mass 1 in a row, bead n at n − 1 + x_n, so that neighbours
+overlap by u_n.  Then R_eff = 1/4 and m_eff = 1/2, and ``pair_style granular`` with ``hertz k_n η``
+and no tangential force has the elastic force :math:`k_n R_\mathrm{eff}^{1/2} u^{3/2}`, which is
+:math:`u^{3/2}` for k_n = 2.  Three of its damping models are viscous forces
+:math:`\gamma\beta u^{\beta-1}\dot u`:
+
+- ``viscoelastic``, :math:`\eta\,m_\mathrm{eff}(R_\mathrm{eff}u)^{1/2}\dot u`: β = 3/2, η = 6γ;
+- ``coeff_restitution``: β = 5/4, with the coefficient of restitution in place of η, :math:`\ln e =
+  -\pi q/\sqrt{1-q^2}`, :math:`q = \tfrac54\sqrt{2/5}\,\gamma`;
+- ``velocity``, :math:`\eta\,\dot u`: β = 1, η = γ.
+
+A constant force :math:`\delta^{3/2}` on bead 1 is the pressure of (25).  The usual ``fix nve`` is
+the scheme of `half_step`; ``fix mvv/dpd 1.0`` is of order 2, and wants the atom style of a
+dissipative particle, and beside the contact forces a pair style of such particles, here of no
+force.
+"""
+
+import math
+
+from granular_fronts.errors import InputError
+
+DIAMETER = 1.0
+MARGIN = 10.0
+"""Room around the chain, in diameters."""
+
+DECK = """\
+# {title}
+# Run with: lmp -in {name}.lmp -var step 0.05
+# With -var integrator mvv the viscous force sees a predicted velocity, by fix mvv/dpd.
+# The positions of bead n are n - 1 + x_n; the overlap of beads n and n + 1 is u_n = x_n - x_(n+1).
+variable step index 0.05
+variable integrator index nve
+variable every equal round({interval!r}/v_step)
+variable steps equal round({end_time!r}/v_step)
+units lj
+dimension 3
+boundary f f f
+newton on
+if "${{integrator}} == mvv" then "atom_style hybrid sphere mdpd" else "atom_style sphere"
+# Without this the viscous force across a border of the box sees no velocity.
+comm_modify vel yes
+region room block {low!r} {high!r} -2 2 -2 2
+create_box 1 room
+{atoms}
+set group all diameter 1.0
+set group all mass 1.0
+{velocities}variable law string &
+  "hertz 2.0 {coefficient!r} damping {damping} tangential linear_nohistory 0 0"
+if "${{integrator}} == mvv" then &
+  "pair_style hybrid/overlay granular dpd 0.0 0.001 1" "pair_coeff * * dpd 0 0 0.001" &
+  "pair_coeff * * granular ${{law}}" "fix motion all mvv/dpd 1.0" &
+else "pair_style granular" "pair_coeff * * ${{law}}" "fix motion all nve"
+neighbor 0.3 bin
+neigh_modify every 1 delay 0 check yes
+{push}timestep ${{step}}
+dump out all custom ${{every}} {name}_${{step}}.dump id x vx
+dump_modify out sort id time yes format float %.17g
+run ${{steps}}
+"""
+
+
+def write_deck(name, title, scene, interval):
+    """The input file of a chain.
+
+    Parameters
+    ----------
+    name : str
+        Begins the name of the file that LAMMPS writes; the step ends it.
+    title : str
+        One line.
+    scene : mapping
+        A chain as `simulate_chain` takes it: α = 3/2, β of 3/2, 5/4 or 1, a free right end, beads
+        that just touch at t = 0.
+    interval : float
+        Between two states that LAMMPS writes; a multiple of the step.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError
+        If the law is none of LAMMPS's.
+    """
+    beads, velocities = scene["beads"], start_velocities(scene)
+    pressure = scene["boundary"]["left"] ** scene["law"]["alpha"]
+    damping, coefficient = damping_model(scene["law"])
+    atoms = "\n".join(f"create_atoms 1 single {n * DIAMETER!r} 0 0" for n in range(beads))
+    moving = [(n, v) for n, v in enumerate(velocities, 1) if v]
+    return DECK.format(
+        title=title,
+        name=name,
+        interval=float(interval),
+        end_time=float(scene["end_time"]),
+        low=-MARGIN,
+        high=beads * DIAMETER + MARGIN + farthest(scene),
+        atoms=atoms,
+        velocities="".join(f"set atom {n} vx {v!r}\n" for n, v in moving),
+        coefficient=coefficient,
+        damping=damping,
+        push=f"group first id 1\nfix push first addforce {pressure!r} 0 0\n" if pressure else "",
+    )
+
+
+def damping_model(law):
+    """LAMMPS's name of a viscous force, and its coefficient.
+
+    Raises
+    ------
+    InputError
+        If LAMMPS has no such force.
+    """
+    alpha, beta, gamma = (float(law[name]) for name in ("alpha", "beta", "gamma"))
+    if alpha == 1.5 and beta == 1.5:
+        return "viscoelastic", 6.0 * gamma
+    if alpha == 1.5 and beta == 1.0:
+        return "velocity", gamma
+    ratio = 1.25 * math.sqrt(0.4) * gamma
+    if alpha == 1.5 and beta == 1.25 and ratio < 1.0:
+        return "coeff_restitution", math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
+    raise InputError(
+        f"LAMMPS has no law with alpha = {alpha:g}, beta = {beta:g}, gamma = {gamma:g}: take alpha "
+        "= 3/2 and beta = 3/2, 1, or 5/4 with gamma below 1.26."
+    )
+
+
+def start_velocities(scene):
+    """Velocities at t = 0."""
+    return scene["start"].get("velocity", [0.0] * scene["beads"])
+
+
+def farthest(scene):
+    """How far a bead moves at the most: at thrice the velocity of a front, or of the start."""
+    law, left = scene["law"], scene["boundary"]["left"]
+    fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, start_velocities(scene)))
+    return 3.0 * fastest * scene["end_time"]

@@ -1,0 +1,88 @@
+"""One number of a motion that depends on its damping, and the damping that it looks like.
+
+=============  ================================================================================
+front          overshoot: first peak of u over δ, in the middle of the chain
+contact_loss   velocity of the last bead at the end, over δ^(5/4)
+striker        peak of u in the middle of the chain, over δ
+collision      velocity at which the beads part, over that of their impact: restitution
+=============  ================================================================================
+
+Peaks lie between two states, on the cubic that has u and its rate at both.  Where the reading does
+not fall with the damping, as the peak of an overdamped front, which is none, it says nothing.
+"""
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from granular_fronts.studies.half_step_damping import excess_by_table
+
+LEAST_FALL = 1.0e-4
+"""Of a reading from one tabulated damping to the next, relative."""
+
+NAMES = {
+    "front": "overshoot in the middle",
+    "contact_loss": "velocity of the last bead",
+    "striker": "peak in the middle",
+    "collision": "coefficient of restitution",
+}
+
+
+def scale_of(problem):
+    """What a reading is divided by: δ, or the velocity of the beads behind a front."""
+    if problem.motion in ("front", "striker"):
+        return problem.displacement
+    return velocity_scale(problem)
+
+
+def velocity_scale(problem):
+    """δ^((α + 1)/2)."""
+    return problem.displacement ** (0.5 * (problem.scene["law"]["alpha"] + 1.0))
+
+
+def read_motion(problem, t, u, v):
+    """The number that says the damping.
+
+    Parameters
+    ----------
+    problem : Problem
+    t : ndarray, shape (T,)
+    u, v : ndarray, shapes (T, N − 1) and (T, N)
+        Relative displacements and velocities.
+
+    Returns
+    -------
+    float
+        NaN if a peak is not passed.
+    """
+    if problem.motion == "contact_loss":
+        found = float(v[-1, -1])
+    elif problem.motion == "collision":
+        found = float(v[-1, 1] - v[-1, 0])
+    else:
+        middle = problem.scene["beads"] // 2
+        found = first_peak(t, u[:, middle - 1], v[:, middle - 1] - v[:, middle])
+    return found / scale_of(problem)
+
+
+def excess_damping(reading, factors, table):
+    """γ of the accurate motion with a reading, over γ, less 1; NaN where the reading says nothing.
+
+    Parameters
+    ----------
+    reading : float
+    factors, table : ndarray
+        Dampings over γ, and the accurate readings there.
+    """
+    falls = np.diff(table).max() < -LEAST_FALL * abs(table[0])
+    return float(excess_by_table(np.array(reading), factors, table)) if falls else np.nan
+
+
+def first_peak(t, u, rate):
+    """First maximum of u, after it has come to half its largest value; NaN without one."""
+    falls = (u[1:] > 0.5 * u.max()) & (rate[1:] < 0.0) & (rate[:-1] >= 0.0)
+    if not falls.any():
+        return np.nan
+    pair = slice(int(np.argmax(falls)), int(np.argmax(falls)) + 2)
+    curve = CubicHermiteSpline(t[pair], u[pair], rate[pair])
+    turns = curve.derivative().roots(extrapolate=False)
+    return float(curve(turns[:1])[0]) if turns.size else float(u[pair].max())

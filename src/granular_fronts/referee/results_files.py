@@ -1,0 +1,162 @@
+"""What a code made of a problem: dumps of LAMMPS, or tables with the columns t, bead, x, v.
+
+The name of a file says what it is about, PROBLEM_STEP.dump or PROBLEM_STEP.csv, for example
+``front_steel_dashpot_0.05.csv``.  In a table x is the displacement of a bead from where it would
+just touch, or its position in diameters with bead 1 at 0; times and beads may come in any order.
+"""
+
+import csv
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.errors import InputError
+
+COLUMNS = ("t", "bead", "x", "v")
+
+
+class Result(NamedTuple):
+    """A motion as somebody's code computed it.
+
+    Attributes
+    ----------
+    problem : str
+    step : float
+        h, above 0.
+    t : ndarray, shape (T,)
+        Times of the states, increasing.
+    x, v : ndarray, shape (T, N)
+        Displacements and velocities.
+    """
+
+    problem: str
+    step: float
+    t: np.ndarray
+    x: np.ndarray
+    v: np.ndarray
+
+
+def read_result(path, problems):
+    """Read a file, whose name says problem and step.
+
+    Parameters
+    ----------
+    path : Path
+    problems : collection of str
+        Known names.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    InputError
+        If the file is none, or is about no known problem.
+    """
+    path = Path(path)
+    problem, step = read_name(path, problems)
+    if not path.is_file():
+        raise InputError(f"There is no file {path}: name one that exists.")
+    rows = lammps_rows(path) if path.suffix == ".dump" else table_rows(path)
+    t, x, v = by_time_and_bead(path, rows)
+    return Result(problem, step, t, displacements(x), v)
+
+
+def read_name(path, problems):
+    """Problem and step in the name of a file."""
+    problem, _, step = path.stem.rpartition("_")
+    try:
+        h = float(step)
+    except ValueError:
+        h = math.nan
+    if not (path.suffix in (".dump", ".csv") and h > 0.0):
+        raise InputError(
+            f"{path.name} does not say what it is: call it PROBLEM_STEP.dump, or PROBLEM_STEP.csv, "
+            "for example front_steel_viscoelastic_0.05.dump."
+        )
+    if problem not in problems:
+        raise InputError(
+            f"{path.name} is about {problem or 'nothing'}, but the problems are "
+            f"{', '.join(problems)}: name the file after one of them."
+        )
+    return problem, h
+
+
+def lammps_rows(path):
+    """Rows (t, bead, x, v) of a dump with ``dump_modify time yes``."""
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    rows, time, at = [], None, 0
+    while at < len(lines):
+        head = lines[at]
+        if head == "ITEM: TIME":
+            time = float(lines[at + 1])
+        if not head.startswith("ITEM: ATOMS"):
+            at += 1
+            continue
+        names = head.split()[2:]
+        if not {"id", "x", "vx"} <= set(names) or time is None:
+            raise InputError(
+                f"{path} holds {' '.join(names)} and {'no' if time is None else 'the'} time, but "
+                "id, x, vx and the time are needed: dump custom … id x vx, with dump_modify … "
+                "time yes."
+            )
+        chosen = [names.index(name) for name in ("id", "x", "vx")]
+        at += 1
+        while at < len(lines) and not lines[at].startswith("ITEM:"):
+            words = lines[at].split()
+            rows.append((time, *(number(path, words[column]) for column in chosen)))
+            at += 1
+    return rows
+
+
+def table_rows(path):
+    """Rows (t, bead, x, v) of a table; lines that begin with # are comments."""
+    with path.open(encoding="utf-8", errors="replace", newline="") as file:
+        lines = (line for line in file if not line.startswith("#"))
+        reader = csv.DictReader(lines, skipinitialspace=True)
+        missing = [name for name in COLUMNS if name not in (reader.fieldnames or [])]
+        if missing:
+            raise InputError(
+                f"{path} has no column {missing[0]}: give the columns {', '.join(COLUMNS)}."
+            )
+        return [tuple(number(path, row[name]) for name in COLUMNS) for row in reader]
+
+
+def number(path, text):
+    """A finite number."""
+    try:
+        found = float(text)
+    except (TypeError, ValueError):
+        found = math.nan
+    if not math.isfinite(found):
+        raise InputError(
+            f"{path} holds {text!r} where a number should be: where a run has failed, give a "
+            "smaller step."
+        )
+    return found
+
+
+def by_time_and_bead(path, rows):
+    """Times, and x and v on (time, bead)."""
+    if not rows:
+        raise InputError(f"{path} holds no states: write some.")
+    table = np.array(rows)
+    t, beads = np.unique(table[:, 0]), np.unique(table[:, 1])
+    if table.shape[0] != t.size * beads.size or not np.array_equal(
+        beads, np.arange(1, beads.size + 1)
+    ):
+        raise InputError(
+            f"{path} has {table.shape[0]} rows for {t.size} times and beads {beads[0]:g} to "
+            f"{beads[-1]:g}: give each bead, from 1 on, once at each time."
+        )
+    x, v = table[np.lexsort((table[:, 1], table[:, 0]))][:, 2:].T.reshape(2, t.size, beads.size)
+    return t, x, v
+
+
+def displacements(x):
+    """Displacements: x, less the places where beads just touch if it holds positions."""
+    beads = np.arange(x.shape[1])
+    return x - beads if np.mean(np.diff(x[0])) > 0.5 else x

@@ -1,0 +1,144 @@
+r"""Chains by the step of discrete-element codes and by the accurate solver, and what is read off.
+
+A chain at rest is pressed by δ = 1 at its left end, so that c = 1.  Times are compared with the one
+that two beads without damping, meeting at the velocity 1 of a front, stay together:
+
+.. math::
+
+    t_c = 2\Bigl(\frac{\alpha+1}4\Bigr)^{1/(\alpha+1)} \int_0^1 \frac{ds}{\sqrt{1-s^{\alpha+1}}}.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import CubicHermiteSpline
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import SolveError
+from granular_fronts.reference_methods.half_step import Chain, integrate
+
+LEVEL = 0.5
+"""u at which a front arrives."""
+
+CHAIN_METHOD = "error estimate of the accurate chain"
+
+
+class Case(NamedTuple):
+    """A chain pressed by δ = 1: α, β, γ, the number N of beads, and the end of its motion."""
+
+    alpha: float
+    beta: float
+    gamma: float
+    beads: int
+    end_time: float
+
+
+class Reading(NamedTuple):
+    """First peak of u in the middle, arrival times at a quarter and there, and u at the end."""
+
+    peak: float
+    arrivals: np.ndarray
+    u: np.ndarray
+
+
+def collision_time(alpha):
+    """The time t_c that two beads without damping are in contact, for δ = c = 1."""
+    power = 1.0 / (alpha + 1.0)
+    integral = math.sqrt(math.pi) * math.gamma(1.0 + power) / math.gamma(0.5 + power)
+    return 2.0 * (0.25 * (alpha + 1.0)) ** power * integral
+
+
+def half_step_chain(case, step):
+    """The motion of the chain by the scheme."""
+    rest = np.zeros(case.beads)
+    chain = Chain(case.alpha, case.beta, case.gamma, left=1.0)
+    return integrate(chain, rest, rest, step, round(case.end_time / step))
+
+
+def accurate_chain(case):
+    """The same of the accurate chain, and the largest error estimate of what is read."""
+    middle = case.beads // 2
+    record = {"snapshots": [case.end_time], "arrival_level": LEVEL, "extremes": True}
+    motion = solve_accurately(case, record)
+    read = {name: motion[name] for name in ("first_peak", "arrival_time", "relative_displacement")}
+    reading = Reading(
+        float(read["first_peak"].sel(bead=middle)),
+        read["arrival_time"].sel(bead=[middle // 2, middle]).values,
+        read["relative_displacement"].values[0, :-1],
+    )
+    return reading, max(float(values.attrs["error_estimate"]) for values in read.values())
+
+
+def solve_accurately(case, record):
+    """The chain by the package's own solver."""
+    return simulate_chain(
+        {
+            "law": {"alpha": case.alpha, "beta": case.beta, "gamma": case.gamma},
+            "beads": case.beads,
+            "boundary": {"kind": "pressure", "left": 1.0, "right": 0.0},
+            "start": {"kind": "rest"},
+            "end_time": case.end_time,
+            "tolerance": {"relative": 1.0e-11, "absolute": 1.0e-13},
+            "record": record,
+        },
+        f"chain with beta {case.beta:g} and gamma {case.gamma:g}",
+    )
+
+
+def read_motion(case, motion):
+    """What is compared with the accurate chain."""
+    middle = case.beads // 2
+    arrivals = [passing(motion, contact, "arrival")[0] for contact in (middle // 2, middle)]
+    return Reading(passing(motion, middle, "peak")[1], np.array(arrivals), -np.diff(motion.x[-1]))
+
+
+def passing(motion, contact, event):
+    """Time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
+
+    Between two steps the cubic that has u and its rate at both is taken.
+
+    Raises
+    ------
+    SolveError
+        If the motion ends before.
+    """
+    u = motion.x[:, contact - 1] - motion.x[:, contact]
+    rate = motion.v[:, contact - 1] - motion.v[:, contact]
+    reached = u > LEVEL if event == "arrival" else (u > 1.0) & (rate < 0.0)
+    after = int(np.argmax(reached))
+    if after == 0:
+        raise SolveError(
+            f"Contact {contact} does not pass its {event} before t = {motion.t[-1]:g}: lower gamma "
+            "so that there is a peak, or end later."
+        )
+    pair = slice(after - 1, after + 1)
+    curve = CubicHermiteSpline(motion.t[pair], u[pair], rate[pair])
+    sought = curve.solve(LEVEL) if event == "arrival" else curve.derivative().roots()
+    time = sought[(sought >= motion.t[after - 1]) & (sought <= motion.t[after])][0]
+    return time, float(curve(time))
+
+
+def compare_motion(case, step):
+    """Compare u of the contact in the middle, by the scheme and accurately.
+
+    Returns
+    -------
+    xarray.Dataset
+        `relative_displacement_method` and `relative_displacement_accurate` on (t,), a step apart.
+    """
+    middle = case.beads // 2
+    motion = half_step_chain(case, step)
+    probe = {"beads": [middle], "start": 0.0, "stop": case.end_time, "step": step}
+    record = {"snapshots": [], "probes": {"middle": probe}}
+    accurate = solve_accurately(case, record)["relative_displacement_middle"].isel(bead_middle=0)
+    estimate = {name: accurate.attrs[name] for name in ("error_estimate", "error_method")}
+    u = motion.x[:, middle - 1] - motion.x[:, middle]
+    return xr.Dataset(
+        {
+            "relative_displacement_method": ("t", u, estimate),
+            "relative_displacement_accurate": ("t", accurate.values[: u.size], estimate),
+        },
+        {"t": motion.t},
+    )

@@ -1,0 +1,113 @@
+"""The numbers of docs/practitioners.md are those of the study and of the referee."""
+
+import re
+
+import numpy as np
+import pytest
+from projects import ROOT
+
+from granular_fronts.referee.answers import solve
+from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.results_files import Result
+from granular_fronts.reference_methods.half_step import Chain, integrate
+from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
+from granular_fronts.studies.half_step_motions import Case, collision_time
+
+PAGE = (ROOT / "docs" / "practitioners.md").read_text(encoding="utf-8")
+COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
+COLUMNS += ("speed_defect", "momentum_defect")
+
+
+def last_digit(number):
+    """Half a unit of the last digit of a decimal number."""
+    return 0.5 * 10.0 ** -len(number.partition(".")[2])
+
+
+@pytest.fixture(scope="module")
+def measured():
+    scene = load_configuration(ROOT / "config" / "default.yaml")["laws"]["half_step_damping"]
+    shown = scene["shown"]
+    smaller = {
+        "betas": [1.5],
+        "gammas": [0.01, 0.05, 0.13],
+        "steps_per_collision": [10, 20, 50, 100],
+    }
+    assert shown["beta"] == 1.5
+    assert shown["gamma"] == 0.05
+    return measure_half_step_damping(scene | smaller).sel(beta=1.5)
+
+
+def test_table_of_checks(measured):
+    rows = re.findall(r"^\| 1/(\d+) \| (.*) \|$", PAGE, re.MULTILINE)
+    assert [int(count) for count, _ in rows] == [10, 20, 50, 100]
+    for count, cells in rows:
+        at = measured.sel(gamma=0.05).sel(step=1.0 / int(count), method="nearest")
+        for name, cell in zip(COLUMNS, cells.split(" | "), strict=True):
+            if cell.startswith("<"):
+                assert float(at[name]) < float(cell[1:])
+                continue
+            number = cell.removesuffix(" %")
+            assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
+
+
+RULE = re.search(
+    r"(\S+) to (\S+) times this in\s+the middle of (\d+) beads.* (\S+) to\s+(\S+) times, and less",
+    PAGE,
+    re.DOTALL,
+)
+
+
+def holds_tightly(ratio, low, high):
+    """Whether printed limits are those of some ratios, to the digits printed."""
+    return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
+
+
+def test_rule_of_thumb_for_the_overshoot(measured):
+    fine = measured.sel(step=slice(0.0201, None))
+    ratio = (fine["excess_overshoot"] / fine["step"]).values
+    assert holds_tightly(ratio, float(RULE[4]), float(RULE[5]))
+
+
+@pytest.mark.slow
+def test_rule_of_thumb_in_a_long_chain():
+    unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
+    chains = [Case(1.5, 1.5, gamma, int(RULE[3]), 208 * unit) for gamma in (0.01, 0.03, 0.13)]
+    ratios = [measure_excess(case, unit / counts).overshoot * counts for case in chains]
+    assert holds_tightly(np.array(ratios), float(RULE[1]), float(RULE[2]))
+
+
+def half_steps(problem, step):
+    """The motion that LAMMPS's `fix nve` has to round-off (tests/test_half_step.py)."""
+    scene, every = problem.scene, round(problem.interval / step)
+    law, start = scene["law"], scene["start"]
+    chain = Chain(1.5, law["beta"], law["gamma"], scene["boundary"]["left"])
+    steps = round(scene["end_time"] / step)
+    motion = integrate(chain, np.zeros(scene["beads"]), start["velocity"], step, steps)
+    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
+
+
+def found_by_half_steps(name, steps):
+    settings = load_configuration(ROOT / "config" / "referee.yaml")
+    problem = load_problems(settings)[name]
+    answer = solve(problem)
+    return problem, [find(problem, answer, half_steps(problem, step)) for step in steps]
+
+
+def test_what_the_referee_says_of_a_front():
+    quoted = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
+    problem, findings = found_by_half_steps("front_steel_viscoelastic", [0.25, 0.1, 0.05, 0.025])
+    said = list(report(problem, findings, 1e-3))
+    assert quoted.splitlines() == said[: len(quoted.splitlines())]
+
+
+def test_ejected_beads():
+    name, slow, more = re.search(
+        r"in `(\w+)`, `fix nve` with step 0.1\n.*? is (\S+) % too slow, which reads as (\S+) %",
+        PAGE,
+    ).groups()
+    problem, (found,) = found_by_half_steps(name, [0.1])
+    exact = solve(problem)["reading"].sel(factor=1.0)
+    assert 100.0 * (1.0 - found.reading / float(exact)) == pytest.approx(float(slow), abs=0.05)
+    assert 100.0 * found.excess == pytest.approx(float(more), abs=0.05)

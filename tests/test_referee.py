@@ -1,0 +1,299 @@
+"""The referee: problems, decks, answers, and what it says of results that are known to be off."""
+
+import re
+
+import numpy as np
+import pytest
+from projects import ROOT
+from write_referee import write_referee
+
+from granular_fronts.errors import InputError
+from granular_fronts.model.collision import restitution
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.referee.__main__ import main
+from granular_fronts.referee.assessment import find, observed_order
+from granular_fronts.referee.drawing import draw
+from granular_fronts.referee.lammps_deck import damping_model, write_deck
+from granular_fronts.referee.problems import in_words, load_problems
+from granular_fronts.referee.readings import excess_damping, first_peak
+from granular_fronts.referee.results_files import Result, read_result
+from granular_fronts.reference_methods.half_step import Chain, integrate
+from granular_fronts.scenes.yaml_files import load_configuration
+
+SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")
+PROBLEMS = load_problems(SETTINGS)
+FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
+SMALL = SETTINGS | {
+    "laws": {"viscoelastic": 1.5, "dashpot": 1},
+    "motions": {
+        "front": {"beads": 16, "end_time": 40, "dampings": ["steel", "overdamped"]},
+        "collision": {"beads": 2, "end_time": 20, "dampings": ["steel"]},
+        "striker": {"beads": 8, "end_time": 30, "dampings": ["steel"]},
+        "contact_loss": {"beads": 8, "end_time": 40, "dampings": ["steel"]},
+    },
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Answers of a small set of problems."""
+    place = tmp_path_factory.mktemp("referee")
+    write_referee(SMALL, place / "answers.csv")
+    return place
+
+
+@pytest.fixture(scope="module")
+def problem():
+    return load_problems(SMALL)[FRONT]
+
+
+def computed(problem, step, factor=1.0):
+    """A result by the half-step scheme."""
+    scene, every = problem.scene, round(problem.interval / step)
+    law = scene["law"]
+    chain = Chain(1.5, law["beta"], factor * law["gamma"], scene["boundary"]["left"])
+    velocity = scene["start"]["velocity"]
+    steps = round(scene["end_time"] / step)
+    motion = integrate(chain, np.zeros(scene["beads"]), velocity, step, steps)
+    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
+
+
+def write_table(path, result, shift=0.0):
+    """A result as a user's table, with positions if `shift` is 1."""
+    lines = ["# by the half-step scheme", "t, bead, x, v"]
+    for t, x, v in zip(*(values.tolist() for values in result[2:]), strict=True):
+        places = [place + shift * n for n, place in enumerate(x)]
+        rows = enumerate(zip(places, v, strict=True), 1)
+        lines += [f"{t!r}, {bead}, {place!r}, {velocity!r}" for bead, (place, velocity) in rows]
+    path.write_text("\n".join(lines))
+    return str(path)
+
+
+def test_dampings_are_those_of_a_front():
+    """γ̂ δ^(5/4 − β): with β = 5/4 the damping has no unit but that of the front."""
+    for name, problem in PROBLEMS.items():
+        _, damping, law = name.rsplit("_", 2)
+        expected = SETTINGS["dampings"][damping] * 0.1 ** (1.25 - SETTINGS["laws"][law])
+        assert problem.scene["law"]["gamma"] == pytest.approx(expected, rel=1e-14)
+    assert len({problem.motion for problem in PROBLEMS.values()}) == 4
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_deck_and_words_hold_the_numbers_of_the_scene(name):
+    problem = PROBLEMS[name]
+    scene = problem.scene
+    deck = write_deck(name, problem.title, scene, problem.interval)
+    assert len(re.findall("^create_atoms 1 single", deck, re.M)) == scene["beads"]
+    model, coefficient = damping_model(scene["law"])
+    assert f"hertz 2.0 {coefficient!r} damping {model} " in deck
+    pushed = re.findall(r"addforce (\S+) 0 0", deck)
+    struck = re.findall(r"^set atom 1 vx (\S+)$", deck, re.M)
+    words = in_words(problem)
+    assert repr(scene["law"]["gamma"]) in words
+    if problem.motion in ("front", "contact_loss"):
+        assert [float(push) for push in pushed] == [pytest.approx(0.1**1.5, rel=1e-15)]
+        assert f"force of {pushed[0]} pushes" in words
+        assert not struck
+    else:
+        assert [float(velocity) for velocity in struck] == [pytest.approx(0.1**1.25, rel=1e-15)]
+        assert f"velocity {struck[0]} towards" in words
+        assert not pushed
+
+
+@pytest.mark.parametrize("gamma", [0.01, 0.3, 1.2])
+def test_restitution_of_the_deck_is_that_of_the_collision(gamma):
+    """For β = (α + 1)/2 the coefficient of restitution belongs to the law."""
+    model, coefficient = damping_model({"alpha": 1.5, "beta": 1.25, "gamma": gamma})
+    assert model == "coeff_restitution"
+    assert coefficient == pytest.approx(restitution(gamma, 1.5, 1.25), rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        {"alpha": 2.0, "beta": 2.0, "gamma": 0.1},
+        {"alpha": 1.5, "beta": 1.1, "gamma": 0.1},
+        {"alpha": 1.5, "beta": 1.25, "gamma": 1.3},
+    ],
+)
+def test_a_law_that_lammps_has_not_is_named(law):
+    with pytest.raises(InputError, match="LAMMPS has no law with alpha"):
+        damping_model(law)
+
+
+def test_answer_of_a_collision_is_the_restitution(folder):
+    answer = read_dataset(folder / f"{COLLISION}.nc")
+    expected = [restitution(0.05 * factor, 1.5, 1.0) for factor in answer["factor"].values]
+    np.testing.assert_allclose(answer["reading"], expected, rtol=0, atol=1e-10)
+    assert answer["velocity"].attrs["error_estimate"] < 1e-12
+
+
+def test_every_problem_has_its_files_and_numbers(folder):
+    names = load_problems(SMALL)
+    assert {path.name for path in folder.iterdir()} == {
+        "answers.csv",
+        *(f"{name}.{ending}" for name in names for ending in ("lmp", "txt", "nc", "csv")),
+    }
+    table = [line.split(",") for line in (folder / "answers.csv").read_text().splitlines()]
+    assert {row[0] for row in table[1:]} == set(names)
+    assert all(float(row[3]) < 1e-9 for row in table[1:])
+    gaps = {row[0] for row in table if row[1] == "time of the first gap"}
+    assert any(name.startswith("contact_loss") for name in gaps)
+    rows = (folder / f"{FRONT}.csv").read_text().splitlines()
+    answer = read_dataset(folder / f"{FRONT}.nc")
+    t, bead, u, v, _ = map(float, rows[3].split(","))
+    state = answer.sel(t=t)
+    assert u == float(state["relative_displacement"].sel(contact=bead))
+    assert v == float(state["velocity"].sel(bead=bead))
+
+
+def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys, tmp_path):
+    files = [
+        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step), shift)
+        for step, shift in ((0.05, 0.0), (0.1, 1.0), (0.025, 0.0))
+    ]
+    main([*files, "--answers", str(folder), "--figures", str(tmp_path)])
+    said = capsys.readouterr().out
+    order, scatter = map(float, re.search(r"order is (\S+) ± (\S+)\.\n", said).groups())
+    assert order == pytest.approx(1.0, abs=0.2)
+    assert scatter < 0.1
+    excess = [float(found) for found in re.findall(r"gamma were (\S+) % too large", said)]
+    assert len(excess) == 3
+    np.testing.assert_allclose(np.array(excess[:-1]) / excess[1:], 2.0, atol=0.15)
+    # The step over the time of a collision is 2.3 %, of which a short chain shows half.
+    assert 1.0 < excess[0] < 1.5
+    assert "fix mvv/dpd" in said
+    wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said).group(1))
+    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.005)).error < (
+        1e-3 * 0.005 / wanted * 1.3
+    )
+    assert (tmp_path / f"{FRONT}.png").stat().st_size > 10_000
+
+
+def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
+    answer = read_dataset(folder / f"{FRONT}.nc")
+    u, v = answer["relative_displacement"].values, answer["velocity"].values
+    x = np.zeros_like(v)
+    x[:, :-1] = np.cumsum(u[:, ::-1], axis=1)[:, ::-1]
+    perfect = find(problem, answer, Result(FRONT, 0.1, answer["t"].values, x, v))
+    assert perfect.error < 1e-14
+    assert abs(perfect.excess) < 1e-12
+    wrong = [find(problem, answer, computed(problem, step, 1.05)) for step in (0.01, 0.005)]
+    assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
+    assert observed_order(wrong).value < 0.3
+
+
+def test_another_problem_is_recognised(folder, problem, capsys, tmp_path):
+    files = [
+        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step, 1.5))
+        for step in (0.01, 0.005)
+    ]
+    main([*files, "--answers", str(folder)])
+    assert "this is another problem" in capsys.readouterr().out
+
+
+def test_one_step_and_a_good_error_are_said_so(folder, problem, capsys, tmp_path):
+    file = write_table(tmp_path / f"{FRONT}_0.1.csv", computed(problem, 0.1))
+    main([file, "--answers", str(folder)])
+    assert "Give a second step" in capsys.readouterr().out
+    files = [
+        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step))
+        for step in (0.1, 0.05)
+    ]
+    main([*files, "--answers", str(folder), "--error", "0.1"])
+    assert "At step 0.05 the error is below 0.1" in capsys.readouterr().out
+
+
+def test_order_of_known_errors():
+    class Made:
+        def __init__(self, step, error):
+            self.step, self.error = step, error
+
+    order = observed_order([Made(h, 3.0 * h**2) for h in (0.4, 0.2, 0.1)])
+    assert order == pytest.approx((2.0, 0.0), abs=1e-12)
+    assert np.isnan(observed_order([Made(0.2, 1.0), Made(0.1, 0.5)]).scatter)
+
+
+def test_overdamped_front_has_no_reading():
+    assert np.isnan(excess_damping(1.0, np.array([0.9, 1.0, 1.1]), np.array([1.0, 1.001, 1.002])))
+    assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
+
+
+def test_figure_shows_answer_and_results(folder, problem):
+    answer = read_dataset(folder / f"{FRONT}.nc")
+    results = [computed(problem, step) for step in (0.1, 0.05)]
+    findings = [find(problem, answer, result) for result in results]
+    motion, error = draw(problem, answer, results, findings).axes
+    lines = motion.get_lines()
+    contact = problem.scene["beads"] // 2
+    np.testing.assert_array_equal(
+        lines[0].get_ydata(), answer["relative_displacement"].sel(contact=contact)
+    )
+    np.testing.assert_array_equal(
+        lines[2].get_ydata(), results[1].x[:, contact - 1] - results[1].x[:, contact]
+    )
+    np.testing.assert_array_equal(error.get_lines()[0].get_ydata(), [one.error for one in findings])
+
+
+TABLE = "t,bead,x,v\n0,1,0,0\n0,2,0,0\n"
+DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\n2 1 0\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "sentence"),
+    [
+        ("front.csv", TABLE, "front.csv does not say what it is: call it PROBLEM_STEP"),
+        (f"{FRONT}_0.1.txt", TABLE, "does not say what it is"),
+        (f"{FRONT}_-1.csv", TABLE, "does not say what it is"),
+        ("wave_0.1.csv", TABLE, "is about wave, but the problems are front_steel"),
+        (f"{FRONT}_0.1.csv", None, "There is no file"),
+        (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v"),
+        (f"{FRONT}_0.1.csv", "t,bead,x,v\n", "holds no states"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan' where a number should be"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,0,0\n", "has 3 rows for 2 times and beads 1 to 2"),
+        (f"{FRONT}_0.1.dump", DUMP, "holds id x vx and no time"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP.replace(" vx", ""), "holds id x and the"),
+    ],
+)
+def test_files_that_do_not_fit_are_named(name, text, sentence, tmp_path):
+    if text is not None:
+        (tmp_path / name).write_text(text)
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        read_result(tmp_path / name, [FRONT])
+
+
+def test_dump_and_table_are_read_alike(tmp_path):
+    (tmp_path / f"{FRONT}_0.1.dump").write_text("ITEM: TIME\n0\n" + DUMP)
+    (tmp_path / f"{FRONT}_0.1.csv").write_text(TABLE)
+    dump, table = (
+        read_result(tmp_path / f"{FRONT}_0.1.{ending}", [FRONT]) for ending in ("dump", "csv")
+    )
+    for first, second in zip(dump, table, strict=True):
+        np.testing.assert_array_equal(first, second)
+
+
+def test_results_of_other_beads_or_times_are_named(folder, problem):
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.1)
+    with pytest.raises(InputError, match="has 15 beads, but the problem has 16"):
+        find(problem, answer, result._replace(x=result.x[:, 1:]))
+    with pytest.raises(InputError, match=r"has no state at t = 40, its last is at t = 39.5"):
+        find(problem, answer, result._replace(t=result.t[:-1], x=result.x[:-1], v=result.v[:-1]))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [(["--answers", "nowhere"], "nowhere holds no answers: make them by snakemake")],
+)
+def test_missing_answers_are_named(arguments, sentence, tmp_path):
+    with pytest.raises(SystemExit, match=sentence):
+        main([str(tmp_path / f"{FRONT}_0.1.csv"), *arguments])
+
+
+def test_a_step_given_twice_is_named(folder, problem, tmp_path):
+    (tmp_path / "again").mkdir()
+    files = [
+        write_table(place / f"{FRONT}_0.1.csv", computed(problem, 0.1))
+        for place in (tmp_path, tmp_path / "again")
+    ]
+    with pytest.raises(SystemExit, match="is there twice with step"):
+        main([*files, "--answers", str(folder)])

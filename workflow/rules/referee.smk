@@ -1,0 +1,38 @@
+"""Problems with accurate answers for discrete-element codes, see docs/practitioners.md."""
+
+from granular_fronts.referee.problems import load_problems
+
+REFEREE = load_yaml("config", "referee.yaml")
+
+
+rule write_referee:
+    input:
+        kernels=rules.compile_kernels.output.stamp,
+    output:
+        table="<results>/referee/answers.csv",
+        files=expand(
+            "<results>/referee/{problem}.{ending}",
+            problem=load_problems(REFEREE),
+            ending=["lmp", "txt", "nc", "csv"],
+        ),
+    params:
+        code=code("write_referee"),
+        settings=REFEREE,
+    log:
+        "<logs>/write_referee.log",
+    benchmark:
+        "<benchmarks>/write_referee.tsv"
+    threads: 1
+    message:
+        "Solving the problems for discrete-element codes."
+    conda:
+        environment
+    script:
+        "../scripts/write_referee.py"
+
+
+rule referee:
+    input:
+        rules.write_referee.output,
+    message:
+        "Compute them with your code, then: python -m granular_fronts.referee FILE ..."

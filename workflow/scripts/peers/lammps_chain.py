@@ -1,0 +1,92 @@
+"""LAMMPS on the chain, by steps of equal length; its own report of the loop is the time.
+
+LAMMPS is built for millions of particles of many laws in space; it is here since those who compute
+granular chains use such codes.  `fix nve` is the usual scheme, of order one with viscous forces,
+`fix mvv/dpd 1.0` one of order two.  A tolerance is a step in units of time here.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from granular_fronts.referee.lammps_deck import write_deck
+from granular_fronts.referee.results_files import read_result
+from peers.record import Run
+
+NAME = "chain"
+
+
+def run_lammps(system, step, _atol, integrator):
+    """Run LAMMPS on a chain that is pressed at its left end."""
+    command = find_command()
+    if not command:
+        message = "the command lmp of LAMMPS is not on the path (see peers-environment.txt)"
+        return Run(message=message, absent=True)
+    if abs(round(system.end / step) * step - system.end) > 1e-9 * system.end:
+        return Run(message=f"no whole number of steps {step:g} ends at {system.end:g}")
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "chain.lmp").write_text(deck_of(system), encoding="utf-8")
+        options = {"step": repr(step), "integrator": integrator}
+        variables = [word for name, value in options.items() for word in ("-var", name, value)]
+        process = subprocess.run(
+            [command, "-in", "chain.lmp", *variables],
+            cwd=folder,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+        )
+        if process.returncode:
+            lines = process.stdout.splitlines()
+            said = [line for line in lines if line.startswith("ERROR")] or lines[-1:]
+            return Run(message=f"LAMMPS failed: {' '.join(said)}")
+        result = read_result(Path(folder, f"{NAME}_{step!r}.dump"), [NAME])
+    return Run(
+        {
+            "relative_displacement": relative_displacements(result.x[-1]),
+            "velocity": result.v[-1],
+        },
+        **times_of(process.stdout),
+        steps=round(system.end / step),
+    )
+
+
+def find_command():
+    """The command beside this Python, or on the path; None if there is none."""
+    beside = Path(sys.executable).with_name("lmp")
+    return str(beside) if beside.exists() else shutil.which("lmp")
+
+
+def deck_of(system):
+    """The input file, which writes the first and the last state."""
+    scene = {
+        "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
+        "beads": system.beads,
+        "boundary": {"kind": "pressure", "left": system.left, "right": 0.0},
+        "start": {"kind": "given", "velocity": system.velocities.tolist()},
+        "end_time": system.end,
+    }
+    return write_deck(NAME, "front initiation", scene, system.end)
+
+
+def relative_displacements(x):
+    """u_1 … u_N, the last one that of the free end."""
+    return np.append(x[:-1] - x[1:], 0.0)
+
+
+def times_of(report):
+    """Times of the loop, as LAMMPS reports them: without setup and reading of its input."""
+    seconds = float(re.search(r"^Loop time of (\S+) on 1 procs", report, re.MULTILINE).group(1))
+    share = re.search(r"^(\S+)% CPU use", report, re.MULTILINE).group(1)
+    return {"seconds": seconds, "cpu_seconds": 0.01 * float(share) * seconds}
+
+
+METHODS = {
+    "lammps_nve": partial(run_lammps, integrator="nve"),
+    "lammps_mvv": partial(run_lammps, integrator="mvv"),
+}
