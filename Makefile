@@ -15,7 +15,11 @@ test slow: export OPENBLAS_NUM_THREADS := 1
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
-.PHONY: all help test slow coverage lint readme clean
+# Says what is missing where there is no uv.
+need_uv = command -v uv >/dev/null || { \
+    echo "Remaking $@ needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
+
+.PHONY: all help test slow coverage lint readme docs clean
 
 all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -72,25 +76,40 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@$(PIP) install --no-deps --no-build-isolation -e .
 	@touch $@
 
-# Made again only when it is asked for by name, so that uv is needed for nothing else.
-ifeq ($(MAKECMDGOALS),environment.txt)
-.PHONY: environment.txt
+# Made again only when they are asked for by name, so that uv is needed for nothing else.
+ifneq ($(filter %environment.txt,$(MAKECMDGOALS)),)
+.PHONY: environment.txt docs-environment.txt
 endif
+PIN = uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
+    --no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make $@"
 environment.txt: ## Pin every dependency again.
-	@command -v uv >/dev/null || { \
-	    echo "Remaking environment.txt needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
+	@$(call need_uv)
 	@echo "Pinning every dependency of pyproject.toml in environment.txt."
-	@uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --all-extras \
-	    --no-emit-index-url --no-emit-find-links --no-annotate \
-	    --custom-compile-command "make environment.txt" --output-file $@ pyproject.toml
+	@$(PIN) --all-extras --output-file $@ pyproject.toml
 
-# The README shows the numbers and the figure of the last run of both targets.
-readme: .venv/installed ## Bring the numbers and the figure of the README up to date.
-	@echo "Bringing the numbers and the figure of the README up to date."
+docs-environment.txt: ## Pin again what builds the manual.
+	@$(call need_uv)
+	@echo "Pinning what builds the manual in docs-environment.txt."
+	@$(PIN) --group docs --constraint environment.txt --output-file $@
+
+# README and manual show the numbers, times and the figure of the last run of both targets.
+readme: .venv/installed ## Bring the numbers of README and manual up to date.
+	@echo "Bringing the numbers of README and manual up to date."
 	@$(BIN)/snakemake -c2 precision
 	@$(BIN)/snakemake -c2
-	@$(BIN)/python workflow/scripts/update_readme.py --readme README.md --results results
+	@$(BIN)/python workflow/scripts/update_documents.py --readme README.md \
+	    --performance docs/performance.md --results results
+
+docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.
+	@echo "Building the manual in docs/_build/html."
+	$(call quietly,$(BIN)/sphinx-build -W --keep-going -b html docs docs/_build/html)
+
+.venv/docs-installed: docs-environment.txt .venv/installed
+	@echo "Installing the packages that build the manual (about half a minute)."
+	@$(PIP) install --require-hashes --no-deps -r docs-environment.txt
+	@touch $@
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."
-	@rm -rf results .coverage .coverage.* .snakemake .numba_cache .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	@rm -rf results docs/_build docs/generated .coverage .coverage.* .snakemake .numba_cache \
+	    .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -13,7 +13,7 @@ import plot_fig14 as drawing
 import pytest
 import tabulate_speed_error as tabulating
 import xarray as xr
-from update_readme import speed
+from update_documents import speed
 
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration

@@ -1,0 +1,34 @@
+"""Manual of granular-fronts; `make docs` builds it of these pages, docstrings and results."""
+
+import sys
+from importlib import import_module
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "src")]
+
+project = "granular-fronts"
+author = "The granular-fronts maintainers"
+version = release = import_module("granular_fronts").__version__
+
+extensions = ["myst_nb", "numpydoc", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
+myst_enable_extensions = ["deflist", "dollarmath"]
+myst_heading_anchors = 3
+exclude_patterns = ["_build", "requirements.txt"]
+
+# A tutorial that fails stops the build.
+nb_execution_mode = "cache"
+nb_execution_timeout = 120
+nb_execution_raise_on_error = True
+
+autodoc_member_order = "bysource"
+numpydoc_show_class_members = False
+
+html_theme = "pydata_sphinx_theme"
+html_title = "granular-fronts"
+html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
+
+
+def setup(app):
+    """Write the pages that follow from the code and from the results."""
+    import_module("generate").write_pages(HERE / "generated", HERE.parent / "results")

@@ -1,0 +1,164 @@
+"""Pages of the manual that follow from the code and from the results of a finished run.
+
+The manual's build writes them into docs/generated, so that no name, range or number is typed twice.
+"""
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+import granular_fronts
+
+ROOT = Path(__file__).parents[1]
+WORKFLOW = ROOT / "workflow"
+
+
+def write_pages(folder: Path, results: Path) -> None:
+    """Write every generated page.
+
+    Parameters
+    ----------
+    folder : Path
+        Where to; made where it is missing.
+    results : Path
+        Results of a finished run of the workflow.
+
+    Raises
+    ------
+    SystemExit
+        If the workflow has not run: its report is missing.
+    """
+    if not (results / "report.html").exists():
+        raise SystemExit(f"The manual shows results, and {results} has none: run make first.")
+    folder.mkdir(exist_ok=True)
+    made = {
+        "public_names": public_names(),
+        "configuration": configuration(read_yaml("schemas/config.schema.yaml")),
+        "figures": figures(results),
+        "paper_numbers": tables(results, ["paper_numbers"]),
+        "findings": tables(results, ["findings"]),
+        "tables": tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
+    }
+    for name, text in made.items():
+        page = folder / f"{name}.md"
+        # An unchanged page is not read again by the build.
+        if not page.exists() or page.read_text(encoding="utf-8") != text:
+            page.write_text(text, encoding="utf-8")
+
+
+def read_yaml(name: str) -> Any:
+    """A YAML file of the workflow."""
+    return yaml.safe_load((WORKFLOW / name).read_text(encoding="utf-8"))
+
+
+def public_names() -> str:
+    """Every public name with its docstring."""
+    lines = ["# Python", "", "Names of `granular_fronts`, each imported when it is first used."]
+    for name in granular_fronts.__all__:
+        value = getattr(granular_fronts, name)
+        kind = "class" if isinstance(value, type) else "function"
+        members = ["", ":members:"] if kind == "class" else []
+        lines += ["", f"## {name}", "", f"```{{auto{kind}}} {value.__module__}.{name}"]
+        lines += [*members[1:], "```"]
+    return "\n".join(lines) + "\n"
+
+
+def configuration(schema: Mapping[str, Any]) -> str:
+    """Every key of the configuration with what it means.
+
+    Parameters
+    ----------
+    schema : mapping
+        JSON Schema of the configuration.
+
+    Returns
+    -------
+    str
+        A page with a section for each key at the top and an entry for each below it.
+    """
+    lines = ["# Configuration", "", schema["description"], ""]
+    lines += ["A key in ⟨ ⟩ is a name of your choice; … stands for the entries of a list."]
+    for key, part in schema["properties"].items():
+        lines += ["", f"## {key}", "", part["description"]]
+        # A key that several cases share is named once, by its first description.
+        entries = {}
+        for path, text in keys(part, schema):
+            entries.setdefault(path, text)
+        for path, text in entries.items():
+            lines += ["", f"`{path}`", f": {text}"]
+    return "\n".join(lines) + "\n"
+
+
+def keys(
+    part: Mapping[str, Any], schema: Mapping[str, Any], seen: tuple[str, ...] = (), path: str = ""
+) -> Iterator[tuple[str, str]]:
+    """The keys below a part of the schema, in its order.
+
+    Parameters
+    ----------
+    part : mapping
+        The part.
+    schema : mapping
+        The whole, in which `$ref` points.
+    seen : tuple of str
+        References that the part stands in; one that comes back is not followed again.
+    path : str
+        Keys of the part, joined by dots.
+
+    Yields
+    ------
+    path, description : str
+    """
+    reference = part.get("$ref")
+    if reference and reference not in seen:
+        yield from keys(pointed_at(reference, schema), schema, (*seen, reference), path)
+    below = dict(part.get("properties", {}))
+    if isinstance(part.get("additionalProperties"), dict):
+        below["⟨name⟩"] = part["additionalProperties"]
+    for key, value in below.items():
+        longer = f"{path}.{key}".removeprefix(".")
+        named = pointed_at(value["$ref"], schema) if "$ref" in value else {}
+        yield longer, {**named, **value}.get("description", "")
+        yield from keys(value, schema, seen, longer)
+    if "items" in part:
+        yield from keys(part["items"], schema, seen, f"{path}.…")
+    for choice in ("oneOf", "anyOf", "allOf"):
+        for one in part.get(choice, []):
+            yield from keys(one, schema, seen, path)
+    # What stands below `if` only tells the cases apart.
+    for case in ("then", "else"):
+        if case in part:
+            yield from keys(part[case], schema, seen, path)
+
+
+def pointed_at(reference: str, schema: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The part of the schema that a JSON pointer such as ``#/$defs/bead`` names."""
+    part = schema
+    for key in reference.removeprefix("#/").split("/"):
+        part = part[key]
+    return part
+
+
+def figures(results: Path) -> str:
+    """Every figure that was drawn, with the caption of what was computed."""
+    lines = ["# Figures"]
+    for record in sorted((results / "figures").glob("*.json")):
+        texts = json.loads(record.read_text(encoding="utf-8"))
+        caption = record.with_suffix(".rst").read_text(encoding="utf-8").strip()
+        lines += ["", f"## {texts['title']}", ""]
+        lines += [f"![{texts['alt']}](../../results/figures/{record.stem}.png)", "", caption]
+    return "\n".join(lines) + "\n"
+
+
+def tables(results: Path, names: list[str]) -> str:
+    """Some tables with their titles and captions, as a page."""
+    described = read_yaml("tables.yaml")
+    lines = []
+    for name in names:
+        rows = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").strip()
+        heading = "##" if lines else "#"
+        lines += [f"{heading} {described[name]['title']}", "", described[name]["caption"], "", rows]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,62 @@
+"""README and manual take their numbers and the figure from the last run, and keep the rest."""
+
+import pandas as pd
+import pytest
+import update_documents as updating
+
+README = """# Title
+
+<!-- numbers -->
+stale
+<!-- end of numbers -->
+End.
+"""
+PERFORMANCE = """Before.
+<!-- speed -->
+stale
+<!-- end of speed -->
+"""
+
+
+@pytest.fixture
+def updated(tmp_path):
+    """Both documents and the copied figure after an update from a small results folder."""
+    results, readme = tmp_path / "results", tmp_path / "README.md"
+    performance = tmp_path / "performance.md"
+    for folder in (results / "tables", results / "figures", tmp_path / "workflow" / "report"):
+        folder.mkdir(parents=True)
+    rows = [(quantity, "0.56", 0.562341325, 3e-12, "reproduced") for quantity in updating.SHOWN]
+    rows += [("fronts exist", "", 1.0, 0.0, "holds")] * 2
+    columns = ["quantity", "printed", "computed", "numerical error", "verdict"]
+    table = pd.DataFrame(rows, columns=columns)
+    table.to_csv(results / "tables" / "paper_numbers.csv", index=False)
+    verdicts = results / "tables" / "speed_verdicts.csv"
+    verdicts.write_text("problem,error,verdict\nring,1e-09,use it\n", encoding="utf-8")
+    (results / "figures" / updating.FIGURE).write_bytes(b"picture")
+    readme.write_text(README, encoding="utf-8")
+    performance.write_text(PERFORMANCE, encoding="utf-8")
+    updating.update_documents(readme, performance, results)
+    figure = tmp_path / "workflow" / "report" / updating.FIGURE
+    return readme.read_text(encoding="utf-8"), performance.read_text(encoding="utf-8"), figure
+
+
+def cells(text):
+    return [[cell.strip() for cell in line.split("|")] for line in text.splitlines()]
+
+
+def test_blocks_are_replaced_and_nothing_else(updated):
+    readme, performance, figure = updated
+    assert "stale" not in readme + performance
+    assert readme.startswith("# Title\n\n<!-- numbers -->\n|")
+    assert readme.endswith("<!-- end of numbers -->\nEnd.\n")
+    assert performance.startswith("Before.\n<!-- speed -->\n|")
+    assert figure.read_bytes() == b"picture"
+
+
+def test_chosen_numbers_are_shown_and_all_verdicts_counted(updated):
+    readme, performance, _ = updated
+    for quantity in updating.SHOWN:
+        assert ["", quantity, "0.56", "0.562341", "3e-12", "reproduced", ""] in cells(readme)
+    assert not any("fronts exist" in row for row in cells(readme))
+    assert "all 12 numbers and statements: reproduced 10, holds 2." in readme
+    assert ["", "ring", "1e-09", "use it", ""] in cells(performance)
