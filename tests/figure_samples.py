@@ -264,9 +264,11 @@ def numerical_damping():
 def half_step_damping():
     """A motion by the scheme and accurately, and what is read and checked, over the step."""
     chains = ["beta", "gamma", "step"]
-    names = ("excess_overshoot", "excess_tail", "error", "restitution_defect", "energy_defect")
     variables = {f"relative_displacement_{name}": ["t"] for name in ("accurate", "method")}
-    variables |= dict.fromkeys([*names, "speed_defect", "momentum_defect"], chains)
+    variables |= dict.fromkeys(["excess_overshoot", "excess_tail", "error"], chains)
+    variables |= {
+        f"{one}_defect": ["step"] for one in ("restitution", "energy", "speed", "momentum")
+    }
     coordinates = {
         "beta": [1.5, 1.25],
         "gamma": [0.05, 0.2],

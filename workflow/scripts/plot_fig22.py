@@ -68,6 +68,8 @@ def draw_excess(axes: Axes, data: xr.Dataset) -> None:
             axes.loglog(row["step"], row["excess_tail"], style, color="#b0b0b0", linewidth=0.8)
             axes.loglog(row["step"], row["excess_overshoot"], style, color=colour, label=label)
     axes.set(xlabel=FRACTION, ylabel="excess damping", title="overshoot; grey: tail")
+    # Room for the legend.
+    axes.set_ylim(bottom=0.1 * float(data["excess_tail"].min()))
     betas = ", ".join(f"{beta:g}" for beta in data["beta"].values)
     axes.legend(title=rf"full, dashed, dotted: $\beta =$ {betas}", title_fontsize=7, fontsize=7)
 
