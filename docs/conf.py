@@ -11,7 +11,14 @@ project = "granular-fronts"
 author = "The granular-fronts maintainers"
 version = release = import_module("granular_fronts").__version__
 
-extensions = ["myst_nb", "numpydoc", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
+# Formulas are set by a copy of MathJax in the manual, so that it is read without a network.
+extensions = [
+    "myst_nb",
+    "numpydoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",
+]
 myst_enable_extensions = ["deflist", "dollarmath"]
 myst_heading_anchors = 3
 exclude_patterns = ["_build", "requirements.txt"]
@@ -26,6 +33,8 @@ numpydoc_show_class_members = False
 
 html_theme = "pydata_sphinx_theme"
 html_title = "granular-fronts"
+html_static_path = ["static"]
+html_css_files = ["wide.css"]
 html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
 
 

@@ -60,9 +60,11 @@ def public_names() -> str:
     for name in granular_fronts.__all__:
         value = getattr(granular_fronts, name)
         kind = "class" if isinstance(value, type) else "function"
-        members = ["", ":members:"] if kind == "class" else []
-        lines += ["", f"## {name}", "", f"```{{auto{kind}}} {value.__module__}.{name}"]
-        lines += [*members[1:], "```"]
+        # Docstrings are reStructuredText.
+        lines += ["", f"## {name}", "", "```{eval-rst}"]
+        lines += [f".. auto{kind}:: {value.__module__}.{name}"]
+        lines += ["   :members:"] if kind == "class" else []
+        lines += ["```"]
     return "\n".join(lines) + "\n"
 
 
@@ -156,9 +158,21 @@ def figures(results: Path) -> str:
 def tables(results: Path, names: list[str]) -> str:
     """Some tables with their titles and captions, as a page."""
     described = read_yaml("tables.yaml")
-    lines = []
+    lines: list[str] = []
     for name in names:
         rows = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").strip()
+        rows = "\n".join(kept_columns(rows.splitlines()))
         heading = "##" if lines else "#"
         lines += [f"{heading} {described[name]['title']}", "", described[name]["caption"], "", rows]
     return "\n".join(lines) + "\n"
+
+
+LEFT_OUT = ("paper_place", "criterion", "remark", "scene")
+"""Columns of the tables of statements that no page is wide enough for; they stand in the report."""
+
+
+def kept_columns(rows: list[str]) -> list[str]:
+    """Rows of a Markdown table without the columns that are left out."""
+    cells = [row.strip("|").split("|") for row in rows]
+    kept = [i for i, head in enumerate(cells[0]) if head.strip() not in LEFT_OUT]
+    return [f"|{'|'.join(row[i] for i in kept)}|" for row in cells]

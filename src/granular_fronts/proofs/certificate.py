@@ -53,7 +53,7 @@ def prove_front(
     fine : int, optional
         Cells of the inverse behind per cell of the window, from 1 to 1000.
     drift : float, optional
-        Largest |a(u)/α − 1| behind the window, between 0 and 1.
+        Largest absolute value of a(u)/α − 1 behind the window, between 0 and 1.
 
     Returns
     -------

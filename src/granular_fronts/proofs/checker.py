@@ -63,9 +63,9 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     -------
     dict
         `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
-        parameters for all of which the `statements` hold; `error`, a bound of |u* − ū|;
-        `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded outwards) and
-        their difference `margin`.
+        parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
+        from ū; `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded
+        outwards) and their difference `margin`.
 
     Raises
     ------

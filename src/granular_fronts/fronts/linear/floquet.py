@@ -14,9 +14,9 @@ state itself, stands beside it.
 
 Untouched chain.  Ahead u = 0 and no contact is stiff: :math:`\delta\dot u = \delta d`,
 :math:`\delta\dot d = 0`, and T is the shift towards the front times a Jordan block at 1.  On an
-infinite chain every :math:`z^n`, |z| < 1, is then an eigenvector: a perturbation of the chain
-ahead, which the front has not met.  It says nothing of the front, and nothing enters the window
-from there: the block becomes nilpotent and its multipliers 0.  Rounding spreads a nilpotent block
+infinite chain every :math:`z^n`, :math:`|z| < 1`, is then an eigenvector: a perturbation of the
+chain ahead, which the front has not met.  It says nothing of the front, and nothing enters the
+window from there: the block becomes nilpotent and its multipliers 0.  Rounding spreads a nilpotent block
 of k contacts over :math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no meaning;
 the window ends where u is lost in rounding.
 
