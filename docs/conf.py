@@ -33,8 +33,6 @@ numpydoc_show_class_members = False
 
 html_theme = "pydata_sphinx_theme"
 html_title = "granular-fronts"
-html_static_path = ["static"]
-html_css_files = ["wide.css"]
 html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
 
 

@@ -167,7 +167,7 @@ def tables(results: Path, names: list[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-LEFT_OUT = ("paper_place", "criterion", "remark", "scene")
+LEFT_OUT = ("paper_place", "remark", "scene")
 """Columns of the tables of statements that no page is wide enough for; they stand in the report."""
 
 

@@ -16,9 +16,9 @@ Untouched chain.  Ahead u = 0 and no contact is stiff: :math:`\delta\dot u = \de
 :math:`\delta\dot d = 0`, and T is the shift towards the front times a Jordan block at 1.  On an
 infinite chain every :math:`z^n`, :math:`|z| < 1`, is then an eigenvector: a perturbation of the
 chain ahead, which the front has not met.  It says nothing of the front, and nothing enters the
-window from there: the block becomes nilpotent and its multipliers 0.  Rounding spreads a nilpotent block
-of k contacts over :math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no meaning;
-the window ends where u is lost in rounding.
+window from there: the block becomes nilpotent and its multipliers 0.  Rounding spreads a nilpotent
+block of k contacts over :math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no
+meaning; the window ends where u is lost in rounding.
 
 Compressed chain.  Behind, a wave :math:`e^{iqn + \sigma t}` obeys
 :math:`\sigma^2 + \beta\gamma\kappa\,\sigma + \alpha\kappa = 0`,
