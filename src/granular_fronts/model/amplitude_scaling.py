@@ -63,6 +63,11 @@ class SlowScales(NamedTuple):
         return 0.5 * self.gamma * (self.epsilon * self.speed) ** 2
 
     @property
+    def dispersion(self):
+        """Dispersion μ⁻² in ξ and τ, μ = 2√3 γc (1 − 1/α)^(−1/2) of (54); see section 5."""
+        return (1.0 - 1.0 / self.alpha) / (12.0 * (self.gamma * self.speed) ** 2)
+
+    @property
     def velocity_scale(self):
         """Velocity δ^((α + 1)/2) at which y is 1."""
         return self.delta * self.speed
