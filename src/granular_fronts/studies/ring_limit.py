@@ -128,8 +128,8 @@ class Resolution(NamedTuple):
 
 def resolutions(tolerance):
     """The usual resolution for a tolerance, and the finer one."""
-    usual = Resolution(16.0, 0.125, tolerance, tolerance)
-    return usual, Resolution(20.0, 0.0625, 0.1 * tolerance, 0.1 * tolerance)
+    usual = Resolution(12.0, 0.125, tolerance, tolerance)
+    return usual, Resolution(16.0, 0.0625, 0.1 * tolerance, 0.1 * tolerance)
 
 
 class Motion(NamedTuple):
