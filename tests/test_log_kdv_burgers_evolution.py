@@ -62,7 +62,7 @@ def test_phi_functions_are_the_means_over_circles():
 
 
 def test_rates_are_those_of_the_equation():
-    """Ŷ' of a smooth wave is −∂(Y ln Y − Y) − D∂³Y + ν∂²Y."""
+    """ŷ' of a smooth wave is −∂(y ln y) − D∂³y + ν∂²y."""
     half_length, nu, d = 5.0, 0.7, 0.3
     x = points_of(half_length, 64)
     k = np.pi / half_length
@@ -73,7 +73,7 @@ def test_rates_are_those_of_the_equation():
     amplitudes = fft.rfft(y, norm="forward")
     rates = linear_rates(equation, kappa) * amplitudes
     rates += -1j * kappa * flux_amplitudes(equation, amplitudes, 64)
-    exact = -np.log(y) * first - d * third + nu * second
+    exact = -(np.log(y) + 1.0) * first - d * third + nu * second
     np.testing.assert_allclose(values_on_points(rates, 64), exact, atol=1e-13)
 
 
@@ -113,14 +113,17 @@ def gaussian(s, c):
     return np.exp(0.5 + c - 0.25 * s**2)
 
 
-@pytest.mark.parametrize("c", [-1.0, 0.0, 0.5])
-def test_gaussian_solitary_wave_keeps_shape_and_speed(c):
-    half_length, points, end = 15.0, 128, 50.0
+@pytest.mark.parametrize(
+    ("c", "end", "tolerance"), [(-1.0, 20.0, 1e-7), (0.5, 20.0, 1e-7), (0.0, 50.0, 1e-9)]
+)
+def test_gaussian_solitary_wave_keeps_shape_and_speed(c, end, tolerance):
+    """Without damping, rounding and steps leave waves of some tolerances about it."""
+    half_length, points = 15.0, 128
     s = points_of(half_length, points)
-    motion = moved(gaussian(s, c), half_length, 1e-7, end, diffusion=0.0)
-    place = np.mod(s - (c - 1.0) * end + half_length, 2.0 * half_length) - half_length
+    motion = moved(gaussian(s, c), half_length, tolerance, end, diffusion=0.0)
+    place = np.mod(s - c * end + half_length, 2.0 * half_length) - half_length
     found = values_on_points(motion.amplitudes, points)
-    np.testing.assert_allclose(found, gaussian(place, c), atol=3e-7)
+    np.testing.assert_allclose(found, gaussian(place, c), atol=3.0 * tolerance)
 
 
 def test_weak_damping_takes_half_of_mu_off_the_square_of_the_gaussian():
@@ -144,9 +147,9 @@ def front_on_ring(mu, half_length, points, place, rise):
 
 
 def front_defect(mu, motion, place):
-    """Largest distance to the front, which recedes by τ in the moving frame."""
+    """Largest distance to the front at `place`."""
     near = np.linspace(-8.0, 8.0, 161)
-    found = values_at(motion.amplitudes, motion.equation.half_length, place + near - motion.tau)
+    found = values_at(motion.amplitudes, motion.equation.half_length, place + near)
     return np.abs(found - gf.heteroclinic(mu, near)["rescaled_force"].values).max()
 
 
@@ -168,7 +171,7 @@ def test_travelling_front_is_kept_for_long(mu):
 
 
 def test_waves_of_any_height_are_alike():
-    """With Y also λ Y(ξ̃ − τ ln|λ|) is a solution, for λ of either sign."""
+    """With y also λ y(ξ − τ ln|λ|) is a solution, for λ of either sign."""
     half_length, end = 8.0, 2.0
     x = points_of(half_length, 64)
     start = smooth_wave(half_length).values(x, half_length)
@@ -256,7 +259,7 @@ def test_kinks_of_the_plateau_leave_nothing_where_y_is_positive():
     assert np.abs(end(256, 2) - exact).max() < 3e-8
 
 
-def test_order_is_two_where_y_changes_sign():
+def test_order_is_at_least_two_where_y_changes_sign():
     equation, start, ends = Equation(27.78, 1.0, 1.0, 1e-9), Plateau(10.0, 1e-7), []
     x, points = points_of(27.78, 500), np.array([192, 256, 384, 512, 1536])
     for n in points:
@@ -264,7 +267,7 @@ def test_order_is_two_where_y_changes_sign():
     assert ends[-1].min() < -0.01
     errors = [np.abs(end - ends[-1]).max() for end in ends[:-1]]
     order, scatter = slope_and_residual(points[:-1], errors)
-    assert order == pytest.approx(2.2, abs=0.3)
+    assert order == pytest.approx(2.4, abs=0.4)
     assert scatter < 0.1
 
 
@@ -282,7 +285,7 @@ def test_without_dispersion_it_is_the_logarithmic_burgers_equation():
     accurate = log_burgers.solve(scene, 1.0, [30.0], 1536, 1e-8)
     x = points_of(half_length, 999)
     found = values_at(kept[0], half_length, x)
-    np.testing.assert_allclose(found, accurate.rescaled_force(0, x), atol=2e-7)
+    np.testing.assert_allclose(found, accurate.rescaled_force(0, x - slow_time), atol=2e-7)
 
 
 def test_central_differences_and_implicit_steps_agree_on_a_positive_wave():
