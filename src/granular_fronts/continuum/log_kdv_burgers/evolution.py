@@ -44,6 +44,9 @@ Accuracy.  Every scene is solved a second time with twice the points and a tenth
 the largest difference between both is the error estimate.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -60,7 +63,7 @@ ERROR_METHOD = (
 )
 
 
-def evolve_log_kdv_burgers(scene, name="given"):
+def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Solve the logarithmic KdV–Burgers equation, James (2021), eq. (55), for a periodic scene.
 
     Parameters
