@@ -9,7 +9,7 @@ from scipy import fft
 import granular_fronts as gf
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_burgers.starts import Given, Plateau
-from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
+from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain, damping_of_mu
 from granular_fronts.continuum.log_kdv_burgers.exponential_steps import Motion, phi_functions
 from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
     Equation,
@@ -23,6 +23,11 @@ from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
 from granular_fronts.continuum.log_kdv_burgers.solution import follow, solve
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model.amplitude_scaling import make_slow_scales, scaling_of
+from granular_fronts.studies.ring_against_equations import (
+    bead_numbers,
+    make_chain_scene,
+    start_positions,
+)
 
 CIRCLE = np.exp(2j * np.pi * (np.arange(64) + 0.5) / 64)
 
@@ -310,6 +315,52 @@ def test_central_differences_and_implicit_steps_agree_through_changes_of_sign():
     np.testing.assert_allclose(values_on_points(motion.amplitudes, n), other, atol=2e-5)
 
 
+# The chain.
+
+
+def bump_on_ring(alpha, mu):
+    """A smooth bump on a ring of length 20 in ξ, up to τ = 1, with c = 1."""
+    scales = make_slow_scales(alpha, damping_of_mu(mu, alpha), 1.0)
+    half_beads, end = round(10.0 / scales.epsilon + 0.5), 1.0 / scales.slow_rate
+    force = 0.35 + 0.65 * np.exp(-((np.linspace(-4.0, 4.0, 129)) ** 2))
+    return {
+        "law": {"alpha": alpha, "gamma": scales.gamma},
+        "displacement": 1.0,
+        "half_beads": half_beads,
+        "start": {"kind": "given", "rescaled_force": tuple(force)},
+        "end_time": end,
+        "tolerance": {"relative": 1e-9, "absolute": 1e-11},
+        "record": {"snapshots": [end], "grid": {"step": end}},
+    }
+
+
+def errors_of_equations(alpha, mu):
+    """Largest distance of the chain's y to that of (55), and to that of (41)."""
+    scene = bump_on_ring(alpha, mu)
+    scales, end = scaling_of(scene), scene["end_time"]
+    xi = start_positions(scene, bead_numbers(scene))
+    half_length = scales.half_length(scene["half_beads"])
+    start, h = Given(scene["start"]["rescaled_force"]), 1e-5
+    slope = (start.values(xi + h, half_length) - start.values(xi - h, half_length)) / (2.0 * h)
+    chain = make_chain_scene(scene)
+    chain["start"]["velocity"] = scales.corrected_velocity(start.values(xi, half_length), slope)
+    found = gf.simulate_chain(chain)["relative_displacement"].values[0] ** alpha
+    moved_xi = xi - scales.epsilon * scales.frame_speed * end
+    solutions = solve(scene, [end], 256, 1e-6), log_burgers.solve(scene, 1.0, [end], 512, 1e-5)
+    return [np.abs(found - solution.rescaled_force(0, moved_xi)).max() for solution in solutions]
+
+
+@pytest.mark.parametrize("mu", [0.5, 2.0])
+def test_chain_tends_to_the_equation_as_alpha_tends_to_1(mu):
+    """At fixed μ the error is of first order in α − 1, and that of (41) stays."""
+    alphas = np.array([1.08, 1.04, 1.02, 1.01, 1.005])
+    dispersive, logarithmic = np.transpose([errors_of_equations(alpha, mu) for alpha in alphas])
+    order, scatter = slope_and_residual(1.0 / (alphas - 1.0), dispersive)
+    assert order == pytest.approx(1.0, abs=0.15)
+    assert scatter < 0.1
+    assert logarithmic.min() > 10.0 * dispersive[-1]
+
+
 # Scenes.
 
 
@@ -319,7 +370,7 @@ def test_datasets_state_an_error_that_holds():
     force = dataset["rescaled_force"]
     assert force.dims == ("t", "xi")
     assert dataset.attrs["mu"] == pytest.approx(amplitude_of_chain(1.1, 0.12, 5.0).mu, rel=1e-13)
-    fine = solve(scene, dataset["t"].values, 2048, 1e-9)
+    fine = solve(scene, dataset["t"].values, 2048, 1e-8)
     exact = np.array([fine.rescaled_force(row, dataset["xi"]) for row in range(3)])
     assert np.abs(force.values - exact).max() <= 2.0 * force.attrs["error_estimate"]
     assert force.attrs["error_estimate"] < 1e-4
