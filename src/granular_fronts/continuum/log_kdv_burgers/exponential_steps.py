@@ -139,27 +139,22 @@ class Motion:
         """
         while self.tau < stop:
             remaining = stop - self.tau
+            # Two equal steps to the stop rather than a long and a short one.
             lands = self.next_step >= remaining
-            if lands:
-                h = remaining
-            else:
-                h = self.next_step if 2.0 * self.next_step < remaining else 0.5 * remaining
+            h = remaining if lands else min(self.next_step, 0.5 * remaining)
             if h < RESOLUTION * stop and not lands:
                 raise SolveError(
                     f"At slow time {self.tau:.6g} the step size collapsed to {h:.3g}: the "
                     f"tolerance {self.tolerance:g} cannot be met in double precision; raise it."
                 )
             factor, accepted = self.try_step(h)
+            self.accepted, self.rejected = self.accepted + accepted, self.rejected + (not accepted)
             if accepted:
                 self.tau = stop if lands else self.tau + h
-                self.accepted += 1
+            if accepted and lands:
                 # A step cut short to land says little about the next one.
-                if lands:
-                    self.next_step = max(self.next_step, h * factor)
-                elif not 1.0 <= factor < SMALLEST_GROWTH:
-                    self.next_step = h * factor
-            else:
-                self.rejected += 1
+                self.next_step = max(self.next_step, h * factor)
+            elif not 1.0 <= factor < SMALLEST_GROWTH:
                 self.next_step = h * factor
 
     def try_step(self, h):
