@@ -18,7 +18,8 @@ stands for y, so that (51) leads to the chain.
 Change of sign.  The paper defines (55) for :math:`y \ge 0`.  Dispersion does not keep y above 0: of
 a start that rises from (almost) nothing it makes waves below 0 on the rear side.  There the flux is
 continued as the odd function :math:`y\ln|y|`, as the paper does in (57).  A chain has gaps where
-y < 0, and this continuation is no model of them; `smallest_value` says how deep y went.
+y < 0, and this continuation is no model of them: there (51) reads u = 0.  `smallest_value` says how
+deep y went.
 
 Well-posedness.  About a constant y, small waves of wave number κ move with the speed
 :math:`\ln|y| + 1 - \mu^{-2}\kappa^2` and decay with the rate :math:`\kappa^2`, whatever y is: no
