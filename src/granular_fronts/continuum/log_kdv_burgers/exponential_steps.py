@@ -42,8 +42,8 @@ from granular_fronts.errors import SolveError
 SERIES_TERMS = 18
 FIRST_STEP = 1.0e-6
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0
-# A step that could grow by less stays as it is, which saves new coefficients.
-SMALLEST_GROWTH = 1.4
+# A step that should change by a factor between these stays as it is, which saves new weights.
+LEAST_SHRINKING, LEAST_GROWTH = 0.85, 1.5
 SMALLEST_RATIO = 1.0e-8
 RESOLUTION = 1.0e-14
 
@@ -154,7 +154,7 @@ class Motion:
             if accepted and lands:
                 # A step cut short to land says little about the next one.
                 self.next_step = max(self.next_step, h * factor)
-            elif not 1.0 <= factor < SMALLEST_GROWTH:
+            elif not LEAST_SHRINKING < factor < LEAST_GROWTH:
                 self.next_step = h * factor
 
     def try_step(self, h):
