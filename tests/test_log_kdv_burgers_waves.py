@@ -68,7 +68,7 @@ def test_travelling_front_is_kept(mu):
 def test_travelling_front_is_kept_for_long(mu):
     start = front_on_ring(mu, 400.0, 4096, -160.0, -340.0)
     motion = moved(start, 400.0, 1e-8, 25.0, diffusion=mu)
-    assert front_defect(mu, motion, -160.0) < 1e-8
+    assert front_defect(mu, motion, -160.0) < 1e-9
 
 
 def test_waves_of_any_height_are_alike():

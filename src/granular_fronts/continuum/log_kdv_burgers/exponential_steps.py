@@ -169,7 +169,8 @@ class Motion:
         new, last_flux = self.stages(h)
         flux = self.flux_of(new)
         difference = self.weights.step[2] * (flux - last_flux)
-        ratio = np.abs(values_on_points(difference, self.points)).max() / self.tolerance
+        largest = float(np.abs(values_on_points(difference, self.points)).max())
+        ratio = largest / self.tolerance
         if not math.isfinite(ratio):
             return SMALLEST_FACTOR, False
         factor = SAFETY * max(ratio, SMALLEST_RATIO) ** -0.25
