@@ -26,16 +26,16 @@ def difference(points, spacing, derivative):
 
 
 def evolve_differences(values, half_length, dispersion, end, tolerance=1.0e-9):
-    """Values of Y on −ℓ + 2ℓ j/M at the slow time `end`, from those at 0, with diffusion 1."""
+    """Values of y on −ℓ + 2ℓ j/M at the slow time `end`, from those at 0, with diffusion 1."""
     spacing = 2.0 * half_length / values.size
     first, second, third = (difference(values.size, spacing, order) for order in (1, 2, 3))
     linear = second - dispersion * third
 
     def rates(_, y):
-        return linear @ y - first @ (y * np.log(np.abs(y)) - y)
+        return linear @ y - first @ (y * np.log(np.abs(y)))
 
     def jacobian(_, y):
-        return (linear - first @ sparse.diags_array(np.log(np.abs(y)))).tocsc()
+        return (linear - first @ sparse.diags_array(np.log(np.abs(y)) + 1.0)).tocsc()
 
     steps = {"rtol": tolerance, "atol": tolerance, "jac": jacobian}
     return solve_ivp(rates, (0.0, end), values, method="Radau", **steps).y[:, -1]

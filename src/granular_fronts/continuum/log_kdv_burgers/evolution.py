@@ -10,46 +10,43 @@ the μ of (54), so that (55) is the logarithmic Burgers equation (41) with a thi
     \partial_\tau y + \partial_\xi(y\ln y) + \mu^{-2}\,\partial_\xi^3 y = \partial_\xi^2 y, \qquad
     \mu^{-2} = \frac{1 - 1/\alpha}{12\,(\gamma c)^2} .
 
-It is solved in the frame :math:`\tilde\xi = \xi - \tau` of (50), on the same rings and from the
-same starts as (41),
-
-.. math::
-
-    \partial_\tau Y + \partial_{\tilde\xi}(Y\ln|Y| - Y) + \mu^{-2}\,\partial_{\tilde\xi}^3 Y
-        = \partial_{\tilde\xi}^2 Y ,
-
-so that (51) leads from Y to the chain.  A scene is that of the logarithmic Burgers equation; its
-key `equations: dispersive:` gives cells and tolerance.
+It is solved on the same rings and from the same starts as (41).  A scene is that of the logarithmic
+Burgers equation; its key `equations: dispersive:` gives cells and tolerance.  Steps are longest in
+ξ, where fronts rest.  Results are in the frame :math:`\tilde\xi = \xi - \tau` of (50), where Y
+stands for y, so that (51) leads to the chain.
 
 Change of sign.  The paper defines (55) for :math:`y \ge 0`.  Dispersion does not keep y above 0: of
 a start that rises from (almost) nothing it makes waves below 0 on the rear side.  There the flux is
-continued as the odd function :math:`Y\ln|Y|`, as the paper does in (57).  A chain has gaps where
-Y < 0, and this continuation is no model of them; `smallest_value` says how deep Y went.
+continued as the odd function :math:`y\ln|y|`, as the paper does in (57).  A chain has gaps where
+y < 0, and this continuation is no model of them: there (51) reads u = 0.  `smallest_value` says how
+deep y went.
 
-Well-posedness.  About a constant Y, small waves of wave number κ move with the speed
-:math:`\ln|Y| - \mu^{-2}\kappa^2` and decay with the rate :math:`\kappa^2`, whatever Y is: no height
-is unstable, but the speed has no bound where Y tends to 0.  Nor is there a linear theory about 0,
-since with Y(ξ̃, τ) also
+Well-posedness.  About a constant y, small waves of wave number κ move with the speed
+:math:`\ln|y| + 1 - \mu^{-2}\kappa^2` and decay with the rate :math:`\kappa^2`, whatever y is: no
+height is unstable, but the speed has no bound where y tends to 0.  Nor is there a linear theory
+about 0, since with y(ξ, τ) also
 
-.. math:: \lambda\, Y(\tilde\xi - \tau\ln\lambda,\; \tau), \qquad \lambda > 0,
+.. math:: \lambda\, y(\xi - \tau\ln\lambda,\; \tau), \qquad \lambda > 0,
 
 is a solution: waves of any height are alike in a frame of their own.  The flux is continuous but
-not Lipschitz at 0, and where Y vanishes we know no proof of uniqueness: without damping Carles and
+not Lipschitz at 0, and where y vanishes we know no proof of uniqueness: without damping Carles and
 Pelinovsky, *Nonlinearity* 27 (2014) 3185-3202, construct weak solutions and leave it open.  Here
 the logarithm is cut off below the tolerance, and in the refined run below a tenth of that, so that
 the error estimate contains what this changes.
 
-Balances.  The mean of Y is conserved.  Multiplied by Y, flux and dispersion integrate to zero over
+Balances.  The mean of y is conserved.  Multiplied by y, flux and dispersion integrate to zero over
 the ring, and
 
 .. math::
 
-    \frac{d}{d\tau}\int \tfrac12 Y^2\,d\tilde\xi
-        = -\int (\partial_{\tilde\xi} Y)^2\,d\tilde\xi .
+    \frac{d}{d\tau}\int \tfrac12 y^2\,d\xi = -\int (\partial_\xi y)^2\,d\xi .
 
 Accuracy.  Every scene is solved a second time with twice the points and a tenth of the tolerance;
 the largest difference between both is the error estimate.
 """
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -67,7 +64,7 @@ ERROR_METHOD = (
 )
 
 
-def evolve_log_kdv_burgers(scene, name="given"):
+def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Solve the logarithmic KdV–Burgers equation, James (2021), eq. (55), for a periodic scene.
 
     Parameters

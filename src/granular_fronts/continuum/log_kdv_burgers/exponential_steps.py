@@ -42,8 +42,8 @@ from granular_fronts.errors import SolveError
 SERIES_TERMS = 18
 FIRST_STEP = 1.0e-6
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0
-# A step that could grow by less stays as it is, which saves new coefficients.
-SMALLEST_GROWTH = 1.4
+# A step that should change by a factor between these stays as it is, which saves new weights.
+LEAST_SHRINKING, LEAST_GROWTH = 0.85, 1.5
 SMALLEST_RATIO = 1.0e-8
 RESOLUTION = 1.0e-14
 
@@ -139,27 +139,22 @@ class Motion:
         """
         while self.tau < stop:
             remaining = stop - self.tau
+            # Two equal steps to the stop rather than a long and a short one.
             lands = self.next_step >= remaining
-            if lands:
-                h = remaining
-            else:
-                h = self.next_step if 2.0 * self.next_step < remaining else 0.5 * remaining
+            h = remaining if lands else min(self.next_step, 0.5 * remaining)
             if h < RESOLUTION * stop and not lands:
                 raise SolveError(
                     f"At slow time {self.tau:.6g} the step size collapsed to {h:.3g}: the "
                     f"tolerance {self.tolerance:g} cannot be met in double precision; raise it."
                 )
             factor, accepted = self.try_step(h)
+            self.accepted, self.rejected = self.accepted + accepted, self.rejected + (not accepted)
             if accepted:
                 self.tau = stop if lands else self.tau + h
-                self.accepted += 1
+            if accepted and lands:
                 # A step cut short to land says little about the next one.
-                if lands:
-                    self.next_step = max(self.next_step, h * factor)
-                elif not 1.0 <= factor < SMALLEST_GROWTH:
-                    self.next_step = h * factor
-            else:
-                self.rejected += 1
+                self.next_step = max(self.next_step, h * factor)
+            elif not LEAST_SHRINKING < factor < LEAST_GROWTH:
                 self.next_step = h * factor
 
     def try_step(self, h):
@@ -174,7 +169,8 @@ class Motion:
         new, last_flux = self.stages(h)
         flux = self.flux_of(new)
         difference = self.weights.step[2] * (flux - last_flux)
-        ratio = np.abs(values_on_points(difference, self.points)).max() / self.tolerance
+        largest = float(np.abs(values_on_points(difference, self.points)).max())
+        ratio = largest / self.tolerance
         if not math.isfinite(ratio):
             return SMALLEST_FACTOR, False
         factor = SAFETY * max(ratio, SMALLEST_RATIO) ** -0.25

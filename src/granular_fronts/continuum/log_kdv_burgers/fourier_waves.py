@@ -1,23 +1,24 @@
 r"""The logarithmic KdV–Burgers equation for the Fourier amplitudes of a wave on a ring.
 
-In the moving frame of `evolution` the amplitudes of :math:`Y = \sum_k \hat Y_k
-e^{i\kappa_k(\tilde\xi + \ell)}`, :math:`\kappa_k = \pi k/\ell`, obey
+The amplitudes of :math:`y = \sum_k \hat y_k e^{i\kappa_k(\xi + \ell)}`,
+:math:`\kappa_k = \pi k/\ell`, obey
 
 .. math::
 
-    \dot{\hat Y}_k = \lambda_k \hat Y_k - i\kappa_k\,\widehat{(Y\ln|Y| - Y)}_k, \qquad
+    \dot{\hat y}_k = \lambda_k \hat y_k - i\kappa_k\,\widehat{(y\ln|y|)}_k, \qquad
     \lambda_k = -\nu\kappa_k^2 + iD\kappa_k^3,
 
-with diffusion :math:`\nu = 1` and dispersion :math:`D = \mu^{-2}`.  The flux is evaluated on N
-equally spaced points from −ℓ on.  Its amplitude of k = 0 does not enter, so that the mean of Y is
+with diffusion :math:`\nu = 1` and dispersion :math:`D = \mu^{-2}` in the variables of `evolution`,
+:math:`\nu = \mu` and :math:`D = 1` in those of James (2021), eq. (55).  The flux is evaluated on N
+equally spaced points from −ℓ on.  Its amplitude of k = 0 does not enter, so that the mean of y is
 kept exactly.
 
-Order.  Where Y is smooth and not zero, the error falls faster than any power of N.  At a change of
-sign :math:`Y\ln|Y|` has a logarithmically infinite slope, which the N points sample with an error
+Order.  Where y is smooth and not zero, the error falls faster than any power of N.  At a change of
+sign :math:`y\ln|y|` has a logarithmically infinite slope, which the N points sample with an error
 of second order.
 
-Small values.  :math:`\ln|Y|` is taken as :math:`\tfrac12\ln(Y^2 + \eta^2)`, η being `floor`.  The
-flux is then smooth, and differs from :math:`Y\ln|Y| - Y` by less than 0.41 η.
+Small values.  :math:`\ln|y|` is taken as :math:`\tfrac12\ln(y^2 + \eta^2)`, η being `floor`.  The
+flux is then smooth, and differs from :math:`y\ln|y|` by less than 0.41 η.
 
 The start.  Amplitudes at :math:`\tau = 0` come from exact averages over `OVERSAMPLING` times as
 many cells as points, so that kinks cost an aliasing error of third order on these cells.
@@ -26,7 +27,6 @@ many cells as points, so that kinks cost an aliasing error of third order on the
 from typing import NamedTuple
 
 import numpy as np
-from scipy import fft
 
 OVERSAMPLING = 8
 # Waves summed in one block when values at given points are asked for.
@@ -65,15 +65,14 @@ def linear_rates(equation, kappa):
 
 
 def flux_amplitudes(equation, amplitudes, points):
-    """Amplitudes of the flux Y ln|Y| − Y, evaluated on the points."""
+    """Amplitudes of the flux y ln|y|, evaluated on the points."""
     y = values_on_points(amplitudes, points)
-    logarithm = 0.5 * np.log(y * y + equation.floor**2)
-    return fft.rfft(y * (logarithm - 1.0), norm="forward")
+    return np.fft.rfft(0.5 * y * np.log(y * y + equation.floor**2), norm="forward")
 
 
 def values_on_points(amplitudes, points):
     """Values at −ℓ + 2ℓ j/N, j = 0 … N − 1."""
-    return fft.irfft(amplitudes, points, norm="forward")
+    return np.fft.irfft(amplitudes, points, norm="forward")
 
 
 def values_at(amplitudes, half_length, xi):
@@ -115,5 +114,5 @@ def start_amplitudes(start, half_length, points):
     """
     cells = OVERSAMPLING * points
     waves = np.arange(points // 2 + 1)
-    amplitudes = fft.rfft(start.averages(cells, half_length, 1.0), norm="forward")[: waves.size]
+    amplitudes = np.fft.rfft(start.averages(cells, half_length, 1.0), norm="forward")[: waves.size]
     return amplitudes * np.exp(-1j * np.pi * waves / cells) / np.sinc(waves / cells)

@@ -32,13 +32,15 @@ SOLVER = (
 
 
 class Evolution(NamedTuple):
-    """Amplitudes of Y at some times.
+    """Amplitudes of y at some times.
 
     Attributes
     ----------
     start : starts.Plateau or starts.Given
     times : ndarray, shape (times,)
         Times t of the chain.
+    slow_times : ndarray, shape (times,)
+        Slow times τ.
     amplitudes : list of ndarray
         One for each time, of as many waves as the run had then.
     half_length : float
@@ -48,28 +50,30 @@ class Evolution(NamedTuple):
     mean_drift : float
         Largest change of the mean.
     smallest_value : float
-        Smallest value of Y after the start at the times, on the points; the equation is the model
-        of a chain where Y ≥ 0, see `evolution`.
+        Smallest value of y after the start at the times, on the points; the equation is the model
+        of a chain where y ≥ 0, see `evolution`.
     """
 
     start: Plateau | Given
     times: np.ndarray
+    slow_times: np.ndarray
     amplitudes: list
     half_length: float
     counts: dict
     mean_drift: float
     smallest_value: float
 
-    def rescaled_force(self, row, xi):
-        """Rescaled force at the points ξ̃ (any shape, taken modulo 2ℓ) at the time of a row.
+    def rescaled_force(self, row, moving_xi):
+        """Rescaled force at the points ξ̃ = ξ − τ (any shape, modulo 2ℓ) at the time of a row.
 
         It keeps its sign: where it is below 0, the wave of the equation pulls.  The start itself is
         not the sum of its waves, since it has kinks.
         """
-        points = np.asarray(xi, dtype=float)
+        points = np.asarray(moving_xi, dtype=float)
         if self.times[row] == 0.0:
             return self.start.values(points, self.half_length)
-        values = values_at(self.amplitudes[row], self.half_length, points.ravel())
+        xi = points.ravel() + self.slow_times[row]
+        values = values_at(self.amplitudes[row], self.half_length, xi)
         return values.reshape(points.shape)
 
 
@@ -85,7 +89,7 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS):
     cells : int
         N, the points on which the run goes on once the kinks of the start are smooth.
     tolerance : float
-        Error per step, in Y; the logarithm is cut off below it.
+        Error per step, in y; the logarithm is cut off below it.
     levels : int, optional
         L: the run begins on 2^L times as many points.
 
@@ -100,14 +104,16 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS):
     """
     times = np.asarray(times, dtype=float)
     scaling, start = scaling_of(scene), make_start(scene["start"])
-    half_length = scaling.half_length(scene["half_beads"])
+    half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
     equation = Equation(half_length, 1.0, scaling.dispersion, tolerance)
-    kept, motion = follow(equation, start, scaling.slow_rate * times, cells, tolerance, levels)
+    kept, motion = follow(equation, start, slow_times, cells, tolerance, levels)
     later = [values_on_points(kept[row], 2 * kept[row].size - 1) for row in np.flatnonzero(times)]
     smallest = min((float(values.min()) for values in later), default=start.floor)
     mean_drift = max(abs(row[0] - motion.amplitudes[0]) for row in kept)
     counts = {"steps_accepted": motion.accepted, "steps_rejected": motion.rejected}
-    return Evolution(start, times, kept, half_length, counts, float(mean_drift), smallest)
+    return Evolution(
+        start, times, slow_times, kept, half_length, counts, float(mean_drift), smallest
+    )
 
 
 def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS):
