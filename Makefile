@@ -8,13 +8,14 @@ PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python
 # The workflow compiles its kernels into this folder; the tests find them there.
 export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 
-# Tests run side by side, those of one file one after the other.
+# Tests run side by side, those of one file one after the other, each process on one core.
 SIDE_BY_SIDE := --numprocesses auto --dist loadfile
+test slow: export OPENBLAS_NUM_THREADS := 1
 
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 
-.PHONY: all help test slow lint readme clean
+.PHONY: all help test slow coverage lint readme clean
 
 all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -28,20 +29,36 @@ help: ## Print these targets, and those of the workflow where it is installed.
 	    $(BIN)/snakemake -c1 --quiet host progress reason -- help 2>&1 | grep '^  '; \
 	else echo "The targets of the workflow are shown once make has installed it."; fi
 
-test: lint ## Check the style and run the fast tests.
+test: lint ## Check style and types, and run the fast tests.
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
 	@$(BIN)/pytest -m timing
 
 slow: .venv/installed ## Run the slow tests.
-	@echo "Running the slow tests (about twelve minutes)."
+	@echo "Running the slow tests (about eight minutes)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
-lint: .venv/installed ## Check the style and the workflow's rules.
-	@echo "Checking style and the workflow's rules."
+# Jobs of a small run, tests, and kernels as Python (tests/test_uncompiled.py), each in processes of
+# its own whose data are put together.
+MEASURED := $(BIN)/python -m coverage run -m
+SMALL := snakemake -c2 --configfile config/smoke.yaml --config results=results/coverage
+
+coverage: .venv/installed ## Measure which lines the workflow and the fast tests run.
+	@echo "Measuring the coverage of a small run and of the fast tests."
+	@rm -rf .coverage .coverage.* results/coverage
+	@$(MEASURED) $(SMALL) -- all hard_cases stiff_damping precision
+	@$(MEASURED) $(SMALL) campaign=smoke -- campaign
+	@$(MEASURED) pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
+	@$(BIN)/python -m coverage combine --quiet
+	@$(BIN)/python tests/coverage_of_jobs.py
+	@$(BIN)/python -m coverage report
+
+lint: .venv/installed ## Check the style, the workflow's rules and the types.
+	@echo "Checking style, the workflow's rules and types."
 	$(call quietly,$(BIN)/ruff check .)
 	$(call quietly,$(BIN)/ruff format --check .)
 	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
+	$(call quietly,$(BIN)/python -m mypy)
 
 .venv/installed: environment.txt
 	@command -v $(PYTHON) >/dev/null || { \
@@ -76,4 +93,4 @@ readme: .venv/installed ## Bring the numbers and the figure of the README up to 
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."
-	@rm -rf results .snakemake .numba_cache .pytest_cache .ruff_cache .hypothesis
+	@rm -rf results .coverage .coverage.* .snakemake .numba_cache .pytest_cache .ruff_cache .mypy_cache .hypothesis

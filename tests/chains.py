@@ -1,12 +1,17 @@
 """Scenes and small solvers that several tests share."""
 
 import numpy as np
+from kernels import from_python
 
 from granular_fronts.chain import integrator, strain
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import make_chain
 from granular_fronts.chain.state import NEW_U, D, U
 from granular_fronts.numerics.runge_kutta import NEW_SLOPE, SLOT
+
+try_step, take_slopes, accept = map(
+    from_python, (strain.try_step, strain.take_slopes, strain.accept)
+)
 
 TIGHT = {"relative": 1.0e-13, "absolute": 1.0e-15}
 
@@ -41,9 +46,9 @@ def smooth_ring(beads=24):
 def take_fixed_steps(chain, table, h, steps):
     """Fixed steps of a chain on all its beads, without output or events."""
     for _ in range(steps):
-        strain.try_step(chain, table, h, chain.beads, False)
-        strain.take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
-        strain.accept(chain, table, chain.beads)
+        try_step(chain, table, h, chain.beads, False)
+        take_slopes(chain, table, NEW_U, SLOT[NEW_SLOPE], chain.beads, False)
+        accept(chain, table, chain.beads)
 
 
 def integrate_strain_fixed(law, u, velocity, h, steps):

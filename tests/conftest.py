@@ -1,19 +1,36 @@
 """What several test modules are given."""
 
+import fcntl
+import os
+
 import pytest
 from configurations import DEFAULT
-from projects import copy_project, snakemake
+from projects import CACHES, copy_project, lend_kernels, snakemake
 
 from granular_fronts.scenes.yaml_files import load_configuration
 
 
 @pytest.fixture(scope="session")
-def finished(tmp_path_factory):
-    """A copy of the project in which the smoke run is done."""
-    copy = copy_project(tmp_path_factory.mktemp("project"))
-    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
-    assert run.returncode == 0, run.stderr
-    return copy
+def smoke_run(tmp_path_factory):
+    """A copy of the project in which the smoke run is done, one for all processes that test."""
+    folder = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        folder = folder.parent
+    with (folder / "smoke_run.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        project = folder / "smoke_run" / "copy"
+        if not (project / "results/smoke/report.html").exists():
+            lend_kernels(copy_project(project.parent))
+            run = snakemake("--configfile", "config/smoke.yaml", folder=project)
+            assert run.returncode == 0, run.stderr
+    return project
+
+
+@pytest.fixture(scope="module")
+def finished(smoke_run, tmp_path_factory):
+    """The smoke run, a copy for each module that may change it."""
+    copy = copy_project(tmp_path_factory.mktemp("project"), of=smoke_run, leave_out=CACHES)
+    return lend_kernels(copy)
 
 
 @pytest.fixture

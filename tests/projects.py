@@ -9,17 +9,37 @@ import time
 from pathlib import Path
 
 import psutil
+from numba.core.caching import UserProvidedCacheLocator
 
 from figure_step import make_step
+from granular_fronts.numerics.compiled import cache_folder
 
 ROOT = Path(__file__).parents[1]
-REBUILT = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
+CACHES = [".*_cache", "__pycache__"]
+REBUILT = [".git", ".venv", ".snakemake", "results", *CACHES]
 
 
-def copy_project(folder):
-    """A copy of the project, with nothing computed."""
+def copy_project(folder, of=ROOT, leave_out=REBUILT):
+    """A copy of the project, with nothing computed unless that of another copy is kept."""
     copy = folder / "copy"
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*REBUILT))
+    shutil.copytree(of, copy, ignore=shutil.ignore_patterns(*leave_out))
+    return copy
+
+
+def lend_kernels(copy):
+    """Let a copy use the kernels of this project: what either compiles, both have.
+
+    Numba names the folders of its cache after those of the sources.  What the code of a changed
+    copy compiles has a digest of its own, and stays in the copy.
+    """
+    for package in (ROOT / "src" / "granular_fronts").glob("*/**/__init__.py"):
+        path = package.relative_to(ROOT)
+        wing = cache_folder(path.parts[2])
+        own, lent = map(UserProvidedCacheLocator.get_suitable_cache_subpath, (package, copy / path))
+        (wing / own).mkdir(parents=True, exist_ok=True)
+        link = copy / ".numba_cache" / wing.name / lent
+        link.parent.mkdir(parents=True, exist_ok=True)
+        link.symlink_to(wing / own, target_is_directory=True)
     return copy
 
 

@@ -1,36 +1,28 @@
-"""A stranger adds the law V = k (cosh r − 1) in one place, and asks for it by configuration alone.
+"""A stranger adds the law of the page on extensions, and asks for it by configuration alone.
 
 What a copy of the project computes with the added kind is compared with what this one computes with
 the same functions given from Python.
 """
 
 import math
+import shlex
+import sys
 
 import numpy as np
 import pytest
 import yaml
-from projects import copy_project, snakemake
+from pages import EXTENDING, blocks, commands, named_blocks, run
+from projects import copy_project, lend_kernels, snakemake
 
 import granular_fronts as gf
 from granular_fronts.output.datasets import read_dataset
 
 pytestmark = pytest.mark.slow
 
-SHAPE = '''
-def cosh(r, order, p):
-    """cosh r − 1, p = ()."""
-    if order == 0:
-        return 2.0 * np.sinh(0.5 * r) ** 2
-    return np.sinh(r) if order % 2 == 1 else np.cosh(r)
-
-
-'''
-ENTRY = """
-    "cosh": Kind("cosh", cosh, {"stiffness": Parameter("k")}, factor="stiffness"),
-"""
-
+PLACES = named_blocks(EXTENDING)
+CAMPAIGN = "config/campaigns/hyperbolic.yaml"
 LAW = {
-    "elastic": {"kind": "cosh", "stiffness": 2.0},
+    "elastic": {"kind": "hyperbolic", "strength": 2.0},
     "viscous": {"kind": "proportional", "gamma": 0.3},
 }
 SCENE = {
@@ -45,7 +37,7 @@ SCENE = {
 CHAINS = {
     "kind": "chain",
     "law": LAW,
-    "axes": {"law.elastic.stiffness": [1.0, 2.0], "delta": [0.4, 0.8]},
+    "axes": {"law.elastic.strength": [1.0, 2.0], "delta": [0.4, 0.8]},
     "fixed": {"beads": 30},
     "tolerance": 1e-8,
 }
@@ -60,8 +52,10 @@ FRONTS = {
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
     """A copy of the project that asks for the law before any of its files knows it."""
-    copy = copy_project(tmp_path_factory.mktemp("project"))
-    (copy / "mine.yaml").write_text(yaml.safe_dump({"scenes": {"chain": {"mine": SCENE}}}))
+    copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
+    (copy / "further.yaml").write_text(yaml.safe_dump({"scenes": {"chain": {"mine": SCENE}}}))
+    for name in ("mine.yaml", CAMPAIGN):
+        (copy / name).write_text(PLACES[name], encoding="utf-8")
     for name, given in (("my_chains", CHAINS), ("my_fronts", FRONTS)):
         (copy / f"config/campaigns/{name}.yaml").write_text(yaml.safe_dump(given, sort_keys=False))
     return copy
@@ -72,18 +66,19 @@ def extended(project):
     """The same, after the one place is changed: a function and its entry in `model.kinds`."""
     run = ask(project, "results/smoke/data/chain/mine.nc")
     assert run.returncode != 0
-    assert "law: 'cosh' is no kind of elastic potential" in run.stdout + run.stderr
-    file = project / "src/granular_fronts/model/kinds.py"
-    text = file.read_text(encoding="utf-8")
-    text = text.replace("\nclass Parameter(", SHAPE.removeprefix("\n") + "\nclass Parameter(", 1)
-    text = text.replace("\nELASTIC = {\n", "\nELASTIC = {" + ENTRY, 1)
-    file.write_text(text, encoding="utf-8")
+    assert "law: 'hyperbolic' is no kind of elastic potential" in run.stdout + run.stderr
+    place = "src/granular_fronts/model/kinds.py"
+    [entry] = [block for block in blocks(EXTENDING, "python") if block.startswith('"')]
+    text = (project / place).read_text(encoding="utf-8")
+    text = text.replace("\n\nclass Parameter(", f"\n\n{PLACES[place]}\n\nclass Parameter(", 1)
+    text = text.replace("\nELASTIC = {\n", f"\nELASTIC = {{\n    {entry}", 1)
+    (project / place).write_text(text, encoding="utf-8")
     return project
 
 
 def ask(project, *arguments):
     return snakemake(
-        "--configfile", "config/smoke.yaml", "mine.yaml", "--", *arguments, folder=project
+        "--configfile", "config/smoke.yaml", "further.yaml", "--", *arguments, folder=project
     )
 
 
@@ -113,7 +108,7 @@ def test_a_scene_has_the_further_law(extended):
 
 def test_a_campaign_of_chains_varies_the_further_law(extended):
     found = run_campaign(extended, "my_chains")
-    assert found["front_speed"].dims == ("elastic_stiffness", "delta")
+    assert found["front_speed"].dims == ("elastic_strength", "delta")
     assert (found["status"] == 0).all()
     for stiffness, delta in ((1.0, 0.4), (2.0, 0.8)):
         speed = math.sqrt(stiffness * math.sinh(delta) / delta)
@@ -122,7 +117,7 @@ def test_a_campaign_of_chains_varies_the_further_law(extended):
         changes = {"boundary": boundary, "end_time": 1.2 * 30 / speed, "record": record}
         motion = gf.simulate_chain(SCENE | {"law": given_law(stiffness)} | changes)
         expected = float(motion["first_peak"].sel(bead=15)) / delta - 1.0
-        overshoot = float(found["overshoot"].sel(elastic_stiffness=stiffness, delta=delta))
+        overshoot = float(found["overshoot"].sel(elastic_strength=stiffness, delta=delta))
         assert overshoot == pytest.approx(expected, abs=1e-8)
         assert overshoot > 1e-4
 
@@ -135,3 +130,22 @@ def test_a_campaign_of_exact_fronts_has_the_further_law(extended):
         overshoot = float(found["overshoot"].sel(damping=damping))
         assert overshoot == pytest.approx(front.attrs["overshoot"], abs=1e-11)
         assert overshoot > 0.0
+
+
+def test_the_page_on_extensions_is_true(extended):
+    kernels = {"NUMBA_CACHE_DIR": str(extended / ".numba_cache")}
+    script, *_ = [line for line in commands(EXTENDING) if line.startswith("python")]
+    outcome = run([sys.executable, *shlex.split(script)[1:]], extended, **kernels)
+    assert outcome.returncode == 0, outcome.stderr
+    assert (extended / "hyperbolic.nc").exists()
+    [example] = [block for block in blocks(EXTENDING, "python") if block.startswith("import")]
+    outcome = run([sys.executable, "-c", example], extended, **kernels)
+    assert outcome.returncode == 0, outcome.stderr
+    solved, expected = outcome.stdout.splitlines()
+    assert float(solved.split()[0]) == pytest.approx(float(expected), rel=1e-10)
+    [campaign] = [line for line in commands(EXTENDING) if "campaign" in line]
+    outcome = snakemake(*shlex.split(campaign)[2:], folder=extended)
+    assert outcome.returncode == 0, outcome.stderr
+    found = read_dataset(extended / "results/data/campaigns/hyperbolic.nc")
+    assert (found["status"] == 0).all()
+    assert np.isfinite(found["overshoot"]).all()

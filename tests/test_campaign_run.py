@@ -15,7 +15,7 @@ import numpy as np
 import psutil
 import pytest
 import yaml
-from projects import ROOT, copy_project
+from projects import ROOT, copy_project, lend_kernels
 
 from granular_fronts.output.datasets import read_dataset
 
@@ -66,16 +66,22 @@ def read_merged(project, name):
 
 
 @pytest.fixture(scope="module")
+def nothing_yet(tmp_path_factory):
+    """A copy of the project, with nothing computed and nothing compiled."""
+    return copy_project(tmp_path_factory.mktemp("bare"))
+
+
+@pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    """A copy of the project, with nothing computed."""
-    return copy_project(tmp_path_factory.mktemp("project"))
+    """A copy of the project in which campaigns are run."""
+    return lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
 
 
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--config", "campaign=nosuch"], ["There is no campaign nosuch", "smoke"]),
-        (["--config", "campaign=Smoke"], ["There is no campaign Smoke", "smoke"]),
+        (["--config", "campaign=nosuch"], ["There is no campaign nosuch", "choose one of driven"]),
+        (["--config", "campaign=Smoke"], ["There is no campaign Smoke", "choose one of driven"]),
         (["--config", "campaign=../smoke"], ["There is no campaign ../smoke", "choose one of"]),
         ([], ["Name the campaign", "--config campaign=smoke"]),
     ],
@@ -90,29 +96,31 @@ def test_campaign_that_is_not_there_is_refused_in_a_sentence(arguments, words):
     assert "Traceback" not in run.stderr
 
 
-def test_impossible_campaign_is_refused_before_any_job(project):
-    write_campaign(project, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0})
-    run = run_campaign(project)
+def test_impossible_campaign_is_refused_before_any_job(nothing_yet):
+    write_campaign(
+        nothing_yet, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0}
+    )
+    run = run_campaign(nothing_yet)
     assert run.returncode == 1
     assert "Campaign mine: axes.gamma has 0.2 after 0.3" in run.stderr
     assert "Traceback" not in run.stderr
-    assert not (project / "results").exists()
+    assert not (nothing_yet / "results").exists()
 
 
-def test_campaign_file_that_is_no_yaml_is_refused_in_a_sentence(project):
-    (project / "config/campaigns/broken.yaml").write_text("kind: chain\naxes: [\n")
-    run = run_campaign(project, "--dry-run", name="broken")
+def test_campaign_file_that_is_no_yaml_is_refused_in_a_sentence(nothing_yet):
+    (nothing_yet / "config/campaigns/broken.yaml").write_text("kind: chain\naxes: [\n")
+    run = run_campaign(nothing_yet, "--dry-run", name="broken")
     assert run.returncode == 1
     assert "broken.yaml" in run.stderr
     assert "Traceback" not in run.stderr
 
 
-def test_dry_run_measures_and_writes_nothing(project):
-    run = run_campaign(project, "--dry-run", name="smoke")
+def test_dry_run_measures_and_writes_nothing(nothing_yet):
+    run = run_campaign(nothing_yet, "--dry-run", name="smoke")
     assert jobs_of(run)["plan_campaign"] == 1
     assert "measuring" not in run.stdout + run.stderr
-    assert not (project / "results").exists()
-    assert not (project / ".numba_cache").exists()
+    assert not (nothing_yet / "results").exists()
+    assert not (nothing_yet / ".numba_cache").exists()
 
 
 def wait_for(condition, seconds):

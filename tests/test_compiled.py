@@ -10,8 +10,10 @@ import numba
 import pytest
 from numba.core.registry import CPUDispatcher
 
-from granular_fronts.numerics.compiled import CALLED_WINGS, SOURCES, cache_folder, kernel, wing_of
+from granular_fronts.numerics.compiled import SOURCES, cache_folder, file_of, kernel
+from granular_fronts.numerics.source_code import file_digest
 
+READ = Path.read_bytes
 WINGS = sorted({file.parent.name for file in SOURCES.glob("*/__init__.py")})
 
 
@@ -26,18 +28,26 @@ def kernels_in(wing):
 
 
 @pytest.mark.parametrize("wing", WINGS)
-def test_a_wing_calls_kernels_of_declared_wings_only(wing):
-    allowed = {wing, *CALLED_WINGS.get(wing, ())}
+def test_every_kernel_is_cached_under_the_digest_of_its_module(wing):
     for name, function in kernels_in(wing):
-        home = wing_of(function.py_func)
-        assert home in allowed, f"{name} lives in {home}: declare it in CALLED_WINGS"
+        folder = cache_folder(file_of(function.py_func))
+        assert Path(function.stats.cache_path).parent == folder, name
 
 
-@pytest.mark.parametrize("wing", WINGS)
-def test_every_kernel_is_cached_under_the_digest_of_its_wing(wing):
-    for name, function in kernels_in(wing):
-        home = wing_of(function.py_func)
-        assert Path(function.stats.cache_path).parent == cache_folder(home), name
+def test_a_kernel_depends_on_the_modules_that_it_stands_on_and_on_no_other(monkeypatch):
+    """A change of `band` concerns the profile equation's Newton steps and not the chain's."""
+    newton, integrator = (SOURCES / "fronts/profile/newton.py", SOURCES / "chain/integrator.py")
+    before = [cache_folder.__wrapped__(file) for file in (newton, integrator)]
+
+    def changed(path):
+        return READ(path) + (b"\nCHANGED = 1\n" if path == SOURCES / "numerics/band.py" else b"")
+
+    monkeypatch.setattr(Path, "read_bytes", changed)
+    file_digest.cache_clear()
+    after = [cache_folder.__wrapped__(file) for file in (newton, integrator)]
+    assert before[0] != after[0]
+    assert before[1] == after[1]
+    file_digest.cache_clear()
 
 
 def test_kernel_decorates_with_and_without_options():

@@ -138,14 +138,6 @@ def test_workflow_names_the_way_beside_mappings_on_the_command_line():
     assert "Traceback" not in run.stderr
 
 
-@pytest.mark.parametrize("name", ["Smoke", "nosuch"])
-def test_workflow_says_which_campaigns_there_are(name):
-    run = dry_run("campaign", "--config", f"campaign={name}")
-    assert run.returncode == 1
-    assert f"There is no campaign {name}" in run.stderr
-    assert "choose one of driven_chain" in run.stderr
-
-
 def test_wrong_file_is_located_from_the_command_line(tmp_path):
     file = tmp_path / "mine.yaml"
     file.write_text("a: b: c", encoding="utf-8")

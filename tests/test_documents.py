@@ -1,46 +1,23 @@
 """README and manual are true: commands run or can be planned, code runs, what is named exists."""
 
 import importlib.util
-import os
 import re
 import shlex
-import subprocess
 import sys
-import textwrap
 from pathlib import Path
 
-import numpy as np
 import pytest
-import xarray as xr
+from pages import EXTENDING, README, blocks, commands, named_blocks, run
 from projects import ROOT, copy_project, snakemake
 
-README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
 PROOFS = ROOT / "docs" / "proofs.md"
 DOCUMENTS = [README, *sorted((ROOT / "docs").glob("*.md"))]
-
-
-def blocks(document, language):
-    """Fenced blocks of a language, those inside lists included."""
-    text = document.read_text(encoding="utf-8")
-    found = re.findall(rf"^( *)```{language}\n(.*?)^\1```", text, re.MULTILINE | re.DOTALL)
-    return [textwrap.dedent(block) for _, block in found]
-
-
-def commands(document):
-    return [line for block in blocks(document, "sh") for line in block.splitlines()]
 
 
 # Those of the page on extensions are run on a copy of the project, those of proofs as they are.
 COMMANDS = [
     line for page in DOCUMENTS if page not in (EXTENDING, PROOFS) for line in commands(page)
 ]
-
-
-def run(command, folder=ROOT, **environment):
-    environment = {**os.environ, "PYTHONPATH": str(folder / "src"), **environment}
-    return subprocess.run(
-        command, cwd=folder, capture_output=True, text=True, env=environment, check=False
-    )
 
 
 @pytest.mark.parametrize("command", [c for c in COMMANDS if c.startswith("make")])
@@ -116,7 +93,8 @@ def test_wings_of_the_manual_are_those_of_the_package():
     rows = re.findall(r"^\| ((?:`[\w/]+`(?:, )?)+) \|", text, re.MULTILINE)
     named = {name for row in rows for name in re.findall(r"`([\w/]+)`", row)}
     package = ROOT / "src" / "granular_fronts"
-    wings = {path.stem for path in package.iterdir() if not path.name.startswith("__")}
+    parts = (path for path in package.iterdir() if path.is_dir() or path.suffix == ".py")
+    wings = {path.stem for path in parts if not path.name.startswith("__")}
     assert {name.split("/")[0] for name in named} >= wings
     for name in named & {name for name in named if name.split("/")[0] in wings}:
         assert (package / name).is_dir() or (package / f"{name}.py").exists(), name
@@ -171,21 +149,10 @@ def test_numbers_in_formulas_are_no_equations():
     assert list(INDEX.numbers(docstring)) == [24, 25, 26, 31, 57]
 
 
-# The page on extensions, carried out.
-
-
-def named_blocks(document):
-    """Blocks that begin with the name of a file, by that name, without it."""
-    found = {}
-    for language in ("python", "yaml", "rst"):
-        for block in blocks(document, language):
-            if match := re.match(r"(?:#|\.\.) (\S+\.\w+)\n", block):
-                found[match.group(1)] = block[match.end() :]
-    return found
+# The page on extensions, carried out; its law is in `test_a_further_law`.
 
 
 PLACES = named_blocks(EXTENDING)
-CAMPAIGN = "config/campaigns/hyperbolic.yaml"
 
 
 def test_a_figure_is_added_in_three_places(tmp_path):
@@ -214,32 +181,3 @@ def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     outcome = snakemake("fig23", "--dry-run", folder=project)
     assert outcome.returncode != 0
     assert "fig23" in outcome.stdout + outcome.stderr
-
-
-@pytest.mark.slow
-def test_a_law_is_added_in_one_place(tmp_path):
-    """Then a scene, a front and a campaign take it by configuration alone."""
-    project = copy_project(tmp_path)
-    for name in ("mine.yaml", CAMPAIGN):
-        (project / name).write_text(PLACES[name], encoding="utf-8")
-    place = "src/granular_fronts/model/kinds.py"
-    [entry] = [block for block in blocks(EXTENDING, "python") if block.startswith('"')]
-    text = (project / place).read_text(encoding="utf-8")
-    text = text.replace("\n\nclass Parameter(", f"\n\n{PLACES[place]}\n\nclass Parameter(", 1)
-    text = text.replace("\nELASTIC = {\n", f"\nELASTIC = {{\n    {entry}", 1)
-    (project / place).write_text(text, encoding="utf-8")
-    script, *_ = [line for line in commands(EXTENDING) if line.startswith("python")]
-    outcome = run([sys.executable, *shlex.split(script)[1:]], project)
-    assert outcome.returncode == 0, outcome.stderr
-    assert (project / "hyperbolic.nc").exists()
-    [example] = [block for block in blocks(EXTENDING, "python") if block.startswith("import")]
-    outcome = run([sys.executable, "-c", example], project)
-    assert outcome.returncode == 0, outcome.stderr
-    solved, expected = outcome.stdout.splitlines()
-    assert float(solved.split()[0]) == pytest.approx(float(expected), rel=1e-10)
-    [campaign] = [line for line in commands(EXTENDING) if "campaign" in line]
-    outcome = snakemake(*shlex.split(campaign)[2:], folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    with xr.open_dataset(project / "results/data/campaigns/hyperbolic.nc") as dataset:
-        assert (dataset["status"] == 0).all()
-        assert np.isfinite(dataset["overshoot"]).all()

@@ -1,4 +1,7 @@
-"""Figures show the numbers of their datasets: the artists behind each panel, not the pixels."""
+"""Files of a figure: reproducible, with a filled caption and a record of their data.
+
+What each figure shows is checked in `test_figure_contents` and `test_figures_of_*`.
+"""
 
 import importlib
 
@@ -8,6 +11,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from chains import driven_scene
+from pictures import panels
 
 from figure_step import make_step
 from granular_fronts.campaign.chunks import cut
@@ -35,66 +39,6 @@ def path(tmp_path_factory):
     path = tmp_path_factory.mktemp("data") / "scene.nc"
     write_dataset(simulate_chain(scene), path, scene_id="scene", config=scene)
     return path
-
-
-@pytest.fixture
-def draw(path):
-    """Draw the figure of a script; hand it out with its data."""
-
-    def run(name):
-        data = read_dataset(path)
-        return getattr(importlib.import_module(name), name)(data), data
-
-    yield run
-    plt.close("all")
-
-
-def panels(figure):
-    return [axes for axes in figure.axes if axes.get_xlabel()]
-
-
-def assert_draws_probes(axes, data, name):
-    probes = data[f"relative_displacement_{name}"]
-    assert len(axes.get_lines()) == probes.sizes[f"bead_{name}"]
-    for line, bead in zip(axes.get_lines(), probes[f"bead_{name}"].values, strict=True):
-        np.testing.assert_array_equal(line.get_ydata(), probes.sel({f"bead_{name}": bead}))
-        assert line.get_label() == f"$n = {bead}$"
-    looks = {(line.get_color(), line.get_linestyle()) for line in axes.get_lines()}
-    assert len(looks) == len(axes.get_lines())
-
-
-def assert_draws_grid(axes, values):
-    drawn = np.asarray(axes.collections[0].get_array()).reshape(values.shape)
-    np.testing.assert_array_equal(drawn, values)
-    assert axes.get_xlabel() == "$n$"
-
-
-def test_figure_1_draws_probes_and_a_snapshot(draw):
-    figure, data = draw("plot_fig01")
-    steady, snapshot, transient = panels(figure)
-    assert_draws_probes(steady, data, "steady")
-    assert_draws_probes(transient, data, "transient")
-    np.testing.assert_array_equal(snapshot.get_lines()[0].get_ydata(), data["velocity"].isel(t=0))
-    assert snapshot.get_title() == "$t = 20$"
-
-
-def test_figure_2_draws_both_space_time_diagrams_and_clips_the_gaps(draw):
-    figure, data = draw("plot_fig02")
-    displacement, velocity = (axes for axes in panels(figure) if axes.get_xlabel() == "$n$")
-    assert_draws_grid(displacement, data["relative_displacement_grid"].isel(bead=slice(None, -1)))
-    assert_draws_grid(velocity, data["velocity_grid"])
-    image = displacement.collections[0]
-    assert image.get_clim() == pytest.approx((-0.14, 0.14))
-    red, green, blue, _ = image.cmap(-0.5)
-    assert red > 0.7
-    assert max(green, blue) < 0.2
-
-
-def test_figure_3_draws_probes_and_a_space_time_diagram(draw):
-    figure, data = draw("plot_fig03")
-    transient, displacement = panels(figure)[:2]
-    assert_draws_probes(transient, data, "transient")
-    assert_draws_grid(displacement, data["relative_displacement_grid"].isel(bead=slice(None, -1)))
 
 
 ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst", "record": "json"}
@@ -203,7 +147,7 @@ def test_fig16_shows_the_atlas_with_curves_and_beads(atlas):
     data, curves = map(read_dataset, atlas)
     beads = xr.Dataset({"gamma_printed": ("material", [0.05])}, {"material": ["steel"]})
     figure = importlib.import_module("plot_fig16").plot_fig16(data, curves, beads)
-    overshoot, width, regime = panels(figure)[:3]
+    overshoot, width, regime = panels(figure).values()
     shown = width.collections[0].get_array().reshape(3, 3)
     np.testing.assert_array_equal(shown, data["width_10_90"].transpose("gamma", "alpha"))
     shown = regime.collections[0].get_array().reshape(3, 3)

@@ -10,7 +10,7 @@ import pytest
 from projects import ROOT
 
 import granular_fronts
-from imports import import_closure, module_files, named_in
+from granular_fronts.numerics.imports import import_closure, module_files, named_in
 
 SOURCES = [ROOT / "src", ROOT / "workflow/lib", ROOT / "workflow/scripts"]
 FILES = module_files(*SOURCES)

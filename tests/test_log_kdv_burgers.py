@@ -57,6 +57,7 @@ CASES = [
 
 @functools.cache
 def reference(mu, s_stop):
+    """The orbit to fifty digits, as far as it must reach; tests of one μ share it."""
     return Reference(mu, s_stop, p_start=40 if mu < 10 else 5)
 
 
@@ -132,7 +133,7 @@ def test_undamped_orbit_is_the_gaussian():
 def test_overshoots_agree_with_fifty_digits(mu):
     s_stop = -30
     front = gf.heteroclinic(mu, [s_stop, 0.0])
-    exact = [turn for turn in Reference(mu, s_stop).turning_points() if turn[0] >= s_stop]
+    exact = [turn for turn in reference(mu, s_stop).turning_points() if turn[0] >= s_stop]
     assert front.sizes["turn"] == len(exact)
     for turn, (s, p) in enumerate(exact):
         with mp.workdps(DIGITS):
@@ -182,7 +183,7 @@ def test_overshoot_appears_below_the_transition():
 
 @pytest.mark.parametrize("mu", [0.3, 1.9, 1.99])
 def test_squared_slope_at_one_agrees_with_fifty_digits(mu):
-    exact = Reference(mu, -40)
+    exact = reference(mu, -40)
     orbit = compute_orbit(mu, -40.0)
     p, v = exact.at(orbit.s_at(0.0))
     assert abs(p) < 2.0e-13 * abs(v)

@@ -4,16 +4,19 @@ import math
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 from chains import driven_scene
 from potentials import hertz
+from tabulate_materials import tabulate_materials
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
+from granular_fronts.output.datasets import write_dataset
 from granular_fronts.scenes.configuration import check_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.damping_regimes import evaluate_regimes
-from granular_fronts.studies.materials import evaluate_materials, regime
+from granular_fronts.studies.materials import evaluate_materials
 from granular_fronts.studies.pistons import limit, measure_pistons, push_chain, repetition
 
 DEFAULT = Path(__file__).parents[1] / "config" / "default.yaml"
@@ -57,12 +60,21 @@ def test_front_damping_hardly_depends_on_the_stiffness(configuration):
     assert soft / stiff == pytest.approx(2.0 ** (1.0 / 15.0), rel=1e-12)
 
 
-def test_regime_is_that_of_the_tail():
+def test_regime_is_that_of_the_tail(materials):
     """Below the critical damping the slowest tail root is complex, above it is real."""
-    critical = gf.critical_damping(1.5)
-    for gamma, word in ((0.999 * critical, "underdamped"), (1.001 * critical, "overdamped")):
-        assert regime(gamma) == word
-        assert (gf.tail_roots(1.5, gamma, count=1)[0].imag > 0.0) == (word == "underdamped")
+    critical = float(materials["critical_gamma"])
+    for gamma, oscillates in ((0.999 * critical, True), (1.001 * critical, False)):
+        assert (gf.tail_roots(1.5, gamma, count=1)[0].imag > 0.0) == oscillates
+
+
+def test_table_names_the_regime_of_each_front(materials, tmp_path):
+    csv, markdown = tmp_path / "materials.csv", tmp_path / "materials.md"
+    write_dataset(materials, tmp_path / "data.nc", scene_id="materials", config={})
+    tabulate_materials(tmp_path / "data.nc", csv, markdown)
+    table = pd.read_csv(csv)
+    oscillates = table["gamma_of_front"] < gf.critical_damping(1.5)
+    assert list(table["regime"] == "underdamped") == list(oscillates)
+    assert 0 < oscillates.sum() < len(table)
 
 
 def test_regimes_follow_equation_29():

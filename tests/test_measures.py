@@ -258,3 +258,23 @@ def test_the_spread_of_speeds_is_that_of_the_laws_named():
     fronts = jumps(speed_travelling=[1.0, 1.5], speed_travelling_error=[1e-9, 3e-9])
     assert laws.speed_spread(fronts, ["hertz", "fpu"]) == (0.5, 6e-9)
     assert laws.speed_spread(fronts, ["hertz"]).value == 0.0
+
+
+def test_mean_compression_of_an_oscillation_is_that_of_its_period():
+    t = np.arange(61.0)
+    swinging = 0.1 * (0.5 - 0.25 * np.cos(2.0 * np.pi * t / 20.0) + 0.01 * (t > 50.0))
+    mean = chain.mean_compression(driven(mean_relative_displacement=("t_grid", swinging)))
+    assert mean.value == pytest.approx(0.5, abs=1e-13)
+    assert mean.error < 1e-13
+    steady = driven(mean_relative_displacement=("t_grid", 0.1 * t / 60.0))
+    assert math.isnan(chain.mean_compression(steady).value)
+
+
+def test_middle_compression_is_midway_between_the_extremes_after_the_first_maximum():
+    t = np.arange(61.0)
+    swinging = 0.1 * (0.5 - 0.25 * np.cos(2.0 * np.pi * t / 20.0))
+    middle = chain.middle_compression(driven(mean_relative_displacement=("t_grid", swinging)))
+    assert middle.value == pytest.approx(0.5, abs=1e-13)
+    assert middle.error == pytest.approx(0.5 * np.abs(np.diff(swinging)).max() / 0.1)
+    rising = driven(mean_relative_displacement=("t_grid", 0.1 * t / 60.0))
+    assert math.isnan(chain.middle_compression(rising).value)

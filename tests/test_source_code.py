@@ -5,7 +5,7 @@ import json
 import pytest
 
 from granular_fronts.numerics import source_code
-from granular_fronts.numerics.source_code import code_digest, syntax_digest
+from granular_fronts.numerics.source_code import code_digest, file_digest, syntax_digest
 
 CODE = '''"""A module."""
 
@@ -59,6 +59,8 @@ def test_what_code_does_counts(change):
 def written(tmp_path, **files):
     """Files of some names with some code."""
     paths = [tmp_path / f"{name}.py" for name in files]
+    # In a process a file is read once.
+    file_digest.cache_clear()
     for path, code in zip(paths, files.values(), strict=True):
         path.write_text(code)
     return paths

@@ -35,13 +35,6 @@ LARGEST_FILE = 60_000
 LONG = {"end_time": 1000000}
 
 
-@pytest.fixture(scope="module", autouse=True)
-def smoke_run_again(finished):
-    """Leave the smoke run as it was found."""
-    yield
-    assert snakemake("--configfile", "config/smoke.yaml", folder=finished).returncode == 0
-
-
 def ask(project, name, change):
     """Lay a change of the scene over the smoke run; return the options and the scene asked for."""
     overlay = project / f"{name}.yaml"

@@ -19,19 +19,33 @@ since the errors of two numbers from one solution are not independent.
 The modules named `measures` read estimates of single numbers off the solutions.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from granular_fronts.errors import SolveError
 
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import xarray as xr
+
 EPSILON = float(np.finfo(float).eps)
 """Distance of 1 to the next double, 2⁻⁵²."""
 
+Variable = tuple[str | tuple[str, ...], np.ndarray, dict[str, Any]]
+"""A variable as xarray takes it: dimensions, values, attributes."""
 
-class Estimate(NamedTuple):
+
+class _Pair(NamedTuple):
+    value: float
+    error: float
+
+
+class Estimate(_Pair):
     """A value and an estimate of its absolute error, with the arithmetic of such pairs.
 
     Examples
@@ -40,36 +54,37 @@ class Estimate(NamedTuple):
     Estimate(value=3.0, error=0.875)
     """
 
-    value: float
-    error: float
+    __slots__ = ()
 
     # Numpy's numbers would otherwise take an estimate for an array of two.
     __array_ufunc__ = None
 
-    def __neg__(self):
+    def __neg__(self) -> Estimate:
         return Estimate(-self.value, self.error)
 
-    def __add__(self, other):
+    # A sum of estimates is one of numbers, not the joined tuple; a product alike.
+    def __add__(self, other: Estimate | float) -> Estimate:  # type: ignore[override]
         other = _as_estimate(other)
         return Estimate(self.value + other.value, self.error + other.error)
 
-    def __sub__(self, other):
+    def __sub__(self, other: Estimate | float) -> Estimate:
         return self + -_as_estimate(other)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Estimate | float) -> Estimate:  # type: ignore[override]
         other = _as_estimate(other)
         error = abs(other.value) * self.error + abs(self.value) * other.error
         return Estimate(self.value * other.value, error)
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Estimate | float) -> Estimate:
         other = _as_estimate(other)
         ratio = self.value / other.value
         return Estimate(ratio, (self.error + abs(ratio) * other.error) / abs(other.value))
 
-    __radd__, __rmul__ = __add__, __mul__
+    __radd__ = __add__
+    __rmul__ = __mul__  # type: ignore[assignment]
 
 
-def _as_estimate(number):
+def _as_estimate(number: Estimate | float) -> Estimate:
     return number if isinstance(number, Estimate) else Estimate(number, 0.0)
 
 
@@ -79,11 +94,11 @@ class Refined(NamedTuple):
     usual: Any
     finer: Any
 
-    def map(self, function):
+    def map(self, function: Callable[[Any], Any]) -> Refined:
         """A function of both solutions."""
         return Refined(function(self.usual), function(self.finer))
 
-    def estimate(self, measure=float):
+    def estimate(self, measure: Callable[[Any], float] = float) -> Estimate:
         """A number that is measured on a solution, with its error.
 
         Parameters
@@ -98,7 +113,7 @@ class Refined(NamedTuple):
         return estimate(*self.map(measure))
 
 
-def with_refinement(solve: Callable, usual, finer) -> Refined:
+def with_refinement(solve: Callable[[Any], Any], usual: Any, finer: Any) -> Refined:
     """Solve a problem twice, so that the difference estimates the error.
 
     Parameters
@@ -120,7 +135,7 @@ def with_refinement(solve: Callable, usual, finer) -> Refined:
     return refined_by(lambda _found: solve(finer), solve(usual))
 
 
-def refined_by(refine: Callable, found) -> Refined:
+def refined_by(refine: Callable[[Any], Any], found: Any) -> Refined:
     """A solution and its refinement, which starts from the solution; otherwise the same."""
     try:
         return Refined(found, refine(found))
@@ -130,12 +145,12 @@ def refined_by(refine: Callable, found) -> Refined:
         ) from error
 
 
-def rounding_floor(values) -> float:
+def rounding_floor(values: npt.ArrayLike) -> float:
     """One unit in the last place of the largest finite value; NaN where there is none."""
     return float(np.spacing(_largest(values)))
 
 
-def largest_difference(values, others) -> float:
+def largest_difference(values: npt.ArrayLike, others: npt.ArrayLike) -> float:
     """Error estimate of values that were computed twice.
 
     Parameters
@@ -155,27 +170,29 @@ def largest_difference(values, others) -> float:
     return max(difference, float(np.spacing(size))) if size else difference
 
 
-def estimate(value, other) -> Estimate:
+def estimate(value: float, other: float) -> Estimate:
     """A number that was computed twice, with its error."""
     return Estimate(float(value), largest_difference(value, other))
 
 
-def rounded(value, units=1.0) -> Estimate:
+def rounded(value: float, units: float = 1.0) -> Estimate:
     """A number from a closed formula, whose error is some units in its last place."""
     return Estimate(float(value), units * rounding_floor(value))
 
 
-def recorded(variable) -> Estimate:
+def recorded(variable: xr.DataArray) -> Estimate:
     """A number that a variable without dimensions holds, with its `error_estimate`."""
     return Estimate(float(variable), float(variable.attrs["error_estimate"]))
 
 
-def tabulated(dataset, name) -> Estimate:
+def tabulated(dataset: xr.Dataset, name: str) -> Estimate:
     """A number of a dataset, with the error that stands in the variable beside it."""
     return Estimate(float(dataset[name]), float(dataset[f"{name}_error"]))
 
 
-def estimated_variable(dims, estimates, method, **attributes):
+def estimated_variable(
+    dims: str | tuple[str, ...], estimates: npt.ArrayLike, method: str, **attributes: Any
+) -> Variable:
     """A variable from estimates, which carries the largest of their errors.
 
     Parameters
@@ -205,7 +222,9 @@ def estimated_variable(dims, estimates, method, **attributes):
     )
 
 
-def variable_and_errors(name, dims, estimates, method, meaning) -> dict:
+def variable_and_errors(
+    name: str, dims: str | tuple[str, ...], estimates: npt.ArrayLike, method: str, meaning: str
+) -> dict[str, Variable]:
     """A variable from estimates, and beside it one of their errors; arguments as above.
 
     Returns
@@ -220,7 +239,7 @@ def variable_and_errors(name, dims, estimates, method, meaning) -> dict:
     }
 
 
-def error_attributes(values, others, method) -> dict:
+def error_attributes(values: npt.ArrayLike, others: npt.ArrayLike, method: str) -> dict[str, Any]:
     """Attributes that say how wrong a variable can be.
 
     Parameters
@@ -238,7 +257,7 @@ def error_attributes(values, others, method) -> dict:
     return {"error_estimate": largest_difference(values, others), "error_method": method}
 
 
-def _largest(values):
+def _largest(values: npt.ArrayLike) -> float:
     """Largest finite absolute value; NaN where there is none."""
     sizes = np.abs(np.asarray(values, dtype=float))
     largest = float(sizes.max(initial=0.0))

@@ -10,18 +10,37 @@ Only arrays need numpy, which is imported where one is checked: the workflow che
 configuration at each start without it.
 """
 
+from __future__ import annotations
+
 import contextlib
 import math
 import numbers
 import reprlib
+from collections.abc import Collection, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from granular_fronts.errors import InputError
 
+if TYPE_CHECKING:
+    import numpy as np
+
+Kind = TypeVar("Kind")
+
+Limit = float | None
+"""A limit that numbers must keep, or none."""
+
 
 def scalar(
-    name, value, *, above=None, least=None, below=None, most=None, advice="give such a number"
-):
+    name: str,
+    value: object,
+    *,
+    above: Limit = None,
+    least: Limit = None,
+    below: Limit = None,
+    most: Limit = None,
+    advice: str = "give such a number",
+) -> float:
     """A finite real number within limits.
 
     Parameters
@@ -51,7 +70,14 @@ def scalar(
     raise InputError(f"{name} is {shown(value)}, but must be a finite number{limits}: {advice}.")
 
 
-def count(name, value, *, least=1, most=None, advice="give such a number"):
+def count(
+    name: str,
+    value: object,
+    *,
+    least: int = 1,
+    most: int | None = None,
+    advice: str = "give such a number",
+) -> int:
     """A whole number; parameters and errors as of `scalar`.
 
     Returns
@@ -66,8 +92,15 @@ def count(name, value, *, least=1, most=None, advice="give such a number"):
 
 
 def array(
-    name, values, *, above=None, least=None, below=None, most=None, advice="give such numbers"
-):
+    name: str,
+    values: object,
+    *,
+    above: Limit = None,
+    least: Limit = None,
+    below: Limit = None,
+    most: Limit = None,
+    advice: str = "give such numbers",
+) -> np.ndarray:
     """Finite real numbers within limits, in an array of any shape.
 
     Parameters
@@ -103,7 +136,7 @@ def array(
     )
 
 
-def sequence(name, values, **limits):
+def sequence(name: str, values: object, **limits: Any) -> np.ndarray:
     """One number or more in a row, as an array of one dimension; a number alone is a row of one.
 
     Parameters, result and errors as of `array`.
@@ -118,14 +151,14 @@ def sequence(name, values, **limits):
     return found
 
 
-def choice(name, value, choices):
+def choice(name: str, value: object, choices: Collection[str]) -> str:
     """One of several names.
 
     Parameters
     ----------
     name : str
     value : object
-    choices : iterable of str
+    choices : collection of str
 
     Returns
     -------
@@ -138,7 +171,7 @@ def choice(name, value, choices):
     )
 
 
-def instance(name, value, kind, advice):
+def instance(name: str, value: object, kind: type[Kind], advice: str) -> Kind:
     """An object of a kind.
 
     Parameters
@@ -158,7 +191,7 @@ def instance(name, value, kind, advice):
     raise InputError(f"{name} is {shown(value)}, but must be a {kind.__name__}: {advice}.")
 
 
-def path(name, value):
+def path(name: str, value: object) -> Path:
     """The path of a file, which need not exist.
 
     Parameters
@@ -176,7 +209,7 @@ def path(name, value):
 
 
 @contextlib.contextmanager
-def double_precision(what, advice):
+def double_precision(what: str, advice: str) -> Iterator[None]:
     """A context in which results that overflow end in a sentence.
 
     Parameters
@@ -195,7 +228,7 @@ def double_precision(what, advice):
         raise InputError(f"{what} lies beyond double precision: {advice}.") from error
 
 
-def _real(value):
+def _real(value: Any) -> float:
     """The number as a float, nan if it is none, infinite if it is too large for one."""
     if getattr(value, "ndim", None) == 0:
         value = value.item()
@@ -207,7 +240,7 @@ def _real(value):
         return math.inf
 
 
-def _lies_within(found, above, least, below, most):
+def _lies_within(found: Any, above: Limit, least: Limit, below: Limit, most: Limit) -> Any:
     """Whether a number, or each of an array, keeps all limits that are given."""
     kept = found == found
     if above is not None:
@@ -221,7 +254,7 @@ def _lies_within(found, above, least, below, most):
     return kept
 
 
-def _limits_in_words(above, least, below, most):
+def _limits_in_words(above: Limit, least: Limit, below: Limit, most: Limit) -> str:
     words = ("above", above), ("at least", least), ("below", below), ("at most", most)
     limits = [
         f"{word} {limit:g}" for word, limit in words if limit is not None and math.isfinite(limit)
@@ -229,7 +262,7 @@ def _limits_in_words(above, least, below, most):
     return f", {' and '.join(limits)}" if limits else ""
 
 
-def shown(value):
+def shown(value: Any) -> str:
     """What was given, short and on one line."""
     if getattr(value, "shape", ()):
         return f"an array of shape {tuple(value.shape)}"

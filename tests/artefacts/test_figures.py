@@ -4,7 +4,9 @@ import re
 
 import pytest
 from conftest import listed_as_made
+from figure_samples import SAMPLES
 
+from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.provenance import read_record
 
 FIGURES = listed_as_made().figures
@@ -39,3 +41,23 @@ def test_texts_are_filled(results, stem):
     for text in (caption, record["title"], record["alt"]):
         assert text.strip()
         assert not re.search(r"[{}]{2}|\bNone\b", text)
+
+
+def number_of(stem):
+    return stem.removeprefix("figures/").split("_")[0]
+
+
+@pytest.mark.parametrize("stem", [stem for stem in FIGURES if number_of(stem) in SAMPLES])
+def test_data_have_the_variables_that_the_tests_of_figures_draw(results, stem):
+    """Those tests draw samples, which hold for the workflow only if its datasets are alike."""
+    made_from = read_record(results / f"{stem}.json")["made_from"]
+    files = [file for each in made_from for file in results.glob(f"data/*/{each['scene']}.nc")]
+    made = [variables_of(read_dataset(file)) for file in files]
+    for given in SAMPLES[number_of(stem)]().values():
+        drawn = variables_of(given[0] if isinstance(given, list) else given)
+        assert any(drawn <= variables for variables in made)
+
+
+def variables_of(data):
+    """Names and dimensions of what a dataset holds, without its coordinates."""
+    return {(name, each.dims) for name, each in data.items()}

@@ -19,7 +19,7 @@ os.environ.update(
 )
 
 from granular_fronts.numerics.source_code import code_digest
-from imports import import_closure, module_files
+from granular_fronts.numerics.imports import import_closure, module_files
 from run_lock import FolderInUseError, lock_folder
 
 MODULES = module_files(Path(SOURCE), Path(LIBRARY), Path(workflow.basedir, "workflow", "scripts"))

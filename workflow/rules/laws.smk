@@ -128,7 +128,7 @@ rule measure_limiting_cases:
 
 rule check_jump_conditions:
     input:
-        kernels=rules.compile_kernels.output.stamp,
+        kernels=rules.compile_front_kernels.output.stamp,
     output:
         dataset="<results>/data/laws/jump_conditions.nc",
     params:

@@ -71,7 +71,7 @@ def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
         changed most in units of its error.
     """
     return [
-        {"variable": name, **change_of(before, after, name)}
+        {"variable": name, **change_of(before, after, str(name))}
         for name, variable in before.data_vars.items()
         if name in after
         and variable.dtype.kind == "f"

@@ -4,7 +4,9 @@ About ten seconds: python workflow/scripts/compute_multipliers.py
     --stability config/default.yaml:exact_fronts.multipliers --dataset multipliers.nc
 """
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -43,7 +45,7 @@ def compute_multipliers(stability: dict, dataset: Path) -> None:
     write_dataset(spectra, dataset, scene_id="multipliers", config=stability)
 
 
-def spectra_of(law, windows):
+def spectra_of(law: Mapping[str, Any], windows: list[int]) -> xr.Dataset:
     """Multipliers of one front in every window, and those of the compressed chain behind it.
 
     Parameters
@@ -73,7 +75,7 @@ def spectra_of(law, windows):
     return spectra.assign(law).assign_coords(wavenumber=q)
 
 
-def split(values):
+def split(values: xr.DataArray) -> xr.Dataset:
     """Complex multipliers as real and imaginary parts, which netCDF can hold, and scalars."""
     parts = {"multiplier_real": values.real, "multiplier_imaginary": values.imag}
     scalars = {name: values.attrs[name] for name in SCALARS}

@@ -64,9 +64,7 @@ def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
         files `pdf`, `png`, `caption` and `record`.
     """
 
-    def step(
-        template: Path, title: str, alt: str, reference: dict, **paths: Path | list[Path]
-    ) -> None:
+    def step(template: Path, title: str, alt: str, reference: dict, **paths: Any) -> None:
         outputs = {name: paths.pop(name) for name in OUTPUTS}
         data = {name: read(path) for name, path in paths.items()}
         every = [dataset for given in data.values() for dataset in listed(given)]
@@ -84,7 +82,8 @@ def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
 
     step.__name__, step.__module__ = draw.__name__, draw.__module__
     step.__doc__ = draw.__doc__
-    step.__signature__ = step_signature(draw)
+    # What `inspect.signature` reads in place of the function.
+    step.__signature__ = step_signature(draw)  # type: ignore[attr-defined]
     return step
 
 

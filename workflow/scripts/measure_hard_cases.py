@@ -3,7 +3,9 @@
 python workflow/scripts/measure_hard_cases.py --cases "[gamma_zero, delta_1e8]" --dataset hard.nc
 """
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -39,7 +41,7 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
     write_dataset(measured, dataset, scene_id="hard_cases", config={"cases": cases})
 
 
-def measure_case(name):
+def measure_case(name: str) -> dict[str, Any]:
     """One case as a row."""
     case, seconds, refusal = run_case(name)
     found = case._asdict() if case else REFUSED
@@ -47,7 +49,7 @@ def measure_case(name):
     return {"case": name, **found, "passed": int(passed), "seconds": seconds, "message": refusal}
 
 
-def tabulate_orders(curves):
+def tabulate_orders(curves: Mapping[str, tuple[np.ndarray, np.ndarray]]) -> xr.Dataset:
     """Steps and errors on (method, rung), padded with NaN, and the fitted orders."""
     rungs = max(steps.size for steps, _ in curves.values())
     padded = np.full((2, len(curves), rungs), np.nan)

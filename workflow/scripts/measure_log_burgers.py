@@ -19,10 +19,11 @@ caches; short runs are repeated within their turn, and the least wall-clock time
 import os
 import platform
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from itertools import product
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -51,14 +52,18 @@ class Outcome(NamedTuple):
     right_hand_sides: int
 
 
+Finish = Callable[[], Outcome]
+"""Gives the outcome of a run that has ended, untimed."""
+
+
 class Run(NamedTuple):
-    """What to solve and how: `solve()` gives a function that gives the outcome, untimed."""
+    """What to solve and how."""
 
     start: str
     scheme: str
     grid: int
     setting: float
-    solve: Callable
+    solve: Callable[[], Finish]
 
 
 def measure_log_burgers(problems: dict, scenes: dict, dataset: Path) -> None:
@@ -117,12 +122,13 @@ def measure_scene(name: str, problem: dict, scene: dict) -> list[dict]:
     runs = list(list_runs(problem, scenes))
     for run in {run.scheme: run for run in reversed(runs)}.values():
         run.solve()
-    seconds, finish = [np.inf] * len(runs), [None] * len(runs)
+    seconds = [np.inf] * len(runs)
+    finish: dict[int, Finish] = {}
     turns = list(product(range(problem["repeats"]), enumerate(runs)))
     for _, (index, run) in counted(turns, f"precision, {name}", "run"):
         least, finish[index] = time_turn(run.solve)
         seconds[index] = min(seconds[index], least)
-    outcomes = [last() for last in finish]
+    outcomes = [finish[index]() for index in range(len(runs))]
     return [
         {
             "start": run.start,
@@ -139,7 +145,7 @@ def measure_scene(name: str, problem: dict, scene: dict) -> list[dict]:
     ]
 
 
-def time_turn(solve):
+def time_turn(solve: Callable[[], Finish]) -> tuple[float, Finish]:
     """Least time of the runs of one turn, and what the last of them gave."""
     begun, least = time.perf_counter(), np.inf
     while time.perf_counter() - begun < SHORTEST_TURN:
@@ -149,12 +155,12 @@ def time_turn(solve):
     return least, result
 
 
-def list_runs(problem, scenes):
+def list_runs(problem: Mapping[str, Any], scenes: Mapping[str, Any]) -> Iterator[Run]:
     """All runs on one ring, coarse ones first within a scheme."""
     kinks = scenes["kinks"]
     for points in problem["upwind_points"]:
         setting = upwind_step(kinks, points)
-        yield Run("kinks", "upwind", points, setting, lambda m=points: run_upwind(kinks, m))
+        yield Run("kinks", "upwind", points, setting, partial(run_upwind, kinks, points))
     for start, scheme, levels in (
         ("kinks", "finite_volumes", START_LEVELS),
         ("kinks", "uniform_cells", 0),
@@ -163,14 +169,14 @@ def list_runs(problem, scenes):
         scene = scenes[start]
         for cells in problem["cells"]:
             tolerance = TOLERANCE_PER_WIDTH * (length(scene) / cells) ** 6
-            arguments = (scene, cells, tolerance, levels)
-            yield Run(start, scheme, cells, tolerance, lambda a=arguments: run_cells(*a))
+            solve_cells = partial(run_cells, scene, cells, tolerance, levels)
+            yield Run(start, scheme, cells, tolerance, solve_cells)
     points = problem["reference"]["points"]
     for step in problem["longest_steps"]:
-        yield Run("kinks", "fourier", points, step, lambda s=step: run_fourier(kinks, points, s))
+        yield Run("kinks", "fourier", points, step, partial(run_fourier, kinks, points, step))
 
 
-def run_upwind(scene, points):
+def run_upwind(scene: Mapping[str, Any], points: int) -> Finish:
     """The paper's scheme."""
     half_length = 0.5 * length(scene)
     values = make_start(scene["start"]).values(upwind.grid(half_length, points), half_length)
@@ -178,13 +184,13 @@ def run_upwind(scene, points):
     return lambda: Outcome(run.xi, run.values, run.steps, run.steps)
 
 
-def upwind_step(scene, points):
+def upwind_step(scene: Mapping[str, Any], points: int) -> float:
     """Time step that the paper takes on these points."""
     fastest = abs(np.log(scene["start"]["floor"]))
     return upwind.PAPER_FRACTION * upwind.largest_step(length(scene) / points, fastest)
 
 
-def run_cells(scene, cells, tolerance, levels):
+def run_cells(scene: Mapping[str, Any], cells: int, tolerance: float, levels: int) -> Finish:
     """Finite volumes."""
     evolution = solve(scene, 1.0, [scene["end_time"]], cells, tolerance, levels)
     counts, half_length = evolution.counts, evolution.half_length
@@ -197,25 +203,25 @@ def run_cells(scene, cells, tolerance, levels):
     )
 
 
-def run_fourier(scene, points, longest_step):
+def run_fourier(scene: Mapping[str, Any], points: int, longest_step: float) -> Finish:
     """The Fourier method, of four right-hand sides per step."""
     run = evolve_fourier(scene, points, longest_step)
     return lambda: Outcome(run.xi, run.values, run.steps, 4 * run.steps)
 
 
-def solve_reference(reference, scene):
+def solve_reference(reference: Mapping[str, Any], scene: Mapping[str, Any]) -> tuple[Any, float]:
     """Finite volumes on fine cells, and how far the Fourier method is from them."""
     accurate = solve(scene, 1.0, [scene["end_time"]], reference["cells"], reference["tolerance"])
     independent = run_fourier(scene, reference["points"], reference["longest_step"])()
     return accurate, distance(accurate, independent)
 
 
-def distance(accurate, outcome):
+def distance(accurate: Any, outcome: Outcome) -> float:
     """Largest difference of Y over the points of an outcome."""
     return float(np.abs(outcome.values - accurate.rescaled_force(0, outcome.xi)).max())
 
 
-def smooth_start():
+def smooth_start() -> dict[str, Any]:
     """An analytic bump of height 1: exp of a cosine."""
     angle = np.pi * np.linspace(-1.0, 1.0, SMOOTH_POINTS)
     force = np.exp(SMOOTH_SHARPNESS * (np.cos(angle) - 1.0))
@@ -223,12 +229,12 @@ def smooth_start():
     return {"kind": "given", "rescaled_force": force}
 
 
-def length(scene):
+def length(scene: Mapping[str, Any]) -> float:
     """Of the ring, 2ℓ."""
     return 2.0 * scaling_of(scene).half_length(scene["half_beads"])
 
 
-def end_of(scene):
+def end_of(scene: Mapping[str, Any]) -> float:
     """τ at the end."""
     return scaling_of(scene).slow_rate * scene["end_time"]
 

@@ -11,8 +11,10 @@ import importlib
 import json
 import os
 import platform
+from collections.abc import Mapping
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 # Libraries read their limits when they are imported.
 from peers import one_thread  # noqa: F401
@@ -24,7 +26,7 @@ import xarray as xr
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.progress import counted
 from peers.record import Run
-from problems.problem import errors_of
+from problems.problem import Problem, errors_of
 from step import LOGGER, run_step
 
 # A longer run is timed once: what disturbs it for a moment is a small part of it.
@@ -50,7 +52,9 @@ def measure_precision(family: str, problems: dict, reference: Path, dataset: Pat
     load_before = os.getloadavg()[0]
     module = importlib.import_module(f"problems.{family}")
     states = xr.load_dataset(reference)
-    rows, absent, facts = [], {}, {}
+    rows: list[dict[str, Any]] = []
+    absent: dict[str, str] = {}
+    facts: dict[str, dict[str, Any]] = {}
     for name, settings in problems.items():
         problem = module.make_problem(settings, states)
         present, missing = run_once(problem, settings)
@@ -70,13 +74,13 @@ def measure_precision(family: str, problems: dict, reference: Path, dataset: Pat
     write_dataset(measured, dataset, scene_id=f"precision_{family}", config=problems)
 
 
-def tolerances_of(settings, method):
+def tolerances_of(settings: Mapping[str, Any], method: str) -> list[float]:
     """Tolerances asked of a method, the loosest first."""
     listed = settings.get("own_tolerances", {}).get(method, settings["tolerances"])
     return sorted(listed, reverse=True)
 
 
-def run_once(problem, settings):
+def run_once(problem: Problem, settings: Mapping[str, Any]) -> tuple[list[str], dict[str, str]]:
     """Run every method once at its loosest tolerance.
 
     Parameters
@@ -100,7 +104,9 @@ def run_once(problem, settings):
     return [method for method in runs if method not in absent], absent
 
 
-def measure(name, problem, settings, methods):
+def measure(
+    name: str, problem: Problem, settings: Mapping[str, Any], methods: list[str]
+) -> list[dict[str, Any]]:
     """Errors, times and work of some methods on one problem.
 
     Parameters
@@ -121,7 +127,7 @@ def measure(name, problem, settings, methods):
         (method, tolerance) for method in methods for tolerance in tolerances_of(settings, method)
     ]
     points.sort(key=lambda point: -point[1])
-    best = {}
+    best: dict[tuple[str, float], Run] = {}
     turns = product(range(settings["repeats"]), points)
     for _, point in counted(turns, f"precision, {name}", "run"):
         if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
@@ -142,7 +148,7 @@ def measure(name, problem, settings, methods):
     ]
 
 
-def attempt(problem, method, tolerance):
+def attempt(problem: Problem, method: str, tolerance: float) -> Run:
     """Run a method once; whatever stops somebody else's solver is kept as its reason."""
     try:
         return problem.methods[method](tolerance)
@@ -150,7 +156,7 @@ def attempt(problem, method, tolerance):
         return Run(message=f"{type(error).__name__}: {error}")
 
 
-def costs_of(run):
+def costs_of(run: Run) -> dict[str, Any]:
     """Costs of a run, and whether something else took part of the machine meanwhile."""
     share = run.cpu_seconds / run.seconds
     return {
@@ -163,7 +169,7 @@ def costs_of(run):
     }
 
 
-def to_dataset(rows, facts):
+def to_dataset(rows: list[dict[str, Any]], facts: Mapping[str, Mapping[str, Any]]) -> xr.Dataset:
     """Rows as a dataset on (problem, method, tolerance), NaN where nothing ran.
 
     Parameters

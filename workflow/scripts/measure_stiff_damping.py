@@ -6,7 +6,9 @@ error is the distance from the explicit pair there. All runs take turns in one p
 
 import math
 import time
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -34,7 +36,8 @@ def measure_stiff_damping(problem: dict, dataset: Path) -> None:
     dataset : Path
         The netCDF file to write, on (gamma, method, tolerance).
     """
-    rows, own_errors, stiffnesses = [], [], []
+    rows: list[dict[str, Any]] = []
+    own_errors, stiffnesses = [], []
     for gamma in counted(problem["gammas"], "stiff damping", "damping"):
         references = {name: run_once(problem, gamma, name, TIGHTEST)["state"] for name in METHODS}
         expected = references["implicit"]
@@ -52,9 +55,11 @@ def measure_stiff_damping(problem: dict, dataset: Path) -> None:
     write_dataset(measured, dataset, scene_id="stiff_damping", config=problem)
 
 
-def measure_tolerance(problem, gamma, tolerance, expected):
+def measure_tolerance(
+    problem: Mapping[str, Any], gamma: float, tolerance: float, expected: np.ndarray
+) -> Iterator[dict[str, Any]]:
     """Rows of both methods, the fastest of the repeats each."""
-    best = {}
+    best: dict[str, dict[str, Any]] = {}
     for _ in range(problem["repeats"]):
         for name in METHODS:
             run = run_once(problem, gamma, name, tolerance)
@@ -72,7 +77,9 @@ def measure_tolerance(problem, gamma, tolerance, expected):
         }
 
 
-def run_once(problem, gamma, method, tolerance):
+def run_once(
+    problem: Mapping[str, Any], gamma: float, method: str, tolerance: float
+) -> dict[str, Any]:
     """Final u and ẋ, process time and work of one run."""
     scene = make_scene(problem, gamma)
     run = prepare(scene)
@@ -90,7 +97,7 @@ def run_once(problem, gamma, method, tolerance):
     }
 
 
-def make_scene(problem, gamma):
+def make_scene(problem: Mapping[str, Any], gamma: float) -> dict[str, Any]:
     """The initiation with a given damping, recorded at its end."""
     return {
         "law": {"alpha": 1.5, "beta": 1.5, "gamma": gamma},

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import pandas as pd
+import xarray as xr
 from measure_precision import to_dataset
 
 from granular_fronts.output.datasets import read_dataset, write_dataset
@@ -33,7 +34,7 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
     facts = pd.concat([facts_of(family) for family in families])
     merged = to_dataset(points.to_dict("records"), facts.to_dict("index"))
     first = families[0].attrs
-    absent = {}
+    absent: dict[str, str] = {}
     for family in families:
         absent |= json.loads(family.attrs.get("absent", "{}"))
     merged.attrs = {
@@ -46,7 +47,7 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
     write_dataset(merged, dataset, scene_id="speed_error", config=config)
 
 
-def points_of(family):
+def points_of(family: xr.Dataset) -> pd.DataFrame:
     """A row for each method and tolerance that ran."""
     if family.attrs["scene"] == "precision_log_burgers":
         return points_of_log_burgers(family)
@@ -54,7 +55,7 @@ def points_of(family):
     return points.dropna(subset="disturbed")
 
 
-def points_of_log_burgers(family):
+def points_of_log_burgers(family: xr.Dataset) -> pd.DataFrame:
     """The same of the grids of the logarithmic Burgers equation, from the start of section 4.3.
 
     Its schemes have an error per step or a longest step for a tolerance, and take it in turns
@@ -80,7 +81,7 @@ def points_of_log_burgers(family):
     )
 
 
-def facts_of(family):
+def facts_of(family: xr.Dataset) -> pd.DataFrame:
     """What is known of each problem: our method, and the error of the reference."""
     if family.attrs["scene"] == "precision_log_burgers":
         runs = family.to_dataframe()

@@ -1,6 +1,7 @@
 """Figure 1: a front is initiated by constant pressure, weak damping; James (2021), figure 1."""
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -29,12 +30,12 @@ def plot_fig01(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_velocities(axes, data):
+def draw_velocities(axes: Axes, data: xr.Dataset) -> None:
     """Velocities of all beads at the snapshot."""
     snapshot = data["velocity"].isel(t=0)
     axes.plot(snapshot["bead"], snapshot, ".-", color="black", markersize=2.5, linewidth=0.6)
     axes.set(xlabel="$n$", ylabel=r"$\dot x_n$", title=f"$t = {float(snapshot['t']):g}$")
-    axes.set_xlim(0, snapshot["bead"][-1])
+    axes.set_xlim(0, int(snapshot["bead"][-1]))
 
 
 if __name__ == "__main__":

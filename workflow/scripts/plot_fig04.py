@@ -1,5 +1,7 @@
 """Figure 4: fluxes and stationary fronts of the amplitude equations; James (2021), figure 4."""
 
+from typing import Any
+
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -26,7 +28,7 @@ def plot_fig04(data: xr.Dataset) -> Figure:
         panels["flux"].plot(data["force"], case["flux"], "-", color=colour, label=label)
         panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
         panels["front"].plot(data["xi"], case["front"], "-", color=colour, label=label)
-    limit = {"color": "black", "linestyle": "-", "label": r"$\alpha \to 1^+$"}
+    limit: dict[str, Any] = {"color": "black", "linestyle": "-", "label": r"$\alpha \to 1^+$"}
     panels["flux"].plot(data["force"], data["flux_limit"], **limit)
     panels["flux"].plot(data["force"], data["force"], ":", color="black")
     panels["front"].plot(data["xi"], data["front_limit"], **limit)

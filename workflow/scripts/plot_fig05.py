@@ -1,6 +1,7 @@
 """Figure 5: start of the comparison of ring and equation; James (2021), figure 5."""
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -25,7 +26,7 @@ def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_start(axes, data, field, exponent):
+def draw_start(axes: Axes, data: xr.Dataset, field: str, exponent: str) -> None:
     """One field of all beads at t = 0."""
     draw_chain_dots(axes, data.sel(t=0.0), field)
     axes.annotate(exponent, (0.02, 0.86), xycoords="axes fraction")

@@ -4,6 +4,7 @@ The distances are defined in granular_fronts.studies.ring_against_equations.
 """
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -40,7 +41,7 @@ def plot_fig07b(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_distances(axes, data, field, exponent):
+def draw_distances(axes: Axes, data: xr.Dataset, field: str, exponent: str) -> None:
     """Distances of one field to both equations, and what the solvers contribute."""
     for kind, (style, words) in KINDS.items():
         for equation, (number, colour) in EQUATIONS.items():

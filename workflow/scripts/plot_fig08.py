@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -36,10 +37,10 @@ def plot_fig08(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_well(axes, data):
+def draw_well(axes: Axes, data: xr.Dataset) -> None:
     """W(y), and an arrow from the bottom of the well at y = 1 to the saddle at 0."""
     axes.plot(data["y"], data["potential"], color=BLACK, linestyle="-")
-    well = data["potential"].sel(y=1.0, method="nearest")
+    well = float(data["potential"].sel(y=1.0, method="nearest"))
     axes.plot([0.0, 1.0], [0.0, well], "o", color=BLUE, markersize=3.5)
     axes.annotate(
         "",
@@ -57,7 +58,7 @@ def draw_well(axes, data):
     axes.set(xlabel="$y$", ylabel="$W(y)$", xlim=(data["y"][0], data["y"][-1]))
 
 
-def draw_portrait(axes, data):
+def draw_portrait(axes: Axes, data: xr.Dataset) -> None:
     """Trajectories in the plane of y and z = y', arrows towards larger s; the orbit in blue."""
     for number in data["trajectory"].values:
         trajectory = data.sel(trajectory=number)
@@ -73,7 +74,7 @@ def draw_portrait(axes, data):
     axes.set(xlim=(-1.75, 1.75), ylim=(-1.25, 1.25))
 
 
-def draw_arrow(axes, y, z, s, colour):
+def draw_arrow(axes: Axes, y: np.ndarray, z: np.ndarray, s: np.ndarray, colour: str) -> None:
     """An arrow head on a trajectory at s = 0."""
     foot = np.argmin(np.abs(s))
     head = foot + ARROW_POINTS
@@ -85,7 +86,7 @@ def draw_arrow(axes, y, z, s, colour):
     )
 
 
-def draw_front(axes, front):
+def draw_front(axes: Axes, front: xr.Dataset) -> None:
     """y_h(s) of one damping."""
     axes.axhline(1.0, color=GREY, linewidth=0.6, linestyle=":")
     axes.plot(front["s"], front["rescaled_force"], color=BLUE, linestyle="-")
@@ -94,7 +95,7 @@ def draw_front(axes, front):
     axes.set(xlim=(front["s"][0], front["s"][-1]), ylim=(0.0, max(1.5, 1.05 * highest)))
 
 
-def title_of(mu):
+def title_of(mu: float) -> str:
     """The damping of a panel."""
     return rf"$\mu = {mu:g}$"
 

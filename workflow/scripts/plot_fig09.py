@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -34,7 +35,7 @@ def plot_fig09(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_profiles(axes, data):
+def draw_profiles(axes: Axes, data: xr.Dataset) -> None:
     """u(ξ) by the profile equation, and by shooting at whole and half beads."""
     colour, line, _ = METHODS["profile"]
     axes.plot(data["xi"], data["relative_displacement"], line, color=colour, label="profile")
@@ -53,7 +54,7 @@ def draw_profiles(axes, data):
     axes.set(title=law, ylabel=r"$u/\delta$", xlabel=r"$\xi$")
 
 
-def draw_difference(axes, data):
+def draw_difference(axes: Axes, data: xr.Dataset) -> None:
     """Difference of the two methods at every point of shooting."""
     for field, label, marker in (("relative_displacement", "u", "."), ("velocity", r"\dot x", "x")):
         difference = data[f"{field}_difference"]
@@ -63,7 +64,7 @@ def draw_difference(axes, data):
     axes.legend(loc="upper right")
 
 
-def draw_residuals(axes, data):
+def draw_residuals(axes: Axes, data: xr.Dataset) -> None:
     """Largest residual before each Newton or Gauss–Newton step."""
     for method, (colour, line, marker) in METHODS.items():
         residual = data[f"residual_history_{method}"]

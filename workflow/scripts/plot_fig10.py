@@ -1,6 +1,7 @@
 """Figure 10: exact fronts, driven chains and continuum fronts; after James (2021), section 6.3."""
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -31,7 +32,7 @@ def plot_fig10(scenes: list[xr.Dataset]) -> Figure:
     return figure
 
 
-def draw_models(axes, data, field):
+def draw_models(axes: Axes, data: xr.Dataset, field: str) -> None:
     """One field of one front: exact, driven, and the three continuum models."""
     driven = data[f"{field}_driven"]
     axes.plot(

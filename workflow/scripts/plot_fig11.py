@@ -1,6 +1,7 @@
 """Figure 11: how far each continuum front is from the exact one, over the damping."""
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -36,7 +37,7 @@ def plot_fig11(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_errors(axes, data):
+def draw_errors(axes: Axes, data: xr.Dataset) -> None:
     """Errors of the three fronts for one exponent, and the damping where the tail turns real."""
     for front, (label, colour, line) in CONTINUUM_LOOKS.items():
         axes.loglog(

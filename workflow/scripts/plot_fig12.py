@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
@@ -42,7 +43,7 @@ def plot_fig12(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_overshoot(axes, data):
+def draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
     """Overshoot max u − 1 on a logarithmic scale; white where a front has none to speak of."""
     overshoot = data["overshoot"].where(data["overshoot"] > SMALLEST_SHOWN)
     image = axes.pcolormesh(

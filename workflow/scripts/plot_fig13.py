@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -35,7 +36,7 @@ def plot_fig13(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_spectrum(axes, data):
+def draw_spectrum(axes: Axes, data: xr.Dataset) -> None:
     """The plane of multipliers with the unit circle and the essential spectrum."""
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="0.6", linewidth=0.7)
     draw_essential(axes, data)
@@ -44,7 +45,7 @@ def draw_spectrum(axes, data):
     axes.set(title=law, xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
 
 
-def draw_neighbourhood(axes, data):
+def draw_neighbourhood(axes: Axes, data: xr.Dataset) -> None:
     """The same near z = 1, where the multipliers of long waves come close with the window."""
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="0.6", linewidth=0.7)
     draw_essential(axes, data)
@@ -53,7 +54,7 @@ def draw_neighbourhood(axes, data):
     axes.set(xlim=(0.7, 1.03), ylim=(-0.3, 0.3), ylabel=r"Im $z$")
 
 
-def draw_essential(axes, data):
+def draw_essential(axes: Axes, data: xr.Dataset) -> None:
     """Multipliers of waves in the compressed chain behind the front."""
     for branch in data["branch"].values:
         real, imaginary = (
@@ -64,7 +65,7 @@ def draw_essential(axes, data):
         axes.plot(real, imaginary, ".", color="0.75", markersize=2, label=label)
 
 
-def draw_multipliers(axes, data):
+def draw_multipliers(axes: Axes, data: xr.Dataset) -> None:
     """Multipliers in every window."""
     for number, behind in enumerate(data["beads_behind"].values):
         spectrum = data.sel(beads_behind=behind)

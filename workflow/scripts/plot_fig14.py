@@ -1,9 +1,12 @@
 """Figure 14: time against error of all methods on every problem."""
 
 import json
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
@@ -52,9 +55,10 @@ def plot_fig14(data: xr.Dataset) -> Figure:
     return figure
 
 
-def choose_looks(data):
+def choose_looks(data: xr.Dataset) -> dict[str, dict[str, Any]]:
     """Line and marker of every method: a colour for each package, ours in black and heavier."""
-    looks, used = {}, {}
+    looks: dict[str, dict[str, Any]] = {}
+    used: dict[str, int] = {}
     ours = set(data["own_method"].values)
     for method in map(str, data["method"].values):
         colour = PACKAGE_COLOURS.get(method.split("_")[0], PACKAGE_COLOURS["ours"])
@@ -70,12 +74,12 @@ def choose_looks(data):
     return looks
 
 
-def label(method):
+def label(method: str) -> str:
     """Name of a method as it is read."""
     return method.replace("_", " ")
 
 
-def draw_problem(axes, data, looks):
+def draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]) -> None:
     """Curves of one problem, the error of its reference, and who failed."""
     for method, look in looks.items():
         chosen = data.sel({"method": method})
@@ -98,7 +102,7 @@ def draw_problem(axes, data, looks):
     axes.tick_params(labelsize=7)
 
 
-def failures(data):
+def failures(data: xr.Dataset) -> Iterator[str]:
     """A line for each method without a result at some tolerances."""
     for method in data["method"].values:
         chosen = data.sel({"method": method})
@@ -108,7 +112,7 @@ def failures(data):
             yield f"{label(str(method))} failed at {listed}"
 
 
-def missing(data):
+def missing(data: xr.Dataset) -> str:
     """What was not installed, as a note."""
     absent = sorted(label(method) for method in json.loads(data.attrs["absent"]))
     return f"not installed here: {', '.join(absent)}" if absent else ""

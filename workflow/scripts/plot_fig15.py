@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -39,7 +40,7 @@ def plot_fig15(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_cases(axes, data):
+def draw_cases(axes: Axes, data: xr.Dataset) -> None:
     """Error of each case as a dot, its limit as a bar; failures are red, refusals crosses."""
     places = -np.arange(data.sizes["case"])
     error = np.maximum(data["error"].values, SMALLEST_ERROR)
@@ -54,19 +55,19 @@ def draw_cases(axes, data):
     axes.set_yticks(places, [label_of(name) for name in data["case"].values], fontsize=7)
     axes.set(xscale="log", xlabel="error", xlim=(0.5 * SMALLEST_ERROR, 1.0e-3))
     axes.grid(axis="y", linewidth=0.3)
-    used = [line for line in axes.get_lines() if line.get_xdata().size]
+    used = [line for line in axes.get_lines() if np.size(line.get_xdata())]
     axes.legend(
         handles=used, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, handlelength=1
     )
 
 
-def label_of(name):
+def label_of(name: str) -> str:
     """Name of a case for people: gamma_1e_6 is gamma 1e-6, alpha_1_02 is alpha 1.02."""
     name = re.sub(r"(\de)_(\d)", r"\1-\2", name)
     return re.sub(r"(\d)_(\d)", r"\1.\2", name).replace("_", " ")
 
 
-def draw_orders(axes, data):
+def draw_orders(axes: Axes, data: xr.Dataset) -> None:
     """Median error of the parting velocity against the number of steps."""
     for method, colour, marker in zip(METHODS, PROBE_COLOURS, MARKERS, strict=False):
         curve = data.sel({"method": method})

@@ -3,7 +3,9 @@
 import matplotlib
 import numpy as np
 import xarray as xr
-from matplotlib.colors import BoundaryNorm, ListedColormap, LogNorm
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import BoundaryNorm, Colormap, ListedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
@@ -53,7 +55,7 @@ def plot_fig16(atlas: xr.Dataset, curves: xr.Dataset, materials: xr.Dataset) -> 
     return figure
 
 
-def draw_overshoot(axes, atlas):
+def draw_overshoot(axes: Axes, atlas: xr.Dataset) -> None:
     """Largest u minus 1, on a logarithmic scale down to a millionth."""
     norm = LogNorm(1e-6, 1.0)
     # A logarithmic scale has no colour for 0, the overshoot of a monotone front.
@@ -61,14 +63,14 @@ def draw_overshoot(axes, atlas):
     colour_plane(axes, overshoot, "viridis_r", norm, "overshoot", extend="min")
 
 
-def draw_width(axes, atlas):
+def draw_width(axes: Axes, atlas: xr.Dataset) -> None:
     """Distance over which u falls from 0.9 to 0.1, in beads."""
     width = atlas["width_10_90"]
     norm = LogNorm(float(width.min()), float(width.max()))
     colour_plane(axes, width, "cividis_r", norm, "width, 90 % to 10 %", extend="neither")
 
 
-def draw_regime(axes, atlas):
+def draw_regime(axes: Axes, atlas: xr.Dataset) -> None:
     """Whether the slowest tail oscillates, and whether one can see it."""
     oscillates = atlas["tail_frequency"] > 0.0
     regime = oscillates.astype(float) + (oscillates & (atlas["overshoot"] > VISIBLE))
@@ -79,13 +81,15 @@ def draw_regime(axes, atlas):
     bar.ax.set_xticklabels(REGIMES, fontsize=7)
 
 
-def colour_plane(axes, values, colour_map, norm, label, *, extend):
+def colour_plane(
+    axes: Axes, values: xr.DataArray, colour_map: str, norm: Normalize, label: str, *, extend: str
+) -> None:
     """A scalar over the plane, with its scale above."""
     image = draw_plane(axes, values, matplotlib.colormaps[colour_map], norm)
     axes.figure.colorbar(image, ax=axes, location="top", aspect=30, label=label, extend=extend)
 
 
-def draw_plane(axes, values, colour_map, norm):
+def draw_plane(axes: Axes, values: xr.DataArray, colour_map: Colormap, norm: Normalize) -> QuadMesh:
     """Colours over α and γ; points that are not solved in red."""
     shown = colour_map.with_extremes(bad=ALARM_COLOUR, under=colour_map(0.0))
     plane = values.transpose("gamma", "alpha")
@@ -100,14 +104,14 @@ def draw_plane(axes, values, colour_map, norm):
     )
 
 
-def draw_curves(axes, critical):
+def draw_curves(axes: Axes, critical: xr.Dataset) -> None:
     """Critical damping in its three meanings."""
     for name, (label, colour, style) in CURVES.items():
         values = critical[f"critical_damping_{name}"]
         axes.plot(critical["alpha"], values, color=colour, linestyle=style, label=label)
 
 
-def draw_materials(axes, materials):
+def draw_materials(axes: Axes, materials: xr.Dataset) -> None:
     """The places of real beads."""
     for bead in materials["gamma_printed"]:
         axes.plot(ALPHA, bead, "o", color=PROBE_COLOURS[0], markersize=3)

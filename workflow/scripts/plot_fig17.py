@@ -1,7 +1,10 @@
 """Figure 17: jump conditions against measured fronts of several lattices; James (2021), sect. 2."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -44,7 +47,12 @@ def plot_fig17(data: xr.Dataset) -> Figure:
     laws = [spell(name) for name in data["law"].values]
     places = np.arange(len(laws))[::-1]
     for (name, (label, marker)), colour in zip(WAYS.items(), PROBE_COLOURS, strict=True):
-        style = {"linestyle": "none", "marker": marker, "color": colour, "markersize": 4.5}
+        style: dict[str, Any] = {
+            "linestyle": "none",
+            "marker": marker,
+            "color": colour,
+            "markersize": 4.5,
+        }
         quantity = name.rpartition("_")[0]
         distance = data[name] - data[f"{quantity}_expected"]
         error = data[f"{name}_error"] + data[f"{quantity}_expected_error"]
@@ -64,7 +72,7 @@ def plot_fig17(data: xr.Dataset) -> Figure:
     return figure
 
 
-def spell(name):
+def spell(name: str) -> str:
     """The name of a lattice as people write it."""
     words = str(name)
     for key, spelling in SPELLINGS.items():
@@ -72,7 +80,7 @@ def spell(name):
     return words.replace("_", " ")
 
 
-def draw_profiles(axes, data):
+def draw_profiles(axes: Axes, data: xr.Dataset) -> None:
     """Exact fronts, every second lattice, their middles at ξ = 0."""
     step = max(1, data.sizes["law"] // PROFILES)
     for law in data["law"].values[1::step][:PROFILES]:

@@ -3,6 +3,7 @@
 from itertools import cycle
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -44,7 +45,7 @@ def plot_fig18(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_gamma(axes, law, colour):
+def draw_gamma(axes: Axes, law: xr.Dataset, colour: str) -> None:
     """γ against velocity, full where fronts are overdamped and dashed where they oscillate."""
     oscillating = law["gamma"] < law["critical_gamma"]
     axes.loglog(law["velocity_ratio"], law["gamma"].where(~oscillating), "-", color=colour)

@@ -3,6 +3,7 @@
 from itertools import cycle
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -30,7 +31,7 @@ def plot_fig19(data: xr.Dataset) -> Figure:
     return figure
 
 
-def draw_profile(axes, data):
+def draw_profile(axes: Axes, data: xr.Dataset) -> None:
     """u_n of the three chains."""
     profile = configuration_of(data)["profile"]
     gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
@@ -57,7 +58,7 @@ def draw_profile(axes, data):
     axes.legend(loc="upper right")
 
 
-def draw_distances(axes, data):
+def draw_distances(axes: Axes, data: xr.Dataset) -> None:
     """Distances of the method to the damped chain and to the conservative one, against h."""
     looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
     for theta, (colour, marker) in zip(data["theta"].values, looks, strict=False):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
@@ -45,7 +46,7 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
     print(opening, file=sys.stderr)
 
 
-def describe_work(merged):
+def describe_work(merged: xr.Dataset) -> str:
     """One sentence on points, failures and the processor time they took."""
     attributes = merged.attrs
     return (
@@ -56,7 +57,7 @@ def describe_work(merged):
     )
 
 
-def count_points(merged):
+def count_points(merged: xr.Dataset) -> pd.DataFrame:
     """How many points are solved, and how many failed for which reason, most frequent first."""
     numbers, counts = np.unique(merged["reason"].values, return_counts=True)
     texts = merged["reason_text"].values
@@ -65,7 +66,7 @@ def count_points(merged):
     return pd.DataFrame(outcomes, columns=["outcome", "points"])
 
 
-def describe_scalars(merged):
+def describe_scalars(merged: xr.Dataset) -> pd.DataFrame:
     """Range of every recorded scalar over the points that have one."""
     rows = []
     for name, variable in merged.data_vars.items():

@@ -20,7 +20,7 @@ def tabulate_critical_damping(dataset: Path, csv: Path, markdown: Path) -> None:
         Tables to write: all digits, and rounded for reading.
     """
     data = read_dataset(dataset)
-    curves = data[[name for name in data.data_vars if name.startswith(PREFIX)]]
+    curves = data[[name for name in data.data_vars if str(name).startswith(PREFIX)]]
     table = curves.to_dataframe().reset_index()
     table.columns = [name.removeprefix(PREFIX).replace("_", " ") for name in table.columns]
     table["tail over long wave"] = table["tail"] / table["long wave"]

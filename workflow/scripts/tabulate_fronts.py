@@ -54,7 +54,7 @@ def tabulate_fronts(
         write_table(table, round_floats(table, 4), csv, markdown, [fronts])
 
 
-def compare(points):
+def compare(points: pd.DataFrame) -> pd.DataFrame:
     """Errors of the continuum fronts at every point, and the name of the best."""
     distances = points[[f"distance_{name}" for name in CONTINUUM]]
     errors = distances.set_axis(CONTINUUM.values(), axis=1)

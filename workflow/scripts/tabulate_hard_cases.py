@@ -1,8 +1,10 @@
 """The hard cases as a table: what is asked for, what came out, passed or failed."""
 
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
+import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
@@ -24,7 +26,7 @@ def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
     write_table(table, round_floats(table, 3), csv, markdown, [data])
 
 
-def describe(case):
+def describe(case: xr.Dataset) -> dict[str, Any]:
     """One row."""
     texts = ("problem", "expected", "criterion", "quantity")
     return {

@@ -1,8 +1,11 @@
 """Speed, velocity jump and power of fronts by theory and as measured; James (2021), section 2."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
+import xarray as xr
 
 from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.output.tables import write_table
@@ -34,7 +37,7 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
     write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown, [data])
 
 
-def describe(name, case):
+def describe(name: str, case: Mapping[str, Any]) -> dict[str, str]:
     """The cells that name the lattice."""
     return {
         "law": name,
@@ -44,15 +47,15 @@ def describe(name, case):
     }
 
 
-def describe_potential(description):
+def describe_potential(description: Mapping[str, Any]) -> str:
     """A potential in a few words."""
     parameters = [f"{name} {value:.3g}" for name, value in description.items() if name != "kind"]
     return " ".join([description["kind"], *parameters])
 
 
-def all_numbers(one):
+def all_numbers(one: xr.Dataset) -> dict[str, float]:
     """Every value and error of one lattice, by column."""
-    row = {"direction": int(one["direction"])}
+    row: dict[str, float] = {"direction": int(one["direction"])}
     for quantity, ways in MEASURED.items():
         for way in ["expected", *ways]:
             name = f"{quantity}_{way}"
@@ -60,7 +63,7 @@ def all_numbers(one):
     return row
 
 
-def distances(one):
+def distances(one: xr.Dataset) -> dict[str, str]:
     """What theory says, and how far the measurements are from it and may be."""
     row = {"direction": f"{int(one['direction']):+d}"}
     for quantity, ways in MEASURED.items():

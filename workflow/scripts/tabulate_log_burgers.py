@@ -57,7 +57,7 @@ def tabulate_log_burgers(dataset: Path, csv: Path, markdown: Path) -> None:
     write_record(csv.with_suffix(".json"), [csv, markdown], [origin(data.attrs)])
 
 
-def observed_order(group):
+def observed_order(group: pd.DataFrame) -> pd.Series:
     """Order of convergence from each run and the one before it; none for the first.
 
     The Fourier method converges with its step, all others with their grid.
@@ -67,7 +67,7 @@ def observed_order(group):
     return -np.log(group["error"]).diff() / np.log(fineness).diff()
 
 
-def judge(runs, milliseconds):
+def judge(runs: pd.DataFrame, milliseconds: float) -> str:
     """A sentence on what the finite volumes reach for one exponent.
 
     Parameters
@@ -92,12 +92,12 @@ def judge(runs, milliseconds):
     )
 
 
-def in_words(milliseconds):
+def in_words(milliseconds: float) -> str:
     """A time in words."""
     return f"in {milliseconds:.3g} ms" if np.isfinite(milliseconds) else "never"
 
 
-def time_to_reach(runs, error):
+def time_to_reach(runs: pd.DataFrame, error: float) -> float:
     """Milliseconds of the fastest run with at most an error; infinite if there is none."""
     return runs.loc[runs["error"] <= error, "milliseconds"].to_numpy().min(initial=np.inf)
 

@@ -1,12 +1,13 @@
 """Glass, steel and cork: damping by two rules, and their fronts; James (2021), remark 6."""
 
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
+import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
-from granular_fronts.studies.materials import regime
 from step import run_step
 
 
@@ -38,7 +39,7 @@ RESTS_ON = {
 """What the damping of a front follows from; the paper prints the mass of cork alone."""
 
 
-def make_row(one, kind, dimension, value):
+def make_row(one: xr.Dataset, kind: str, dimension: str, value: float) -> dict[str, Any]:
     """One row of the table, as a dict."""
     front = one.sel({dimension: value})
     gamma = float(front[f"gamma_front_{kind}"])
@@ -52,7 +53,7 @@ def make_row(one, kind, dimension, value):
         "front": f"{value:g} {unit}",
         "gamma_of_front": gamma,
         "mu": float(front[f"mu_front_{kind}"]),
-        "regime": regime(gamma),
+        "regime": "underdamped" if gamma < float(one["critical_gamma"]) else "overdamped",
         "rests_on": RESTS_ON[kind],
         "numerical error": float(one[f"gamma_front_{kind}"].attrs["error_estimate"]),
     }

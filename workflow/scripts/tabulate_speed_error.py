@@ -1,9 +1,12 @@
 """How long each method takes to reach an error, how much longer than ours, and what to use."""
 
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
@@ -53,7 +56,7 @@ def tabulate_speed_error(
     write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown, [data])
 
 
-def compare_methods(data, level):
+def compare_methods(data: xr.Dataset, level: float) -> Iterator[dict[str, Any]]:
     """Rows of one problem at one error, for the methods that reach it."""
     times = times_to_reach(data, level)
     own = str(data["own_method"].item())
@@ -71,7 +74,7 @@ def compare_methods(data, level):
         }
 
 
-def remark(chosen):
+def remark(chosen: xr.Dataset) -> str:
     """What to know of the runs of one method."""
     remarks = sorted(set(chosen["message"].values) - {""})
     if (chosen["below_reference"] == 1.0).any():
@@ -81,7 +84,7 @@ def remark(chosen):
     return "; ".join(remarks)
 
 
-def times_to_reach(data, level):
+def times_to_reach(data: xr.Dataset, level: float) -> dict[str, float]:
     """Milliseconds to an error, of every method that reaches it, the fastest first."""
     times = {
         str(method): time_to_reach(data.sel({"method": method}), level)
@@ -91,7 +94,7 @@ def times_to_reach(data, level):
     return dict(sorted(reached.items(), key=lambda item: item[1]))
 
 
-def time_to_reach(chosen, level):
+def time_to_reach(chosen: xr.Dataset, level: float) -> float:
     """Milliseconds to an error of `level`, interpolated in the logarithms; NaN if never reached.
 
     Of all runs the fastest with at most a given error counts, so that the curve is monotone.
@@ -105,7 +108,7 @@ def time_to_reach(chosen, level):
     return 1e3 * np.exp(np.interp(np.log(level), np.log(error), np.log(seconds)))
 
 
-def judge(data, level):
+def judge(data: xr.Dataset, level: float) -> str:
     """A sentence on what to use for one problem to reach one error.
 
     Nothing is said where the reference is no better than the error.  A method on a given grid is
@@ -138,13 +141,13 @@ def judge(data, level):
     return "; ".join([sentence, *alone, *unreached, *([BUSY] if busy else [])]) + "."
 
 
-def without_given_grids(times):
+def without_given_grids(times: dict[str, float]) -> dict[str, float]:
     """The methods that find their grid themselves, or all where none of these is left."""
     found = {name: time for name, time in times.items() if not name.endswith(ON_GIVEN_GRID)}
     return found or times
 
 
-def rivals(times, fastest, own):
+def rivals(times: dict[str, float], fastest: str, own: str) -> list[str]:
     """Whom to compare the fastest with: the best of the other side, and the paper's own way."""
     others = [method for method in times if method != fastest]
     if is_peer(fastest):
@@ -154,18 +157,18 @@ def rivals(times, fastest, own):
     return chosen + [method for method in others if method in PAPERS_WAY and method not in chosen]
 
 
-def short(ratio):
+def short(ratio: float) -> str:
     """A ratio of times, which are known to two digits at best."""
     return f"{float(f'{ratio:.2g}'):g}"
 
 
-def fails(data, times, method):
+def fails(data: xr.Dataset, times: dict[str, float], method: str) -> bool:
     """Whether a method was tried and never came so close."""
     tried = method in data["method"].values and np.isfinite(data.sel({"method": method})["error"])
     return bool(np.any(tried)) and method not in times
 
 
-def is_peer(method):
+def is_peer(method: str) -> bool:
     """Whether a method is somebody else's."""
     return method.split("_")[0] in PACKAGES
 

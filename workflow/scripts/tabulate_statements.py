@@ -1,12 +1,14 @@
 """Set statements, of the paper or of this project, beside the numbers computed here, and judge."""
 
 import math
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
 import pandas as pd
 import yaml
 
+from granular_fronts.accuracy import Estimate
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.statements import evaluate, scenes_of
 from granular_fronts.output.tables import write_table
@@ -63,13 +65,13 @@ def tabulate_statements(
     write_table(table, readable, csv, markdown, list(data.values()))
 
 
-def find_measure(name):
+def find_measure(name: str) -> Callable[..., Estimate]:
     """Find a measure, `module.function`, in `granular_fronts.module`."""
     module, _, function = name.rpartition(".")
     return getattr(import_module(f"granular_fronts.{module}"), function)
 
 
-def rounded(value, form):
+def rounded(value: float, form: str) -> str:
     """A number as text; a dash where there is none."""
     return "–" if math.isnan(value) else format(value, form)
 

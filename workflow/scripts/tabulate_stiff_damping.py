@@ -1,8 +1,10 @@
 """How long explicit and implicit steps take to reach an error, and which of them a run takes."""
 
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
+import xarray as xr
 from tabulate_speed_error import time_to_reach
 
 from granular_fronts.output.datasets import read_dataset
@@ -29,7 +31,7 @@ def tabulate_stiff_damping(dataset: Path, csv: Path, markdown: Path) -> None:
     write_table(table, round_floats(table, 3), csv, markdown, [data])
 
 
-def describe(case, level, stiff_from):
+def describe(case: xr.Dataset, level: float, stiff_from: float) -> dict[str, Any]:
     """Times of both methods to one error; NaN where it is not reached."""
     explicit, implicit = (
         time_to_reach(case.sel({"method": name}), level) for name in ("explicit", "implicit")

@@ -30,7 +30,7 @@ def update_readme(readme: Path, results: Path) -> None:
     shutil.copyfile(results / "figures" / FIGURE, readme.parent / "workflow" / "report" / FIGURE)
 
 
-def paper_numbers(results):
+def paper_numbers(results: Path) -> str:
     """The numbers of the paper, and its words that do not hold, beside ours, as Markdown."""
     statements = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
     held = (statements["kind"] == "words") & (statements["verdict"] == HOLDS)
@@ -48,13 +48,13 @@ def paper_numbers(results):
     return f"{rows}\n\n{held.sum()} further statements in words hold by the criteria of the table."
 
 
-def speed(results):
+def speed(results: Path) -> str:
     """What to use for each problem and error, as Markdown."""
     verdicts = pd.read_csv(results / "tables" / "speed_verdicts.csv", dtype=str)
     return verdicts.to_markdown(index=False, disable_numparse=True)
 
 
-def replace_block(text, name, content):
+def replace_block(text: str, name: str, content: str) -> str:
     """The text with what stands between the marks of a block replaced."""
     start, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
     before, rest = text.split(start)

@@ -231,13 +231,13 @@ def tabulate_run_times(benchmarks: list[Path]) -> str:
         An HTML table with a line for each job, and their sum.
     """
     folder = os.path.commonpath([file.parent for file in benchmarks])
-    rows = []
+    rows: list[tuple[str, float, str]] = []
     for file in benchmarks:
         with file.open(newline="", encoding="utf-8") as lines:
             measured = next(csv.DictReader(lines, delimiter="\t"))
         job = file.relative_to(folder).with_suffix("").as_posix()
-        rows.append([job, float(measured["s"]), measured["max_rss"]])
-    rows.append(["all jobs", sum(seconds for _, seconds, _ in rows), ""])
+        rows.append((job, float(measured["s"]), measured["max_rss"]))
+    rows.append(("all jobs", sum(seconds for _, seconds, _ in rows), ""))
     return tabulate(
         [[job, f"{seconds:.1f}", memory] for job, seconds, memory in rows],
         headers=["job", "wall time, s", "largest memory, MiB"],

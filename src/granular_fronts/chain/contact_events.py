@@ -24,11 +24,11 @@ The time to the crossing comes from the parabola through u, its rate, and the re
 
 import math
 
-from numba import uint64
+from numba import int64, uint64
 
 from granular_fronts.chain.state import ELASTIC_SLOPES, NEW_U, VISCOUS_SLOPES, D, U
 from granular_fronts.model.passes import call_row_map
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.runge_kutta import SLOT
 
 APPROACH = 0.75
@@ -36,7 +36,7 @@ CROSSING = 1.5
 MOST_TRIALS, SMALLEST_SHARE = 8, 0.1
 
 
-@kernel
+@subroutine
 def passes_kink(table, kink, last):
     """Whether any of the contacts 1 … last passes the kink between the ends of the step."""
     passages = 0
@@ -45,7 +45,7 @@ def passes_kink(table, kink, last):
     return passages > 0
 
 
-@kernel
+@subroutine
 def passes_any_kink(chain, table, last):
     """Whether any of the contacts 1 … last passes any kink of the law."""
     passages = 0
@@ -54,7 +54,7 @@ def passes_any_kink(chain, table, last):
     return passages > 0
 
 
-@kernel
+@subroutine
 def forces_at(chain, table, u):
     """F and G of one compression."""
     law, probe = chain.law, chain.probe
@@ -66,7 +66,7 @@ def forces_at(chain, table, u):
     return probe[1], probe[2]
 
 
-@kernel
+@subroutine
 def contribution(chain, table, u, kink, h):
     """κ: the most that the force of this compression adds to u within a step h."""
     force, damping = forces_at(chain, table, u)
@@ -74,7 +74,7 @@ def contribution(chain, table, u, kink, h):
     return h * abs(damping - damping_at_kink) + h * h * abs(force - force_at_kink)
 
 
-@kernel
+@subroutine
 def compression_allowed(chain, table, u, kink, h, allowed):
     """A compression between u and the kink whose κ is at most `allowed`, and not much smaller.
 
@@ -92,7 +92,7 @@ def compression_allowed(chain, table, u, kink, h, allowed):
     return kink + distance
 
 
-@kernel
+@subroutine
 def time_to_kink(u, rate, new_u, h):
     """First zero in (0, h) of the parabola with value u and slope `rate` at 0, value new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
@@ -107,14 +107,14 @@ def time_to_kink(u, rate, new_u, h):
     return h * u / (u - new_u)
 
 
-@kernel
+@subroutine
 def rate_of(chain, table, d_row, stage, n):
     """Rate of change of u_n where d stands in a row and the slopes are those of a stage."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     return table[d_row, n] + chain.law.gamma * table[slopes + SLOT[stage], n]
 
 
-@kernel
+@subroutine
 def step_at_kink(chain, table, kink, h, last, allowed):
     """Step to try instead of h because of the contacts 1 … last, or h if no passage does harm.
 
@@ -132,7 +132,7 @@ def step_at_kink(chain, table, kink, h, last, allowed):
         after = contribution(chain, table, new_u, kink, h)
         if max(before, after) <= allowed:
             continue
-        zero = time_to_kink(u - kink, rate_of(chain, table, D, 0, n), new_u - kink, h)
+        zero = time_to_kink(u - kink, rate_of(chain, table, D, int64(0), n), new_u - kink, h)
         if after >= before:
             beyond = compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
             candidate = zero + beyond * (h - zero) / (new_u - kink)
@@ -144,7 +144,7 @@ def step_at_kink(chain, table, kink, h, last, allowed):
     return proposal
 
 
-@kernel
+@subroutine
 def step_at_contact(chain, table, h, last, allowed):
     """Step to try instead of h because of all kinks of the law."""
     proposal = h

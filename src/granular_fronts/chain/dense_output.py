@@ -29,12 +29,12 @@ from granular_fronts.chain.state import (
 from granular_fronts.chain.strain import laplacian
 from granular_fronts.model.passes import call_row_map
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 
 _CONTRACT = {"contract"}
 
 
-@kernel
+@subroutine
 def take_output_stages(chain, table, h, first, last):
     """The three stages that only dense output uses, as far as the contacts first … last need them.
 
@@ -58,7 +58,7 @@ def take_output_stages(chain, table, h, first, last):
             laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, low, high)
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def sum_all_slots(chain, table, row, h, low, high):
     """U of an output stage on the contacts low … high."""
     single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
@@ -75,7 +75,7 @@ def sum_all_slots(chain, table, row, h, low, high):
                 table[VALUE, n] += on_g * table[VISCOUS_SLOPES + slot, n]
 
 
-@kernel
+@subroutine
 def contact_polynomial(chain, table, h, n, coefficients):
     """Coefficients of u_n(θ) in powers of θ, constant term first."""
     viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
@@ -91,7 +91,7 @@ def contact_polynomial(chain, table, h, n, coefficients):
     coefficients[1] += h * table[D, n]
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def write_state(chain, table, h, theta, row_u, row_d):
     """u(θ) and d(θ) of all beads of the active window; at θ = 1 the new state itself."""
     reach = chain.clock.reach

@@ -35,7 +35,7 @@ from granular_fronts.chain.state import (
 )
 from granular_fronts.model.passes import call_row_map, row_map, row_parameters
 from granular_fronts.numerics import radau
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 
 MOST_ITERATIONS = 12
 SLOWEST_CONVERGENCE = 0.6
@@ -115,7 +115,7 @@ def make_workspace(law, columns):
     return Workspace(*five, *complex_rows, *rows, before, steps, slopes)
 
 
-@kernel
+@subroutine
 def evaluate_forces(chain, table, work, reach):
     """F(U) and, for laws with viscous slopes of their own, G(U); at rest beyond the window."""
     law, last = chain.law, min(reach, chain.contacts)
@@ -129,7 +129,7 @@ def evaluate_forces(chain, table, work, reach):
             force[n], damping[n] = table[FORCE, n], table[DAMPING, n]
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def apply(matrix, source, target, reach):
     """Multiply the five rows of `source` by a matrix, bead by bead, held contacts included."""
     for n in range(uint64(0), uint64(reach + 2)):
@@ -139,7 +139,7 @@ def apply(matrix, source, target, reach):
             target[i, n] = m[0] * a + m[1] * b + m[2] * c + m[3] * d + m[4] * e
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def weigh_forces(chain, work, h, reach):
     """T⁻¹(h A G + h² A² F), what the Laplacian acts on."""
     gamma = chain.law.gamma
@@ -154,7 +154,7 @@ def weigh_forces(chain, work, h, reach):
             work.weighted[i, n] += work.rows[i, n]
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def residual(table, work, h, reach):
     """What the stages leave: h c d + Δ_d(…) − Z, in rows."""
     for i in range(radau.STAGES):
@@ -165,7 +165,7 @@ def residual(table, work, h, reach):
             row[n] = rate * table[D, n] + laplacian - w[n]
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def factorise(chain, work, h, reach):
     """Pivots and factors of the three systems, with U at the third stage."""
     last, slopes = min(reach, chain.contacts), work.slopes
@@ -184,7 +184,7 @@ def factorise(chain, work, h, reach):
             inverse[n] = pivot.conjugate() / (pivot.real * pivot.real + pivot.imag * pivot.imag)
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def solve_rows(work, reach):
     """Solve the three systems in place in `rows`; side by side, since each waits for itself."""
     rows, q, inverse, lower = work.rows, work.coupling, work.pivot, work.lower
@@ -204,7 +204,7 @@ def solve_rows(work, reach):
         rows[3, n], rows[4, n] = c.real, c.imag
 
 
-@kernel
+@subroutine
 def add_rows(work, reach):
     """Add the Newton step to W; returns its largest entry."""
     largest = 0.0
@@ -217,7 +217,7 @@ def add_rows(work, reach):
     return largest
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def stages_from_rows(table, work, reach):
     """U = u + T W."""
     apply(radau.TO_STAGES, work.increments, work.stages, reach)
@@ -226,7 +226,7 @@ def stages_from_rows(table, work, reach):
             work.stages[i, n] += table[U, n]
 
 
-@kernel
+@subroutine
 def predict(table, work, h, reach):
     """First guess of W: the polynomial of the last step, continued; no change without one."""
     weights = np.zeros((radau.STAGES, radau.STAGES + 1))
@@ -256,7 +256,7 @@ class Allowed(NamedTuple):
     rounding: float
 
 
-@kernel
+@subroutine
 def iterate(chain, table, work, h, allowed, reach):
     """Newton's iteration for the stages: how often it went round, and whether it converged."""
     factorise(chain, work, h, reach)
@@ -281,7 +281,7 @@ def iterate(chain, table, work, h, allowed, reach):
     return MOST_ITERATIONS, False
 
 
-@kernel
+@subroutine
 def estimate(chain, table, work, reach):
     """Largest difference of the end point from the polynomial through the other stages."""
     largest = 0.0
@@ -294,7 +294,7 @@ def estimate(chain, table, work, reach):
     return largest
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def finish(table, work, h, reach):
     """New u and d, from the converged stages and their forces."""
     for n in range(uint64(1), uint64(reach + 1)):
@@ -306,7 +306,7 @@ def finish(table, work, h, reach):
         table[NEW_D, n] = table[D, n] + h * total
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def dissipated_energy(chain, work, h, reach):
     """Energy lost in the step, from the forces of the converged stages on both sides of a bead."""
     energy = 0.0
@@ -320,7 +320,7 @@ def dissipated_energy(chain, work, h, reach):
     return energy
 
 
-@kernel
+@subroutine
 def accept(table, work, h, reach):
     """Make the end point the next start, and remember the step."""
     for n in range(1, reach + 1):

@@ -31,7 +31,7 @@ from granular_fronts.chain.strain import (
     try_step,
 )
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
 RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
@@ -48,10 +48,10 @@ LONGEST_CUT = 0.999
 def begin(chain, table):
     """Slopes and dissipated power of the state at the start of a step."""
     clock = chain.clock
-    clock.power = take_slopes(chain, table, U, rk.SLOT[0], clock.reach, True)
+    clock.power = take_slopes(chain, table, U, rk.SLOT[0], clock.reach, bool(1))
 
 
-@kernel
+@subroutine
 def growth_of(error):
     """Change of step size after an accepted step."""
     if error == 0.0:
@@ -60,7 +60,7 @@ def growth_of(error):
     return min(rk.LARGEST_FACTOR, factor * factor if error < rk.SMALL_ERROR else factor)
 
 
-@kernel
+@subroutine
 def reduction_of(error):
     """Change of step size after a rejected step."""
     if math.isnan(error):

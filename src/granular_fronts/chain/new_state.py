@@ -19,7 +19,7 @@ from numba import int64, uint64
 from granular_fronts.chain.state import ELASTIC_SLOPES, NEW_D, NEW_U, VISCOUS_SLOPES, D, U
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.bits import bits_of, double_of
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 
 _CONTRACT = {"contract"}
 
@@ -48,7 +48,7 @@ class Largest(NamedTuple):
     state: float
 
 
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def final_sum(table, slopes, weights, n):
     """Weighted sum of the slopes of bead n over the final stages."""
     total = 0.0
@@ -57,7 +57,7 @@ def final_sum(table, slopes, weights, n):
     return total
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def add_elastic(chain, table, h, first, last):
     """New state from the elastic slopes, and `Largest`, for the beads first … last.
 
@@ -89,7 +89,7 @@ def add_elastic(chain, table, h, first, last):
     )
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def add_viscous(chain, table, h, first, last):
     """Add the viscous slopes to the new u; the largest estimates of order 5 and 3."""
     slopes = uint64(VISCOUS_SLOPES)
@@ -101,7 +101,7 @@ def add_viscous(chain, table, h, first, last):
     return h * double_of(fifth), h * double_of(third)
 
 
-@kernel
+@subroutine
 def finish(chain, table, h, first, last):
     """New state of the beads first … last, and their `Largest`."""
     largest = add_elastic(chain, table, h, first, last)
@@ -120,7 +120,7 @@ def finish(chain, table, h, first, last):
     )
 
 
-@kernel
+@subroutine
 def error_norm(law, largest, h, relative, absolute):
     """Error of the step in units of the tolerance, in the maximum norm over beads.
 

@@ -24,7 +24,7 @@ from granular_fronts.chain.state import (
 )
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.polynomials import crossing, derivative, polynomial
 
 NEXT = record_type(*[(name, np.int64) for name in ("stop", "profile", "sample", "arrival")])
@@ -88,7 +88,7 @@ class Recording(NamedTuple):
     track_energy: bool
 
 
-@kernel
+@subroutine
 def next_output(recording):
     """Time of the next profile or sample, infinite if there is none."""
     profile, sample = recording.next.profile, recording.next.sample
@@ -100,7 +100,7 @@ def next_output(recording):
     return t
 
 
-@kernel
+@subroutine
 def write_output(chain, table, h, t_new, recording):
     """Profiles and samples that fall into (t, t_new]."""
     t, next_ = chain.clock.t, recording.next
@@ -123,7 +123,7 @@ def write_output(chain, table, h, t_new, recording):
         next_.sample += 1
 
 
-@kernel
+@subroutine
 def passes_level(table, arrival, level, side, first, last):
     """Whether any of the contacts first … last arrives at the level in this step."""
     passages = 0
@@ -137,7 +137,7 @@ def passes_level(table, arrival, level, side, first, last):
     return passages > 0
 
 
-@kernel
+@subroutine
 def write_arrivals(chain, table, h, last, have_polynomials, recording):
     """First passages of the level within the step."""
     side, level, next_ = recording.side, recording.level, recording.next
@@ -155,7 +155,7 @@ def write_arrivals(chain, table, h, last, have_polynomials, recording):
         next_.arrival += 1
 
 
-@kernel
+@subroutine
 def next_extreme(chain, table, h, recording, first, last):
     """First of the contacts first … last that may hold an extreme or open; beyond `last` if none.
 
@@ -184,21 +184,21 @@ def next_extreme(chain, table, h, recording, first, last):
     return found
 
 
-@kernel
+@subroutine
 def note_largest(extremes, value, t, n):
     """Keep a new largest u."""
     if value > extremes.largest:
         extremes.largest, extremes.largest_time, extremes.largest_bead = value, t, n
 
 
-@kernel
+@subroutine
 def note_smallest(extremes, value, t, n):
     """Keep a new smallest u."""
     if value < extremes.smallest:
         extremes.smallest, extremes.smallest_time, extremes.smallest_bead = value, t, n
 
 
-@kernel
+@subroutine
 def write_extremes(chain, table, h, t_new, last, have_polynomials, recording):
     """Extremes of u over the step, and the first opening."""
     n = next_extreme(chain, table, h, recording, int64(1), last)
@@ -207,14 +207,14 @@ def write_extremes(chain, table, h, t_new, last, have_polynomials, recording):
         n = next_extreme(chain, table, h, recording, n + 1, last)
 
 
-@kernel
+@subroutine
 def write_extreme(chain, table, h, t_new, n, have_polynomials, recording):
     """Extremes of contact n over the step, and its opening, if they count."""
     extremes, first_peak, t = recording.extremes, recording.first_peak, chain.clock.t
     u, new_u = table[U, n], table[NEW_U, n]
     note_largest(extremes, new_u, t_new, n)
     note_smallest(extremes, new_u, t_new, n)
-    rate = rate_of(chain, table, D, 0, n)
+    rate = rate_of(chain, table, D, int64(0), n)
     new_rate = rate_of(chain, table, NEW_D, rk.NEW_SLOPE, n)
     margin = 0.5 * h * abs(rate - new_rate)
     is_first = not math.isnan(recording.arrival[n]) and math.isnan(first_peak[n])
@@ -241,7 +241,7 @@ def write_extreme(chain, table, h, t_new, n, have_polynomials, recording):
         first_peak[n], recording.first_peak_time[n] = value, time
 
 
-@kernel
+@subroutine
 def record_step(chain, table, h, t_new, recording):
     """Record what an accepted step holds, before its end becomes the start of the next one."""
     due = next_output(recording) <= t_new

@@ -11,7 +11,8 @@ an estimate and no bound: where the error shrinks with the tolerance it is about
 error or more, and where both runs consist of rounding it may be half of it.
 """
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import xarray as xr
 
@@ -50,7 +51,7 @@ class Solution(NamedTuple):
     drifts: dict
 
 
-def simulate_chain(scene, name="given"):
+def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Integrate one chain scene and estimate the errors of what it records.
 
     Parameters
@@ -79,6 +80,16 @@ def simulate_chain(scene, name="given"):
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(solution, refined.dataset, scene["tolerance"])
+
+
+def simulate_once(scene, name="given"):
+    """Integrate one chain scene at its tolerance, for measures with error estimates of their own.
+
+    Parameters, result and errors are those of `simulate_chain`, but that no variable carries an
+    error estimate.
+    """
+    scene = check_scene("chain", scene, name)
+    return solve(scene, scene["tolerance"], f"scene {name}, solving").dataset
 
 
 def refine(scene, solution, activity):

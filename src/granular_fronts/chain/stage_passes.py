@@ -26,7 +26,7 @@ from granular_fronts.chain.state import FORCE, ROWS_OF_SINGLE, D, U
 from granular_fronts.model import kinds
 from granular_fronts.model.passes import NEGLIGIBLE, compile_inline
 from granular_fronts.model.potentials import GIVEN
-from granular_fronts.numerics.compiled import callback, kernel
+from granular_fronts.numerics.compiled import callback, kernel, subroutine
 from granular_fronts.numerics.runge_kutta import LONG, SHORT
 from granular_fronts.numerics.vector_functions import power
 
@@ -35,19 +35,19 @@ DOUBLES = types.CPointer(types.float64)
 STAGE_PASS = types.void(DOUBLES, *[types.int64] * 4, types.float64, DOUBLES, DOUBLES)
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def first_five(w):
     """The first five weights as numbers, which a store into a row cannot change."""
     return w[0], w[1], w[2], w[3], w[4]
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def all_ten(w):
     """All ten weights."""
     return w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7], w[8], w[9]
 
 
-@kernel(fastmath=CONTRACT, forceinline=True)
+@subroutine(fastmath=CONTRACT, forceinline=True)
 def weighted_sum(table, source, other, factor, first, weights, n):
     """The sum of one contact, in two chains that need not wait for each other."""
     value, rest = table[source, n], factor * table[other, n]
@@ -66,7 +66,7 @@ def sum_rows(table, target, source, other, factor, window, weights, last):
 
     The window gives the first of the rows and their number, as in `call_stage_pass`.
     """
-    first, terms = window
+    first, terms = uint64(window[0]), window[1]
     if terms == SHORT:
         five = first_five(weights)
         for n in range(uint64(1), uint64(last + 1)):

@@ -42,7 +42,7 @@ from granular_fronts.chain.integrator import FINISHED, RUNNING, begin
 from granular_fronts.chain.recorder import next_output
 from granular_fronts.chain.state import D, U
 from granular_fronts.chain.strain import end_of_window
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.radau import STAGES
 
@@ -156,7 +156,7 @@ class Needs(NamedTuple):
     largest_u: float
 
 
-@kernel
+@subroutine
 def write_output(table, t, reach, recording):
     """Profiles and samples due at t."""
     next_ = recording.next
@@ -172,7 +172,7 @@ def write_output(table, t, reach, recording):
         next_.sample += 1
 
 
-@kernel
+@subroutine
 def largest_compression(chain, table, last, held):
     """Largest u of the contacts 1 … last and of those held; of |u| if the law acts in extension."""
     largest = held

@@ -56,7 +56,7 @@ from granular_fronts.chain.state import (
 )
 from granular_fronts.model.passes import NEGLIGIBLE, call_row_map
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 # Loops run over whole vector registers; a remainder costs as much as a block.
 WINDOW_BLOCK = 8
@@ -69,7 +69,7 @@ _REDUCE = {"contract", "nsz", "reassoc"}
 _A, _A_SQUARED = rk.A_WINDOWS.ravel(), rk.A_SQUARED_WINDOWS.ravel()
 
 
-@kernel
+@subroutine
 def set_weights(chain, h):
     """Weights of the slopes in the stages of a step h."""
     single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
@@ -81,7 +81,7 @@ def set_weights(chain, h):
             elastic[i], viscous[i] = h_squared * _A_SQUARED[i], h_gamma * _A[i]
 
 
-@kernel
+@subroutine
 def close(chain, table, source, shift):
     """Close a ring, or a piston, the force behind which is shifted."""
     if chain.contacts == chain.beads:
@@ -91,7 +91,7 @@ def close(chain, table, source, shift):
         table[source, 0] = table[source, 1] + shift
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def laplacian(chain, table, source, target, shift, first, last):
     """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for the beads first … last."""
     close(chain, table, source, shift)
@@ -101,7 +101,7 @@ def laplacian(chain, table, source, target, shift, first, last):
         table[target, n] = (behind - f) - (f - ahead)
 
 
-@kernel(fastmath=_REDUCE)
+@subroutine(fastmath=_REDUCE)
 def laplacian_and_squares(chain, table, source, target, shift, reach):
     """Do the same for the beads 1 … reach, and return the sum of the squares (f_{n-1} − f_n)²."""
     close(chain, table, source, shift)
@@ -114,7 +114,7 @@ def laplacian_and_squares(chain, table, source, target, shift, reach):
     return total
 
 
-@kernel(fastmath=_REDUCE)
+@subroutine(fastmath=_REDUCE)
 def sum_of_products(table, reach):
     """Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads 1 … reach."""
     total = 0.0
@@ -124,7 +124,7 @@ def sum_of_products(table, reach):
     return total
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def difference_forces(chain, table, slot, reach, with_power):
     """Slopes of the present forces into a slot; returns the power dissipated, if asked for it.
 
@@ -148,7 +148,7 @@ def difference_forces(chain, table, slot, reach, with_power):
     return sum_of_products(table, reach) - acceleration * table[DAMPING, 1]
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def take_slopes(chain, table, source, slot, reach, with_power):
     """Slopes of the compressions in a row into a slot; returns the power, if asked for it."""
     law, last = chain.law, min(reach, chain.contacts)
@@ -158,7 +158,7 @@ def take_slopes(chain, table, source, slot, reach, with_power):
     return difference_forces(chain, table, slot, reach, with_power)
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def take_stage(chain, table, row, h, reach, with_power):
     """Slopes of stage `row` from those of the stages before it; returns the power, if asked for."""
     law, last = chain.law, min(reach, chain.contacts)
@@ -178,7 +178,7 @@ def take_stage(chain, table, row, h, reach, with_power):
     return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
 
 
-@kernel
+@subroutine
 def try_step(chain, table, h, reach, with_energy):
     """All stages and the new state for a step h: its `Largest` and the energy dissipated.
 
@@ -198,7 +198,7 @@ def try_step(chain, table, h, reach, with_energy):
     return finish(chain, table, h, int64(1), last), h * energy
 
 
-@kernel
+@subroutine
 def accept(chain, table, reach):
     """Make the new state and its slopes the start of the next step."""
     start, end = rk.SLOT[0], rk.SLOT[rk.NEW_SLOPE]
@@ -225,7 +225,7 @@ def end_of_window(chain, table, start):
     return min(blocks * WINDOW_BLOCK, chain.beads)
 
 
-@kernel
+@subroutine
 def forget_slopes(chain, table):
     """Set the slopes of all stages but the first to 0.
 

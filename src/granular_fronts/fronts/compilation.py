@@ -2,6 +2,7 @@
 
 from granular_fronts.fronts.linear.floquet import front_multipliers
 from granular_fronts.fronts.solve import METHODS, solve_front
+from granular_fronts.fronts.sweep import sweep_fronts
 
 # Hertz's exponent and another one, with one nonlinearity and with two.
 LAWS = ((1.5, 0.5, 1.5), (1.4, 0.5, 1.4), (1.5, 0.5, 1.0))
@@ -13,3 +14,4 @@ def compile_kernels():
         for method in METHODS:
             front = solve_front(*law, method=method)
         front_multipliers(front)
+    sweep_fronts(alpha=1.5, gammas=[0.5, 0.49])

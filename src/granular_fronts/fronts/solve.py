@@ -5,9 +5,12 @@ run at another δ with β = α is multiplied by δ^((α − 1)/2), James (2021),
 given as such, together with the strains that its front joins.
 """
 
+from __future__ import annotations
+
 import json
 import math
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -34,6 +37,9 @@ from granular_fronts.fronts.validation import (
 )
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.numerics.interpolation import interpolate_all
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 ACCEPTED_ERROR = 1e-12
 """Error of the strain, relative to the larger state, up to which a front is called converged."""
@@ -83,15 +89,15 @@ class Solution(NamedTuple):
 
 
 def solve_front(
-    alpha=None,
-    gamma=None,
-    beta=None,
-    method="profile",
-    right_state=0.0,
+    alpha: float | None = None,
+    gamma: float | None = None,
+    beta: float | None = None,
+    method: str = "profile",
+    right_state: float = 0.0,
     *,
-    law=None,
-    states=None,
-):
+    law: Law | Mapping[str, Any] | None = None,
+    states: Sequence[float] | None = None,
+) -> xr.Dataset:
     """A travelling front: of two powers, or of any law between two states.
 
     Parameters
@@ -144,27 +150,30 @@ def solve_front(
     powers = {"alpha": alpha, "gamma": gamma, "beta": beta}
     right_state = check_right_state(right_state)
     if is_given_by_law(powers, {"law": law, "states": states}):
-        law, states = check_given_law(law, states)
+        given, (behind, ahead) = check_given_law(law, states)
         if right_state > 0.0:
             raise InputError(
                 f"right_state is {right_state} beside a law, whose states say what is ahead: leave "
                 "it out."
             )
-        question = Question(law, *states, front_problem(law, *states))
+        question = Question(given, behind, ahead, front_problem(given, behind, ahead))
     else:
-        question = _question_of_powers(*check_law(alpha, gamma, beta), right_state)
+        question = _question_of_powers(check_law(alpha, gamma, beta), right_state)
     try:
         return _describe(method, question, *METHODS[method](question))
     except NoFrontError as failure:
         return _describe_failure(method, question, str(failure))
 
 
-def _question_of_powers(alpha, gamma, beta, right_state):
+def _question_of_powers(powers, right_state):
+    alpha, gamma, beta = powers
     law, ahead = make_law(alpha=alpha, beta=beta, gamma=gamma), 0.0 - right_state
     return Question(law, -1.0, ahead, normalise(law, -1.0, ahead, power_speed(alpha, right_state)))
 
 
-def evaluate_front(front, xi, name="relative_displacement"):
+def evaluate_front(
+    front: xr.Dataset, xi: npt.ArrayLike, name: str = "relative_displacement"
+) -> np.ndarray:
     """The relative displacement, the velocity or the strain of a front anywhere.
 
     Parameters

@@ -10,7 +10,11 @@ Accuracy.  Every stretch is swept a second time on a finer grid, by another orde
 window (`profile.solve.refine`); the differences are the error estimates.
 """
 
+from __future__ import annotations
+
 import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -27,6 +31,10 @@ from granular_fronts.fronts.validation import (
     check_given_law,
     is_given_by_law,
 )
+from granular_fronts.model.laws import Law
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 ERROR_METHOD = (
     f"difference to a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
@@ -34,7 +42,15 @@ ERROR_METHOD = (
 )
 
 
-def sweep_fronts(alpha=None, gammas=None, beta=None, *, law=None, states=None, factors=None):
+def sweep_fronts(
+    alpha: float | None = None,
+    gammas: npt.ArrayLike | None = None,
+    beta: float | None = None,
+    *,
+    law: Law | Mapping[str, Any] | None = None,
+    states: Sequence[float] | None = None,
+    factors: npt.ArrayLike | None = None,
+) -> xr.Dataset:
     """Measures of the exact fronts for many dampings.
 
     Parameters

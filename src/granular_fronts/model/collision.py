@@ -71,7 +71,7 @@ LEAST_LOGARITHM = -745.0
 """Logarithm of the smallest positive number in double precision."""
 
 
-def restitution(gamma, alpha=1.5, beta=None):
+def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> float:
     """Coefficient of restitution e of two equal beads, to an error below 1e-12.
 
     Parameters
@@ -102,7 +102,7 @@ def restitution(gamma, alpha=1.5, beta=None):
         return math.exp(log_restitution(nu, strength))
 
 
-def damping_for_restitution(e, alpha=1.5, beta=None):
+def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = None) -> float:
     """γ for which two equal beads part with the coefficient of restitution e.
 
     Parameters

@@ -22,7 +22,8 @@ The equations are integrated by LSODA, since strong damping makes them stiff.
 
 import functools
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import LSODA
@@ -32,7 +33,7 @@ from granular_fronts.arguments import scalar
 from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
 from granular_fronts.model.collision import ACCURACY, log_restitution_by, restitution
-from granular_fronts.model.laws import make_law
+from granular_fronts.model.laws import Law, make_law
 
 NOTHING_LEFT = 1.0e-6
 """Part of v₀ below which beads of any law count as stuck together."""
@@ -64,7 +65,7 @@ class Collision(NamedTuple):
     error: float
 
 
-def collide(law, velocity=1.0):
+def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
     """Collision of two equal beads of mass 1 by any law that repels in compression.
 
     Parameters

@@ -34,15 +34,18 @@ quadrature on one interval and on two estimates its own error, so that a kink be
 noticed, and the differences are taken there instead.
 """
 
+from __future__ import annotations
+
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from granular_fronts.accuracy import EPSILON, Estimate
 from granular_fronts.arguments import double_precision, instance, scalar
 from granular_fronts.errors import InputError
-from granular_fronts.model.laws import make_law
+from granular_fronts.model.laws import Law, make_law
 from granular_fronts.model.potentials import Potential
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
@@ -90,27 +93,34 @@ class JumpConditions(NamedTuple):
     sound_plus: float
 
     @property
-    def velocity_jump(self):
+    def velocity_jump(self) -> float:
         """[[ẋ]] = −c[[R]]: velocity at n → +∞ less that at n → −∞."""
         return -self.speed * (self.R_plus - self.R_minus)
 
     @property
-    def velocity_behind(self):
+    def velocity_behind(self) -> float:
         """Velocity of the beads that the front has passed."""
         return self.velocity_minus if self.direction > 0 else self.velocity_plus
 
     @property
-    def velocity_ahead(self):
+    def velocity_ahead(self) -> float:
         """Velocity of the beads that the front has yet to reach."""
         return self.velocity_plus if self.direction > 0 else self.velocity_minus
 
     @property
-    def dissipated_power(self):
+    def dissipated_power(self) -> float:
         """|c|·|S|, the power that the whole front dissipates."""
         return abs(self.speed) * self.energy_per_bead
 
 
-def jump_conditions(law, R_minus, R_plus, *, mass=1.0, dissipation=None):
+def jump_conditions(
+    law: Law | Mapping[str, Any] | Potential,
+    R_minus: float,
+    R_plus: float,
+    *,
+    mass: float = 1.0,
+    dissipation: Potential | None = None,
+) -> JumpConditions:
     """Speed, direction, velocities and losses of a front between two states.
 
     The conditions are necessary: that a front exists they do not say.

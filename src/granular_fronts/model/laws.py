@@ -16,8 +16,11 @@ which one evaluation of the force serves both; kuwabara_kono, the same for a Her
 is :math:`\beta = \alpha`; and simon_hunt_crossley, :math:`\beta = \alpha + 1`.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 from granular_fronts.arguments import instance, scalar
 from granular_fronts.errors import InputError
@@ -47,49 +50,49 @@ class Law:
     viscous: Potential
 
     @property
-    def proportional(self):
+    def proportional(self) -> float | None:
         """γ where W' = γV', 0 for a conservative chain; None for any other law."""
         return self.viscous.ratio_to(self.elastic)
 
     @property
-    def is_power(self):
+    def is_power(self) -> bool:
         """Whether this is the law (28) of the paper, with exponents α and β and stiffness 1."""
         hertzian = self.elastic.shape is kinds.hertz and self.elastic.factor == 1.0
         return hertzian and (self.viscous.shape is kinds.hertz or self.viscous.factor == 0.0)
 
     @property
-    def alpha(self):
+    def alpha(self) -> float:
         """Exponent of the elastic force; an InputError unless the law is the paper's."""
         return self._power_law().elastic.parameters[0]
 
     @property
-    def beta(self):
+    def beta(self) -> float:
         """Exponent of the viscous force, α where there is none."""
         law = self._power_law()
         is_power = law.viscous.shape is kinds.hertz
         return law.viscous.parameters[0] if is_power else law.alpha
 
     @property
-    def gamma(self):
+    def gamma(self) -> float:
         """Strength of the viscous force."""
         return self._power_law().viscous.factor
 
     @property
-    def kinks(self):
+    def kinks(self) -> tuple[float, ...]:
         """Strains at which V or W is not smooth, in order."""
         return tuple(sorted({*self.elastic.kinks, *self.viscous.kinks}))
 
     @property
-    def domain(self):
+    def domain(self) -> tuple[float, float]:
         """Open interval of the strain in which V and W hold."""
         (low, high), (viscous_low, viscous_high) = self.elastic.domain, self.viscous.domain
         return max(low, viscous_low), min(high, viscous_high)
 
-    def with_damping(self, factor):
+    def with_damping(self, factor: float) -> Law:
         """The law with W multiplied by a number of 0 or more."""
         return replace(self, viscous=self.viscous.scaled(factor))
 
-    def describe(self):
+    def describe(self) -> dict[str, Any]:
         """The mapping of which `make_law` makes the law, as configurations and data files have it.
 
         In the place of a user's own functions stands a note that a file cannot hold them.
@@ -115,7 +118,7 @@ class Law:
         return self
 
 
-def make_law(mapping=None, /, **parts):
+def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) -> Law:
     """A law from the mapping of a configuration, or from the same as keywords.
 
     Parameters
@@ -151,7 +154,7 @@ def make_law(mapping=None, /, **parts):
     if isinstance(mapping, Law):
         return mapping
     if mapping is not None:
-        parts = instance("law", mapping, Mapping, "give one, or make a law with make_law")
+        parts = dict(instance("law", mapping, Mapping, "give one, or make a law with make_law"))
     for name in parts:
         look_up(name, "part of a law", dict.fromkeys(SHORT_FORM + TWO_POTENTIALS))
     short = [name for name in SHORT_FORM if name in parts]

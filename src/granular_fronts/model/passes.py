@@ -49,7 +49,7 @@ from granular_fronts.model import kinds
 from granular_fronts.model.given_functions import nodes_inside
 from granular_fronts.model.potentials import GIVEN
 from granular_fronts.numerics.bits import multiply_add
-from granular_fronts.numerics.compiled import callback, kernel
+from granular_fronts.numerics.compiled import callback, subroutine
 from granular_fronts.numerics.vector_functions import exponential, exponential_less_one, power
 
 NEGLIGIBLE = 1.0e-60
@@ -220,7 +220,7 @@ def _raise_row(u, result, first, last, parameters):
             result_row[n] = whole if u_row[n] > NEGLIGIBLE else 0.0
 
 
-@kernel(forceinline=True)
+@subroutine(forceinline=True)
 def _compression(u):
     return u if u > NEGLIGIBLE else 0.0
 

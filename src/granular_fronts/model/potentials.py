@@ -19,9 +19,12 @@ This module imports nothing heavier than numpy; SymPy is needed by those alone w
 expression.
 """
 
+from __future__ import annotations
+
 import difflib
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,8 +33,15 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.given_functions import check_functions, check_interval, check_kinks
 from granular_fronts.model.kinds import KINDS
 
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import sympy
+
 GIVEN = "given"
 """Kind of a potential whose functions are the user's."""
+
+Function = Callable[[np.ndarray], np.ndarray]
+"""A function of the strain, from an array to an array of the same shape."""
 
 
 class Origin:
@@ -109,8 +119,16 @@ class Potential:
     origin: Origin | None
 
     def __init__(
-        self, value, first, second, third=None, *, interval, kinks=(), name="the potential"
-    ):
+        self,
+        value: Function,
+        first: Function,
+        second: Function,
+        third: Function | None = None,
+        *,
+        interval: Sequence[float],
+        kinks: Sequence[float] = (),
+        name: str = "the potential",
+    ) -> None:
         low, high = check_interval(interval)
         functions = (value, first, second, third)
         check_functions(functions, low, high, name)
@@ -135,7 +153,15 @@ class Potential:
         return potential
 
     @classmethod
-    def from_expression(cls, expression, symbol, *, interval, kinks=(), name=None):
+    def from_expression(
+        cls,
+        expression: sympy.Expr,
+        symbol: sympy.Symbol,
+        *,
+        interval: Sequence[float],
+        kinks: Sequence[float] = (),
+        name: str | None = None,
+    ) -> Potential:
         """A potential from a SymPy expression, which is differentiated for the user.
 
         Parameters
@@ -197,24 +223,24 @@ class Potential:
         return cls._of(**vars(potential) | {"scalar_functions": tuple(of_numbers)})
 
     @property
-    def shape(self):
+    def shape(self) -> Callable[..., Any] | None:
         """``shape(r, order, p)`` of a named kind, None for a user's own."""
         return None if self.kind == GIVEN else KINDS[self.kind].shape
 
-    def value(self, r):
+    def value(self, r: npt.ArrayLike) -> np.ndarray:
         """V(r), from an array of r to an array of the same shape."""
         return self.derivative(r, 0)
 
-    def first(self, r):
+    def first(self, r: npt.ArrayLike) -> np.ndarray:
         """V'(r)."""
         return self.derivative(r, 1)
 
-    def second(self, r):
+    def second(self, r: npt.ArrayLike) -> np.ndarray:
         """V''(r)."""
         return self.derivative(r, 2)
 
     @property
-    def third(self):
+    def third(self) -> Function | None:
         """V''' as a function of r; None if a user has not given it."""
         known = self.functions is None or self.functions[3] is not None
         return self._third if known else None
@@ -222,23 +248,23 @@ class Potential:
     def _third(self, r):
         return self.derivative(r, 3)
 
-    def derivative(self, r, order):
+    def derivative(self, r: npt.ArrayLike, order: int) -> np.ndarray:
         """The derivative of an order from 0 to 3; 3 only where `third` is known."""
         r = np.asarray(r, dtype=float)
         with np.errstate(all="ignore"):
             if self.functions is not None:
                 return self.factor * np.asarray(self.functions[order](r), dtype=float)
-            return self.factor * self.shape(r, order, self.parameters)
+            return self.factor * KINDS[self.kind].shape(r, order, self.parameters)
 
-    def scaled(self, factor):
+    def scaled(self, factor: float) -> Potential:
         """The potential times a number of 0 or more."""
         return self.with_factor(self.factor * factor)
 
-    def with_factor(self, factor):
+    def with_factor(self, factor: float) -> Potential:
         """The same functions with another factor."""
         return self._of(**vars(self) | {"factor": factor})
 
-    def ratio_to(self, other):
+    def ratio_to(self, other: Potential) -> float | None:
         """The number a for which this potential is a times the other one; None if there is none."""
         mine, others = (
             (potential.shape, potential.parameters, potential.functions)
@@ -248,7 +274,7 @@ class Potential:
             return 0.0
         return self.factor / other.factor if mine == others and other.factor > 0.0 else None
 
-    def describe(self):
+    def describe(self) -> dict[str, Any]:
         """The mapping of which `make_potential` makes it; a note for a user's own functions."""
         if self.kind == GIVEN:
             return {
@@ -263,7 +289,7 @@ class Potential:
         }
 
 
-def make_potential(kind, **parameters):
+def make_potential(kind: str, **parameters: float) -> Potential:
     """A potential of a named kind.
 
     Parameters
@@ -309,7 +335,7 @@ def make_potential(kind, **parameters):
     )
 
 
-def look_up(name, meaning, known):
+def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
     """The entry of a name, or a sentence with the nearest name.
 
     Parameters

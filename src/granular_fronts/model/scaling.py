@@ -30,10 +30,16 @@ with :math:`k u^{3/2}`, :math:`k = E\sqrt{2R}/(3(1-\nu^2))` (Hertz).
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeVar
 
 from granular_fronts.arguments import choice, double_precision, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.model.collision import damping_for_restitution
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Value = TypeVar("Value", float, "np.ndarray")
 
 
 @dataclass(frozen=True)
@@ -64,9 +70,10 @@ class Scaling:
     damping: float
     velocity: float
     alpha: float = 1.5
-    beta: float | None = None
+    # None stands for α, which takes its place below.
+    beta: float = None  # type: ignore[assignment]
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         beta = self.alpha if self.beta is None else self.beta
         checked = {
             **_positive(
@@ -86,30 +93,30 @@ class Scaling:
                 raise OverflowError
 
     @property
-    def time(self):
+    def time(self) -> float:
         """T₀ in seconds."""
         slow = (self.mass / self.stiffness) ** (1.0 / (self.alpha + 1.0))
         return slow * self.velocity ** ((1.0 - self.alpha) / (1.0 + self.alpha))
 
     @property
-    def length(self):
+    def length(self) -> float:
         """δ₀ in metres."""
         return self.velocity * self.time
 
     @property
-    def force(self):
+    def force(self) -> float:
         """F₀ = kδ₀^α in newtons."""
         return self.mass * self.velocity / self.time
 
     @property
-    def gamma(self):
+    def gamma(self) -> float:
         """Dimensionless damping γ (29)."""
         share = self.beta / (self.alpha + 1.0)
         rate = (self.stiffness / self.mass) ** (1.0 - share)
         return self.damping * self.velocity ** (2.0 * share - 1.0) * rate
 
     @property
-    def critical_velocity(self):
+    def critical_velocity(self) -> float:
         """v_c in m/s, the velocity v₀ at which γ = 1.
 
         Raises
@@ -127,23 +134,23 @@ class Scaling:
             return self.velocity * self.gamma ** (-1.0 / power)
 
     @property
-    def power_of_velocity(self):
+    def power_of_velocity(self) -> float:
         """Exponent 2β/(α + 1) − 1 of v₀ in γ; weak damping at small v₀ where it is positive."""
         return (2.0 * self.beta - (self.alpha + 1.0)) / (self.alpha + 1.0)
 
     @property
-    def weak_damping(self):
+    def weak_damping(self) -> str:
         """Where γ → 0: at "small velocities", at "large velocities" or at "no velocity"."""
         if self.power_of_velocity == 0.0:
             return "no velocity"
         return "small velocities" if self.power_of_velocity > 0.0 else "large velocities"
 
     @property
-    def front_speed(self):
+    def front_speed(self) -> float:
         """Speed c in beads per second of a front behind which the beads move at v₀ (23)."""
         return math.copysign(1.0 / self.time, self.alpha - 1.0)
 
-    def to_physical(self, value, quantity):
+    def to_physical(self, value: Value, quantity: str) -> Value:
         """A dimensionless value in SI units.
 
         Parameters
@@ -158,15 +165,15 @@ class Scaling:
         """
         return value * self._scale(quantity)
 
-    def to_dimensionless(self, value, quantity):
+    def to_dimensionless(self, value: Value, quantity: str) -> Value:
         """A value in SI units made dimensionless; the inverse of `to_physical`."""
         return value / self._scale(quantity)
 
-    def _scale(self, quantity):
+    def _scale(self, quantity: str) -> float:
         scales = self._scales()
         return scales[choice("quantity", quantity, scales)]
 
-    def _scales(self):
+    def _scales(self) -> dict[str, float]:
         return {
             "displacement": self.length,
             "velocity": self.velocity,
@@ -176,7 +183,7 @@ class Scaling:
         }
 
 
-def sphere_mass(radius, density):
+def sphere_mass(radius: float, density: float) -> float:
     """Mass of a sphere in kg.
 
     Parameters
@@ -190,7 +197,7 @@ def sphere_mass(radius, density):
     return 4.0 / 3.0 * math.pi * radius**3 * density
 
 
-def sphere_stiffness(radius, youngs_modulus, poisson_ratio):
+def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float) -> float:
     """Stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
 
     Parameters
@@ -218,7 +225,9 @@ def sphere_stiffness(radius, youngs_modulus, poisson_ratio):
     return modulus * math.sqrt(2.0 * radius) / (3.0 * (1.0 - poisson_ratio**2))
 
 
-def velocity_of_compression(delta, mass, stiffness, alpha=1.5):
+def velocity_of_compression(
+    delta: float, mass: float, stiffness: float, alpha: float = 1.5
+) -> float:
     """v₀ in m/s that makes the length scale the compression δ in metres (Remark 5), |v_p| of (22).
 
     Parameters
@@ -231,13 +240,20 @@ def velocity_of_compression(delta, mass, stiffness, alpha=1.5):
     return math.sqrt(stiffness / mass) * delta ** ((alpha + 1.0) / 2.0)
 
 
-def velocity_of_force(force, mass, stiffness, alpha=1.5):
+def velocity_of_force(force: float, mass: float, stiffness: float, alpha: float = 1.5) -> float:
     """v₀ in m/s of a chain pressed by a force in newtons, through its compression (F/k)^(1/α)."""
     force, k, alpha = _positive(force=force, stiffness=stiffness, alpha=alpha).values()
     return velocity_of_compression((force / k) ** (1.0 / alpha), mass, stiffness, alpha)
 
 
-def damping_from_restitution(e, impact_velocity, mass, stiffness, alpha=1.5, beta=None):
+def damping_from_restitution(
+    e: float,
+    impact_velocity: float,
+    mass: float,
+    stiffness: float,
+    alpha: float = 1.5,
+    beta: float | None = None,
+) -> float:
     """γ₀ from the restitution of two equal beads.
 
     Parameters
@@ -254,11 +270,12 @@ def damping_from_restitution(e, impact_velocity, mass, stiffness, alpha=1.5, bet
     float
         γ₀ in s m^(α − β).
     """
+    beta = alpha if beta is None else beta
     gamma = damping_for_restitution(e, alpha, beta)
     return gamma / Scaling(mass, stiffness, 1.0, impact_velocity, alpha, beta).gamma
 
 
-def _positive(**values):
+def _positive(**values: float) -> dict[str, float]:
     """The values as floats above 0, by name, in the order given."""
     return {
         name: scalar(name, value, above=0.0, advice="give one in SI units")

@@ -15,7 +15,7 @@ compiler needs to see that neighbouring entries lie side by side in memory.
 
 from numba import int64, uint64
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 
 @kernel(fastmath=True, error_model="numpy")
@@ -29,7 +29,7 @@ def factorise(band, lower, prefix):
     eliminate(band, lower, prefix, rows)
 
 
-@kernel(fastmath=True, error_model="numpy")
+@subroutine(fastmath=True, error_model="numpy")
 def eliminate(band, lower, first, end):
     """Factors of the rows first … end − 1, from which those above are subtracted already."""
     for j in range(first, end):
@@ -38,7 +38,7 @@ def eliminate(band, lower, first, end):
             subtract(band, lower, j, i, lower - (i - j))
 
 
-@kernel(fastmath=True, forceinline=True)
+@subroutine(fastmath=True, forceinline=True)
 def subtract(band, lower, ready, i, place):
     """Subtract a row that is ready from row i so that the entry at `place` vanishes."""
     factor = band[i, place] * band[ready, lower]
@@ -61,13 +61,13 @@ def substitute(band, lower, prefix, skipped, x):
         x[i] = (x[i] - product(band[row, lower + 1 :], x[i + 1 :])) * band[row, lower]
 
 
-@kernel
+@subroutine
 def compact(i, prefix, skipped):
     """Where the factors of row i are."""
     return i if i < prefix else max(prefix - 1, i - skipped)
 
 
-@kernel(fastmath=True, forceinline=True)
+@subroutine(fastmath=True, forceinline=True)
 def product(row, x):
     """Sum of products, as far as both reach."""
     total = 0.0

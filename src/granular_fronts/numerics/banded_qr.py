@@ -12,7 +12,7 @@ the last p of which are room for R.
 
 import numpy as np
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
 
@@ -71,7 +71,7 @@ def solve_least_squares(rows, lower, columns, right):
     return _back_substitute(rows, lower, columns, right)
 
 
-@kernel
+@subroutine
 def _back_substitute(rows, lower, columns, right):
     """Solve R x = b."""
     solution = np.empty(columns)

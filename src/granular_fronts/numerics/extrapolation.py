@@ -14,7 +14,7 @@ at the same column; columns behind a front hold 1, columns ahead the state there
 
 import numpy as np
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 REMEMBERED = 4
 LARGEST_WEIGHT = 20.0
@@ -25,7 +25,8 @@ UNTOUCHED = 1e-17
 def remember(u, first, ahead, row):
     """Write a front into a row, its first point into column `first`."""
     row[:first] = 1.0
-    row[first : first + u.size] = u
+    for k in range(u.size):
+        row[first + k] = u[k]
     row[first + u.size :] = ahead
 
 
@@ -61,7 +62,8 @@ def predict(past, known, places, place, first, margin):
     u = np.zeros(end - first)
     for i in range(weights.size):
         row = past[(known - weights.size + i) % rows]
-        u += weights[i] * row[first:end]
+        for k in range(u.size):
+            u[k] += weights[i] * row[first + k]
     return u
 
 
@@ -70,12 +72,15 @@ def extrapolation_weights(places, place):
     """Weights of the last fronts, of as many as do not magnify errors too much."""
     for used in range(places.size, 1, -1):
         weights = lagrange_weights(places[places.size - used :], place)
-        if np.sum(np.abs(weights)) <= LARGEST_WEIGHT:
+        magnification = 0.0
+        for weight in weights:
+            magnification += abs(weight)
+        if magnification <= LARGEST_WEIGHT:
             return weights
     return np.ones(1)
 
 
-@kernel
+@subroutine
 def lagrange_weights(places, place):
     """Values at `place` of the polynomials that are 1 at one of the places and 0 at the others."""
     weights = np.ones(places.size)

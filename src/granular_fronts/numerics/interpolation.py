@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 NODES = 20
 """Points of each local polynomial, half of them on either side."""
@@ -25,7 +25,7 @@ DIFFERENCES = np.array(
 """Weights of (u(ξ + kh) − u(ξ − kh))/h in u'(ξ), of order 20."""
 
 
-@kernel
+@subroutine
 def interpolate(values, position, behind, ahead):
     """The local polynomial at one position.
 
@@ -71,7 +71,7 @@ def interpolate_all(values, positions, behind, ahead):
     return result
 
 
-@kernel
+@subroutine
 def derivative(values, behind, ahead):
     """Derivative at all points, per spacing, by central differences of order 20."""
     result = np.zeros(values.size)
@@ -83,7 +83,7 @@ def derivative(values, behind, ahead):
     return result
 
 
-@kernel
+@subroutine
 def find_level(values, level, behind, ahead):
     """The last position where decreasing values pass a level, by bisection; NaN if none."""
     for k in range(values.size - 2, -1, -1):
@@ -106,7 +106,10 @@ def largest(values, behind, ahead):
     It is looked for next to every point above its neighbours that lies so high that, rising as
     steeply beyond it as towards it, the interpolant could exceed the largest value on the grid.
     """
-    highest = top = np.max(values)
+    top = values[0]
+    for value in values:
+        top = max(top, value)
+    highest = top
     for k in range(1, values.size - 1):
         rise = values[k] - min(values[k - 1], values[k + 1])
         crest = values[k] >= values[k - 1] and values[k] >= values[k + 1]
@@ -115,7 +118,7 @@ def largest(values, behind, ahead):
     return highest
 
 
-@kernel
+@subroutine
 def crest_value(values, k, behind, ahead):
     """The maximum of the interpolant next to a point, by ternary search."""
     left, right = k - 1.0, k + 1.0

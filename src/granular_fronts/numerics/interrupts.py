@@ -8,14 +8,14 @@ anybody sees the result.
 
 from numba import types
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import subroutine
 
 # Both belong to the stable interface of Python; asking clears the note, so it is set again.
 _interrupt_has_come = types.ExternalFunction("PyOS_InterruptOccurred", types.intc())
 _set_interrupt = types.ExternalFunction("PyErr_SetInterrupt", types.void())
 
 
-@kernel
+@subroutine
 def interrupted():
     """Whether Ctrl-C waits to be answered."""
     if _interrupt_has_come() == 0:

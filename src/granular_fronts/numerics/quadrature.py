@@ -52,8 +52,7 @@ def kernel_weights(spacing, order):
     -------
     Weights
     """
-    plain, linear = _one_sided(spacing, order)
-    ahead, ramp = np.array(plain), np.array(linear)
+    ahead, ramp = _one_sided(spacing, order)
     behind = ahead[::-1]
     return Weights(
         hat=_floats(ahead - ramp + (ahead - ramp)[::-1]),
@@ -65,38 +64,69 @@ def kernel_weights(spacing, order):
 def _one_sided(spacing, order):
     """Exact weights of ∫_0^1 P(ξ + s) ds and ∫_0^1 s P(ξ + s) ds."""
     cells = math.ceil(1 / spacing)
-    half = order // 2
-    width = cells - 1 + half
-    plain = [Fraction(0)] * (2 * width + 1)
-    linear = list(plain)
+    width = cells - 1 + order // 2
+    whole, last = _moments(order, Fraction(1)), _moments(order, 1 / spacing - (cells - 1))
+    # Whole numbers over one denominator add up much faster than fractions do.
+    sums = np.zeros((2, 2, 2 * width + 1), dtype=object)
     for cell in range(cells):
-        end = min(Fraction(1), 1 / spacing - cell)
-        for node in range(1 - half, half + 1):
-            zeroth, first = _moments(node, order, end)
-            plain[width + cell + node] += spacing * zeroth
-            linear[width + cell + node] += spacing**2 * (first + cell * zeroth)
-    return plain, linear
+        part = int(cell == cells - 1)
+        zeroth, first = (whole, last)[part].numerators
+        nodes = slice(width + cell + 1 - order // 2, width + cell + 1 + order // 2)
+        sums[part, 0, nodes] += zeroth
+        sums[part, 1, nodes] += first + cell * zeroth
+    plain, linear = sums[0] * Fraction(1, whole.denominator) + sums[1] * Fraction(
+        1, last.denominator
+    )
+    return spacing * plain, spacing**2 * linear
+
+
+class Moments(NamedTuple):
+    """Integrals of all cardinal polynomials over a part of a cell, over one denominator.
+
+    Attributes
+    ----------
+    numerators : ndarray of int, shape (2, order)
+        Of ∫_0^end L(t) dt and of ∫_0^end t L(t) dt.
+    denominator : int
+    """
+
+    numerators: np.ndarray
+    denominator: int
 
 
 @functools.cache
-def _moments(node, order, end):
-    """∫_0^end L(t) dt and ∫_0^end t L(t) dt of the cardinal polynomial L of a node."""
-    coefficients = _cardinal(node, order)
-    zeroth = sum(c * end ** (k + 1) / (k + 1) for k, c in enumerate(coefficients))
-    first = sum(c * end ** (k + 2) / (k + 2) for k, c in enumerate(coefficients))
-    return zeroth, first
+def _moments(order, end):
+    """Moments of the cardinal polynomials up to `end`."""
+    coefficients, denominator = _cardinals(order)
+    integrals = [[end ** (k + i) / (k + i) for k in range(order)] for i in (1, 2)]
+    common = math.lcm(*(integral.denominator for row in integrals for integral in row))
+    powers = np.array([[int(common * integral) for integral in row] for row in integrals], object)
+    return Moments(powers @ coefficients.T, common * denominator)
 
 
 @functools.cache
-def _cardinal(node, order):
-    """Coefficients of the polynomial that is 1 at a node, 0 at the others of 1 − p/2 … p/2."""
-    coefficients = [Fraction(1)]
-    for other in range(1 - order // 2, order // 2 + 1):
-        if other != node:
-            shifted = [Fraction(0), *coefficients]
-            scaled = [other * c for c in coefficients] + [Fraction(0)]
-            coefficients = [(a - b) / (node - other) for a, b in zip(shifted, scaled, strict=True)]
-    return coefficients
+def _cardinals(order):
+    """Polynomials that are 1 at one of the nodes 1 − p/2 … p/2 and 0 at the others.
+
+    Returns
+    -------
+    coefficients : ndarray of int, shape (order, order)
+        A polynomial in each row.
+    denominator : int
+        Of all of them.
+    """
+    nodes = range(1 - order // 2, order // 2 + 1)
+    products = [math.prod(node - other for other in nodes if other != node) for node in nodes]
+    denominator = math.lcm(*products)
+    polynomials = []
+    for node, product in zip(nodes, products, strict=True):
+        polynomial = [denominator // product]
+        for other in nodes:
+            if other != node:
+                shifted, scaled = [0, *polynomial], [*(other * c for c in polynomial), 0]
+                polynomial = [a - b for a, b in zip(shifted, scaled, strict=True)]
+        polynomials.append(polynomial)
+    return np.array(polynomials, object), denominator
 
 
 def _floats(values):

@@ -37,15 +37,21 @@ def code_digest(files: Iterable[Path], root: Path) -> str:
     -------
     str
     """
-    contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
-    keys = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
-    kept = _read_kept(cache_root() / KEPT)
-    new = {keys[name]: syntax_digest(contents[name]) for name in keys if keys[name] not in kept}
-    if new:
-        kept.update(new)
-        _keep(cache_root() / KEPT, kept)
-    lines = "\n".join(f"{name} {kept[keys[name]]}" for name in sorted(keys))
+    digests = {file.relative_to(root).as_posix(): file_digest(file) for file in files}
+    lines = "\n".join(f"{name} {digests[name]}" for name in sorted(digests))
     return hashlib.sha256(lines.encode()).hexdigest()[:16]
+
+
+@cache
+def file_digest(file: Path) -> str:
+    """Digest of what a file does, looked up where its contents are known."""
+    content = file.read_bytes()
+    key = hashlib.sha256(content).hexdigest()
+    kept = _read_kept(cache_root() / KEPT)
+    if key not in kept:
+        kept[key] = syntax_digest(content)
+        _keep(cache_root() / KEPT, kept)
+    return kept[key]
 
 
 def syntax_digest(content: bytes) -> str:

@@ -33,7 +33,7 @@ import math
 import numpy as np
 
 from granular_fronts.numerics.bits import bits_of, double_of, multiply_add
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 LN2 = math.log(2.0)
 LN2_HIGH, LN2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
@@ -60,7 +60,7 @@ LOWEST_EXPONENT, INFINITE_EXPONENT = -1022.0, 1024.0
 _CONTRACT = {"contract"}
 
 
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def remainder_of_logarithm(s):
     """R(s²)."""
     z = s * s
@@ -68,7 +68,7 @@ def remainder_of_logarithm(s):
     return z * (P0 + w * (P2 + w * (P4 + w * P6))) + w * (P1 + w * (P3 + w * P5))
 
 
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def small_exponential_less_one(r):
     """e^r − 1 for |r| ≤ ½ ln 2."""
     tail = TAYLOR[12]
@@ -77,55 +77,30 @@ def small_exponential_less_one(r):
     return r + r * r * tail
 
 
-@kernel(error_model="numpy")
-def logarithms(x, exponent, mantissa, result):
-    """Natural logarithm of every entry.
+@kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
+def logarithm(x):
+    """Natural logarithm for a loop that is to be vectorised: no branch, no call.
 
     Parameters
     ----------
-    x : ndarray, shape (n,)
+    x : float
         Positive and normal, that is, at least 2.3e-308; not checked.
-    exponent : ndarray of int64, shape (n,)
-        Work space, as `mantissa`.
-    mantissa, result : ndarray, shape (n,)
+
+    Returns
+    -------
+    float
+        Within one unit of the last place.
     """
-    bits, mantissa_bits = x.view(np.int64), mantissa.view(np.int64)
-    for i in range(x.size):
-        shifted = bits[i] + (ONE - ROOT_HALF)
-        exponent[i] = (shifted >> FRACTION_BITS) - BIAS
-        mantissa_bits[i] = (shifted & FRACTION) + ROOT_HALF
-    for i in range(x.size):
-        k, f = float(exponent[i]), mantissa[i] - 1.0
-        s = f / (2.0 + f)
-        half_square = 0.5 * f * f
-        small = s * (half_square + remainder_of_logarithm(s)) + k * LN2_LOW
-        result[i] = k * LN2_HIGH - ((half_square - small) - f)
+    shifted = bits_of(x) + (ONE - ROOT_HALF)
+    k = double_of((shifted >> FRACTION_BITS) - BIAS + ROUNDER_BITS) - ROUNDER
+    f = double_of((shifted & FRACTION) + ROOT_HALF) - 1.0
+    s = f / (2.0 + f)
+    half_square = 0.5 * f * f
+    small = s * (half_square + remainder_of_logarithm(s)) + k * LN2_LOW
+    return k * LN2_HIGH - ((half_square - small) - f)
 
 
-@kernel(error_model="numpy")
-def exponentials_less_one(x, rounded, power, result):
-    """e^x − 1 of every entry.
-
-    Parameters
-    ----------
-    x : ndarray, shape (n,)
-        Between −700 and 700; not checked.
-    rounded, power : ndarray, shape (n,)
-        Work space.
-    result : ndarray, shape (n,)
-        Not `x` itself, or the loop is not vectorised.
-    """
-    bits, power_bits = rounded.view(np.int64), power.view(np.int64)
-    for i in range(x.size):
-        rounded[i] = x[i] * (1.0 / np.log(2.0)) + ROUNDER
-        power_bits[i] = (bits[i] << FRACTION_BITS) + ONE
-    for i in range(x.size):
-        k = rounded[i] - ROUNDER
-        r = (x[i] - k * LN2_HIGH) - k * LN2_LOW
-        result[i] = power[i] * small_exponential_less_one(r) + (power[i] - 1.0)
-
-
-@kernel(fastmath=_CONTRACT, forceinline=True)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def reduced_argument(x):
     """Both r and 2^k of x = k ln 2 + r; k stays within the range of a double."""
     rounded = min(max(x * (1.0 / LN2), LOWEST_EXPONENT), INFINITE_EXPONENT) + ROUNDER

@@ -13,7 +13,9 @@ name only when it is complete.
 
 import importlib.metadata
 import json
+from collections.abc import Hashable, Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 import netCDF4
 import numpy as np
@@ -165,7 +167,7 @@ class DatasetError(ValueError):
     """A result file that is missing, damaged, or belongs to something else."""
 
 
-def long_name(variable):
+def long_name(variable: str) -> str:
     """What a variable or coordinate is, in words, from its name and suffix."""
     matches = [name for name in LONG_NAMES if variable == name or variable.startswith(f"{name}_")]
     if not matches:
@@ -175,7 +177,9 @@ def long_name(variable):
     return f"{LONG_NAMES[name]} ({suffix})" if suffix else LONG_NAMES[name]
 
 
-def write_dataset(dataset, path, *, scene_id, config):
+def write_dataset(
+    dataset: xr.Dataset, path: Path, *, scene_id: str, config: Mapping[str, Any]
+) -> None:
     """Write a dataset with names, units and provenance, atomically.
 
     Parameters
@@ -193,7 +197,7 @@ def write_dataset(dataset, path, *, scene_id, config):
     described = dataset.copy()
     for name, variable in described.variables.items():
         given = dataset[name].attrs
-        named = given.get("long_name") or long_name(name)
+        named = given.get("long_name") or long_name(str(name))
         variable.attrs = {"long_name": named, "units": "1", **given}
     described.attrs = {
         "Conventions": "CF-1.11",
@@ -212,7 +216,7 @@ def write_dataset(dataset, path, *, scene_id, config):
         described.to_netcdf(unfinished, engine="netcdf4", encoding=_encoding(described))
 
 
-def read_dataset(path, scene_id=None):
+def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
     """Read a dataset written by `write_dataset` into memory.
 
     Parameters
@@ -247,7 +251,7 @@ def read_dataset(path, scene_id=None):
     return loaded
 
 
-def read_origins(folder, names):
+def read_origins(folder: Path, names: Iterable[str]) -> dict[str, dict[str, str]]:
     """Read what identifies the datasets of a results folder.
 
     Parameters
@@ -271,20 +275,18 @@ def read_origins(folder, names):
     return origins
 
 
-def configuration_of(dataset):
+def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:
     """The part of the configuration that a dataset was computed with."""
     return json.loads(dataset.attrs["config"])
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """An attribute value that netCDF can hold."""
-    if isinstance(value, bool):
-        return int(value)
     return value.item() if isinstance(value, np.generic) else value
 
 
-def _encoding(dataset):
-    encoding = {}
+def _encoding(dataset: xr.Dataset) -> dict[Hashable, dict[str, Any]]:
+    encoding: dict[Hashable, dict[str, Any]] = {}
     for name, variable in dataset.variables.items():
         encoding[name] = dict(_COMPRESSION) if variable.ndim else {}
         if name in dataset.coords:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import TypeGuard
 
 from granular_fronts.errors import NoSpaceError
 
@@ -61,7 +62,7 @@ def complete_file(path: Path | str) -> Iterator[Path]:
             unfinished.unlink()
 
 
-def is_full(error: BaseException) -> bool:
+def is_full(error: BaseException) -> TypeGuard[OSError]:
     """Whether an error is the system's answer that a disk is full."""
     return isinstance(error, OSError) and error.errno in FULL_DISK
 

@@ -19,6 +19,8 @@ import re
 from decimal import Decimal
 from typing import NamedTuple
 
+from granular_fronts.accuracy import Estimate
+
 NUMBER = r"[-+]?[0-9.]+(?:e[-+]?[0-9]+)?"
 FORMS = re.compile(
     rf"(?P<side>at least|above|at most|below|>=|>|<=|<) (?P<limit>{NUMBER})"
@@ -35,7 +37,7 @@ class Range(NamedTuple):
     strict: bool = False
 
 
-def range_of_criterion(criterion):
+def range_of_criterion(criterion: str) -> Range:
     """Read a criterion or a printed inequality.
 
     Parameters
@@ -73,7 +75,7 @@ def range_of_criterion(criterion):
     )
 
 
-def half_unit(printed):
+def half_unit(printed: str) -> str:
     """Half a unit of the last digit of a printed number, which is text.
 
     Parameters
@@ -85,11 +87,22 @@ def half_unit(printed):
     -------
     str
         In plain digits where they are few, for example "0.005" or "5e-05".
+
+    Raises
+    ------
+    ValueError
+        If the text is infinite or no number, and so has no last digit.
     """
-    return f"{float(Decimal(5).scaleb(Decimal(printed).as_tuple().exponent - 1)):g}"
+    exponent = Decimal(printed).as_tuple().exponent
+    if not isinstance(exponent, int):
+        raise ValueError(
+            f"The printed number is {printed}, which has no last digit: give its digits, or say "
+            "`within` what the number is reproduced."
+        )
+    return f"{float(Decimal(5).scaleb(exponent - 1)):g}"
 
 
-def judge(allowed, measured):
+def judge(allowed: Range, measured: Estimate) -> bool | None:
     """Compare a measured number with a range.
 
     Parameters

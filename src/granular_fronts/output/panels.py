@@ -1,12 +1,25 @@
 """What several figures share: each function draws what a dataset holds and computes nothing."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import Colormap
+from matplotlib.figure import Figure
+
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
 
 
-def draw_probes(axes, data, name):
+def draw_probes(axes: Axes, data: xr.Dataset, name: str) -> None:
     """u_n(t) of every bead of a probe set."""
     probes = data[f"relative_displacement_{name}"]
     for bead in probes[f"bead_{name}"].values:
@@ -15,12 +28,12 @@ def draw_probes(axes, data, name):
     axes.set(xlabel="$t$", ylabel="$u_n(t)$", xlim=(curve[f"t_{name}"][0], curve[f"t_{name}"][-1]))
 
 
-def label_peaks(axes):
+def label_peaks(axes: Axes) -> None:
     """Write each curve's label above its highest point, in its colour."""
     for line in axes.get_lines():
-        t, u = line.get_data()
+        t, u = np.asarray(line.get_data())
         axes.annotate(
-            line.get_label(),
+            str(line.get_label()),
             (t[u.argmax()], u.max()),
             xytext=(0, 3),
             textcoords="offset points",
@@ -30,7 +43,15 @@ def label_peaks(axes):
         )
 
 
-def draw_spacetime(axes, values, *, colour_map, limits, extend, label):
+def draw_spacetime(
+    axes: Axes,
+    values: xr.DataArray,
+    *,
+    colour_map: Colormap,
+    limits: tuple[float | None, float | None],
+    extend: str,
+    label: str,
+) -> None:
     """Colour the (n, t) plane, bead number across and time upwards.
 
     Parameters
@@ -60,7 +81,7 @@ def draw_spacetime(axes, values, *, colour_map, limits, extend, label):
     axes.figure.colorbar(image, ax=axes, location="top", extend=extend, label=label, aspect=30)
 
 
-def draw_chain_dots(axes, snapshot, field):
+def draw_chain_dots(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
     """A field of all beads, one dot each.
 
     Parameters
@@ -76,7 +97,7 @@ def draw_chain_dots(axes, snapshot, field):
     axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
 
 
-def draw_comparison(data):
+def draw_comparison(data: xr.Dataset) -> Figure:
     """Figure of chain and logarithmic Burgers equation at every snapshot after the start.
 
     Parameters
@@ -102,7 +123,9 @@ def draw_comparison(data):
     return figure
 
 
-def draw_rings(height, rings, draw):
+def draw_rings(
+    height: float, rings: Sequence[xr.Dataset], draw: Callable[[Axes, xr.Dataset, str, str], None]
+) -> tuple[Figure, list[list[Axes]]]:
     """Figure with a row for each ring and a column for each field.
 
     Parameters
@@ -129,7 +152,7 @@ def draw_rings(height, rings, draw):
     return figure, rows
 
 
-def finish_grid(figure, lowest, label, columns=3):
+def finish_grid(figure: Figure, lowest: Sequence[Axes], label: str, columns: int = 3) -> None:
     """Label the abscissae of the lowest row, and put the legend of all panels above them."""
     for axes in lowest:
         axes.set_xlabel(label)

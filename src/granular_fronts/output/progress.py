@@ -3,10 +3,16 @@
 A bar appears when its work has lasted `DELAY` seconds, and says what is solved for which scene.
 """
 
+from __future__ import annotations
+
 import math
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from tqdm import tqdm
 
 DELAY = 2.0
 """Seconds of work before a bar appears."""
@@ -15,7 +21,7 @@ SIGNIFICANT_DIGITS = 3
 """Of the end time; a time on the way has as many decimal places."""
 
 
-def count_bar(description: str, total: int, unit: str):
+def count_bar(description: str, total: int, unit: str) -> tqdm:
     """A bar over a number of things, a context that has a method ``update(count)``.
 
     Parameters
@@ -56,7 +62,7 @@ def counted(items: Iterable, description: str, unit: str) -> Iterator:
 
 
 @contextmanager
-def time_bar(description: str, end_time: float):
+def time_bar(description: str, end_time: float) -> Iterator[Callable[[float], None]]:
     """A bar over the time of a motion, rounded to a few digits of the end time.
 
     Parameters
@@ -81,7 +87,7 @@ def time_bar(description: str, end_time: float):
         yield lambda time: bar.update(min(time, end_time) - bar.n)
 
 
-def _bar_class():
+def _bar_class() -> type[tqdm]:
     """The bar of a notebook where one runs and has the widgets for it, else the terminal's."""
     if "ipykernel" in sys.modules and _has_widgets():
         from tqdm.auto import tqdm

@@ -20,12 +20,19 @@ parameters than those of the reference configuration, its statement is measured 
 tolerances may differ.
 """
 
+from __future__ import annotations
+
 import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.judgement import half_unit, judge, range_of_criterion
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 REPRODUCED, NOT_REPRODUCED = "reproduced", "not reproduced"
 HOLDS, DOES_NOT_HOLD = "holds", "does not hold"
@@ -42,13 +49,13 @@ ANSWERS = {
 UNMEASURED = Estimate(math.nan, math.nan)
 
 
-def scenes_of(statement):
+def scenes_of(statement: Mapping[str, Any]) -> list[str]:
     """Names of the scenes that a statement is about, as a list."""
     scene = statement["scene"]
     return [scene] if isinstance(scene, str) else scene
 
 
-def criterion_of(statement):
+def criterion_of(statement: Mapping[str, Any]) -> str:
     """What a statement is judged by, in words and numbers.
 
     Parameters
@@ -70,7 +77,7 @@ def criterion_of(statement):
     return statement["criterion"]
 
 
-def verdict_on(statement, measured):
+def verdict_on(statement: Mapping[str, Any], measured: Estimate) -> str:
     """Verdict on a statement about the paper's parameters.
 
     Parameters
@@ -92,7 +99,12 @@ def verdict_on(statement, measured):
     return true if answer else false
 
 
-def evaluate(statement, function, datasets, references):
+def evaluate(
+    statement: Mapping[str, Any],
+    function: Callable[..., Estimate],
+    datasets: Mapping[str, xr.Dataset],
+    references: Mapping[str, Any],
+) -> dict[str, Any]:
     """Measure a statement and judge it.
 
     Parameters
@@ -136,7 +148,9 @@ def evaluate(statement, function, datasets, references):
     }
 
 
-def measure_departed(function, datasets, arguments):
+def measure_departed(
+    function: Callable[..., Estimate], datasets: Sequence[xr.Dataset], arguments: Mapping[str, Any]
+) -> Estimate:
     """Measure a statement on other parameters, which may leave out what it needs.
 
     Parameters
@@ -157,7 +171,7 @@ def measure_departed(function, datasets, arguments):
         return UNMEASURED
 
 
-def unexpected_verdicts(rows):
+def unexpected_verdicts(rows: Iterable[Mapping[str, Any]]) -> list[str]:
     """Find the verdicts that differ from the expected ones.
 
     Parameters

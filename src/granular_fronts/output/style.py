@@ -6,13 +6,17 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
+from collections.abc import Collection, Iterable, Mapping
+from pathlib import Path
+from typing import Any
 
 import matplotlib
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
-from matplotlib import cycler
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.colors import Colormap
+from matplotlib.figure import Figure
+from matplotlib.rcsetup import cycler
 
 from granular_fronts.output.files import complete_file
 
@@ -51,10 +55,9 @@ PACKAGE_COLOURS = {
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
 
-_SETTINGS = {
+_SETTINGS: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
-    "figure.dpi": 100,
-    "savefig.dpi": 200,
+    "figure.dpi": 200,
     "font.size": 9,
     "axes.titlesize": 9,
     "axes.labelsize": 9,
@@ -71,7 +74,7 @@ _SETTINGS = {
 }
 
 
-def new_figure(height, mosaic):
+def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
     """A figure of text width with the panels of a mosaic.
 
     Parameters
@@ -79,34 +82,35 @@ def new_figure(height, mosaic):
     height : float
         In inches.
     mosaic : list of list of str
-        Names of the panels, as in `matplotlib.pyplot.subplot_mosaic`.
+        Names of the panels, as in `matplotlib.figure.Figure.subplot_mosaic`.
 
     Returns
     -------
     figure : matplotlib.figure.Figure
     panels : dict of matplotlib.axes.Axes
     """
-    plt.rcParams.update(_SETTINGS)
-    return plt.subplot_mosaic(mosaic, figsize=(TEXT_WIDTH, height))
+    matplotlib.rcParams.update(_SETTINGS)
+    figure = Figure(figsize=(TEXT_WIDTH, height))
+    return figure, figure.subplot_mosaic(mosaic)
 
 
-def fill_rows(names, columns):
+def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
     """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
     filled = [*names, *["."] * (-len(names) % columns)]
     return [filled[first : first + columns] for first in range(0, len(filled), columns)]
 
 
-def compression_map():
+def compression_map() -> Colormap:
     """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
     return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
 
 
-def velocity_map():
+def velocity_map() -> Colormap:
     """Colour map of velocities, light at rest."""
     return matplotlib.colormaps["viridis_r"]
 
 
-def save_figure(figure, pdf, png, origins):
+def save_figure(figure: Figure, pdf: Path, png: Path, origins: Iterable[Mapping[str, str]]) -> None:
     """Save both formats, each appearing under its name only when complete.
 
     The PDF carries no date, so that equal data give equal files.
@@ -119,7 +123,10 @@ def save_figure(figure, pdf, png, origins):
         What the figure was drawn from, as `provenance.origin` gives, kept in both files.
     """
     keywords = " ".join("{scene}:{question}:{data}".format(**origin) for origin in origins)
-    for path, metadata in ((pdf, {"CreationDate": None}), (png, {})):
-        with complete_file(path) as unfinished:
-            figure.savefig(unfinished, metadata={"Keywords": keywords, **metadata})
-    plt.close(figure)
+    # `savefig` would draw each format twice and arrange the panels anew for each.
+    with complete_file(png) as unfinished:
+        FigureCanvasAgg(figure).print_png(unfinished, metadata={"Keywords": keywords})
+    figure.set_layout_engine("none")
+    with complete_file(pdf) as unfinished:
+        metadata = {"Keywords": keywords, "CreationDate": None}
+        FigureCanvasPdf(figure).print_pdf(unfinished, metadata=metadata)

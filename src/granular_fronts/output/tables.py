@@ -1,10 +1,26 @@
 """The one place that writes tables: each for machines with all digits, and rounded for people."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.provenance import origin, write_record
 
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
 
-def write_table(table, rounded, csv, markdown, sources):
+
+def write_table(
+    table: pd.DataFrame,
+    rounded: pd.DataFrame,
+    csv: Path,
+    markdown: Path,
+    sources: Iterable[xr.Dataset],
+) -> None:
     """Write both files and their record, each appearing under its name only when it is complete.
 
     Parameters
@@ -27,6 +43,6 @@ def write_table(table, rounded, csv, markdown, sources):
     write_record(csv.with_suffix(".json"), [csv, markdown], origins)
 
 
-def round_floats(table, digits):
+def round_floats(table: pd.DataFrame, digits: int) -> pd.DataFrame:
     """A table whose floats are text of a number of significant digits; all else is left alone."""
     return table.map(lambda cell: f"{cell:.{digits}g}" if isinstance(cell, float) else cell)

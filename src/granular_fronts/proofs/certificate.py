@@ -3,6 +3,8 @@
 import math
 import re
 from fractions import Fraction
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -24,8 +26,18 @@ COARSE = 20
 WIDEST = 1e-8
 START = 1.5e-5
 
+Rational = float | str | Fraction
+"""A number as `rational` reads it."""
 
-def prove_front(alpha, gamma, path, cells=20, fine=FINE, drift=DRIFT):
+
+def prove_front(
+    alpha: Rational,
+    gamma: Rational | tuple[Rational, Rational],
+    path: str | Path,
+    cells: int = 20,
+    fine: int = FINE,
+    drift: float = DRIFT,
+) -> dict[str, Any]:
     """Prove that a front exists, near the computed one, and what it looks like.
 
     Parameters

@@ -7,6 +7,8 @@ of their points; wherever one does not, and whatever else happens, nothing is pr
 """
 
 from functools import partial
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from flint import arb, arb_poly, arb_series, ctx, fmpq
@@ -49,7 +51,7 @@ FIELDS = {
 }
 
 
-def check_certificate(path):
+def check_certificate(path: str | Path) -> dict[str, Any]:
     """Prove what a certificate claims.
 
     Parameters

@@ -20,7 +20,7 @@ from granular_fronts.chain.equations import Boundary
 from granular_fronts.model.laws import Law
 from granular_fronts.model.passes import call_row_map, row_map, row_parameters
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 XW, XV = 0, 1
 
@@ -203,7 +203,7 @@ def derivative(contacts, y, result):
         result[beads + n] = force[n] - force[n + 1]
 
 
-@kernel
+@subroutine
 def step(contacts, y, slopes, h, relative, absolute):
     """One step of the pair; returns the new state and the error in units of the tolerance."""
     stage = np.empty_like(y)

@@ -33,7 +33,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import InputError
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
 NEWTON_LIMIT = 50
@@ -147,7 +147,7 @@ def advance(u, d, alpha, theta, step, steps):
     return iterations
 
 
-@kernel
+@subroutine
 def evaluate_force(u, alpha, force, stiffness):
     """u₊^α and its derivative, at every contact."""
     for n in range(u.size):
@@ -156,7 +156,7 @@ def evaluate_force(u, alpha, force, stiffness):
         force[n] = compression**alpha
 
 
-@kernel
+@subroutine
 def newton_correction(u, target, force, stiffness, implicit, correction, factor):
     """Solve (1 − κΔ stiffness) correction = target − u + κΔ force by elimination, κ = implicit."""
     last = u.size - 2

@@ -21,9 +21,9 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import InputError
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
-from granular_fronts.numerics.vector_functions import logarithms
+from granular_fronts.numerics.vector_functions import logarithm
 
 PAPER_FRACTION = 0.8
 
@@ -93,18 +93,26 @@ def evolve_upwind(values, half_length, end, step=None):
 @kernel
 def march(values, spacing, step, steps):
     """Advance `values`, in place, by a number of equal steps."""
-    n = values.size
-    padded, wind = np.empty(n + 2), np.empty(n)
-    mantissa, exponent = np.empty(n), np.empty(n, dtype=np.int64)
-    left, right = padded[:-2], padded[2:]
-    advection, diffusion = step / spacing, step / spacing**2
+    n, advection, diffusion = values.size, step / spacing, step / spacing**2
+    old, new = np.empty(n + 2), np.empty(n + 2)
+    for i in range(n):
+        old[i + 1] = values[i]
     for _ in range(steps):
         if interrupted():
             break
-        padded[1:-1] = values
-        padded[0], padded[n + 1] = values[n - 1], values[0]
-        logarithms(values, exponent, mantissa, wind)
-        for i in range(n):
-            forward, backward = right[i] - values[i], values[i] - left[i]
-            downwind = min(wind[i], 0.0) * forward + max(wind[i], 0.0) * backward
-            values[i] += diffusion * (forward - backward) - advection * downwind
+        old[0], old[n + 1] = old[n], old[1]
+        step_once(old, new, advection, diffusion)
+        old, new = new, old
+    for i in range(n):
+        values[i] = old[i + 1]
+
+
+@subroutine(error_model="numpy")
+def step_once(old, new, advection, diffusion):
+    """One step of all points; `old` and `new` have one more on either side."""
+    left, centre, right, stepped = old[:-2], old[1:-1], old[2:], new[1:-1]
+    for i in range(centre.size):
+        forward, backward = right[i] - centre[i], centre[i] - left[i]
+        wind = logarithm(centre[i])
+        downwind = wind * (forward if wind <= 0.0 else backward)
+        stepped[i] = centre[i] + (diffusion * (forward - backward) - advection * downwind)

@@ -10,6 +10,7 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.law_constraints import (
@@ -75,7 +76,7 @@ def ranges_increase(section: Mapping) -> Iterator[str]:
             )
 
 
-def _is_empty(start, stop):
+def _is_empty(start: Any, stop: Any) -> bool:
     return not isinstance(start, Mapping) and start >= stop
 
 

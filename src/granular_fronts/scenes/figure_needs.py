@@ -5,7 +5,7 @@ values of parameters: where one is missing, its statements are not measured.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from granular_fronts.scenes.validation import section_label
 
@@ -105,7 +105,7 @@ def need_errors(configuration: Mapping) -> Iterator[str]:
             yield from _errors_of_need(need, section_label(path) + need.key, found)
 
 
-def _errors_of_need(need, place, found):
+def _errors_of_need(need: Need, place: str, found: Any) -> Iterator[str]:
     if not found:
         yield (
             f"{place} is {'missing' if found is None else 'empty or off'}, but {need.user} needs "
@@ -124,7 +124,7 @@ def _errors_of_need(need, place, found):
         )
 
 
-def _look_up(section, key):
+def _look_up(section: Any, key: str) -> Any:
     """The value at a dotted key, or None."""
     for name in key.split("."):
         if not isinstance(section, Mapping) or name not in section:

@@ -119,7 +119,7 @@ def pressed_chains_hold_waves(section: Mapping) -> Iterator[str]:
             f"beads is {beads}, but waves run through about {BEADS_PER_TIME * end:.3g} beads until "
             f"end_time {end:g}: give more beads, or a smaller end_time."
         )
-    name = max("weak_gamma", "strong_gamma", key=section.get)
+    name = max("weak_gamma", "strong_gamma", key=section.__getitem__)
     least = FORMING_TIME * (1.0 + section[name])
     if end < least:
         yield (

@@ -10,6 +10,7 @@ import json
 import math
 import sys
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from granular_fronts.errors import InputError
 
@@ -33,7 +34,7 @@ def law_errors(section: Mapping) -> Iterator[str]:
         yield f"law: {error}"
 
 
-def made_law(law: object):
+def made_law(law: Any) -> Any:
     """The `model.laws.Law` of a long form, or of one that is made already.
 
     Raises
@@ -56,13 +57,13 @@ def is_of_potentials(law: object) -> bool:
 
 
 @functools.lru_cache
-def _made(text):
+def _made(text: str) -> Any:
     from granular_fronts.model.laws import make_law
 
     return make_law(json.loads(text))
 
 
-def exponent_of(law: object) -> float | None:
+def exponent_of(law: Any) -> float | None:
     """Exponent α of a Hertz potential, None for other elastic potentials."""
     if is_short(law):
         return law["alpha"]
@@ -70,12 +71,12 @@ def exponent_of(law: object) -> float | None:
     return elastic.parameters[0] if elastic.kind == "hertz" else None
 
 
-def domain_of(law: object) -> tuple[float, float]:
+def domain_of(law: Any) -> tuple[float, float]:
     """Open interval of the strains for which a law holds."""
     return (-math.inf, math.inf) if is_short(law) else made_law(law).domain
 
 
-def decades_of_impact(law: object, velocity: float, most: int) -> float:
+def decades_of_impact(law: Any, velocity: float, most: int) -> float:
     """Decimal logarithm of the strain that a velocity makes of contacts at rest.
 
     A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
@@ -108,7 +109,7 @@ def decades_of_impact(law: object, velocity: float, most: int) -> float:
     return float(sizes[np.argmax(enough)]) if enough.any() else float(most)
 
 
-def front_speed(law: object, size: float) -> float:
+def front_speed(law: Any, size: float) -> float:
     """Speed of a front into contacts at rest, (V'(−u)/−u)^½ for a compression u = 10^size."""
     if is_short(law):
         return 10.0 ** (0.5 * (law["alpha"] - 1.0) * size)
@@ -118,7 +119,7 @@ def front_speed(law: object, size: float) -> float:
     return math.sqrt(abs(float(elastic.first(-u))) / u)
 
 
-def decades_of_energy(law: object, size: float) -> dict[str, float]:
+def decades_of_energy(law: Any, size: float) -> dict[str, float]:
     """Decimal logarithms of V and W at a compression of 10^size, by key of the law."""
     if is_short(law):
         return {key: (law[key] + 1.0) * size for key in ("alpha", "beta") if key in law}
@@ -127,7 +128,7 @@ def decades_of_energy(law: object, size: float) -> dict[str, float]:
     return {key: found for key, found in energies.items() if math.isfinite(found)}
 
 
-def _decades_of_energy(potential, size):
+def _decades_of_energy(potential: Any, size: float) -> float:
     """The same of one potential, −∞ where it is 0."""
     if potential.factor == 0.0 or -(10.0**size) <= potential.domain[0]:
         return -math.inf

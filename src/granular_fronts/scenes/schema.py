@@ -12,6 +12,8 @@ import re
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from types import UnionType
+from typing import Any
 
 import yaml
 from jsonschema import Draft202012Validator, validators
@@ -43,17 +45,17 @@ ABOUT_KEYS = "required", "additionalProperties"
 """Kinds of violations that concern a key inside the value, and not the value as a whole."""
 
 
-def _is_whole(_checker: object, value: object) -> bool:
+def _is_whole(_checker: object, value: Any) -> bool:
     # JSON Schema also calls 420.0 an integer, but a count of beads is used as an index.
     return _is_plain(value, int) and abs(value) <= LARGEST_WHOLE
 
 
-def _is_finite(_checker: object, value: object) -> bool:
+def _is_finite(_checker: object, value: Any) -> bool:
     # YAML reads .nan and .inf, and every comparison with a limit lets them pass.
     return _is_plain(value, int | float) and abs(value) <= sys.float_info.max
 
 
-def _is_plain(value: object, kind: object) -> bool:
+def _is_plain(value: object, kind: type | UnionType) -> bool:
     return isinstance(value, kind) and not isinstance(value, bool)
 
 

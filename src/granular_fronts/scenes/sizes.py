@@ -13,7 +13,7 @@ Every function below yields a `Part` for each key that decides on the size of a 
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.laws import front_speed
@@ -134,11 +134,11 @@ def show_time(seconds: float) -> str:
     return f"{seconds:.0f} s"
 
 
-def _show_number(value):
+def _show_number(value: float) -> str:
     return f"{value:,.0f}" if value < 1e6 else f"{value:.0e}"
 
 
-def _look_up(section, key):
+def _look_up(section: Any, key: str) -> Any:
     for name in key.split("."):
         section = section[name]
     return section
@@ -363,19 +363,19 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
 """Sizes by the path of a section in the configuration; ``*`` stands for a name."""
 
 
-def _points(axis):
+def _points(axis: Mapping) -> float:
     return (axis["stop"] - axis["start"]) / axis["step"]
 
 
-def _grid_part(large, small, numbers):
+def _grid_part(large: tuple[str, ...], small: tuple[str, ...], numbers: float) -> Part:
     return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
 
 
-def _front_part(keys, fronts):
+def _front_part(keys: tuple[str, ...], fronts: float) -> Part:
     return Part(keys, (), NUMBERS_PER_FRONT * fronts, fronts * SECONDS_PER_FRONT)
 
 
-def _crossing_time(scene, beads):
+def _crossing_time(scene: Mapping, beads: float) -> float:
     """Time that the crossings of a motion take."""
     size = decades_of_displacement(scene)
     if not math.isfinite(size):

@@ -9,6 +9,7 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 """
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase, steps_fit_ranges
@@ -20,7 +21,7 @@ from granular_fronts.scenes.sizes import size_errors
 ANY_LAW = {"alpha": 1, "beta": 1, "gamma": 0}
 
 
-def check_scene(family: str, scene: Mapping, name: str) -> dict:
+def check_scene(family: str, scene: Mapping[str, Any], name: str) -> dict[str, Any]:
     """Validate a scene.
 
     Parameters
@@ -43,19 +44,19 @@ def check_scene(family: str, scene: Mapping, name: str) -> dict:
     InputError
         With one sentence for each thing that is wrong.
     """
-    scene = _plain(scene)
+    plain = _plain(scene)
     place = ("scenes", family, name)
-    if isinstance(scene, dict) and is_of_potentials(scene.get("law")):
-        raise_if_any([f"Scene {name}: {error}" for error in law_errors(scene)])
-        scene["law"] = made_law(scene["law"])
+    if isinstance(plain, dict) and is_of_potentials(plain.get("law")):
+        raise_if_any([f"Scene {name}: {error}" for error in law_errors(plain)])
+        plain["law"] = made_law(plain["law"])
     # A law that is made already obeys the schema.
-    has_law = hasattr(scene.get("law"), "elastic") if isinstance(scene, dict) else False
-    as_written = scene | {"law": ANY_LAW} if has_law else scene
+    has_law = hasattr(plain.get("law"), "elastic") if isinstance(plain, dict) else False
+    as_written = plain | {"law": ANY_LAW} if has_law else plain
     raise_if_any(
         [*violations(as_written, definition=f"{family}_scene", place=place)]
-        or [f"Scene {name}: {error}" for error in section_errors(f"scenes.{family}.*", scene)]
+        or [f"Scene {name}: {error}" for error in section_errors(f"scenes.{family}.*", plain)]
     )
-    return scene
+    return plain
 
 
 def section_errors(path: str, section: Mapping) -> list[str]:
@@ -103,7 +104,7 @@ def raise_if_any(sentences: Sequence[str]) -> None:
         raise InputError("\n".join(sentences))
 
 
-def _plain(value: object) -> object:
+def _plain(value: Any) -> Any:
     """Turn numpy values and mappings into what YAML would have given."""
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}

@@ -5,26 +5,32 @@ mapping is an error, since one of its two values would be ignored.
 """
 
 import functools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import yaml
 
 from granular_fronts.errors import InputError
 
+try:
+    from yaml import CSafeLoader as SafeLoader
+except ImportError:
+    from yaml import SafeLoader
+
 MERGE_TAG = "tag:yaml.org,2002:merge"
 """Tag of the key ``<<``, which may stand beside the keys that it merges."""
 
 
-class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
+class _Loader(SafeLoader):
     """Safe loader, with libyaml's parser where it is installed, that notes repeated keys."""
 
-    def __init__(self, stream):
+    def __init__(self, stream: str) -> None:
         super().__init__(stream)
         self.repeated: list[yaml.ScalarNode] = []
         self.examined: set[int] = set()
 
-    def flatten_mapping(self, node):
+    def flatten_mapping(self, node: yaml.MappingNode) -> None:
         """Note the keys written twice, before merged keys join them."""
         if id(node) not in self.examined:
             self.examined.add(id(node))
@@ -32,7 +38,7 @@ class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
         super().flatten_mapping(node)
 
 
-def read_yaml(file: Path | str) -> object:
+def read_yaml(file: Path | str) -> Any:
     """Read a YAML file.
 
     Parameters
@@ -58,10 +64,6 @@ def read_yaml(file: Path | str) -> object:
         raise InputError(f"{file} cannot be read ({error}): name a text file in UTF-8.") from None
     except yaml.YAMLError as error:
         raise InputError(_syntax_error(file, error)) from None
-    except RecursionError:
-        raise InputError(
-            f"{file} is nested too deeply to be read: name a file as in config/default.yaml."
-        ) from None
     if loader.repeated:
         raise InputError(
             "\n".join(
@@ -73,12 +75,12 @@ def read_yaml(file: Path | str) -> object:
     return value
 
 
-def yaml_errors(files: list[Path | str]) -> Iterator[str]:
+def yaml_errors(files: Sequence[Path | str]) -> Iterator[str]:
     """Read files for their errors only.
 
     Parameters
     ----------
-    files : list of Path or str
+    files : sequence of Path or str
         Configuration files.
 
     Yields
@@ -144,7 +146,7 @@ def merge(below: Mapping, above: Mapping) -> dict:
     return merged
 
 
-def _repeated_keys(node):
+def _repeated_keys(node: yaml.MappingNode) -> Iterator[yaml.ScalarNode]:
     written = set()
     for key, _ in node.value:
         if isinstance(key, yaml.ScalarNode) and key.tag != MERGE_TAG:
@@ -153,7 +155,7 @@ def _repeated_keys(node):
             written.add(key.value)
 
 
-def _syntax_error(file, error):
+def _syntax_error(file: Path | str, error: yaml.YAMLError) -> str:
     mark = getattr(error, "problem_mark", None)
     if mark is None:
         reason = " ".join(str(error).split())
@@ -161,5 +163,5 @@ def _syntax_error(file, error):
     return f"{_position(file, mark)}: this is no YAML ({error.problem}): correct it there."
 
 
-def _position(file, mark):
+def _position(file: Path | str, mark: yaml.Mark) -> str:
     return f"{file}, line {mark.line + 1}, column {mark.column + 1}"

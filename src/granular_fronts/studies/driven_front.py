@@ -5,7 +5,7 @@ the sudden start; what is left of the transient decays only algebraically.  In u
 the strength of the viscous force is the γc of (30).
 """
 
-from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain.simulate import simulate_chain, simulate_once
 
 BEADS_AHEAD = 60
 """Beads between the one looked at and the free end, which the front has not reached by then."""
@@ -44,7 +44,7 @@ def drive_front(alpha, gamma, bead, name="driven"):
         "tolerance": TOLERANCE,
         "record": {"snapshots": [], "arrival_level": 0.5},
     }
-    moment = float(simulate_chain(scene, name)["arrival_time"].sel(bead=bead))
+    moment = float(simulate_once(scene, name)["arrival_time"].sel(bead=bead))
     scene |= {"end_time": moment, "record": {"snapshots": [moment]}}
     snapshot = simulate_chain(scene, name).isel(t=0, drop=True)
     return snapshot.assign_coords(bead=snapshot["bead"] - bead).rename(bead="xi")

@@ -35,7 +35,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.accuracy import Estimate
-from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
@@ -228,7 +228,7 @@ def drive_front(law, front, beads, tolerance):
     ways = (beads // 4, beads // 2, beads)
     moments = [(way - 1.0 + np.arange(1, SAMPLES + 1) / SAMPLES) / c for way in ways]
     scene = _scene(law, front, -strain[1:], velocity, tolerance, snapshots=np.concatenate(moments))
-    motion = simulate_chain(scene)
+    motion = simulate_once(scene)
     # Farther behind, what is left of the front is smaller than what the start has left there.
     length = math.ceil(0.5 * window_behind)
     velocity_jumps, powers = zip(

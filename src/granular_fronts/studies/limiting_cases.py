@@ -26,13 +26,13 @@ from granular_fronts.accuracy import (
     variable_and_errors,
 )
 from granular_fronts.chain.measures import last_fall
-from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.potentials import make_potential
 from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
 from granular_fronts.scenes.validation import raise_if_any
-from granular_fronts.studies.ring_against_equations import compare_with_chain
+from granular_fronts.studies.ring_against_equations import compare_with_logarithmic
 
 TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
 BEHIND = slice(0.5, 0.8)
@@ -108,7 +108,7 @@ def measure_limiting_cases(section):
 
 def press_chain(alpha, gamma, beads, times):
     """Relative displacements, shape (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
-    motion = simulate_chain(
+    motion = simulate_once(
         {
             "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
             "beads": beads,
@@ -174,7 +174,7 @@ def ring_distance(alpha, rings):
     scales = make_slow_scales(alpha, rings["gamma"], 1.0)
     end = rings["slow_time"] / scales.slow_rate
     solver = {"cells": 512, "tolerance": 1.0e-6}
-    compared = compare_with_chain(
+    compared = compare_with_logarithmic(
         {
             "law": {"alpha": alpha, "gamma": rings["gamma"]},
             "displacement": 1.0,

@@ -31,6 +31,7 @@ ALPHA = 1.5
 
 RELATIVE_ERROR = 1.0e-12
 ERROR_METHOD = "bound on the relative error of the collision, checked by its tests"
+ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equations"}
 
 
 def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
@@ -53,7 +54,8 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
     xarray.Dataset
         On (material,) `gamma_printed`, `restitution` by the linear rule, `gamma` of the exact
         collision, `restitution_exact` of the printed γ, `contact_damping` γ₀ and `stiffness` k; on
-        (material, piston_velocity) and (material, force) `gamma_front_…` and `mu_front_…`.
+        (material, piston_velocity) and (material, force) `gamma_front_…` and `mu_front_…`; the
+        damping `critical_gamma` below which these fronts oscillate.
     """
     rows = [_evaluate(bead, impact_velocity, piston_velocities, forces) for bead in beads.values()]
     dims = {"piston": "piston_velocity", "force": "force"}
@@ -64,6 +66,7 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
         estimate = RELATIVE_ERROR * float(np.abs(values).max())
         attributes = {"error_estimate": estimate, "error_method": ERROR_METHOD, **_unit(name)}
         variables[name] = (("material", kind) if kind else "material", values, attributes)
+    variables["critical_gamma"] = ((), critical_damping(ALPHA), ROOT)
     return xr.Dataset(
         variables,
         {
@@ -103,8 +106,3 @@ def _evaluate(bead, impact_velocity, piston_velocities, forces):
 def _unit(name):
     units = {"contact_damping": "s", "stiffness": "N m-1.5"}
     return {"units": units[name]} if name in units else {}
-
-
-def regime(gamma):
-    """The word for a front of spheres, δ = c = 1: "underdamped" (oscillating) or "overdamped"."""
-    return "underdamped" if gamma < critical_damping(ALPHA) else "overdamped"

@@ -25,8 +25,16 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError, SolveError
+from granular_fronts.model.laws import make_law
+from granular_fronts.reference_methods.position_forms import (
+    XW,
+    integrate_by_stages,
+    pack,
+    unpack,
+)
 from granular_fronts.reference_methods.theta_method import NEWTON_TOLERANCE, integrate_from_rest
 
 ERROR_METHOD = "error of the damped chain, and Newton's tolerance times the number of steps"
@@ -154,16 +162,14 @@ def theta_chain(case, theta, step):
 
 def two_stage_chain(case, theta, step):
     """Relative displacements at the end by the explicit scheme of two stages."""
-
-    def slopes(state):
-        u, d = state
-        force = np.concatenate([[case.displacement], np.maximum(u, 0.0), [0.0]]) ** case.alpha
-        return np.array([d, force[:-2] - 2.0 * force[1:-1] + force[2:]])
-
-    state = np.zeros((2, case.beads - 1))
-    for _ in range(round(case.end_time / step)):
-        state = state + step * slopes(state + theta * step * slopes(state))
-    return state[0]
+    law = make_law(alpha=case.alpha, gamma=0.0)
+    boundary = Boundary(ring=False, left=case.displacement, right=0.0)
+    at_rest = np.zeros(case.beads)
+    system, state = pack(XW, law, boundary, at_rest, at_rest)
+    steps = round(case.end_time / step)
+    nodes, weights = np.array([0.0, theta]), np.array([0.0, 1.0])
+    state = integrate_by_stages(system, state, step, steps, nodes, weights)
+    return unpack(system, state)[0][:-1]
 
 
 def damped_chain(case, gamma):

@@ -69,11 +69,25 @@ def compare_with_chain(scene, name="given"):
         If a solver stops.
     """
     scene = check_scene("periodic", scene, name)
+    dataset = _compare(scene, name, (LOGARITHMIC, UNLIMITED))
+    return dataset.merge(_solve_upwind(scene, dataset), combine_attrs="no_conflicts")
+
+
+def compare_with_logarithmic(scene, name="given"):
+    """Solve a periodic scene as a chain and by the logarithmic Burgers equation (50) alone.
+
+    Parameters, result and errors as of `compare_with_chain`.
+    """
+    return _compare(check_scene("periodic", scene, name), name, (LOGARITHMIC,))
+
+
+def _compare(scene, name, equations):
+    """The chain of a checked scene beside some equations."""
     dataset = simulate_chain(make_chain_scene(scene), name)
-    for equation in (LOGARITHMIC, UNLIMITED):
+    for equation in equations:
         solved = _solve_equation(scene, equation, dataset)
         dataset = dataset.merge(solved, combine_attrs="no_conflicts")
-    return dataset.merge(_solve_upwind(scene, dataset), combine_attrs="no_conflicts")
+    return dataset
 
 
 def make_chain_scene(scene):

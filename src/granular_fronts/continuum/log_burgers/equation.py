@@ -34,12 +34,19 @@ exponent: it is u/δ of (47).
 The scales and the velocities that belong to y are in `granular_fronts.model.amplitude_scaling`.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from granular_fronts.arguments import array, scalar
 
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
-def flux(y, alpha):
+
+def flux(y: npt.ArrayLike, alpha: float) -> np.ndarray:
     """Flux f_α(y) of James (2021), eq. (40), accurate however close α is to 1.
 
     Parameters
@@ -66,13 +73,13 @@ def flux(y, alpha):
         return -y * np.expm1(-exponent * np.log(np.where(y > 0.0, y, 1.0))) / exponent
 
 
-def limit_flux(y):
+def limit_flux(y: npt.ArrayLike) -> np.ndarray:
     """The limit y ln y of f_α for α → 1⁺, eq. (41); zero at y = 0."""
     y = _check_force(y)
     return y * np.log(np.where(y > 0.0, y, 1.0))
 
 
-def log_burgers_front(xi, alpha=None):
+def log_burgers_front(xi: npt.ArrayLike, alpha: float | None = None) -> np.ndarray:
     """Stationary front y(ξ) from 1 at −∞ to 0 at +∞, with y^(1/α) = 1/2 at ξ = 0.
 
     Parameters
@@ -116,5 +123,5 @@ def _check_alpha(alpha):
     return scalar("alpha", alpha, above=1.0, advice=advice)
 
 
-def _check_force(y):
+def _check_force(y: npt.ArrayLike) -> np.ndarray:
     return array("y", y, least=0.0, advice="a contact cannot pull")

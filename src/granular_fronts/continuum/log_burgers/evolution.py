@@ -11,11 +11,14 @@ the error estimate.  Space is of sixth order and steps of fourth, so that the es
 the error itself.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
 from granular_fronts.accuracy import error_attributes, with_refinement
-from granular_fronts.continuum.log_burgers.solution import SMOOTH_CELLS, SOLVER, solve
+from granular_fronts.continuum.log_burgers.solution import SMOOTH_CELLS, SOLVER, solve, start_levels
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.validation import check_scene
 
@@ -27,7 +30,7 @@ ERROR_METHOD = (
 )
 
 
-def evolve_log_burgers(scene, name="given"):
+def evolve_log_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Solve the logarithmic Burgers equation, James (2021), eq. (50), for a periodic scene.
 
     Parameters
@@ -53,7 +56,7 @@ def evolve_log_burgers(scene, name="given"):
     return _evolve(scene, name, LOGARITHMIC)
 
 
-def evolve_unlimited(scene, name="given"):
+def evolve_unlimited(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """Solve James (2021), eq. (40), before the limit α → 1, for a periodic scene.
 
     Parameters, result (with y for Y) and errors as of `evolve_log_burgers`.
@@ -111,8 +114,9 @@ def solve_refined(scene, equation, times):
 
 def describe(solution):
     """Attributes that say how an equation was solved."""
+    finer = 2 ** start_levels(solution.alpha)
     return {
-        "solver": SOLVER,
+        "solver": f"{SOLVER}, {finer} times finer cells at the start",
         **solution.counts,
         "mean_drift": solution.mean_drift,
         "largest_shortfall": solution.largest_shortfall,

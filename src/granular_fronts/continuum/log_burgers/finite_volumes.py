@@ -42,8 +42,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.numerics.compiled import kernel
-from granular_fronts.numerics.vector_functions import exponentials_less_one, logarithms
+from granular_fronts.numerics.compiled import subroutine
+from granular_fronts.numerics.vector_functions import exponential_less_one, logarithm
 
 GHOSTS = 3
 VALUE_WEIGHTS = (37.0 / 60.0, -8.0 / 60.0, 1.0 / 60.0)
@@ -79,15 +79,11 @@ class Work(NamedTuple):
     padded: np.ndarray
     value: np.ndarray
     gradient: np.ndarray
-    logarithm: np.ndarray
-    mantissa: np.ndarray
-    exponent: np.ndarray
 
 
 def make_work(cells):
     """Work space for a number of cells."""
-    edges = [np.zeros(cells + 1) for _ in range(4)]
-    return Work(np.zeros(cells + 2 * GHOSTS), *edges, np.zeros(cells + 1, dtype=np.int64))
+    return Work(np.zeros(cells + 2 * GHOSTS), np.zeros(cells + 1), np.zeros(cells + 1))
 
 
 def symbols(angle):
@@ -103,13 +99,14 @@ def symbols(angle):
     return over_cell * (np.sin(odd) @ SLOPE_WEIGHTS), over_cell * (np.cos(odd) @ VALUE_WEIGHTS)
 
 
-@kernel
+@subroutine
 def reconstruct(width, averages, work):
     """Values and derivatives of v at the edges, into `work`; edge i lies left of cell i."""
     n = averages.size
-    work.padded[GHOSTS : n + GHOSTS] = averages
-    work.padded[:GHOSTS] = averages[n - GHOSTS :]
-    work.padded[n + GHOSTS :] = averages[:GHOSTS]
+    for i in range(n):
+        work.padded[GHOSTS + i] = averages[i]
+    for i in range(GHOSTS):
+        work.padded[i], work.padded[n + GHOSTS + i] = averages[n - GHOSTS + i], averages[i]
     far_left, left, near_left = work.padded[:-5], work.padded[1:-4], work.padded[2:-3]
     near_right, right, far_right = work.padded[3:-2], work.padded[4:-1], work.padded[5:]
     v0, v1, v2 = VALUE_WEIGHTS
@@ -122,7 +119,7 @@ def reconstruct(width, averages, work):
         gradient[i] = s0 * inner + s1 * middle + s2 * (far_right[i] - far_left[i])
 
 
-@kernel
+@subroutine
 def evaluate_rates(equation, averages, work, rates):
     """Time derivative of the cell averages.
 
@@ -133,29 +130,24 @@ def evaluate_rates(equation, averages, work, rates):
     work : Work
     """
     reconstruct(equation.width, averages, work)
-    value, gradient, logarithm = work.value, work.gradient, work.logarithm
-    argument, flux = work.padded[: value.size], work.value
-    for i in range(value.size):
-        argument[i] = max(value[i], equation.floor)
-    logarithms(argument, work.exponent, work.mantissa, logarithm)
+    value, gradient, flux = work.value, work.gradient, work.value
     if equation.alpha == 1.0:
         for i in range(value.size):
-            flux[i] = value[i] * (logarithm[i] - 1.0) - gradient[i]
+            wind = logarithm(max(value[i], equation.floor))
+            flux[i] = value[i] * (wind - 1.0) - gradient[i]
     else:
         alpha, excess = equation.alpha, equation.alpha - 1.0
+        steepness = alpha / excess
         for i in range(value.size):
-            argument[i] = excess * logarithm[i]
-        growth, power = logarithm, work.exponent.view(np.float64)
-        exponentials_less_one(argument, work.mantissa, power, growth)
-        for i in range(value.size):
-            advected = value[i] * (alpha * growth[i] / excess - 1.0)
-            flux[i] = advected - alpha * (growth[i] + 1.0) * gradient[i]
+            growth = exponential_less_one(excess * logarithm(max(value[i], equation.floor)))
+            advected = value[i] * (steepness * growth - 1.0)
+            flux[i] = advected - alpha * (growth + 1.0) * gradient[i]
     per_width = 1.0 / equation.width
     for i in range(averages.size):
         rates[i] = (flux[i] - flux[i + 1]) * per_width
 
 
-@kernel
+@subroutine
 def advection_and_diffusion(equation, smallest, largest):
     """Largest c²/D and largest D over values between two extremes.
 
@@ -171,7 +163,7 @@ def advection_and_diffusion(equation, smallest, largest):
     return strength, diffusion
 
 
-@kernel
+@subroutine
 def lift(averages, bound):
     """Raise every average to the bound at the expense of the nearest that can spare it.
 

@@ -7,7 +7,7 @@ the fourth-order steps of `time_steps`.
 Kinks of the start.  On cells of width :math:`\Delta` a kink leaves, even from exact averages, an
 error of order :math:`\Delta^3` that no later smoothness removes, far above the sixth order of the
 rest.  But diffusivity :math:`D` smooths the kink over :math:`\sqrt{D\tau}`, which soon exceeds a
-cell.  A run therefore begins on cells that are :math:`2^L` times finer, `START_LEVELS` being L, and
+cell.  A run therefore begins on cells that are :math:`2^L` times finer, L = `start_levels`, and
 pairs of cells are joined, by their exact mean, whenever
 
 .. math:: \tau = (s\Delta)^2 / D_{min},
@@ -20,7 +20,8 @@ the error of the kink falls by :math:`8^L`.
 Foot of the wave.  A front (46) of (40) ends on zero as :math:`v \sim (\xi_0 - \xi)^{1/(\alpha-1)}`,
 for :math:`\alpha = 3/2` with a jump of its second derivative.  The floor of the start rounds it
 only over :math:`D_{min}`, a hundredth of a cell.  About the foot, and nowhere else, the error
-therefore stays of second order, and no start, however fine, changes that.
+therefore stays of second order, and no start, however fine, changes that: two levels are enough,
+and a third would last long, since :math:`D_{min}` is small.
 """
 
 from typing import NamedTuple
@@ -32,16 +33,13 @@ from granular_fronts.continuum.log_burgers.starts import Given, Plateau, make_st
 from granular_fronts.errors import SolveError
 from granular_fronts.model.amplitude_scaling import scaling_of
 
-START_LEVELS, SMOOTH_CELLS = 3, 2.0
+START_LEVELS, LEVELS_WITH_FOOT, SMOOTH_CELLS = 3, 2, 2.0
 # Below it F(y) = y ln y − y is smaller than the rounding of a sum of order 1.
 SMALLEST_ARGUMENT = 1.0e-16
 # Diffusivity of (40), relative to that at v = 1, below which it is frozen.
 SMALLEST_DIFFUSIVITY = 1.0e-3
 FIRST_STEP = 1.0e-6
-SOLVER = (
-    "sixth-order finite volumes, strong-stability-preserving Runge-Kutta steps of order 4, "
-    f"{2**START_LEVELS} times finer cells at the start"
-)
+SOLVER = "sixth-order finite volumes, strong-stability-preserving Runge-Kutta steps of order 4"
 
 
 class Evolution(NamedTuple):
@@ -90,7 +88,7 @@ class Evolution(NamedTuple):
         return values.reshape(points.shape) ** self.alpha
 
 
-def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cells=SMOOTH_CELLS):
+def solve(scene, alpha, times, cells, tolerance, levels=None, smooth_cells=SMOOTH_CELLS):
     """Solve (40) for an exponent α, or its limit (50) for α = 1, once.
 
     Parameters
@@ -106,7 +104,7 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cel
     tolerance : float
         Error per step, in v.
     levels : int, optional
-        L: the run begins on 2^L times as many cells.
+        L: the run begins on 2^L times as many cells; `start_levels` if none is given.
     smooth_cells : float, optional
         s: cells that a kink must be smooth over before they are joined.
 
@@ -120,6 +118,7 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cel
         If the start has negative averages, or the step size collapses.
     """
     times = np.asarray(times, dtype=float)
+    levels = start_levels(alpha) if levels is None else levels
     scaling, start = scaling_of(scene), make_start(scene["start"])
     half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
     averages = start.averages(cells * 2**levels, half_length, alpha)
@@ -139,6 +138,11 @@ def solve(scene, alpha, times, cells, tolerance, levels=START_LEVELS, smooth_cel
     mean_drift = max(abs(row.mean() - mean) for row in kept)
     counts, shortfall = time_steps.work_done(clock), float(clock.shortfall)
     return Evolution(start, times, kept, half_length, alpha, counts, float(mean_drift), shortfall)
+
+
+def start_levels(alpha):
+    """L that the exponent of an equation needs; only (40), α above 1, has a foot."""
+    return START_LEVELS if alpha == 1.0 else LEVELS_WITH_FOOT
 
 
 def make_equation(alpha, averages, lowest, width):

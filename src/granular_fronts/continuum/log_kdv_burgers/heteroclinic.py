@@ -16,8 +16,10 @@ lengths, or with fewer terms of the expansion.  The largest difference is the er
 variable; it comes from an independent refinement, and where it vanishes the last digit stands in.
 """
 
+from __future__ import annotations
+
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -39,6 +41,9 @@ from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     trace_orbit,
 )
 from granular_fronts.errors import InputError
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 UNDERFLOW_P = 1074.0 * math.log(2.0)
 """−ln of the smallest double above zero: the end of the tail."""
@@ -69,7 +74,7 @@ class Resolution(NamedTuple):
 USUAL, FINER = Resolution(USUAL_STEPS, TERMS), Resolution(FINER_STEPS, FEWER_TERMS)
 
 
-def heteroclinic(mu, s=None):
+def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     """The front y_h(s) and its slope, with y_h(0) = ½.
 
     Parameters

@@ -30,7 +30,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.polynomials import polynomial
 from granular_fronts.numerics.records import record_type
 
@@ -72,7 +72,7 @@ def make_point(s, v, e, p):
     return np.array((s, v, e, p), POINT)[()]
 
 
-@kernel
+@subroutine
 def energy_series(mu, v, e, p):
     """Fill the series of v, e and p from v[0] and e[0]."""
     order = p.size - 1
@@ -90,7 +90,7 @@ def energy_series(mu, v, e, p):
             w[k + 1] = e[k + 1] + mu * v[k + 1]
 
 
-@kernel
+@subroutine
 def position_series(mu, v, p):
     """Fill the series of v and p from v[0] and p[0]."""
     for k in range(p.size - 1):
@@ -110,7 +110,7 @@ def series_slope(series, x):
     return value
 
 
-@kernel
+@subroutine
 def step_of_series(series, scale, tolerance):
     """Length at which each of the last two terms is at most tolerance × scale."""
     length = LONGEST_STEP

@@ -34,7 +34,9 @@ the tail over half a period of it, so that it is far below any visible size befo
 to oscillate: this meaning needs a cut.
 """
 
+import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 from scipy.optimize import brentq
@@ -59,7 +61,9 @@ LARGEST_ALPHA = 1e50
 """Up to it the products of the equations of the crossing do not underflow."""
 
 
-def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
+def critical_damping(
+    alpha: float, beta: float | None = None, definition: str = "tail", cut: float = 1e-3
+) -> float:
     """Damping at which fronts stop to oscillate, in the sense asked for; δ = c = 1.
 
     Parameters
@@ -100,7 +104,7 @@ def critical_damping(alpha, beta=None, definition="tail", cut=1e-3):
     return alpha / beta * _MEANINGS[definition](alpha)
 
 
-def meaning_changes_at():
+def meaning_changes_at() -> float:
     """α* ≈ 1.1877, up to which critical damping is a double root of the tail.
 
     Returns
@@ -110,6 +114,7 @@ def meaning_changes_at():
     return 1.0 + _excess_alpha(_bend())
 
 
+@functools.cache
 def _tail(alpha):
     return _double_root(alpha) if alpha <= meaning_changes_at() else _crossing(alpha)
 
@@ -138,7 +143,7 @@ def _crossing(alpha):
 def _alpha_of_crossing(z):
     """α = q + αg x, from α* at z = 2π to infinity at z = 0."""
     x = _crossing_real_part(z)
-    return 1.0 / (1.0 + _bell_series(x)[0]) + _slope_of_line(x, z) * x
+    return 1.0 / (1.0 + _bell_excess(x)) + _slope_of_line(x, z) * x
 
 
 def _crossing_real_part(z):
@@ -160,7 +165,7 @@ def _slope_of_line(x, z):
 
 def _equations(x, z):
     """Right-hand sides a, b and coefficients c, d of αg."""
-    q, y = 1.0 / (1.0 + _bell_series(x)[0]), 2.0 * math.pi - z
+    q, y = 1.0 / (1.0 + _bell_excess(x)), 2.0 * math.pi - z
     sine = np.sinc(y / math.pi) if y < 3.0 else -math.sin(z) / y
     half_sine = np.sinc(0.5 * y / math.pi)
     a = q * math.cosh(x) * half_sine**2 - 1.0
@@ -174,7 +179,11 @@ def _long_wave(alpha):
     return math.sqrt((1.0 - 1.0 / alpha) / 3.0)
 
 
-_MEANINGS = {"tail": _tail, "double-root": _double_root, "long-wave": _long_wave}
+_MEANINGS: dict[str, Callable[[float], float]] = {
+    "tail": _tail,
+    "double-root": _double_root,
+    "long-wave": _long_wave,
+}
 
 
 def _vanishing_overshoot(alpha, beta, cut):
@@ -193,8 +202,13 @@ def _vanishing_overshoot(alpha, beta, cut):
     while excess(above) > 0.0:
         above *= 1.5
     while excess(below) < 0.0:
-        below /= 1.5
+        above, below = below, below / 1.5
     return brentq(excess, below, above, xtol=1e-15, rtol=1e-13)
+
+
+def _bell_excess(x):
+    """S − 1 from its series, all terms positive."""
+    return float(COEFFICIENTS @ x ** (2 * SERIES))
 
 
 def _bell_series(x):

@@ -48,6 +48,7 @@ Section 6 of the paper is not in our copy: the definition above is ours.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -70,7 +71,9 @@ LARGEST_DEFECT = 1.0e-6
 INTEGER_XI = 1.0e-9
 
 
-def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
+def front_multipliers(
+    front: xr.Dataset, *, beads_behind: int | None = None, beads_ahead: int | None = None
+) -> xr.DataArray:
     """Floquet multipliers of a front, the eigenvalues of its monodromy matrix, in a finite window.
 
     Parameters
@@ -107,7 +110,10 @@ def front_multipliers(front, *, beads_behind=None, beads_ahead=None):
             "front of weaker damping."
         )
     sampled = _at_beads(front, beta, gamma)
-    limits = {"most": MOST_BEADS, "advice": "give a number of beads, or leave it out"}
+    limits: dict[str, Any] = {
+        "most": MOST_BEADS,
+        "advice": "give a number of beads, or leave it out",
+    }
     if beads_behind is None:
         needed = tail_closure.tail_length(tail_closure.slow_roots(alpha, gamma, beta))
         beads_behind = math.ceil(min(max(needed, FEWEST_BEHIND), MOST_BEHIND))

@@ -8,6 +8,7 @@ Newton's iteration are left.
 import math
 
 import numpy as np
+from numba import int64
 
 from granular_fronts.fronts.linear.tails import lowest_roots_of_all
 from granular_fronts.fronts.profile import newton
@@ -26,7 +27,7 @@ from granular_fronts.fronts.profile.solve import (
     make_grid,
 )
 from granular_fronts.fronts.properties import MEASURES, measures
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.extrapolation import REMEMBERED, predict, remember
 from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.quadrature import kernel_weights
@@ -105,7 +106,9 @@ def follow_on_grid(first_problem, dampings, grid, differences, decay, start, val
             dampings, middles = dampings[:k], middles[:k]
             break
         middles[k] = math.ceil(needed)
-    center = max(np.max(middles), grid.middle)
+    center = grid.middle
+    for middle in middles:
+        center = max(center, middle)
     past = np.empty((REMEMBERED, center - grid.middle + start.size))
     remember(start, center - grid.middle, 0.0, past[0])
     for k in range(dampings.size):
@@ -124,20 +127,21 @@ def follow_on_grid(first_problem, dampings, grid, differences, decay, start, val
         if not (passes and defect <= 1.5 * DEFECT * problem.magnification):
             return k
         remember(s, first, 0.0, past[k % REMEMBERED])
-        values[k, :4] = measures(problem, grid.spacing, s)
+        values[k, 0], values[k, 1], values[k, 2], values[k, 3] = measures(problem, grid.spacing, s)
         values[k, 4], values[k, 5] = history[count], unknowns.speed[0] - 1.0
     return dampings.size
 
 
-@kernel
+@subroutine
 def slowest_tail(problem, damping):
     """Real and imaginary part of the exponent of the tail behind that decays most slowly."""
     end = problem.behind
-    root = lowest_roots_of_all(end.p_slope, damping * end.q_slope / end.p_slope, 1)[0]
+    tail_damping = damping * end.q_slope / end.p_slope
+    root = lowest_roots_of_all(end.p_slope, tail_damping, int64(1))[0]
     return root.real, root.imag
 
 
-@kernel
+@subroutine
 def is_front(problem, grid, unknowns, residual):
     """Whether a solution passes the checks of `solve.reason_against`."""
     s, rounding = unknowns.s, problem.magnification
@@ -145,7 +149,12 @@ def is_front(problem, grid, unknowns, residual):
     damping_number = problem.damping * problem.behind.q
     solved = residual <= RESIDUAL_TOLERANCE * rounding * (1.0 + damping_number)
     exact = abs(unknowns.speed[0] - 1.0) <= SPEED_TOLERANCE * rounding
-    least, most = np.min(s), np.max(s)
-    single = np.max(s[grid.middle + 1 :]) < 0.5 and least >= -BELOW * rounding
+    least = most = s[0]
+    highest_ahead = s[-1]
+    for k in range(s.size):
+        least, most = min(least, s[k]), max(most, s[k])
+        if k > grid.middle:
+            highest_ahead = max(highest_ahead, s[k])
+    single = highest_ahead < 0.5 and least >= -BELOW * rounding
     in_domain = problem.least < least and most < problem.most
     return at_rest and solved and exact and single and in_domain

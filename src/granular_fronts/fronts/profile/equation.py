@@ -55,7 +55,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.laws import make_law
 from granular_fronts.model.passes import call_row_map, row_map, row_parameters
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 
 
 class Force(NamedTuple):
@@ -256,7 +256,7 @@ def two_forces(address, parameters, behind, ahead):
     return forces[0], forces[1]
 
 
-@kernel
+@subroutine
 def with_damping(problem, damping):
     """The problem with W multiplied by another number, for compiled code."""
     return FrontProblem(
@@ -287,24 +287,31 @@ def evaluate(problem, s, p, q):
     u = problem.start + problem.jump * s
     write_force(problem.elastic, u, p)
     if problem.proportional:
-        q[:] = (problem.damping * problem.speed) * p
+        write_multiple(problem.damping * problem.speed, p, q)
     else:
         write_force(problem.viscous, u, q)
-        q *= problem.damping
+        write_multiple(problem.damping, q, q)
 
 
-@kernel
+@subroutine
 def evaluate_slopes(problem, s, p_slope, q_slope):
     """Write p' and q' of every s; arrays as of `evaluate`."""
     u = problem.start + problem.jump * s
     write_slope(problem.elastic, problem.jump, u, p_slope)
     if problem.proportional:
-        q_slope[:] = (problem.damping * problem.speed) * p_slope
+        write_multiple(problem.damping * problem.speed, p_slope, q_slope)
     else:
         write_slope(problem.viscous, problem.damping * problem.jump, u, q_slope)
 
 
-@kernel
+@subroutine
+def write_multiple(factor, values, result):
+    """Write a multiple of the values into another array, or into the same."""
+    for k in range(uint64(values.size)):
+        result[k] = factor * values[k]
+
+
+@subroutine
 def write_force(force, u, result):
     """Write p, or q for damping 1, at the compressions u."""
     call_row_map(force.first, u, result, 0, u.size - 1, force.first_parameters)
@@ -312,7 +319,7 @@ def write_force(force, u, result):
         result[k] = force.scale * (result[k] - force.ahead)
 
 
-@kernel
+@subroutine
 def write_slope(force, factor, u, result):
     """Write a multiple of scale·F'(u)."""
     call_row_map(force.second, u, result, 0, u.size - 1, force.second_parameters)

@@ -76,9 +76,11 @@ def integrate(problem, x):
     p, q, slope, q_slope, mean_slope = [np.empty(x.size) for _ in range(5)]
     evaluate(problem, s, p, q)
     evaluate_slopes(problem, s, slope, q_slope)
-    # Halfway to the end nearby.
-    evaluate_slopes(problem, np.where(s > 0.5, 1.0 - 0.5 * rest, 0.5 * s), mean_slope, slope)
-    rate = np.empty(x.size)
+    rate, halfway = np.empty(x.size), np.empty(x.size)
+    for k in range(x.size):
+        # To the end nearby.
+        halfway[k] = 1.0 - 0.5 * rest[k] if s[k] > 0.5 else 0.5 * s[k]
+    evaluate_slopes(problem, halfway, mean_slope, slope)
     for k in range(x.size):
         if rest[k] < CLOSE:
             pull = (mean_slope[k] - 1.0) * rest[k]

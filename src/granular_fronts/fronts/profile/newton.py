@@ -14,11 +14,11 @@ it would be singular to working precision, with solutions that satisfy all equat
 from typing import NamedTuple
 
 import numpy as np
-from numba import uint64
+from numba import int64, uint64
 
 from granular_fronts.fronts.profile.equation import evaluate, evaluate_slopes
 from granular_fronts.numerics.band import factorise, product, substitute
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
 SETTLED, WANDERING, NOT_FINITE = range(3)
@@ -128,9 +128,9 @@ def iterate(problem, grid, tolerance, unknowns, history):
             factorise(band, width, prefix)
             substitute(band, width, prefix, skipped, z)
             pivot = corner - product(border, z)
-        x[:middle] = residual[1 : middle + 1]
+        for k in range(points):
+            x[k] = residual[k + 1 if k < middle else k]
         x[middle] = s[middle] - 0.5
-        x[middle + 1 :] = residual[middle + 1 :]
         substitute(band, width, prefix, skipped, x)
         speed_change = (residual[0] - product(border, x)) / pivot
         change = 0.0
@@ -197,7 +197,7 @@ def largest_convolution(problem, grid, s):
     return residuals(problem, grid, nothing, forces, np.empty(s.size))
 
 
-@kernel(fastmath=True)
+@subroutine(fastmath=True)
 def assemble(problem, grid, unknowns, forces, prefix, band, border, column):
     """Fill in the matrix, the border row of equation 0 and the column of σ; return the corner.
 
@@ -226,17 +226,17 @@ def assemble(problem, grid, unknowns, forces, prefix, band, border, column):
     for j in range(width, 2 * width + 1):
         border[j - width] = -(grid.hat[j] * slopes.p[j] + drag[j] * slopes.q[j])
     border[0] += speed * speed
-    return speed_slope(grid, unknowns, forces, 0)
+    return speed_slope(grid, unknowns, forces, int64(0))
 
 
-@kernel(fastmath=True)
+@subroutine(fastmath=True)
 def speed_slope(grid, unknowns, forces, equation):
     """Derivative of one equation with respect to σ."""
     viscous = product(grid.jump, forces.q[equation:])
     return 2.0 * unknowns.speed[0] * unknowns.s[equation] - viscous
 
 
-@kernel
+@subroutine
 def steady_points(s, middle, tolerance):
     """How many points at the left end have s = 1 within a tolerance."""
     for k in range(middle):

@@ -47,7 +47,7 @@ from numba import int64
 
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
-from granular_fronts.numerics.compiled import kernel
+from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
 STAGES = rk.STAGES
@@ -103,7 +103,7 @@ class Stages(NamedTuple):
     force: np.ndarray
 
 
-@kernel
+@subroutine
 def make_stages(law, columns):
     """Slopes and forces of nothing, for M + 2 columns."""
     k = np.zeros((rk.STAGES, columns))
@@ -132,7 +132,7 @@ def make_stiffness(law, steps, columns):
     return Stiffness(elastic, elastic.copy() if law.alpha != law.beta else elastic)
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def gather(d, weights, row, c, stages):
     """Write U − u of a stage, or of the end of the step, into the stage value."""
     value, last = stages.value, d.size - 1
@@ -148,14 +148,14 @@ def gather(d, weights, row, c, stages):
                 value[n] += on_g * stages.g[j, n]
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def laplacian(force, slope):
     """Write f_{n-1} − 2 f_n + f_{n+1} of the contacts 1 … M into `slope`, as differences."""
     for n in range(1, force.size - 1):
         slope[n] = (force[n + 1] - force[n]) - (force[n] - force[n - 1])
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def add_slopes(weights, k, change, d):
     """Add the change of d over a step, for which `change` is room."""
     last = d.size - 1
@@ -169,14 +169,14 @@ def add_slopes(weights, k, change, d):
     add(change, d)
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def add(change, to):
     """Add to the contacts 1 … M."""
     for n in range(1, to.size - 1):
         to[n] += change[n]
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def forces(exponent, u, force, stiffness):
     """Contact forces u₊^exponent and their derivatives."""
     for n in range(u.size - 1):
@@ -230,11 +230,12 @@ def flow(law, weights, driver, u, d, stiffness):
         gather(d_now, weights, int64(WHOLE_STEP), 1.0, stages)
         add(value, change[0])
         add_slopes(weights, stages.k, value, change[1])
-        d_now[:] = d + change[1]
+        for n in range(d.size):
+            d_now[n] = d[n] + change[1, n]
     return change
 
 
-@kernel(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT)
 def push(law, weights, driver, stiffness, u, d, stages):
     """Move a perturbation (u, d) of the window, and `driver` of its driven contact, in place."""
     value, force = stages.value, stages.force

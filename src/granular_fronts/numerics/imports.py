@@ -1,7 +1,7 @@
-"""The files that a script stands on, read from its imports without running any.
+"""The files that a script or a kernel stands on, read from imports without running any.
 
 Let D(m) be the modules that the text of module m names in its import statements, those inside
-functions too, each with the packages above it, whose ``__init__`` runs first.  A script s stands on
+functions too, each with the packages above it, whose ``__init__`` runs first.  A module s stands on
 the smallest set S that holds s and, with each m, all of D(m).  Modules outside the given folders
 belong to no S: an environment pins them.
 
@@ -73,7 +73,7 @@ def named_in(file: Path) -> set[str]:
 
     A name taken from a module may be a module itself, so both are among them.
     """
-    named = set()
+    named: set[str] = set()
     for module, names in IMPORT.findall(file.read_text(encoding="utf-8")):
         for name in re.findall(r"[\w.]+", names):
             dotted = f"{module}.{name}" if module else name
