@@ -1,6 +1,7 @@
 """Figure 20: errors of the amplitude equations on rings of beads as α → 1."""
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -53,7 +54,7 @@ def plot_fig20(
     return figure
 
 
-def draw_limit(axes, campaign, parameter, symbol):
+def draw_limit(axes: Axes, campaign: xr.Dataset, parameter: str, symbol: str) -> None:
     """Largest error of u against ε, a colour for each equation and a marker for each value."""
     values = campaign[parameter].values
     for marker, value in zip(MARKERS, values, strict=False):
@@ -73,7 +74,7 @@ def draw_limit(axes, campaign, parameter, symbol):
     axes.set_title(f"fixed ${symbol} = {listed}$\nslopes\n" + "\n".join(rows), fontsize=7)
 
 
-def order_text(campaign, error, parameter):
+def order_text(campaign: xr.Dataset, error: str, parameter: str) -> str:
     """Fitted orders with their scatter, one for each value of a parameter."""
     orders = [
         fitted_order(campaign, error, slow_time=SLOW_TIME, **{parameter: value})
@@ -82,7 +83,7 @@ def order_text(campaign, error, parameter):
     return ", ".join(f"{order.value:.2f} ± {order.error:.2f}" for order in orders)
 
 
-def draw_over_time(axes, pulses, front):
+def draw_over_time(axes: Axes, pulses: xr.Dataset, front: xr.Dataset) -> None:
     """Largest error of u against the slow time, of a pulse for each μ and of a front."""
     runs = [*(pulses.sel(mu=mu) for mu in pulses["mu"].values), front]
     for marker, run in zip(MARKERS, runs, strict=True):
@@ -99,19 +100,19 @@ def draw_over_time(axes, pulses, front):
     axes.set(xlabel=r"$\tau$", ylabel=r"$\sup|\Delta u|/\delta$")
 
 
-def draw_starts(axes, mu, leading, plateau):
+def draw_starts(axes: Axes, mu: xr.Dataset, leading: xr.Dataset, plateau: xr.Dataset) -> None:
     """Mean error of u from the slow manifold, from (51), and from the plateau of the paper."""
-    runs = ((mu, {"mu": 2.0}, "o"), (leading, {"mu": 2.0}, "x"), (plateau, {}, "^"))
-    for campaign, place, marker in runs:
+    mu, leading = mu.sel(mu=2.0), leading.sel(mu=2.0)
+    for rings, marker in ((mu, "o"), (leading, "x"), (plateau, "^")):
         for model in ("logarithmic", "dispersive"):
             _, colour, line = MODEL_LOOKS[model]
-            epsilon, error, _ = selected(campaign, f"{RMS}_{model}", slow_time=SLOW_TIME, **place)
+            epsilon, error, _ = selected(rings, f"{RMS}_{model}", slow_time=SLOW_TIME)
             axes.plot(epsilon, error, color=colour, linestyle=line, marker=marker, ms=3)
     axes.set_title(r"$\mu = 2$: from (43) (o), from (51) (×); from (49) (△)", fontsize=7)
     axes.set(xlabel=r"$\varepsilon$", ylabel=r"rms $\Delta u/\delta$ at $\tau = 1$")
 
 
-def draw_velocities(axes, damping):
+def draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
     """Largest error of ẋ by (43) and by (51), at γc = 1."""
     place = {"damping": 1.0, "slow_time": SLOW_TIME}
     for field, marker in (("velocity_sup", "o"), ("leading_velocity_sup", "x")):

@@ -4,7 +4,8 @@ import matplotlib
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.colors import BoundaryNorm, ListedColormap, LogNorm, Normalize
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import BoundaryNorm, Colormap, ListedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
@@ -47,7 +48,7 @@ def plot_fig21(rings: xr.Dataset, weak: xr.Dataset, hertz: xr.Dataset) -> Figure
     return figure
 
 
-def plane(axes: Axes, values: xr.DataArray, colour_map: ListedColormap, norm: Normalize):
+def plane(axes: Axes, values: xr.DataArray, colour_map: Colormap, norm: Normalize) -> QuadMesh:
     """Colours over α − 1 and γc; rings that are not solved in red."""
     values = values.transpose("gamma", "alpha")
     return axes.pcolormesh(
@@ -61,7 +62,7 @@ def plane(axes: Axes, values: xr.DataArray, colour_map: ListedColormap, norm: No
     )
 
 
-def draw_best(axes, rings):
+def draw_best(axes: Axes, rings: xr.Dataset) -> None:
     """The equation with the smallest error of u at τ = 1."""
     errors = np.stack([rings[f"displacement_sup_{model}"] for model in MODEL_LOOKS])
     best = rings["displacement_sup_logarithmic"].copy(data=errors.argmin(axis=0).astype(float))
@@ -71,17 +72,16 @@ def draw_best(axes, rings):
     bar.ax.set_xticklabels([label for label, *_ in MODEL_LOOKS.values()], fontsize=7)
 
 
-def draw_least_error(axes, rings):
+def draw_least_error(axes: Axes, rings: xr.Dataset) -> None:
     """The smallest error of u at τ = 1 of all equations."""
-    least = rings["displacement_sup_logarithmic"]
-    for model in MODEL_LOOKS:
-        least = np.minimum(least, rings[f"displacement_sup_{model}"])
+    errors = [rings[f"displacement_sup_{model}"] for model in MODEL_LOOKS]
+    least = xr.concat(errors, "model").min("model")
     image = plane(axes, least, matplotlib.colormaps["viridis_r"], LogNorm(float(least.min()), 0.1))
     label = r"least $\sup|\Delta u|/\delta$, $\tau = 1$"
     axes.figure.colorbar(image, ax=axes, location="top", aspect=20, extend="max", label=label)
 
 
-def draw_scaled(axes, rings):
+def draw_scaled(axes: Axes, rings: xr.Dataset) -> None:
     """Errors at τ = 1 over 1 − 1/α against γc, for the exponents up to `CLOSE`."""
     close = rings.sel(alpha=rings["alpha"][rings["alpha"] <= CLOSE])
     for model, (_, colour, _) in MODEL_LOOKS.items():
@@ -96,7 +96,7 @@ def draw_scaled(axes, rings):
     )
 
 
-def draw_losses(figure, panels, rings):
+def draw_losses(figure: Figure, panels: dict[str, Axes], rings: xr.Dataset) -> None:
     """Times of loss of every equation, with one scale for all."""
     drawn = [f"{model}_{loss}" for model in MODEL_LOOKS for loss in LOSSES]
     for name in drawn:
@@ -108,7 +108,7 @@ def draw_losses(figure, panels, rings):
     figure.colorbar(image, ax=places, location="bottom", aspect=50, label=label, extend="both")
 
 
-def draw_loss(axes, rings, name):
+def draw_loss(axes: Axes, rings: xr.Dataset, name: str) -> QuadMesh:
     """Slow time at which an equation has lost a part; beyond the last one grey."""
     last = rings["slow_time"].values[-1]
     times = rings[name].sel(slow_time=last)
@@ -118,14 +118,14 @@ def draw_loss(axes, rings, name):
     return plane(axes, shown, colours, LogNorm(FIRST_SHOWN, last))
 
 
-def place_of(scene):
+def place_of(scene: xr.Dataset) -> tuple[float, float]:
     """α and γc of a run of the paper."""
     asked = configuration_of(scene)
     alpha, gamma = asked["law"]["alpha"], asked["law"]["gamma"]
     return alpha, gamma * asked["displacement"] ** ((alpha - 1.0) / 2.0)
 
 
-def finish_plane(axes, rings, runs):
+def finish_plane(axes: Axes, rings: xr.Dataset, runs: list[tuple[float, float]]) -> None:
     """Lines of equal ε/γc, the runs of the paper, and the axes."""
     alpha, gamma = rings["alpha"].values, rings["gamma"].values
     for ratio in RATIOS:

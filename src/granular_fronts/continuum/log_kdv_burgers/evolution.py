@@ -97,7 +97,7 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.
     forces = solutions.map(
         lambda solved: np.array([solved.rescaled_force(row, xi) for row in rows])
     )
-    attributes = error_attributes(*forces, ERROR_METHOD)
+    attributes = error_attributes(forces.usual, forces.finer, ERROR_METHOD)
     scaling = scaling_of(scene)
     return xr.Dataset(
         {"rescaled_force": (("t", "xi"), forces.usual, attributes)},
