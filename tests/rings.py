@@ -16,7 +16,8 @@ SCENES = CONFIGURATION["scenes"]["periodic"]
 def scene_with(name="weak", **changes):
     """A paper scene on coarse grids; `law__gamma=…` reaches into it."""
     scene = copy.deepcopy(SCENES[name])
-    for equation, tolerance in (("logarithmic", 1.0e-6), ("unlimited", 1.0e-5)):
+    tolerances = {"logarithmic": 1.0e-6, "unlimited": 1.0e-5, "dispersive": 1.0e-6}
+    for equation, tolerance in tolerances.items():
         scene["equations"][equation] = {"cells": 512, "tolerance": tolerance}
     for path, value in changes.items():
         *parents, last = path.split("__")

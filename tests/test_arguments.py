@@ -66,6 +66,7 @@ POSSIBLE = {
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
     "evolve_log_burgers": {"scene": {}, "name": "given"},
+    "evolve_log_kdv_burgers": {"scene": {}, "name": "given"},
     "front_multipliers": {"front": a_front(), "beads_behind": 20, "beads_ahead": 5},
     "heteroclinic": {"mu": 1.0, "s": np.array([0.0, 1.0])},
     "jump_conditions": {
@@ -94,7 +95,8 @@ POSSIBLE = {
 del POSSIBLE["sweep_fronts"]["gamma"]
 
 # A name is what messages call something, whatever it is.
-FREE = {("Potential", "name"), ("evolve_log_burgers", "name"), ("simulate_chain", "name")}
+SOLVE_SCENES = {"evolve_log_burgers", "evolve_log_kdv_burgers"}
+FREE = {(function, "name") for function in ("Potential", "simulate_chain", *SOLVE_SCENES)}
 
 NEVER_A_NUMBER = ["1.5", b"1.5", 1.5j, True, {}, {"a": 1.0}, math.nan, math.inf, -math.inf, HUGE]
 SEVERAL = [[1.5], np.array([1.5, 2.0]), np.array([]), (1.5, "x")]
@@ -202,7 +204,7 @@ def test_numbers_out_of_range_are_refused_in_a_sentence(name, parameter, value):
     check_sentence(sentence_for(getattr(gf, name), POSSIBLE[name], parameter, value), parameter)
 
 
-@pytest.mark.parametrize("name", sorted(set(POSSIBLE) - {"evolve_log_burgers"}))
+@pytest.mark.parametrize("name", sorted(set(POSSIBLE) - SOLVE_SCENES))
 def test_possible_arguments_pass(name):
     assert getattr(gf, name)(**POSSIBLE[name]) is not None
 

@@ -287,6 +287,13 @@ def test_plan_is_the_same_list_until_chunks_are_solved(tmp_path):
     assert again.missing == {}
 
 
+def test_cost_is_not_measured_where_the_size_of_chunks_is_given(tmp_path):
+    plan_names(campaign(ORBITS, chunk_points=2), tmp_path / "given")
+    plan_names(campaign(ORBITS), tmp_path / "chosen")
+    assert not (tmp_path / "given" / "cost.json").exists()
+    assert (tmp_path / "chosen" / "cost.json").exists()
+
+
 def test_plan_is_read_as_it_was_written(tmp_path):
     made = plan.Plan(7, ["a"], {"b": 2, "c": 1})
     plan.write_plan(made, tmp_path / "plan.json")

@@ -177,22 +177,22 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     for name, text in places.items():
         with (project / name).open("a", encoding="utf-8") as file:
             file.write(text)
-    [command] = [line for line in commands(EXTENDING) if "fig20" in line]
+    [command] = [line for line in commands(EXTENDING) if "fig23" in line]
     outcome = snakemake(*shlex.split(command)[2:], folder=project)
     assert outcome.returncode == 0, outcome.stderr
     drawn = {path.name for path in (project / "results" / "figures").iterdir()}
-    assert drawn == {f"fig20_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
-    caption = (project / "results/figures/fig20_flux_difference.rst").read_text(encoding="utf-8")
+    assert drawn == {f"fig23_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (project / "results/figures/fig23_flux_difference.rst").read_text(encoding="utf-8")
     assert "α = 1.5, 1.1" in caption
 
 
-@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig20.py", "workflow/report/fig20.rst"])
+@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig23.py", "workflow/report/fig23.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)
     for name, text in PLACES.items():
         if name.startswith("workflow/") and name != missing:
             with (project / name).open("a", encoding="utf-8") as file:
                 file.write(text)
-    outcome = snakemake("fig20", "--dry-run", folder=project)
+    outcome = snakemake("fig23", "--dry-run", folder=project)
     assert outcome.returncode != 0
-    assert "fig20" in outcome.stdout + outcome.stderr
+    assert "fig23" in outcome.stdout + outcome.stderr

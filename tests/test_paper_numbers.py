@@ -39,8 +39,9 @@ from questions import questions
 CONFIG = Path(__file__).parents[1] / "config"
 LISTS = {
     name: yaml.safe_load((CONFIG / f"{name}.yaml").read_text("utf-8"))
-    for name in ("paper_numbers", "findings")
+    for name in ("paper_numbers", "findings", "ring_limit")
 }
+CAMPAIGNS = {path.stem for path in (CONFIG / "campaigns").glob("*.yaml")}
 STATEMENTS = list(chain(*LISTS.values()))
 DEFAULTS = yaml.safe_load((CONFIG / "default.yaml").read_text("utf-8"))
 
@@ -267,7 +268,7 @@ def test_an_unexpected_verdict_is_named():
 @pytest.mark.parametrize("statement", STATEMENTS, ids=lambda statement: statement["quantity"])
 def test_every_statement_can_be_measured_and_judged(statement):
     assert callable(find_measure(statement["measure"]))
-    assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS))
+    assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS)) | CAMPAIGNS
     assert statement["paper_place"]
     if statement["expected"] == NOT_JUDGED:
         assert statement["not_judged"]
@@ -280,8 +281,9 @@ def test_every_statement_can_be_measured_and_judged(statement):
 
 def test_findings_print_nothing_and_the_paper_finds_nothing():
     """What the paper does not print must not stand beside it, and the other way round."""
-    assert all("printed" not in entry for entry in LISTS["findings"])
-    assert {entry["kind"] for entry in LISTS["findings"]} == {"finding"}
+    for name in ("findings", "ring_limit"):
+        assert all("printed" not in entry for entry in LISTS[name])
+        assert {entry["kind"] for entry in LISTS[name]} == {"finding"}
     assert all(entry["printed"] for entry in LISTS["paper_numbers"])
     assert {entry["kind"] for entry in LISTS["paper_numbers"]} == {"number", "inequality", "words"}
 

@@ -16,6 +16,7 @@ _HOME_OF = {
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.log_burgers.evolution",
+    "evolve_log_kdv_burgers": "granular_fronts.continuum.log_kdv_burgers.evolution",
     "front_multipliers": "granular_fronts.fronts.linear.floquet",
     "heteroclinic": "granular_fronts.continuum.log_kdv_burgers.heteroclinic",
     "jump_conditions": "granular_fronts.model.jump_conditions",

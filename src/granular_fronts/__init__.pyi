@@ -3,6 +3,9 @@
 from granular_fronts.chain.simulate import simulate_chain as simulate_chain
 from granular_fronts.continuum.log_burgers.equation import log_burgers_front as log_burgers_front
 from granular_fronts.continuum.log_burgers.evolution import evolve_log_burgers as evolve_log_burgers
+from granular_fronts.continuum.log_kdv_burgers.evolution import (
+    evolve_log_kdv_burgers as evolve_log_kdv_burgers,
+)
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic as heteroclinic
 from granular_fronts.fronts.linear.critical_damping import critical_damping as critical_damping
 from granular_fronts.fronts.linear.floquet import front_multipliers as front_multipliers

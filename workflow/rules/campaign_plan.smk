@@ -6,6 +6,10 @@ KERNELS_OF_KIND = {
     "chain": rules.compile_kernels.output.stamp,
     "front": rules.compile_front_kernels.output.stamp,
     "heteroclinic": rules.compile_continuum_kernels.output.stamp,
+    "ring": [
+        rules.compile_kernels.output.stamp,
+        rules.compile_continuum_kernels.output.stamp,
+    ],
 }
 
 
@@ -21,7 +25,7 @@ def campaign_of(name):
 
 
 def campaign_kernels(wildcards):
-    """Return the stamp of the kernels that solve a campaign."""
+    """Return the stamps of the kernels that solve a campaign."""
     return KERNELS_OF_KIND[campaign_of(wildcards.campaign).kind_name]
 
 

@@ -100,11 +100,13 @@ ON_DEMAND = records_on_demand()
 
 def datasets_on_demand():
     """Return the datasets that something on demand may be made from; a campaign only if it was."""
+    behind = {stem_of(figure): datasets_of(figure) for figure in FIGURES}
+    behind |= {f"tables/{table}": one.get("data", []) for table, one in TABLES.items()}
     campaigns = {
         dataset
-        for figure in FIGURES
-        if os.path.join(config["results"], f"{stem_of(figure)}.json") in ON_DEMAND
-        for dataset in datasets_of(figure)
+        for stem, datasets in behind.items()
+        if os.path.join(config["results"], f"{stem}.json") in ON_DEMAND
+        for dataset in datasets
         if dataset.startswith("campaigns/")
         and os.path.exists(os.path.join("config", f"{dataset}.yaml"))
     }

@@ -57,6 +57,40 @@ rule tabulate_findings:
         "../scripts/tabulate_statements.py"
 
 
+rule tabulate_ring_limit:
+    input:
+        statements="config/ring_limit.yaml",
+        datasets=[data_file(campaign) for campaign in TABLES["ring_limit"]["data"]],
+    output:
+        csv="<results>/tables/ring_limit.csv",
+        markdown="<results>/tables/ring_limit.md",
+        record="<results>/tables/ring_limit.json",
+    params:
+        code=code("tabulate_statements", *MEASURES),
+        reference=reference(*TABLES["ring_limit"]["data"]),
+        asked=asked(*TABLES["ring_limit"]["data"]),
+    log:
+        "<logs>/tabulate_ring_limit.log",
+    benchmark:
+        "<benchmarks>/tabulate_ring_limit.tsv"
+    threads: 1
+    message:
+        "Judging the limit α → 1 on rings."
+    conda:
+        environment
+    script:
+        "../scripts/tabulate_statements.py"
+
+
+rule ring_limit:
+    input:
+        rules.tabulate_ring_limit.output,
+        rules.fig20.input,
+        rules.fig21.input,
+    message:
+        "The limit α → 1 is judged and drawn: {input}."
+
+
 rule tables:
     input:
         WRITTEN_FILES,

@@ -91,6 +91,6 @@ def sample_of(campaign: Campaign, length: int) -> list[Chunk]:
     return sample
 
 
-def points_per_chunk(campaign: Campaign, cost: float, chunk_seconds: float) -> int:
-    """Most points of a chunk: those of the campaign file, or those that fill the wanted time."""
-    return campaign.chunk_points or max(1, round(chunk_seconds / cost))
+def points_per_chunk(cost: float, chunk_seconds: float) -> int:
+    """Most points of a chunk that take the wanted time at a cost of so many seconds each."""
+    return max(1, round(chunk_seconds / cost))

@@ -47,7 +47,8 @@ class Campaign(NamedTuple):
         The parameters that vary.
     settings : dict
         What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None), and
-        `law` where the campaign gives one by the kinds of its potentials.
+        `law` where the campaign gives one by the kinds of its potentials, `start` where it gives
+        one.
     chunk_points : int or None
         Most points of a chunk; None to choose it from the measured cost.
     allow_large : bool
@@ -65,7 +66,7 @@ class Campaign(NamedTuple):
     @property
     def kind(self) -> Kind:
         """The kind itself."""
-        kind = KINDS[self.kind_name]
+        kind = KINDS[self.kind_name].of_choice(self.grid)
         return kind.of_law(varied_numbers(self.grid)) if "law" in self.settings else kind
 
     @property
@@ -133,11 +134,13 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     """
     raise_if_any(name, violations(given, schema="campaign"))
     raise_if_any(name, _form_errors(given))
-    kind, law = KINDS[given["kind"]], given.get("law")
+    raise_if_any(name, _choice_errors(given))
+    raise_if_any(name, _start_errors(given))
+    law, fixed, record = given.get("law"), given.get("fixed", {}), given.get("record", {})
     axes = {name_of(axis) if law else axis: values for axis, values in given["axes"].items()}
+    kind = KINDS[given["kind"]].of_choice([*axes, *fixed])
     if law:
         kind = kind.of_law(varied_numbers(axes))
-    fixed, record = given.get("fixed", {}), given.get("record", {})
     raise_if_any(name, _name_errors(given["kind"], kind, axes, fixed, record))
     raise_if_any(name, ranges_increase(given))
     if "profile" in record:
@@ -167,7 +170,7 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
             "scalars": sorted(scalars, key=list(kind.scalars).index),
             "profile": record.get("profile"),
         }
-        | ({"law": law} if law else {}),
+        | {key: given[key] for key in ("law", "start") if key in given},
         chunk_points=given.get("chunk_points"),
         allow_large=given.get("allow_large", False),
     )
@@ -215,6 +218,42 @@ def _form_errors(given) -> Iterator[str]:
             yield (
                 f"axes.{axis} varies a number of the law, but there is none: give law, with its "
                 "elastic potential."
+            )
+
+
+def _choice_errors(given) -> Iterator[str]:
+    """Say which parameters are given twice over or not at all."""
+    for group in KINDS[given["kind"]].one_of:
+        found = [name for name in group if name in given["axes"] or name in given.get("fixed", {})]
+        if len(found) != 1:
+            yield (
+                f"kind {given['kind']} needs exactly one of {', '.join(group)}, and "
+                f"{' and '.join(found) or 'none'} {'are' if len(found) > 1 else 'is'} given: "
+                f"{'keep one' if found else 'give one under axes or under fixed'}."
+            )
+
+
+def _start_errors(given) -> Iterator[str]:
+    """Say that a start is missing, or is none, or is not what its profile says."""
+    starts, start = KINDS[given["kind"]].starts, given.get("start")
+    if start and not starts:
+        yield f"start is given, but kind {given['kind']} has only one: leave it out."
+    if starts and not start:
+        yield (
+            f"start is missing: kind {given['kind']} starts from profile "
+            f"{', '.join(starts[:-1])} or {starts[-1]}."
+        )
+    if start and ("rescaled_force" in start) != (start["profile"] == "given"):
+        yield (
+            f"start has profile {start['profile']}, but rescaled_force belongs to profile given, "
+            "and to it alone: give both or neither."
+        )
+    if start and "rescaled_force" in start:
+        first, *_, last = start["rescaled_force"]
+        if first != last:
+            yield (
+                f"start.rescaled_force begins with {first:g} and ends with {last:g}, but the ring "
+                "closes: repeat the first value at the end."
             )
 
 

@@ -57,6 +57,10 @@ class Kind(NamedTuple):
     beside_law : mapping of str to Parameter or None
         Parameters that take the place of α, β and γ where a campaign gives a law by the kinds of
         its potentials; None for a kind without laws.
+    one_of : tuple of tuple of str
+        Groups of parameters of which a campaign gives exactly one each.
+    starts : tuple of str
+        Profiles that a motion may start from; empty for a kind that has no choice.
     """
 
     module: str
@@ -66,6 +70,24 @@ class Kind(NamedTuple):
     profile_along: tuple[str, str]
     profile_counts: bool = False
     beside_law: Mapping[str, Parameter] | None = None
+    one_of: tuple[tuple[str, ...], ...] = ()
+    starts: tuple[str, ...] = ()
+
+    def of_choice(self, given) -> "Kind":
+        """The kind without the parameters in whose place others are given.
+
+        Parameters
+        ----------
+        given : iterable of str
+            Names of the parameters that a campaign gives.
+
+        Returns
+        -------
+        Kind
+        """
+        left_out = {name for group in self.one_of for name in group}.difference(given)
+        kept = {name: value for name, value in self.parameters.items() if name not in left_out}
+        return self._replace(parameters=kept)
 
     def of_law(self, varied) -> "Kind":
         """The kind for any law, some of whose numbers vary.
@@ -125,6 +147,27 @@ class Solved(NamedTuple):
 ALPHA = Parameter("exponent of the elastic force", 1.0, above=True)
 BETA = Parameter("exponent of the viscous force", 1.0, default=None)
 GAMMA = Parameter("strength of the viscous force", 0.0)
+
+MODELS = {
+    "logarithmic": "the logarithmic Burgers equation (41)",
+    "unlimited": "equation (40)",
+    "dispersive": "the logarithmic KdV-Burgers equation (55)",
+}
+"""Equations that a ring is compared with, by the names of their errors."""
+
+ERRORS_OF_A_MODEL = {
+    "displacement_sup": "largest difference of u over delta between the chain and",
+    "displacement_rms": "root mean square difference of u over delta between the chain and",
+    "velocity_sup": "largest difference of dx/dt over delta c, by (43), between the chain and",
+    "velocity_rms": "root mean square difference of dx/dt over delta c, by (43), to",
+    "leading_velocity_sup": "largest difference of dx/dt over delta c, by (51), to",
+    "height": "excess of the height of the wave, over delta, in",
+    "place": "distance in xi by which the wave is ahead of the chain's in",
+    "decay": "relative excess of the loss of height since the start in",
+    "lost_1": "slow time at which displacement_sup passes 1 %, NaN if later than slow_time, of",
+    "lost_5": "slow time at which displacement_sup passes 5 %, NaN if later than slow_time, of",
+    "lost_10": "slow time at which displacement_sup passes 10 %, NaN if later than slow_time, of",
+}
 
 KINDS: dict[str, Kind] = {
     "chain": Kind(
@@ -194,5 +237,44 @@ KINDS: dict[str, Kind] = {
         },
         profile=("rescaled_force", "rescaled force y"),
         profile_along=("s", "rescaled coordinate 2 sqrt(3) epsilon (n - ct)"),
+    ),
+    "ring": Kind(
+        module="granular_fronts.campaign.ring_points",
+        parameters={
+            "alpha": ALPHA,
+            "gamma": GAMMA._replace(above=True),
+            "damping": Parameter(
+                "strength of the viscous force times the speed, gamma c", 0.0, True
+            ),
+            "epsilon": Parameter("small parameter of section 4", 0.0, True),
+            "ratio": Parameter("epsilon over gamma c, equal to 12/mu^2", 0.0, True),
+            "mu": Parameter("damping of the logarithmic KdV-Burgers equation", 0.0, True),
+            "delta": Parameter("relative displacement at which y is 1", 0.0, True, default=1.0),
+            "half_beads": Parameter("p of a ring of 2p - 1 beads", 2, whole=True),
+            "half_length": Parameter("half of the ring in xi", 0.0, True),
+            "half_width": Parameter("half width of the wave at the start, in xi", 0.0, True),
+            "base": Parameter("rescaled force between the waves at the start", 0.0),
+            "slow_time": Parameter("slow time tau at which errors are taken", 0.0, True),
+        },
+        scalars={
+            f"{error}_{model}": f"{meaning} {name}"
+            for model, name in MODELS.items()
+            for error, meaning in ERRORS_OF_A_MODEL.items()
+        }
+        | {
+            "epsilon_of_ring": "small parameter epsilon of the ring",
+            "ratio_of_ring": "epsilon over gamma c of the ring",
+            "damping_of_ring": "gamma c of the ring",
+            "beads_of_ring": "number of beads of the ring",
+            "smallest_compression": "smallest u over delta of all beads and times",
+            "first_gap_time": "slow time at which the first contact opens; NaN if none does",
+        },
+        profile=("relative_displacement", "relative displacement over delta of the chain"),
+        profile_along=("xi", "coordinate of the moving frame of (51), epsilon (n - p - c t) - tau"),
+        one_of=(
+            ("gamma", "damping", "epsilon", "ratio", "mu"),
+            ("half_beads", "half_length"),
+        ),
+        starts=("plateau", "pulse", "front", "given"),
     ),
 }

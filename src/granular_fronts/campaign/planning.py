@@ -40,9 +40,11 @@ def plan_campaign(campaign: Campaign, folder: Path, chunk_seconds: float) -> Pla
     solved, missing = find_missing(campaign, folder)
     if not missing.any():
         return Plan(campaign.size, solved, {})
-    cost = seconds_per_point(campaign, folder)
+    chunk_points = campaign.chunk_points or points_per_chunk(
+        seconds_per_point(campaign, folder), chunk_seconds
+    )
     sizes = {}
-    for chunk in cut(campaign, missing, points_per_chunk(campaign, cost, chunk_seconds)):
+    for chunk in cut(campaign, missing, chunk_points):
         write_request(chunk, folder)
         sizes[chunk.name] = chunk.size
     return Plan(campaign.size, solved, sizes)

@@ -53,6 +53,11 @@ class SlowScales(NamedTuple):
         return (self.alpha - 1.0) / (self.alpha * self.gamma * self.speed)
 
     @property
+    def ratio(self):
+        """ε/γc, which section 4.1 requires to be small."""
+        return self.epsilon / (self.gamma * self.speed)
+
+    @property
     def frame_speed(self):
         """Speed c̃ of (51), the speed at which ξ̃ = ξ − τ runs along the chain."""
         return self.speed + 0.5 * self.epsilon * self.gamma * self.speed**2
@@ -61,6 +66,11 @@ class SlowScales(NamedTuple):
     def slow_rate(self):
         """Ratio τ/t of (51)."""
         return 0.5 * self.gamma * (self.epsilon * self.speed) ** 2
+
+    @property
+    def dispersion(self):
+        """Dispersion μ⁻² in ξ and τ, μ = 2√3 γc (1 − 1/α)^(−1/2) of (54); see section 5."""
+        return (1.0 - 1.0 / self.alpha) / (12.0 * (self.gamma * self.speed) ** 2)
 
     @property
     def velocity_scale(self):
@@ -123,3 +133,36 @@ def make_slow_scales(alpha, gamma, delta):
 def scaling_of(scene):
     """Scales of a checked periodic scene."""
     return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+
+
+def gamma_for(alpha, delta, *, damping=None, epsilon=None, ratio=None, mu=None):
+    r"""Strength γ of the viscous force that gives one dimensionless number of section 4 or 5.
+
+    Since :math:`\varepsilon\gamma c = \kappa = 1 - 1/\alpha` and
+    :math:`\mu = 2\sqrt3\,\gamma c\,\kappa^{-1/2}` (55), each of them fixes γc:
+
+    .. math:: \gamma c = \frac{\kappa}{\varepsilon}
+        = \Bigl(\frac{\kappa}{\varepsilon/\gamma c}\Bigr)^{1/2}
+        = \frac{\mu\,\kappa^{1/2}}{2\sqrt3} .
+
+    The last two are one: :math:`\varepsilon/\gamma c = 12/\mu^2`.
+
+    Parameters
+    ----------
+    alpha, delta : float
+        Exponent, above 1, and reference relative displacement, above 0.
+    damping, epsilon, ratio, mu : float
+        One of γc, ε, ε/γc and μ, above 0.
+
+    Returns
+    -------
+    float
+    """
+    kappa = 1.0 - 1.0 / alpha
+    if epsilon is not None:
+        damping = kappa / epsilon
+    elif ratio is not None:
+        damping = (kappa / ratio) ** 0.5
+    elif mu is not None:
+        damping = mu * (kappa / 12.0) ** 0.5
+    return damping / delta ** ((alpha - 1.0) / 2.0)

@@ -31,6 +31,12 @@ CONTINUUM_LOOKS = {
     "unlimited": ("(46)", UNLIMITED_COLOUR, "-."),
     "heteroclinic": ("heteroclinic", HETEROCLINIC_COLOUR, (0, (3, 1))),
 }
+# The same of each amplitude equation in time.
+MODEL_LOOKS = {
+    "logarithmic": ("(41)", EQUATION_COLOUR, (0, (6, 1.5))),
+    "unlimited": ("(40)", UNLIMITED_COLOUR, "-."),
+    "dispersive": ("(55)", HETEROCLINIC_COLOUR, (0, (3, 1))),
+}
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
 # What is clipped, failed or singled out.

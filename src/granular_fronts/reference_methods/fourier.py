@@ -12,7 +12,7 @@ cancel where :math:`\kappa^2 h` is small, are means over a circle around each of
 once diffusion has smoothed the start.
 
 Kinks of the start.  The amplitudes at :math:`\tau = 0` are exact but for an aliasing error of third
-order on `OVERSAMPLING` times as many points as the first steps use.  These use `START_REFINEMENT`
+order (`fourier_waves.start_amplitudes`).  The first steps use `START_REFINEMENT`
 times as many as asked for, and half of the waves are dropped whenever diffusion has taken a factor
 :math:`e^{-40}` off all of them.  Steps grow with time: `STEPS_PER_DOUBLING` whenever τ doubles,
 until they are as long as asked for.
@@ -29,9 +29,10 @@ from scipy import fft
 
 from granular_fronts.continuum.log_burgers.solution import SMALLEST_ARGUMENT
 from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.continuum.log_kdv_burgers.fourier_waves import start_amplitudes
 from granular_fronts.model.amplitude_scaling import scaling_of
 
-OVERSAMPLING, START_REFINEMENT = 8, 16
+START_REFINEMENT = 16
 STEPS_PER_DOUBLING = 16
 EXTINCTION = 40.0
 FIRST_DOUBLINGS = 10
@@ -78,7 +79,7 @@ def evolve_fourier(scene, points, longest_step):
     half_length = scaling.half_length(scene["half_beads"])
     end = scaling.slow_rate * scene["end_time"]
     now = START_REFINEMENT * points
-    amplitudes = start_amplitudes(start, half_length, OVERSAMPLING * now)
+    amplitudes = start_amplitudes(start, half_length, now)
     tau, steps, floor = 0.0, 0, max(start.floor, SMALLEST_ARGUMENT)
     first = smoothing_time(half_length, now) / 2**FIRST_DOUBLINGS
     while tau < end:
@@ -94,13 +95,6 @@ def evolve_fourier(scene, points, longest_step):
     xi = half_length * (2.0 * np.arange(points) / points - 1.0)
     values = fft.irfft(amplitudes[: points // 2 + 1], points, norm="forward")
     return FourierRun(xi, values, steps)
-
-
-def start_amplitudes(start, half_length, cells):
-    """Amplitudes of the start from its exact averages, for waves that begin at −ℓ."""
-    waves = np.arange(cells // 2 + 1)
-    amplitudes = fft.rfft(start.averages(cells, half_length, 1.0), norm="forward")
-    return amplitudes * np.exp(-1j * np.pi * waves / cells) / np.sinc(waves / cells)
 
 
 def smoothing_time(half_length, points):

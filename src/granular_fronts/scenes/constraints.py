@@ -38,6 +38,9 @@ RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 EQUATION_TOLERANCE_FLOOR = 1.0e-13
 """Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
 
+SOLVED_EQUATIONS = ("logarithmic", "unlimited", "dispersive")
+"""Keys of the amplitude equations that have cells and a tolerance of their own."""
+
 LARGEST_OVERSHOOT = 10.0
 """Compression that no chain at rest comes to, over the largest relative displacement driving it.
 
@@ -286,7 +289,7 @@ def grids_hold_edge(scene: Mapping) -> Iterator[str]:
     length = 2.0 * scaling_of(scene).half_length(scene["half_beads"])
     needed = math.ceil(CELLS_PER_EDGE * length)
     equations = scene["equations"]
-    counts = {f"{name}.cells": equations[name]["cells"] for name in ("logarithmic", "unlimited")}
+    counts = {f"{name}.cells": equations[name]["cells"] for name in SOLVED_EQUATIONS}
     for name, found in (counts | {"upwind.points": equations["upwind"]["points"]}).items():
         if found < needed:
             yield (
@@ -297,7 +300,7 @@ def grids_hold_edge(scene: Mapping) -> Iterator[str]:
 
 def equation_tolerances_above_floor(scene: Mapping) -> Iterator[str]:
     """No error per step drowns in rounding."""
-    for name in ("logarithmic", "unlimited"):
+    for name in SOLVED_EQUATIONS:
         tolerance = scene["equations"][name]["tolerance"]
         if tolerance < EQUATION_TOLERANCE_FLOOR:
             yield (

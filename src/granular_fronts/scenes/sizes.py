@@ -187,7 +187,7 @@ def size_of_ring(scene: Mapping) -> Iterator[Part]:
     )
     numbers = 3.0 * COLUMNS_PER_ROW * rows * beads
     yield _grid_part(("half_beads", "end_time"), ("record.grid.step",), numbers)
-    for name in ("logarithmic", "unlimited"):
+    for name in ("logarithmic", "unlimited", "dispersive"):
         cells = float(equations[name]["cells"])
         yield _grid_part((f"equations.{name}.cells",), (), NUMBERS_PER_BEAD * cells)
     points = float(equations["upwind"]["points"])

@@ -182,7 +182,10 @@ def ring_distance(alpha, rings):
             "start": {"kind": "plateau", "half_width": rings["half_width"], "floor": 1.0e-7},
             "end_time": end,
             "tolerance": {"relative": 1.0e-10, "absolute": 1.0e-12},
-            "equations": {"logarithmic": solver, "unlimited": solver, "upwind": {"points": 500}},
+            "equations": {
+                **dict.fromkeys(("logarithmic", "unlimited", "dispersive"), solver),
+                "upwind": {"points": 500},
+            },
             "record": {"snapshots": [0.0, end], "grid": {"step": end / 4.0}},
         },
         f"ring with alpha {alpha:g}",

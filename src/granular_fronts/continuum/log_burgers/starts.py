@@ -70,10 +70,13 @@ class Given(NamedTuple):
     def averages(self, cells, half_length, alpha):
         """Averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,); ℓ plays no part."""
         wave_numbers, amplitudes = self._amplitudes(1.0 / alpha)
-        smoothing = np.sinc(wave_numbers / cells)
-        centres = 2.0 * np.pi * (np.arange(cells) + 0.5) / cells
-        waves = np.exp(1j * np.multiply.outer(centres, wave_numbers))
-        return (waves @ (amplitudes * smoothing)).real
+        # Parts of cells that are fine enough for every wave.
+        parts = -(-2 * wave_numbers.size // cells)
+        turn = wave_numbers / (cells * parts)
+        averages = 0.5 * amplitudes * np.exp(1j * np.pi * turn) * np.sinc(turn)
+        averages[0] *= 2.0
+        values = np.fft.irfft(averages, cells * parts, norm="forward")
+        return values.reshape(cells, parts).mean(axis=1)
 
     def _amplitudes(self, power):
         """Wave numbers 0 … M/2 and the amplitudes of y^q, whose real part is meant."""

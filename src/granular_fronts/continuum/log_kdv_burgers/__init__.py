@@ -1,1 +1,1 @@
-"""The logarithmic KdV–Burgers equation and its heteroclinic orbits (James 2021, section 5)."""
+"""The logarithmic KdV–Burgers equation: its fronts and its evolution (James 2021, section 5)."""

@@ -32,6 +32,7 @@ RING = {
     "equations": {
         "logarithmic": {"cells": 1024, "tolerance": 1.0e-9},
         "unlimited": {"cells": 1024, "tolerance": 1.0e-7},
+        "dispersive": {"cells": 512, "tolerance": 1.0e-7},
         "upwind": {"points": 10000},
     },
     "record": {"snapshots": [10.0, 90.0], "grid": {"step": 0.5}},

@@ -1,0 +1,93 @@
+r"""Numbers measured on campaigns of rings: orders in ε, and errors one beside the other.
+
+The order of an equation is the slope of :math:`\ln e` against :math:`\ln\varepsilon`, with e its
+error at one slow time, by least squares over the rings with :math:`\alpha \le 1.1`.  Its error is
+twice the standard error of the slope: waves that the start sends back pass the wave at
+other times at each ε and scatter e about the line by far more than the solvers do.
+"""
+
+import numpy as np
+from scipy.stats import linregress
+
+from granular_fronts.accuracy import Estimate
+
+LARGEST_EXPONENT = 1.1
+"""Of the rings that a slope is fitted to."""
+
+
+def selected(dataset, error, *, slow_time=1.0, **place):
+    """An error of the rings of a campaign over α, at one slow time.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A merged campaign of kind ``ring`` with the axes α and τ.
+    error : str
+        Name of the error, ``displacement_sup_logarithmic`` for example.
+    slow_time : float, optional
+        τ.
+    **place : float
+        Values of further axes.
+
+    Returns
+    -------
+    epsilon, error : ndarray
+        ε and absolute errors, by increasing α.
+    alpha : ndarray
+    """
+    rings = dataset.sel(slow_time=slow_time, **place)
+    return rings["epsilon_of_ring"].values, np.abs(rings[error].values), rings["alpha"].values
+
+
+def fitted_order(dataset, error, **place):
+    """Order in ε of an error; parameters as in `selected`."""
+    epsilon, found, alpha = selected(dataset, error, **place)
+    near = alpha <= LARGEST_EXPONENT
+    line = linregress(np.log(epsilon[near]), np.log(found[near]))
+    return Estimate(float(line.slope), 2.0 * float(line.stderr))
+
+
+def error_of_ring(dataset, error, *, slow_time=1.0, **place):
+    """An error of one ring, with what the solvers add to it."""
+    value = dataset[error].sel(slow_time=slow_time, **place)
+    return Estimate(abs(float(value)), float(dataset[error].attrs["error_estimate"]))
+
+
+def smallest_ratio(dataset, error, other, *, slow_time=1.0, **place):
+    """Smallest ratio of one error to another over the rings with α up to `LARGEST_EXPONENT`."""
+    rings = dataset.sel(slow_time=slow_time, **place)
+    rings = rings.where(rings["alpha"] <= LARGEST_EXPONENT, drop=True)
+    ratios = np.abs(rings[error] / rings[other])
+    least = float(ratios.min())
+    floor = dataset[error].attrs["error_estimate"] + least * dataset[other].attrs["error_estimate"]
+    return Estimate(least, float(floor / np.abs(rings[other]).min()))
+
+
+def start_over_model(slow, leading, error, **place):
+    """An error after the start (51) over the same after a start on the slow manifold."""
+    return error_of_ring(leading, error, **place) / error_of_ring(slow, error, **place)
+
+
+def error_ratio(dataset, error, other, **place):
+    """An error of one ring over another; parameters as in `error_of_ring`."""
+    return error_of_ring(dataset, error, **place) / error_of_ring(dataset, other, **place)
+
+
+def growth(dataset, error, *, first, last, **place):
+    """An error of one ring at the slow time `last` over that at `first`."""
+    late, early = (error_of_ring(dataset, error, slow_time=time, **place) for time in (last, first))
+    return late / early
+
+
+def error_over_ratio(dataset, error, **place):
+    """An error of one ring over its ε/γc; parameters as in `error_of_ring`."""
+    return error_ratio(dataset, error, "ratio_of_ring", **place)
+
+
+def largest_over_exponent(dataset, error, *, slow_time=1.0):
+    """Largest error over 1 − 1/α of all rings with α up to `LARGEST_EXPONENT`."""
+    rings = dataset.sel(slow_time=slow_time)
+    rings = rings.where(rings["alpha"] <= LARGEST_EXPONENT, drop=True)
+    kappa = 1.0 - 1.0 / rings["alpha"]
+    largest = float((np.abs(rings[error]) / kappa).max())
+    return Estimate(largest, float(dataset[error].attrs["error_estimate"] / kappa.min()))

@@ -1,0 +1,129 @@
+r"""Points of waves on rings beside their amplitude equations, James (2021), sections 4.3 and 5.
+
+A point is a ring at one slow time τ.  Points that differ in nothing but `slow_time` belong to one
+ring, which is solved once, so that τ is best the fast axis.  Every ring is solved in units of
+length δ and time 1/c, in which a wave depends on α and γc alone; see `studies.ring_limit` for what
+is recorded and how errors are estimated.
+
+The damping is given by one of γ, γc, ε, ε/γc and μ, and the length of a ring by p or by its half in
+ξ, for which the nearest p is taken.
+"""
+
+import numpy as np
+
+from granular_fronts.arguments import scalar
+from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.errors import InputError
+from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
+from granular_fronts.output.progress import count_bar
+from granular_fronts.studies.ring_limit import Ring, compare
+from granular_fronts.studies.ring_starts import scene_start
+
+ERROR_METHOD = (
+    "largest difference to measuring a second solution of chain and equations, on more Fourier "
+    "coefficients or cells and at a tenth of the tolerance"
+)
+SLOW_TIME = "slow_time"
+
+
+def solve_chunk(points, settings, activity):
+    """Solve rings one after the other, each at all of its slow times.
+
+    Parameters
+    ----------
+    points : dict of str to ndarray, shape (lines, fast)
+        Parameters of kind ``ring``.
+    settings : dict
+        `tolerance` per step, `scalars`, `profile` in ξ, and `start`.
+    activity : str
+        What the progress bar says.
+
+    Returns
+    -------
+    Solved
+    """
+    profile, shape = settings["profile"], points[SLOW_TIME].shape
+    xi = None if profile is None else KINDS["ring"].profile_points(profile)
+    sizes = dict.fromkeys(settings["scalars"], ())
+    if xi is not None:
+        sizes["relative_displacement"] = (xi.size,)
+    values = {name: np.full((*shape, *size), np.nan) for name, size in sizes.items()}
+    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(sizes, np.nan)
+    rings = _rings(points)
+    with count_bar(activity, len(rings), "ring") as bar:
+        for ring, indices in rings.items():
+            members = tuple(np.array(indices).T)
+            times, place = np.unique(points[SLOW_TIME][members], return_inverse=True)
+            try:
+                made = make_ring(dict(ring), settings["start"])
+                measured = compare(made, times, settings["tolerance"], xi)
+            except (ValueError, ArithmeticError) as error:
+                reasons[members] = str(error)
+            else:
+                for name, value in values.items():
+                    found, differences = measured[name]
+                    value[members] = found[place]
+                    errors[name] = np.fmax(errors[name], np.fmax.reduce(differences, axis=None))
+            bar.update(1)
+    return Solved(values, reasons, errors, ERROR_METHOD)
+
+
+def _rings(points):
+    """The points of each ring: its parameters, and the indices of its points."""
+    rings = {}
+    for index in np.ndindex(points[SLOW_TIME].shape):
+        ring = tuple(
+            (name, float(value[index])) for name, value in points.items() if name != SLOW_TIME
+        )
+        rings.setdefault(ring, []).append(index)
+    return rings
+
+
+def make_ring(point, start):
+    """The ring of a point, in units of δ and 1/c.
+
+    Parameters
+    ----------
+    point : mapping
+        Parameters of kind ``ring``.
+    start : mapping
+        `profile`, and if given `velocity` and `rescaled_force`, of the campaign.
+
+    Returns
+    -------
+    studies.ring_limit.Ring
+
+    Raises
+    ------
+    InputError
+        If the wave does not fit into the ring, or is none.
+    """
+    alpha, delta = point["alpha"], point["delta"]
+    given = {name: point[name] for name in ("damping", "epsilon", "ratio", "mu") if name in point}
+    gamma = gamma_for(alpha, delta, **given) if given else point["gamma"]
+    scaling = SlowScales(alpha, gamma, delta)
+    damping = gamma * scaling.speed
+    if "half_beads" in point:
+        half_beads = int(point["half_beads"])
+    else:
+        half_beads = max(2, round(point["half_length"] / scaling.epsilon + 0.5))
+    half_length = scaling.half_length(half_beads)
+    if start["profile"] == "given":
+        wave = {"kind": "given", "rescaled_force": start["rescaled_force"]}
+    else:
+        _check_wave(start["profile"], point, half_length)
+        wave = scene_start(start["profile"], point["half_width"], point["base"], half_length)
+    return Ring(alpha, damping, half_beads, wave, start.get("velocity", "slow"))
+
+
+def _check_wave(profile, point, half_length):
+    """Raise unless a wave of the given width and base is one, and fits into the ring."""
+    if point["base"] == 1.0:
+        raise InputError("base is 1, the height of the wave, so that there is none: lower it.")
+    if profile == "plateau":
+        scalar("base", point["base"], above=0.0, advice="it is the floor of equation (49)")
+    if point["half_width"] >= half_length:
+        raise InputError(
+            f"half_width is {point['half_width']:g}, but half of the ring is {half_length:.3g} in "
+            "xi: narrow the wave or lengthen the ring."
+        )
