@@ -279,6 +279,47 @@ def half_step_damping():
     return sample(coordinates, variables | {"order": ["beta", "gamma"]}, {"shown": shown})
 
 
+MODELS = ("logarithmic", "unlimited", "dispersive")
+ALPHAS = [1.01, 1.05, 1.1, 1.5]
+SLOW_TIMES = [0.5, 1.0, 2.0]
+
+
+def rings(axes, *fields, **attributes):
+    """A campaign of rings: ε and errors of three equations at three slow times."""
+    coordinates = {**axes, "slow_time": SLOW_TIMES}
+    variables = {f"{field}_{model}": list(coordinates) for field in fields for model in MODELS}
+    return sample(
+        coordinates, variables | {"epsilon_of_ring": list(coordinates)}, None, **attributes
+    )
+
+
+def ring_limit():
+    """Campaigns of figure 20: three limits, two other starts, and a pulse and a front over time."""
+    sup, rms, alpha = "displacement_sup", "displacement_rms", {"alpha": ALPHAS}
+    speeds = ("velocity_sup", "leading_velocity_sup")
+    return {
+        "damping": rings({"damping": [0.3, 1.0], **alpha}, sup, *speeds),
+        "gamma": rings(alpha, sup, gamma=0.24),
+        "mu": rings({"mu": [2.0, 8.0], **alpha}, sup, rms),
+        "leading": rings({"mu": [2.0], **alpha}, rms),
+        "plateau": rings(alpha, rms),
+        "time": rings({"mu": [2.0, 8.0]}, sup),
+        "front": rings({}, sup, alpha=1.02, mu=8.0),
+    }
+
+
+def ring_map():
+    """The campaign of figure 21, all of whose rings are solved, and the two runs of the paper."""
+    lost = [f"lost_{loss}" for loss in (1, 5, 10)]
+    campaign = rings({"gamma": [0.2, 1.0, 5.0], "alpha": ALPHAS}, "displacement_sup", *lost)
+    runs = {
+        name: sample({}, {}, {"law": {"alpha": alpha, "gamma": gamma}, "displacement": 5.0})
+        for name, alpha, gamma in (("weak", 1.1, 0.24), ("hertz", 1.5, 0.24))
+    }
+    solved = campaign["epsilon_of_ring"].astype(int).where(False, 0)
+    return {"rings": campaign.assign(status=solved), **runs}
+
+
 PROBES = ("relative_displacement_steady", "relative_displacement_transient")
 GRIDS = ("relative_displacement_grid", "velocity_grid")
 
@@ -306,6 +347,8 @@ SAMPLES = {
     "fig17": lambda: {"data": jump_conditions()},
     "fig18": lambda: {"data": damping_regimes()},
     "fig19": lambda: {"data": numerical_damping()},
+    "fig20": ring_limit,
+    "fig21": ring_map,
     "fig22": lambda: {"data": half_step_damping()},
 }
 """What each figure is given, by the names of its arguments."""
