@@ -27,7 +27,7 @@ all: .venv/installed ## Rebuild every figure, table and the report in results/.
 
 help: ## Print these targets, and those of the workflow where it is installed.
 	@echo "make TARGET, where TARGET is one of"
-	@awk -F ':.*## ' '/^[a-z.]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 	@if test -x $(BIN)/snakemake; then \
 	    echo "source .venv/bin/activate; snakemake -c2 TARGET, where TARGET is one of"; \
 	    $(BIN)/snakemake -c1 --quiet host progress reason -- help 2>&1 | grep '^  '; \
@@ -102,7 +102,7 @@ readme: .venv/installed ## Bring the numbers of README and manual up to date.
 
 docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.
 	@echo "Building the manual in docs/_build/html."
-	$(call quietly,$(BIN)/sphinx-build -W --keep-going -b html docs docs/_build/html)
+	$(call quietly,$(BIN)/sphinx-build -E -W --keep-going -b html docs docs/_build/html)
 
 .venv/docs-installed: docs-environment.txt .venv/installed
 	@echo "Installing the packages that build the manual (about half a minute)."

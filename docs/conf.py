@@ -21,10 +21,11 @@ extensions = [
 ]
 myst_enable_extensions = ["deflist", "dollarmath"]
 myst_heading_anchors = 3
-exclude_patterns = ["_build", "requirements.txt"]
+exclude_patterns = ["_build"]
 
-# A tutorial that fails stops the build.
-nb_execution_mode = "cache"
+# Every build runs the tutorials, since the package may have changed; one that fails stops it.
+nb_execution_mode = "force"
+nb_output_stderr = "remove"
 nb_execution_timeout = 120
 nb_execution_raise_on_error = True
 

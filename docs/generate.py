@@ -151,7 +151,9 @@ def figures(results: Path) -> str:
         texts = json.loads(record.read_text(encoding="utf-8"))
         caption = record.with_suffix(".rst").read_text(encoding="utf-8").strip()
         lines += ["", f"## {texts['title']}", ""]
-        lines += [f"![{texts['alt']}](../../results/figures/{record.stem}.png)", "", caption]
+        lines += [f"![{texts['alt']}](../../results/figures/{record.stem}.png)", ""]
+        # Captions are reStructuredText.
+        lines += ["```{eval-rst}", caption, "```"]
     return "\n".join(lines) + "\n"
 
 

@@ -83,7 +83,7 @@ def test_half_a_unit_of_the_last_digit(printed, half):
     assert float(half_unit(printed)) == pytest.approx(half, rel=1e-12)
 
 
-@pytest.mark.parametrize("printed", ["nan", "inf", "-Infinity"])
+@pytest.mark.parametrize("printed", ["nan", "inf", "-Infinity", "abc"])
 def test_a_number_without_last_digit_has_no_half_unit(printed):
     with pytest.raises(ValueError, match=f"{printed}, which has no last digit: give its digits"):
         half_unit(printed)

@@ -157,3 +157,10 @@ def test_strong_damping_needs_few_half_strips():
     """The slowest root is (α − 1)/(αg) in the limit, found at once however strong the damping."""
     root = gf.tail_roots(1.5, 1e12, count=1)[0]
     assert root.real == pytest.approx(0.5 / 1.5e12, rel=1e-9)
+
+
+def test_a_strip_without_a_root_leaves_the_lowest_roots():
+    """Far up, where α is large and damping small, a strip may hold no root that is found."""
+    roots = gf.tail_roots(23.369647796819336, 0.0011717651288848771, count=2)
+    assert np.isfinite(roots).all()
+    assert roots[0].real < roots[1].real

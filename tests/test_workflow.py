@@ -314,5 +314,22 @@ def test_environment_pins_every_dependency_within_its_range():
         assert all(requirement.specifier.contains(version) for version in versions)
 
 
-def test_environment_names_no_package_index():
-    assert "://" not in (ROOT / "environment.txt").read_text()
+def pinned_in(file):
+    return set(re.findall(r"^([\w.-]+==[\w.]+)", (ROOT / file).read_text(), re.MULTILINE))
+
+
+def test_what_builds_the_manual_is_pinned_as_everything_else():
+    """Both files are installed into one environment."""
+    here, there = pinned_in("docs-environment.txt"), pinned_in("environment.txt")
+    names = {pin.split("==")[0] for pin in there}
+    assert {pin for pin in here if pin.split("==")[0] in names} <= there
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    for requirement in map(Requirement, project["dependency-groups"]["docs"]):
+        versions = [pin.split("==")[1] for pin in here if pin.startswith(f"{requirement.name}==")]
+        assert versions
+        assert all(requirement.specifier.contains(version) for version in versions)
+
+
+@pytest.mark.parametrize("file", ["environment.txt", "docs-environment.txt"])
+def test_environment_names_no_package_index(file):
+    assert "://" not in (ROOT / file).read_text()

@@ -40,6 +40,7 @@ WINGS_IN_WORDS = {
     "continuum": "the amplitude equations",
     "fronts": "the exact fronts",
     "model": "the contact laws",
+    "numerics": "the numerical methods",
     "reference_methods": "the reference methods",
 }
 
@@ -168,8 +169,9 @@ def callback(signature, **options):
 @functools.cache
 def cache_folder(file):
     """Folder of the machine code of a file's kernels, in NUMBA_CACHE_DIR or the user's cache."""
-    # A kernel may stand outside the package, in a test for example.
-    modules = MODULES if file in MODULES.values() else {**MODULES, file.stem: file}
+    # A kernel may stand outside the package, beside others that it calls, in a test for example.
+    beside = {one.stem: one for one in file.parent.glob("*.py")}
+    modules = MODULES if file in MODULES.values() else {**MODULES, **beside}
     [name] = [name for name, path in modules.items() if path == file]
     files = [modules[one] for one in import_closure([name], modules)]
     compiler = f"numba{numba.__version__}_llvmlite{llvmlite.__version__}"

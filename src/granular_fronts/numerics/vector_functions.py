@@ -115,7 +115,8 @@ def exponential(x):
     Parameters
     ----------
     x : float
-        Above −1e20, not checked; the result is infinite above 709.7, and about 0 below −708.
+        Above −1e20, not checked; the result is infinite above 1023.5 ln 2, 709.4, and about 0
+        below −708.
 
     Returns
     -------

@@ -16,7 +16,7 @@ the error never counts in favour of either answer.
 
 import math
 import re
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from typing import NamedTuple
 
 from granular_fronts.accuracy import Estimate
@@ -93,7 +93,10 @@ def half_unit(printed: str) -> str:
     ValueError
         If the text is infinite or no number, and so has no last digit.
     """
-    exponent = Decimal(printed).as_tuple().exponent
+    try:
+        exponent = Decimal(printed).as_tuple().exponent
+    except InvalidOperation:
+        exponent = "n"
     if not isinstance(exponent, int):
         raise ValueError(
             f"The printed number is {printed}, which has no last digit: give its digits, or say "

@@ -163,7 +163,7 @@ def sort_by_real_part(roots):
     """Sort in place, NaN last, by insertion: all but the last few stand in order already."""
     for i in range(1, roots.size):
         root, k = roots[i], i
-        while k > 0 and not roots[k - 1].real <= root.real:
+        while k > 0 and (roots[k - 1].real > root.real or math.isnan(roots[k - 1].real)):
             roots[k] = roots[k - 1]
             k -= 1
         roots[k] = root
