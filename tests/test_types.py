@@ -2,9 +2,11 @@
 
 import ast
 import inspect
+import tomllib
 from importlib.resources import files
 
 import pytest
+from projects import ROOT
 
 import granular_fronts
 
@@ -27,6 +29,15 @@ def test_the_stub_gives_each_public_name_from_its_module():
     assert homes == {
         name: f"{found.__module__}.{found.__qualname__}" for name, found in public.items()
     }
+
+
+def test_the_modules_of_public_names_are_checked():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]
+    homes = {
+        f"src/{getattr(granular_fronts, name).__module__.replace('.', '/')}.py"
+        for name in granular_fronts.__all__
+    }
+    assert homes <= set(settings["files"])
 
 
 @pytest.mark.parametrize("name", granular_fronts.__all__)
