@@ -211,6 +211,9 @@ def test_order_of_known_errors():
 
     order = observed_order([Made(h, 3.0 * h**2) for h in (0.4, 0.2, 0.1)])
     assert order == pytest.approx((2.0, 0.0), abs=1e-12)
+    # The two smallest steps say the order, larger ones how far it is settled.
+    settling = observed_order([Made(0.8, 99.0), Made(0.4, 4.0), Made(0.2, 1.0), Made(0.1, 0.5)])
+    assert settling == pytest.approx((1.0, 1.0), abs=1e-12)
     assert np.isnan(observed_order([Made(0.2, 1.0), Made(0.1, 0.5)]).scatter)
 
 
@@ -247,11 +250,21 @@ DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\
         (f"{FRONT}_-1.csv", TABLE, "does not say what it is"),
         ("wave_0.1.csv", TABLE, "is about wave, but the problems are front_steel"),
         (f"{FRONT}_0.1.csv", None, "There is no file"),
-        (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v"),
+        (f"{FRONT}_inf.csv", TABLE, "does not say what it is"),
+        (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v, but 't, bead, x': give the columns t"),
+        (f"{FRONT}_0.1.csv", "", "has no column t, but '': give"),
+        (f"{FRONT}_0.1.csv", TABLE.replace(",", ";"), "has no column t, but 't;bead;x;v': give"),
+        (f"{FRONT}_0.1.csv", TABLE + "9" * 200_000, "is no table (field larger than"),
         (f"{FRONT}_0.1.csv", "t,bead,x,v\n", "holds no states"),
-        (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan' where a number should be"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan', so that the run was lost"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,o,0\n", "holds 'o' where a number should be: write"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,0\n", "holds '' where a number should be: write"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,0,0\n", "has 3 rows for 2 times and beads 1 to 2"),
+        (f"{FRONT}_0.1.csv", TABLE + "0,1,0,0\n1,2,0,0\n", "has 4 rows for 2 times and beads"),
         (f"{FRONT}_0.1.dump", DUMP, "holds id x vx and no time"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-3], "holds '' where a number should be"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\nabc\n" + DUMP, "holds 'abc' where a number should be"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME", "holds '' where a number should be"),
         (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP.replace(" vx", ""), "holds id x and the"),
     ],
 )
@@ -264,7 +277,8 @@ def test_files_that_do_not_fit_are_named(name, text, sentence, tmp_path):
 
 def test_dump_and_table_are_read_alike(tmp_path):
     (tmp_path / f"{FRONT}_0.1.dump").write_text("ITEM: TIME\n0\n" + DUMP)
-    (tmp_path / f"{FRONT}_0.1.csv").write_text(TABLE)
+    # A spreadsheet may mark its encoding by a first character.
+    (tmp_path / f"{FRONT}_0.1.csv").write_text("\ufeff" + TABLE, encoding="utf-8")
     dump, table = (
         read_result(tmp_path / f"{FRONT}_0.1.{ending}", [FRONT]) for ending in ("dump", "csv")
     )

@@ -86,9 +86,9 @@ def matching_rows(problem, answer, result):
 
 
 class Order(NamedTuple):
-    """Slope of the logarithm of the error over that of the step, and its scatter.
+    """Slope of log error over log step at the two smallest steps, and its scatter.
 
-    `scatter` is half the range of the slopes between neighbouring steps; NaN for two steps.
+    `scatter` is its distance from the slope of the pair before; NaN for two steps.
     """
 
     value: float
@@ -99,8 +99,8 @@ def observed_order(findings):
     """The order that the errors of two or more steps show."""
     steps, errors = (np.log([getattr(one, name) for one in findings]) for name in ("step", "error"))
     slopes = np.diff(errors) / np.diff(steps)
-    scatter = 0.5 * np.ptp(slopes) if slopes.size > 1 else np.nan
-    return Order(float(np.polyfit(steps, errors, 1)[0]), float(scatter))
+    scatter = abs(slopes[-1] - slopes[-2]) if slopes.size > 1 else np.nan
+    return Order(float(slopes[-1]), float(scatter))
 
 
 def report(problem, findings, wanted):
