@@ -11,7 +11,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.collision import restitution
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
-from granular_fronts.referee.assessment import find, observed_order
+from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.lammps_deck import damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems
@@ -215,6 +215,30 @@ def test_order_of_known_errors():
     settling = observed_order([Made(0.8, 99.0), Made(0.4, 4.0), Made(0.2, 1.0), Made(0.1, 0.5)])
     assert settling == pytest.approx((1.0, 1.0), abs=1e-12)
     assert np.isnan(observed_order([Made(0.2, 1.0), Made(0.1, 0.5)]).scatter)
+
+
+@pytest.mark.parametrize(
+    ("errors", "sentence", "unsaid"),
+    [
+        ((8e-3, 4e-3, 2e-3), "take the step 0.05.\n  Order one", "not clear"),
+        ((32e-3, 8e-3, 2e-3), "take the step 0.071.", "Order one"),
+        ((8e-3, 4e-3, 1e-3), "as wanted", "take the step"),
+        ((5e-4, 5e-4, 5e-4), "as wanted", "another problem"),
+        ((5e-2, 5e-2, 5e-2), "this is another problem", "take the step"),
+        ((1e-3, 2e-3, 4e-3), "this is another problem", "take the step"),
+        ((8e-3, 4e-3, 4e-3 / 2**1.5), "not clear yet: add a smaller step", "take the step"),
+        # Of slope 1 at last, but 3 before.
+        ((32e-3, 4e-3, 2e-3), "not clear yet: add a smaller step", "Order one"),
+    ],
+)
+def test_advice_is_what_the_errors_allow(problem, errors, sentence, unsaid):
+    findings = [
+        Finding(step, error, np.nan, np.nan)
+        for step, error in zip((0.4, 0.2, 0.1), errors, strict=True)
+    ]
+    said = "\n".join(report(problem, findings, 1e-3))
+    assert sentence in said
+    assert unsaid not in said
 
 
 def test_overdamped_front_has_no_reading():

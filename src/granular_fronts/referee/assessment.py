@@ -8,7 +8,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.referee.readings import NAMES, excess_damping, read_motion, velocity_scale
 
 CLEAR = 0.25
-"""Distance within which an observed order counts as the whole number."""
+"""Largest distance of a clear order from a whole number, and its largest scatter."""
 
 NO_ORDER = 0.3
 """Observed order below which the error does not depend on the step."""
@@ -127,7 +127,7 @@ def report(problem, findings, wanted):
     order = observed_order(findings)
     scatter = "" if np.isnan(order.scatter) else f" ± {order.scatter:.2f}"
     yield f"  The observed order is {order.value:.2f}{scatter}."
-    yield from (f"  {line}" for line in advice(problem, findings[-1], order.value, wanted))
+    yield from (f"  {line}" for line in advice(problem, findings[-1], order, wanted))
 
 
 def damping_in_words(problem, finding):
@@ -142,25 +142,26 @@ def damping_in_words(problem, finding):
 
 
 def advice(problem, finest, order, wanted):
-    """What to change."""
-    if order < NO_ORDER and finest.error > wanted:
+    """What to change: nothing, the problem, the number of steps, or the step and the integrator.
+
+    The last two are advised only where the error falls at a clear order.
+    """
+    unclear = abs(order.value - round(order.value)) >= CLEAR or order.scatter > CLEAR
+    if finest.error <= wanted:
+        yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."
+    elif order.value < NO_ORDER:
         yield (
             "The error does not fall with the step: this is another problem. Compare law, mass, "
             "radius, force and start with the file of the problem in words."
         )
-        return
-    if finest.error <= wanted:
-        yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."
-    else:
-        step = finest.step * (wanted / finest.error) ** (1.0 / order)
-        yield f"For an error of {wanted:g} take the step {step:.2g}."
-    if abs(order - 1.0) < CLEAR:
-        yield (
-            "Order one is that of velocity Verlet whose viscous force sees the velocity of half a "
-            "step ago. A predicted velocity makes it two: in LAMMPS fix mvv/dpd 1.0, which the "
-            f"deck {problem.name}.lmp takes with -var integrator mvv."
-        )
-    elif abs(order - 2.0) < CLEAR:
-        yield "The order is two: half the step is a quarter of the error."
-    else:
+    elif unclear:
         yield "The order is not clear yet: add a smaller step."
+    else:
+        step = finest.step * (wanted / finest.error) ** (1.0 / order.value)
+        yield f"For an error of {wanted:g} take the step {step:.2g}."
+        if round(order.value) == 1:
+            yield (
+                "Order one is that of velocity Verlet whose viscous force sees the velocity of "
+                "half a step before. A predicted velocity makes it two: in LAMMPS fix mvv/dpd "
+                f"1.0, which the deck {problem.name}.lmp takes with -var integrator mvv."
+            )
