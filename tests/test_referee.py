@@ -318,6 +318,20 @@ def test_results_of_other_beads_or_times_are_named(folder, problem):
         find(problem, answer, result._replace(t=result.t[:-1], x=result.x[:-1], v=result.v[:-1]))
 
 
+def test_another_start_is_named(folder, problem):
+    """Half-step velocities are those of the problem."""
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.1)
+    apart = result.x + 0.001 * np.arange(16)
+    with pytest.raises(InputError, match=r"at t = 0 beads are 0\.001 from where they just touch"):
+        find(problem, answer, result._replace(x=apart))
+    with pytest.raises(InputError, match=r"at t = 0 a velocity is 0\.1 from that of the problem"):
+        find(problem, answer, result._replace(v=result.v + 0.1))
+    late = result.v.copy()
+    late[0, 0] = 0.5 * 0.1 * 0.1**1.5
+    reading = find(problem, answer, result).reading
+    assert find(problem, answer, result._replace(v=late)).reading == reading
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [(["--answers", "nowhere"], "nowhere holds no answers: make them by snakemake")],

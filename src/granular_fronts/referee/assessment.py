@@ -17,6 +17,10 @@ SAME_TIME = 1.0e-6
 """Distance of two times that count as one, over the interval between states."""
 
 
+SAME_START = 1.0e-6
+"""Distance of two first states that count as one, over δ or over the velocity of a front."""
+
+
 class Finding(NamedTuple):
     """What one result shows.
 
@@ -51,10 +55,11 @@ def find(problem, answer, result):
     Raises
     ------
     InputError
-        If beads or times differ.
+        If beads, times or the first state differ.
     """
     rows = matching_rows(problem, answer, result)
     u, v = -np.diff(result.x[rows], axis=1), result.v[rows]
+    check_start(problem, result.step, u[0], v[0])
     distances = (
         np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
         np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
@@ -83,6 +88,27 @@ def matching_rows(problem, answer, result):
             "divides this; where the run was lost, give a smaller step."
         )
     return rows
+
+
+def check_start(problem, step, u, v):
+    """Check that a motion starts as the problem: beads touch and have its velocities.
+
+    Codes that keep velocities of half steps start with that of half a step before or after.
+    """
+    name = f"{problem.name} with step {step:g} does not start as the problem"
+    farthest = float(np.abs(u).max())
+    if farthest > SAME_START * problem.displacement:
+        raise InputError(
+            f"{name}: at t = 0 beads are {farthest:.3g} from where they just touch; give x as "
+            "displacement from there, or as position in diameters."
+        )
+    off = float(np.abs(v - problem.scene["start"]["velocity"]).max())
+    pressure = problem.displacement ** problem.scene["law"]["alpha"]
+    if off > 0.5 * step * pressure + SAME_START * velocity_scale(problem):
+        raise InputError(
+            f"{name}: at t = 0 a velocity is {off:.3g} from that of the problem; bead 1 has "
+            f"{problem.scene['start']['velocity'][0]:.6g} and the others rest."
+        )
 
 
 class Order(NamedTuple):
