@@ -1,22 +1,31 @@
 """The numbers of docs/practitioners.md are those of the study and of the referee."""
 
+import os
 import re
+import shlex
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from half_steps import half_steps, write_dump
+from pages import commands, run
 from projects import ROOT
+from write_referee import write_referee
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import load_problems
-from granular_fronts.referee.results_files import Result
-from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
 
-PAGE = (ROOT / "docs" / "practitioners.md").read_text(encoding="utf-8")
-PROBLEMS = load_problems(load_configuration(ROOT / "config" / "referee.yaml"))
+DOCUMENT = ROOT / "docs" / "practitioners.md"
+PAGE = DOCUMENT.read_text(encoding="utf-8")
+SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
+PROBLEMS = load_problems(SETTINGS)
+QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
+PACKAGES = str(ROOT / "src")
 COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
 COLUMNS += ("speed_defect", "momentum_defect")
 
@@ -96,16 +105,6 @@ def test_overshoot_of_weaker_powers_in_a_long_chain(beta, printed):
     assert holds_tightly(ratios[:, :2], *map(float, printed))
 
 
-def half_steps(problem, step):
-    """The motion that LAMMPS's `fix nve` has to round-off (tests/test_half_step.py)."""
-    scene, every = problem.scene, round(problem.interval / step)
-    law, start = scene["law"], scene["start"]
-    chain = Chain(1.5, law["beta"], law["gamma"], scene["boundary"]["left"])
-    steps = round(scene["end_time"] / step)
-    motion = integrate(chain, np.zeros(scene["beads"]), start["velocity"], step, steps)
-    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
-
-
 def found_by_half_steps(name, steps):
     problem = PROBLEMS[name]
     answer = solve(problem)
@@ -113,10 +112,33 @@ def found_by_half_steps(name, steps):
 
 
 def test_what_the_referee_says_of_a_front():
-    quoted = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
     problem, findings = found_by_half_steps("front_steel_viscoelastic", [0.25, 0.1, 0.05, 0.025])
     said = list(report(problem, findings, 1e-3))
-    assert quoted.splitlines() == said[: len(quoted.splitlines())]
+    assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
+
+
+def test_commands_run_as_shown(tmp_path):
+    """In the folder of the decks, where LAMMPS leaves its dumps."""
+    make, enter, ask = commands(DOCUMENT)
+    assert make == "snakemake -c2 referee"
+    folder = tmp_path / enter.removeprefix("cd ")
+    front = {"front": SETTINGS["motions"]["front"] | {"dampings": ["steel"]}}
+    write_referee(SETTINGS | {"motions": front}, folder / "answers.csv")
+    for step in (0.25, 0.1, 0.05, 0.025):
+        result = half_steps(PROBLEMS["front_steel_viscoelastic"], step)
+        write_dump(folder / f"front_steel_viscoelastic_{step}.dump", result)
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    outcome = run(["bash", "-c", f"{enter} && {ask}"], tmp_path, PATH=path, PYTHONPATH=PACKAGES)
+    assert outcome.returncode == 0, outcome.stderr
+    assert QUOTED in outcome.stdout
+    assert (folder / "front_steel_viscoelastic.png").stat().st_size > 10_000
+
+
+@pytest.mark.slow
+def test_workflow_can_plan_the_problems():
+    words = shlex.split(commands(DOCUMENT)[0])
+    outcome = run([sys.executable, "-m", *words, "--dry-run", "--nolock"])
+    assert outcome.returncode == 0, outcome.stderr
 
 
 def test_single_collisions():

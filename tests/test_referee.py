@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from half_steps import half_steps, write_table
 from projects import ROOT
 from write_referee import write_referee
 
@@ -17,10 +18,9 @@ from granular_fronts.referee.lammps_deck import damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.readings import excess_damping, first_peak
 from granular_fronts.referee.results_files import Result, read_result
-from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.scenes.yaml_files import load_configuration
 
-SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")
+SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
 PROBLEMS = load_problems(SETTINGS)
 FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
 SMALL = SETTINGS | {
@@ -45,28 +45,6 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module")
 def problem():
     return load_problems(SMALL)[FRONT]
-
-
-def computed(problem, step, factor=1.0):
-    """A result by the half-step scheme."""
-    scene, every = problem.scene, round(problem.interval / step)
-    law = scene["law"]
-    chain = Chain(1.5, law["beta"], factor * law["gamma"], scene["boundary"]["left"])
-    velocity = scene["start"]["velocity"]
-    steps = round(scene["end_time"] / step)
-    motion = integrate(chain, np.zeros(scene["beads"]), velocity, step, steps)
-    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
-
-
-def write_table(path, result, shift=0.0):
-    """A result as a user's table, with positions if `shift` is 1."""
-    lines = ["# by the half-step scheme", "t, bead, x, v"]
-    for t, x, v in zip(*(values.tolist() for values in result[2:]), strict=True):
-        places = [place + shift * n for n, place in enumerate(x)]
-        rows = enumerate(zip(places, v, strict=True), 1)
-        lines += [f"{t!r}, {bead}, {place!r}, {velocity!r}" for bead, (place, velocity) in rows]
-    path.write_text("\n".join(lines))
-    return str(path)
 
 
 def test_dampings_are_those_of_a_front():
@@ -149,7 +127,7 @@ def test_every_problem_has_its_files_and_numbers(folder):
 
 def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys, tmp_path):
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step), shift)
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step), shift)
         for step, shift in ((0.05, 0.0), (0.1, 1.0), (0.025, 0.0))
     ]
     main([*files, "--answers", str(folder), "--figures", str(tmp_path)])
@@ -164,7 +142,7 @@ def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys,
     assert 1.0 < excess[0] < 1.5
     assert "fix mvv/dpd" in said
     wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said).group(1))
-    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.005)).error < (
+    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.005)).error < (
         1e-3 * 0.005 / wanted * 1.3
     )
     assert (tmp_path / f"{FRONT}.png").stat().st_size > 10_000
@@ -178,14 +156,14 @@ def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
     perfect = find(problem, answer, Result(FRONT, 0.1, answer["t"].values, x, v))
     assert perfect.error < 1e-14
     assert abs(perfect.excess) < 1e-12
-    wrong = [find(problem, answer, computed(problem, step, 1.05)) for step in (0.01, 0.005)]
+    wrong = [find(problem, answer, half_steps(problem, step, 1.05)) for step in (0.01, 0.005)]
     assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
     assert observed_order(wrong).value < 0.3
 
 
 def test_another_problem_is_recognised(folder, problem, capsys, tmp_path):
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step, 1.5))
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step, 1.5))
         for step in (0.01, 0.005)
     ]
     main([*files, "--answers", str(folder)])
@@ -193,11 +171,11 @@ def test_another_problem_is_recognised(folder, problem, capsys, tmp_path):
 
 
 def test_one_step_and_a_good_error_are_said_so(folder, problem, capsys, tmp_path):
-    file = write_table(tmp_path / f"{FRONT}_0.1.csv", computed(problem, 0.1))
+    file = write_table(tmp_path / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
     main([file, "--answers", str(folder)])
     assert "Give a second step" in capsys.readouterr().out
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step))
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step))
         for step in (0.1, 0.05)
     ]
     main([*files, "--answers", str(folder), "--error", "0.1"])
@@ -248,7 +226,7 @@ def test_overdamped_front_has_no_reading():
 
 def test_figure_shows_answer_and_results(folder, problem):
     answer = read_dataset(folder / f"{FRONT}.nc")
-    results = [computed(problem, step) for step in (0.1, 0.05)]
+    results = [half_steps(problem, step) for step in (0.1, 0.05)]
     findings = [find(problem, answer, result) for result in results]
     motion, error = draw(problem, answer, results, findings).axes
     lines = motion.get_lines()
@@ -311,7 +289,7 @@ def test_dump_and_table_are_read_alike(tmp_path):
 
 
 def test_results_of_other_beads_or_times_are_named(folder, problem):
-    answer, result = read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.1)
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
     with pytest.raises(InputError, match="has 15 beads, but the problem has 16"):
         find(problem, answer, result._replace(x=result.x[:, 1:]))
     with pytest.raises(InputError, match=r"has no state at t = 40, its last is at t = 39.5"):
@@ -320,7 +298,7 @@ def test_results_of_other_beads_or_times_are_named(folder, problem):
 
 def test_another_start_is_named(folder, problem):
     """Half-step velocities are those of the problem."""
-    answer, result = read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.1)
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
     apart = result.x + 0.001 * np.arange(16)
     with pytest.raises(InputError, match=r"at t = 0 beads are 0\.001 from where they just touch"):
         find(problem, answer, result._replace(x=apart))
@@ -344,7 +322,7 @@ def test_missing_answers_are_named(arguments, sentence, tmp_path):
 def test_a_step_given_twice_is_named(folder, problem, tmp_path):
     (tmp_path / "again").mkdir()
     files = [
-        write_table(place / f"{FRONT}_0.1.csv", computed(problem, 0.1))
+        write_table(place / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
         for place in (tmp_path, tmp_path / "again")
     ]
     with pytest.raises(SystemExit, match="is there twice with step"):

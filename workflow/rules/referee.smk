@@ -2,7 +2,7 @@
 
 from granular_fronts.referee.problems import load_problems
 
-REFEREE = load_yaml("config", "referee.yaml")
+REFEREE = load_yaml("config", "referee.yaml")["referee"]
 
 
 rule write_referee:

@@ -31,7 +31,7 @@ Compute the motion up to t = {end_time:g}, with two steps or more, and write pos
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
 columns t, bead, x, v, where x is the displacement from the start. Or let LAMMPS do so by
 {name}.lmp. Then run
-    python -m granular_fronts.referee {name}_*.csv
+    python -m granular_fronts.referee {name}_*.csv --answers FOLDER_OF_THIS_FILE
 """
 
 
@@ -65,12 +65,12 @@ class Problem(NamedTuple):
 
 
 def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
-    """State all problems of config/referee.yaml.
+    """State all problems of the section ``referee`` of config/referee.yaml.
 
     Parameters
     ----------
     settings : mapping
-        What the file holds.
+        The section.
 
     Returns
     -------
