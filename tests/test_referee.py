@@ -319,6 +319,31 @@ def test_missing_answers_are_named(arguments, sentence, tmp_path):
         main([str(tmp_path / f"{FRONT}_0.1.csv"), *arguments])
 
 
+@pytest.mark.parametrize("wanted", ["-1", "0", "nan"])
+def test_an_impossible_wanted_error_is_named(folder, wanted):
+    with pytest.raises(SystemExit, match=r"--error is \S+, but must be a finite number, above 0"):
+        main([f"{FRONT}_0.1.csv", "--answers", str(folder), f"--error={wanted}"])
+
+
+def test_a_file_where_figures_should_lie_is_named(folder):
+    file = folder / "answers.csv"
+    with pytest.raises(SystemExit, match=r"no folder can be made \(File exists\): name another"):
+        main([f"{FRONT}_0.1.csv", "--answers", str(folder), "--figures", str(file)])
+
+
+def test_only_answers_of_the_table_are_known(folder, problem, tmp_path):
+    """Of a removed problem the files of an earlier run remain, and one may be broken."""
+    file = write_table(tmp_path / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
+    (tmp_path / f"{FRONT}.nc").write_text("no dataset")
+    header = "problem,quantity,value,error\n"
+    (tmp_path / "answers.csv").write_text(f"{header}{COLLISION},a,1,0\n")
+    with pytest.raises(SystemExit, match=f"but the problems are {COLLISION}:"):
+        main([file, "--answers", str(tmp_path)])
+    (tmp_path / "answers.csv").write_text(f"{header}{FRONT},a,1,0\n{FRONT},b,1,0\n")
+    with pytest.raises(SystemExit, match=rf"{FRONT}\.nc is not a readable netCDF file"):
+        main([file, "--answers", str(tmp_path)])
+
+
 def test_a_step_given_twice_is_named(folder, problem, tmp_path):
     (tmp_path / "again").mkdir()
     files = [
