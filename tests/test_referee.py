@@ -56,6 +56,22 @@ def test_dampings_are_those_of_a_front():
     assert len({problem.motion for problem in PROBLEMS.values()}) == 4
 
 
+@pytest.mark.parametrize(
+    ("motions", "sentence"),
+    [
+        (
+            {"front": {"dampings": ["stee"]}},
+            "motions.front.dampings names 'stee', which is unknown",
+        ),
+        ({"wave": {"dampings": []}}, "motions.wave names 'wave', which is unknown: choose from fr"),
+    ],
+)
+def test_unknown_names_in_the_settings_are_named(motions, sentence):
+    motions = {name: SETTINGS["motions"]["front"] | motion for name, motion in motions.items()}
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        load_problems(SETTINGS | {"motions": motions})
+
+
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_deck_and_words_hold_the_numbers_of_the_scene(name):
     problem = PROBLEMS[name]
