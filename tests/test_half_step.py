@@ -1,7 +1,6 @@
 """The half-step scheme: LAMMPS to round-off, order, modified equation, limit of stability."""
 
 import runpy
-import shutil
 import subprocess
 import sys
 
@@ -14,6 +13,7 @@ from scipy.integrate import solve_ivp
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
 from granular_fronts.reference_methods.half_step import Chain, integrate
+from peers.lammps_chain import find_command
 
 SCRIPT = ROOT / "tests" / "references" / "make_lammps_reference.py"
 OTHERS = xr.load_dataset(ROOT / "tests" / "references" / "other_codes_reference.nc")
@@ -87,13 +87,14 @@ def test_other_codes_move_by_the_same_scheme(code, beta, gamma):
     np.testing.assert_allclose(velocity, stored["velocity"], rtol=0, atol=2e-13)
 
 
-needs_lammps = pytest.mark.skipif(not shutil.which("lmp"), reason="LAMMPS is not installed")
+LAMMPS = find_command()
+needs_lammps = pytest.mark.skipif(not LAMMPS, reason="LAMMPS is not installed")
 
 
 @needs_lammps
 def test_installed_lammps_makes_the_stored_motions(tmp_path):
     output = tmp_path / "again.nc"
-    subprocess.run([sys.executable, SCRIPT, "--output", output], check=True)
+    subprocess.run([sys.executable, SCRIPT, "--lmp", LAMMPS, "--output", output], check=True)
     again = xr.load_dataset(output)
     np.testing.assert_allclose(again["displacement"], STORED["displacement"], atol=1e-12)
 
@@ -105,7 +106,7 @@ def test_predicted_velocities_of_lammps_are_of_second_order():
     made = runpy.run_path(str(SCRIPT))
     scene = made["scene_of"](1.5, 0.3, 0.1, 0.0)
     errors = [
-        np.abs(-np.diff(made["run_lammps"](scene, step, integrator="mvv")[0]) - u)
+        np.abs(-np.diff(made["run_lammps"](scene, step, LAMMPS, "mvv")[0]) - u)
         for step in (0.2, 0.1, 0.05)
     ]
     found, residual = fitted_order([0.2, 0.1, 0.05], [error.max() for error in errors])

@@ -150,6 +150,24 @@ def test_single_collisions():
     assert "dashpot" in names[int(np.argmax(less))]
 
 
+def test_numbers_of_the_problems():
+    assert int(re.search(r"`results/referee` (\d+) problems", PAGE).group(1)) == len(PROBLEMS)
+    stated, count = re.search(r"t_c = (\S+), so that 0\.1 is t_c/(\d+)", PAGE).groups()
+    unit = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
+    assert unit == pytest.approx(float(stated), abs=0.005)
+    assert round(unit / 0.1) == int(count)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_errors_of_the_answers(name):
+    below = float(re.search(r"with their errors \(below (\S+)\)", PAGE).group(1))
+    answer = solve(PROBLEMS[name])
+    fields = ("relative_displacement", "velocity")
+    assert max(answer[field].attrs["error_estimate"] for field in fields) < below
+    assert answer["value_error"].max() < below
+
+
 def test_ejected_beads():
     name, slow, more = re.search(
         r"in `(\w+)`, `fix nve` with step 0.1\n.*? is (\S+) % too slow, which reads as (\S+) %",
