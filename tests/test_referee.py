@@ -8,15 +8,17 @@ from half_steps import half_steps, write_table
 from projects import ROOT
 from write_referee import write_referee
 
+from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
 from granular_fronts.model.collision import restitution
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
+from granular_fronts.referee.answers import states
 from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.lammps_deck import damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems
-from granular_fronts.referee.readings import excess_damping, first_peak
+from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
 from granular_fronts.referee.results_files import Result, read_result
 from granular_fronts.scenes.yaml_files import load_configuration
 
@@ -240,9 +242,21 @@ def test_overdamped_front_has_no_reading():
     assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
 
 
+def test_peak_between_states_is_close_to_that_of_the_motion():
+    """The number in the docstring of `readings`, for the front that overshoots most."""
+    problem = PROBLEMS["front_glass_viscoelastic"]
+    record = problem.scene["record"]
+
+    def reading(interval):
+        scene = problem.scene | {"record": record | {"grid": {"step": interval}}}
+        return read_motion(problem, *states(simulate_chain(scene)))
+
+    assert 1e-4 < 1.0 - reading(0.5) / reading(0.05) < 1.3e-4
+
+
 def test_figure_shows_answer_and_results(folder, problem):
     answer = read_dataset(folder / f"{FRONT}.nc")
-    results = [half_steps(problem, step) for step in (0.1, 0.05)]
+    results = [half_steps(problem, step) for step in (0.5, 0.25, 0.125, 0.1, 0.05)]
     findings = [find(problem, answer, result) for result in results]
     motion, error = draw(problem, answer, results, findings).axes
     lines = motion.get_lines()
@@ -250,9 +264,10 @@ def test_figure_shows_answer_and_results(folder, problem):
     np.testing.assert_array_equal(
         lines[0].get_ydata(), answer["relative_displacement"].sel(contact=contact)
     )
-    np.testing.assert_array_equal(
-        lines[2].get_ydata(), results[1].x[:, contact - 1] - results[1].x[:, contact]
-    )
+    for line, result in zip(lines[1:], results, strict=True):
+        u = result.x[:, contact - 1] - result.x[:, contact]
+        np.testing.assert_array_equal(line.get_ydata(), u)
+    assert len({tuple(line.get_color()) for line in lines[1:]}) == len(results)
     np.testing.assert_array_equal(error.get_lines()[0].get_ydata(), [one.error for one in findings])
 
 
