@@ -18,8 +18,9 @@ order h².  Up to h² the method therefore solves the chain whose contacts carry
     u_+^\alpha + g\,\dot u - \tfrac h2\,g\,\ddot u, \qquad g = \gamma\beta u_+^{\beta-1}.
 
 Two free beads obey :math:`\ddot u = -2(\ldots)`, and their contact is, elastic and viscous force
-alike, stronger by the factor :math:`1/(1 - hg) \approx 1 + hg`.  To first order in γ this is more
-stiffness and no damping: the work of :math:`-\tfrac h2 g\ddot u` over a collision,
+alike, stronger by the factor :math:`1/(1 - hg) \approx 1 + hg`.  In a chain ü depends on the
+neighbours too, and there is no such factor.  To first order in γ the force is no damping of a
+collision: its work,
 
 .. math:: -\tfrac h2 \int g(u)\,\ddot u\,\dot u\,dt,
 
