@@ -97,6 +97,11 @@ SECTIONS_REFUSED = [
     ("exact_fronts.survey.gamma.start", 2, ["gamma.start is 2", "its stop 2", "raise stop"]),
     ("laws.numerical_damping.profile.step", 0.7, ["no whole number of such steps ends at"]),
     ("laws.numerical_damping.order.steps", [0.24], ["has 1 entry, below its limit 3"]),
+    ("laws.half_step_damping.alpha", 2, ["alpha is 2", "above its limit 1.5"]),
+    ("laws.half_step_damping.gammas", [0.05, 0.2], ["gammas (entry 2) is 0.2", "limit 0.13"]),
+    ("laws.half_step_damping.betas", [1, 1.1, 1.2, 1.5], ["has 4 entries", "limit 3"]),
+    ("laws.half_step_damping.shown.beta", 1.1, ["shown.beta is 1.1, but betas are 1.5, 1.25, 1"]),
+    ("laws.half_step_damping.gammas", [0.1], ["shown.gamma is 0.05, but gammas are 0.1"]),
     ("laws.jump_conditions.cases.toda.states", [-2, -2], ["two different states"]),
     (
         "laws.jump_conditions.cases.hertz_dashpot",

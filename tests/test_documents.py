@@ -11,6 +11,7 @@ from pages import EXTENDING, README, blocks, commands, named_blocks, run
 from projects import ROOT, copy_project, snakemake
 
 START, PROOFS = ROOT / "docs" / "start.md", ROOT / "docs" / "proofs.md"
+PRACTITIONERS = ROOT / "docs" / "practitioners.md"
 MADE_BY_THE_BUILD = ("generated", "_build", "jupyter_execute")
 DOCUMENTS = [
     *sorted(ROOT.glob("*.md")),
@@ -22,10 +23,10 @@ DOCUMENTS = [
 ]
 
 
-# Those of the page on extensions are run on a copy of the project, those of proofs as they are.
-COMMANDS = [
-    line for page in DOCUMENTS if page not in (EXTENDING, PROOFS) for line in commands(page)
-]
+# Those of the page on extensions are run on a copy of the project, those of proofs as they are,
+# those for practitioners in the folder of the answers (test_practitioners.py).
+ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS)
+COMMANDS = [line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)]
 
 
 @pytest.mark.parametrize("command", [c for c in COMMANDS if c.startswith("make")])

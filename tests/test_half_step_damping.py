@@ -25,6 +25,7 @@ from granular_fronts.studies.half_step_motions import (
     passing,
     read_motion,
 )
+from granular_fronts.studies.law_measures import excess_damping
 
 UNIT = collision_time(1.5)
 CASE = Case(1.5, 1.5, 0.1, 24, 10 * UNIT)
@@ -111,6 +112,13 @@ def test_orders_and_excess_are_of_first_order():
     assert np.all(MEASURED["excess_overshoot"] < 1.5 * steps)
     assert np.all(MEASURED["excess_overshoot"] > 0.3 * steps)
     assert np.all(MEASURED["excess_overshoot"] > 1.2 * MEASURED["excess_tail"])
+
+
+def test_excess_is_measured_at_the_step_that_is_named_and_no_other():
+    found = excess_damping(MEASURED, "tail", 1.5, 0.13, 160)
+    assert found.value == float(MEASURED["excess_tail"].sel(beta=1.5, gamma=0.13)[1])
+    with pytest.raises(KeyError):
+        excess_damping(MEASURED, "tail", 1.5, 0.13, 150)
 
 
 def test_tail_excess_is_that_of_the_roots():

@@ -1,21 +1,31 @@
 """The numbers of docs/practitioners.md are those of the study and of the referee."""
 
+import os
 import re
+import shlex
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from half_steps import half_steps, write_dump
+from pages import commands, run
 from projects import ROOT
+from write_referee import write_referee
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import load_problems
-from granular_fronts.referee.results_files import Result
-from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
 
-PAGE = (ROOT / "docs" / "practitioners.md").read_text(encoding="utf-8")
+DOCUMENT = ROOT / "docs" / "practitioners.md"
+PAGE = DOCUMENT.read_text(encoding="utf-8")
+SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
+PROBLEMS = load_problems(SETTINGS)
+QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
+PACKAGES = str(ROOT / "src")
 COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
 COLUMNS += ("speed_defect", "momentum_defect")
 
@@ -29,21 +39,16 @@ def last_digit(number):
 def measured():
     scene = load_configuration(ROOT / "config" / "default.yaml")["laws"]["half_step_damping"]
     shown = scene["shown"]
-    smaller = {
-        "betas": [1.5],
-        "gammas": [0.01, 0.05, 0.13],
-        "steps_per_collision": [10, 20, 50, 100],
-    }
     assert shown["beta"] == 1.5
     assert shown["gamma"] == 0.05
-    return measure_half_step_damping(scene | smaller).sel(beta=1.5)
+    return measure_half_step_damping(scene | {"steps_per_collision": [10, 20, 50, 100]})
 
 
 def test_table_of_checks(measured):
     rows = re.findall(r"^\| 1/(\d+) \| (.*) \|$", PAGE, re.MULTILINE)
     assert [int(count) for count, _ in rows] == [10, 20, 50, 100]
     for count, cells in rows:
-        at = measured.sel(gamma=0.05).sel(step=1.0 / int(count), method="nearest")
+        at = measured.sel(beta=1.5, gamma=0.05).sel(step=1.0 / int(count), method="nearest")
         for name, cell in zip(COLUMNS, cells.split(" | "), strict=True):
             if cell.startswith("<"):
                 assert float(at[name]) < float(cell[1:])
@@ -53,9 +58,9 @@ def test_table_of_checks(measured):
 
 
 RULE = re.search(
-    r"(\S+) to (\S+) times this in\s+the middle of (\d+) beads.* (\S+) to\s+(\S+) times, and less",
+    r"(\S+) to (\S+) times this in\s+the middle of (\d+) beads. With β = 5/4 it is (\S+) to (\S+)"
+    r" times h/t_c,\s+with\s+β = 1 (\S+) to\s+(\S+), in the middle of (\d+) beads",
     PAGE,
-    re.DOTALL,
 )
 
 
@@ -64,10 +69,23 @@ def holds_tightly(ratio, low, high):
     return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
 
 
-def test_rule_of_thumb_for_the_overshoot(measured):
+def test_overshoot_in_a_short_chain(measured):
+    rows = re.findall(r"^  \| (0\.\d+) \| (.*) \|$", PAGE, re.MULTILINE)
+    assert [float(gamma) for gamma, _ in rows] == measured["gamma"].values.tolist()
     fine = measured.sel(step=slice(0.0201, None))
-    ratio = (fine["excess_overshoot"] / fine["step"]).values
-    assert holds_tightly(ratio, float(RULE[4]), float(RULE[5]))
+    ratios = (fine["excess_overshoot"] / fine["step"]).transpose("gamma", "beta", "step")
+    printed = [[cell.split(", ") for cell in cells.split(" | ")] for _, cells in rows]
+    np.testing.assert_allclose(ratios, np.array(printed, float), rtol=0, atol=0.005)
+
+
+def test_share_of_the_tail(measured):
+    fine = measured.sel(step=slice(0.0201, None))
+    share = (fine["excess_tail"] / fine["excess_overshoot"]).transpose("gamma", ...)
+    low, high = re.search(
+        r"the excess is (\S+) to (\S+) times that of the overshoot", PAGE
+    ).groups()
+    assert holds_tightly(share.values, float(low), float(high))
+    assert np.all(np.diff(share, axis=0) > 0.0)
 
 
 @pytest.mark.slow
@@ -78,28 +96,76 @@ def test_rule_of_thumb_in_a_long_chain():
     assert holds_tightly(np.array(ratios), float(RULE[1]), float(RULE[2]))
 
 
-def half_steps(problem, step):
-    """The motion that LAMMPS's `fix nve` has to round-off (tests/test_half_step.py)."""
-    scene, every = problem.scene, round(problem.interval / step)
-    law, start = scene["law"], scene["start"]
-    chain = Chain(1.5, law["beta"], law["gamma"], scene["boundary"]["left"])
-    steps = round(scene["end_time"] / step)
-    motion = integrate(chain, np.zeros(scene["beads"]), start["velocity"], step, steps)
-    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
+@pytest.mark.slow
+@pytest.mark.parametrize(("beta", "printed"), [(1.25, RULE.group(4, 5)), (1.0, RULE.group(6, 7))])
+def test_overshoot_of_weaker_powers_in_a_long_chain(beta, printed):
+    unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
+    chains = [Case(1.5, beta, gamma, int(RULE[8]), 108 * unit) for gamma in (0.01, 0.13)]
+    ratios = np.array([measure_excess(case, unit / counts).overshoot * counts for case in chains])
+    assert holds_tightly(ratios[:, :2], *map(float, printed))
 
 
 def found_by_half_steps(name, steps):
-    settings = load_configuration(ROOT / "config" / "referee.yaml")
-    problem = load_problems(settings)[name]
+    problem = PROBLEMS[name]
     answer = solve(problem)
     return problem, [find(problem, answer, half_steps(problem, step)) for step in steps]
 
 
 def test_what_the_referee_says_of_a_front():
-    quoted = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
     problem, findings = found_by_half_steps("front_steel_viscoelastic", [0.25, 0.1, 0.05, 0.025])
     said = list(report(problem, findings, 1e-3))
-    assert quoted.splitlines() == said[: len(quoted.splitlines())]
+    assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
+
+
+def test_commands_run_as_shown(tmp_path):
+    """In the folder of the decks, where LAMMPS leaves its dumps."""
+    make, enter, ask = commands(DOCUMENT)
+    assert make == "snakemake -c2 referee"
+    folder = tmp_path / enter.removeprefix("cd ")
+    front = {"front": SETTINGS["motions"]["front"] | {"dampings": ["steel"]}}
+    write_referee(SETTINGS | {"motions": front}, folder / "answers.csv")
+    for step in (0.25, 0.1, 0.05, 0.025):
+        result = half_steps(PROBLEMS["front_steel_viscoelastic"], step)
+        write_dump(folder / f"front_steel_viscoelastic_{step}.dump", result)
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    outcome = run(["bash", "-c", f"{enter} && {ask}"], tmp_path, PATH=path, PYTHONPATH=PACKAGES)
+    assert outcome.returncode == 0, outcome.stderr
+    assert QUOTED in outcome.stdout
+    assert (folder / "front_steel_viscoelastic.png").stat().st_size > 10_000
+
+
+@pytest.mark.slow
+def test_workflow_can_plan_the_problems():
+    words = shlex.split(commands(DOCUMENT)[0])
+    outcome = run([sys.executable, "-m", *words, "--dry-run", "--nolock"])
+    assert outcome.returncode == 0, outcome.stderr
+
+
+def test_single_collisions():
+    low, high = re.search(r"those of the referee read (\S+) to (\S+) % less damping", PAGE).groups()
+    names = [name for name in PROBLEMS if name.startswith("collision")]
+    less = [-100.0 * found_by_half_steps(name, [0.1])[1][0].excess for name in names]
+    assert min(less) == pytest.approx(float(low), abs=0.05)
+    assert max(less) == pytest.approx(float(high), abs=0.05)
+    assert "dashpot" in names[int(np.argmax(less))]
+
+
+def test_numbers_of_the_problems():
+    assert int(re.search(r"`results/referee` (\d+) problems", PAGE).group(1)) == len(PROBLEMS)
+    stated, count = re.search(r"t_c = (\S+), so that 0\.1 is t_c/(\d+)", PAGE).groups()
+    unit = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
+    assert unit == pytest.approx(float(stated), abs=0.005)
+    assert round(unit / 0.1) == int(count)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_errors_of_the_answers(name):
+    below = float(re.search(r"with their errors \(below (\S+)\)", PAGE).group(1))
+    answer = solve(PROBLEMS[name])
+    fields = ("relative_displacement", "velocity")
+    assert max(answer[field].attrs["error_estimate"] for field in fields) < below
+    assert answer["value_error"].max() < below
 
 
 def test_ejected_beads():

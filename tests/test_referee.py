@@ -4,23 +4,25 @@ import re
 
 import numpy as np
 import pytest
+from half_steps import half_steps, write_table
 from projects import ROOT
 from write_referee import write_referee
 
+from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
 from granular_fronts.model.collision import restitution
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
-from granular_fronts.referee.assessment import find, observed_order
+from granular_fronts.referee.answers import states
+from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.lammps_deck import damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems
-from granular_fronts.referee.readings import excess_damping, first_peak
+from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
 from granular_fronts.referee.results_files import Result, read_result
-from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.scenes.yaml_files import load_configuration
 
-SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")
+SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
 PROBLEMS = load_problems(SETTINGS)
 FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
 SMALL = SETTINGS | {
@@ -47,28 +49,6 @@ def problem():
     return load_problems(SMALL)[FRONT]
 
 
-def computed(problem, step, factor=1.0):
-    """A result by the half-step scheme."""
-    scene, every = problem.scene, round(problem.interval / step)
-    law = scene["law"]
-    chain = Chain(1.5, law["beta"], factor * law["gamma"], scene["boundary"]["left"])
-    velocity = scene["start"]["velocity"]
-    steps = round(scene["end_time"] / step)
-    motion = integrate(chain, np.zeros(scene["beads"]), velocity, step, steps)
-    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
-
-
-def write_table(path, result, shift=0.0):
-    """A result as a user's table, with positions if `shift` is 1."""
-    lines = ["# by the half-step scheme", "t, bead, x, v"]
-    for t, x, v in zip(*(values.tolist() for values in result[2:]), strict=True):
-        places = [place + shift * n for n, place in enumerate(x)]
-        rows = enumerate(zip(places, v, strict=True), 1)
-        lines += [f"{t!r}, {bead}, {place!r}, {velocity!r}" for bead, (place, velocity) in rows]
-    path.write_text("\n".join(lines))
-    return str(path)
-
-
 def test_dampings_are_those_of_a_front():
     """γ̂ δ^(5/4 − β): with β = 5/4 the damping has no unit but that of the front."""
     for name, problem in PROBLEMS.items():
@@ -76,6 +56,22 @@ def test_dampings_are_those_of_a_front():
         expected = SETTINGS["dampings"][damping] * 0.1 ** (1.25 - SETTINGS["laws"][law])
         assert problem.scene["law"]["gamma"] == pytest.approx(expected, rel=1e-14)
     assert len({problem.motion for problem in PROBLEMS.values()}) == 4
+
+
+@pytest.mark.parametrize(
+    ("motions", "sentence"),
+    [
+        (
+            {"front": {"dampings": ["stee"]}},
+            "motions.front.dampings names 'stee', which is unknown",
+        ),
+        ({"wave": {"dampings": []}}, "motions.wave names 'wave', which is unknown: choose from fr"),
+    ],
+)
+def test_unknown_names_in_the_settings_are_named(motions, sentence):
+    motions = {name: SETTINGS["motions"]["front"] | motion for name, motion in motions.items()}
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        load_problems(SETTINGS | {"motions": motions})
 
 
 @pytest.mark.parametrize("name", PROBLEMS)
@@ -149,7 +145,7 @@ def test_every_problem_has_its_files_and_numbers(folder):
 
 def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys, tmp_path):
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step), shift)
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step), shift)
         for step, shift in ((0.05, 0.0), (0.1, 1.0), (0.025, 0.0))
     ]
     main([*files, "--answers", str(folder), "--figures", str(tmp_path)])
@@ -164,7 +160,7 @@ def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys,
     assert 1.0 < excess[0] < 1.5
     assert "fix mvv/dpd" in said
     wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said).group(1))
-    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.005)).error < (
+    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.005)).error < (
         1e-3 * 0.005 / wanted * 1.3
     )
     assert (tmp_path / f"{FRONT}.png").stat().st_size > 10_000
@@ -178,14 +174,14 @@ def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
     perfect = find(problem, answer, Result(FRONT, 0.1, answer["t"].values, x, v))
     assert perfect.error < 1e-14
     assert abs(perfect.excess) < 1e-12
-    wrong = [find(problem, answer, computed(problem, step, 1.05)) for step in (0.01, 0.005)]
+    wrong = [find(problem, answer, half_steps(problem, step, 1.05)) for step in (0.01, 0.005)]
     assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
     assert observed_order(wrong).value < 0.3
 
 
 def test_another_problem_is_recognised(folder, problem, capsys, tmp_path):
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step, 1.5))
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step, 1.5))
         for step in (0.01, 0.005)
     ]
     main([*files, "--answers", str(folder)])
@@ -193,11 +189,11 @@ def test_another_problem_is_recognised(folder, problem, capsys, tmp_path):
 
 
 def test_one_step_and_a_good_error_are_said_so(folder, problem, capsys, tmp_path):
-    file = write_table(tmp_path / f"{FRONT}_0.1.csv", computed(problem, 0.1))
+    file = write_table(tmp_path / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
     main([file, "--answers", str(folder)])
     assert "Give a second step" in capsys.readouterr().out
     files = [
-        write_table(tmp_path / f"{FRONT}_{step}.csv", computed(problem, step))
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step))
         for step in (0.1, 0.05)
     ]
     main([*files, "--answers", str(folder), "--error", "0.1"])
@@ -211,7 +207,34 @@ def test_order_of_known_errors():
 
     order = observed_order([Made(h, 3.0 * h**2) for h in (0.4, 0.2, 0.1)])
     assert order == pytest.approx((2.0, 0.0), abs=1e-12)
+    # The two smallest steps say the order, larger ones how far it is settled.
+    settling = observed_order([Made(0.8, 99.0), Made(0.4, 4.0), Made(0.2, 1.0), Made(0.1, 0.5)])
+    assert settling == pytest.approx((1.0, 1.0), abs=1e-12)
     assert np.isnan(observed_order([Made(0.2, 1.0), Made(0.1, 0.5)]).scatter)
+
+
+@pytest.mark.parametrize(
+    ("errors", "sentence", "unsaid"),
+    [
+        ((8e-3, 4e-3, 2e-3), "take the step 0.05.\n  Order one", "not clear"),
+        ((32e-3, 8e-3, 2e-3), "take the step 0.071.", "Order one"),
+        ((8e-3, 4e-3, 1e-3), "as wanted", "take the step"),
+        ((5e-4, 5e-4, 5e-4), "as wanted", "another problem"),
+        ((5e-2, 5e-2, 5e-2), "this is another problem", "take the step"),
+        ((1e-3, 2e-3, 4e-3), "this is another problem", "take the step"),
+        ((8e-3, 4e-3, 4e-3 / 2**1.5), "not clear yet: add a smaller step", "take the step"),
+        # Of slope 1 at last, but 3 before.
+        ((32e-3, 4e-3, 2e-3), "not clear yet: add a smaller step", "Order one"),
+    ],
+)
+def test_advice_is_what_the_errors_allow(problem, errors, sentence, unsaid):
+    findings = [
+        Finding(step, error, np.nan, np.nan)
+        for step, error in zip((0.4, 0.2, 0.1), errors, strict=True)
+    ]
+    said = "\n".join(report(problem, findings, 1e-3))
+    assert sentence in said
+    assert unsaid not in said
 
 
 def test_overdamped_front_has_no_reading():
@@ -219,9 +242,21 @@ def test_overdamped_front_has_no_reading():
     assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
 
 
+def test_peak_between_states_is_close_to_that_of_the_motion():
+    """The number in the docstring of `readings`, for the front that overshoots most."""
+    problem = PROBLEMS["front_glass_viscoelastic"]
+    record = problem.scene["record"]
+
+    def reading(interval):
+        scene = problem.scene | {"record": record | {"grid": {"step": interval}}}
+        return read_motion(problem, *states(simulate_chain(scene)))
+
+    assert 1e-4 < 1.0 - reading(0.5) / reading(0.05) < 1.3e-4
+
+
 def test_figure_shows_answer_and_results(folder, problem):
     answer = read_dataset(folder / f"{FRONT}.nc")
-    results = [computed(problem, step) for step in (0.1, 0.05)]
+    results = [half_steps(problem, step) for step in (0.5, 0.25, 0.125, 0.1, 0.05)]
     findings = [find(problem, answer, result) for result in results]
     motion, error = draw(problem, answer, results, findings).axes
     lines = motion.get_lines()
@@ -229,9 +264,10 @@ def test_figure_shows_answer_and_results(folder, problem):
     np.testing.assert_array_equal(
         lines[0].get_ydata(), answer["relative_displacement"].sel(contact=contact)
     )
-    np.testing.assert_array_equal(
-        lines[2].get_ydata(), results[1].x[:, contact - 1] - results[1].x[:, contact]
-    )
+    for line, result in zip(lines[1:], results, strict=True):
+        u = result.x[:, contact - 1] - result.x[:, contact]
+        np.testing.assert_array_equal(line.get_ydata(), u)
+    assert len({tuple(line.get_color()) for line in lines[1:]}) == len(results)
     np.testing.assert_array_equal(error.get_lines()[0].get_ydata(), [one.error for one in findings])
 
 
@@ -247,11 +283,21 @@ DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\
         (f"{FRONT}_-1.csv", TABLE, "does not say what it is"),
         ("wave_0.1.csv", TABLE, "is about wave, but the problems are front_steel"),
         (f"{FRONT}_0.1.csv", None, "There is no file"),
-        (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v"),
+        (f"{FRONT}_inf.csv", TABLE, "does not say what it is"),
+        (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v, but 't, bead, x': give the columns t"),
+        (f"{FRONT}_0.1.csv", "", "has no column t, but '': give"),
+        (f"{FRONT}_0.1.csv", TABLE.replace(",", ";"), "has no column t, but 't;bead;x;v': give"),
+        (f"{FRONT}_0.1.csv", TABLE + "9" * 200_000, "is no table (field larger than"),
         (f"{FRONT}_0.1.csv", "t,bead,x,v\n", "holds no states"),
-        (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan' where a number should be"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan', so that the run was lost"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,o,0\n", "holds 'o' where a number should be: write"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,0\n", "holds '' where a number should be: write"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,0,0\n", "has 3 rows for 2 times and beads 1 to 2"),
+        (f"{FRONT}_0.1.csv", TABLE + "0,1,0,0\n1,2,0,0\n", "has 4 rows for 2 times and beads"),
         (f"{FRONT}_0.1.dump", DUMP, "holds id x vx and no time"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-3], "holds '' where a number should be"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\nabc\n" + DUMP, "holds 'abc' where a number should be"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME", "holds '' where a number should be"),
         (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP.replace(" vx", ""), "holds id x and the"),
     ],
 )
@@ -264,7 +310,8 @@ def test_files_that_do_not_fit_are_named(name, text, sentence, tmp_path):
 
 def test_dump_and_table_are_read_alike(tmp_path):
     (tmp_path / f"{FRONT}_0.1.dump").write_text("ITEM: TIME\n0\n" + DUMP)
-    (tmp_path / f"{FRONT}_0.1.csv").write_text(TABLE)
+    # A spreadsheet may mark its encoding by a first character.
+    (tmp_path / f"{FRONT}_0.1.csv").write_text("\ufeff" + TABLE, encoding="utf-8")
     dump, table = (
         read_result(tmp_path / f"{FRONT}_0.1.{ending}", [FRONT]) for ending in ("dump", "csv")
     )
@@ -273,11 +320,25 @@ def test_dump_and_table_are_read_alike(tmp_path):
 
 
 def test_results_of_other_beads_or_times_are_named(folder, problem):
-    answer, result = read_dataset(folder / f"{FRONT}.nc"), computed(problem, 0.1)
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
     with pytest.raises(InputError, match="has 15 beads, but the problem has 16"):
         find(problem, answer, result._replace(x=result.x[:, 1:]))
     with pytest.raises(InputError, match=r"has no state at t = 40, its last is at t = 39.5"):
         find(problem, answer, result._replace(t=result.t[:-1], x=result.x[:-1], v=result.v[:-1]))
+
+
+def test_another_start_is_named(folder, problem):
+    """Half-step velocities are those of the problem."""
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
+    apart = result.x + 0.001 * np.arange(16)
+    with pytest.raises(InputError, match=r"at t = 0 beads are 0\.001 from where they just touch"):
+        find(problem, answer, result._replace(x=apart))
+    with pytest.raises(InputError, match=r"at t = 0 a velocity is 0\.1 from that of the problem"):
+        find(problem, answer, result._replace(v=result.v + 0.1))
+    late = result.v.copy()
+    late[0, 0] = 0.5 * 0.1 * 0.1**1.5
+    reading = find(problem, answer, result).reading
+    assert find(problem, answer, result._replace(v=late)).reading == reading
 
 
 @pytest.mark.parametrize(
@@ -289,10 +350,35 @@ def test_missing_answers_are_named(arguments, sentence, tmp_path):
         main([str(tmp_path / f"{FRONT}_0.1.csv"), *arguments])
 
 
+@pytest.mark.parametrize("wanted", ["-1", "0", "nan"])
+def test_an_impossible_wanted_error_is_named(folder, wanted):
+    with pytest.raises(SystemExit, match=r"--error is \S+, but must be a finite number, above 0"):
+        main([f"{FRONT}_0.1.csv", "--answers", str(folder), f"--error={wanted}"])
+
+
+def test_a_file_where_figures_should_lie_is_named(folder):
+    file = folder / "answers.csv"
+    with pytest.raises(SystemExit, match=r"no folder can be made \(File exists\): name another"):
+        main([f"{FRONT}_0.1.csv", "--answers", str(folder), "--figures", str(file)])
+
+
+def test_only_answers_of_the_table_are_known(folder, problem, tmp_path):
+    """Of a removed problem the files of an earlier run remain, and one may be broken."""
+    file = write_table(tmp_path / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
+    (tmp_path / f"{FRONT}.nc").write_text("no dataset")
+    header = "problem,quantity,value,error\n"
+    (tmp_path / "answers.csv").write_text(f"{header}{COLLISION},a,1,0\n")
+    with pytest.raises(SystemExit, match=f"but the problems are {COLLISION}:"):
+        main([file, "--answers", str(tmp_path)])
+    (tmp_path / "answers.csv").write_text(f"{header}{FRONT},a,1,0\n{FRONT},b,1,0\n")
+    with pytest.raises(SystemExit, match=rf"{FRONT}\.nc is not a readable netCDF file"):
+        main([file, "--answers", str(tmp_path)])
+
+
 def test_a_step_given_twice_is_named(folder, problem, tmp_path):
     (tmp_path / "again").mkdir()
     files = [
-        write_table(place / f"{FRONT}_0.1.csv", computed(problem, 0.1))
+        write_table(place / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
         for place in (tmp_path, tmp_path / "again")
     ]
     with pytest.raises(SystemExit, match="is there twice with step"):

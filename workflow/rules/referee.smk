@@ -2,7 +2,10 @@
 
 from granular_fronts.referee.problems import load_problems
 
-REFEREE = load_yaml("config", "referee.yaml")
+REFEREE = load_yaml("config", "referee.yaml")["referee"]
+
+with exit_on_error("The problems cannot be stated."):
+    PROBLEMS = list(load_problems(REFEREE))
 
 
 rule write_referee:
@@ -12,7 +15,7 @@ rule write_referee:
         table="<results>/referee/answers.csv",
         files=expand(
             "<results>/referee/{problem}.{ending}",
-            problem=load_problems(REFEREE),
+            problem=PROBLEMS,
             ending=["lmp", "txt", "nc", "csv"],
         ),
     params:

@@ -1,6 +1,7 @@
 """Problems for discrete-element codes: input for LAMMPS, words, and accurate answers.
 
-python workflow/scripts/write_referee.py --settings config/referee.yaml --table referee/answers.csv
+python workflow/scripts/write_referee.py
+    --settings config/referee.yaml:referee --table referee/answers.csv
 """
 
 from pathlib import Path
@@ -20,7 +21,7 @@ def write_referee(settings: dict, table: Path) -> None:
     Parameters
     ----------
     settings : dict
-        What config/referee.yaml holds.
+        The section ``referee`` of config/referee.yaml.
     table : Path
         The table; all other files go beside it.
     """

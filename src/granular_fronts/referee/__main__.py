@@ -9,8 +9,10 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+from granular_fronts.arguments import scalar
 from granular_fronts.errors import InputError, exit_on_error
-from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
+from granular_fronts.referee.answers import problems_of
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import Problem
 from granular_fronts.referee.results_files import read_result
@@ -29,20 +31,33 @@ def main(arguments):
     parser.add_argument("--figures", type=Path, help="folder for a figure of each problem")
     options = parser.parse_args(arguments)
     with exit_on_error("The results cannot be judged."):
+        scalar("--error", options.error, above=0.0, advice="give an error that would do")
+        make_folder(options.figures)
         known = known_problems(options.answers)
         for name, results in by_problem(options.files, known).items():
             judge(known[name], results, options)
 
 
+def make_folder(figures):
+    """Make the folder for the figures, if some are wanted."""
+    try:
+        if figures:
+            figures.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(
+            f"--figures is {figures}, where no folder can be made ({error.strerror}): name another."
+        ) from None
+
+
 def known_problems(folder):
-    """Files of the answers by problem."""
-    known = {path.stem: path for path in sorted(folder.glob("*.nc"))}
-    if not known:
+    """Files of the answers by problem, those of the table; an earlier run may have left others."""
+    table = folder / "answers.csv"
+    if not table.is_file():
         raise InputError(
             f"{folder} holds no answers: make them by snakemake -c2 referee, or name their folder "
             "by --answers."
         )
-    return known
+    return {name: folder / f"{name}.nc" for name in problems_of(table.read_text(encoding="utf-8"))}
 
 
 def by_problem(files, known):
@@ -59,9 +74,17 @@ def by_problem(files, known):
     }
 
 
+def read_answer(path):
+    """The accurate answer of a file."""
+    try:
+        return read_dataset(path, scene_id=path.stem)
+    except DatasetError as error:
+        raise InputError(str(error)) from None
+
+
 def judge(path, results, options):
     """One problem."""
-    answer = read_dataset(path)
+    answer = read_answer(path)
     problem = Problem(**configuration_of(answer))
     findings = [find(problem, answer, result) for result in results]
     print("\n".join(report(problem, findings, options.error)))
@@ -69,7 +92,6 @@ def judge(path, results, options):
         # Who asks for no figure does not wait for Matplotlib.
         from granular_fronts.referee.drawing import draw
 
-        options.figures.mkdir(parents=True, exist_ok=True)
         figure = draw(problem, answer, results, findings)
         figure.savefig(options.figures / f"{problem.name}.png")
 

@@ -118,6 +118,11 @@ def table_of(answers):
     return text.getvalue()
 
 
+def problems_of(table):
+    """Names of the problems of a table, each once."""
+    return list(dict.fromkeys(row["problem"] for row in csv.DictReader(io.StringIO(table))))
+
+
 def states_of(answer):
     """The states half-way and at the end as CSV: t, bead, u of its right contact, v, error."""
     text = io.StringIO()

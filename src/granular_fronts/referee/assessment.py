@@ -8,13 +8,17 @@ from granular_fronts.errors import InputError
 from granular_fronts.referee.readings import NAMES, excess_damping, read_motion, velocity_scale
 
 CLEAR = 0.25
-"""Distance within which an observed order counts as the whole number."""
+"""Largest distance of a clear order from a whole number, and its largest scatter."""
 
 NO_ORDER = 0.3
 """Observed order below which the error does not depend on the step."""
 
 SAME_TIME = 1.0e-6
 """Distance of two times that count as one, over the interval between states."""
+
+
+SAME_START = 1.0e-6
+"""Distance of two first states that count as one, over δ or over the velocity of a front."""
 
 
 class Finding(NamedTuple):
@@ -51,10 +55,11 @@ def find(problem, answer, result):
     Raises
     ------
     InputError
-        If beads or times differ.
+        If beads, times or the first state differ.
     """
     rows = matching_rows(problem, answer, result)
     u, v = -np.diff(result.x[rows], axis=1), result.v[rows]
+    check_start(problem, result.step, u[0], v[0])
     distances = (
         np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
         np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
@@ -85,10 +90,31 @@ def matching_rows(problem, answer, result):
     return rows
 
 
-class Order(NamedTuple):
-    """Slope of the logarithm of the error over that of the step, and its scatter.
+def check_start(problem, step, u, v):
+    """Check that a motion starts as the problem: beads touch and have its velocities.
 
-    `scatter` is half the range of the slopes between neighbouring steps; NaN for two steps.
+    Codes that keep velocities of half steps start with that of half a step before or after.
+    """
+    name = f"{problem.name} with step {step:g} does not start as the problem"
+    farthest = float(np.abs(u).max())
+    if farthest > SAME_START * problem.displacement:
+        raise InputError(
+            f"{name}: at t = 0 beads are {farthest:.3g} from where they just touch; give x as "
+            "displacement from there, or as position in diameters."
+        )
+    off = float(np.abs(v - problem.scene["start"]["velocity"]).max())
+    pressure = problem.displacement ** problem.scene["law"]["alpha"]
+    if off > 0.5 * step * pressure + SAME_START * velocity_scale(problem):
+        raise InputError(
+            f"{name}: at t = 0 a velocity is {off:.3g} from that of the problem; bead 1 has "
+            f"{problem.scene['start']['velocity'][0]:.6g} and the others rest."
+        )
+
+
+class Order(NamedTuple):
+    """Slope of log error over log step at the two smallest steps, and its scatter.
+
+    `scatter` is its distance from the slope of the pair before; NaN for two steps.
     """
 
     value: float
@@ -99,8 +125,8 @@ def observed_order(findings):
     """The order that the errors of two or more steps show."""
     steps, errors = (np.log([getattr(one, name) for one in findings]) for name in ("step", "error"))
     slopes = np.diff(errors) / np.diff(steps)
-    scatter = 0.5 * np.ptp(slopes) if slopes.size > 1 else np.nan
-    return Order(float(np.polyfit(steps, errors, 1)[0]), float(scatter))
+    scatter = abs(slopes[-1] - slopes[-2]) if slopes.size > 1 else np.nan
+    return Order(float(slopes[-1]), float(scatter))
 
 
 def report(problem, findings, wanted):
@@ -127,7 +153,7 @@ def report(problem, findings, wanted):
     order = observed_order(findings)
     scatter = "" if np.isnan(order.scatter) else f" ± {order.scatter:.2f}"
     yield f"  The observed order is {order.value:.2f}{scatter}."
-    yield from (f"  {line}" for line in advice(problem, findings[-1], order.value, wanted))
+    yield from (f"  {line}" for line in advice(problem, findings[-1], order, wanted))
 
 
 def damping_in_words(problem, finding):
@@ -142,25 +168,26 @@ def damping_in_words(problem, finding):
 
 
 def advice(problem, finest, order, wanted):
-    """What to change."""
-    if order < NO_ORDER and finest.error > wanted:
+    """What to change: nothing, the problem, the number of steps, or the step and the integrator.
+
+    The last two are advised only where the error falls at a clear order.
+    """
+    unclear = abs(order.value - round(order.value)) >= CLEAR or order.scatter > CLEAR
+    if finest.error <= wanted:
+        yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."
+    elif order.value < NO_ORDER:
         yield (
             "The error does not fall with the step: this is another problem. Compare law, mass, "
             "radius, force and start with the file of the problem in words."
         )
-        return
-    if finest.error <= wanted:
-        yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."
-    else:
-        step = finest.step * (wanted / finest.error) ** (1.0 / order)
-        yield f"For an error of {wanted:g} take the step {step:.2g}."
-    if abs(order - 1.0) < CLEAR:
-        yield (
-            "Order one is that of velocity Verlet whose viscous force sees the velocity of half a "
-            "step ago. A predicted velocity makes it two: in LAMMPS fix mvv/dpd 1.0, which the "
-            f"deck {problem.name}.lmp takes with -var integrator mvv."
-        )
-    elif abs(order - 2.0) < CLEAR:
-        yield "The order is two: half the step is a quarter of the error."
-    else:
+    elif unclear:
         yield "The order is not clear yet: add a smaller step."
+    else:
+        step = finest.step * (wanted / finest.error) ** (1.0 / order.value)
+        yield f"For an error of {wanted:g} take the step {step:.2g}."
+        if round(order.value) == 1:
+            yield (
+                "Order one is that of velocity Verlet whose viscous force sees the velocity of "
+                "half a step before. A predicted velocity makes it two: in LAMMPS fix mvv/dpd "
+                f"1.0, which the deck {problem.name}.lmp takes with -var integrator mvv."
+            )

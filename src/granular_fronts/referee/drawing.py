@@ -1,8 +1,9 @@
 """Results beside the accurate answer."""
 
 import numpy as np
+from matplotlib import colormaps
 
-from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 START = 0.01
 """Share of the largest u at which the drawn motion begins."""
@@ -35,7 +36,8 @@ def draw_motion(axes, problem, answer, results):
     contact = problem.scene["beads"] // 2
     u = answer["relative_displacement"].sel(contact=contact)
     axes.plot(answer["t"], u, "-", color=EQUATION_COLOUR, label="accurate")
-    for colour, result in zip(PROBE_COLOURS[2:], results, strict=False):
+    colours = colormaps["plasma"](np.linspace(0.85, 0.0, len(results)))
+    for colour, result in zip(colours, results, strict=True):
         found = result.x[:, contact - 1] - result.x[:, contact]
         axes.plot(
             result.t, found, ".", color=colour, markersize=2.5, label=f"$h = {result.step:g}$"

@@ -6,8 +6,10 @@ has the velocity :math:`\delta^{5/4}` of the beads behind such a front.  A dampi
 units of the front (29): :math:`\gamma = \hat\gamma\,\delta^{5/4-\beta}`.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
+
+from granular_fronts.errors import InputError
 
 ALPHA = 1.5
 
@@ -31,7 +33,7 @@ Compute the motion up to t = {end_time:g}, with two steps or more, and write pos
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
 columns t, bead, x, v, where x is the displacement from the start. Or let LAMMPS do so by
 {name}.lmp. Then run
-    python -m granular_fronts.referee {name}_*.csv
+    python -m granular_fronts.referee {name}_*.csv --answers FOLDER_OF_THIS_FILE
 """
 
 
@@ -65,21 +67,28 @@ class Problem(NamedTuple):
 
 
 def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
-    """State all problems of config/referee.yaml.
+    """State all problems of the section ``referee`` of config/referee.yaml.
 
     Parameters
     ----------
     settings : mapping
-        What the file holds.
+        The section.
 
     Returns
     -------
     dict of str to Problem
         By their names.
+
+    Raises
+    ------
+    InputError
+        If a motion or a damping is unknown.
     """
     found = {}
     for motion, chain in settings["motions"].items():
+        check_name(f"motions.{motion}", motion, MOTIONS)
         for damping in chain["dampings"]:
+            check_name(f"motions.{motion}.dampings", damping, settings["dampings"])
             for law, beta in settings["laws"].items():
                 name = f"{motion}_{damping}_{law}"
                 scene = scene_of(motion, chain, beta, settings["dampings"][damping], settings)
@@ -92,6 +101,15 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
                     settings["factors"],
                 )
     return found
+
+
+def check_name(key: str, name: str, known: Collection[str]) -> None:
+    """Check that a name is one of those known."""
+    if name not in known:
+        raise InputError(
+            f"In config/referee.yaml {key} names {name!r}, which is unknown: choose from "
+            f"{', '.join(known)}."
+        )
 
 
 def scene_of(

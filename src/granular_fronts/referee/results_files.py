@@ -7,6 +7,7 @@ just touch, or its position in diameters with bead 1 at 0; times and beads may c
 
 import csv
 import math
+import reprlib
 from pathlib import Path
 from typing import NamedTuple
 
@@ -54,7 +55,7 @@ def read_result(path, problems):
     Raises
     ------
     InputError
-        If the file is none, or is about no known problem.
+        If there is no such file, it is about no known problem, or it cannot be read.
     """
     path = Path(path)
     problem, step = read_name(path, problems)
@@ -72,7 +73,7 @@ def read_name(path, problems):
         h = float(step)
     except ValueError:
         h = math.nan
-    if not (path.suffix in (".dump", ".csv") and h > 0.0):
+    if not (path.suffix in (".dump", ".csv") and 0.0 < h < math.inf):
         raise InputError(
             f"{path.name} does not say what it is: call it PROBLEM_STEP.dump, or PROBLEM_STEP.csv, "
             "for example front_steel_viscoelastic_0.05.dump."
@@ -92,7 +93,7 @@ def lammps_rows(path):
     while at < len(lines):
         head = lines[at]
         if head == "ITEM: TIME":
-            time = float(lines[at + 1])
+            time = number(path, *lines[at + 1 : at + 2])
         if not head.startswith("ITEM: ATOMS"):
             at += 1
             continue
@@ -107,35 +108,42 @@ def lammps_rows(path):
         at += 1
         while at < len(lines) and not lines[at].startswith("ITEM:"):
             words = lines[at].split()
-            rows.append((time, *(number(path, words[column]) for column in chosen)))
+            rows.append((time, *(number(path, *words[one : one + 1]) for one in chosen)))
             at += 1
     return rows
 
 
 def table_rows(path):
     """Rows (t, bead, x, v) of a table; lines that begin with # are comments."""
-    with path.open(encoding="utf-8", errors="replace", newline="") as file:
+    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
         lines = (line for line in file if not line.startswith("#"))
         reader = csv.DictReader(lines, skipinitialspace=True)
-        missing = [name for name in COLUMNS if name not in (reader.fieldnames or [])]
-        if missing:
+        try:
+            names, rows = reader.fieldnames or [], list(reader)
+        except csv.Error as error:
             raise InputError(
-                f"{path} has no column {missing[0]}: give the columns {', '.join(COLUMNS)}."
-            )
-        return [tuple(number(path, row[name]) for name in COLUMNS) for row in reader]
+                f"{path} is no table ({error}): write rows of numbers with commas between."
+            ) from None
+    missing = [name for name in COLUMNS if name not in names]
+    if missing:
+        raise InputError(
+            f"{path} has no column {missing[0]}, but {reprlib.repr(', '.join(names))}: give the "
+            f"columns {', '.join(COLUMNS)}, with commas between."
+        )
+    return [tuple(number(path, row[name]) for name in COLUMNS) for row in rows]
 
 
-def number(path, text):
+def number(path, text=""):
     """A finite number."""
     try:
         found = float(text)
     except (TypeError, ValueError):
-        found = math.nan
-    if not math.isfinite(found):
         raise InputError(
-            f"{path} holds {text!r} where a number should be: where a run has failed, give a "
-            "smaller step."
-        )
+            f"{path} holds {reprlib.repr(text or '')} where a number should be: write the whole "
+            "state again."
+        ) from None
+    if not math.isfinite(found):
+        raise InputError(f"{path} holds {text!r}, so that the run was lost: take a smaller step.")
     return found
 
 
@@ -145,9 +153,9 @@ def by_time_and_bead(path, rows):
         raise InputError(f"{path} holds no states: write some.")
     table = np.array(rows)
     t, beads = np.unique(table[:, 0]), np.unique(table[:, 1])
-    if table.shape[0] != t.size * beads.size or not np.array_equal(
-        beads, np.arange(1, beads.size + 1)
-    ):
+    states = np.unique(table[:, :2], axis=0).shape[0]
+    numbered = np.array_equal(beads, np.arange(1, beads.size + 1))
+    if not (states == table.shape[0] == t.size * beads.size and numbered):
         raise InputError(
             f"{path} has {table.shape[0]} rows for {t.size} times and beads {beads[0]:g} to "
             f"{beads[-1]:g}: give each bead, from 1 on, once at each time."

@@ -1,6 +1,6 @@
 r"""The step of discrete-element codes: velocity Verlet whose forces see half-step velocities.
 
-Codes for granular media evaluate the forces once in each step h,
+LAMMPS's ``fix nve``, LIGGGHTS and YADE evaluate the forces once in each step h,
 
 .. math::
 
@@ -8,7 +8,7 @@ Codes for granular media evaluate the forces once in each step h,
     a_{n+1} = a(x_{n+1}, v_{n+1/2}), \qquad v_{n+1} = v_{n+1/2} + \tfrac h2 a_{n+1}.
 
 Without damping this is the velocity Verlet method, of order 2.  With it the viscous forces take the
-velocity of half a step ago, all that is known when they are evaluated, and the order is 1.
+velocity of half a step before, the latest one computed by then, and the order is 1.
 
 Leading error.  The viscous force at time t sees :math:`v - \tfrac h2\dot v`, all else is right to
 order h².  Up to h² the method therefore solves the chain whose contacts carry
@@ -18,8 +18,9 @@ order h².  Up to h² the method therefore solves the chain whose contacts carry
     u_+^\alpha + g\,\dot u - \tfrac h2\,g\,\ddot u, \qquad g = \gamma\beta u_+^{\beta-1}.
 
 Two free beads obey :math:`\ddot u = -2(\ldots)`, and their contact is, elastic and viscous force
-alike, stronger by the factor :math:`1/(1 - hg) \approx 1 + hg`.  To first order in γ this is more
-stiffness and no damping: the work of :math:`-\tfrac h2 g\ddot u` over a collision,
+alike, stronger by the factor :math:`1/(1 - hg) \approx 1 + hg`.  In a chain ü depends on the
+neighbours too, and there is no such factor.  To first order in γ the force is no damping of a
+collision: its work,
 
 .. math:: -\tfrac h2 \int g(u)\,\ddot u\,\dot u\,dt,
 

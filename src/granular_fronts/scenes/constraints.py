@@ -15,6 +15,7 @@ from typing import Any
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.law_constraints import (
     beads_are_solid,
+    chain_of_half_steps_is_measured,
     ends_of_contacts_are_pressed,
     laws_of_cases_are_possible,
     piston_tolerance_resolves_motion,
@@ -349,7 +350,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "laws.materials": (beads_are_solid,),
     "laws.damping_regimes": (),
     "laws.numerical_damping": (theta_steps_meet_end,),
-    "laws.half_step_damping": (),
+    "laws.half_step_damping": (chain_of_half_steps_is_measured,),
     "laws.jump_conditions": (
         laws_of_cases_are_possible,
         states_differ,

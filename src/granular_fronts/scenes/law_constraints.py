@@ -111,6 +111,17 @@ def theta_steps_meet_end(section: Mapping) -> Iterator[str]:
             )
 
 
+def chain_of_half_steps_is_measured(section: Mapping) -> Iterator[str]:
+    """The chain that is shown is one of those that are measured."""
+    for name in ("beta", "gamma"):
+        value, measured = section["shown"][name], section[f"{name}s"]
+        if value not in measured:
+            yield (
+                f"shown.{name} is {value}, but {name}s are {', '.join(map(str, measured))}: show "
+                "one of these, or add it."
+            )
+
+
 def pressed_chains_hold_waves(section: Mapping) -> Iterator[str]:
     """The waves of pressed chains run past their own width, and not to the last bead."""
     beads, end = section["beads"], section["end_time"]

@@ -1,12 +1,12 @@
 r"""What the step of discrete-element codes does to a front, read as damping.
 
-A chain with δ = c = 1 is moved by the scheme of `reference_methods.half_step`, whose first-order
-error strengthens a damped contact by the factor 1 + hg.  What this does can be read as another γ,
-by two observables.
+A chain with δ = c = 1 is moved by the scheme of `reference_methods.half_step`, whose contacts carry
+up to h² the force :math:`-\tfrac h2 g\ddot u` besides, :math:`g = \gamma\beta u^{\beta-1}`.  What
+this does can be read as another γ, by two observables.
 
 - *Overshoot*: the γ for which the accurate chain has the first peak of u that the scheme has, at
-  the contact in the middle.  The pressure fixes the speed of the front, and a pulse of given speed
-  in stiffer contacts is lower; who looks at it takes this for damping.
+  the contact in the middle.  Near a peak ü < 0, so that the additional force is repulsive and the
+  peak lower, as damping makes it.
 - *Tail*: the γ for which the oscillations behind an exact front decay as those of the scheme do.
   A wave :math:`u = 1 + Ae^{\lambda(n-t)}` of the scheme has
 
@@ -17,10 +17,11 @@ by two observables.
 
   the dispersion relation of `fronts.linear.tails` for h → 0.
 
-The two differ, so that the error is no damping: no other γ makes up for it.  In a long chain the
-first is nearly h/t_c for every γ, since the error changes the peak by an amount of order hγ, as the
-damping itself does by one of order γ.  The tail says less, since there the error is in quadrature
-with the damping: for an imaginary λ it changes the frequency.
+The two differ, so that the error is no damping: no other γ makes up for it.  The error changes the
+peak by an amount of order hγ, as the damping itself does by one of order γ; the first is therefore
+of the size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail
+says less: for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency;
+decay changes only at order hγ².
 """
 
 import cmath

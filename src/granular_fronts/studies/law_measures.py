@@ -62,7 +62,7 @@ def order_of_half_steps(dataset, beta, gamma):
 def excess_damping(dataset, observable, beta, gamma, steps_per_collision):
     """Damping that an observable of the half-step scheme looks like, over γ, less 1."""
     excess = dataset[f"excess_{observable}"].sel(beta=beta, gamma=gamma)
-    return recorded(excess.sel(step=1.0 / steps_per_collision, method="nearest"))
+    return recorded(excess.sel(step=1.0 / steps_per_collision, method="nearest", tolerance=1e-9))
 
 
 def quotient_power(dataset, variables, beta):

@@ -1,0 +1,40 @@
+"""Results for the referee, by the half-step scheme, and the files that a code would write."""
+
+import numpy as np
+
+from granular_fronts.referee.results_files import Result
+from granular_fronts.reference_methods.half_step import Chain, integrate
+
+
+def half_steps(problem, step, factor=1.0):
+    """The motion that LAMMPS's `fix nve` has to round-off, with γ times a factor."""
+    scene, every = problem.scene, round(problem.interval / step)
+    law, start = scene["law"], scene["start"]
+    chain = Chain(1.5, law["beta"], factor * law["gamma"], scene["boundary"]["left"])
+    steps = round(scene["end_time"] / step)
+    motion = integrate(chain, np.zeros(scene["beads"]), start["velocity"], step, steps)
+    return Result(problem.name, step, motion.t[::every], motion.x[::every], motion.v[::every])
+
+
+def write_table(path, result, shift=0.0):
+    """A result as a user's table, with positions if `shift` is 1."""
+    lines = ["# by the half-step scheme", "t, bead, x, v"]
+    for t, state in states(result, shift):
+        lines += [f"{t!r}, {bead}, {x!r}, {v!r}" for bead, x, v in state]
+    path.write_text("\n".join(lines))
+    return str(path)
+
+
+def write_dump(path, result):
+    """A result as LAMMPS writes it."""
+    lines = []
+    for t, state in states(result, shift=1.0):
+        lines += ["ITEM: TIME", repr(t), "ITEM: ATOMS id x vx"]
+        lines += [f"{bead} {x!r} {v!r}" for bead, x, v in state]
+    path.write_text("\n".join(lines))
+
+
+def states(result, shift):
+    """Times, and rows of bead, place and velocity."""
+    for t, x, v in zip(*(values.tolist() for values in result[2:]), strict=True):
+        yield t, [(n + 1, x[n] + shift * n, v[n]) for n in range(len(x))]
