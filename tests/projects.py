@@ -32,14 +32,15 @@ def lend_kernels(copy):
     Numba names the folders of its cache after those of the sources.  What the code of a changed
     copy compiles has a digest of its own, and stays in the copy.
     """
-    for package in (ROOT / "src" / "granular_fronts").glob("*/**/__init__.py"):
-        path = package.relative_to(ROOT)
-        wing = cache_folder(path.parts[2])
-        own, lent = map(UserProvidedCacheLocator.get_suitable_cache_subpath, (package, copy / path))
-        (wing / own).mkdir(parents=True, exist_ok=True)
-        link = copy / ".numba_cache" / wing.name / lent
+    for file in (ROOT / "src").rglob("*.py"):
+        if "granular_fronts.numerics.compiled import" not in file.read_text(encoding="utf-8"):
+            continue
+        kernels, path = cache_folder(file), copy / file.relative_to(ROOT)
+        own, lent = map(UserProvidedCacheLocator.get_suitable_cache_subpath, (file, path))
+        (kernels / own).mkdir(parents=True, exist_ok=True)
+        link = copy / ".numba_cache" / kernels.name / lent
         link.parent.mkdir(parents=True, exist_ok=True)
-        link.symlink_to(wing / own, target_is_directory=True)
+        link.symlink_to(kernels / own, target_is_directory=True)
     return copy
 
 
