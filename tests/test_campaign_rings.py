@@ -151,6 +151,13 @@ def test_ring_of_too_few_beads_leaves_a_reason(changes, words):
         make_ring(given, start)
 
 
+def test_given_profile_that_passes_below_zero_leaves_a_reason():
+    start = {"profile": "given", "rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}
+    point = {"alpha": 1.2, "delta": 1.0, "damping": 0.5, "half_length": 8.1}
+    with pytest.raises(InputError, match="between its values: give more of them"):
+        make_ring(point, start)
+
+
 def test_given_profile_may_be_any():
     """A pulse listed by hand is the pulse."""
     pulse = make_ring({"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])

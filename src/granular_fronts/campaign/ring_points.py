@@ -12,6 +12,7 @@ The damping is given by one of γ, γc, ε, ε/γc and μ, and the length of a r
 import numpy as np
 
 from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
 from granular_fronts.output.progress import count_bar
@@ -25,6 +26,8 @@ ERROR_METHOD = (
 SLOW_TIME = "slow_time"
 DAMPINGS = (0.001, 1000.0)
 """Smallest and largest γc."""
+PLACES_BETWEEN = 8
+"""At which a given start is looked at, for each of its values."""
 LENGTH_TOLERANCE = 0.05
 """Part by which half of a ring may miss the length asked for, since beads are whole."""
 
@@ -116,6 +119,7 @@ def make_ring(point, start):
     half_length = scaling.half_length(half_beads)
     if start["profile"] == "given":
         wave = {"kind": "given", "rescaled_force": start["rescaled_force"]}
+        _check_given(wave, half_length)
     else:
         _check_wave(start["profile"], point, half_length, scaling.epsilon)
         wave = scene_start(start["profile"], point["half_width"], point["base"], half_length)
@@ -136,6 +140,18 @@ def _half_beads(point, scaling):
             "damping."
         )
     return half_beads
+
+
+def _check_given(wave, half_length):
+    """Raise unless the trigonometric polynomial through given values stays above 0."""
+    places = PLACES_BETWEEN * (len(wave["rescaled_force"]) - 1)
+    xi = np.linspace(-half_length, half_length, places, endpoint=False)
+    least = make_start(wave).values(xi, half_length).min()
+    if not least > 0.0:
+        raise InputError(
+            f"rescaled_force passes through {least:.3g} between its values: give more of them, or "
+            "raise the smallest."
+        )
 
 
 def _check_wave(profile, point, half_length, epsilon):

@@ -292,7 +292,8 @@ def _profiles(ring, motion, times, asked, xi):
 
 def error_of(both):
     """Difference of numbers that were computed twice, at least their rounding."""
-    return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
+    with np.errstate(invalid="ignore"):
+        return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
 
 
 def _logarithmic(ring, times, resolution):
