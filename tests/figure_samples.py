@@ -296,13 +296,14 @@ def rings(axes, *fields, **attributes):
 def ring_limit():
     """Campaigns of figure 20: three limits, two other starts, and a pulse and a front over time."""
     sup, rms, alpha = "displacement_sup", "displacement_rms", {"alpha": ALPHAS}
-    speeds = ("velocity_sup", "leading_velocity_sup")
+    limit = rings({"damping": [0.3, 1.0], **alpha}, sup)
+    residuals = [f"residual_{formula}" for formula in ("leading", "printed", "first_order")]
     return {
-        "damping": rings({"damping": [0.3, 1.0], **alpha}, sup, *speeds),
+        "damping": limit.assign(dict.fromkeys(residuals, limit["epsilon_of_ring"])),
         "gamma": rings(alpha, sup, gamma=0.24),
         "mu": rings({"mu": [2.0, 8.0], **alpha}, sup, rms),
         "leading": rings({"mu": [2.0], **alpha}, rms),
-        "plateau": rings(alpha, rms),
+        "plateau": rings(alpha, rms, gamma=0.24, delta=5.0),
         "time": rings({"mu": [2.0, 8.0]}, sup),
         "front": rings({}, sup, alpha=1.02, mu=8.0),
     }

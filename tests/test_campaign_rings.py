@@ -1,5 +1,7 @@
 """Campaigns of rings: their points, what a file may ask for, and the paper's two runs."""
 
+import re
+
 import numpy as np
 import pytest
 from campaigns import all_chunks, campaign, refusal, solve
@@ -8,6 +10,7 @@ from rings import scene_with
 from granular_fronts.campaign import merging
 from granular_fronts.campaign.kinds import ERRORS_OF_A_MODEL, KINDS, MODELS
 from granular_fronts.campaign.ring_points import make_ring
+from granular_fronts.errors import InputError
 from granular_fronts.studies import ring_limit
 from granular_fronts.studies.ring_against_equations import compare_with_chain
 from granular_fronts.studies.ring_limit import compare
@@ -133,12 +136,35 @@ def test_wave_that_does_not_fit_leaves_a_reason_and_the_others_are_solved():
     assert "base is 1, the height of the wave" in flat.reasons[0, 0]
 
 
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads stand ε = 8.33 apart"),
+        ({"damping": 0.1}, "half_length is 8.1, but beads stand ε = 1.67 apart"),
+        ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
+        ({"damping": 1e-9}, "gamma c is 1e-09, but rings are followed for 0.001 to 1000"),
+    ],
+)
+def test_ring_of_too_few_beads_leaves_a_reason(changes, words):
+    start, given = RINGS["start"], {"alpha": 1.2, "delta": 1.0, **PULSE, **changes}
+    with pytest.raises(InputError, match=re.escape(words)):
+        make_ring(given, start)
+
+
+def test_given_profile_that_passes_below_zero_leaves_a_reason():
+    start = {"profile": "given", "rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}
+    point = {"alpha": 1.2, "delta": 1.0, "damping": 0.5, "half_length": 8.1}
+    with pytest.raises(InputError, match="between its values: give more of them"):
+        make_ring(point, start)
+
+
 def test_given_profile_may_be_any():
     """A pulse listed by hand is the pulse."""
     pulse = make_ring({"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])
     start = {"profile": "given", "rescaled_force": pulse.start["rescaled_force"]}
     axes, fixed = {"slow_time": [0.5]}, fixed_with(alpha=1.2)
-    listed, named = solved(start=start, axes=axes, fixed=fixed), solved(axes=axes, fixed=fixed)
+    bare = {name: fixed[name] for name in ("alpha", "damping", "half_length")}
+    listed, named = solved(start=start, axes=axes, fixed=bare), solved(axes=axes, fixed=fixed)
     for name, value in named.values.items():
         np.testing.assert_array_equal(listed.values[name], value)
 
@@ -171,6 +197,17 @@ def fixed_with(**changes):
         ({"start": {"profile": "given"}}, "rescaled_force"),
         ({"start": {"profile": "pulse", "rescaled_force": [1, 1, 1, 1, 1]}}, "rescaled_force"),
         ({"start": {"profile": "given", "rescaled_force": [1, 1, 2, 1, 3]}}, "the ring closes"),
+        (
+            {"start": {"profile": "given", "rescaled_force": [1, 2, 3, 2, 1]}},
+            "fixed.half_width is given, but kind ring has no parameter half_width",
+        ),
+        ({"start": {"profile": "given", "rescaled_force": [0, 0, 0, 0, 0]}}, "which is no wave"),
+        ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "must be 10 or less: lower it"),
+        ({"axes": {"alpha": [1.2], "slow_time": [1e6]}}, "must be 1000 or less: lower it"),
+        ({"fixed": fixed_with(half_length=1e6)}, "must be 1000 or less: lower it"),
+        ({"fixed": fixed_with(half_width=1e-6)}, "must be 0.01 or more: raise it"),
+        ({"fixed": fixed_with(base=0)}, "must be above 0: raise it"),
+        ({"record": {"profile": {"start": -4, "stop": 4, "count": 10**9}}}, "100000"),
         ({"record": {"scalars": ["displacement_max"]}}, "did you mean displacement_"),
     ],
 )

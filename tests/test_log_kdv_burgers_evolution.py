@@ -247,7 +247,8 @@ def errors_of_equations(alpha, mu):
     start, h = Given(scene["start"]["rescaled_force"]), 1e-5
     slope = (start.values(xi + h, half_length) - start.values(xi - h, half_length)) / (2.0 * h)
     chain = make_chain_scene(scene)
-    chain["start"]["velocity"] = scales.corrected_velocity(start.values(xi, half_length), slope)
+    y = start.values(xi, half_length)
+    chain["start"]["velocity"] = scales.corrected_velocity(y, slope, y * np.log(y))
     found = gf.simulate_chain(chain)["relative_displacement"].values[0] ** alpha
     moved_xi = xi - scales.epsilon * scales.frame_speed * end
     solutions = solve(scene, [end], 256, 1e-6), log_burgers.solve(scene, 1.0, [end], 512, 1e-5)

@@ -49,7 +49,7 @@ def both_motions(ring, slow_time, tolerance=1e-10):
 def test_fourier_series_and_beads_are_the_same_chain(profile):
     ring = make_ring(1.05, profile, damping=0.5)
     wave, beads, start = both_motions(ring, 0.5)
-    assert ring.beads > 2 * ring_limit.resolutions(1e-8)[0].points(ring.half_length) - 120
+    assert ring.beads > 2 * ring_limit.resolutions(1e-8)[0].points(ring.half_length)
     for name in ("relative_displacement", "velocity"):
         # The first of the places is n = 0, which on the ring is n = N.
         found = np.roll(getattr(wave, name)[0], -1)
@@ -65,7 +65,7 @@ def test_fourier_series_ends_where_a_contact_opens_and_the_beads_go_on():
     times = np.array([0.5 / ring.scaling.slow_rate])
     usual, finer = ring_limit.resolutions(1e-6)
     with pytest.raises(GapError, match="opens"):
-        ring_limit._follow_smooth(ring, times, 128, usual)
+        ring_limit._follow_smooth(ring, times, usual)
     motions = ring_limit.follow(ring, times, usual, finer)
     assert motions.usual.smallest < 0.0
     assert motions.usual.site.size == ring.beads
@@ -82,7 +82,9 @@ def test_analytic_starts_are_smooth_between_their_points_and_close(profile):
     exact = PROFILES[profile](xi, 2.0, 0.2, half_length)
     np.testing.assert_allclose(start.values(xi, half_length), exact, atol=1e-13)
     assert exact.min() == pytest.approx(0.2, abs=1e-5)
-    assert exact[150] == pytest.approx(1.0, abs=0.2)
+    # The front and its image, 2^(-2/e²) at the middle between them; the pulse is 1 there.
+    top = {"pulse": 1.0, "front": 0.2 + 0.8 * 2.0 ** (-2.0 * np.exp(-2.0))}[profile]
+    assert exact[150] == pytest.approx(top, abs=1e-12)
 
 
 def test_slope_is_of_fourth_order():
@@ -101,6 +103,27 @@ def test_slow_start_sends_less_back_than_the_start_of_the_paper():
         found, residual = slope_and_residual(sizes, sent_back)
         assert found == pytest.approx(order, abs=0.35)
         assert residual < 0.15
+
+
+@pytest.mark.parametrize("damping", [0.3, 1.0])
+def test_velocity_needs_the_whole_first_order(damping):
+    """On the chain's own y; (43), the negative control, leaves a term of first order out."""
+    alphas = (1.05, 1.02, 1.01, 1.005)
+    sizes = [1.0 / make_ring(alpha, damping=damping).scaling.epsilon for alpha in alphas]
+    for formula, expected, width in (("first_order", 2.0, 0.2), ("printed", 1.0, 0.1)):
+        found = [at_one(alpha, f"residual_{formula}", damping=damping) for alpha in alphas]
+        order, residual = slope_and_residual(sizes, found)
+        assert order == pytest.approx(expected, abs=width)
+        assert residual < 0.1
+
+
+def test_printed_velocity_is_that_of_a_stationary_wave():
+    """With y ln y in the place of ∂_ξ y the whole first order is (43)."""
+    scaling = SlowScales(1.1, 0.7, 1.0)
+    y = np.linspace(0.1, 0.9, 9)
+    flux = y * np.log(y)
+    expected = y - scaling.epsilon * (scaling.gamma + 0.5) * flux
+    np.testing.assert_allclose(scaling.corrected_velocity(y, flux, flux), expected, rtol=1e-14)
 
 
 # Orders in ε.
@@ -152,15 +175,25 @@ def test_error_estimates_bound_the_error():
     coarse, fine = (errors(1.1, tolerance=tolerance, damping=0.5) for tolerance in (1e-5, 1e-10))
     for name, (value, estimate) in coarse.items():
         difference = np.abs(value - fine[name][0])
-        known = np.isfinite(difference)
-        assert (difference[known] <= 20.0 * estimate[known] + 1e-9).all(), name
+        if np.isfinite(difference).any():
+            # As a campaign records it, the largest at any slow time.
+            assert np.nanmax(difference) <= 5.0 * np.nanmax(estimate) + 1e-9, name
+
+
+def test_passages_depend_on_the_last_slow_time_alone():
+    ring = make_ring(1.2, damping=0.5)
+    alone, beside = (compare(ring, np.array(times), 1e-6) for times in ([1.0], [0.03, 0.7, 1.0]))
+    for model in ring_limit.MODELS:
+        name = f"lost_1_{model}"
+        np.testing.assert_allclose(alone[name][0][-1], beside[name][0][-1], rtol=1e-5)
 
 
 def test_losses_are_passed_in_turn_and_only_before_the_slow_time():
     found = errors(1.2, damping=0.5)
     sup = found["displacement_sup_logarithmic"][0]
     first = found["lost_1_logarithmic"][0]
-    assert (sup > 0.01).all()
+    # What the start still sends back passes the wave early.
+    assert (sup > 0.005).all()
     assert 0.0 < first[0] == first[1] < 0.5
     assert np.isnan(found["lost_10_logarithmic"][0]).all()
 

@@ -6,11 +6,16 @@ from matplotlib.figure import Figure
 
 from figure_step import run_figure
 from granular_fronts.campaign.measures import fitted_order, selected
-from granular_fronts.output.style import MODEL_LOOKS, new_figure
+from granular_fronts.output.style import CHAIN_COLOUR, MODEL_LOOKS, new_figure
 
 SUP, RMS = "displacement_sup", "displacement_rms"
 MARKERS = ("o", "s", "^")
 SLOW_TIME = 1.0
+FORMULAS = {
+    "leading": "(51) (×)",
+    "printed": "(43) as printed (△)",
+    "first_order": "whole first order (o)",
+}
 
 
 def plot_fig20(
@@ -101,25 +106,32 @@ def draw_over_time(axes: Axes, pulses: xr.Dataset, front: xr.Dataset) -> None:
 
 
 def draw_starts(axes: Axes, mu: xr.Dataset, leading: xr.Dataset, plateau: xr.Dataset) -> None:
-    """Mean error of u from the slow manifold, from (51), and from the plateau of the paper."""
+    """Root mean square error of u from the slow manifold, (51), and the plateau of the paper."""
     mu, leading = mu.sel(mu=2.0), leading.sel(mu=2.0)
     for rings, marker in ((mu, "o"), (leading, "x"), (plateau, "^")):
         for model in ("logarithmic", "dispersive"):
             _, colour, line = MODEL_LOOKS[model]
             epsilon, error, _ = selected(rings, f"{RMS}_{model}", slow_time=SLOW_TIME)
             axes.plot(epsilon, error, color=colour, linestyle=line, marker=marker, ms=3)
-    axes.set_title(r"$\mu = 2$: from (43) (o), from (51) (×); from (49) (△)", fontsize=7)
+    gamma, delta = plateau.attrs["gamma"], plateau.attrs["delta"]
+    axes.set_title(
+        "pulse, $\\mu = 2$: slow manifold (o), (51) (×);\n"
+        rf"plateau (49), $\gamma = {gamma:g}$, $\delta = {delta:g}$ (△)",
+        fontsize=7,
+    )
     axes.set(xlabel=r"$\varepsilon$", ylabel=r"rms $\Delta u/\delta$ at $\tau = 1$")
 
 
 def draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
-    """Largest error of ẋ by (43) and by (51), at γc = 1."""
-    place = {"damping": 1.0, "slow_time": SLOW_TIME}
-    for field, marker in (("velocity_sup", "o"), ("leading_velocity_sup", "x")):
-        for model, (_, colour, line) in MODEL_LOOKS.items():
-            epsilon, error, _ = selected(damping, f"{field}_{model}", **place)
-            axes.plot(epsilon, error, color=colour, linestyle=line, marker=marker, ms=3)
-    axes.set_title(r"$\gamma c = 1$: $\dot x$ by (43) (o), by (51) (×)", fontsize=7)
+    """Largest distance of ẋ to (51), to (43) and to the whole first order, at γc = 1."""
+    place, rows = {"damping": 1.0, "slow_time": SLOW_TIME}, []
+    for (formula, label), marker in zip(FORMULAS.items(), ("x", "^", "o"), strict=True):
+        epsilon, error, _ = selected(damping, f"residual_{formula}", **place)
+        axes.plot(epsilon, error, color=CHAIN_COLOUR, marker=marker, ms=3)
+        order = fitted_order(damping, f"residual_{formula}", **place)
+        rows.append(f"{label}: {order.value:.2f} ± {order.error:.2f}")
+    title = r"$\gamma c = 1$: $\dot x$ less a formula in $y$"
+    axes.set_title(title + "\nslopes\n" + "\n".join(rows), fontsize=7)
     axes.set(xlabel=r"$\varepsilon$", ylabel=r"$\sup|\Delta\dot x|/\delta c$ at $\tau = 1$")
 
 

@@ -16,7 +16,8 @@ SLOW_TIME = 1.0
 LOSSES = (1, 5, 10)
 RATIOS = (0.1, 1.0)
 CLOSE = 1.05
-FIRST_SHOWN = 0.01
+FIRST_SHOWN = 2.0**-4
+"""The first of the times between which losses are interpolated; earlier ones are one colour."""
 
 
 def plot_fig21(rings: xr.Dataset, weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
@@ -65,7 +66,8 @@ def plane(axes: Axes, values: xr.DataArray, colour_map: Colormap, norm: Normaliz
 def draw_best(axes: Axes, rings: xr.Dataset) -> None:
     """The equation with the smallest error of u at τ = 1."""
     errors = np.stack([rings[f"displacement_sup_{model}"] for model in MODEL_LOOKS])
-    best = rings["displacement_sup_logarithmic"].copy(data=errors.argmin(axis=0).astype(float))
+    least = np.where(np.isnan(errors).any(axis=0), np.nan, errors.argmin(axis=0))
+    best = rings["displacement_sup_logarithmic"].copy(data=least)
     colours = ListedColormap([colour for _, colour, _ in MODEL_LOOKS.values()])
     image = plane(axes, best, colours, BoundaryNorm(np.arange(-0.5, 3.0), 3))
     bar = axes.figure.colorbar(image, ax=axes, location="top", aspect=20, ticks=[0, 1, 2])
@@ -90,7 +92,7 @@ def draw_scaled(axes: Axes, rings: xr.Dataset) -> None:
             axes.plot(
                 close["gamma"], scaled.sel(alpha=alpha), ".", color=colour, ms=3, linestyle="none"
             )
-    axes.set(xscale="log", yscale="log", xlabel=r"$\gamma c$")
+    axes.set(xscale="log", yscale="log", xlabel=r"$\gamma c$, $\delta = 1$")
     axes.set_title(
         rf"$\sup|\Delta u|/\delta$ over $1 - 1/\alpha$, $\alpha \leq {CLOSE:g}$", fontsize=7
     )
@@ -103,7 +105,7 @@ def draw_losses(figure: Figure, panels: dict[str, Axes], rings: xr.Dataset) -> N
         model, _, loss = name.rpartition("_")
         image = draw_loss(panels[name], rings, f"lost_{loss}_{model}")
         panels[name].set_title(f"{MODEL_LOOKS[model][0]} loses {loss} %", fontsize=8)
-    label = r"slow time $\tau$"
+    label = r"slow time $\tau$; black: below 1/16"
     places = [panels[name] for name in drawn]
     figure.colorbar(image, ax=places, location="bottom", aspect=50, label=label, extend="both")
 
@@ -141,7 +143,7 @@ def finish_plane(axes: Axes, rings: xr.Dataset, runs: list[tuple[float, float]])
             mew=0.5,
             clip_on=False,
         )
-    axes.set(xscale="log", yscale="log", xlabel=r"$\alpha - 1$", ylabel=r"$\gamma c$")
+    axes.set(xscale="log", yscale="log", xlabel=r"$\alpha - 1$", ylabel=r"$\gamma c$, $\delta = 1$")
     axes.set(xlim=(alpha[0] - 1.0, alpha[-1] - 1.0), ylim=(gamma[0], gamma[-1]))
 
 

@@ -66,7 +66,7 @@ class Campaign(NamedTuple):
     @property
     def kind(self) -> Kind:
         """The kind itself."""
-        kind = KINDS[self.kind_name].of_choice(self.grid)
+        kind = KINDS[self.kind_name].of_start(self.settings.get("start")).of_choice(self.grid)
         return kind.of_law(varied_numbers(self.grid)) if "law" in self.settings else kind
 
     @property
@@ -138,7 +138,7 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     raise_if_any(name, _start_errors(given))
     law, fixed, record = given.get("law"), given.get("fixed", {}), given.get("record", {})
     axes = {name_of(axis) if law else axis: values for axis, values in given["axes"].items()}
-    kind = KINDS[given["kind"]].of_choice([*axes, *fixed])
+    kind = KINDS[given["kind"]].of_start(given.get("start")).of_choice([*axes, *fixed])
     if law:
         kind = kind.of_law(varied_numbers(axes))
     raise_if_any(name, _name_errors(given["kind"], kind, axes, fixed, record))
@@ -250,6 +250,8 @@ def _start_errors(given) -> Iterator[str]:
         )
     if start and "rescaled_force" in start:
         first, *_, last = start["rescaled_force"]
+        if min(start["rescaled_force"]) == max(start["rescaled_force"]):
+            yield "start.rescaled_force has one value throughout, which is no wave: vary it."
         if first != last:
             yield (
                 f"start.rescaled_force begins with {first:g} and ends with {last:g}, but the ring "
@@ -327,6 +329,11 @@ def _value_errors(kind, grid, varied) -> Iterator[str]:
             yield (
                 f"{place} reaches down to {least:g}, but {name} ({parameter.meaning}) must be "
                 f"{limit}{'' if parameter.above else ' or more'}: raise it."
+            )
+        if max(values) > parameter.most:
+            yield (
+                f"{place} reaches up to {max(values):g}, but {name} ({parameter.meaning}) must be "
+                f"{parameter.most:g} or less: lower it."
             )
         if parameter.whole and not all(float(value).is_integer() for value in values):
             broken = next(value for value in values if not float(value).is_integer())

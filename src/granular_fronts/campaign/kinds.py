@@ -31,6 +31,8 @@ class Parameter(NamedTuple):
         may be None, which stands for β = α.
     whole : bool
         Whether only whole numbers make sense.
+    most : float
+        Largest value.
     """
 
     meaning: str
@@ -38,6 +40,7 @@ class Parameter(NamedTuple):
     above: bool = False
     default: object = ...
     whole: bool = False
+    most: float = math.inf
 
 
 class Kind(NamedTuple):
@@ -61,6 +64,8 @@ class Kind(NamedTuple):
         Groups of parameters of which a campaign gives exactly one each.
     starts : tuple of str
         Profiles that a motion may start from; empty for a kind that has no choice.
+    of_formula : tuple of str
+        Parameters of every start but ``given``.
     """
 
     module: str
@@ -72,6 +77,24 @@ class Kind(NamedTuple):
     beside_law: Mapping[str, Parameter] | None = None
     one_of: tuple[tuple[str, ...], ...] = ()
     starts: tuple[str, ...] = ()
+    of_formula: tuple[str, ...] = ()
+
+    def of_start(self, start) -> "Kind":
+        """The kind without the parameters that a given start does not have.
+
+        Parameters
+        ----------
+        start : mapping or None
+            Of a campaign.
+
+        Returns
+        -------
+        Kind
+        """
+        if not start or start["profile"] != "given":
+            return self
+        left = {key: value for key, value in self.parameters.items() if key not in self.of_formula}
+        return self._replace(parameters=left)
 
     def of_choice(self, given) -> "Kind":
         """The kind without the parameters in whose place others are given.
@@ -158,8 +181,8 @@ MODELS = {
 ERRORS_OF_A_MODEL = {
     "displacement_sup": "largest difference of u over delta between the chain and",
     "displacement_rms": "root mean square difference of u over delta between the chain and",
-    "velocity_sup": "largest difference of dx/dt over delta c, by (43), between the chain and",
-    "velocity_rms": "root mean square difference of dx/dt over delta c, by (43), to",
+    "velocity_sup": "largest difference of dx/dt over delta c, to first order, to",
+    "velocity_rms": "root mean square difference of dx/dt over delta c, to first order, to",
     "leading_velocity_sup": "largest difference of dx/dt over delta c, by (51), to",
     "height": "excess of the height of the wave, over delta, in",
     "place": "distance in xi by which the wave is ahead of the chain's in",
@@ -241,7 +264,7 @@ KINDS: dict[str, Kind] = {
     "ring": Kind(
         module="granular_fronts.campaign.ring_points",
         parameters={
-            "alpha": ALPHA,
+            "alpha": ALPHA._replace(most=10.0),
             "gamma": GAMMA._replace(above=True),
             "damping": Parameter(
                 "strength of the viscous force times the speed, gamma c", 0.0, True
@@ -250,11 +273,11 @@ KINDS: dict[str, Kind] = {
             "ratio": Parameter("epsilon over gamma c, equal to 12/mu^2", 0.0, True),
             "mu": Parameter("damping of the logarithmic KdV-Burgers equation", 0.0, True),
             "delta": Parameter("relative displacement at which y is 1", 0.0, True, default=1.0),
-            "half_beads": Parameter("p of a ring of 2p - 1 beads", 2, whole=True),
-            "half_length": Parameter("half of the ring in xi", 0.0, True),
-            "half_width": Parameter("half width of the wave at the start, in xi", 0.0, True),
-            "base": Parameter("rescaled force between the waves at the start", 0.0),
-            "slow_time": Parameter("slow time tau at which errors are taken", 0.0, True),
+            "half_beads": Parameter("p of a ring of 2p - 1 beads", 2, whole=True, most=1e6),
+            "half_length": Parameter("half of the ring in xi", 0.0, True, most=1e3),
+            "half_width": Parameter("half width of the wave at the start, in xi", 0.01, most=1e3),
+            "base": Parameter("rescaled force between the waves at the start", 0.0, True, most=2.0),
+            "slow_time": Parameter("slow time tau at which errors are taken", 0.0, True, most=1e3),
         },
         scalars={
             f"{error}_{model}": f"{meaning} {name}"
@@ -266,6 +289,9 @@ KINDS: dict[str, Kind] = {
             "ratio_of_ring": "epsilon over gamma c of the ring",
             "damping_of_ring": "gamma c of the ring",
             "beads_of_ring": "number of beads of the ring",
+            "residual_leading": "largest dx/dt over delta c less (51) in the chain's own y",
+            "residual_printed": "largest dx/dt over delta c less (43) in the chain's own y",
+            "residual_first_order": "largest dx/dt over delta c less its whole first order",
             "smallest_compression": "smallest u over delta of all beads and times",
             "first_gap_time": "slow time at which the first contact opens; NaN if none does",
         },
@@ -276,5 +302,6 @@ KINDS: dict[str, Kind] = {
             ("half_beads", "half_length"),
         ),
         starts=("plateau", "pulse", "front", "given"),
+        of_formula=("half_width", "base"),
     ),
 }

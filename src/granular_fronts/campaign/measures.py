@@ -2,8 +2,8 @@ r"""Numbers measured on campaigns of rings: orders in ε, and errors one beside 
 
 The order of an equation is the slope of :math:`\ln e` against :math:`\ln\varepsilon`, with e its
 error at one slow time, by least squares over the rings with :math:`\alpha \le 1.1`.  Its error is
-twice the standard error of the slope: waves that the start sends back pass the wave at
-other times at each ε and scatter e about the line by far more than the solvers do.
+twice the standard error of the slope, since terms of the next order bend the line by far more than
+the solvers add.
 """
 
 import numpy as np
@@ -13,6 +13,9 @@ from granular_fronts.accuracy import Estimate
 
 LARGEST_EXPONENT = 1.1
 """Of the rings that a slope is fitted to."""
+
+ROUNDING = 1.0e-12
+"""Of μ, which is computed."""
 
 
 def selected(dataset, error, *, slow_time=1.0, **place):
@@ -84,10 +87,11 @@ def error_over_ratio(dataset, error, **place):
     return error_ratio(dataset, error, "ratio_of_ring", **place)
 
 
-def largest_over_exponent(dataset, error, *, slow_time=1.0):
-    """Largest error over 1 − 1/α of all rings with α up to `LARGEST_EXPONENT`."""
+def largest_over_exponent(dataset, error, *, slow_time=1.0, least_mu=0.0, most_mu=np.inf):
+    """Largest error over 1 − 1/α of all rings with α up to `LARGEST_EXPONENT` and μ in a range."""
     rings = dataset.sel(slow_time=slow_time)
     rings = rings.where(rings["alpha"] <= LARGEST_EXPONENT, drop=True)
-    kappa = 1.0 - 1.0 / rings["alpha"]
-    largest = float((np.abs(rings[error]) / kappa).max())
+    mu, kappa = np.sqrt(12.0 / rings["ratio_of_ring"]), 1.0 - 1.0 / rings["alpha"]
+    within = (mu > least_mu * (1.0 - ROUNDING)) & (mu < most_mu * (1.0 - ROUNDING))
+    largest = float((np.abs(rings[error]) / kappa).where(within).max())
     return Estimate(largest, float(dataset[error].attrs["error_estimate"] / kappa.min()))

@@ -11,8 +11,8 @@ The damping is given by one of γ, γc, ε, ε/γc and μ, and the length of a r
 
 import numpy as np
 
-from granular_fronts.arguments import scalar
 from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
 from granular_fronts.output.progress import count_bar
@@ -24,6 +24,12 @@ ERROR_METHOD = (
     "coefficients or cells and at a tenth of the tolerance"
 )
 SLOW_TIME = "slow_time"
+DAMPINGS = (0.001, 1000.0)
+"""Smallest and largest γc."""
+PLACES_BETWEEN = 8
+"""At which a given start is looked at, for each of its values."""
+LENGTH_TOLERANCE = 0.05
+"""Part by which half of a ring may miss the length asked for, since beads are whole."""
 
 
 def solve_chunk(points, settings, activity):
@@ -103,25 +109,62 @@ def make_ring(point, start):
     gamma = gamma_for(alpha, delta, **given) if given else point["gamma"]
     scaling = SlowScales(alpha, gamma, delta)
     damping = gamma * scaling.speed
-    if "half_beads" in point:
-        half_beads = int(point["half_beads"])
-    else:
-        half_beads = max(2, round(point["half_length"] / scaling.epsilon + 0.5))
+    least, most = DAMPINGS
+    if not least <= damping <= most:
+        raise InputError(
+            f"gamma c is {damping:.3g}, but rings are followed for {least:g} to {most:g}: give "
+            "another damping."
+        )
+    half_beads = _half_beads(point, scaling)
     half_length = scaling.half_length(half_beads)
     if start["profile"] == "given":
         wave = {"kind": "given", "rescaled_force": start["rescaled_force"]}
+        _check_given(wave, half_length)
     else:
-        _check_wave(start["profile"], point, half_length)
+        _check_wave(start["profile"], point, half_length, scaling.epsilon)
         wave = scene_start(start["profile"], point["half_width"], point["base"], half_length)
     return Ring(alpha, damping, half_beads, wave, start.get("velocity", "slow"))
 
 
-def _check_wave(profile, point, half_length):
+def _half_beads(point, scaling):
+    """The given p, or that of the ring whose length is nearest to the one asked for."""
+    if "half_beads" in point:
+        return int(point["half_beads"])
+    asked = point["half_length"]
+    half_beads = max(2, round(asked / scaling.epsilon + 0.5))
+    found = scaling.half_length(half_beads)
+    if abs(found - asked) > LENGTH_TOLERANCE * asked:
+        raise InputError(
+            f"half_length is {asked:g}, but beads stand ε = {scaling.epsilon:.3g} apart in xi, so "
+            f"that the nearest ring has {found:.3g}: lengthen the ring, lower alpha or raise the "
+            "damping."
+        )
+    return half_beads
+
+
+def _check_given(wave, half_length):
+    """Raise unless the trigonometric polynomial through given values stays above 0."""
+    places = PLACES_BETWEEN * (len(wave["rescaled_force"]) - 1)
+    xi = np.linspace(-half_length, half_length, places, endpoint=False)
+    least = make_start(wave).values(xi, half_length).min()
+    if not least > 0.0:
+        raise InputError(
+            f"rescaled_force passes through {least:.3g} between its values: give more of them, or "
+            "raise the smallest."
+        )
+
+
+def _check_wave(profile, point, half_length, epsilon):
     """Raise unless a wave of the given width and base is one, and fits into the ring."""
     if point["base"] == 1.0:
         raise InputError("base is 1, the height of the wave, so that there is none: lower it.")
-    if profile == "plateau":
-        scalar("base", point["base"], above=0.0, advice="it is the floor of equation (49)")
+    if profile == "plateau" and point["base"] > 1.0:
+        raise InputError("base is the floor of equation (49), which must be below 1: lower it.")
+    if point["half_width"] < epsilon:
+        raise InputError(
+            f"half_width is {point['half_width']:g}, but beads stand ε = {epsilon:.3g} apart in "
+            "xi: widen the wave, lower alpha or raise the damping."
+        )
     if point["half_width"] >= half_length:
         raise InputError(
             f"half_width is {point['half_width']:g}, but half of the ring is {half_length:.3g} in "

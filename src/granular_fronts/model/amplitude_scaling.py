@@ -12,10 +12,18 @@ rescaled force :math:`y(\xi, \tau)` as
 In the frame :math:`\tilde\xi = \xi - \tau = \varepsilon(n - \tilde ct)` of (51) the speed is
 :math:`\tilde c = \delta^{(\alpha-1)/2} + \tfrac12\varepsilon\gamma\,\delta^{\alpha-1}`.
 
-Velocities.  To first order :math:`\dot x \approx \delta^{(\alpha+1)/2}
-\bigl(y - \varepsilon(\gamma c + \tfrac12)\,\partial_\xi y\bigr)` (43), which for a front becomes
+Velocities.  To leading order :math:`\delta^{(\alpha+1)/2} y` (51).  To first order, from
+:math:`\dot u_n = \dot x_n - \dot x_{n+1}` with (41) in :math:`\partial_\tau u`, up to a constant,
+
+.. math:: \dot x = \delta^{(\alpha+1)/2}\Bigl(y - \tfrac12\varepsilon\bigl[\partial_\xi y
+    + \gamma c\,(\partial_\xi y + y\ln y)\bigr]\Bigr) + O(\varepsilon^2).
+
+The paper prints :math:`y - \varepsilon(\gamma c + \tfrac12)\,\partial_\xi y` (43), for which
+:math:`d/dt` in (42) is :math:`-c\varepsilon\,\partial_\xi`, without
+:math:`\tfrac12\gamma\varepsilon^2c^2\,\partial_\tau`.  That part is of the same order, so that (43)
+holds only where :math:`y\ln y = \partial_\xi y`, for stationary waves.  For a front it becomes
 :math:`\delta^{(\alpha+1)/2}\bigl(u - (u^\alpha - u)/(2\gamma c)\bigr)`, (44) and (48), with
-:math:`u = y^{1/\alpha}`; to leading order :math:`\delta^{(\alpha+1)/2} y` (51).
+:math:`u = y^{1/\alpha}`.
 
 This module imports neither numpy nor numba, since the configuration is checked with it.
 """
@@ -89,9 +97,17 @@ class SlowScales(NamedTuple):
         """Velocity ẋ_n of (51), to leading order."""
         return self.velocity_scale * y
 
-    def corrected_velocity(self, y, slope):
-        """Velocity ẋ_n of (43), with the first-order term; `slope` is ∂y/∂ξ."""
-        return self.velocity_scale * (y - self.epsilon * (self.gamma * self.speed + 0.5) * slope)
+    def corrected_velocity(self, y, slope, flux):
+        """Velocity ẋ_n to first order, up to a constant.
+
+        Parameters
+        ----------
+        y, slope, flux : float or ndarray
+            Rescaled force, ∂y/∂ξ, and y ln y, the flux of (41).  With `flux` equal to `slope`, as
+            in a stationary wave, this is (43).
+        """
+        damped = self.gamma * self.speed * (slope + flux)
+        return self.velocity_scale * (y - 0.5 * self.epsilon * (slope + damped))
 
     def front_velocity(self, u):
         """Velocity ẋ_n of a stationary front, (44) and (48).

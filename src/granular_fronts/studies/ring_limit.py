@@ -5,23 +5,29 @@ same start and in units δ = c = 1: (41), (40), and the logarithmic KdV–Burger
 in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
 
 The chain is followed bead by bead, or, where a smooth wave needs fewer points than there are beads,
-by its Fourier coefficients (`chain.fourier_ring`).  A contact that opens ends the smoothness, and
-such a ring is followed bead by bead.  A gap counts as no compression, since no equation for u^α
-can have one.
+by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
+contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap counts as
+no compression, since no equation for u^α can have one.
 
-Errors at a slow time τ, each against the chain at its beads, or at as many places as there are
-coefficients:
+Errors at a slow time τ, each against the chain at its beads, or at those places:
 
-- `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities (43)
-  of the equation; `leading` is the sup of the velocities (51);
+- `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities of
+  the equation to first order; `leading` is the sup of the velocities (51);
 - `height`, of the largest u; `place`, in ξ, of where u falls through the middle of its range;
   `decay`, relative, of the loss of height since the start.
+
+From velocities to first order the mean difference is taken off: a constant is momentum of the whole
+ring, which no formula in y knows.  The formulas are measured too, without any equation and all
+without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier series:
+`residual_leading` of (51), `residual_printed` of (43), and `residual_first_order` of the whole
+first order (`model.amplitude_scaling`).
 
 A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ,
 by linear interpolation between the times of `loss_times`.
 
 Accuracy.  Chain and equation are solved a second time with more coefficients or cells and a tenth
-of the tolerance, and everything is measured again; the difference is the error estimate.
+of the tolerance, and everything is measured again, at fewer places and on every other of
+`loss_times`, so that what interpolation adds is part of the difference, the error estimate.
 """
 
 import functools
@@ -29,6 +35,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from scipy.fft import irfft, rfft, rfftfreq
+from scipy.special import xlogy
 
 from granular_fronts.accuracy import Refined, with_refinement
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
@@ -106,6 +114,8 @@ class Resolution(NamedTuple):
     ----------
     wave_number : float
         Largest one in ξ that is kept of a smooth chain.
+    places : int
+        For each point of the Fourier series, places at which a smooth chain is compared.
     cell : float
         Width of the cells of the equations in ξ.
     chain_tolerance, equation_tolerance : float
@@ -113,6 +123,7 @@ class Resolution(NamedTuple):
     """
 
     wave_number: float
+    places: int
     cell: float
     chain_tolerance: float
     equation_tolerance: float
@@ -128,8 +139,8 @@ class Resolution(NamedTuple):
 
 def resolutions(tolerance):
     """The usual resolution for a tolerance, and the finer one."""
-    usual = Resolution(12.0, 0.125, tolerance, tolerance)
-    return usual, Resolution(16.0, 0.0625, 0.1 * tolerance, 0.1 * tolerance)
+    usual = Resolution(12.0, 8, 0.125, tolerance, tolerance)
+    return usual, Resolution(16.0, 4, 0.0625, 0.1 * tolerance, 0.1 * tolerance)
 
 
 class Motion(NamedTuple):
@@ -171,19 +182,26 @@ def compare(ring, slow_times, tolerance, xi=None):
     SolveError
         If a solver stops.
     """
-    every = np.union1d(slow_times, loss_times(float(np.max(slow_times))))
+    passages = loss_times(float(np.max(slow_times)))
+    every = np.union1d(slow_times, passages)
     times, usual_and_finer = every / ring.scaling.slow_rate, resolutions(tolerance)
     motions = follow(ring, times, *usual_and_finer)
+    asked, passed = np.searchsorted(every, slow_times), np.searchsorted(every, passages)
     measured = _facts(ring, motions, slow_times)
-    asked = np.searchsorted(every, slow_times)
+    residuals = motions.map(lambda motion: velocity_residuals(ring, motion, asked))
+    for key, value in residuals.usual.items():
+        measured[key] = value, error_of(Refined(value, residuals.finer[key]))
     if xi is not None:
         profiles = motions.map(lambda motion: _profiles(ring, motion, times, asked, xi))
         measured["relative_displacement"] = profiles.usual, error_of(profiles)
     for name, solve in MODELS.items():
         solutions = with_refinement(functools.partial(solve, ring, times), *usual_and_finer)
         both = [
-            _errors(ring, motion, solution, every, asked)
-            for motion, solution in zip(motions, solutions, strict=True)
+            _errors(ring, motion, solution, asked)
+            | _losses(ring, motion, solution, slow_times, rows)
+            for motion, solution, rows in zip(
+                motions, solutions, (passed, passed[1::2]), strict=True
+            )
         ]
         for key, value in both[0].items():
             measured[f"{key}_{name}"] = value, error_of(Refined(value, both[1][key]))
@@ -194,7 +212,7 @@ def follow(ring, times, usual, finer):
     """The chain at some times, and more accurately at the same places."""
     points = usual.points(ring.half_length)
     if not ring.has_kinks and ring.beads > points:
-        smooth = functools.partial(_follow_smooth, ring, times, points)
+        smooth = functools.partial(_follow_smooth, ring, times)
         try:
             return with_refinement(smooth, usual, finer)
         except GapError:
@@ -202,11 +220,13 @@ def follow(ring, times, usual, finer):
     return with_refinement(functools.partial(_follow_beads, ring, times), usual, finer)
 
 
-def _follow_smooth(ring, times, points, resolution):
-    """The chain by Fourier coefficients, at a number of places."""
-    site = ring.beads * np.arange(points) / points
+def _follow_smooth(ring, times, resolution):
+    """The chain by Fourier coefficients, at several places for each."""
+    points = resolution.points(ring.half_length)
+    places = resolution.places * points
+    site = ring.beads * np.arange(places) / places
     fields = _start_at(ring, site)
-    fourier = FourierRing(ring.alpha, ring.damping, ring.beads, resolution.points(ring.half_length))
+    fourier = FourierRing(ring.alpha, ring.damping, ring.beads, points)
     wave = solve_fourier_ring(fourier, *fields, times, resolution.chain_tolerance)
     return Motion(site, wave.relative_displacement, wave.velocity, wave.smallest, math.nan)
 
@@ -272,7 +292,8 @@ def _profiles(ring, motion, times, asked, xi):
 
 def error_of(both):
     """Difference of numbers that were computed twice, at least their rounding."""
-    return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
+    with np.errstate(invalid="ignore"):
+        return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
 
 
 def _logarithmic(ring, times, resolution):
@@ -299,38 +320,81 @@ MODELS = {"logarithmic": _logarithmic, "unlimited": _unlimited, "dispersive": _d
 """Equations (41), (40) and (55), by the names of their errors."""
 
 
-def _errors(ring, motion, solution, slow_times, asked):
-    """All errors of one solution of an equation at the slow times asked for."""
+def velocity_residuals(ring, motion, rows):
+    """Largest difference of ẋ to each formula in the chain's own y, at some rows of its times."""
+    scaling, sites = ring.scaling, motion.site.size
+    y = np.maximum(motion.relative_displacement[rows], 0.0) ** ring.alpha
+    wave_numbers = 2.0 * np.pi * rfftfreq(sites, 2.0 * ring.half_length / sites)
+    slope = irfft(1j * wave_numbers * rfft(y), sites)
+    formulas = {
+        "leading": scaling.velocity(y),
+        "printed": scaling.corrected_velocity(y, slope, slope),
+        "first_order": scaling.corrected_velocity(y, slope, xlogy(y, y)),
+    }
+    found = {name: _centred(motion.velocity[rows] - value) for name, value in formulas.items()}
+    return {f"residual_{name}": np.abs(value).max(axis=1) for name, value in found.items()}
+
+
+def _centred(rows):
+    """Each row less its mean."""
+    return rows - rows.mean(axis=1, keepdims=True)
+
+
+def _force(ring, motion, solution, rows):
+    """Places ξ̃ of the chain and rescaled forces of an equation there, at some rows of its times."""
+    moved = np.mod(ring.scaling.frame_speed * solution.times[rows], ring.beads)
+    xi = ring.scaling.epsilon * (motion.site - ring.half_beads - moved[:, None])
+    force = [solution.rescaled_force(row, there) for row, there in zip(rows, xi, strict=True)]
+    return xi, np.array(force)
+
+
+def _compressions(ring, motion, force, rows):
+    """Compressions of the chain and of an equation at some rows; a gap counts as none."""
+    chain = np.maximum(motion.relative_displacement[rows], 0.0)
+    return chain, ring.scaling.displacement(np.maximum(force, 0.0))
+
+
+def _losses(ring, motion, solution, slow_times, rows):
+    """Slow times at which one solution of an equation has lost so much, NaN if after `slow_times`.
+
+    Parameters
+    ----------
+    rows : ndarray of int
+        Of the times between which losses are interpolated.
+    """
+    times, sup = ring.scaling.slow_rate * solution.times[rows], np.array([])
+    if rows.size:
+        _, force = _force(ring, motion, solution, rows)
+        sup = ring_errors.largest(*_compressions(ring, motion, force, rows))
+    passages = {part: ring_errors.first_passage(times, sup, part) for part in LOSSES}
+    return {
+        f"lost_{100 * part:g}": np.where(time <= slow_times, time, math.nan)
+        for part, time in passages.items()
+    }
+
+
+def _errors(ring, motion, solution, rows):
+    """All other errors of one solution of an equation, at some rows of its times."""
     scaling = ring.scaling
-    moved = np.mod(scaling.frame_speed * solution.times, ring.beads)
-    xi = scaling.epsilon * (motion.site - ring.half_beads - moved[:, None])
-    force = np.array([solution.rescaled_force(row, xi[row]) for row in range(len(xi))])
-    u = scaling.displacement(np.maximum(force, 0.0))
-    compression = np.maximum(motion.relative_displacement, 0.0)
-    sup = ring_errors.largest(compression, u)
-    found = {
-        f"lost_{100 * part:g}": ring_errors.first_passage(slow_times, sup, part) for part in LOSSES
-    }
-    found = {
-        name: np.where(time <= slow_times[asked], time, math.nan) for name, time in found.items()
-    }
+    xi, force = _force(ring, motion, solution, rows)
+    chain, u = _compressions(ring, motion, force, rows)
     start, _ = _start_at(ring, motion.site)
-    chain = compression[asked]
-    found |= {
-        "displacement_sup": sup[asked],
-        "displacement_rms": ring_errors.root_mean_square(chain, u[asked]),
-        "height": ring_errors.heights(u[asked]) - ring_errors.heights(chain),
-        "place": scaling.epsilon * ring_errors.lead(u[asked], chain, ring.beads / motion.site.size),
-        "decay": ring_errors.relative_decay(u[asked], chain, start),
-    }
     slopes = np.array(
-        [slope_of(functools.partial(solution.rescaled_force, row), xi[row]) for row in asked]
+        [
+            slope_of(functools.partial(solution.rescaled_force, row), there)
+            for row, there in zip(rows, xi, strict=True)
+        ]
     )
-    corrected = scaling.corrected_velocity(force[asked], slopes)
-    leading = scaling.velocity(force[asked])
-    velocity = motion.velocity[asked]
-    return found | {
-        "velocity_sup": ring_errors.largest(velocity, corrected),
-        "velocity_rms": ring_errors.root_mean_square(velocity, corrected),
-        "leading_velocity_sup": ring_errors.largest(velocity, leading),
+    flux = xlogy(np.maximum(force, 0.0), np.maximum(force, 0.0))
+    velocity = motion.velocity[rows]
+    corrected = _centred(velocity - scaling.corrected_velocity(force, slopes, flux))
+    return {
+        "displacement_sup": ring_errors.largest(chain, u),
+        "displacement_rms": ring_errors.root_mean_square(chain, u),
+        "height": ring_errors.heights(u) - ring_errors.heights(chain),
+        "place": scaling.epsilon * ring_errors.lead(u, chain, ring.beads / motion.site.size),
+        "decay": ring_errors.relative_decay(u, chain, start),
+        "velocity_sup": ring_errors.largest(corrected, 0.0),
+        "velocity_rms": ring_errors.root_mean_square(corrected, 0.0),
+        "leading_velocity_sup": ring_errors.largest(velocity, scaling.velocity(force)),
     }

@@ -18,13 +18,14 @@ Pulse and front are analytic and, for b > 0, bounded away from zero, where the e
 singular.  They are handed on as values at equally spaced points, between which the trigonometric
 polynomial through them differs by less than rounding.
 
-The velocities of a start are y itself, (51), or those on the slow manifold to the order that the
-paper gives, (43), so that the wave sets out to the right alone.
+The velocities of a start are y itself, (51), or those on the slow manifold to first order
+(`model.amplitude_scaling`), so that what runs to the left is of the order ε².
 """
 
 import math
 
 import numpy as np
+from scipy.special import xlogy
 
 from granular_fronts.continuum.log_burgers.equation import log_burgers_front
 from granular_fronts.continuum.log_burgers.starts import make_start
@@ -90,7 +91,7 @@ def start_fields(start, scaling, half_length, xi, velocity):
         ℓ.
     xi : ndarray
     velocity : str
-        ``leading`` for (51) or ``slow`` for (43).
+        ``leading`` for (51) or ``slow`` for the slow manifold.
 
     Returns
     -------
@@ -101,7 +102,7 @@ def start_fields(start, scaling, half_length, xi, velocity):
     if velocity == "leading":
         return scaling.displacement(y), scaling.velocity(y)
     slope = slope_of(lambda points: force.values(points, half_length), xi)
-    return scaling.displacement(y), scaling.corrected_velocity(y, slope)
+    return scaling.displacement(y), scaling.corrected_velocity(y, slope, xlogy(y, y))
 
 
 def slope_of(function, xi):
