@@ -72,7 +72,7 @@ REFUSED = [
     ({"fixed": {"alpha": 1.5, "beads": 10**9}}, ["fixed.beads = 1000000000", "477 GiB", "lower"]),
     (
         {"record": {"profile": {"start": 1, "stop": 1e9, "count": 10**9}}},
-        ["GiB", "above the limit of 16 GiB"],
+        ["record.profile.count is 1000000000", "give 100000 or less"],
     ),
 ]
 
