@@ -130,7 +130,7 @@ def keys(
     for choice in ("oneOf", "anyOf", "allOf"):
         for one in part.get(choice, []):
             yield from keys(one, schema, seen, path)
-    # What stands below `if` only tells the cases apart.
+    # What stands below `if` only distinguishes the cases.
     for case in ("then", "else"):
         if case in part:
             yield from keys(part[case], schema, seen, path)

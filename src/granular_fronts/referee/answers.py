@@ -2,7 +2,7 @@
 
 A problem is solved by the chain's own integrator, and again with a tolerance a tenth of it; the
 largest difference is the error (see `chain.simulate`).  The reading of the damping (`readings`) is
-made at several dampings around the given one, so that a run can be told which it looks like.
+made at several dampings around the given one, so that a run can be compared with each.
 """
 
 import csv
