@@ -13,6 +13,7 @@ import plot_fig14 as drawing
 import pytest
 import tabulate_speed_error as tabulating
 import xarray as xr
+from pictures import curves
 from update_documents import speed
 
 from granular_fronts.output.datasets import read_dataset, write_dataset
@@ -302,8 +303,8 @@ def test_figure_14_draws_every_point_and_names_failures(merged):
     figure = drawing.plot_fig14(data)
     panels = {axes.get_title(): axes for axes in figure.axes}
     assert panels.keys() == {"one", "two", "log burgers weak"}
-    lines = panels["one"].get_lines()
-    drawn = [line for line in lines if line.get_linestyle() not in ("None", "--")]
+    lines = curves(panels["one"])
+    drawn = [line for line in lines if line.get_linestyle() != "None"]
     seconds = data["seconds"].sel(problem="one").values
     np.testing.assert_allclose(
         np.sort(np.concatenate([line.get_ydata() for line in drawn])),
@@ -311,20 +312,48 @@ def test_figure_14_draws_every_point_and_names_failures(merged):
     )
     hollow = [line for line in lines if line.get_linestyle() == "None"]
     assert sum(line.get_xdata().size for line in hollow) == 3
-    assert "scipy radau failed at" in panels["two"].get_xlabel()
+    assert ": scipy radau" in panels["two"].get_xlabel()
     assert figure.get_supxlabel() == "not installed here: diffrax dopri8"
     plt.close("all")
 
 
-def test_figure_14_names_a_discrete_element_code_at_its_curve():
+def test_figure_14_names_each_curve_at_its_end_of_largest_error():
+    costs = {"strain_form": 1.0, "scipy_dop853": 8.9, "lammps_nve": 9.0, "scipy_radau": None}
+    data, _ = measured_family("precision_chain", {"one": costs})
+    axes = drawing.plot_fig14(data).axes[0]
+    names = {text.get_text(): text for text in axes.texts}
+    assert names.keys() == {"strain form", "scipy dop853", "lammps nve"}
+    (code,) = [line for line in axes.get_lines() if line.get_linestyle() == "-."]
+    assert names["lammps nve"].get_color() == code.get_color()
+    for method, name in names.items():
+        cost = costs[method.replace(" ", "_")]
+        assert name.xy == (1e-4, pytest.approx(cost * 1e-4**-0.125))
+    # In the order of the ends, a name's height apart, within the panel.
+    places = [names[name].xyann[1] for name in ("strain form", "scipy dop853", "lammps nve")]
+    assert places[0] >= 0
+    assert places[-1] <= 1
+    assert np.all(np.diff(places) >= drawing.NAME_HEIGHT / drawing.LOWEST - 1e-12)
+    assert "failed at 1e-12, 1e-08, 0.0001: scipy radau" in axes.get_xlabel()
+    plt.close("all")
+
+
+def test_names_far_apart_stand_at_their_curves():
     data, _ = measured_family("precision_chain", {"one": {"strain_form": 1.0, "lammps_nve": 9.0}})
     axes = drawing.plot_fig14(data).axes[0]
-    (curve,) = [line for line in axes.get_lines() if line.get_linestyle() == "-."]
-    (name,) = axes.texts
-    assert name.get_text() == "lammps nve"
-    assert name.xy == (1e-12, pytest.approx(9.0 * 1e-12**-0.125))
-    assert name.get_color() == curve.get_color()
+    for name in axes.texts:
+        _, end = axes.transLimits.transform(axes.transScale.transform(name.xy))
+        assert name.xyann[1] == pytest.approx(end)
     plt.close("all")
+
+
+def test_verdict_says_how_far_a_discrete_element_code_is():
+    costs = {"strain_form": 2.0, "scipy_dop853": 60.0, "lammps_nve": 900.0, "lammps_mvv": 240.0}
+    data = measured_family("x", {"one": costs})[0].sel(problem="one")
+    verdict = tabulating.judge(data, 1e-9)
+    assert verdict.endswith("scipy_dop853; lammps_mvv takes 120 times as long as strain_form.")
+    data["error"].loc["lammps_nve":"lammps_mvv"] *= 1e6
+    verdict = tabulating.judge(data, 1e-9)
+    assert verdict.endswith("; no scheme of lammps got there with the steps tried.")
 
 
 def test_readme_shows_the_verdicts(tmp_path):

@@ -50,7 +50,16 @@ PACKAGE_COLOURS = {
     "numbalsoda": "#1a8f3c",
     "sundials": "#8a4a12",
     "diffrax": "#d02fb4",
-    "lammps": "#e08a00",
+    "lammps": "#c47700",
+}
+PACKAGE_LINES: dict[str, Any] = {
+    "upwind": "-",
+    "scilab": (0, (4, 1)),
+    "scipy": "-",
+    "numbalsoda": (0, (6, 1.5)),
+    "sundials": (0, (2, 1)),
+    "diffrax": (0, (6, 1, 1, 1, 1, 1)),
+    "lammps": "-.",
 }
 
 # The font subsetter remarks on the fixed dates that make PDF files reproducible.
