@@ -20,7 +20,7 @@ import time
 import psutil
 import pytest
 import yaml
-from projects import snakemake, wait_for_job
+from projects import jobs_due, snakemake, wait_for_job
 
 from granular_fronts.output.provenance import question_digest, read_record
 
@@ -143,27 +143,6 @@ BREAKS = {
 }
 
 
-def jobs_due(project, options, *targets):
-    """Names of the jobs due behind each job of a plan, by its own name: one start for all targets.
-
-    Whether a job is due follows from what lies upstream of it, and not from the other targets.
-    """
-    run = snakemake("--dag", *options, "--", *targets, folder=project)
-    assert run.returncode == 0, run.stderr
-    nodes = re.findall(r'^\t(\d+)\[label = "(\w+).*style="([\w,]+)"\];$', run.stdout, re.MULTILINE)
-    names = {number: name for number, name, _ in nodes}
-    upstream = {number: {number} for number in names}
-    edges = re.findall(r"^\t(\d+) -> (\d+)$", run.stdout, re.MULTILINE)
-    while any(not upstream[above] <= upstream[below] for above, below in edges):
-        for above, below in edges:
-            upstream[below] |= upstream[above]
-    waiting = {number for number, _, style in nodes if style == "rounded"}
-    return {
-        name: {names[above] for above in upstream[number] & waiting}
-        for number, name in names.items()
-    }
-
-
 @pytest.mark.parametrize("break_run", BREAKS, ids=lambda break_run: break_run.__name__)
 def test_the_same_command_again_makes_what_is_asked(finished, break_run):
     options = ask(finished, break_run.__name__, BREAKS[break_run])
@@ -171,7 +150,8 @@ def test_the_same_command_again_makes_what_is_asked(finished, break_run):
     break_run(finished, options)
     assert not (finished / DATA).exists(), "the job was not broken"
     assert question_of(finished / FIGURE) == before, "the figure was drawn again"
-    due = jobs_due(finished, options, "fig01", "figures", "tables", "report", "all", FIGURE)
+    targets = ("fig01", "figures", "tables", "report", "all", FIGURE)
+    due = jobs_due(*options, "--", *targets, folder=finished)
     assert "plot_fig01" in due["fig01"] & due["figures"] & due["plot_fig01"]
     assert "tabulate_paper_numbers" in due["tables"]
     assert "write_report" in due["report"] & due["all"]
