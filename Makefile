@@ -64,7 +64,9 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
 	$(call quietly,$(BIN)/python -m mypy)
 
-.venv/installed: environment.txt
+# An installation keeps a copy of what it was made from: the time stamp of that file says nothing.
+.PHONY: $(shell cmp -s environment.txt .venv/installed || echo .venv/installed)
+.venv/installed:
 	@command -v $(PYTHON) >/dev/null || { \
 	    echo "There is no $(PYTHON) here: please install Python 3.11 or newer." >&2; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and \
@@ -74,7 +76,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@$(PYTHON) -m venv --clear .venv
 	@$(PIP) install --require-hashes -r environment.txt
 	@$(PIP) install --no-deps --no-build-isolation -e .
-	@touch $@
+	@cp environment.txt $@
 
 # Made again only when they are asked for by name, so that uv is needed for nothing else.
 ifneq ($(filter %environment.txt,$(MAKECMDGOALS)),)
@@ -104,10 +106,11 @@ docs: .venv/docs-installed ## Build the manual from pages, docstrings and result
 	@echo "Building the manual in docs/_build/html."
 	$(call quietly,$(BIN)/sphinx-build -E -W --keep-going -b html docs docs/_build/html)
 
-.venv/docs-installed: docs-environment.txt .venv/installed
+.PHONY: $(shell cmp -s docs-environment.txt .venv/docs-installed || echo .venv/docs-installed)
+.venv/docs-installed: .venv/installed
 	@echo "Installing the packages that build the manual (about half a minute)."
 	@$(PIP) install --require-hashes --no-deps -r docs-environment.txt
-	@touch $@
+	@cp docs-environment.txt $@
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."

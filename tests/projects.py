@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib.util
+import re
 import shutil
 import subprocess
 import sys
@@ -58,6 +59,27 @@ def snakemake(*arguments, folder=ROOT):
     """Call the workflow in a folder and wait for its end."""
     command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def jobs_due(*arguments, folder=ROOT):
+    """The jobs due behind each job of a plan, by their rules and wildcards.
+
+    One start answers for many targets: whether a job is due follows from what lies upstream of it,
+    and not from the other targets.
+    """
+    run = snakemake("--dag", *arguments, folder=folder)
+    assert run.returncode == 0, run.stderr
+    nodes = re.findall(r'^\t(\d+)\[label = "(.*?)".*style="(.*?)"\];$', run.stdout, re.MULTILINE)
+    names = {number: label.replace("\\n", " ") for number, label, _ in nodes}
+    upstream = {number: {number} for number in names}
+    edges = re.findall(r"^\t(\d+) -> (\d+)$", run.stdout, re.MULTILINE)
+    while any(not upstream[above] <= upstream[below] for above, below in edges):
+        for above, below in edges:
+            upstream[below] |= upstream[above]
+    due = {number for number, _, style in nodes if "dashed" not in style}
+    return {
+        name: {names[above] for above in upstream[number] & due} for number, name in names.items()
+    }
 
 
 def wait_for_job(process, name):

@@ -6,7 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+import llvmlite
 import numba
+import numpy as np
 import pytest
 from numba.core.registry import CPUDispatcher
 
@@ -48,6 +50,14 @@ def test_a_kernel_depends_on_the_modules_that_it_stands_on_and_on_no_other(monke
     assert before[0] != after[0]
     assert before[1] == after[1]
     file_digest.cache_clear()
+
+
+def test_a_kernel_depends_on_the_versions_of_its_compiler_and_of_numpy(monkeypatch):
+    file = SOURCES / "chain/integrator.py"
+    for package in (numba, llvmlite, np):
+        with monkeypatch.context() as patched:
+            patched.setattr(package, "__version__", "0.0")
+            assert cache_folder.__wrapped__(file) != cache_folder(file), package.__name__
 
 
 def test_kernel_decorates_with_and_without_options():

@@ -38,7 +38,11 @@ SCENE = {
     "steps_per_collision": [160, 320, 80],
     "shown": {"beta": 1.5, "gamma": 0.13, "steps_per_collision": 20},
 }
-MEASURED = measure_half_step_damping(SCENE)
+
+
+@pytest.fixture(scope="module")
+def measured():
+    return measure_half_step_damping(SCENE)
 
 
 @pytest.mark.parametrize("alpha", [1.0, 1.5, 3.0])
@@ -100,25 +104,25 @@ def test_damping_added_to_the_accurate_chain_is_read_as_such():
     assert excess_by_table(np.array(peak.peak), factors, table) == pytest.approx(0.023, abs=2e-6)
 
 
-def test_orders_and_excess_are_of_first_order():
-    np.testing.assert_allclose(MEASURED["order"], 1.0, atol=0.06)
+def test_orders_and_excess_are_of_first_order(measured):
+    np.testing.assert_allclose(measured["order"], 1.0, atol=0.06)
     for observable in ("overshoot", "tail"):
-        excess = MEASURED[f"excess_{observable}"]
+        excess = measured[f"excess_{observable}"]
         halved = excess.isel(step=1) / excess.isel(step=2)
         np.testing.assert_allclose(halved, 2.0, atol=0.08)
-    steps = MEASURED["step"]
+    steps = measured["step"]
     assert np.all(np.diff(steps) < 0.0)
     # Of the size of h/t_c, and more than the tail says.
-    assert np.all(MEASURED["excess_overshoot"] < 1.5 * steps)
-    assert np.all(MEASURED["excess_overshoot"] > 0.3 * steps)
-    assert np.all(MEASURED["excess_overshoot"] > 1.2 * MEASURED["excess_tail"])
+    assert np.all(measured["excess_overshoot"] < 1.5 * steps)
+    assert np.all(measured["excess_overshoot"] > 0.3 * steps)
+    assert np.all(measured["excess_overshoot"] > 1.2 * measured["excess_tail"])
 
 
-def test_excess_is_measured_at_the_step_that_is_named_and_no_other():
-    found = excess_damping(MEASURED, "tail", 1.5, 0.13, 160)
-    assert found.value == float(MEASURED["excess_tail"].sel(beta=1.5, gamma=0.13)[1])
+def test_excess_is_measured_at_the_step_that_is_named_and_no_other(measured):
+    found = excess_damping(measured, "tail", 1.5, 0.13, 160)
+    assert found.value == float(measured["excess_tail"].sel(beta=1.5, gamma=0.13)[1])
     with pytest.raises(KeyError):
-        excess_damping(MEASURED, "tail", 1.5, 0.13, 150)
+        excess_damping(measured, "tail", 1.5, 0.13, 150)
 
 
 def test_tail_excess_is_that_of_the_roots():
@@ -127,12 +131,12 @@ def test_tail_excess_is_that_of_the_roots():
     assert roots[0].real == pytest.approx(tail_root(CASE, 0.05).real, rel=1e-11)
 
 
-def test_checks_do_not_see_what_the_front_shows():
-    excess = MEASURED["excess_overshoot"].sel(beta=1.5, gamma=0.13)
+def test_checks_do_not_see_what_the_front_shows(measured):
+    excess = measured["excess_overshoot"].sel(beta=1.5, gamma=0.13)
     for name in ("restitution", "momentum", "energy", "speed"):
-        assert np.all(MEASURED[f"{name}_defect"] < 0.1 * excess)
-    assert np.all(MEASURED["momentum_defect"] < 1e-13)
-    energy = MEASURED["energy_defect"].values
+        assert np.all(measured[f"{name}_defect"] < 0.1 * excess)
+    assert np.all(measured["momentum_defect"] < 1e-13)
+    energy = measured["energy_defect"].values
     np.testing.assert_allclose(np.log2(energy[:-1] / energy[1:]), 2.0, atol=0.2)
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-import yaml
 from compare_periodic_chain import compare_periodic_chain
 from compute_heteroclinic import compute_heteroclinic
 from initiate_front import initiate_front
@@ -33,17 +32,16 @@ from granular_fronts.output.statements import (
     unexpected_verdicts,
     verdict_on,
 )
-from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
 from questions import questions
 
 CONFIG = Path(__file__).parents[1] / "config"
 LISTS = {
-    name: yaml.safe_load((CONFIG / f"{name}.yaml").read_text("utf-8"))
-    for name in ("paper_numbers", "findings", "ring_limit")
+    name: read_yaml(CONFIG / f"{name}.yaml") for name in ("paper_numbers", "findings", "ring_limit")
 }
 CAMPAIGNS = {path.stem for path in (CONFIG / "campaigns").glob("*.yaml")}
 STATEMENTS = list(chain(*LISTS.values()))
-DEFAULTS = yaml.safe_load((CONFIG / "default.yaml").read_text("utf-8"))
+DEFAULTS = read_yaml(CONFIG / "default.yaml")
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ rule compile_kernels:
         "Compiling the kernels of the chain."
     conda:
         environment
+    priority: 3
     script:
         "../scripts/compile_kernels.py"
 

@@ -20,6 +20,7 @@ rule compile_continuum_kernels:
         "Compiling the kernels of the amplitude equations."
     conda:
         environment
+    priority: 3
     script:
         "../scripts/compile_kernels.py"
 
@@ -88,5 +89,6 @@ rule compare_periodic_chain:
         "Solving the ring of scene {wildcards.scene} and its amplitude equations."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/compare_periodic_chain.py"

@@ -21,6 +21,7 @@ rule compile_front_kernels:
         "Compiling the kernels of the exact fronts."
     conda:
         environment
+    priority: 2
     script:
         "../scripts/compile_kernels.py"
 
@@ -87,6 +88,7 @@ rule map_critical_damping:
         "Mapping critical damping and overshoot."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/map_critical_damping.py"
 

@@ -56,6 +56,7 @@ rule measure_numerical_damping:
         "Measuring the damping that the theta-method brings."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/measure_numerical_damping.py"
 
@@ -77,6 +78,7 @@ rule measure_half_step_damping:
         "Measuring the damping that the step of discrete-element codes brings."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/measure_half_step_damping.py"
 
@@ -98,6 +100,7 @@ rule measure_pistons:
         "Driving fronts with a piston, at once and by a ramp."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/measure_pistons.py"
 
@@ -143,6 +146,7 @@ rule measure_limiting_cases:
         "Measuring limiting cases: no damping, no nonlinearity, softening, collisions, exponents towards 1."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/measure_limiting_cases.py"
 
@@ -164,6 +168,7 @@ rule check_jump_conditions:
         "Measuring fronts of any potentials against the jump conditions."
     conda:
         environment
+    priority: 1
     script:
         "../scripts/check_jump_conditions.py"
 

@@ -1,8 +1,7 @@
 """What each dataset answers, and what the paper asks of the same dataset."""
 
-import yaml
-
 from granular_fronts.output.provenance import code_version, question_digest, read_record
+from granular_fronts.scenes.yaml_files import read_yaml
 from questions import FAMILIES, questions, questions_on_demand
 
 ASKED = questions(config) | questions_on_demand(config)
@@ -11,8 +10,7 @@ DATASETS = expand("<results>/data/{dataset}.nc", dataset=questions(config))
 
 def load_yaml(*path):
     """Read a YAML file of the project."""
-    with open(os.path.join(workflow.basedir, *path), encoding="utf-8") as file:
-        return yaml.safe_load(file)
+    return read_yaml(os.path.join(workflow.basedir, *path))
 
 
 def question(dataset):

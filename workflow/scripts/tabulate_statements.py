@@ -6,12 +6,12 @@ from importlib import import_module
 from pathlib import Path
 
 import pandas as pd
-import yaml
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.statements import evaluate, scenes_of
 from granular_fronts.output.tables import write_table
+from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
 
 COLUMNS = {
@@ -48,7 +48,7 @@ def tabulate_statements(
     csv, markdown : Path
         Tables to write: full precision, and rounded for reading.
     """
-    listed = yaml.safe_load(statements.read_text(encoding="utf-8"))
+    listed = read_yaml(statements)
     needed = {name for statement in listed for name in scenes_of(statement)}
     data = {path.stem: read_dataset(path, path.stem) for path in datasets if path.stem in needed}
     rows = pd.DataFrame(

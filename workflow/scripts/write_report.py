@@ -24,6 +24,7 @@ from tabulate import tabulate
 from granular_fronts.output.datasets import read_origins
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.provenance import disagreements, read_record
+from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
 
 
@@ -82,7 +83,7 @@ def write_report(
     ]
     figures = sorted([*figures, *(record for record in shown if is_figure(record))])
     tables = [*tables, *(record for record in shown if not is_figure(record))]
-    described = yaml.safe_load(texts.read_text(encoding="utf-8"))
+    described = read_yaml(texts)
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
         figures=[describe_figure(record) for record in figures],

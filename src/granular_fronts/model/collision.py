@@ -180,7 +180,14 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
     slow = slow_strength(nu) if nu > 0.5 else math.inf
     if strength > slow:
         power_law = math.log(slow / strength) / (2.0 * nu - 1.0)
-        return log_restitution(nu, slow, largest_step) + power_law
+        return _integrated(nu, slow, largest_step) + power_law
+    return _integrated(nu, strength, largest_step)
+
+
+# Remembers the one integration that all strong dampings lead to.
+@functools.lru_cache(maxsize=32)
+def _integrated(nu, strength, largest_step):
+    """Logarithm of e of the reduced collision by integration from its start."""
 
     def damping(log_radius, sine):
         return strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)

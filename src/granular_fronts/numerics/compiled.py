@@ -9,9 +9,11 @@ Numba compiles a function once for each type of its arguments, and to it a liter
 of its own: callers write ``int64(2)`` where others pass a variable.
 
 The cache may be kept from one run to the next, on one machine or between machines (in continuous
-integration, say).  The digest is that of the code and of the versions of numba and llvmlite; numba
-itself adds the processor, its features, and the versions of numba and of Python to the key of each
-entry.  What does not fit is compiled anew beside what is there, and never used.
+integration, say).  The key of a folder is the digest of the code and the versions of numba,
+llvmlite and NumPy: kernels contain NumPy's functions as numba writes them for its version, and
+hold tables that NumPy computed as constants.  Numba itself adds the processor, its features, and
+the versions of numba and of Python to the key of each entry.  What does not fit is compiled anew
+beside what is there, and never used.
 
 Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
 while.  Numba itself reports each compilation, so that the line comes when there is one and not
@@ -25,6 +27,7 @@ from pathlib import Path
 
 import llvmlite
 import numba
+import numpy as np
 from numba.core import event
 from numba.core.registry import CPUDispatcher
 
@@ -174,6 +177,6 @@ def cache_folder(file):
     modules = MODULES if file in MODULES.values() else {**MODULES, **beside}
     [name] = [name for name, path in modules.items() if path == file]
     files = [modules[one] for one in import_closure([name], modules)]
-    compiler = f"numba{numba.__version__}_llvmlite{llvmlite.__version__}"
+    versions = f"numba{numba.__version__}_llvmlite{llvmlite.__version__}_numpy{np.__version__}"
     root = Path(os.path.commonpath(files)).parent
-    return cache_root() / f"{name}_{code_digest(files, root)}_{compiler}"
+    return cache_root() / f"{name}_{code_digest(files, root)}_{versions}"

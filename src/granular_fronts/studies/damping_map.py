@@ -28,13 +28,16 @@ def map_critical_damping(exponents, dampings, cut):
     Returns
     -------
     xarray.Dataset
-        `overshoot` on (alpha, gamma), NaN where a front was not found, and `converged`;
-        `critical_damping_<definition>` on (alpha), NaN where it does not apply; attributes
-        `overshoot_cut` and `exchange_exponent`, the α* where the meaning of "tail" changes.
+        `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not
+        found, and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not
+        apply; attributes `overshoot_cut` and `exchange_exponent`, the α* where the meaning of
+        "tail" changes.
     """
     sweeps = [sweep_fronts(alpha, dampings) for alpha in exponents]
     dataset = xr.concat(sweeps, dim=xr.DataArray(exponents, dims="alpha", name="alpha"))
+    largest_error = float(dataset["overshoot_error"].where(dataset["converged"] == 1).max())
     dataset = dataset[["overshoot", "converged"]]
+    dataset["overshoot"].attrs["error_estimate"] = largest_error
     last = meaning_changes_at()
     for definition in DEFINITIONS:
         options = {"cut": cut} if definition == "overshoot" else {}
