@@ -11,7 +11,7 @@ DATASETS = expand("<results>/data/{dataset}.nc", dataset=questions(config))
 
 def load_yaml(*path):
     """Read a YAML file of the project."""
-    with open(os.path.join(workflow.basedir, *path), encoding="utf-8") as file:
+    with open(project(*path), encoding="utf-8") as file:
         return yaml.safe_load(file)
 
 
