@@ -68,3 +68,7 @@ rule all:
         datasets=DATASETS,
     message:
         "Done: open {input.report}."
+
+
+# After the default target, whose results it records.
+include: "workflow/rules/crate.smk"
