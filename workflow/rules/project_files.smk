@@ -7,6 +7,7 @@ PROJECT_FILES = [
     "Makefile",
     "README.md",
     "Snakefile",
+    "codecheck.yml",
     "config/**/*",
     "environment.txt",
     "profiles/default/config.yaml",
