@@ -11,15 +11,19 @@ include: "workflow/rules/common.smk"
 
 from granular_fronts.scenes.configuration import validate_configuration
 from granular_fronts.errors import InputError, exit_on_error
-from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.scenes.yaml_files import load_configuration, merge
 
 # Of a YAML error Snakemake itself says neither line nor column.
 with exit_on_error("The configuration cannot be computed."):
-    load_configuration("config/default.yaml")
+    DEFAULTS = load_configuration(project("config", "default.yaml"))
 
 
-configfile: "config/default.yaml"
+configfile: project("config", "default.yaml")
 
+
+# For a module Snakemake reads no file: what the other workflow gives is laid over the same values.
+if workflow.modifier.is_module:
+    config = merge(DEFAULTS, config)
 
 with exit_on_error("The configuration cannot be computed."):
     validate_configuration(config, workflow.configfiles, workflow.config_settings.config)
@@ -64,3 +68,7 @@ rule all:
         datasets=DATASETS,
     message:
         "Done: open {input.report}."
+
+
+# After the default target, whose results it records.
+include: "workflow/rules/crate.smk"

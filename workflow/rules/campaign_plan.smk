@@ -1,6 +1,6 @@
 """Campaigns are planned by a job; a dry run measures nothing and writes nothing."""
 
-CAMPAIGNS = os.path.join(workflow.basedir, "config", "campaigns")
+CAMPAIGNS = project("config", "campaigns")
 CAMPAIGN_NAME = "[a-z][a-z0-9_]*"
 KERNELS_OF_KIND = {
     "chain": rules.compile_kernels.output.stamp,

@@ -3,7 +3,7 @@
 
 rule check_results:
     input:
-        tests=sorted(glob("tests/artefacts/*.py")),
+        tests=sorted(glob(project("tests", "artefacts", "*.py"))),
         datasets=DATASETS,
         figures=DRAWN_FILES,
         tables=WRITTEN_FILES,

@@ -8,23 +8,30 @@ from functools import cache
 from glob import glob
 from pathlib import Path
 
-SOURCE = os.path.join(workflow.basedir, "src")
-LIBRARY = os.path.join(workflow.basedir, "workflow", "lib")
+# The folder of the main Snakefile is another one where another workflow uses this one as a module.
+PROJECT = os.path.abspath(os.path.join(workflow.current_basedir, "..", ".."))
+SOURCE = os.path.join(PROJECT, "src")
+LIBRARY = os.path.join(PROJECT, "workflow", "lib")
 
 # The package and its compiled kernels are found without an installation, here and by the jobs.
 sys.path[:0] = [SOURCE, LIBRARY]
 os.environ.update(
     PYTHONPATH=os.pathsep.join(filter(None, [SOURCE, LIBRARY, os.environ.get("PYTHONPATH")])),
-    NUMBA_CACHE_DIR=os.path.join(workflow.basedir, ".numba_cache"),
+    NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
 )
 
 from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
 from run_lock import FolderInUseError, lock_folder
 
-MODULES = module_files(Path(SOURCE), Path(LIBRARY), Path(workflow.basedir, "workflow", "scripts"))
+MODULES = module_files(Path(SOURCE), Path(LIBRARY), Path(PROJECT, "workflow", "scripts"))
 # It hands a script what the rule names, and has no part in what comes out.
 del MODULES["step"]
+
+
+def project(*path):
+    """Return the path of a file of the project from the working directory."""
+    return os.path.relpath(os.path.join(PROJECT, *path))
 
 
 def environment(wildcards):
@@ -65,7 +72,7 @@ wildcard_constraints:
 def digest_of(*names):
     """Return a digest of the code of some modules and of all that these import."""
     files = [MODULES[name] for name in import_closure(names, MODULES)]
-    return code_digest(files, Path(workflow.basedir))
+    return code_digest(files, Path(PROJECT))
 
 
 def code(*names):

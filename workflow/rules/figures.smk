@@ -10,7 +10,7 @@ for figure in FIGURES:
             f"plot_{figure}"
         input:
             **figure_inputs(figure),
-            template=f"workflow/report/{figure}.rst",
+            template=project("workflow", "report", f"{figure}.rst"),
         output:
             pdf=f"<results>/{stem_of(figure)}.pdf",
             png=report(

@@ -4,10 +4,10 @@ A family of problems is measured by one job, which takes all cores so that nothi
 """
 
 PRECISION_REFERENCES = {
-    "chain": "tests/references/chain_reference.nc",
-    "ring": "tests/references/ring_reference.nc",
-    "heteroclinic": "tests/references/heteroclinic_reference.nc",
-    "fronts": "tests/references/fronts_reference.nc",
+    "chain": project("tests", "references", "chain_reference.nc"),
+    "ring": project("tests", "references", "ring_reference.nc"),
+    "heteroclinic": project("tests", "references", "heteroclinic_reference.nc"),
+    "fronts": project("tests", "references", "fronts_reference.nc"),
 }
 
 
@@ -15,7 +15,7 @@ rule measure_precision:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
         reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
-        scilab="workflow/scripts/peers/scilab.sce",
+        scilab=project("workflow", "scripts", "peers", "scilab.sce"),
     output:
         dataset="<results>/data/precision/{family}.nc",
     params:

@@ -107,7 +107,6 @@ def datasets_on_demand():
         for stem, datasets in behind.items()
         if os.path.join(config["results"], f"{stem}.json") in ON_DEMAND
         for dataset in datasets
-        if dataset.startswith("campaigns/")
-        and os.path.exists(os.path.join("config", f"{dataset}.yaml"))
+        if dataset.startswith("campaigns/") and os.path.exists(project("config", f"{dataset}.yaml"))
     }
     return [*questions_on_demand(config), *sorted(campaigns)]

@@ -10,7 +10,7 @@ DATASETS = expand("<results>/data/{dataset}.nc", dataset=questions(config))
 
 def load_yaml(*path):
     """Read a YAML file of the project."""
-    return read_yaml(os.path.join(workflow.basedir, *path))
+    return read_yaml(project(*path))
 
 
 def question(dataset):

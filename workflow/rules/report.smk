@@ -3,8 +3,8 @@
 
 rule write_report:
     input:
-        template="workflow/report/page.html.j2",
-        texts="workflow/tables.yaml",
+        template=project("workflow", "report", "page.html.j2"),
+        texts=project("workflow", "tables.yaml"),
         figures=[f"<results>/{stem_of(figure)}.json" for figure in DRAWN],
         tables=[f"<results>/tables/{name}.json" for name in WRITTEN],
         files=DRAWN_FILES + WRITTEN_FILES,

@@ -9,7 +9,7 @@ MEASURES = [name for name in MODULES if name.endswith("measures")]
 
 rule tabulate_paper_numbers:
     input:
-        statements="config/paper_numbers.yaml",
+        statements=project("config", "paper_numbers.yaml"),
         datasets=DATASETS,
     output:
         csv="<results>/tables/paper_numbers.csv",
@@ -34,7 +34,7 @@ rule tabulate_paper_numbers:
 
 rule tabulate_findings:
     input:
-        statements="config/findings.yaml",
+        statements=project("config", "findings.yaml"),
         datasets=DATASETS,
     output:
         csv="<results>/tables/findings.csv",
@@ -59,7 +59,7 @@ rule tabulate_findings:
 
 rule tabulate_ring_limit:
     input:
-        statements="config/ring_limit.yaml",
+        statements=project("config", "ring_limit.yaml"),
         datasets=[data_file(campaign) for campaign in TABLES["ring_limit"]["data"]],
     output:
         csv="<results>/tables/ring_limit.csv",
