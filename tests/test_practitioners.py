@@ -16,13 +16,14 @@ from write_referee import write_referee
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.settings import read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
 PAGE = DOCUMENT.read_text(encoding="utf-8")
-SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
+SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
 PROBLEMS = load_problems(SETTINGS)
 QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
 PACKAGES = str(ROOT / "src")
