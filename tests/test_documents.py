@@ -116,17 +116,36 @@ def test_wings_of_the_manual_are_those_of_the_package():
         assert (package / name).is_dir() or (package / f"{name}.py").exists(), name
 
 
-# The index of equations.
+# Pages that scripts write.
 
 
-def load_index():
-    spec = importlib.util.spec_from_file_location("equations", ROOT / "docs" / "equations.py")
+def load_script(name):
+    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
 
 
-INDEX = load_index()
+ARCHITECTURE = load_script("architecture")
+
+
+def test_picture_of_the_architecture_is_that_of_the_code():
+    picture = ARCHITECTURE.PICTURE.read_text(encoding="utf-8")
+    assert picture == ARCHITECTURE.draw(ARCHITECTURE.read_wings()), (
+        "run python docs/architecture.py"
+    )
+    for _, place in ARCHITECTURE.FLOW:
+        if not place.startswith("results"):
+            assert (ROOT / place.removesuffix(" …")).exists(), place
+
+
+def test_picture_leaves_out_detours_and_stands_on_what_is_imported():
+    imports = {"a": {"b", "c"}, "b": {"c"}, "c": set(), "d": {"c"}}
+    assert ARCHITECTURE.without_detours(imports) == imports | {"a": {"b"}}
+    assert ARCHITECTURE.levels(imports) == [["a"], ["b", "d"], ["c"]]
+
+
+INDEX = load_script("equations")
 
 
 def test_index_of_equations_is_that_of_the_docstrings():
