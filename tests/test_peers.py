@@ -132,7 +132,7 @@ def test_lammps_comes_closer_at_its_order(name, order):
     errors = []
     for step in (0.1, 0.05):
         run = lammps_chain.METHODS[name](system, step, 0.0)
-        assert run.cpu_seconds > 0.0
+        assert run.seconds > 0.0
         errors.append(
             max(np.abs(run.fields[field] - expected.fields[field]).max() for field in run.fields)
         )

@@ -64,7 +64,7 @@ LARGEST_ALPHA = 1e50
 def critical_damping(
     alpha: float, beta: float | None = None, definition: str = "tail", cut: float = 1e-3
 ) -> float:
-    """Damping at which fronts stop to oscillate, in the sense asked for; δ = c = 1.
+    """Damping from which on fronts do not oscillate, in the sense asked for; δ = c = 1.
 
     Parameters
     ----------
