@@ -8,6 +8,8 @@ import pytest
 import yaml
 from projects import ROOT
 
+from granular_fronts.studies.ring_limit import resolutions
+
 
 def load_script():
     spec = importlib.util.spec_from_file_location("measured", ROOT / "docs" / "measured.py")
@@ -81,6 +83,26 @@ def test_findings_type_no_result():
         "7",
         "2·10⁻³",
     }
+
+
+def test_sizes_of_rings_are_those_of_figure_20():
+    """What the page on the limit says of places and beads."""
+    campaign = statements("campaigns/rings_damping")
+    half_length, tolerance = campaign["fixed"]["half_length"], campaign["tolerance"]
+    usual, _ = resolutions(tolerance)
+    points = usual.points(half_length)
+    alpha, damping = min(campaign["axes"]["alpha"]), max(campaign["axes"]["damping"])
+    # ℓ = (p − 1/2) ε and N = 2p − 1.
+    beads = 2.0 * half_length * damping / (1.0 - 1.0 / alpha)
+    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
+    found = re.search(
+        r"(\d+) values stand for up to ([\d ]+) beads .* compared at (\d+) places", text
+    )
+    assert [int(number.replace(" ", "")) for number in found.groups()] == [
+        points,
+        round(beads, -3),
+        points * usual.places,
+    ]
 
 
 # The script itself.
