@@ -14,6 +14,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from html import escape
 from pathlib import Path
+from textwrap import wrap
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "src"))
@@ -25,10 +26,10 @@ PICTURE = Path(__file__).with_suffix(".svg")
 
 FLOW = (
     ("configuration", "config/default.yaml"),
-    ("rules: what depends on what", "workflow/rules"),
-    ("scripts, one for each rule", "workflow/scripts"),
-    ("datasets with errors", "results/data"),
-    ("scripts that draw and tabulate", "workflow/scripts/plot_fig01.py …"),
+    ("rules", "workflow/rules"),
+    ("scripts", "workflow/scripts"),
+    ("datasets", "results/data"),
+    ("scripts that draw", "workflow/scripts/plot_fig01.py …"),
     ("figures and tables", "results/figures, results/tables"),
     ("report", "results/report.html"),
 )
@@ -37,17 +38,20 @@ FLOW = (
 CALLS, WRITES = 2, 3
 """Steps of the way that call the package and that it fills."""
 
-WIDTH, TOP, FLOW_WIDTH = 1000, 20, 280
-FRAME = (330, 655)
+WIDTH, TOP, FLOW_WIDTH = 785, 10, 200
+FRAME = (245, 525)
 """Left edge and width of the frame around the package."""
 
-LEVEL, BOX = 74, 44
+LEVEL, BOX = 84, 54
 """Distance of two levels, and height of a box."""
+
+LETTER = 6.4
+"""Width of a letter of the second and third line of a box."""
 
 STYLE = """
 text { font-family: sans-serif; fill: #222; text-anchor: middle; }
 .name { font-size: 14px; font-weight: bold; }
-.what { font-size: 10px; fill: #555; }
+.what { font-size: 11px; fill: #555; }
 rect { fill: #fff; stroke: #4477aa; rx: 5px; }
 .page { stroke: none; rx: 0; }
 .frame { fill: #f3f6fa; stroke: #bbccdd; }
@@ -122,15 +126,16 @@ def places(imports: Wings) -> dict[str, tuple[float, float, float]]:
         for place, wing in enumerate(sorted(wings, key=wanted)):
             share = width / len(wings)
             middle = left + (place + 0.5) * share
-            found[wing] = middle, TOP + 40 + row * LEVEL, min(310, share - 10)
+            found[wing] = middle, TOP + 40 + row * LEVEL, min(250, share - 8)
     return found
 
 
 def box(x: float, y: float, width: float, name: str, what: str) -> Iterator[str]:
-    """A box around its middle, with two lines."""
+    """A box around its middle, with a name and up to two lines of what it is."""
     yield f'<rect x="{x - width / 2:.0f}" y="{y:.0f}" width="{width:.0f}" height="{BOX}"/>'
-    yield f'<text class="name" x="{x:.0f}" y="{y + 18:.0f}">{escape(name)}</text>'
-    yield f'<text class="what" x="{x:.0f}" y="{y + 35:.0f}">{escape(what)}</text>'
+    yield f'<text class="name" x="{x:.0f}" y="{y + 19:.0f}">{escape(name)}</text>'
+    for row, line in enumerate(wrap(what, int(width / LETTER))):
+        yield f'<text class="what" x="{x:.0f}" y="{y + 34 + 13 * row:.0f}">{escape(line)}</text>'
 
 
 def arrow(x0: float, y0: float, x1: float, y1: float) -> str:
