@@ -101,6 +101,7 @@ readme: .venv/installed ## Bring the numbers of README and manual up to date.
 	@$(BIN)/snakemake -c2
 	@$(BIN)/python workflow/scripts/update_documents.py --readme README.md \
 	    --performance docs/performance.md --results results
+	@$(BIN)/python docs/measured.py
 
 docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.
 	@echo "Building the manual in docs/_build/html."

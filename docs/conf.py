@@ -37,6 +37,16 @@ html_title = "granular-fronts"
 html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
 
 
+RESULTS = HERE.parent / "results"
+
+
 def setup(app):
-    """Write the pages that follow from the code and from the results."""
-    import_module("generate").write_pages(HERE / "generated", HERE.parent / "results")
+    """Write the pages that follow from code and results, and fill in the measured numbers."""
+    import_module("generate").write_pages(HERE / "generated", RESULTS)
+    measured = import_module("measured")
+    numbers = measured.load_numbers(RESULTS)
+
+    def fill_page(_app, _name, source):
+        source[0] = measured.fill(source[0], numbers)
+
+    app.connect("source-read", fill_page)

@@ -11,6 +11,7 @@ from typing import Any
 import yaml
 
 import granular_fronts
+from granular_fronts.output.datasets import LONG_NAMES
 
 ROOT = Path(__file__).parents[1]
 WORKFLOW = ROOT / "workflow"
@@ -37,6 +38,7 @@ def write_pages(folder: Path, results: Path) -> None:
     made = {
         "public_names": public_names(),
         "configuration": configuration(read_yaml("schemas/config.schema.yaml")),
+        "variables": variables(),
         "figures": figures(results),
         "paper_numbers": tables(results, ["paper_numbers"]),
         "findings": tables(results, ["findings"]),
@@ -142,6 +144,21 @@ def pointed_at(reference: str, schema: Mapping[str, Any]) -> Mapping[str, Any]:
     for key in reference.removeprefix("#/").split("/"):
         part = part[key]
     return part
+
+
+def variables() -> str:
+    """Every variable of the result files, in words."""
+    lines = ["# Variables", ""]
+    lines += ["Names of variables and coordinates in the files below `results/data`, each with its"]
+    lines += [
+        "attribute `long_name`. A recording with coordinates of its own ends them with its name:"
+    ]
+    lines += [
+        "name: `relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:"
+    ]
+    lines += ["[symbols](../symbols.md).", "", "| variable | what |", "|---|---|"]
+    lines += [f"| `{name}` | {meaning} |" for name, meaning in sorted(LONG_NAMES.items())]
+    return "\n".join(lines) + "\n"
 
 
 def figures(results: Path) -> str:

@@ -21,7 +21,7 @@ def write_table(path, result, shift=0.0):
     lines = ["# by the half-step scheme", "t, bead, x, v"]
     for t, state in states(result, shift):
         lines += [f"{t!r}, {bead}, {x!r}, {v!r}" for bead, x, v in state]
-    path.write_text("\n".join(lines))
+    path.write_text("\n".join([*lines, ""]))
     return str(path)
 
 
@@ -31,7 +31,7 @@ def write_dump(path, result):
     for t, state in states(result, shift=1.0):
         lines += ["ITEM: TIME", repr(t), "ITEM: ATOMS id x vx"]
         lines += [f"{bead} {x!r} {v!r}" for bead, x, v in state]
-    path.write_text("\n".join(lines))
+    path.write_text("\n".join([*lines, ""]))
 
 
 def states(result, shift):

@@ -8,13 +8,18 @@ import textwrap
 from projects import ROOT
 
 README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
+FENCE = re.compile(r"^( *)```(\S*)[^\n]*\n(.*?)^\1```", re.MULTILINE | re.DOTALL)
 
 
 def blocks(document, language):
     """Fenced blocks of a language, those inside lists included."""
-    text = document.read_text(encoding="utf-8")
-    found = re.findall(rf"^( *)```{language}\n(.*?)^\1```", text, re.MULTILINE | re.DOTALL)
-    return [textwrap.dedent(block) for _, block in found]
+    return [block for name, block in all_blocks(document) if name == language]
+
+
+def all_blocks(document):
+    """Language and text of every fenced block."""
+    found = FENCE.findall(document.read_text(encoding="utf-8"))
+    return [(language, textwrap.dedent(block)) for _, language, block in found]
 
 
 def named_blocks(document):
@@ -29,6 +34,13 @@ def named_blocks(document):
 
 def commands(document):
     return [line for block in blocks(document, "sh") for line in block.splitlines()]
+
+
+def commands_in_lines(document):
+    """Commands inside sentences, without those that leave a name to the reader."""
+    text = FENCE.sub("", document.read_text(encoding="utf-8"))
+    found = re.findall(r"`((?:make|snakemake|python) [^`]+)`", text)
+    return [command for command in found if not re.search("…|[A-Z]{4}", command)]
 
 
 def run(command, folder=ROOT, **environment):

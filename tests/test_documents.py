@@ -7,11 +7,22 @@ import sys
 from pathlib import Path
 
 import pytest
-from pages import EXTENDING, README, blocks, commands, named_blocks, run
+import yaml
+from pages import (
+    EXTENDING,
+    README,
+    all_blocks,
+    blocks,
+    commands,
+    commands_in_lines,
+    named_blocks,
+    run,
+)
 from projects import ROOT, copy_project, snakemake
 
-START, PROOFS = ROOT / "docs" / "start.md", ROOT / "docs" / "proofs.md"
-PRACTITIONERS = ROOT / "docs" / "practitioners.md"
+START, HOW_TO, PROOFS, PRACTITIONERS = (
+    ROOT / "docs" / f"{name}.md" for name in ("start", "how_to", "proofs", "practitioners")
+)
 MADE_BY_THE_BUILD = ("generated", "_build", "jupyter_execute")
 DOCUMENTS = [
     *sorted(ROOT.glob("*.md")),
@@ -26,7 +37,29 @@ DOCUMENTS = [
 # Those of the page on extensions are run on a copy of the project, those of proofs as they are,
 # those for practitioners in the folder of the answers (test_practitioners.py).
 ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS)
-COMMANDS = [line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)]
+SHOWN = {line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)}
+NAMED = {
+    line for page in DOCUMENTS if page.name != "CHANGELOG.md" for line in commands_in_lines(page)
+}
+COMMANDS = sorted(SHOWN | NAMED)
+
+NOT_RUN = {
+    "snakemake --workflow-profile profiles/slurm": "needs SLURM, see tests/cluster/test_slurm.py",
+}
+"""How blocks of commands begin that no test here runs, and why."""
+
+
+@pytest.fixture
+def mine(tmp_path):
+    """The small file that README lays over the configuration."""
+    [text] = blocks(README, "yaml")
+    file = tmp_path / "mine.yaml"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def words_of(command, mine):
+    return [str(mine) if word == "mine.yaml" else word for word in shlex.split(command)]
 
 
 @pytest.mark.parametrize("command", [c for c in COMMANDS if c.startswith("make")])
@@ -35,15 +68,22 @@ def test_make_knows_its_targets(command):
     assert outcome.returncode == 0, outcome.stderr
 
 
+# To lock, to list and to archive is Snakemake's own business.
+PLANNED = [c for c in COMMANDS if c.startswith("snakemake") and " --unlock" not in c]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("command", [c for c in COMMANDS if c.startswith("snakemake")])
-def test_workflow_can_plan_its_targets(command):
-    outcome = run([sys.executable, "-m", *shlex.split(command), "--dry-run", "--nolock"])
+@pytest.mark.parametrize("command", PLANNED)
+def test_workflow_can_plan_its_targets(command, mine):
+    outcome = run([sys.executable, "-m", *words_of(command, mine), "--dry-run", "--nolock"])
     assert outcome.returncode == 0, outcome.stderr
 
 
+STEPS = sorted(c for c in SHOWN if c.startswith("python workflow/scripts"))
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("command", [c for c in COMMANDS if c.startswith("python")])
+@pytest.mark.parametrize("command", STEPS)
 def test_script_runs_as_shown(command, tmp_path):
     words = shlex.split(command)[1:]
     words[-1] = str(tmp_path / words[-1])
@@ -52,16 +92,51 @@ def test_script_runs_as_shown(command, tmp_path):
     assert Path(words[-1]).exists()
 
 
+@pytest.mark.parametrize("command", sorted(c for c in SHOWN - {*STEPS} if c.startswith("python")))
+def test_module_runs_as_shown(command, mine):
+    outcome = run([sys.executable, *words_of(command, mine)[1:]])
+    assert outcome.returncode == 0, outcome.stderr
+
+
+@pytest.mark.parametrize("command", sorted(c for c in NAMED if c.startswith("python")))
+def test_named_script_is_there(command):
+    assert (ROOT / shlex.split(command)[1]).is_file()
+
+
 def test_all_commands_are_of_a_kind_that_is_tested():
     kinds = ("make", "snakemake", "python", "source .venv/bin/activate")
     assert all(command.startswith(kinds) for command in COMMANDS)
     assert all(command.startswith(("snakemake", "python")) for command in commands(EXTENDING))
 
 
-@pytest.mark.parametrize("code", blocks(README, "python") + blocks(START, "python"))
+TESTED = {"sh", "python", "yaml", "rst"}
+MADE_BY_SPHINX = {"{code-cell}", "{eval-rst}", "{toctree}", "{include}"}
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_every_block_is_of_a_kind_that_is_tested(document):
+    """Or it says what it needs; what programs print is compared where they run."""
+    for language, block in all_blocks(document):
+        if language == "text":
+            assert block.startswith(tuple(NOT_RUN)), block
+        elif language:
+            assert language in TESTED | MADE_BY_SPHINX, block
+        else:
+            assert document == PRACTITIONERS, block
+
+
+@pytest.mark.parametrize(
+    "code", [code for page in (README, START) for code in blocks(page, "python")]
+)
 def test_python_example_runs(code, capsys):
     exec(code, {})
     assert "±" in capsys.readouterr().out
+
+
+def test_every_python_block_is_run_somewhere():
+    """Here, with the page on extensions, or with that on proofs."""
+    pages = {page for page in DOCUMENTS if blocks(page, "python")}
+    assert pages == {START, EXTENDING, PROOFS}
 
 
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
@@ -78,14 +153,23 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     assert len(names["family"]) == len(names["paths"]) == 2
 
 
-@pytest.mark.parametrize("text", blocks(README, "yaml") + blocks(START, "yaml"))
-def test_shown_configuration_is_possible(text, tmp_path):
+def test_shown_configuration_is_possible(mine):
     from granular_fronts.scenes.configuration import check_configuration
     from granular_fronts.scenes.yaml_files import load_configuration
 
-    override = tmp_path / "mine.yaml"
-    override.write_text(text)
-    check_configuration(load_configuration(ROOT / "config" / "default.yaml", override))
+    check_configuration(load_configuration(ROOT / "config" / "default.yaml", mine))
+
+
+def test_shown_campaign_is_possible():
+    from granular_fronts.campaign.definition import check_campaign
+
+    [text] = blocks(HOW_TO, "yaml")
+    assert check_campaign(yaml.safe_load(text), "shown").size > 10_000
+
+
+def test_every_yaml_block_is_checked_somewhere():
+    pages = {page for page in DOCUMENTS if blocks(page, "yaml")}
+    assert pages == {README, HOW_TO, EXTENDING}
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda page: page.relative_to(ROOT).as_posix())
@@ -116,17 +200,36 @@ def test_wings_of_the_manual_are_those_of_the_package():
         assert (package / name).is_dir() or (package / f"{name}.py").exists(), name
 
 
-# The index of equations.
+# Pages that scripts write.
 
 
-def load_index():
-    spec = importlib.util.spec_from_file_location("equations", ROOT / "docs" / "equations.py")
+def load_script(name):
+    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
 
 
-INDEX = load_index()
+ARCHITECTURE = load_script("architecture")
+
+
+def test_picture_of_the_architecture_is_that_of_the_code():
+    picture = ARCHITECTURE.PICTURE.read_text(encoding="utf-8")
+    assert picture == ARCHITECTURE.draw(ARCHITECTURE.read_wings()), (
+        "run python docs/architecture.py"
+    )
+    for _, place in ARCHITECTURE.FLOW:
+        if not place.startswith("results"):
+            assert (ROOT / place.removesuffix(" …")).exists(), place
+
+
+def test_picture_leaves_out_detours_and_stands_on_what_is_imported():
+    imports = {"a": {"b", "c"}, "b": {"c"}, "c": set(), "d": {"c"}}
+    assert ARCHITECTURE.without_detours(imports) == imports | {"a": {"b"}}
+    assert ARCHITECTURE.levels(imports) == [["a"], ["b", "d"], ["c"]]
+
+
+INDEX = load_script("equations")
 
 
 def test_index_of_equations_is_that_of_the_docstrings():

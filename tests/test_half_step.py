@@ -106,7 +106,7 @@ def test_predicted_velocities_of_lammps_are_of_second_order():
     made = runpy.run_path(str(SCRIPT))
     scene = made["scene_of"](1.5, 0.3, 0.1, 0.0)
     errors = [
-        np.abs(-np.diff(made["run_lammps"](scene, step, LAMMPS, "mvv")[0]) - u)
+        np.abs(-np.diff(made["final_state"](scene, step, LAMMPS, "mvv")[0]) - u)
         for step in (0.2, 0.1, 0.05)
     ]
     found, residual = fitted_order([0.2, 0.1, 0.05], [error.max() for error in errors])

@@ -8,21 +8,29 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 from half_steps import half_steps, write_dump
 from pages import commands, run
 from projects import ROOT
 from write_referee import write_referee
 
 from granular_fronts.referee.answers import solve
-from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.assessment import find, observed_order, report
+from granular_fronts.referee.lammps_deck import write_deck
+from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.settings import read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
+from peers.lammps_chain import find_command
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
 PAGE = DOCUMENT.read_text(encoding="utf-8")
-SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
+TEXT = " ".join(PAGE.split())
+REFERENCES = ROOT / "tests" / "references"
+COUNTS = {2: "two", 12: "twelve"}
+SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
 PROBLEMS = load_problems(SETTINGS)
 QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
 PACKAGES = str(ROOT / "src")
@@ -55,6 +63,50 @@ def test_table_of_checks(measured):
                 continue
             number = cell.removesuffix(" %")
             assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
+
+
+def test_sentences_around_the_table(measured):
+    """About h/t_c more damping by the overshoot, a third of that by the tail, and 1 to 2 %."""
+    shown = measured.sel(beta=1.5, gamma=0.05)
+    ratio = shown["excess_overshoot"] / shown["step"]
+    assert "takes the error for about h/t_c more damping and the tail for a third of that" in TEXT
+    assert ratio.values == pytest.approx(1.0, abs=0.15)
+    assert (shown["excess_tail"] / shown["excess_overshoot"]).values == pytest.approx(0.3, abs=0.1)
+    low, high = map(float, re.search(r"it is (\d) to (\d) % of the damping", TEXT).groups())
+    fine = 100.0 * shown["excess_overshoot"].sel(step=[0.02, 0.01], method="nearest")
+    assert fine.round().values.tolist() == [high, low]
+
+
+def test_chains_of_other_codes_are_those_stored():
+    stored = xr.load_dataset(REFERENCES / "lammps_reference.nc")
+    step, end = stored.attrs["step"], stored.attrs["end_time"]
+    chains = f"on {COUNTS[stored.sizes['case']]} chains of {stored.sizes['bead']} beads"
+    assert f"{chains}, with step {step} up to t = {end:g}" in TEXT
+    version = stored.attrs["title"].removesuffix(", fix nve")
+    assert re.findall(r"LAMMPS \([^)]*\)", TEXT) == [version] * 2
+    others = xr.load_dataset(REFERENCES / "other_codes_reference.nc")
+    assert others.attrs["step"] == 0.1
+    assert f"on {COUNTS[others.sizes['gamma']]} pressed chains each with step 0.1" in TEXT
+
+
+@pytest.mark.skipif(not find_command(), reason="LAMMPS is not installed")
+def test_what_lammps_gets_with_predicted_velocities():
+    *errors, order, scatter = re.search(
+        r"`-var integrator mvv` (\S+), (\S+) and (\S+) at steps 0.25, 0.1 and 0.05, of order (\S+)"
+        r" ± (\S+?)\. ",
+        TEXT,
+    ).groups()
+    name = "front_steel_viscoelastic"
+    problem = PROBLEMS[name]
+    deck, answer = (
+        write_deck(name, problem.title, problem.scene, problem.interval),
+        solve(problem),
+    )
+    results = [run_lammps(find_command(), name, deck, step, "mvv") for step in (0.25, 0.1, 0.05)]
+    findings = [find(problem, answer, result) for result, _ in results]
+    assert [f"{one.error:.1e}" for one in findings] == [f"{float(error):.1e}" for error in errors]
+    found = observed_order(findings)
+    assert (f"{found.value:.2f}", f"{found.scatter:.2f}") == (order, scatter)
 
 
 RULE = re.search(

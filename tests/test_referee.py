@@ -20,9 +20,9 @@ from granular_fronts.referee.lammps_deck import damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems
 from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
 from granular_fronts.referee.results_files import Result, read_result
-from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.referee.settings import read_settings
 
-SETTINGS = load_configuration(ROOT / "config" / "referee.yaml")["referee"]
+SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
 PROBLEMS = load_problems(SETTINGS)
 FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
 SMALL = SETTINGS | {
@@ -56,22 +56,6 @@ def test_dampings_are_those_of_a_front():
         expected = SETTINGS["dampings"][damping] * 0.1 ** (1.25 - SETTINGS["laws"][law])
         assert problem.scene["law"]["gamma"] == pytest.approx(expected, rel=1e-14)
     assert len({problem.motion for problem in PROBLEMS.values()}) == 4
-
-
-@pytest.mark.parametrize(
-    ("motions", "sentence"),
-    [
-        (
-            {"front": {"dampings": ["stee"]}},
-            "motions.front.dampings names 'stee', which is unknown",
-        ),
-        ({"wave": {"dampings": []}}, "motions.wave names 'wave', which is unknown: choose from fr"),
-    ],
-)
-def test_unknown_names_in_the_settings_are_named(motions, sentence):
-    motions = {name: SETTINGS["motions"]["front"] | motion for name, motion in motions.items()}
-    with pytest.raises(InputError, match=re.escape(sentence)):
-        load_problems(SETTINGS | {"motions": motions})
 
 
 @pytest.mark.parametrize("name", PROBLEMS)
@@ -289,6 +273,8 @@ DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\
         (f"{FRONT}_0.1.csv", TABLE.replace(",", ";"), "has no column t, but 't;bead;x;v': give"),
         (f"{FRONT}_0.1.csv", TABLE + "9" * 200_000, "is no table (field larger than"),
         (f"{FRONT}_0.1.csv", "t,bead,x,v\n", "holds no states"),
+        (f"{FRONT}_0.1.csv", TABLE[:-1], "does not end with the end of a line"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-1], "does not end with the end of a line"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan', so that the run was lost"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,o,0\n", "holds 'o' where a number should be: write"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,0\n", "holds '' where a number should be: write"),

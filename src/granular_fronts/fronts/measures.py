@@ -124,3 +124,27 @@ def solitary_force(trends, exponent):
     peak = trends["solitary_peak"].sel(exponent=exponent)
     force = float(peak) ** exponent / np.exp(0.5)
     return Estimate(float(force), exponent * float(force) * peak.attrs["error_estimate"])
+
+
+def exchange_exponent(curves):
+    """α*, up to which critical damping is a double root of the tail."""
+    value = curves.attrs["exchange_exponent"]
+    return Estimate(value, FEW_DIGITS * value)
+
+
+def methods_apart(*fronts):
+    """Largest distance in u/δ of the fronts by the profile equation and by shooting."""
+    apart = [front["relative_displacement_shooting"].attrs["distance"] for front in fronts]
+    errors = [front["relative_displacement"].attrs["error_estimate"] for front in fronts]
+    return Estimate(float(max(apart)), float(max(errors)))
+
+
+def strong_damping_power(survey, alpha):
+    """Power of γ in the largest error of (46), between the two largest γ.
+
+    The error is the change from the pair before.
+    """
+    distance = survey["distance_unlimited"].sel(alpha=alpha)[-3:]
+    logarithms = np.log(distance["gamma"].values), np.log(distance.values)
+    before, last = np.diff(logarithms[1]) / np.diff(logarithms[0])
+    return estimate(last, before)

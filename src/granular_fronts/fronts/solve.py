@@ -122,10 +122,10 @@ def solve_front(
     Returns
     -------
     xarray.Dataset
-        `relative_displacement`, `velocity` and `strain`, the first with its sign changed, on `xi`
-        = n − ct, a uniform grid beyond which the strain is R_b or R_a to round-off, and on which
-        it is half-way between them at ξ = 0; each with `error_estimate` and `error_method`.
-        Velocities are those of eq. (12), −cR behind and ahead; a uniform one may be added.
+        `strain`, `relative_displacement` (its negative) and `velocity` on `xi` = n − ct, each with
+        `error_estimate` and `error_method`.  The grid is uniform; the strain is half-way between
+        R_b and R_a at ξ = 0, and equal to them beyond the grid, to round-off.  Velocities are −cR
+        behind and ahead, eq. (12); a uniform one may be added.
         `residual_history` on `iteration`, the largest residual before each step and after the
         last.  Attributes: `law` as JSON, `state_behind`, `state_ahead`, for two powers from
         compression 1 `alpha`, `beta`, `gamma`, `right_state`; `method`, `speed`, `converged` (0 or

@@ -123,7 +123,7 @@ def jump_conditions(
 ) -> JumpConditions:
     """Speed, direction, velocities and losses of a front between two states.
 
-    The conditions are necessary: that a front exists they do not say.
+    The conditions are necessary; they do not say that a front exists.
 
     Parameters
     ----------

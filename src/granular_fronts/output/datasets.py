@@ -44,7 +44,7 @@ LONG_NAMES = {
     "converged": "1 where a front was found, 0 elsewhere",
     "cpu_share": "processor time over wall-clock time",
     "criterion": "what the error is a distance from, or a defect of",
-    "critical_damping": "damping at which fronts stop to oscillate",
+    "critical_damping": "damping from which on fronts do not oscillate",
     "critical_gamma": "damping below which a front oscillates, by its tail",
     "damping_distance": "largest difference of u_n/delta, theta-method to damped chain",
     "direction": "+1 if the front runs to larger n, -1 otherwise",

@@ -10,6 +10,8 @@ from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 from granular_fronts.errors import InputError
+from granular_fronts.referee.lammps_deck import damping_model
+from granular_fronts.referee.settings import check_settings
 
 ALPHA = 1.5
 
@@ -82,16 +84,16 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
     Raises
     ------
     InputError
-        If a motion or a damping is unknown.
+        With a sentence for what is wrong, a law that LAMMPS does not have included.
     """
-    found = {}
+    check_settings(settings)
+    found: dict[str, Problem] = {}
     for motion, chain in settings["motions"].items():
-        check_name(f"motions.{motion}", motion, MOTIONS)
         for damping in chain["dampings"]:
-            check_name(f"motions.{motion}.dampings", damping, settings["dampings"])
             for law, beta in settings["laws"].items():
                 name = f"{motion}_{damping}_{law}"
                 scene = scene_of(motion, chain, beta, settings["dampings"][damping], settings)
+                check_problem(name, scene, found)
                 found[name] = Problem(
                     name,
                     motion,
@@ -103,12 +105,15 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
     return found
 
 
-def check_name(key: str, name: str, known: Collection[str]) -> None:
-    """Check that a name is one of those known."""
-    if name not in known:
+def check_problem(name: str, scene: Mapping[str, Any], others: Collection[str]) -> None:
+    """Check that LAMMPS has the law of a problem, and that its name is its own."""
+    try:
+        damping_model(scene["law"])
+    except InputError as error:
+        raise InputError(f"config/referee.yaml: problem {name}: {error}") from None
+    if name in others:
         raise InputError(
-            f"In config/referee.yaml {key} names {name!r}, which is unknown: choose from "
-            f"{', '.join(known)}."
+            f"config/referee.yaml: two problems are called {name}: rename a damping or a law."
         )
 
 

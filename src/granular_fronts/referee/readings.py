@@ -15,9 +15,9 @@ says nothing.
 """
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from granular_fronts.studies.half_step_damping import excess_by_table
+from granular_fronts.studies.half_step_motions import cubic_between
 
 LEAST_FALL = 1.0e-4
 """Of a reading from one tabulated damping to the next, relative."""
@@ -85,7 +85,7 @@ def first_peak(t, u, rate):
     falls = (u[1:] > 0.5 * u.max()) & (rate[1:] < 0.0) & (rate[:-1] >= 0.0)
     if not falls.any():
         return np.nan
-    pair = slice(int(np.argmax(falls)), int(np.argmax(falls)) + 2)
-    curve = CubicHermiteSpline(t[pair], u[pair], rate[pair])
+    state = int(np.argmax(falls))
+    curve = cubic_between(t, u, rate, state)
     turns = curve.derivative().roots(extrapolate=False)
-    return float(curve(turns[:1])[0]) if turns.size else float(u[pair].max())
+    return float(curve(turns[:1])[0]) if turns.size else float(u[state : state + 2].max())

@@ -63,7 +63,17 @@ def read_result(path, problems):
         raise InputError(f"There is no file {path}: name one that exists.")
     rows = lammps_rows(path) if path.suffix == ".dump" else table_rows(path)
     t, x, v = by_time_and_bead(path, rows)
+    check_last_line(path)
     return Result(problem, step, t, displacements(x), v)
+
+
+def check_last_line(path):
+    """A file that was cut inside its last number still ends with a number, but not with a line."""
+    if not path.read_bytes().endswith((b"\n", b"\r")):
+        raise InputError(
+            f"{path} does not end with the end of a line, so that its last number may be cut off: "
+            "write the whole file again, or end its last line."
+        )
 
 
 def read_name(path, problems):

@@ -84,7 +84,7 @@ def violations(
     place : sequence of str, optional
         Keys that lead to the part in a whole configuration.
     schema : str, optional
-        Which schema: ``config`` or ``campaign``.
+        Which schema: ``config``, ``campaign`` or ``referee``.
 
     Yields
     ------

@@ -1,6 +1,6 @@
 """The plane of exponent and damping: overshoot of exact fronts and curves of critical damping.
 
-Where a front with β = α stops to oscillate has several answers (see `critical_damping`); each is a
+Where a front with β = α ceases to oscillate has several answers (see `critical_damping`); each is a
 curve γ(α) in the frame δ = c = 1.  The overshoot max u − 1 of the exact front shows what they mean
 to the eye: it never vanishes as long as the tail oscillates, but falls by decades below the first
 curve that one would draw.

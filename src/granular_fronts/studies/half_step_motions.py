@@ -97,7 +97,7 @@ def read_motion(case, motion):
 def passing(motion, contact, event):
     """Time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
 
-    Between two steps the cubic that has u and its rate at both is taken.
+    Between two steps u is that of `cubic_between`.
 
     Raises
     ------
@@ -113,11 +113,16 @@ def passing(motion, contact, event):
             f"Contact {contact} does not pass its {event} before t = {motion.t[-1]:g}: lower gamma "
             "so that there is a peak, or end later."
         )
-    pair = slice(after - 1, after + 1)
-    curve = CubicHermiteSpline(motion.t[pair], u[pair], rate[pair])
+    curve = cubic_between(motion.t, u, rate, after - 1)
     sought = curve.solve(LEVEL) if event == "arrival" else curve.derivative().roots()
     time = sought[(sought >= motion.t[after - 1]) & (sought <= motion.t[after])][0]
     return time, float(curve(time))
+
+
+def cubic_between(t, u, rate, state):
+    """The cubic that has u and its rate at a state and at the next."""
+    pair = slice(state, state + 2)
+    return CubicHermiteSpline(t[pair], u[pair], rate[pair])
 
 
 def compare_motion(case, step):

@@ -142,6 +142,14 @@ def front_speed(dataset, law, ramp):
     return _over_expected(dataset, "front_speed", law, ramp)
 
 
+def largest_piston_defect(dataset):
+    """Largest relative distance of fronts of pistons to (22) and (23), in all that is measured."""
+    names = ("front_speed", "compression_behind", "velocity_behind")
+    defects = [abs(dataset[name] / dataset[f"{name}_expected"] - 1.0) for name in names]
+    errors = [dataset[f"{name}_error"] / dataset[f"{name}_expected"] for name in names]
+    return Estimate(*(max(float(one.max()) for one in found) for found in (defects, errors)))
+
+
 def compression_behind(dataset, law, ramp):
     """Compression behind the front of a piston over that of (22)."""
     return _over_expected(dataset, "compression_behind", law, ramp)
@@ -181,6 +189,22 @@ def worst_agreement(dataset, quantity):
     ]
     largest = max(float(ratio.max()) for ratio in ratios)
     return rounded(largest, units=4.0)
+
+
+def largest_relative_distance(dataset, quantity, way):
+    """Largest distance of a quantity to theory, over it, of all laws.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    quantity : {"speed", "velocity_jump", "power"}
+    way : {"exact", "travelling", "driven"}
+        How it was measured.
+    """
+    expected = dataset[f"{quantity}_expected"]
+    distance = abs(dataset[f"{quantity}_{way}"] / expected - 1.0)
+    errors = dataset[f"{quantity}_{way}_error"] / abs(expected)
+    return Estimate(float(distance.max()), float(errors.max()))
 
 
 def sonic_margin(dataset):

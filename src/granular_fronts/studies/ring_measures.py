@@ -174,6 +174,11 @@ def small_parameter_ratio(dataset):
     return rounded(scaling.epsilon / min(1.0, scaling.gamma * scaling.speed))
 
 
+def damping_parameter(dataset):
+    """μ of (54), by 12/μ² = ε/γc."""
+    return rounded((12.0 / scales(dataset).ratio) ** 0.5, units=4.0)
+
+
 def plateau_ratio(first, second):
     """Plateau of the start of the second scene over that of the first, in beads."""
     lengths = [

@@ -7,51 +7,38 @@ granular chains use such codes.  `fix nve` is the usual scheme, of order one wit
 
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from granular_fronts.errors import SolveError
 from granular_fronts.referee.lammps_deck import write_deck
-from granular_fronts.referee.results_files import read_result
+from granular_fronts.referee.lammps_run import run_lammps
 from peers.record import Run
 
 NAME = "chain"
 
 
-def run_lammps(system, step, _atol, integrator):
-    """Run LAMMPS on a chain that is pressed at its left end."""
+def solve(system, step, _atol, integrator):
+    """Let LAMMPS move a chain that is pressed at its left end."""
     command = find_command()
     if not command:
         message = "the command lmp of LAMMPS is not on the path (see peers-environment.txt)"
         return Run(message=message, absent=True)
     if abs(round(system.end / step) * step - system.end) > 1e-9 * system.end:
         return Run(message=f"no whole number of steps {step:g} ends at {system.end:g}")
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "chain.lmp").write_text(deck_of(system), encoding="utf-8")
-        options = {"step": repr(step), "integrator": integrator}
-        variables = [word for name, value in options.items() for word in ("-var", name, value)]
-        process = subprocess.run(
-            [command, "-in", "chain.lmp", *variables],
-            cwd=folder,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-        )
-        if process.returncode:
-            lines = process.stdout.splitlines()
-            said = [line for line in lines if line.startswith("ERROR")] or lines[-1:]
-            return Run(message=f"LAMMPS failed: {' '.join(said)}")
-        result = read_result(Path(folder, f"{NAME}_{step!r}.dump"), [NAME])
+    try:
+        result, report = run_lammps(command, NAME, deck_of(system), step, integrator)
+    except SolveError as error:
+        return Run(message=str(error))
     return Run(
         {
             "relative_displacement": relative_displacements(result.x[-1]),
             "velocity": result.v[-1],
         },
-        **times_of(process.stdout),
+        **times_of(report),
         steps=round(system.end / step),
     )
 
@@ -87,6 +74,6 @@ def times_of(report):
 
 
 METHODS = {
-    "lammps_nve": partial(run_lammps, integrator="nve"),
-    "lammps_mvv": partial(run_lammps, integrator="mvv"),
+    "lammps_nve": partial(solve, integrator="nve"),
+    "lammps_mvv": partial(solve, integrator="mvv"),
 }

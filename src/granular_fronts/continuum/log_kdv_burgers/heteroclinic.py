@@ -82,8 +82,8 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     mu : float
         Damping μ of (54), 0 or at least 1e-280.
     s : array_like, shape (points,), optional
-        Where to evaluate it.  Without it, 1001 points from where 1 − y has decayed to round-off,
-        but at most 12 turns away, to where y has.
+        Where to evaluate it.  Without it, 1001 points between the places where 1 − y and where y
+        have decayed to round-off; of an oscillating front at most 12 extrema.
 
     Returns
     -------

@@ -64,7 +64,7 @@ LARGEST_ALPHA = 1e50
 def critical_damping(
     alpha: float, beta: float | None = None, definition: str = "tail", cut: float = 1e-3
 ) -> float:
-    """Damping at which fronts stop to oscillate, in the sense asked for; δ = c = 1.
+    """Damping from which on fronts do not oscillate, in the sense asked for; δ = c = 1.
 
     Parameters
     ----------
@@ -73,9 +73,9 @@ def critical_damping(
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
     definition : {"tail", "double-root", "long-wave", "overshoot"}
-        What changes there: the slowest exponent of the tail from complex to real; two real
-        exponents from none (only for α ≤ α*); the same in the long-wave limit, μ = 2; the overshoot
-        max u − 1 of the exact front falls below the cut.
+        What happens there: the slowest exponent of the tail turns from complex to real ("tail");
+        two real exponents appear as a double one (only for α ≤ α*); they do in the long-wave
+        limit, μ = 2; or the overshoot max u − 1 of the exact front falls below the cut.
     cut : float, optional
         Overshoot that counts as none, from 1e-8 to 0.1; for "overshoot" only.
 

@@ -73,7 +73,7 @@ KEEP_FACTORS = 1e-5
 STEADY = 1e-4
 SETTLING = 16.0
 
-# Steps of this size that stop to shrink are round-off.
+# Steps of this size that shrink no more are round-off.
 ROUND_OFF = 1e-11
 
 
