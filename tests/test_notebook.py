@@ -19,9 +19,9 @@ import granular_fronts as gf
 progress.DELAY = {delay}
 motion = gf.simulate_chain(
     {{
-        "law": {{"alpha": 1.5, "gamma": 0.1}},
+        "law": {{"alpha": 1.5, "beta": 1.5, "gamma": 0.1}},
         "beads": 10,
-        "boundary": {{"kind": "pressure", "left": 0.1}},
+        "boundary": {{"kind": "pressure", "left": 0.1, "right": 0.0}},
         "start": {{"kind": "rest"}},
         "end_time": 12.5,
         "tolerance": {{"relative": 1e-8, "absolute": 1e-10}},

@@ -1,6 +1,7 @@
 """Pictures in one line: each curve, mark and colour is a number of the dataset, for any law."""
 
 import base64
+import doctest
 import io
 import re
 
@@ -355,3 +356,7 @@ def test_a_front_that_was_not_found_is_not_drawn(fronts):
 def test_frames_are_counted(motions):
     with pytest.raises(InputError, match="frames is 0, but must be a whole number, at least 1"):
         gf.plot.animate(motions["pressure"], frames=0)
+
+
+def test_examples_run():
+    assert doctest.testmod(gf.plot, extraglobs={"gf": gf}) == (0, 7)

@@ -85,7 +85,6 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
 
     Examples
     --------
-    >>> import granular_fronts as gf
     >>> axes = gf.plot.front(gf.solve_front(alpha=1.5, gamma=0.1))
     >>> axes.get_xlabel()
     '$\\xi = n - ct$'
@@ -129,7 +128,6 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
 
     Examples
     --------
-    >>> import granular_fronts as gf
     >>> axes = gf.plot.sweep(gf.sweep_fronts(1.5, [0.1, 0.12]))
     >>> axes.get_ylabel()
     'overshoot $\\max u/\\delta - 1$'
@@ -168,9 +166,8 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
 
     Examples
     --------
-    >>> import granular_fronts as gf
     >>> motion = gf.simulate_chain({
-    ...     "law": {"alpha": 1.5, "gamma": 0.1}, "beads": 30,
+    ...     "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1}, "beads": 30,
     ...     "boundary": {"kind": "pressure", "left": 0.1}, "start": {"kind": "rest"},
     ...     "end_time": 20.0, "tolerance": {"relative": 1e-8, "absolute": 1e-10},
     ...     "record": {"snapshots": [10.0, 20.0], "grid": {"step": 1.0}},
