@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from granular_fronts.output.panels import (
+    FIELD_LABELS,
     MARK_HEIGHT,
     contacts_open,
     draw_open_contacts,
@@ -36,6 +37,9 @@ MILLISECONDS = 60
 
 COLOURS = 32
 """Of lines and text, to which so few do no harm."""
+
+WORDS = {"relative_displacement": "compression", "velocity": "velocity"}
+"""What the fields are called, for readers who have no symbols yet."""
 
 FRAMES_PER_SAMPLE = 8
 """Of which one is looked at for its colours."""
@@ -143,6 +147,7 @@ def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[A
     for field, values in fields.items():
         lines[field] = draw_snapshot(panels[field], values[0], field, color=CHAIN_COLOUR)
         fix_ordinate(panels[field], values, opens=opens and field == "relative_displacement")
+        panels[field].set(xlabel="bead $n$", ylabel=f"{WORDS[field]} {FIELD_LABELS[field]}")
     upper = panels["relative_displacement"]
     upper.set(xlabel="", xlim=panels["velocity"].get_xlim())
     time = upper.set_title("$t$", loc="left")

@@ -168,8 +168,9 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
     --------
     >>> motion = gf.simulate_chain({
     ...     "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1}, "beads": 30,
-    ...     "boundary": {"kind": "pressure", "left": 0.1}, "start": {"kind": "rest"},
-    ...     "end_time": 20.0, "tolerance": {"relative": 1e-8, "absolute": 1e-10},
+    ...     "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
+    ...     "start": {"kind": "rest"}, "end_time": 20.0,
+    ...     "tolerance": {"relative": 1e-8, "absolute": 1e-10},
     ...     "record": {"snapshots": [10.0, 20.0], "grid": {"step": 1.0}},
     ... })
     >>> displacements, velocities = gf.plot.chain(motion)
