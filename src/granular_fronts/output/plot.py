@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
@@ -39,6 +38,7 @@ from granular_fronts.output.panels import (
 from granular_fronts.output.style import (
     PROBE_COLOURS,
     compression_map,
+    looks_of_figures,
     new_figure,
     velocity_map,
 )
@@ -50,6 +50,9 @@ __all__ = ["animate", "chain", "front", "space_time", "sweep"]
 
 VISIBLE = 1e-3
 """Share of the jump by which a front must differ from its states to be seen."""
+
+COLUMNS = 6
+"""Of a legend across a figure."""
 
 LEAST_OVERSHOOT = 1e-12
 """Error up to which a front is called converged."""
@@ -94,7 +97,7 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
         raise InputError(
             f"front has not converged ({front.attrs['reason']}): there is nothing to draw."
         )
-    with matplotlib.rc_context():
+    with looks_of_figures():
         new = axes is None
         axes = _new_axes() if axes is None else axes
         draw_profile(axes, front)
@@ -135,7 +138,7 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
     sweep = instance("sweep", sweep, xr.Dataset, "give what gf.sweep_fronts returns")
     [damping] = [name for name in DAMPINGS if name in sweep.dims] or ["gamma"]
     sweep = _holding("sweep", sweep, ("overshoot",), (damping,), "sweep_fronts")
-    with matplotlib.rc_context():
+    with looks_of_figures():
         axes = _new_axes() if axes is None else axes
         overshoot = sweep["overshoot"]
         axes.semilogy(sweep[damping], overshoot.where(overshoot > LEAST_OVERSHOOT), ".-")
@@ -180,8 +183,8 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
     )
     fields, opens = moving_parts(motion), contacts_open(motion)
     u = fields["relative_displacement"]
-    with matplotlib.rc_context():
-        _, panels = new_figure(2.6, [list(fields)], plt.figure)
+    with looks_of_figures():
+        figure, panels = new_figure(2.7, [list(fields)], plt.figure)
         compression, velocity = panels.values()
         marks = []
         for row, time in enumerate(motion["t"].values):
@@ -194,9 +197,9 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
                 height = MARK_HEIGHT + row * BETWEEN_MARKS
                 marks.append(draw_open_contacts(compression, u[row], height, color=colour))
         fix_ordinate(compression, u, opens=opens)
-        if any(np.size(mark.get_xdata()) for mark in marks):
-            compression.legend(handles=marks[:1])
-        velocity.legend()
+        opened = [mark for mark in marks if np.size(mark.get_xdata())]
+        named = [*velocity.get_lines(), *opened[:1]]
+        figure.legend(handles=named, loc="outside upper center", ncols=min(len(named), COLUMNS))
     return compression, velocity
 
 
@@ -220,7 +223,7 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
     """
     u, velocity = moving_parts(_on_grid(motion), "_grid").values()
     largest, clipped = float(u.max()), contacts_open(motion) and float(u.min()) < 0.0
-    with matplotlib.rc_context():
+    with looks_of_figures():
         _, panels = new_figure(4.4, [["u", "velocity"]], plt.figure)
         draw_spacetime(
             panels["u"],
@@ -266,7 +269,7 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
     grid = _on_grid(motion)["t_grid"].values
     frames = min(count("frames", frames), grid.size)
     rows = np.linspace(0, grid.size - 1, frames).round().astype(int)
-    with matplotlib.rc_context():
+    with looks_of_figures():
         figure, show = moving_chain(motion)
     alternative = (
         "Relative displacements and velocities along a chain, moving from "

@@ -6,7 +6,8 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -74,6 +75,20 @@ _SETTINGS: dict[Any, Any] = {
     "mathtext.fontset": "cm",
     "image.interpolation": "nearest",
 }
+
+
+@contextmanager
+def looks_of_figures() -> Iterator[None]:
+    """A context after which figures look as they did before it.
+
+    `matplotlib.rc_context` would also undo what the backend of a notebook sets when the first
+    figure starts it.
+    """
+    before = {name: matplotlib.rcParams[name] for name in _SETTINGS}
+    try:
+        yield
+    finally:
+        matplotlib.rcParams.update(before)
 
 
 figure_for_files = partial(Figure, dpi=DOTS_PER_INCH)
