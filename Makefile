@@ -94,10 +94,11 @@ docs-environment.txt: ## Pin again what builds the manual.
 	@echo "Pinning what builds the manual in docs-environment.txt."
 	@$(PIN) --group docs --constraint environment.txt --output-file $@
 
-# README and manual show the numbers, times and the figure of the last run of both targets.
+# README and manual show the numbers, times and the moving picture of the last run of these targets.
 readme: .venv/installed ## Bring the numbers of README and manual up to date.
 	@echo "Bringing the numbers of README and manual up to date."
 	@$(BIN)/snakemake -c2 precision
+	@$(BIN)/snakemake -c2 animation
 	@$(BIN)/snakemake -c2
 	@$(BIN)/python workflow/scripts/update_documents.py --readme README.md \
 	    --performance docs/performance.md --results results

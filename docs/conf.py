@@ -28,6 +28,8 @@ nb_execution_mode = "force"
 nb_output_stderr = "remove"
 nb_execution_timeout = 120
 nb_execution_raise_on_error = True
+# Progress bars leave widgets behind, whose scripts a page would fetch from the network.
+nb_ipywidgets_js = {}
 
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False

@@ -3,6 +3,7 @@
 The manual's build writes them into docs/generated, so that no name, range or number is typed twice.
 """
 
+import inspect
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -60,14 +61,19 @@ def public_names() -> str:
     """Every public name with its docstring."""
     lines = ["# Python", "", "Names of `granular_fronts`, each imported when it is first used."]
     for name in granular_fronts.__all__:
-        value = getattr(granular_fronts, name)
-        kind = "class" if isinstance(value, type) else "function"
         # Docstrings are reStructuredText.
-        lines += ["", f"## {name}", "", "```{eval-rst}"]
-        lines += [f".. auto{kind}:: {value.__module__}.{name}"]
-        lines += ["   :members:"] if kind == "class" else []
-        lines += ["```"]
+        lines += ["", f"## {name}", "", "```{eval-rst}", *directive(name), "```"]
     return "\n".join(lines) + "\n"
+
+
+def directive(name: str) -> list[str]:
+    """What documents a public name: a function, or a class or a module with its members."""
+    value = getattr(granular_fronts, name)
+    if inspect.ismodule(value):
+        return [f".. automodule:: {value.__name__}", "   :members:"]
+    if inspect.isclass(value):
+        return [f".. autoclass:: {value.__module__}.{name}", "   :members:"]
+    return [f".. autofunction:: {value.__module__}.{name}"]
 
 
 def configuration(schema: Mapping[str, Any]) -> str:

@@ -1,6 +1,7 @@
 """Files are whole, described, and refused with a sentence when they are not ours."""
 
 import json
+from html import escape
 
 import netCDF4
 import numpy as np
@@ -8,21 +9,23 @@ import pytest
 import xarray as xr
 from chains import driven_scene
 
+import granular_fronts as gf
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output.datasets import DatasetError, long_name, read_dataset, write_dataset
+
+EVERYTHING = {
+    "snapshots": [5.0, 20.0],
+    "probes": {"start": {"beads": [1, 2], "start": 0.0, "stop": 20.0, "step": 0.5}},
+    "grid": {"step": 2.0},
+    "arrival_level": 0.05,
+    "extremes": True,
+    "balances": True,
+}
 
 
 @pytest.fixture(scope="module")
 def scene():
-    record = {
-        "snapshots": [5.0, 20.0],
-        "probes": {"start": {"beads": [1, 2], "start": 0.0, "stop": 20.0, "step": 0.5}},
-        "grid": {"step": 2.0},
-        "arrival_level": 0.05,
-        "extremes": True,
-        "balances": True,
-    }
-    return driven_scene(end_time=20.0, record=record)
+    return driven_scene(end_time=20.0, record=EVERYTHING)
 
 
 @pytest.fixture(scope="module")
@@ -89,3 +92,44 @@ def test_foreign_file_is_refused(tmp_path):
 def test_file_of_another_scene_is_refused(path):
     with pytest.raises(DatasetError, match="holds scene short, but long is expected"):
         read_dataset(path, "long")
+
+
+RING = {
+    "law": {"alpha": 1.5, "gamma": 0.24},
+    "displacement": 5.0,
+    "half_beads": 40,
+    "start": {"kind": "plateau", "half_width": 6, "floor": 1.0e-7},
+    "end_time": 5.0,
+    "tolerance": {"relative": 1.0e-8, "absolute": 1.0e-10},
+    "equations": {
+        "logarithmic": {"cells": 160, "tolerance": 1.0e-5},
+        "unlimited": {"cells": 160, "tolerance": 1.0e-5},
+        "dispersive": {"cells": 160, "tolerance": 1.0e-5},
+        "upwind": {"points": 200},
+    },
+    "record": {"snapshots": [0.0, 5.0], "grid": {"step": 1.0}},
+}
+SOLVED = {
+    "chain": lambda: gf.simulate_chain(driven_scene(end_time=20.0, record=EVERYTHING)),
+    "front": lambda: gf.solve_front(alpha=1.5, gamma=0.1),
+    "no front": lambda: gf.solve_front(alpha=1.5, gamma=1e-9),
+    "sweep": lambda: gf.sweep_fronts(alpha=1.5, gammas=[0.1, 0.2]),
+    "orbit": lambda: gf.heteroclinic(0.3),
+    "logarithmic Burgers": lambda: gf.evolve_log_burgers(RING),
+    "logarithmic KdV-Burgers": lambda: gf.evolve_log_kdv_burgers(RING),
+}
+
+
+@pytest.mark.parametrize("solved", SOLVED)
+def test_what_a_solver_returns_prints_well(solved):
+    """Each variable has a name and a unit, and no attribute is longer than a few lines."""
+    dataset = SOLVED[solved]()
+    for variable in dataset.variables.values():
+        assert variable.attrs["long_name"]
+        assert variable.attrs["units"] == "1"
+    for described in (dataset, *dataset.variables.values()):
+        assert all(len(str(value)) < 250 for value in described.attrs.values())
+    assert "config" not in dataset.attrs
+    page = dataset._repr_html_()
+    for variable in dataset.variables.values():
+        assert escape(variable.attrs["long_name"]) in page

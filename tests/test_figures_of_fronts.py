@@ -91,7 +91,7 @@ def test_figure_9_shows_both_methods_their_difference_and_residuals():
         assert_curve(shooting, shot["xi_shooting"], shot)
         gamma = ("0.05", "0.65")[column]
         assert axes.get_title() == rf"$\alpha = 1.5$, $\gamma c = {gamma}$"
-        assert_labels(axes, r"$\xi$", r"$u/\delta$")
+        assert_labels(axes, r"$\xi = n - ct$", r"$u/\delta$")
 
         axes = panels[f"difference {column}"]
         for line, field in zip(curves(axes), FIELDS, strict=True):

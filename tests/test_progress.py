@@ -3,6 +3,8 @@
 import io
 import re
 import sys
+import types
+from contextlib import redirect_stderr, suppress
 
 import pytest
 from projects import ROOT
@@ -12,10 +14,22 @@ from granular_fronts.output import progress
 
 
 @pytest.fixture
-def shown(monkeypatch, capsys):
-    """What bars have written since the last call, beginning with their first moment."""
+def at_once(monkeypatch):
+    """Bars appear with their first moment."""
     monkeypatch.setattr(progress, "DELAY", 0.0)
-    return lambda: capsys.readouterr().err
+
+
+class Terminal(io.StringIO):
+    """What a terminal shows."""
+
+    def isatty(self):
+        return True
+
+
+@pytest.fixture
+def terminal(at_once):
+    """A terminal on which bars appear with their first moment; a context for messages to it."""
+    return redirect_stderr(Terminal())
 
 
 @pytest.mark.parametrize(
@@ -27,15 +41,18 @@ def shown(monkeypatch, capsys):
         (0.025, 0.01, "t = 0.0100 of 0.0250 "),
     ],
 )
-def test_times_are_rounded(shown, end_time, time, words):
-    with progress.time_bar("solving", end_time) as show_time:
+def test_times_are_rounded(terminal, end_time, time, words):
+    interrupted = suppress(KeyboardInterrupt)
+    with terminal as shown, interrupted, progress.time_bar("solving", end_time) as show_time:
         show_time(time)
-    assert shown().split("\r")[-1].count(words) == 1
+        raise KeyboardInterrupt
+    assert shown.getvalue().split("\r")[-1].count(words) == 1
 
 
-def test_every_item_is_counted_once(shown):
-    assert list(progress.counted(iter("abc"), "solving", "point")) == list("abc")
-    last = shown().split("\r")[-1]
+def test_every_item_is_counted_once(terminal):
+    with terminal as shown:
+        assert list(progress.counted(iter("abc"), "solving", "point")) == list("abc")
+    last = shown.getvalue().split("\r")[-1]
     assert "solving: 100%" in last
     assert "3/3" in last
 
@@ -51,9 +68,10 @@ SCENE = {
 }
 
 
-def test_bar_of_a_chain_names_its_scene(shown):
-    simulate_chain(SCENE, "weak")
-    bars = shown()
+def test_bar_of_a_chain_names_its_scene(terminal):
+    with terminal as shown:
+        simulate_chain(SCENE, "weak")
+    bars = shown.getvalue()
     assert "scene weak, solving: " in bars
     assert "scene weak, estimating the error: " in bars
     assert "t = 12.5 of 12.5 " in bars
@@ -66,10 +84,36 @@ def test_bars_are_made_in_one_place():
     assert users == ["progress.py"]
 
 
-@pytest.mark.parametrize("widgets", [True, False])
-def test_bar_of_a_notebook_needs_widgets(monkeypatch, widgets):
-    """Without them tqdm.auto would warn, and warnings are errors here."""
-    monkeypatch.setitem(sys.modules, "ipykernel", io)
-    monkeypatch.setattr(progress, "_has_widgets", lambda: widgets)
-    module = progress._bar_class().__module__
-    assert module == ("tqdm.asyncio" if widgets else "tqdm.std")
+@pytest.mark.usefixtures("at_once")
+def test_nothing_is_shown_where_messages_go_into_a_file(capsys):
+    simulate_chain(SCENE, "weak")
+    assert list(progress.counted("abc", "solving", "point")) == list("abc")
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.usefixtures("at_once")
+def test_a_notebook_without_widgets_shows_the_bar_of_the_terminal(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "ipykernel", types.ModuleType("ipykernel"))
+    monkeypatch.setattr(progress, "_has_widgets", lambda: False)
+    assert list(progress.counted("abc", "solving", "point")) == list("abc")
+    assert "solving: 100%" in capsys.readouterr().err
+
+
+def test_a_bar_that_did_not_fail_has_reached_its_end(monkeypatch, terminal):
+    """A notebook shows a bar in red that ended before, be it by the rounding of a difference."""
+    bars, make = [], progress._bar
+    monkeypatch.setattr(progress, "_bar", lambda **given: bars.append(make(**given)) or bars[-1])
+    end_time, time = 7.7, 2.912101447893106
+    assert time + (end_time - time) < end_time
+    with terminal:
+        follow([time, end_time], end_time)
+        with pytest.raises(TypeError):
+            follow([time, None], end_time)
+    assert [bar.n for bar in bars] == [end_time, time]
+
+
+def follow(times, end_time):
+    """Show some times of a motion."""
+    with progress.time_bar("solving", end_time) as show_time:
+        for time in times:
+            show_time(time)

@@ -2,11 +2,9 @@
 
 import importlib.util
 import os
-import sys
 
 import numpy as np
 import pytest
-import tqdm
 from configurations import SMOKE, refusal, set_value
 
 import granular_fronts as gf
@@ -165,10 +163,11 @@ def test_a_process_of_another_user_runs(monkeypatch):
     assert files.is_running(1)
 
 
-def test_a_notebook_without_widgets_gets_the_bar_of_the_terminal(monkeypatch):
-    monkeypatch.setitem(sys.modules, "ipykernel", None)
+def test_widgets_are_looked_for(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    assert progress._bar_class() is tqdm.tqdm
+    assert not progress._has_widgets()
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: name)
+    assert progress._has_widgets()
 
 
 def test_checker_asks_for_a_file(capsys):

@@ -1,4 +1,4 @@
-"""README and manual take their numbers and the figure from the last run, and keep the rest."""
+"""README and manual take numbers and the moving picture from the last run, and keep the rest."""
 
 import pandas as pd
 import pytest
@@ -20,10 +20,10 @@ stale
 
 @pytest.fixture
 def updated(tmp_path):
-    """Both documents and the copied figure after an update from a small results folder."""
+    """Both documents and the copied picture after an update from a small results folder."""
     results, readme = tmp_path / "results", tmp_path / "README.md"
     performance = tmp_path / "performance.md"
-    for folder in (results / "tables", results / "figures", tmp_path / "workflow" / "report"):
+    for folder in (results / "tables", results / "animation", tmp_path / "docs"):
         folder.mkdir(parents=True)
     rows = [(quantity, "0.56", 0.562341325, 3e-12, "reproduced") for quantity in updating.SHOWN]
     rows += [("fronts exist", "", 1.0, 0.0, "holds")] * 2
@@ -32,12 +32,12 @@ def updated(tmp_path):
     table.to_csv(results / "tables" / "paper_numbers.csv", index=False)
     verdicts = results / "tables" / "speed_verdicts.csv"
     verdicts.write_text("problem,error,verdict\nring,1e-09,use it\n", encoding="utf-8")
-    (results / "figures" / updating.FIGURE).write_bytes(b"picture")
+    (results / "animation" / updating.PICTURE).write_bytes(b"picture")
     readme.write_text(README, encoding="utf-8")
     performance.write_text(PERFORMANCE, encoding="utf-8")
     updating.update_documents(readme, performance, results)
-    figure = tmp_path / "workflow" / "report" / updating.FIGURE
-    return readme.read_text(encoding="utf-8"), performance.read_text(encoding="utf-8"), figure
+    picture = tmp_path / "docs" / updating.PICTURE
+    return readme.read_text(encoding="utf-8"), performance.read_text(encoding="utf-8"), picture
 
 
 def cells(text):
@@ -45,12 +45,12 @@ def cells(text):
 
 
 def test_blocks_are_replaced_and_nothing_else(updated):
-    readme, performance, figure = updated
+    readme, performance, picture = updated
     assert "stale" not in readme + performance
     assert readme.startswith("# Title\n\n<!-- numbers -->\n|")
     assert readme.endswith("<!-- end of numbers -->\nEnd.\n")
     assert performance.startswith("Before.\n<!-- speed -->\n|")
-    assert figure.read_bytes() == b"picture"
+    assert picture.read_bytes() == b"picture"
 
 
 def test_chosen_numbers_are_shown_and_all_verdicts_counted(updated):

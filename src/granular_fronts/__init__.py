@@ -30,11 +30,15 @@ _HOME_OF = {
     "tail_roots": "granular_fronts.fronts.linear.tails",
 }
 
-__all__ = sorted(_HOME_OF)
+_MODULES = {"plot": "granular_fronts.output.plot"}
+
+__all__ = sorted([*_HOME_OF, *_MODULES])
 
 
 def __getattr__(name: str) -> object:
     """Import a public name from its module (PEP 562)."""
+    if name in _MODULES:
+        return import_module(_MODULES[name])
     if name not in _HOME_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(_HOME_OF[name]), name)

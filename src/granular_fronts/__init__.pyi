@@ -19,6 +19,7 @@ from granular_fronts.model.jump_conditions import jump_conditions as jump_condit
 from granular_fronts.model.laws import make_law as make_law
 from granular_fronts.model.potentials import Potential as Potential
 from granular_fronts.model.scaling import Scaling as Scaling
+from granular_fronts.output import plot as plot
 from granular_fronts.proofs.certificate import prove_front as prove_front
 from granular_fronts.proofs.checker import check_certificate as check_certificate
 

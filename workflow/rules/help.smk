@@ -7,6 +7,7 @@ TARGETS_IN_WORDS = {
     "report": "One page with figures, tables, configuration and run times.",
     "crate": "The record of a finished run for others, a Workflow Run RO-Crate.",
     "check_results": "The tests of the finished files.",
+    "animation": "A front in motion, as a moving picture and a still.",
     "precision": "Time against error of all solvers, with figure 14; a quarter of an hour.",
     "hard_cases": "Problems at the edge, with figure 15.",
     "stiff_damping": "Explicit and implicit steps compared at strong damping.",

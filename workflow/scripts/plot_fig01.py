@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_probes, label_peaks
+from granular_fronts.output.panels import draw_probes, draw_snapshot, label_peaks
 from granular_fronts.output.style import new_figure
 
 
@@ -33,9 +33,8 @@ def plot_fig01(data: xr.Dataset) -> Figure:
 def draw_velocities(axes: Axes, data: xr.Dataset) -> None:
     """Velocities of all beads at the snapshot."""
     snapshot = data["velocity"].isel(t=0)
-    axes.plot(snapshot["bead"], snapshot, ".-", color="black", markersize=2.5, linewidth=0.6)
-    axes.set(xlabel="$n$", ylabel=r"$\dot x_n$", title=f"$t = {float(snapshot['t']):g}$")
-    axes.set_xlim(0, int(snapshot["bead"][-1]))
+    draw_snapshot(axes, snapshot, "velocity", color="black")
+    axes.set_title(f"$t = {float(snapshot['t']):g}$")
 
 
 if __name__ == "__main__":

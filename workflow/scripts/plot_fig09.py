@@ -6,6 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
+from granular_fronts.output.panels import draw_profile
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 METHODS = {"profile": (EQUATION_COLOUR, "-", "s"), "shooting": (CHAIN_COLOUR, ":", "o")}
@@ -37,8 +38,7 @@ def plot_fig09(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
 
 def draw_profiles(axes: Axes, data: xr.Dataset) -> None:
     """u(ξ) by the profile equation, and by shooting at whole and half beads."""
-    colour, line, _ = METHODS["profile"]
-    axes.plot(data["xi"], data["relative_displacement"], line, color=colour, label="profile")
+    draw_profile(axes, data, color=METHODS["profile"][0], label="profile")
     shot = data["relative_displacement_shooting"]
     on_beads = np.isclose(shot["xi_shooting"] % 1.0, 0.0)
     axes.plot(
@@ -51,7 +51,7 @@ def draw_profiles(axes: Axes, data: xr.Dataset) -> None:
         label="shooting",
     )
     law = rf"$\alpha = {data.attrs['alpha']:g}$, $\gamma c = {data.attrs['gamma']:.4g}$"
-    axes.set(title=law, ylabel=r"$u/\delta$", xlabel=r"$\xi$")
+    axes.set_title(law)
 
 
 def draw_difference(axes: Axes, data: xr.Dataset) -> None:

@@ -1,4 +1,4 @@
-"""Put numbers and the figure of the last run into the README, and times into the manual."""
+"""Put numbers and the moving picture of the last run into the README, and times into the manual."""
 
 import shutil
 from pathlib import Path
@@ -8,7 +8,7 @@ import pandas as pd
 from granular_fronts.output.files import complete_file
 from step import run_step
 
-FIGURE = "fig01_initiation_underdamped.png"
+PICTURE = "front.gif"
 
 SHOWN = (
     "front speed c of eq. (21)",
@@ -26,7 +26,7 @@ SHOWN = (
 
 
 def update_documents(readme: Path, performance: Path, results: Path) -> None:
-    """Replace the marked tables of the documents, and the figure of the README.
+    """Replace the marked tables of the documents, and the moving picture of the README.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def update_documents(readme: Path, performance: Path, results: Path) -> None:
         Files with a block between ``<!-- name -->`` and ``<!-- end of name -->``: numbers of the
         paper, and times.
     results : Path
-        Folder of a finished run of the targets all and precision.
+        Folder of a finished run of the targets all, precision and animation.
     """
     for page, name, table in (
         (readme, "numbers", paper_numbers(results)),
@@ -43,7 +43,7 @@ def update_documents(readme: Path, performance: Path, results: Path) -> None:
         text = replace_block(page.read_text(encoding="utf-8"), name, table)
         with complete_file(page) as unfinished:
             unfinished.write_text(text, encoding="utf-8")
-    shutil.copyfile(results / "figures" / FIGURE, readme.parent / "workflow" / "report" / FIGURE)
+    shutil.copyfile(results / "animation" / PICTURE, readme.parent / "docs" / PICTURE)
 
 
 def paper_numbers(results: Path) -> str:

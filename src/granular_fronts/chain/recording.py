@@ -10,6 +10,9 @@ Variables of the dataset (names and units are given once, in `granular_fronts.ou
   `largest_relative_displacement`, `smallest_relative_displacement`, `first_gap`, each with its
   time and bead.
 
+Attributes: `contacts`, how many contacts move, N − 1, or N on a ring; `contacts_open`, 1 where the
+law lets contacts open, since no force holds extended ones, and 0 where it does not.
+
 The last bead's entry of a relative displacement is the held value at the right end, or on a ring
 the contact that closes it.  A piston is bead 1: its velocity is the prescribed one, and the first
 relative displacement is that of its contact.
@@ -116,7 +119,9 @@ def collect(scene, run):
         dataset = dataset.merge(_arrivals(scene, recording))
     if recording.track_extremes:
         dataset = dataset.merge(_extremes(recording.extremes))
-    return dataset
+    return dataset.assign_attrs(
+        contacts=int(run.chain.contacts), contacts_open=int(not run.chain.law.attraction)
+    )
 
 
 def _profiles(scene, run):

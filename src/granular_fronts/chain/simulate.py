@@ -21,6 +21,7 @@ from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
 from granular_fronts.errors import SolveError
+from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
 from granular_fronts.scenes.validation import check_scene
@@ -164,4 +165,4 @@ def _with_error_estimates(solution, refined, tolerance):
         **solution.counts,
         **solution.drifts,
     }
-    return dataset
+    return name_variables(dataset)

@@ -37,6 +37,7 @@ from granular_fronts.fronts.validation import (
 )
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.numerics.interpolation import interpolate_all
+from granular_fronts.output.datasets import name_variables
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -331,7 +332,7 @@ def _dataset(method, question, xi, fields, residuals, **attributes):
     coordinate = {"xi": ("xi", xi, {"long_name": "distance from the front, n - ct"})}
     described = describe_front(question.law, question.behind, question.ahead)
     described |= {"speed": question.problem.speed, "method": method}
-    return xr.Dataset(variables, coords=coordinate, attrs=described | attributes)
+    return name_variables(xr.Dataset(variables, coordinate, described | attributes))
 
 
 def describe_front(law, behind, ahead):

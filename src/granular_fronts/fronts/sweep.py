@@ -32,6 +32,7 @@ from granular_fronts.fronts.validation import (
     is_given_by_law,
 )
 from granular_fronts.model.laws import Law
+from granular_fronts.output.datasets import name_variables
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -169,13 +170,16 @@ def _describe(problem, name, places, values, others, estimate, reasons):
     }
     variables["overshoot"][2]["long_name"] = "how far the strain passes the state behind"
     variables["slope"][2]["long_name"] = "steepest slope of the strain, per site"
-    variables |= {f"{column}_error": (name, errors[:, k]) for k, column in enumerate(MEASURES)}
+    variables |= {
+        f"{column}_error": (name, errors[:, k], {"long_name": f"error of {column}"})
+        for k, column in enumerate(MEASURES)
+    }
     variables |= {
         "error_estimate": (name, estimate),
         "converged": (name, np.array([int(reason == "") for reason in reasons])),
         "reason": (name, reasons.astype(str)),
     }
-    return xr.Dataset(variables, coords={name: places})
+    return name_variables(xr.Dataset(variables, coords={name: places}))
 
 
 def _errors(problem, values, others):

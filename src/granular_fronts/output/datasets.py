@@ -17,7 +17,6 @@ from collections.abc import Hashable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-import netCDF4
 import numpy as np
 import xarray as xr
 
@@ -129,6 +128,7 @@ LONG_NAMES = {
     "site": "bead number n, between beads too",
     "slope": "slope y' of the rescaled force",
     "slope_error": "error of the slope of the rescaled force",
+    "slow_time": "slow time tau of the amplitude equation",
     "smallest_relative_displacement": "smallest relative displacement of all beads and times",
     "spectral_radius_without_translation": "largest modulus of the other multipliers",
     "speed": "speed of the front, negative if it runs to smaller n",
@@ -187,6 +187,26 @@ def long_name(variable: str) -> str:
     return f"{LONG_NAMES[name]} ({suffix})" if suffix else LONG_NAMES[name]
 
 
+def name_variables(dataset: xr.Dataset) -> xr.Dataset:
+    """Give all variables and coordinates their names in words and their units.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        It is changed; names that its variables have already are kept.
+
+    Returns
+    -------
+    xarray.Dataset
+        The same.
+    """
+    for name, variable in dataset.variables.items():
+        given = variable.attrs
+        words = given.get("long_name") or long_name(str(name))
+        variable.attrs = {"long_name": words, "units": "1", **given}
+    return dataset
+
+
 def write_dataset(
     dataset: xr.Dataset, path: Path, *, scene_id: str, config: Mapping[str, Any]
 ) -> None:
@@ -204,11 +224,7 @@ def write_dataset(
         it is stored as it describes itself.
     """
     config = json.loads(json.dumps(config, default=lambda law: law.describe()))
-    described = dataset.copy()
-    for name, variable in described.variables.items():
-        given = dataset[name].attrs
-        named = given.get("long_name") or long_name(str(name))
-        variable.attrs = {"long_name": named, "units": "1", **given}
+    described = name_variables(dataset.copy())
     described.attrs = {
         "Conventions": "CF-1.11",
         "title": f"Scene {scene_id}",
@@ -276,6 +292,9 @@ def read_origins(folder: Path, names: Iterable[str]) -> dict[str, dict[str, str]
     dict of str to dict
         As `provenance.origin` gives, by name; a dataset that is missing is left out.
     """
+    # What else is here needs xarray alone, and solvers that name their variables start faster.
+    import netCDF4
+
     origins = {}
     for name in names:
         path = Path(folder, f"{name}.nc")

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from granular_fronts.output.datasets import configuration_of
-from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
 if TYPE_CHECKING:
     import xarray as xr
 
 FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
+MARK_HEIGHT = 0.04
+"""Where open contacts are marked, as a share of the height of a panel."""
 
 
 def draw_probes(axes: Axes, data: xr.Dataset, name: str) -> None:
@@ -79,6 +82,116 @@ def draw_spacetime(
     )
     axes.set(xlabel="$n$", ylabel="$t$")
     axes.figure.colorbar(image, ax=axes, location="top", extend=extend, label=label, aspect=30)
+
+
+def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
+    """u(ξ) of an exact front; `look` is that of the line, as in `matplotlib.axes.Axes.plot`."""
+    axes.plot(front["xi"], front["relative_displacement"], "-", **look)
+    axes.set(xlabel=r"$\xi = n - ct$", ylabel=r"$u/\delta$")
+
+
+def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> Line2D:
+    """A field of all beads at one time, a dot for each bead on a thin line.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    values : xarray.DataArray
+        On (bead).
+    field : str
+        A key of `FIELD_LABELS`.
+    **look
+        Of the line, as in `matplotlib.axes.Axes.plot`.
+
+    Returns
+    -------
+    matplotlib.lines.Line2D
+    """
+    [line] = axes.plot(values["bead"], values, ".-", markersize=2.5, linewidth=0.6, **look)
+    axes.set(xlabel="$n$", ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
+    return line
+
+
+def contacts_open(motion: xr.Dataset) -> bool:
+    """Whether the contacts of a motion may open, since no force holds extended ones."""
+    return bool(motion.attrs.get("contacts_open", 0))
+
+
+def moving_parts(motion: xr.Dataset, suffix: str = "") -> dict[str, xr.DataArray]:
+    """The fields of a motion without the held end, which is no contact.
+
+    Parameters
+    ----------
+    motion : xarray.Dataset
+    suffix : str, optional
+        Of the recording, as in `granular_fronts.output.datasets`.
+
+    Returns
+    -------
+    dict of xarray.DataArray
+        By the keys of `FIELD_LABELS`.
+    """
+    fields = {field: motion[f"{field}{suffix}"] for field in FIELD_LABELS}
+    contacts = slice(motion.attrs.get("contacts"))
+    fields["relative_displacement"] = fields["relative_displacement"].isel(bead=contacts)
+    return fields
+
+
+def open_contacts(u: xr.DataArray) -> np.ndarray:
+    """Numbers n of the contacts that are open, of relative displacements on (bead)."""
+    return u["bead"].values[u.values < 0.0]
+
+
+def draw_open_contacts(
+    axes: Axes, u: xr.DataArray, height: float = MARK_HEIGHT, **look: Any
+) -> Line2D:
+    """Mark contacts that are open at the lower edge of a panel.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    u : xarray.DataArray
+        Relative displacements on (bead).
+    height : float, optional
+        Of the marks, 0 at the lower edge and 1 at the upper.
+    **look
+        Of the marks, as in `matplotlib.axes.Axes.plot`; red by default.
+
+    Returns
+    -------
+    matplotlib.lines.Line2D
+    """
+    beads = open_contacts(u)
+    [marks] = axes.plot(
+        beads,
+        np.full(beads.size, height),
+        "|",
+        markeredgewidth=2.0,
+        transform=axes.get_xaxis_transform(),
+        clip_on=False,
+        # A line without points would count as one at the corner of the figure.
+        in_layout=False,
+        **{"color": ALARM_COLOUR, "label": "open contacts", **look},
+    )
+    return marks
+
+
+def fix_ordinate(axes: Axes, values: xr.DataArray, *, opens: bool) -> None:
+    """Let a panel show a field of all times, from as far below zero as above where contacts open.
+
+    Gaps may be wider than compressions by any factor.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    values : xarray.DataArray
+    opens : bool
+        Whether these are relative displacements of contacts that may open.
+    """
+    low, high = float(values.min()), float(values.max())
+    low = max(low, -high) if opens else low
+    margin = 0.05 * (high - low) or 1.0
+    axes.set_ylim(low - margin, high + margin)
 
 
 def draw_chain_dots(axes: Axes, snapshot: xr.Dataset, field: str) -> None:

@@ -1,6 +1,8 @@
-"""Progress bars: on the terminal, or in the page of a notebook that can show them.
+"""Progress bars: on a terminal, and in the page of a notebook; nowhere else.
 
-A bar appears when its work has lasted `DELAY` seconds, and says what is solved for which scene.
+A bar appears when its work has lasted `DELAY` seconds, and says what is solved for which scene.  It
+is drawn by tqdm: with widgets in a notebook that has them (package ipywidgets), in text in one that
+has none and on a terminal.  Where messages go into a file or a pipe, nothing is shown.
 """
 
 from __future__ import annotations
@@ -9,7 +11,7 @@ import math
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from tqdm import tqdm
@@ -37,7 +39,7 @@ def count_bar(description: str, total: int, unit: str) -> tqdm:
     -------
     tqdm.tqdm
     """
-    return _bar_class()(total=total, desc=description, unit=unit, delay=DELAY)
+    return _bar(total=total, desc=description, unit=unit)
 
 
 def counted(items: Iterable, description: str, unit: str) -> Iterator:
@@ -81,23 +83,25 @@ def time_bar(description: str, end_time: float) -> Iterator[Callable[[float], No
     decimals = max(0, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(end_time)))
     times = f"t = {{n:.{decimals}f}} of {{total:.{decimals}f}}"
     style = f"{{desc}}: {{percentage:3.0f}}%|{{bar}}| {times} [{{elapsed}}<{{remaining}}]"
-    with _bar_class()(
-        total=float(end_time), desc=description, bar_format=style, delay=DELAY
-    ) as bar:
+    with _bar(total=float(end_time), desc=description, bar_format=style) as bar:
         yield lambda time: bar.update(min(time, end_time) - bar.n)
+        # Sums of differences may miss the end by their rounding, and tqdm calls that a failure.
+        bar.update(bar.total - bar.n)
 
 
-def _bar_class() -> type[tqdm]:
-    """The bar of a notebook where one runs and has the widgets for it, else the terminal's."""
-    if "ipykernel" in sys.modules and _has_widgets():
-        from tqdm.auto import tqdm
+def _bar(**settings: Any) -> tqdm:
+    """The bar of a notebook where one runs, else that of a terminal where there is one."""
+    in_notebook = "ipykernel" in sys.modules
+    if in_notebook and _has_widgets():
+        from tqdm.notebook import tqdm
     else:
         from tqdm import tqdm
-    return tqdm
+    # None leaves out the bar where the messages do not go to a terminal.
+    return tqdm(delay=DELAY, disable=False if in_notebook else None, **settings)
 
 
 def _has_widgets() -> bool:
-    """Whether widgets are installed; without them `tqdm.auto` warns."""
+    """Whether widgets are installed, without which tqdm has no bar for notebooks."""
     from importlib.util import find_spec
 
     return find_spec("ipywidgets") is not None

@@ -6,7 +6,9 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +23,7 @@ from matplotlib.rcsetup import cycler
 from granular_fronts.output.files import complete_file
 
 TEXT_WIDTH = 6.9
+DOTS_PER_INCH = 200
 PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
 PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = "#000000", "#1447c4", "#1a8f3c"
@@ -67,7 +70,6 @@ logging.getLogger("fontTools").setLevel(logging.ERROR)
 
 _SETTINGS: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
-    "figure.dpi": 200,
     "font.size": 9,
     "axes.titlesize": 9,
     "axes.labelsize": 9,
@@ -84,7 +86,29 @@ _SETTINGS: dict[Any, Any] = {
 }
 
 
-def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
+@contextmanager
+def looks_of_figures() -> Iterator[None]:
+    """A context after which figures look as they did before it.
+
+    `matplotlib.rc_context` would also undo what the backend of a notebook sets when the first
+    figure starts it.
+    """
+    before = {name: matplotlib.rcParams[name] for name in _SETTINGS}
+    try:
+        yield
+    finally:
+        matplotlib.rcParams.update(before)
+
+
+figure_for_files = partial(Figure, dpi=DOTS_PER_INCH)
+"""What makes a figure that is saved, and that no notebook shows."""
+
+
+def new_figure(
+    height: float,
+    mosaic: list[Any],
+    make: Callable[..., Figure] = figure_for_files,
+) -> tuple[Figure, dict[str, Axes]]:
     """A figure of text width with the panels of a mosaic.
 
     Parameters
@@ -93,6 +117,8 @@ def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes
         In inches.
     mosaic : list of list of str
         Names of the panels, as in `matplotlib.figure.Figure.subplot_mosaic`.
+    make : callable, optional
+        What makes it; `matplotlib.pyplot.figure` for one that a notebook shows.
 
     Returns
     -------
@@ -100,7 +126,7 @@ def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes
     panels : dict of matplotlib.axes.Axes
     """
     matplotlib.rcParams.update(_SETTINGS)
-    figure = Figure(figsize=(TEXT_WIDTH, height))
+    figure = make(figsize=(TEXT_WIDTH, height))
     return figure, figure.subplot_mosaic(mosaic)
 
 

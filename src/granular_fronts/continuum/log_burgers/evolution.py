@@ -20,6 +20,7 @@ import xarray as xr
 from granular_fronts.accuracy import error_attributes, with_refinement
 from granular_fronts.continuum.log_burgers.solution import SMOOTH_CELLS, SOLVER, solve, start_levels
 from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.output.datasets import name_variables
 from granular_fronts.scenes.validation import check_scene
 
 LOGARITHMIC, UNLIMITED = "logarithmic", "unlimited"
@@ -76,10 +77,12 @@ def _evolve(scene, name, equation):
         lambda solved: np.array([solved.rescaled_force(row, xi) for row in rows])
     )
     attributes = error_attributes(*forces, ERROR_METHOD)
-    return xr.Dataset(
-        {"rescaled_force": (("t", "xi"), forces.usual, attributes)},
-        {"t": times, "xi": xi, "slow_time": ("t", scaling_of(scene).slow_rate * times)},
-        attrs=describe(solution),
+    return name_variables(
+        xr.Dataset(
+            {"rescaled_force": (("t", "xi"), forces.usual, attributes)},
+            {"t": times, "xi": xi, "slow_time": ("t", scaling_of(scene).slow_rate * times)},
+            attrs=describe(solution),
+        )
     )
 
 

@@ -54,6 +54,7 @@ import xarray as xr
 from granular_fronts.accuracy import error_attributes, with_refinement
 from granular_fronts.continuum.log_kdv_burgers.solution import SOLVER, solve
 from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.output.datasets import name_variables
 from granular_fronts.scenes.validation import check_scene
 
 DISPERSIVE = "dispersive"
@@ -99,10 +100,12 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.
     )
     attributes = error_attributes(forces.usual, forces.finer, ERROR_METHOD)
     scaling = scaling_of(scene)
-    return xr.Dataset(
-        {"rescaled_force": (("t", "xi"), forces.usual, attributes)},
-        {"t": times, "xi": xi, "slow_time": ("t", scaling.slow_rate * times)},
-        attrs={"mu": scaling.dispersion**-0.5, **describe(solution)},
+    return name_variables(
+        xr.Dataset(
+            {"rescaled_force": (("t", "xi"), forces.usual, attributes)},
+            {"t": times, "xi": xi, "slow_time": ("t", scaling.slow_rate * times)},
+            attrs={"mu": scaling.dispersion**-0.5, **describe(solution)},
+        )
     )
 
 

@@ -41,6 +41,7 @@ from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     trace_orbit,
 )
 from granular_fronts.errors import InputError
+from granular_fronts.output.datasets import name_variables
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -122,10 +123,12 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     relative = np.max(np.abs(1.0 - others[2][ahead] / values[2][ahead]), initial=0.0)
     logarithm[2]["relative_error_estimate"] = max(float(relative), EPSILON)
     error = variables["rescaled_force"][2]["error_estimate"]
-    return xr.Dataset(
-        variables,
-        coords={"s": s, "turn": np.arange(1, turns[0].size + 1)},
-        attrs={"mu": mu, "converged": int(error <= ACCEPTED_ERROR), **orbit.counts()},
+    return name_variables(
+        xr.Dataset(
+            variables,
+            coords={"s": s, "turn": np.arange(1, turns[0].size + 1)},
+            attrs={"mu": mu, "converged": int(error <= ACCEPTED_ERROR), **orbit.counts()},
+        )
     )
 
 

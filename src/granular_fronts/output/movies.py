@@ -1,0 +1,169 @@
+"""A chain in motion: a figure that shows any time of the grid, and its moving picture."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image
+
+from granular_fronts.output.panels import (
+    FIELD_LABELS,
+    MARK_HEIGHT,
+    contacts_open,
+    draw_open_contacts,
+    draw_snapshot,
+    fix_ordinate,
+    moving_parts,
+    open_contacts,
+)
+from granular_fronts.output.style import CHAIN_COLOUR, new_figure
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+HEIGHT = 3.4
+DOTS_PER_INCH = 120
+MILLISECONDS = 60
+"""For which a frame is shown."""
+
+COLOURS = 32
+"""Of lines and text, to which so few do no harm."""
+
+WORDS = {"relative_displacement": "compression", "velocity": "velocity"}
+"""What the fields are called, for readers who have no symbols yet."""
+
+FRAMES_PER_SAMPLE = 8
+"""Of which one is looked at for its colours."""
+
+
+class Movie:
+    """A moving picture that notebooks play by themselves.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+    show : callable
+        Puts what belongs to a row into the figure, and returns the artists that it may change.
+    rows : sequence of int
+        One for each frame.
+    alternative : str
+        What a reader who cannot see the picture should know.
+
+    Attributes
+    ----------
+    figure, show, rows, alternative
+        As above.
+    """
+
+    def __init__(
+        self,
+        figure: Figure,
+        show: Callable[[int], Sequence[Artist]],
+        rows: Sequence[int],
+        alternative: str,
+    ) -> None:
+        self.figure, self.show, self.rows, self.alternative = figure, show, rows, alternative
+
+    def write(self, path: Path | str) -> None:
+        """Write the picture into a file.
+
+        Parameters
+        ----------
+        path : Path or str
+            Its ending names the format, one of Pillow's that moves: gif, png or webp.
+        """
+        first, *others = self._with_few_colours(list(self.frames()))
+        first.save(path, save_all=True, append_images=others, duration=MILLISECONDS, loop=0)
+
+    def frames(self) -> Iterable[Image.Image]:
+        """Draw the frames, what does not change once for all.
+
+        Yields
+        ------
+        PIL.Image.Image
+        """
+        canvas = FigureCanvasAgg(self.figure)
+        changing = self.show(self.rows[0])
+        for artist in changing:
+            artist.set_animated(True)
+        canvas.draw()
+        background = canvas.copy_from_bbox(self.figure.bbox)
+        for row in self.rows:
+            canvas.restore_region(background)
+            for artist in self.show(row):
+                self.figure.draw_artist(artist)
+            yield Image.fromarray(np.array(canvas.buffer_rgba())).convert("RGB")
+        for artist in changing:
+            artist.set_animated(False)
+
+    @staticmethod
+    def _with_few_colours(frames: list[Image.Image]) -> list[Image.Image]:
+        """The frames in the most frequent colours of all, the same in each."""
+        sample = np.concatenate([np.asarray(frame) for frame in frames[-1::-FRAMES_PER_SAMPLE]])
+        # Other methods mix the rare red of open contacts with the colours of the lines.
+        palette = Image.fromarray(sample).quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
+        return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+
+    def _repr_html_(self) -> str:
+        """The picture itself, so that a page needs no other file and no network."""
+        with TemporaryDirectory() as folder:
+            path = Path(folder, "movie.gif")
+            self.write(path)
+            picture = b64encode(path.read_bytes()).decode("ascii")
+        return f'<img src="data:image/gif;base64,{picture}" alt="{self.alternative}">'
+
+
+def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[Artist]]]:
+    """A figure of a chain, and what shows a time in it.
+
+    Parameters
+    ----------
+    motion : xarray.Dataset
+        With a space-time grid.
+
+    Returns
+    -------
+    figure : matplotlib.figure.Figure
+        Relative displacements above, velocities below, both against the bead number.  Contacts that
+        are open are marked at the lower edge, where the law lets them open.
+    show : callable
+        Given a row of the grid, it puts the fields of that time into the figure, and returns what
+        it has changed.
+    """
+    fields = moving_parts(motion, "_grid")
+    opens = contacts_open(motion)
+    make = partial(Figure, dpi=DOTS_PER_INCH)
+    figure, panels = new_figure(HEIGHT, [[field] for field in fields], make)
+    lines = {}
+    for field, values in fields.items():
+        lines[field] = draw_snapshot(panels[field], values[0], field, color=CHAIN_COLOUR)
+        fix_ordinate(panels[field], values, opens=opens and field == "relative_displacement")
+        panels[field].set(xlabel="bead $n$", ylabel=f"{WORDS[field]} {FIELD_LABELS[field]}")
+    upper = panels["relative_displacement"]
+    upper.set(xlabel="", xlim=panels["velocity"].get_xlim())
+    time = upper.set_title("$t$", loc="left")
+    changing = [*lines.values(), time]
+    if opens:
+        marks = draw_open_contacts(upper, fields["relative_displacement"][0])
+        changing.append(marks)
+        upper.legend(handles=[marks], loc="lower right", bbox_to_anchor=(1.0, 1.0))
+
+    def show(row: int) -> Sequence[Artist]:
+        for field, line in lines.items():
+            line.set_ydata(fields[field][row])
+        time.set_text(f"$t = {float(motion['t_grid'][row]):g}$")
+        if opens:
+            beads = open_contacts(fields["relative_displacement"][row])
+            marks.set_data(beads, np.full(beads.size, MARK_HEIGHT))
+        return changing
+
+    return figure, show

@@ -1,0 +1,32 @@
+"""A front in motion, for the README; a target of its own, since no figure needs it."""
+
+
+rule animate_front:
+    input:
+        dataset="<results>/data/chain/initiation_underdamped.nc",
+    output:
+        gif="<results>/animation/front.gif",
+        pdf="<results>/animation/front.pdf",
+        png="<results>/animation/front.png",
+        record="<results>/animation/front.json",
+    params:
+        code=code("animate_front"),
+        asked=asked("chain/initiation_underdamped"),
+    log:
+        "<logs>/animate_front.log",
+    benchmark:
+        "<benchmarks>/animate_front.tsv"
+    threads: 1
+    message:
+        "Drawing a front in motion."
+    conda:
+        environment
+    script:
+        "../scripts/animate_front.py"
+
+
+rule animation:
+    input:
+        rules.animate_front.output,
+    message:
+        "The moving picture is drawn: {input[0]}."
