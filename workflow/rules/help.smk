@@ -5,6 +5,7 @@ TARGETS_IN_WORDS = {
     "figures": "All figures but 14 to 16, 20 and 21, which only their own targets make.",
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
+    "explore": "One page to explore motions and fronts in a browser; half a minute after all.",
     "check_results": "The tests of the finished files.",
     "precision": "Time against error of all solvers, with figure 14; a quarter of an hour.",
     "hard_cases": "Problems at the edge, with figure 15.",
