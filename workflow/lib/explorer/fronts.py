@@ -167,8 +167,16 @@ def draw_atlas(fronts: dict[str, Any], plane: xr.Dataset) -> tuple[figure, Colum
     panel.add_layout(bar, "above")
     panel.legend.location = "top_right"
     panel.legend.background_fill_alpha = 0.85
+    panel.yaxis.ticker = ticks_between(panel.y_range.start, panel.y_range.end)
     announce_taps(panel)
     return panel, chosen
+
+
+def ticks_between(low: float, high: float) -> list[float]:
+    """1, 2 and 5 times the powers of ten between two numbers."""
+    powers = 10.0 ** np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1)
+    ticks = np.outer(powers, (1.0, 2.0, 5.0)).ravel()
+    return [float(f"{tick:.0e}") for tick in ticks if low <= tick <= high]
 
 
 def draw_profile() -> tuple[figure, ColumnDataSource]:
@@ -200,6 +208,6 @@ def draw_complex(
     dots = panel.scatter(
         "real", "imaginary", source=source, size=7, fill_color=None, line_color=CHAIN_COLOUR
     )
-    tooltips = [(x_label, "@real{0.000000}"), (y_label, "@imaginary{0.000000}")]
+    tooltips = [(x_label, "@real{0.0000}"), (y_label, "@imaginary{0.0000}")]
     panel.add_tools(HoverTool(renderers=[dots], tooltips=tooltips))
     return panel, source

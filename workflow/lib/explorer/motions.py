@@ -103,7 +103,9 @@ def draw_profile(name: str, label: str, field: str, source: ColumnDataSource) ->
     panel = new_panel(name, 220, "bead n", label)
     panel.line("n", field, source=source, color=CHAIN_COLOUR, line_width=1)
     dots = panel.scatter("n", field, source=source, size=3, color=CHAIN_COLOUR)
-    panel.add_tools(HoverTool(renderers=[dots], tooltips=[("n", "@n"), (label, f"@{field}")]))
+    panel.add_tools(
+        HoverTool(renderers=[dots], tooltips=[("n", "@n"), (label, f"@{field}{{0.0000}}")])
+    )
     return panel
 
 

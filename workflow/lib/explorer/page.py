@@ -6,6 +6,7 @@ have a name, a value in words and keys for readers who see no picture; Bokeh's s
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
+from decimal import ROUND_CEILING, Context
 from typing import Any, NamedTuple
 
 import bokeh
@@ -24,6 +25,8 @@ from explorer.motions import FIELDS, draw_motions, encode_motion, motion_for_pag
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.provenance import code_version, origin
+
+TWO_DIGITS_UP = Context(prec=2, rounding=ROUND_CEILING)
 
 TITLE = "Fronts in granular chains, to explore"
 
@@ -173,6 +176,11 @@ def row(words: str, solved: Iterable[xr.DataArray], encoded: Iterable[Encoded]) 
     estimates = [variable.attrs["error_estimate"] for variable in solved]
     return {
         "array": words.replace("_", " "),
-        "solver": f"{max(estimates):.1e}",
-        "rounding": f"{max(array.error for array in encoded):.1e}",
+        "solver": rounded_up(max(estimates)),
+        "rounding": rounded_up(max(array.error for array in encoded)),
     }
+
+
+def rounded_up(error: float) -> str:
+    """An error with two digits, never less than it is."""
+    return f"{TWO_DIGITS_UP.create_decimal(error):.1e}"

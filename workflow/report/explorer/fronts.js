@@ -56,12 +56,15 @@ function sayReading(alpha, gamma, row) {
   const tail = imaginary > 0
     ? `oscillates: λ = ${rounded(real)} ± ${rounded(imaginary)} i`
     : `does not oscillate: λ = ${rounded(real)}`
+  const defect = value("translation_defect")
+  const translation = Number.isNaN(defect)
+    ? ""
+    : `; that of translation is ${defect.toExponential(0)} from 1`
   reading.textContent =
     `α = ${rounded(alpha)}, γ = ${rounded(gamma)}: overshoot ${rounded(value("overshoot"))}, ` +
     `width ${rounded(value("width_10_90"))} beads, error of u ${value("error").toExponential(0)}. ` +
     `The tail that decays slowest ${tail}. ` +
-    `Multipliers, ${value("beads_behind")} beads behind: ${value("verdict")}; that of translation ` +
-    `is ${value("translation_defect").toExponential(0)} from 1. ` +
+    `Multipliers, ${value("beads_behind")} beads behind: ${value("verdict")}${translation}. ` +
     `Largest distance to the exact front: (45) ${rounded(value("distance_logarithmic"))}, ` +
     `(46) ${rounded(value("distance_unlimited"))}, ` +
     `heteroclinic orbit ${rounded(value("distance_heteroclinic"))}.`
