@@ -26,7 +26,7 @@ OPTIONS = [
 # Descriptors of this process become 3 and 4 of Chromium.
 START = "import os, sys; r, w, *c = sys.argv[1:]; os.dup2(int(r), 53); os.dup2(int(w), 54); "
 START += "os.dup2(53, 3); os.dup2(54, 4); os.execv(c[0], c)"
-SECONDS = 30.0
+SECONDS = 60.0
 
 
 class Page:

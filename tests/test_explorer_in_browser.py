@@ -112,10 +112,12 @@ def test_time_runs_by_keys_and_by_itself(page, data):
     after, _ = expect_motion(page, data["flying"])
     assert after == before + 2.0
     page.evaluate("document.getElementById('play').click()")
+    assert page.evaluate("document.getElementById('motion-reading').ariaLive") == "off"
     page.wait_for("Number(document.getElementById('time').value) >= 15")
     page.evaluate("document.getElementById('play').click()")
     assert expect_motion(page, data["flying"])[0] >= 30.0
     assert text(page, "play") == "Play"
+    assert page.evaluate("document.getElementById('motion-reading').ariaLive") == "polite"
 
 
 def test_fronts_are_chosen_by_hand_and_on_the_atlas(page, data):

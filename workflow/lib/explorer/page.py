@@ -128,10 +128,12 @@ def describe_source(data: xr.Dataset, reference: Mapping[str, Any]) -> dict[str,
 
 def describe_scene(data: xr.Dataset) -> dict[str, str]:
     """What the page calls a scene."""
-    law, scene = configuration_of(data)["law"], data.attrs["scene"]
+    asked, scene = configuration_of(data), data.attrs["scene"]
+    law, is_ring = asked["law"], "half_beads" in asked or asked["boundary"]["kind"] == "ring"
     numbers = {"alpha": "α", "beta": "β", "gamma": "γ"}
     said = [f"{sign} = {law[key]:g}" for key, sign in numbers.items() if key in law]
-    words = ", ".join([scene.replace("_", " "), f"{data.sizes['bead']} beads", *said])
+    beads = f"{'ring' if is_ring else 'chain'} of {data.sizes['bead']} beads"
+    words = ", ".join([scene.replace("_", " "), beads, *said])
     return {"name": scene, "title": words}
 
 

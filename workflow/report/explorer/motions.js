@@ -108,11 +108,14 @@ function stop() {
   clearInterval(film)
   film = null
   play.textContent = "Play"
+  reading.ariaLive = "polite"
 }
 
 function start() {
   if (time.valueAsNumber >= Number(time.max)) time.value = 0
   play.textContent = "Pause"
+  // A screen reader would speak of every moment of the film.
+  reading.ariaLive = "off"
   film = setInterval(() => {
     time.stepUp()
     drawMoment()
