@@ -55,6 +55,7 @@ include: "workflow/rules/campaign.smk"
 include: "workflow/rules/tables.smk"
 include: "workflow/rules/checks.smk"
 include: "workflow/rules/report.smk"
+include: "workflow/rules/explorer.smk"
 include: "workflow/rules/help.smk"
 
 

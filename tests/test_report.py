@@ -59,9 +59,10 @@ def results(tmp_path):
     return tmp_path
 
 
-def write(results, asked=None, asked_on_demand=None, on_demand=True):
+def write(results, asked=None, asked_on_demand=None, on_demand=True, pages=()):
     """Write the report and return its text."""
     names = ["figures/fig14_speed_error.json", "tables/speed_verdicts.json"] if on_demand else []
+    names += pages
     write_report(
         template=ROOT / "workflow/report/page.html.j2",
         texts=ROOT / "workflow/tables.yaml",
@@ -122,3 +123,16 @@ def test_page_names_what_everything_was_made_from(results):
     found = re.search(r'id="made-from">(.*?)</script>', write(results), re.DOTALL)[1]
     made_from = json.loads(found)["fig01_front"]["made_from"]
     assert made_from == [origin(read_dataset(results / "data/chain/scene.nc").attrs)]
+
+
+def test_report_links_to_the_page_to_explore_where_it_is_of_the_data_that_are_there(results):
+    assert "explore.html" not in write(results)
+    page, record = results / "explore.html", results / "explore.json"
+    page.write_text("A page.")
+    made_from = origin(read_dataset(results / "data/chain/scene.nc").attrs)
+    write_record(record, [page], [made_from])
+    assert '<a href="explore.html">' in write(results, pages=["explore.json"])
+    write_record(record, [page], [made_from | {"data": "0"}])
+    text = write(results, pages=["explore.json"])
+    assert '<a href="explore.html">' not in text
+    assert re.search(r"Left out[^<]*explore", text)

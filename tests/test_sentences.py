@@ -99,7 +99,7 @@ def without_front(*_, **__):
     [
         (
             front_survey,
-            lambda: front_survey.survey_front(1.5, 0.3),
+            lambda: front_survey.solve_converged(1.5, 0.3),
             r"^alpha = 1\.5, gamma = 0\.3",
         ),
         (front_trends, lambda: front_trends.front_width(1.5, 0.3), r"^No front for alpha = 1\.5"),

@@ -50,6 +50,7 @@ def questions_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
         for name, problem in precision.pop("log_burgers").items()
     }
     return {
+        "fronts/collection": configuration["explorer"],
         "precision/log_burgers": rings,
         "precision/speed_error": {
             **{f"precision_{family}": problems for family, problems in precision.items()},

@@ -6,6 +6,7 @@ TARGETS_IN_WORDS = {
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
     "crate": "The record of a finished run for others, a Workflow Run RO-Crate.",
+    "explore": "One page to explore motions and fronts in a browser; half a minute after all.",
     "check_results": "The tests of the finished files.",
     "animation": "A front in motion, as a moving picture and a still.",
     "precision": "Time against error of all solvers, with figure 14; a quarter of an hour.",

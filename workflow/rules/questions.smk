@@ -28,7 +28,8 @@ def check_history():
     if glob(".snakemake/metadata/*"):
         return
     expected = {name.rpartition("/")[2]: question_digest(part) for name, part in ASKED.items()}
-    for file in sorted(glob(f"{config['results']}/*/*.json")):
+    places = f"{config['results']}/explore.json", f"{config['results']}/*/*.json"
+    for file in sorted(file for place in places for file in glob(place)):
         record = read_record(Path(file))
         differs = [
             f"answers another configuration of scene {made_from['scene']}"

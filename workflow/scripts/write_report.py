@@ -82,12 +82,13 @@ def write_report(
         if not any(disagreements([record], origins, questions_behind(record, origins, every)))
     ]
     figures = sorted([*figures, *(record for record in shown if is_figure(record))])
-    tables = [*tables, *(record for record in shown if not is_figure(record))]
+    tables = [*tables, *(record for record in shown if is_table(record))]
     described = read_yaml(texts)
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
         figures=[describe_figure(record) for record in figures],
         tables=[describe_table(record, described[record.stem]) for record in tables],
+        pages=[record.with_suffix(".html").name for record in shown if is_page(record)],
         outdated=[record.stem for record in on_demand if record not in shown],
         run_times=tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
@@ -115,6 +116,16 @@ def questions_behind(record: Path, origins: dict, asked: dict) -> dict[str, Any]
 def is_figure(record: Path) -> bool:
     """Whether a record is that of a figure, which alone has a caption of its own."""
     return record.with_suffix(".rst").exists()
+
+
+def is_table(record: Path) -> bool:
+    """Whether a record is that of a table."""
+    return record.with_suffix(".csv").exists()
+
+
+def is_page(record: Path) -> bool:
+    """Whether a record is that of a page beside the report."""
+    return record.with_suffix(".html").exists()
 
 
 def describe_figure(record: Path) -> dict[str, Any]:

@@ -364,6 +364,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "precision.ring.*": (),
     "precision.heteroclinic.*": (),
     "precision.fronts.*": (),
+    "explorer": (),
     "stiff_damping": (),
 }
 """Constraints by the path of a section.

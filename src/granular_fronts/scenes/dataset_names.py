@@ -11,6 +11,7 @@ RESULTS = {
     "survey": "the survey of exact fronts",
     "critical_damping": "the map of critical damping",
     "multipliers": "the multipliers of exact fronts",
+    "collection": "the collection of exact fronts of the explorer",
     "trends": "the families of exact fronts",
     "materials": "the materials of remark 6",
     "damping_regimes": "the damping regimes",

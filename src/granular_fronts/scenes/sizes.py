@@ -372,6 +372,7 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "precision.heteroclinic.*": size_of_repeated_runs,
     "precision.fronts.*": size_of_repeated_runs,
     "precision.log_burgers.*": size_of_log_burgers,
+    "explorer": size_of_survey,
     "stiff_damping": size_of_stiff_damping,
 }
 """Sizes by the path of a section in the configuration; ``*`` stands for a name."""

@@ -46,7 +46,9 @@ def survey_fronts(exponents, dampings):
         `residual`, `error`, `converged`, the leading tail root (`tail_rate`, `tail_frequency`),
         `mu_heteroclinic` and `distance_<front>`; on (alpha): `critical_damping`.
     """
-    rows = [[survey_front(alpha, gamma) for gamma in dampings] for alpha in exponents]
+    rows = [
+        [properties_of(solve_converged(alpha, gamma)) for gamma in dampings] for alpha in exponents
+    ]
     names = rows[0][0]
     survey = xr.Dataset(
         {
@@ -59,11 +61,17 @@ def survey_fronts(exponents, dampings):
     return survey
 
 
-def survey_front(alpha, gamma):
-    """One point of the survey, as a mapping of numbers."""
+def solve_converged(alpha, gamma):
+    """A front, or a NoFrontError with the reason why there is none."""
     front = solve_front(alpha, gamma)
     if not front.attrs["converged"]:
         raise NoFrontError(f"alpha = {alpha}, gamma = {gamma}: {front.attrs['reason']}.")
+    return front
+
+
+def properties_of(front):
+    """One point of the survey, as a mapping of numbers."""
+    alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     root = tail_roots(alpha, gamma, count=1)[0]
     return {
         **{name: front.attrs[name] for name in MEASURES},

@@ -1,0 +1,176 @@
+r"""Fronts over the plane of exponent and damping as curves: profiles, tails, multipliers.
+
+In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends on α and γ alone.  At each point
+of a grid the exact front is kept with all that `granular_fronts.studies.front_survey` says of it,
+beside
+
+- u of the three continuum fronts (`granular_fronts.studies.continuum_fronts`) at the same ξ,
+- the roots λ that describe its tail, those that decay slowest first,
+- its Floquet multipliers of largest modulus.
+
+The places ξ = n − ct of a front are at equal distances over a window of its own, from where its
+tail is within `SHOWN` of 1, or after `OSCILLATIONS` oscillations, to where u has fallen to `SHOWN`.
+
+Errors.  Profiles carry the error of the exact fronts, the largest difference to a finer solution.
+The multiplier of translation is 1 exactly; its distance from 1 measures each spectrum
+(`translation_defect`).  Multipliers near 0 belong to beads that the front has not reached, and have
+no meaning (`granular_fronts.fronts.linear.floquet`).  Where the longest window does not hold a
+front, there are none, and `verdict` says so.
+"""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.fronts.linear.floquet import LARGEST_DEFECT, front_multipliers
+from granular_fronts.fronts.linear.tails import tail_roots
+from granular_fronts.fronts.solve import ERROR_METHODS, evaluate_front
+from granular_fronts.output.progress import counted
+from granular_fronts.studies.continuum_fronts import (
+    HETEROCLINIC,
+    LOGARITHMIC,
+    UNLIMITED,
+    continuum_fronts,
+)
+from granular_fronts.studies.front_survey import properties_of, solve_converged
+from granular_fronts.studies.fronts_compared import CONTINUUM_METHOD, LAST_DIGIT
+
+PLACES = 401
+ROOTS = 6
+MULTIPLIERS = 120
+SCALARS = (
+    "beads_behind",
+    "translation_defect",
+    "spectral_radius_without_translation",
+    "verdict",
+)
+"""What is kept of a spectrum beside its multipliers."""
+
+SHOWN = 1e-3
+"""Distance from 1, or from 0, at which a front counts as there."""
+
+OSCILLATIONS = 8.0
+MARGIN = 0.1
+"""Of the window, on either side."""
+
+DIGITS = 4.0
+"""Units of the last digit to which tail roots are good."""
+
+
+def collect_fronts(exponents, dampings):
+    """Solve a front at each exponent and damping and keep its curves.
+
+    Parameters
+    ----------
+    exponents, dampings : sequence of float
+        α > 1 and γ > 0 for δ = c = 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        On (alpha, gamma, place): `xi`, `relative_displacement` of the exact front and with a suffix
+        that of each continuum front.  On (alpha, gamma, root): `tail_root_real` and `_imaginary`.
+        On (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, that of translation
+        first, then by decreasing modulus, NaN beyond the last.  On (alpha, gamma): `beads_behind`,
+        `translation_defect`, `spectral_radius_without_translation`, `verdict` in words, and what
+        `survey_fronts` keeps.
+
+    Raises
+    ------
+    NoFrontError
+        If a front is not found.
+    """
+    plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
+    points = [collect_front(*point) for point in counted(plane, "collection of fronts", "front")]
+    shape = len(exponents), len(dampings)
+    collection = xr.Dataset(
+        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)}
+    )
+    for name, (dimensions, _) in points[0].items():
+        values = np.array([point[name][1] for point in points])
+        collection[name] = (
+            ("alpha", "gamma", *dimensions),
+            values.reshape(shape + values.shape[1:]),
+        )
+    return with_errors(collection)
+
+
+def collect_front(alpha, gamma):
+    """One front, as a mapping of names to dimensions and values."""
+    front = solve_converged(alpha, gamma)
+    roots = tail_roots(alpha, gamma, count=ROOTS)
+    multipliers, of_spectrum = largest_multipliers(front)
+    xi = window(front, roots[0])
+    profiles = {"": evaluate_front(front, xi)}
+    profiles |= {f"_{name}": u for name, (u, _) in continuum_fronts(alpha, gamma, xi).items()}
+    scalars = properties_of(front) | of_spectrum
+    return {
+        "xi": (("place",), xi),
+        **{f"relative_displacement{name}": (("place",), u) for name, u in profiles.items()},
+        **parts("tail_root", "root", roots),
+        **parts("multiplier", "multiplier", multipliers),
+        **{name: ((), value) for name, value in scalars.items()},
+    }
+
+
+def largest_multipliers(front):
+    """The multipliers of a front, NaN where no window holds it, and what is said of them."""
+    spectrum = front_multipliers(front)
+    found = {name: spectrum.attrs[name] for name in SCALARS}
+    multipliers = np.full(MULTIPLIERS, complex(np.nan, np.nan))
+    if spectrum.attrs["flow_residual"] <= LARGEST_DEFECT:
+        multipliers[: spectrum.size] = spectrum.values[:MULTIPLIERS]
+        return multipliers, found
+    undecided = f"undecided: {found['beads_behind']} beads behind do not hold so wide a front"
+    unknown = dict.fromkeys(("translation_defect", "spectral_radius_without_translation"), np.nan)
+    return multipliers, found | unknown | {"verdict": undecided}
+
+
+def window(front, root):
+    """Places ξ that show a front whose tail is governed by a root.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+        Of `solve_front`.
+    root : complex
+        The slowest of its tail.
+
+    Returns
+    -------
+    ndarray, shape (PLACES,)
+    """
+    xi, u = front["xi"].values, front["relative_displacement"].values
+    first, last = xi[np.abs(u - 1.0) > SHOWN][0], xi[u > SHOWN][-1]
+    if root.imag > 0.0:
+        first = max(first, -OSCILLATIONS * 2.0 * np.pi / root.imag)
+    margin = MARGIN * (last - first)
+    return np.linspace(first - margin, last + margin, PLACES)
+
+
+def parts(name, dimension, values):
+    """Real and imaginary parts, which netCDF can hold."""
+    return {
+        f"{name}_real": ((dimension,), values.real),
+        f"{name}_imaginary": ((dimension,), values.imag),
+    }
+
+
+def with_errors(collection):
+    """The collection with error estimates at its curves."""
+    front = {
+        "error_estimate": float(collection["error"].max()),
+        "error_method": ERROR_METHODS["profile"],
+    }
+    root = {"error_estimate": DIGITS * LAST_DIGIT, "error_method": "rounding, relative"}
+    multiplier = {
+        "error_estimate": float(collection["translation_defect"].max()),
+        "error_method": "largest distance of the multiplier of translation from 1",
+    }
+    continuum = {"error_estimate": LAST_DIGIT, "error_method": CONTINUUM_METHOD}
+    collection["relative_displacement"].attrs |= front
+    for name in (LOGARITHMIC, UNLIMITED, HETEROCLINIC):
+        collection[f"relative_displacement_{name}"].attrs |= continuum
+    for part in ("real", "imaginary"):
+        collection[f"tail_root_{part}"].attrs |= root
+        collection[f"multiplier_{part}"].attrs |= multiplier
+    return collection

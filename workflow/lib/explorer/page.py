@@ -1,0 +1,188 @@
+"""The page on which motions and fronts are explored, one file that asks for nothing else.
+
+Bokeh draws the panels and is part of the page.  The controls are the browser's own, since these
+have a name, a value in words and keys for readers who see no picture; Bokeh's sliders have none.
+"""
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from decimal import ROUND_CEILING, Context
+from typing import Any, NamedTuple
+
+import bokeh
+import jinja2
+import xarray as xr
+import yaml
+from bokeh.document import Document
+from bokeh.embed import file_html
+from bokeh.events import DocumentReady
+from bokeh.models import CustomJS
+from bokeh.resources import INLINE
+
+from explorer.encoding import Encoded
+from explorer.fronts import draw_fronts, encode_fronts, fronts_for_page
+from explorer.motions import FIELDS, draw_motions, encode_motion, motion_for_page
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.departures import describe, physical_departures
+from granular_fronts.output.provenance import code_version, origin
+
+TWO_DIGITS_UP = Context(prec=2, rounding=ROUND_CEILING)
+
+TITLE = "Fronts in granular chains, to explore"
+
+
+class Sources(NamedTuple):
+    """What the page is made from.
+
+    Attributes
+    ----------
+    motions : list of xarray.Dataset
+        Chains and rings with a space–time grid.
+    collection : xarray.Dataset
+        Fronts with their curves.
+    plane : xarray.Dataset
+        Overshoot and critical damping over exponent and damping.
+    """
+
+    motions: list[xr.Dataset]
+    collection: xr.Dataset
+    plane: xr.Dataset
+
+    def all(self) -> list[xr.Dataset]:
+        """Every dataset."""
+        return [*self.motions, self.collection, self.plane]
+
+
+def make_page(
+    template: str, scripts: Mapping[str, str], sources: Sources, reference: Mapping[str, Any]
+) -> str:
+    """The text of the page.
+
+    Parameters
+    ----------
+    template : str
+        Jinja template of the page.
+    scripts : mapping of str to str
+        JavaScript of both halves, `motions` and `fronts`, and what both share, `shared`.
+    sources : Sources
+    reference : mapping
+        What the paper computes, by scene: the default configuration.
+
+    Returns
+    -------
+    str
+    """
+    motions = {data.attrs["scene"]: encode_motion(data) for data in sources.motions}
+    fronts = encode_fronts(sources.collection)
+    parts = {
+        "motions": draw_motions(
+            {
+                data.attrs["scene"]: motion_for_page(data, motions[data.attrs["scene"]])
+                for data in sources.motions
+            }
+        ),
+        "fronts": draw_fronts(fronts_for_page(sources.collection, fronts), sources.plane),
+    }
+    document = Document(title=TITLE)
+    for part in parts.values():
+        for panel in part.panels.values():
+            document.add_root(panel)
+    callbacks = [
+        CustomJS(args=part.arguments, code=f"{scripts['shared']}\n{scripts[name]}")
+        for name, part in parts.items()
+    ]
+    document.js_on_event(DocumentReady, *callbacks)
+    variables = {
+        "sources": [describe_source(data, reference) for data in sources.all()],
+        "scenes": [describe_scene(data) for data in sources.motions],
+        "errors": list(errors(sources, motions, fronts)),
+        "collection": sources.collection,
+        "code_version": code_version(),
+        "bokeh_version": bokeh.__version__,
+        "made_from": json.dumps([origin(data.attrs) for data in sources.all()]),
+    }
+    environment = jinja2.Environment(undefined=jinja2.StrictUndefined)
+    return file_html(
+        document,
+        INLINE,
+        TITLE,
+        template=environment.from_string(template),
+        template_variables=variables,
+    )
+
+
+def describe_source(data: xr.Dataset, reference: Mapping[str, Any]) -> dict[str, str]:
+    """What the page says of a dataset: its scene, its configuration, its digests."""
+    asked, scene = configuration_of(data), data.attrs["scene"]
+    if scene in reference:
+        departures = describe(physical_departures(asked, reference[scene]))
+    else:
+        departures = "not one of the paper's"
+    return {
+        **origin(data.attrs),
+        "departures": departures,
+        "software": data.attrs["software"],
+        "configuration": yaml.safe_dump(asked, sort_keys=False, allow_unicode=True),
+    }
+
+
+def describe_scene(data: xr.Dataset) -> dict[str, str]:
+    """What the page calls a scene."""
+    asked, scene = configuration_of(data), data.attrs["scene"]
+    law, is_ring = asked["law"], "half_beads" in asked or asked["boundary"]["kind"] == "ring"
+    numbers = {"alpha": "α", "beta": "β", "gamma": "γ"}
+    said = [f"{sign} = {law[key]:g}" for key, sign in numbers.items() if key in law]
+    beads = f"{'ring' if is_ring else 'chain'} of {data.sizes['bead']} beads"
+    words = ", ".join([scene.replace("_", " "), beads, *said])
+    return {"name": scene, "title": words}
+
+
+def errors(
+    sources: Sources,
+    motions: Mapping[str, Mapping[str, Encoded]],
+    fronts: Mapping[str, Encoded],
+) -> Iterator[dict[str, str]]:
+    """For each array of the page the error of its solver and that of rounding it.
+
+    Parameters
+    ----------
+    sources : Sources
+    motions : mapping
+        Encoded fields by scene.
+    fronts : mapping
+        Encoded curves of the fronts.
+
+    Yields
+    ------
+    dict of str to str
+        `array`, `solver` and `rounding`.
+    """
+    for data in sources.motions:
+        for field in FIELDS:
+            solved = data[f"{field}_grid"]
+            encoded = motions[data.attrs["scene"]][field]
+            yield row(f"{field}, {data.attrs['scene']}", [solved], [encoded])
+    by_kind: dict[str, list[str]] = {
+        "relative displacement of exact fronts": ["relative_displacement"],
+        "relative displacement of continuum fronts": [
+            name for name in fronts if name.startswith("relative_displacement_")
+        ],
+        "multipliers": ["multiplier_real", "multiplier_imaginary"],
+    }
+    for words, names in by_kind.items():
+        yield row(words, [sources.collection[name] for name in names], [fronts[n] for n in names])
+
+
+def row(words: str, solved: Iterable[xr.DataArray], encoded: Iterable[Encoded]) -> dict[str, str]:
+    """One row of the table of errors."""
+    estimates = [variable.attrs["error_estimate"] for variable in solved]
+    return {
+        "array": words.replace("_", " "),
+        "solver": rounded_up(max(estimates)),
+        "rounding": rounded_up(max(array.error for array in encoded)),
+    }
+
+
+def rounded_up(error: float) -> str:
+    """An error with two digits, never less than it is."""
+    return f"{TWO_DIGITS_UP.create_decimal(error):.1e}"

@@ -1,0 +1,68 @@
+"""A page on which motions and fronts are explored: snakemake -c2 explore."""
+
+# What moves over space and time in a way that the page can show.
+EXPLORED = [
+    f"{folder}/{scene}"
+    for folder in ("chain", "periodic")
+    for scene, asked_of_scene in config["scenes"][folder].items()
+    if "grid" in asked_of_scene["record"]
+]
+EXPLORED_FRONTS = ["fronts/collection", "fronts/critical_damping"]
+
+
+rule collect_fronts:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+    output:
+        dataset="<results>/data/fronts/collection.nc",
+    params:
+        code=code("collect_fronts"),
+        plane=config["explorer"],
+    log:
+        "<logs>/collect_fronts.log",
+    benchmark:
+        "<benchmarks>/collect_fronts.tsv"
+    threads: 1
+    message:
+        "Solving exact fronts with their tails and multipliers for the explorer."
+    conda:
+        environment
+    script:
+        "../scripts/collect_fronts.py"
+
+
+rule write_explorer:
+    input:
+        template="workflow/report/explorer/page.html.j2",
+        scripts=expand(
+            "workflow/report/explorer/{script}.js", script=["shared", "motions", "fronts"]
+        ),
+        motions=[data_file(motion) for motion in EXPLORED],
+        collection=rules.collect_fronts.output.dataset,
+        plane=rules.map_critical_damping.output.dataset,
+    output:
+        page="<results>/explore.html",
+        record="<results>/explore.json",
+    params:
+        code=code("write_explorer"),
+        reference=reference(*EXPLORED, *EXPLORED_FRONTS),
+        asked=asked(*EXPLORED, *EXPLORED_FRONTS),
+    log:
+        "<logs>/write_explorer.log",
+    benchmark:
+        "<benchmarks>/write_explorer.tsv"
+    threads: 1
+    message:
+        "Writing the page to explore motions and fronts."
+    conda:
+        environment
+    script:
+        "../scripts/write_explorer.py"
+
+
+rule explore:
+    input:
+        rules.write_explorer.output.page,
+        [data_file(dataset) for dataset in [*EXPLORED, *EXPLORED_FRONTS]],
+    message:
+        "Open {input[0]} in a browser."

@@ -1,0 +1,67 @@
+"""Write the page on which motions and fronts are explored, one file that needs no network.
+
+The page shows what its datasets hold and computes nothing.
+"""
+
+from pathlib import Path
+
+from explorer.page import Sources, make_page
+
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import origin, write_record
+from step import run_step
+
+LARGEST_PAGE = 5_000_000
+
+
+def write_explorer(
+    template: Path,
+    scripts: list[Path],
+    motions: list[Path],
+    collection: Path,
+    plane: Path,
+    reference: dict,
+    page: Path,
+    record: Path,
+) -> None:
+    """Fill the template of the page, and write the record of what it was made from.
+
+    Parameters
+    ----------
+    template : Path
+        Jinja template of the page.
+    scripts : list of Path
+        Its JavaScript: shared.js, motions.js and fronts.js.
+    motions : list of Path
+        Datasets of chains and rings with a space–time grid.
+    collection, plane : Path
+        Datasets of fronts and of the plane that they are chosen in.
+    reference : dict
+        What the paper computes, by scene.
+    page, record : Path
+        The HTML and the JSON file to write.
+
+    Raises
+    ------
+    ValueError
+        If the page would be larger than a page should be.
+    """
+    sources = Sources(
+        [read_dataset(file) for file in motions], read_dataset(collection), read_dataset(plane)
+    )
+    texts = {script.stem: script.read_text(encoding="utf-8") for script in scripts}
+    html = make_page(template.read_text(encoding="utf-8"), texts, sources, reference)
+    if (size := len(html.encode())) > LARGEST_PAGE:
+        raise ValueError(
+            f"The page has {size / 1e6:.1f} MB, more than {LARGEST_PAGE / 1e6:g}: record fewer "
+            "times (record.grid.step of scenes.chain and scenes.periodic) or fewer fronts "
+            "(explorer)."
+        )
+    with complete_file(page) as unfinished:
+        unfinished.write_text(html, encoding="utf-8")
+    write_record(record, [page], [origin(data.attrs) for data in sources.all()])
+
+
+if __name__ == "__main__":
+    run_step(write_explorer, globals().get("snakemake"))
