@@ -8,8 +8,9 @@ PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python
 # The workflow compiles its kernels into this folder; the tests find them there.
 export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 
-# Tests run side by side, those of one file one after the other, each process on one core.
-SIDE_BY_SIDE := --numprocesses auto --dist loadfile
+# Tests run side by side, those of one file one after the other, each process on one core; files in
+# the order of tests/conftest.py, not by their numbers of tests.
+SIDE_BY_SIDE := --numprocesses auto --dist loadfile --no-loadscope-reorder
 test slow: export OPENBLAS_NUM_THREADS := 1
 
 # Runs a command and shows what it says only if it fails.

@@ -9,6 +9,17 @@ from projects import CACHES, copy_project, lend_kernels, snakemake
 
 from granular_fronts.scenes.yaml_files import load_configuration
 
+LONGEST = {
+    *("test_a_further_law", "test_campaign_run", "test_documents", "test_hard_cases"),
+    *("test_paper_numbers", "test_passes", "test_proof_checker", "test_staleness"),
+    *("test_stiff", "test_uncompiled", "test_workflow"),
+}
+
+
+def pytest_collection_modifyitems(items):
+    """Start with the files that take longest: side by side, the short ones even out the end."""
+    items.sort(key=lambda item: item.path.stem not in LONGEST)
+
 
 @pytest.fixture(scope="session")
 def smoke_run(tmp_path_factory):

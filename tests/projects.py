@@ -10,10 +10,6 @@ import time
 from pathlib import Path
 
 import psutil
-from numba.core.caching import UserProvidedCacheLocator
-
-from figure_step import make_step
-from granular_fronts.numerics.compiled import cache_folder
 
 ROOT = Path(__file__).parents[1]
 CACHES = [".*_cache", "__pycache__"]
@@ -33,6 +29,11 @@ def lend_kernels(copy):
     Numba names the folders of its cache after those of the sources.  What the code of a changed
     copy compiles has a digest of its own, and stays in the copy.
     """
+    # Every process of pytest imports this file, the one too that only hands out tests.
+    from numba.core.caching import UserProvidedCacheLocator
+
+    from granular_fronts.numerics.compiled import cache_folder
+
     for file in (ROOT / "src").rglob("*.py"):
         if "granular_fronts.numerics.compiled import" not in file.read_text(encoding="utf-8"):
             continue
@@ -47,6 +48,8 @@ def lend_kernels(copy):
 
 def load_step(script):
     """Import a script without running it; its step carries the script's name, or draws a figure."""
+    from figure_step import make_step
+
     spec = importlib.util.spec_from_file_location(script.stem, script)
     module = importlib.util.module_from_spec(spec)
     sys.modules[script.stem] = module

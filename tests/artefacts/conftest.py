@@ -1,15 +1,20 @@
 """What the tests of finished files are given; the rule check_results runs them."""
 
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-import yaml
 
+from granular_fronts.output import datasets
 from granular_fronts.output.departures import physical_departures
+from granular_fronts.scenes.yaml_files import read_yaml
 from questions import questions
 
 PROJECT = Path(__file__).parents[2]
+
+# Each file once for all tests, which leave what they are given as it is.
+read_dataset = cache(datasets.read_dataset)
 
 
 class Made(NamedTuple):
@@ -38,13 +43,13 @@ def results(request):
 @pytest.fixture(scope="session")
 def configuration(request):
     """The merged configuration."""
-    return yaml.safe_load(request.config.getoption("--configuration").read_text(encoding="utf-8"))
+    return read_yaml(request.config.getoption("--configuration"))
 
 
 @pytest.fixture(scope="session")
 def as_in_the_paper(configuration):
     """Skip a test that expects the paper's parameters where some of its datasets have others."""
-    default = yaml.safe_load((PROJECT / "config/default.yaml").read_text(encoding="utf-8"))
+    default = read_yaml(PROJECT / "config/default.yaml")
     asked, reference = questions(configuration), questions(default)
 
     def check(*names):
@@ -64,8 +69,7 @@ def made():
 def listed_as_made():
     """Read the lists of figures and tables."""
     figures, tables = (
-        yaml.safe_load((PROJECT / "workflow" / name).read_text(encoding="utf-8"))
-        for name in ("figures.yaml", "tables.yaml")
+        read_yaml(PROJECT / "workflow" / name) for name in ("figures.yaml", "tables.yaml")
     )
     return Made(
         figures=[

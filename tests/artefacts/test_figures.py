@@ -3,10 +3,9 @@
 import re
 
 import pytest
-from conftest import listed_as_made
+from conftest import listed_as_made, read_dataset
 from figure_samples import SAMPLES
 
-from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.provenance import read_record
 
 FIGURES = listed_as_made().figures

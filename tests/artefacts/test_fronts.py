@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-
-from granular_fronts.output.datasets import read_dataset
+from conftest import read_dataset
 
 SCENES = ["underdamped", "overdamped", "weak_underdamped", "weak_overdamped"]
 ACCURACY = 1.0e-12

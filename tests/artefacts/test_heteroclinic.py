@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-
-from granular_fronts.output.datasets import read_dataset
+from conftest import read_dataset
 
 SCENES = ["front_profiles", "damping_sweep"]
 ACCURACY = 1.0e-13

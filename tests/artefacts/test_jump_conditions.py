@@ -1,8 +1,7 @@
 """Every measured speed, velocity jump and power is within its stated error of theory."""
 
 import pytest
-
-from granular_fronts.output.datasets import read_dataset
+from conftest import read_dataset
 
 MEASURED = [
     "speed_exact",

@@ -1,8 +1,7 @@
 """Every front of a piston has the speed, compression and velocity of equations (22) and (23)."""
 
 import pytest
-
-from granular_fronts.output.datasets import read_dataset
+from conftest import read_dataset
 
 
 @pytest.mark.parametrize("name", ["front_speed", "compression_behind", "velocity_behind"])

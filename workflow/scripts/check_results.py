@@ -1,7 +1,7 @@
 """Test the finished files of a results folder.
 
-python workflow/scripts/check_results.py --results results --configuration config/default.yaml
-    --verdict checks.txt
+python workflow/scripts/check_results.py --results results
+    --configuration "$(cat config/default.yaml)" --verdict checks.txt
 """
 
 from pathlib import Path
@@ -14,6 +14,12 @@ from granular_fronts.output.files import complete_file
 from step import run_step
 
 TESTS = Path(__file__).parents[2] / "tests" / "artefacts"
+
+# What the tests of the project itself are given takes a second to import.
+WITHOUT_THE_OTHERS = [
+    f"--confcutdir={TESTS}",
+    "--override-ini=pythonpath=tests src workflow/lib workflow/scripts",
+]
 
 
 def check_results(results: Path, configuration: dict, verdict: Path) -> None:
@@ -38,7 +44,8 @@ def check_results(results: Path, configuration: dict, verdict: Path) -> None:
         asked = Path(folder, "configuration.yaml")
         asked.write_text(yaml.safe_dump(configuration), encoding="utf-8")
         options = [f"--results={results}", f"--configuration={asked}", "-q"]
-        exit_code = pytest.main([str(TESTS), *options], plugins=[outcome])
+        command = [str(TESTS), *WITHOUT_THE_OTHERS, *options]
+        exit_code = pytest.main(command, plugins=[outcome])
     if exit_code != pytest.ExitCode.OK:
         raise ValueError(
             f"The files in {results} do not pass their tests, named above: "
