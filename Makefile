@@ -62,7 +62,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@echo "Checking style, the workflow's rules and types."
 	$(call quietly,$(BIN)/ruff check .)
 	$(call quietly,$(BIN)/ruff format --check .)
-	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
+	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/Snakefile workflow/rules)
 	$(call quietly,$(BIN)/python -m mypy)
 
 # An installation keeps a copy of what it was made from: the time stamp of that file says nothing.

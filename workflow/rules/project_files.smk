@@ -3,6 +3,7 @@
 # What others need to make the same results again. How the project is developed is no part of it.
 PROJECT_FILES = [
     "CITATION.cff",
+    "Containerfile",
     "LICENSE",
     "Makefile",
     "README.md",
