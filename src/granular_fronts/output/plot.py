@@ -258,8 +258,8 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
     Returns
     -------
     granular_fronts.output.movies.Movie
-        A `matplotlib.animation.FuncAnimation`: relative displacements above, with a mark for each
-        contact that is open, velocities below.  `movie.write("front.gif")` keeps it.
+        Relative displacements above, with a mark for each contact that is open, velocities below.
+        Its method ``write(path)`` keeps it in a file: gif, png or webp.
 
     Raises
     ------
