@@ -235,11 +235,14 @@ def test_a_moving_picture_has_the_frames_asked_for(motions, tmp_path):
     movie = gf.plot.animate(motions["pressure"], frames=4)
     assert movie.rows == [0, 5, 10, 15]
     assert gf.plot.animate(motions["pressure"]).rows == list(range(16))
-    movie.write(tmp_path / "front.gif")
-    with Image.open(tmp_path / "front.gif") as written:
-        assert written.n_frames == 4
-        assert written.size[0] == int(120 * TEXT_WIDTH)
-        assert written.info["loop"] == 0
+    for ending in ("gif", "png", "webp"):
+        movie.write(tmp_path / f"front.{ending}")
+        with Image.open(tmp_path / f"front.{ending}") as written:
+            assert written.n_frames == 4
+            assert written.size[0] == int(120 * TEXT_WIDTH)
+            assert written.info["loop"] == 0
+    with pytest.raises(InputError, match=r"file is '\.mp4', but must be one of \.gif"):
+        movie.write(tmp_path / "front.mp4")
 
 
 def test_what_changes_in_a_moving_picture_is_drawn_as_in_a_whole_one(motions):

@@ -26,7 +26,7 @@ def animate_front(dataset: Path, gif: Path, pdf: Path, png: Path, record: Path) 
     Parameters
     ----------
     dataset : Path
-        Scene initiation_underdamped, whose first contact opens when the front reaches the free end.
+        Scene initiation_underdamped, with the arrival times of the front.
     gif : Path
         The moving picture.
     pdf, png : Path
@@ -35,7 +35,7 @@ def animate_front(dataset: Path, gif: Path, pdf: Path, png: Path, record: Path) 
         What they were made from.
     """
     motion = read_dataset(dataset)
-    crossing = float(motion["first_gap_time"])
+    crossing = float(motion["arrival_time"].max())
     origins = [origin(motion.attrs)]
     with complete_file(gif) as unfinished:
         animate(motion.sel(t_grid=slice(0.0, CROSSINGS * crossing)), FRAMES).write(unfinished)

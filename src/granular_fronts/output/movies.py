@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -15,6 +15,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from granular_fronts import arguments
 from granular_fronts.output.panels import (
     FIELD_LABELS,
     MARK_HEIGHT,
@@ -34,6 +35,9 @@ HEIGHT = 3.4
 DOTS_PER_INCH = 120
 MILLISECONDS = 60
 """For which a frame is shown."""
+
+ENDINGS = (".gif", ".png", ".webp")
+"""Of files that may hold a moving picture."""
 
 COLOURS = 32
 """Of lines and text, to which so few do no harm."""
@@ -79,12 +83,19 @@ class Movie:
         Parameters
         ----------
         path : Path or str
-            Its ending names the format, one of Pillow's that moves: gif, png or webp.
-        """
-        first, *others = self._with_few_colours(list(self.frames()))
-        first.save(path, save_all=True, append_images=others, duration=MILLISECONDS, loop=0)
+            Its ending names the format.
 
-    def frames(self) -> Iterable[Image.Image]:
+        Raises
+        ------
+        InputError
+            If it ends in none of `ENDINGS`.
+        """
+        file = arguments.path("path", path)
+        arguments.choice("ending of the file", file.suffix, ENDINGS)
+        first, *others = self._with_few_colours(list(self.frames()))
+        first.save(file, save_all=True, append_images=others, duration=MILLISECONDS, loop=0)
+
+    def frames(self) -> Iterator[Image.Image]:
         """Draw the frames, what does not change once for all.
 
         Yields
@@ -95,15 +106,17 @@ class Movie:
         changing = self.show(self.rows[0])
         for artist in changing:
             artist.set_animated(True)
-        canvas.draw()
-        background = canvas.copy_from_bbox(self.figure.bbox)
-        for row in self.rows:
-            canvas.restore_region(background)
-            for artist in self.show(row):
-                self.figure.draw_artist(artist)
-            yield Image.fromarray(np.array(canvas.buffer_rgba())).convert("RGB")
-        for artist in changing:
-            artist.set_animated(False)
+        try:
+            canvas.draw()
+            background = canvas.copy_from_bbox(self.figure.bbox)
+            for row in self.rows:
+                canvas.restore_region(background)
+                for artist in self.show(row):
+                    self.figure.draw_artist(artist)
+                yield Image.fromarray(np.array(canvas.buffer_rgba())).convert("RGB")
+        finally:
+            for artist in changing:
+                artist.set_animated(False)
 
     @staticmethod
     def _with_few_colours(frames: list[Image.Image]) -> list[Image.Image]:

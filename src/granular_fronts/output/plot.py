@@ -197,8 +197,8 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
                 height = MARK_HEIGHT + row * BETWEEN_MARKS
                 marks.append(draw_open_contacts(compression, u[row], height, color=colour))
         fix_ordinate(compression, u, opens=opens)
-        opened = [mark for mark in marks if np.size(mark.get_xdata())]
-        named = [*velocity.get_lines(), *opened[:1]]
+        opened = any(np.size(mark.get_xdata()) for mark in marks)
+        named = [*velocity.get_lines(), *marks[:opened]]
         figure.legend(handles=named, loc="outside upper center", ncols=min(len(named), COLUMNS))
     return compression, velocity
 
@@ -258,8 +258,8 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
     Returns
     -------
     granular_fronts.output.movies.Movie
-        A `matplotlib.animation.FuncAnimation`: relative displacements above, with a mark for each
-        contact that is open, velocities below.  `movie.write("front.gif")` keeps it.
+        Relative displacements above, with a mark for each contact that is open, velocities below.
+        Its method ``write(path)`` keeps it in a file: gif, png or webp.
 
     Raises
     ------
