@@ -30,6 +30,7 @@ SCENE = "initiation_underdamped"
 DATA = f"results/smoke/data/chain/{SCENE}.nc"
 FIGURE = f"results/smoke/figures/fig01_{SCENE}.json"
 TABLE = "results/smoke/tables/paper_numbers.json"
+PAGE = "results/smoke/explore.json"
 # The chain is compiled and its file written within it; the file of the scene is larger.
 LARGEST_FILE = 60_000
 LONG = {"end_time": 1000000}
@@ -252,5 +253,32 @@ def test_a_change_of_code_repeats_what_stands_on_it_and_nothing_else(
     assert snakemake(*options, "--", "fig01", folder=finished).returncode == 0
     with changed_code(finished, name, appended):
         plan = snakemake("--dry-run", *options, "--", "fig01", folder=finished)
-    jobs = set(re.findall(r"^(\w+) +\d+$", plan.stdout, re.MULTILINE)) - {"fig01", "total"}
-    assert jobs == repeated, plan.stdout
+    assert jobs_of(plan) - {"fig01"} == repeated, plan.stdout
+
+
+def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished):
+    options = ask(finished, "explored", {"law": {"gamma": 0.29}})
+    run = snakemake(*options, "--", "explore", folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert question_of(finished / PAGE) == question_of_data(finished)
+    for name, appended, repeated in [
+        ("workflow/lib/explorer/page.py", "# A comment.\n", set()),
+        ("workflow/lib/explorer/encoding.py", "pass\n", {"write_explorer"}),
+        ("workflow/report/explorer/shared.js", "// Words.\n", {"write_explorer"}),
+        (
+            "src/granular_fronts/studies/front_collection.py",
+            "pass\n",
+            {"collect_fronts", "write_explorer"},
+        ),
+    ]:
+        with changed_code(finished, name, appended):
+            plan = snakemake("--dry-run", *options, "--", "explore", folder=finished)
+        assert jobs_of(plan) - {"explore"} == repeated, plan.stdout
+    other = ask(finished, "explored_again", {"law": {"gamma": 0.3}})
+    plan = snakemake("--dry-run", *other, "--", "explore", folder=finished)
+    assert jobs_of(plan) - {"explore"} == {"initiate_front", "write_explorer"}, plan.stdout
+
+
+def jobs_of(plan):
+    """Names of the rules that a dry run would run."""
+    return set(re.findall(r"^(\w+) +\d+$", plan.stdout, re.MULTILINE)) - {"total"}
