@@ -1,22 +1,19 @@
-"""The front behind: its slowest mode, and the sign of u' on the whole rear.
+"""The front behind: its slowest mode, and whether it comes from 1 monotonically or oscillating.
 
-A front without overshoot comes from 1 monotonically, but far behind u' is smaller than any
-enclosure of u.  Its sign follows from finitely many numbers near one place x₀ of the rear.
+Far behind u' is smaller than any enclosure of u.  Its sign follows from finitely many numbers near
+one place x₀ of the rear.
 
 Let t = ξ − x₀, z = u − 1, Q = P − 1, v = u', ṽ = v 1_{t<0}, D(λ) = 1 − α K̂(λ) with K̂(λ) = ∫ K(s)
-e^(−λs) ds, so that D(λ) = 1 − α (1 − γλ)(2 cosh λ − 2)/λ².  For w ≥ 0 write |f|_w = sup |f|
-e^(−wt), K_w = K e^(−ws), and let Γ_w bound the norm of (δ − α K_w)^(−1) (see `balls`).
+e^(−λs) ds as in `tail_roots`.  For w ≥ 0 write |f|_w = sup |f| e^(−wt), K_w = K e^(−ws), and let Γ_w
+bound the norm of (δ − α K_w)^(−1) (see `balls`).
 
 **Lemma 8.** Suppose that D has no zero with 0 < Re λ ≤ θ, and with θ < Re λ < η exactly the simple
-zeros λ₁, real, and none or a pair λ₂, λ̄₂ with Re λ₂ > λ₁, where η < 2θ, and none with Re λ = η.
-Then
+zeros λ₁, real, or a pair λ₂, λ̄₂, or these three, where η < 2θ, and none with Re λ = η.  Then
 
     v = Σ C_j e^(λ_j t) + ω(t) for t < 0,      |ω(t)| ≤ Γ_η (|F_b|_η + c) e^(ηt),
     |C_j D'(λ_j) + F̂_b(λ_j)| ≤ c/(2θ − Re λ_j),
 
-with F_b on (−1, 1) and c below.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂ − λ₁)t) + Γ_η (|F_b|_η + c)
-e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, and u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁
-e^(−λ₁x₀)/λ₁.
+with F_b on (−1, 1) and c below; C_j of conjugate λ_j are conjugate.
 
 *Proof.* u' = K*P' and P' = a(u) v.  Hence ṽ − α K*ṽ = F_b + F_n, where F_n = 1_{t<0} K*((a(u) − α)
 ṽ) and F_b = K*(P' 1_{t>0}) for −1 < t < 0, F_b = −α K*ṽ for 0 < t < 1, 0 elsewhere.  By parts, as
@@ -35,13 +32,29 @@ bounded variation and F_n is Lipschitz on t < 0, so the transforms are O(1/|Im �
 e^(λ_j t).  What is left is the solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤
 c. ∎
 
-The zeros are counted by winding numbers: along Re λ = w, upwards, D turns m − 1 times if m zeros
-have 0 < Re λ < w, as it turns −1 times along the imaginary axis (Lemma 4) and D → 1 at both ends.
+**Monotone fronts.** Let λ₂, if there is one, have Re λ₂ ≥ λ₁.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂ −
+λ₁)t) + Γ_η (|F_b|_η + c) e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, as the right-hand side
+grows with t.  If Re λ₂ > λ₁, then u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁ e^(−λ₁x₀)/λ₁.
+
+**Lemma 13 (oscillation).** Let λ₂ with C₂ ≠ 0 have Re λ₂ < λ₁ if λ₁ is in the strip.  Then, with
+B = 2 |C₂/λ₂| e^(−Re λ₂ x₀) and some φ,
+
+    u = 1 + B e^(Re λ₂ ξ) (cos(Im λ₂ ξ + φ) + o(1)) as ξ → −∞:
+
+u crosses 1 infinitely often, is not monotone, and max u > 1.
+
+*Proof.* z(t) = ∫ v over (−∞, t) = Σ (C_j/λ_j) e^(λ_j t) + O(e^(ηt)).  The two terms of λ₂ are
+conjugate, and their sum is 2 |C₂/λ₂| e^(Re λ₂ t) cos(Im λ₂ t + arg(C₂/λ₂)); all others are smaller by
+a factor that tends to 0. ∎
+
+**Critical damping.** On an interval of γ that contains a γ with Re λ₂ = λ₁ both cases occur.  If on
+all of it d(Re λ₂ − λ₁)/dγ > 0 (see `tail_roots`), C₂ ≠ 0, C₁ < 0 and the inequality of monotone
+fronts holds, then the front is monotone for that γ and those above, and overshoots for those below.
 """
 
 import math
 
-from flint import acb, acb_poly, acb_series, arb, arb_poly, fmpq
+from flint import acb, acb_poly, arb, arb_poly, fmpq
 
 from granular_fronts.proofs.balls import (
     NotProvedError,
@@ -54,6 +67,7 @@ from granular_fronts.proofs.balls import (
     largest,
     size,
 )
+from granular_fronts.proofs.tail_roots import find_root, require_zeros, slope, speed
 
 TERMS = 16
 
@@ -65,9 +79,7 @@ def expand(front, theta, eta):
     at = (front.left + x0) * front.n
     if len(starts) != 2 or not front.n <= at <= len(front.u) - front.n:
         raise NotProvedError(f"x0 = {x0} is not inside the cells")
-    roots = [find_root(front, *row) for row in front.data["roots"].tolist()]
-    slowest, *others = (root.real for root in roots)
-    _require_order(front, theta, eta, slowest, others)
+    roots = find_modes(front, theta, eta)
     gains = []
     for w, name, begin in zip((theta, eta), ("slow_inverse", "fast_inverse"), starts, strict=True):
         norms, defect = inverse_defect(alpha, gamma, w, ng, front.data[name], begin)
@@ -85,35 +97,83 @@ def expand(front, theta, eta):
     V = gains[0] * slow / (1 - gains[0] * once * bend * z)
     c = bend * V**2 * twice / theta
 
-    C, *minor = (
-        _amplitude(front, root, source, errors, c / (2 * theta - root.real)) for root in roots
-    )
-    front.require("C1 < 0", C.real, arb(0))
-    A = -C.real * (-slowest * x0).exp() / slowest
-    yield (
-        f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {slowest.str(15)},"
+    modes = {
+        kind: (root, _amplitude(front, root, source, errors, c / (2 * theta - root.real)))
+        for kind, root in roots.items()
+    }
+    yield from conclude(front, modes, (gains[1] * (fast + c), eta), x0)
+
+
+def find_modes(front, theta, eta):
+    """All zeros with real parts up to η < 2θ, one real or one of a pair or both; all exceed θ."""
+    rows = front.data["roots"].tolist()
+    kinds = ["real" if row[1] == 0 else "pair" for row in rows]
+    if len(set(kinds)) < len(rows):
+        raise NotProvedError("more than one real root, or more than one pair")
+    count = kinds.count("real") + 2 * kinds.count("pair")
+    require_zeros(front, "all roots up to eta", eta, count)
+    front.require("eta < 2 theta", eta, 2 * theta)
+    roots = {kind: find_root(front, *row) for kind, row in zip(kinds, rows, strict=True)}
+    for kind, root in roots.items():
+        front.require(f"theta < Re λ of the {kind}", theta, root.real)
+        front.require(f"Re λ of the {kind} < eta", root.real, eta)
+    return roots
+
+
+def conclude(front, modes, rest, x0):
+    """What the leading mode says; `rest` is the bound of ω and its rate."""
+    real, pair = modes.get("real"), modes.get("pair")
+    lead = pair[0].real - real[0].real if real and pair else None
+    if not pair or (real and lead > 0):
+        front.require("C1 < 0", real[1].real, arb(0))
+        yield _slowest_mode(real, x0)
+        t, others = _other_modes(front, real, pair, rest, x0)
+        if t < 0 and others < -real[1].real:
+            name = "other modes, where the range of u' < 0 begins"
+            front.require(name, others, -real[1].real)
+            yield "u*' < 0 on the whole line: the front is monotone."
+    elif not real or lead < 0:
+        front.require("C2 is not 0", arb(0), abs(pair[1]))
+        yield _oscillation(pair, x0)
+    else:
+        front.require("C2 is not 0", arb(0), abs(pair[1]))
+        opening = speed(front, pair[0]).real - speed(front, real[0]).real
+        front.require("Re λ2 − λ1 grows with γ", arb(0), opening)
+        t, others = _other_modes(front, real, pair, rest, x0)
+        front.require("x0 is ahead of where the range of u' < 0 begins", t, arb(0))
+        front.require("other modes, where the range of u' < 0 begins", others, -real[1].real)
+        yield (
+            "Where γ has Re λ₂ ≥ λ₁, u*' < 0 on the whole line: the front is monotone.  Below, where"
+            " Re λ₂ < λ₁, u* − 1 changes its sign infinitely often as ξ → −∞: the front overshoots."
+        )
+
+
+def _other_modes(front, real, pair, rest, x0):
+    """The t where u' < 0 begins to be known, and a bound of all modes but C₁ relative to e^(λ₁t)."""
+    (bound, rate), (slowest, _), t = rest, real, arb(front.fall - x0)
+    others = bound * ((rate - slowest.real) * t).exp()
+    if pair:
+        others += 2 * abs(pair[1]) * ((pair[0].real - slowest.real) * t).exp()
+    return t, others
+
+
+def _slowest_mode(real, x0):
+    rate = real[0].real
+    A = -real[1].real * (-rate * x0).exp() / rate
+    return (
+        f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {rate.str(15)},"
         f" {-above(-A):.6f} − 1e-6 < A < {above(A):.6f} + 1e-6."
     )
-    t = arb(front.fall - x0)
-    rest = gains[1] * (fast + c) * ((eta - slowest) * t).exp()
-    for amplitude, rate in zip(minor, others, strict=True):
-        rest += 2 * abs(amplitude) * ((rate - slowest) * t).exp()
-    if t < 0 and rest < -C.real:
-        front.require("other modes, where the range of u' < 0 begins", rest, -C.real)
-        yield "u*' < 0 on the whole line: the front is monotone."
 
 
-def _require_order(front, theta, eta, slowest, others):
-    """θ < λ₁ < Re λ₂ < η < 2θ, and no more zeros."""
-    require_zeros(front, "all roots up to eta", eta, 1 + 2 * len(others))
-    front.require("theta < lambda1", theta, slowest)
-    front.require("lambda1 < eta", slowest, eta)
-    front.require("eta < 2 theta", eta, 2 * theta)
-    if len(others) > 1:
-        raise NotProvedError("more than one pair of complex roots")
-    for rate in others:
-        front.require("lambda1 < Re lambda2", slowest, rate)
-        front.require("Re lambda2 < eta", rate, eta)
+def _oscillation(pair, x0):
+    root, C = pair
+    B = 2 * abs(C / root) * (-root.real * x0).exp()
+    return (
+        f"u* = 1 + B exp(ρ ξ) (cos(ω ξ + φ) + o(1)) as ξ → −∞, ρ = {root.real.str(15)}, ω ="
+        f" {root.imag.str(15)}, {-above(-B):.6f} − 1e-6 < B < {above(B):.6f} + 1e-6, B > 0: u* − 1"
+        " changes its sign infinitely often, and the front overshoots."
+    )
 
 
 def boundary_source(front, at):
@@ -157,47 +217,6 @@ def _amplitude(front, root, source, errors, bent):
         value = integral(acb(1)) - integral(acb(-1))
         value += disc(2 * size(f) * remainder + 2 * error * growth)
         transform += value * half * (-root * fmpq(2 * (k - n) + 1, 2 * n)).exp()
-    return -transform / symbol(front, acb_series([root, 1], 2))[1]
+    return -transform / slope(front, root)
 
 
-def symbol(front, x):
-    """D(λ)."""
-    waves = x.exp() + (-x).exp() - 2
-    return 1 - front.alpha * (1 - front.gamma * x) * waves / (x * x)
-
-
-def find_root(front, real, imaginary, radius):
-    """The only zero of D in a square, by the interval Newton operator; real if its middle is."""
-    middle = acb(real, imaginary)
-    square = middle + disc(arb(radius))
-    if imaginary != 0:
-        front.require("lambda2 is not real", arb(0), square.imag)
-    for step in range(3):
-        found = middle - symbol(front, middle) / symbol(front, acb_series([square, 1], 2))[1]
-        if step == 0 and not square.contains_interior(found):
-            raise NotProvedError(f"no single root is found within {radius} of {middle}")
-        middle, square = found.mid(), found
-    return square if imaginary != 0 else acb(square.real)
-
-
-def require_zeros(front, name, w, count):
-    """D ≠ 0 on Re λ = w, and `count` zeros with 0 < Re λ < w.
-
-    The upper half of the line is cut into parts whose images lie in a half plane from 0; above them
-    |D − 1| < 1.
-    """
-    waves, height = w.exp() + (-w).exp() + 2, arb(4)
-    while not front.alpha * (1 + front.gamma * (w + height)) * waves < height**2:
-        height *= 2
-    turn, parts = -symbol(front, acb(w, height)).arg(), [(arb(0), height)]
-    while parts:
-        low, high = parts.pop()
-        start, whole, end = (symbol(front, acb(w, y)) for y in (low, low.union(high), high))
-        if (whole / start).real > 0:
-            turn += (end / start).arg()
-        elif len(parts) > 60:
-            raise NotProvedError(f"{name}: there may be a root with real part {w}")
-        else:
-            middle = (low + high) / 2
-            parts += [(low, middle), (middle, high)]
-    front.require(name, abs(turn / arb.pi() + 1 - count), arb(0.5))
