@@ -15,16 +15,19 @@ from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import INVERSE_UNIT, MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
-from granular_fronts.proofs.existence import approximate
+from granular_fronts.proofs.existence import approximate, chebyshev_nodes
 
 LOST, LOST_BEHIND = 1e-4, 0.01
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
-NEAR_ONE = 1e-11
+NEAR_ONE, LOST_IN_CURVATURE = 1e-11, 1e-5
+DEGREE_IN_GAMMA = 4
 DRIFT = 6e-4
 FINE = 40
 COARSE = 20
 WIDEST = 1e-8
 START = 1.5e-5
+SMALL_OVERSHOOT = 1e-6
+PART, LARGEST_PART, SMALLEST_PART = 2.5e-4, 2e-4, 2e-5
 
 Rational = float | str | Fraction
 """A number as `rational` reads it."""
@@ -92,7 +95,10 @@ def describe(front, alpha, interval, n, fine, drift):
     """The fields of the certificate of a computed front."""
     exponent, gamma = float(alpha), front.attrs["gamma"]
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
-    behind = _beads(-xi[abs(u - 1) > NEAR_ONE][0])
+    half = float(interval[1] - interval[0]) / 2
+    nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
+    fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
+    behind = _beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
     ahead = _beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
     c = _beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
     g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST)
@@ -108,31 +114,38 @@ def describe(front, alpha, interval, n, fine, drift):
         "alpha": _integers(alpha.numerator, alpha.denominator),
         "gamma": _integers(*(k for end in interval for k in (end.numerator, end.denominator))),
         "sizes": _integers(behind, ahead, n, p, q, c, fine),
-        "profile": approximate(front, behind, ahead, n),
+        "profile": approximate(fronts, behind, ahead, n),
         "inverse": _differences(g, INVERSE_UNIT, np.int32),
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
-    narrow = interval[1] - interval[0] < WIDEST
-    if narrow and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
-        radius = 1e-9 + 20 * float(interval[1] - interval[0])
-        fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
+    if front.attrs["overshoot"] < SMALL_OVERSHOOT:
+        fields |= _expansion(exponent, gamma, half, n * fine, xi, u)
     return fields
 
 
-def _expansion(alpha, gamma, n, roots, radius, xi, u):
+def _expansion(alpha, gamma, half, n, xi, u):
     """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀."""
-    slow, fast = _weights(alpha, gamma, np.array([root.real for root in roots]))
+    roots, moved = (slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
+    slow, fast = _weights(alpha, gamma, np.sort(roots.real))
     g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND) for w in (slow, fast)]
     x0 = math.floor(xi[(abs(u - 1) > START) & (xi < 0)][0])
-    found = [(root.real, root.imag, radius) for root in roots if root.real < fast]
+    lead = abs(roots.real[roots.imag > 0][0] - roots.real[0])
+    parts = 1 + math.ceil(half / np.clip(PART * lead, SMALLEST_PART, LARGEST_PART))
+    radius = 1e-9 + 3 / parts * abs(roots - moved)
+    found = [(root.real, root.imag, r) for root, r in zip(roots, radius, strict=True)]
     return {
         "weights": np.array([slow, fast]),
-        "roots": np.array(found),
-        "starts": _integers(x0, *(-p * n for _, p, _ in g)),
+        "roots": np.array([row for row in found if row[0] < fast]),
+        "starts": _integers(x0, *(-p * n for _, p, _ in g), parts),
         "slow_inverse": _differences(g[0][0], INVERSE_UNIT, np.int32),
         "fast_inverse": _differences(g[1][0], INVERSE_UNIT, np.int32),
     }
+
+
+def slowest_first(roots):
+    """Real roots first, and the slowest first among those."""
+    return np.array(sorted(roots, key=lambda root: (root.imag != 0, root.real)))
 
 
 def _weights(alpha, gamma, roots):

@@ -4,14 +4,14 @@ A tail u − 1 ~ e^(λξ) behind a front has D(λ) = 1 − α (1 − γλ)(2 cos
 q(λ) = λ²/(2 cosh λ − 2) and k = αγ this says that the line α − kλ meets the bell at λ.
 
 **One zero.** If f is analytic on a convex set X around m and N = m − f(m)/f'(X) lies inside X, then
-X holds exactly one zero of f, and N contains it (interval Newton operator): f(x) = f(m) + F(x)
-(x − m) with F(x), the mean of f' between m and x, in the convex set of numbers f'(X), which does not
+X holds exactly one zero of f, and N contains it (interval Newton operator): f(x) = f(m) + F(x) (x −
+m) with F(x), the mean of f' between m and x, in the convex set of numbers f'(X), which does not
 contain 0; so x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero (Brouwer), and every
 zero in X is in N; two zeros in X would make a mean of f' zero.  For real functions the same holds.
 If X is symmetric about the real axis and f real there, the zero is real.
 
-**All zeros.** Along Re λ = w, upwards, D turns m − 1 times if m zeros have 0 < Re λ < w, as it turns
-−1 times along the imaginary axis (Lemma 4 of `consequences`) and D → 1 at both ends.
+**All zeros.** Along Re λ = w, upwards, D turns m − 1 times if m zeros have 0 < Re λ < w, as it
+turns −1 times along the imaginary axis (Lemma 4 of `consequences`) and D → 1 at both ends.
 
 **Moving zeros.** As D = 0 makes α (2 cosh λ − 2)/λ² = 1/(1 − γλ), a simple zero moves by
 
@@ -19,29 +19,29 @@ If X is symmetric about the real axis and f real there, the zero is real.
 
 **Lemma 10 (one bend).** q'' < 0 on (0, b) and q'' > 0 on (b, ∞) for one b between 2 and 7/2.
 
-*Proof.* With p = −q'/q = coth(λ/2) − 2/λ = Σ 4λ/(λ² + 4π²k²) over k ≥ 1, q''/q = p² − p'.  As p ≤
-Σ λ/(π²k²) = λ/6 and, by (1 − x)/(1 + x)² ≥ 1 − 3x with x = λ²/(4π²k²), p' = Σ 4 (4π²k² −
-λ²)/(λ² + 4π²k²)² ≥ Σ (1 − 3x)/(π²k²) = 1/6 − λ²/120, it is below λ²/36 + λ²/120 − 1/6 < 0 for λ ≤
-2; as coth > 1 and p' = 2/λ² − 1/(2 sinh²(λ/2)) < 2/λ², it is above (1 − 2/λ)² − 2/λ² > 0 for λ ≥
-7/2.  `find_bend` shows that
-on each of finitely many intervals that cover [2, 7/2] either q'' ≠ 0 or q''' > 0: q'' changes its sign
-upwards only, hence once. ∎
+*Proof.* With p = −q'/q = coth(λ/2) − 2/λ = Σ 4λ/(λ² + 4π²k²) over k ≥ 1, q''/q = p² − p'.  As p ≤ Σ
+λ/(π²k²) = λ/6 and, by (1 − x)/(1 + x)² ≥ 1 − 3x with x = λ²/(4π²k²), p' = Σ 4 (4π²k² − λ²)/(λ² +
+4π²k²)² ≥ Σ (1 − 3x)/(π²k²) = 1/6 − λ²/120, it is below λ²/36 + λ²/120 − 1/6 < 0 for λ ≤ 2; as coth
+> 1 and p' = 2/λ² − 1/(2 sinh²(λ/2)) < 2/λ², it is above (1 − 2/λ)² − 2/λ² > 0 for λ ≥ 7/2.
+`find_bend` shows that on each of finitely many intervals that cover [2, 7/2] either q'' ≠ 0 or q'''
+> 0: q'' changes its sign upwards only, hence once. ∎
 
-**Lemma 11 (double roots).** T = q − λq' grows from 1 to α* = T(b) on (0, b) and falls beyond.  For 1
-< α < α* there is exactly one λ < b with T(λ) = α; with k = −q'(λ) the line touches the bell there,
-and as k grows through this value a pair of complex roots becomes two real ones.  For α > α* no real
-root is double; for α = α* the only one, b, is triple.
+**Lemma 11 (double roots).** T = q − λq' grows from 1 to α* = T(b) on (0, b) and falls beyond.  For
+1 < α < α* there is exactly one λ < b with T(λ) = α; with k = −q'(λ) the line touches the bell
+there, and as k grows through this value a pair of complex roots becomes two real ones.  For α > α*
+no real root is double; for α = α* the only one, b, is triple.
 
 *Proof.* T' = −λq''.  A line with α > 1, k > 0 touches the bell at λ > 0 if and only if α = T(λ) and
 k = −q'(λ); there (λ + x, k + y) is on both if y λ = −q'' x²/2 + …, so that x² ~ 2λy/|q''| if λ < b.
 ∎
 
 **Lemma 12 (crossing).** If at γ₀ exactly the real λ₁ and the pair λ₂, λ̄₂ have 0 < Re λ < w, all
-simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0, then near γ₀ the slowest root is complex for γ < γ₀
-and real for γ > γ₀.
+simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0, then near γ₀ the slowest root is complex for γ <
+γ₀ and real for γ > γ₀.
 """
 
 import math
+from itertools import pairwise
 
 from flint import acb, acb_series, arb, arb_series, fmpq
 
@@ -57,18 +57,18 @@ class Law(Inequalities):
 
     def __init__(self, alpha, gamma):
         super().__init__()
-        self.alpha, self.gamma = alpha, gamma
+        self.alpha, self.gamma, self.middle = alpha, gamma, gamma.mid()
 
 
-def symbol(law, x):
-    """D(λ)."""
-    waves = x.exp() + (-x).exp() - 2
-    return 1 - law.alpha * (1 - law.gamma * x) * waves / (x * x)
+def symbol(law, x, gamma=None):
+    """D(λ), for all γ of a law or for one."""
+    gamma, waves = law.gamma if gamma is None else gamma, x.exp() + (-x).exp() - 2
+    return 1 - law.alpha * (1 - gamma * x) * waves / (x * x)
 
 
-def slope(law, x):
+def slope(law, x, gamma=None):
     """D'(λ)."""
-    return symbol(law, acb_series([x, 1], 2))[1]
+    return symbol(law, acb_series([x, 1], 2), gamma)[1]
 
 
 def newton(f, derivative, start, radius):
@@ -83,10 +83,15 @@ def newton(f, derivative, start, radius):
 
 
 def find_root(law, real, imaginary, radius):
-    """The only zero of D in a square; real if its middle is, and else above the real axis."""
-    found = newton(
-        lambda x: symbol(law, x), lambda x: slope(law, x), acb(real, imaginary), arb(radius)
-    )
+    """The only zero of D in a square; real if its start is, and else above the real axis.
+
+    The square is about what Newton's method finds for the middle γ.
+    """
+    start = acb(real, imaginary)
+    for _ in range(NEWTON_STEPS):
+        step = symbol(law, start, law.middle) / slope(law, start, law.middle)
+        start = (start - step).mid() if imaginary else acb((start - step).real.mid())
+    found = newton(lambda x: symbol(law, x), lambda x: slope(law, x), start, arb(radius))
     if imaginary == 0:
         return acb(found.real)
     law.require("lambda2 is not real", arb(0), found.imag)
@@ -101,16 +106,18 @@ def speed(law, root):
 def require_zeros(law, name, w, count):
     """D ≠ 0 on Re λ = w, and `count` zeros with 0 < Re λ < w.
 
-    The upper half of the line is cut into parts whose images lie in a half plane from 0; above them
-    |D − 1| < 1.
+    The upper half of the line is cut into parts whose images for all γ lie in a half plane from 0;
+    above them |D − 1| < 1.  So D ≠ 0 there for all γ, it turns as often for each, and is followed
+    for the middle one.
     """
     waves, height = w.exp() + (-w).exp() + 2, arb(4)
     while not law.alpha * (1 + law.gamma * (w + height)) * waves < height**2:
         height *= 2
-    turn, parts = -symbol(law, acb(w, height)).arg(), [(arb(0), height)]
+    turn, parts = -symbol(law, acb(w, height), law.middle).arg(), [(arb(0), height)]
     while parts:
         low, high = parts.pop()
-        start, whole, end = (symbol(law, acb(w, y)) for y in (low, low.union(high), high))
+        start, end = (symbol(law, acb(w, y), law.middle) for y in (low, high))
+        whole = symbol(law, acb(w, low.union(high)))
         if (whole / start).real > 0:
             turn += (end / start).arg()
         elif len(parts) > 60:
@@ -127,7 +134,7 @@ def slowest_roots(law, starts, radius):
     One of each pair, in their order; that they are all is shown between the last two.
     """
     roots = [find_root(law, start.real, start.imag, radius) for start in starts]
-    for first, second in zip(roots, roots[1:], strict=False):
+    for first, second in pairwise(roots):
         law.require("the next root decays faster", first.real, second.real)
     *slow, last = roots
     count = sum(1 if start.imag == 0 else 2 for start in starts[:-1])
@@ -136,7 +143,7 @@ def slowest_roots(law, starts, radius):
 
 
 def bell(x, order):
-    """q and its derivatives at a real ball."""
+    """The values of q and of its derivatives at a real ball."""
     x = arb_series([x, 1], order + 1)
     series = x * x / (x.exp() + (-x).exp() - 2)
     return [series[k] * math.factorial(k) for k in range(order + 1)]

@@ -65,11 +65,11 @@ def _critical(alpha):
     exponent, gamma = ball(alpha), critical_damping(float(alpha))
     roots = computed_roots(float(alpha), gamma, count=3)
     if alpha < meaning_changes_at():
-        law, root = double_root(exponent, roots[0].real, 1e-4)
+        law, _ = double_root(exponent, roots[0].real, 1e-4)
         yield _record("γ_c, double root", alpha, "", law.gamma, gamma)
     else:
         real, pair = sorted(roots[:2], key=lambda root: root.imag)
-        law, root, _ = crossing(exponent, gamma, (real, pair), RADIUS)
+        law, *_ = crossing(exponent, gamma, (real, pair), RADIUS)
         yield _record("γ_c, crossing", alpha, "", law.gamma, gamma)
 
 
