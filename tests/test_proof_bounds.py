@@ -29,7 +29,7 @@ class Certificate:
         low, high = (data["gamma"][k] / data["gamma"][k + 1] for k in (0, 2))
         self.gamma = (low + high) / 2
         self.behind, self.ahead, self.n, self.p, self.q, self.c, self.fine = data["sizes"].tolist()
-        self.profile = data["profile"]
+        (self.profile,) = data["profile"]
         self.g = np.cumsum(np.cumsum(data["inverse"])) / 2**20
         size = len(data["correction"])
         correction = data["correction"].astype(int)

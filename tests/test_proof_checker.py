@@ -68,6 +68,11 @@ def changed(name, change):
     return apply
 
 
+def front(change):
+    """A change of the approximate front, which does not depend on γ here."""
+    return changed("profile", lambda rows: change(rows[0])[None])
+
+
 def at(index, value):
     def change(values):
         values = values.copy()
@@ -102,18 +107,21 @@ LIES = {
     "alpha 1": setting(alpha=[1, 1]),
     "alpha 1.51": setting(alpha=[151, 100]),
     "alpha negative": setting(alpha=[-3, 2]),
-    "a reflected front": changed("profile", lambda f: f[::-1] * (-1.0) ** np.arange(f.shape[1])),
-    "a step": changed("profile", step),
-    "no front": changed("profile", np.zeros_like),
-    "half of the front shifted": changed("profile", shifted_half),
-    "cells exchanged": changed("profile", lambda f: at([200, 220], f[[220, 200]])(f)),
-    "coefficients reversed": changed("profile", lambda f: f[:, ::-1].copy()),
-    "a cell lost": changed("profile", lambda f: f[1:]),
-    "not a number": changed("profile", at((100, 3), np.nan)),
-    "infinity": changed("profile", at((100, 0), np.inf)),
-    "huge": changed("profile", at((100, 0), 1e308)),
-    "single precision": changed("profile", lambda f: f.astype(np.float32)),
-    "complex": changed("profile", lambda f: f.astype(complex)),
+    "a reflected front": front(lambda f: f[::-1] * (-1.0) ** np.arange(f.shape[1])),
+    "a step": front(step),
+    "no front": front(np.zeros_like),
+    "half of the front shifted": front(shifted_half),
+    "cells exchanged": front(lambda f: at([200, 220], f[[220, 200]])(f)),
+    "coefficients reversed": front(lambda f: f[:, ::-1].copy()),
+    "no powers of s": changed("profile", lambda f: f[:0]),
+    "a front that varies with gamma": changed("profile", lambda f: np.append(f, 0.1 * f, 0)),
+    "a front without powers of s": changed("profile", lambda f: f[0]),
+    "a cell lost": front(lambda f: f[1:]),
+    "not a number": front(at((100, 3), np.nan)),
+    "infinity": front(at((100, 0), np.inf)),
+    "huge": front(at((100, 0), 1e308)),
+    "single precision": front(lambda f: f.astype(np.float32)),
+    "complex": front(lambda f: f.astype(complex)),
     "no matrix": changed("correction", np.zeros_like),
     "matrix shifted": changed("correction", lambda f: np.roll(f, 20, axis=0)),
     "matrix transposed": changed("correction", lambda f: f.T.copy()),

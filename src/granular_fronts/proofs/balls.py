@@ -19,16 +19,29 @@ at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
 """
 
 import math
+from contextlib import contextmanager
 
 import numpy as np
-from flint import acb, arb, arb_poly, fmpq
+from flint import acb, arb, arb_poly, ctx, fmpq
 
+PRECISION, SERIES = 80, 12  # bits, and terms of the longest series
 UNIT = arb(0, 1)  # the interval from −1 to 1
 MATRIX_UNIT, INVERSE_UNIT = 2.0**-16, 2.0**-20
 
 
 class NotProvedError(Exception):
     """Names what is not certain, or which field is not what it must be."""
+
+
+@contextmanager
+def in_balls():
+    """Precision, and the longest series, that the proof needs; as they were afterwards."""
+    before = ctx.prec, ctx.cap
+    ctx.prec, ctx.cap = PRECISION, SERIES
+    try:
+        yield
+    finally:
+        ctx.prec, ctx.cap = before
 
 
 def kernel(gamma, w, n):
@@ -119,6 +132,26 @@ def power(u, exponent):
     return u**exponent if u > 0 else arb(0).union(u.upper() ** exponent)
 
 
+def powers(u, exponent, count):
+    """The first coefficients of (u₀ + u₁ s + …)^exponent, themselves series in t.
+
+    By w = u^c, u w' = c u' w: k u₀ w_k = Σ (c i − k + i) u_i w_(k−i), 1 ≤ i ≤ k.
+    """
+    found = [u[0] ** exponent]
+    for k in range(1, count):
+        terms = ((exponent * i - (k - i)) * (u[i] * found[k - i]) for i in range(1, k + 1))
+        found.append(sum(terms, 0 * u[0]) / (k * u[0]))
+    return found
+
+
+def horner(f, s):
+    """Σ f_k s^k."""
+    value = f[-1]
+    for coefficient in f[-2::-1]:
+        value = coefficient + s * value
+    return value
+
+
 def largest(values):
     """The least exact upper bound of all values."""
     tops = [value.upper() for value in values]
@@ -128,6 +161,11 @@ def largest(values):
     for top in tops:
         found = found if top <= found else top
     return found
+
+
+def tops(values):
+    """An exact upper bound of each value."""
+    return array(value.upper() for value in values)
 
 
 def above(x):

@@ -15,11 +15,12 @@ from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import INVERSE_UNIT, MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
-from granular_fronts.proofs.existence import approximate
+from granular_fronts.proofs.existence import approximate, chebyshev_nodes
 
 LOST, LOST_BEHIND = 1e-4, 0.01
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
-NEAR_ONE = 1e-11
+NEAR_ONE, LOST_IN_CURVATURE = 1e-11, 1e-5
+DEGREE_IN_GAMMA = 4
 DRIFT = 6e-4
 FINE = 40
 COARSE = 20
@@ -92,7 +93,10 @@ def describe(front, alpha, interval, n, fine, drift):
     """The fields of the certificate of a computed front."""
     exponent, gamma = float(alpha), front.attrs["gamma"]
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
-    behind = _beads(-xi[abs(u - 1) > NEAR_ONE][0])
+    half = float(interval[1] - interval[0]) / 2
+    nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
+    fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
+    behind = _beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
     ahead = _beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
     c = _beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
     g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST)
@@ -108,13 +112,12 @@ def describe(front, alpha, interval, n, fine, drift):
         "alpha": _integers(alpha.numerator, alpha.denominator),
         "gamma": _integers(*(k for end in interval for k in (end.numerator, end.denominator))),
         "sizes": _integers(behind, ahead, n, p, q, c, fine),
-        "profile": approximate(front, behind, ahead, n),
+        "profile": approximate(fronts, behind, ahead, n),
         "inverse": _differences(g, INVERSE_UNIT, np.int32),
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
-    narrow = interval[1] - interval[0] < WIDEST
-    if narrow and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
+    if len(fronts) == 1 and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
         radius = 1e-9 + 20 * float(interval[1] - interval[0])
         fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
     return fields

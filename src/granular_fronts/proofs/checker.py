@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from flint import arb, arb_poly, arb_series, ctx, fmpq
+from flint import arb, arb_poly, arb_series, fmpq
 
 from granular_fronts import arguments
 from granular_fronts.proofs.balls import (
@@ -23,17 +23,21 @@ from granular_fronts.proofs.balls import (
     array,
     bounds,
     convolve,
+    horner,
+    in_balls,
     inverse_defect,
     kernel,
     largest,
     power,
+    powers,
     size,
     summed,
+    tops,
 )
 from granular_fronts.proofs.consequences import shape
 from granular_fronts.proofs.rear_expansion import expand, require_zeros
 
-PRECISION, TAYLOR_ORDER, SMALL_STRAIN = 80, 8, 1e-7
+TAYLOR_ORDER, MOST_POWERS, SMALL_STRAIN = 8, 8, 1e-7
 EXPANSION = {  # kind of number and axes
     "roots": ("f8", 2),
     "starts": ("i8", 1),
@@ -44,7 +48,7 @@ FIELDS = {
     "alpha": ("i8", 1),
     "gamma": ("i8", 1),
     "sizes": ("i8", 1),
-    "profile": ("f8", 2),
+    "profile": ("f8", 3),
     "inverse": ("i4", 1),
     "correction": ("i2", 2),
     "weights": ("f8", 1),
@@ -64,8 +68,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     dict
         `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
         parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
-        from ū; `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded
-        outwards) and their difference `margin`.
+        from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
+        are `overshoot` (max u* is above it), `rate` (λ₁), `amplitude_low` and `amplitude_high`
+        (of A) and `monotone` (1); `inequalities`, dicts of `name`, `left` and `right` (left <
+        right, rounded outwards) and their difference `margin`.
 
     Raises
     ------
@@ -74,28 +80,27 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     """
     path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
-    before, ctx.prec = ctx.prec, PRECISION
     try:
-        front = Front(read(path))
-        statements = [*front.exists(), *shape(front), *front.rear()]
+        with in_balls():
+            front = Front(read(path))
+            statements = [*front.exists(), *shape(front), *front.rear()]
         record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
-        record["inequalities"] = front.inequalities
+        record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except Exception as failure:
         record["reason"] = f"{type(failure).__name__}: {failure}"
-    finally:
-        ctx.prec = before
     return record
 
 
 class Front:
     """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
 
-    The window [−b, M] of A is its last W cells.
+    P, u and all that is made from them contain every γ of the certificate.  The window [−b, M] of
+    A is the last W cells.
     """
 
     def __init__(self, data):
-        self.data, self.inequalities = data, []
+        self.data, self.inequalities, self.numbers = data, [], {}
         alpha, low, high = (
             arb(fmpq(*map(int, data[name][k : k + 2])))
             for name, k in (("alpha", 0), ("gamma", 0), ("gamma", 2))
@@ -106,23 +111,42 @@ class Front:
         behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
         self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
         self.M = ahead + 1
-        self.W, cells = (self.c + q + ahead + 3) * n, (self.left + ahead + 1) * n
-        have = len(data["profile"]), len(data["inverse"]), *data["correction"].shape
+        self.W = (self.c + q + ahead + 3) * n
+        have = data["profile"].shape[1], len(data["inverse"]), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
         if have != want:
             raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
         self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
-        pieces = [arb_poly([1])] * ((self.left + 1 - behind) * n)
-        pieces += [arb_poly(row) for row in data["profile"].tolist()] + [arb_poly([0])] * (2 * n)
-        once = antiderivatives(pieces, self.h)
-        twice = antiderivatives(once, self.h)
-        P1, P2 = (
-            [f[j + n] - 2 * f[j] + f[j - n] for j in range(n, n + cells)] for f in (once, twice)
+        known = [self.integrate(k, rows) for k, rows in enumerate(data["profile"].tolist())]
+        self.profile, first, second = (
+            list(zip(*each, strict=True)) for each in zip(*known, strict=True)
         )
-        self.P = pieces[n : n + cells]
-        self.u = [g - self.gamma * f for f, g in zip(P1, P2, strict=True)]
+        self.middle, half, zero = (low + high) / 2, (high - low) / 2, arb_poly([0])
+        self.strain = [
+            [
+                g - self.middle * f - half * e
+                for e, f, g in zip((zero, *F), (*F, zero), (*G, zero), strict=True)
+            ]
+            for F, G in zip(first, second, strict=True)
+        ]
+        self.P, self.u = self.at(UNIT)
         self.u_mid = array(u[0] for u in self.u)
         self.u_low, self.u_high = map(array, zip(*map(bounds, self.u), strict=True))
+
+    def integrate(self, k, rows):
+        """The coefficient of s^k in P̄ on all cells, and differences of its antiderivatives."""
+        n, behind = self.n, arb_poly([int(k == 0)])
+        pieces = [behind] * ((self.left + 1) * n - self.data["sizes"][0] * n)
+        pieces += [arb_poly(row) for row in rows] + [arb_poly([0])] * (2 * n)
+        once = antiderivatives(pieces, self.h)
+        twice = antiderivatives(once, self.h)
+        inside = range(n, len(pieces) - n)
+        steps = ([f[j + n] - 2 * f[j] + f[j - n] for j in inside] for f in (once, twice))
+        return pieces[n:-n], *steps
+
+    def at(self, s):
+        """P̄ and ū on all cells at γ₀ + s δ."""
+        return [[horner(f, s) for f in cells] for cells in (self.profile, self.strain)]
 
     def require(self, name, left, right):
         """Note left < right, or stop."""
@@ -148,6 +172,7 @@ class Front:
         farthest = next(filter(partial(self.contracts, Y0), far), r).max(r)
         self.require("Z1 + Z2(r) < 1", self.Z1 + self.Z2(r), arb(1))
         self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
+        self.numbers["radius"] = above(r)
         self.P_error, self.u_error = self.rho * r, self.kappa * r
         self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * r
         self.error = above(largest([*self.u_error, *(self.outer_kappa * r)]))
@@ -172,19 +197,23 @@ class Front:
 
     def rise(self, low, high, w):
         """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
-        top = low.max(w) if self.alpha <= 2 else high + w
-        return self.a(top) - self.a(top - w)
+        tops = [low.max(w)] * (not self.alpha > 2) + [high + w] * (not self.alpha < 2)
+        return largest(self.a(top) - self.a(top - w) for top in tops)
 
     def residual(self, j):
-        """Bound of |P̄ − ū₊^α| on cell j by a Taylor polynomial about its middle."""
-        P, u, m = self.P[j], self.u[j], TAYLOR_ORDER
+        """Bound of |P̄ − ū₊^α| on cell j by Taylor polynomials in s about γ₀ and in t."""
         if not self.u_low[j] > SMALL_STRAIN:
-            return size(P) + power(abs(self.u_high[j]), self.alpha)
-        terms = []
+            return size(self.P[j]) + power(abs(self.u_high[j]), self.alpha)
+        P, u, m = self.profile[j], self.strain[j], TAYLOR_ORDER
+        found = [[] for _ in P]
         for point, order in ((arb_poly([0, 1]), m), (arb_poly([UNIT, 1]), m + 1)):
-            p, v = (arb_series(f(point).coeffs(), order) for f in (P, u))
-            terms += (p - v**self.alpha).coeffs()[len(terms) : order]
-        return sum(map(abs, terms), arb(0))
+            p, v = ([arb_series(f(point).coeffs(), order) for f in parts] for parts in (P, u))
+            for terms, f, g in zip(found, p, powers(v, self.alpha, len(P)), strict=True):
+                terms += (f - g).coeffs()[len(terms) : order]
+        ranges = arb_poly([low.union(high) for low, high in map(bounds, u)])
+        near = [self.u_low[j].union(self.u_high[j]), *ranges(arb_poly([UNIT, 1])).coeffs()[1:]]
+        last = (arb_series(near, len(P) + 1) ** self.alpha)[len(P)]
+        return sum((abs(term) for terms in found for term in terms), abs(last))
 
     def bound_inverse(self):
         """Z1, and the row norms ρ of A and κ of K*A, on all cells and outside."""
@@ -214,6 +243,7 @@ class Front:
             edges = convolve(middles[::-1], row)[n - 1 : n + W]
             v[k] = h * np.abs(edges).sum() + h / 2 * np.abs(row).sum()
 
+        v, rest = tops(v), tops(rest)
         w, swing = v + 1, array([h * h / 2] * (2 * n + 1))
         swing[[0, n, -1]] += h * self.gamma * array([fmpq(1, 2), 1, fmpq(1, 2)])
         change, modulus = (np.convolve(w, f)[n:-n] for f in (swing, absolute))
@@ -221,7 +251,7 @@ class Front:
         entering = alpha * (self.gamma**2 + (1 - self.gamma) ** 2) / 2 * largest(w[:n])
         gain = 1 + largest([entering, *rest[:n]])
         outer = gain * (defect + drift * (tails[0] + defect)) + nK * largest(a_high[-n:])
-        self.Z1 = outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])
+        self.Z1 = (outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])).upper()
 
         reach = np.clip((np.arange(W) - n) * self.fine - begin, 0, len(tails) - 1)
         added = gain * tails[reach] + rest
@@ -230,13 +260,14 @@ class Front:
         direct = np.convolve(rho, absolute + swing)[2 * n : -2 * n]
         through = v + added + inner + outer
         kappa = [
-            d.min(t / a) if a > 0 else d for d, t, a in zip(direct, through, a_low, strict=True)
+            d.upper().min((t / a).upper()) if a > 0 else d
+            for d, t, a in zip(direct, through, a_low, strict=True)
         ]
         first = (gain * tails[0] + entering * (1 + drift) + outer) / (alpha * (1 - drift))
         more = len(self.u) - W
-        self.rho, self.rho_behind = array([behind] * more + [*rho[n:-n]]), behind
-        self.kappa = array([first] * more + kappa)
-        self.outer_kappa = array([first, nK * largest(rho[-2 * n :])])
+        self.rho, self.rho_behind = tops([behind] * more + [*rho[n:-n]]), behind.upper()
+        self.kappa = tops([first] * more + kappa)
+        self.outer_kappa = tops([first, nK * largest(rho[-2 * n :])])
 
     def rear(self):
         """Lemma 7 and, where the certificate has its data, the expansion behind."""
@@ -264,4 +295,7 @@ def read(path):
         raise NotProvedError(f"sizes are {sizes}, not seven numbers from 1 to 1000")
     if alpha.shape != (2,) or gamma.shape != (4,) or min(alpha[1], *gamma[1::2]) < 1:
         raise NotProvedError("alpha is not one fraction, or gamma not two")
+    low, below, high, under = gamma.tolist()
+    if low * under > high * below or not 1 <= len(data["profile"]) <= MOST_POWERS:
+        raise NotProvedError("gamma falls, or the front has too many powers of s")
     return data

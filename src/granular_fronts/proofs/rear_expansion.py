@@ -90,6 +90,11 @@ def expand(front, theta, eta):
     )
     front.require("C1 < 0", C.real, arb(0))
     A = -C.real * (-slowest * x0).exp() / slowest
+    front.numbers |= {
+        "rate": float(slowest),
+        "amplitude_low": -above(-A),
+        "amplitude_high": above(A),
+    }
     yield (
         f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {slowest.str(15)},"
         f" {-above(-A):.6f} − 1e-6 < A < {above(A):.6f} + 1e-6."
@@ -100,6 +105,7 @@ def expand(front, theta, eta):
         rest += 2 * abs(amplitude) * ((rate - slowest) * t).exp()
     if t < 0 and rest < -C.real:
         front.require("other modes, where the range of u' < 0 begins", rest, -C.real)
+        front.numbers["monotone"] = 1.0
         yield "u*' < 0 on the whole line: the front is monotone."
 
 
@@ -160,10 +166,10 @@ def _amplitude(front, root, source, errors, bent):
     return -transform / symbol(front, acb_series([root, 1], 2))[1]
 
 
-def symbol(front, x):
-    """D(λ)."""
-    waves = x.exp() + (-x).exp() - 2
-    return 1 - front.alpha * (1 - front.gamma * x) * waves / (x * x)
+def symbol(front, x, gamma=None):
+    """D(λ), for all γ of the certificate or for one."""
+    gamma, waves = front.gamma if gamma is None else gamma, x.exp() + (-x).exp() - 2
+    return 1 - front.alpha * (1 - gamma * x) * waves / (x * x)
 
 
 def find_root(front, real, imaginary, radius):
@@ -183,16 +189,18 @@ def find_root(front, real, imaginary, radius):
 def require_zeros(front, name, w, count):
     """D ≠ 0 on Re λ = w, and `count` zeros with 0 < Re λ < w.
 
-    The upper half of the line is cut into parts whose images lie in a half plane from 0; above them
-    |D − 1| < 1.
+    The upper half of the line is cut into parts whose images for all γ lie in a half plane from 0;
+    above them |D − 1| < 1.  So D ≠ 0 there for all γ, it turns as often for each, and is followed
+    for the middle one.
     """
     waves, height = w.exp() + (-w).exp() + 2, arb(4)
     while not front.alpha * (1 + front.gamma * (w + height)) * waves < height**2:
         height *= 2
-    turn, parts = -symbol(front, acb(w, height)).arg(), [(arb(0), height)]
+    turn, parts = -symbol(front, acb(w, height), front.middle).arg(), [(arb(0), height)]
     while parts:
         low, high = parts.pop()
-        start, whole, end = (symbol(front, acb(w, y)) for y in (low, low.union(high), high))
+        start, end = (symbol(front, acb(w, y), front.middle) for y in (low, high))
+        whole = symbol(front, acb(w, low.union(high)))
         if (whole / start).real > 0:
             turn += (end / start).arg()
         elif len(parts) > 60:
