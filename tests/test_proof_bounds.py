@@ -202,10 +202,10 @@ def test_norms_are_those_of_dense_matrices(pair):
     indirect=True,
 )
 def test_inverse_is_one(pair):
-    """Row norms on a finer mesh, from below: near the bounds of A and K*A, a part of that of 1 − L A.
+    """Row norms on a finer mesh: near the bounds of A and K*A, a part of that of 1 − L A.
 
-    The supremum over y that are constant on small cells, at middles of cells: A is exact there but
-    for the middle rule of the convolution with g behind the window.
+    From below: the supremum over y that are constant on small cells, at middles of cells.  A is
+    exact there but for the middle rule in the convolution with g of what is not constant on cells.
     """
     front, known = pair
     n, k = front.n, 3

@@ -84,7 +84,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         with in_balls():
             front = Front(read(path))
             statements = [*front.exists(), *shape(front), *front.rear()]
-        record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+            record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except Exception as failure:
