@@ -25,7 +25,7 @@ class Certificate:
 
     def __init__(self, name):
         data = load(name)
-        self.alpha = data["alpha"][0] / data["alpha"][1]
+        self.alpha = data["alpha"][2] / data["alpha"][3]
         low, high = (data["gamma"][k] / data["gamma"][k + 1] for k in (0, 2))
         self.gamma = (low + high) / 2
         self.behind, self.ahead, self.n, self.p, self.q, self.c, self.fine = data["sizes"].tolist()
