@@ -30,7 +30,7 @@ class Certificate:
         self.gamma = (low + high) / 2
         self.behind, self.ahead, self.n, self.p, self.q, self.c, self.fine = data["sizes"].tolist()
         (self.profile,) = data["profile"]
-        self.g = np.cumsum(np.cumsum(data["inverse"])) / 2**20
+        self.g = np.cumsum(np.cumsum(data["inverse"][0])) / 2**20
         size = len(data["correction"])
         correction = data["correction"].astype(int)
         self.H = np.eye(size) + np.cumsum(np.cumsum(correction, axis=1), axis=0) / 2**16

@@ -159,7 +159,7 @@ def test_box_of_alpha_is_proved_in_width(tmp_path):
 
 
 def test_interval_that_is_too_wide_is_not_proved(tmp_path):
-    record = prove_front("3/2", ("0.3", "0.315"), tmp_path / "wide.npz")
+    record = prove_front("3/2", ("0.3", "0.34"), tmp_path / "wide.npz")
     assert not record["proved"]
     assert "Y0" in record["reason"] or "Z1" in record["reason"]
 

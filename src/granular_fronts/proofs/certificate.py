@@ -99,7 +99,7 @@ def describe(front, alpha, interval, n, fine, drift):
     behind = _beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
     ahead = _beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
     c = _beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
-    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST)
+    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST, half)
 
     roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
     longer = _beads(6.5 / roots[0].real) * n
@@ -113,7 +113,7 @@ def describe(front, alpha, interval, n, fine, drift):
         "gamma": _fractions(interval),
         "sizes": _integers(behind, ahead, n, p, q, c, fine),
         "profile": approximate(fronts, behind, ahead, n),
-        "inverse": _differences(g, INVERSE_UNIT, np.int32),
+        "inverse": np.array([_differences(row, INVERSE_UNIT, np.int32) for row in g]),
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
@@ -138,8 +138,8 @@ def _expansion(alpha, gamma, n, roots, radius, xi, u):
         "weights": np.array([slow, fast]),
         "roots": np.array(found),
         "starts": _integers(x0, *(-p * n for _, p, _ in g)),
-        "slow_inverse": _differences(g[0][0], INVERSE_UNIT, np.int32),
-        "fast_inverse": _differences(g[1][0], INVERSE_UNIT, np.int32),
+        "slow_inverse": _differences(g[0][0][0], INVERSE_UNIT, np.int32),
+        "fast_inverse": _differences(g[1][0][0], INVERSE_UNIT, np.int32),
     }
 
 

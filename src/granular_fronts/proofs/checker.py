@@ -31,6 +31,7 @@ from granular_fronts.proofs.balls import (
     power,
     powers,
     size,
+    slope_kernel,
     summed,
     tops,
 )
@@ -49,7 +50,7 @@ FIELDS = {
     "gamma": ("i8", 1),
     "sizes": ("i8", 1),
     "profile": ("f8", 3),
-    "inverse": ("i4", 1),
+    "inverse": ("i4", 2),
     "correction": ("i2", 2),
     "weights": ("f8", 1),
 }
@@ -113,7 +114,7 @@ class Front:
         self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
         self.M = ahead + 1
         self.W = (self.c + q + ahead + 3) * n
-        have = data["profile"].shape[1], len(data["inverse"]), *data["correction"].shape
+        have = *(data[name].shape[1] for name in ("profile", "inverse")), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
         if have != want:
             raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
@@ -122,10 +123,10 @@ class Front:
         self.profile, first, second = (
             list(zip(*each, strict=True)) for each in zip(*known, strict=True)
         )
-        self.middle, half, zero = (low + high) / 2, (high - low) / 2, arb_poly([0])
+        self.middle, self.half, zero = (low + high) / 2, (high - low) / 2, arb_poly([0])
         self.strain = [
             [
-                g - self.middle * f - half * e
+                g - self.middle * f - self.half * e
                 for e, f, g in zip((zero, *F), (*F, zero), (*G, zero), strict=True)
             ]
             for F, G in zip(first, second, strict=True)
@@ -226,10 +227,12 @@ class Front:
         drift = largest(abs(a / alpha - 1) for a in (*a_low[:far], *a_high[:far]))
         self.require("|a(ū)/α − 1| behind −c", drift, arb(1))
         a_low, a_mid, a_high = (a[-W:] for a in (a_low, a_mid, a_high))
-        middles, whole, absolute = kernel(self.gamma, arb(0), n)
+        middles, _, absolute = kernel(self.gamma, arb(0), n)
+        flat, sign = kernel(self.middle, arb(0), n)[1], slope_kernel(arb(0), n)[1]
         begin = -self.p * n * self.fine
+        gammas = self.middle, self.half
         tails, defect = inverse_defect(
-            *self.law, arb(0), n * self.fine, self.data["inverse"], begin
+            alpha, gammas, arb(0), n * self.fine, self.data["inverse"], begin
         )
         self.require("‖e‖", defect, arb(1))
 
@@ -237,7 +240,8 @@ class Front:
         H = ones + summed(self.data["correction"]) * MATRIX_UNIT
         rest, v = array([0] * W), array([0] * W)
         for j in range(W):  # columns of 1 − L_h H
-            smooth = convolve(whole, H[:, j])[n:-n]
+            varying = self.half * UNIT * convolve(sign, H[:, j])
+            smooth = (convolve(flat, H[:, j]) + varying)[n:-n]
             rest += np.abs(ones[:, j] - H[:, j] + a_mid * smooth) * (a_mid[j] * nK)
         for k in range(W):  # rows of H diag(a)
             row = H[k] * a_mid
@@ -300,6 +304,6 @@ def read(path):
         low, below, high, under = data[name].tolist()
         if low * under > high * below:
             raise NotProvedError(f"{name} falls")
-    if not 1 <= len(data["profile"]) <= MOST_POWERS:
-        raise NotProvedError("the front has too many powers of s")
+    if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:
+        raise NotProvedError("there are too many powers of s")
     return data

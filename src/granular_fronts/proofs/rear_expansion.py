@@ -70,7 +70,7 @@ def expand(front, theta, eta):
     _require_order(front, theta, eta, slowest, others)
     gains = []
     for w, name, begin in zip((theta, eta), ("slow_inverse", "fast_inverse"), starts, strict=True):
-        norms, defect = inverse_defect(alpha, gamma, w, ng, front.data[name], begin)
+        norms, defect = inverse_defect(alpha, [gamma], w, ng, front.data[name][None], begin)
         front.require(f"‖e‖ of the {name}", defect, arb(1))
         gains.append((1 + norms[0]) / (1 - defect))
 
