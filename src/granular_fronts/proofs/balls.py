@@ -14,8 +14,9 @@ the middles K_w*g is a sum of g times integrals of K_w over cells about s = m h,
 
     Σ ∫|e'| ≤ α k' + α (k' + γ (2 + e^w + e^(−w))) ‖g‖₁,     k' = (e^w − e^(−w))/w + w ‖K_w‖₁.
 
-If the bound of ‖e‖₁ is below 1, δ − α K_w has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm
-at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
+On an interval of γ, γ₀ + s δ with |s| ≤ 1, g is a polynomial in s, and so is e in the middles; the
+sum of the moduli of its coefficients is a bound there.  If the bound of ‖e‖₁ is below 1, δ − α K_w
+has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
 """
 
 import math
@@ -66,21 +67,35 @@ def kernel(gamma, w, n):
     return array(middles), whole[::2] + whole[1::2], absolute[::2] + absolute[1::2]
 
 
-def inverse_defect(alpha, gamma, w, n, g, begin):
-    """∫|g| from each cell on, and a bound of ‖e‖₁.
+def inverse_defect(alpha, gammas, w, n, rows, begin):
+    """∫|g| from each cell on, and a bound of ‖e‖₁, for all |s| ≤ 1.
 
-    g, from s = begin/n on, is stored by its second differences in units of INVERSE_UNIT.
+    γ and g are polynomials in s, `gammas` and `rows` their coefficients.  The rows, from begin/n
+    on, are stored by their second differences in units of INVERSE_UNIT.
     """
-    if not begin <= -n or begin + len(g) < n:
+    count = rows.shape[1]
+    if not begin <= -n or begin + count < n:
         raise NotProvedError("an inverse of the rear does not cover (−1, 1)")
-    g, (middles, whole, absolute) = array(summed(g) * INVERSE_UNIT), kernel(gamma, w, n)
-    e = -alpha * convolve(whole, g)
-    e[n:-n] += g
-    e[-begin : 2 * n - begin] -= alpha * middles
-    norms = np.cumsum(np.abs([*g, arb(0)])[::-1])[::-1] / n
-    smooth = (2 * w.sinh() / w if w > 0 else 2) + w * absolute.sum()
+    g = [array(summed(row) * INVERSE_UNIT) for row in rows]
+    e = np.array([array([0] * (count + 2 * n)) for _ in range(len(g) + len(gammas) - 1)])
+    for k, row in enumerate(g):
+        e[k, n:-n] += row
+    for j, part in enumerate(gammas):
+        middles, whole = (part * f for f in slope_kernel(w, n)) if j else kernel(part, w, n)[:2]
+        e[j, -begin : 2 * n - begin] -= alpha * middles
+        for k, row in enumerate(g):
+            e[j + k] -= alpha * convolve(whole, row)
+    norms = np.cumsum(np.abs([*sum(map(np.abs, g)), arb(0)])[::-1])[::-1] / n
+    gamma = horner(gammas, UNIT)
+    smooth = (2 * w.sinh() / w if w > 0 else 2) + w * kernel(gamma, w, n)[2].sum()
     slopes = alpha * (smooth + (smooth + 2 * gamma * (1 + w.cosh())) * norms[0])
     return norms, np.abs(e).sum() / n + slopes / (2 * n)
+
+
+def slope_kernel(w, n):
+    """The first two of `kernel` for sgn(s) e^(−ws), by which K_w depends on γ."""
+    one, zero = (kernel(arb(gamma), w, n)[:2] for gamma in (1, 0))
+    return [f - g for f, g in zip(one, zero, strict=True)]
 
 
 def summed(differences):

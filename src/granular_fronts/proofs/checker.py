@@ -31,6 +31,7 @@ from granular_fronts.proofs.balls import (
     power,
     powers,
     size,
+    slope_kernel,
     summed,
     tops,
 )
@@ -41,15 +42,15 @@ TAYLOR_ORDER, MOST_POWERS, SMALL_STRAIN = 8, 8, 1e-7
 EXPANSION = {  # kind of number and axes
     "roots": ("f8", 2),
     "starts": ("i8", 1),
-    "slow_inverse": ("i4", 1),
-    "fast_inverse": ("i4", 1),
+    "slow_inverse": ("i4", 2),
+    "fast_inverse": ("i4", 2),
 }
 FIELDS = {
     "alpha": ("i8", 1),
     "gamma": ("i8", 1),
     "sizes": ("i8", 1),
     "profile": ("f8", 3),
-    "inverse": ("i4", 1),
+    "inverse": ("i4", 2),
     "correction": ("i2", 2),
     "weights": ("f8", 1),
 }
@@ -84,7 +85,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         with in_balls():
             front = Front(read(path))
             statements = [*front.exists(), *shape(front), *front.rear()]
-        record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+            record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except Exception as failure:
@@ -95,24 +96,25 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
 class Front:
     """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
 
-    P, u and all that is made from them contain every γ of the certificate.  The window [−b, M] of
-    A is the last W cells.
+    P, u and all that is made from them contain every α and γ of the certificate.  The window
+    [−b, M] of A is the last W cells.
     """
 
     def __init__(self, data):
         self.data, self.inequalities, self.numbers = data, [], {}
-        alpha, low, high = (
+        least, most, low, high = (
             arb(fmpq(*map(int, data[name][k : k + 2])))
-            for name, k in (("alpha", 0), ("gamma", 0), ("gamma", 2))
+            for name in ("alpha", "gamma")
+            for k in (0, 2)
         )
-        self.law = self.alpha, self.gamma = alpha, low.union(high)
+        self.law = self.alpha, self.gamma = least.union(most), low.union(high)
         self.require("alpha > 1", arb(1), self.alpha)
         self.require("gamma > 0", arb(0), self.gamma)
         behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
         self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
         self.M = ahead + 1
         self.W = (self.c + q + ahead + 3) * n
-        have = data["profile"].shape[1], len(data["inverse"]), *data["correction"].shape
+        have = *(data[name].shape[1] for name in ("profile", "inverse")), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
         if have != want:
             raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
@@ -225,10 +227,12 @@ class Front:
         drift = largest(abs(a / alpha - 1) for a in (*a_low[:far], *a_high[:far]))
         self.require("|a(ū)/α − 1| behind −c", drift, arb(1))
         a_low, a_mid, a_high = (a[-W:] for a in (a_low, a_mid, a_high))
-        middles, whole, absolute = kernel(self.gamma, arb(0), n)
+        middles, _, absolute = kernel(self.gamma, arb(0), n)
+        flat, sign = kernel(self.middle, arb(0), n)[1], slope_kernel(arb(0), n)[1]
         begin = -self.p * n * self.fine
+        gammas = self.middle, self.half
         tails, defect = inverse_defect(
-            *self.law, arb(0), n * self.fine, self.data["inverse"], begin
+            alpha, gammas, arb(0), n * self.fine, self.data["inverse"], begin
         )
         self.require("‖e‖", defect, arb(1))
 
@@ -236,7 +240,8 @@ class Front:
         H = ones + summed(self.data["correction"]) * MATRIX_UNIT
         rest, v = array([0] * W), array([0] * W)
         for j in range(W):  # columns of 1 − L_h H
-            smooth = convolve(whole, H[:, j])[n:-n]
+            varying = self.half * UNIT * convolve(sign, H[:, j])
+            smooth = (convolve(flat, H[:, j]) + varying)[n:-n]
             rest += np.abs(ones[:, j] - H[:, j] + a_mid * smooth) * (a_mid[j] * nK)
         for k in range(W):  # rows of H diag(a)
             row = H[k] * a_mid
@@ -253,7 +258,7 @@ class Front:
         outer = gain * (defect + drift * (tails[0] + defect)) + nK * largest(a_high[-n:])
         self.Z1 = (outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])).upper()
 
-        reach = np.clip((np.arange(W) - n) * self.fine - begin, 0, len(tails) - 1)
+        reach = np.minimum((np.arange(W) - n) * self.fine - begin, len(tails) - 1)
         added = gain * tails[reach] + rest
         behind = gain * (1 + tails[0])
         rho = np.concatenate([[behind] * n, w + added, [arb(1)] * n])
@@ -290,12 +295,15 @@ def read(path):
         kind = values.dtype.str[1:], values.ndim
         if kind != fields[name] or not values.size or not np.isfinite(values).all():
             raise NotProvedError(f"{name} is {kind}, not finite numbers {fields[name]}")
-    sizes, alpha, gamma = data["sizes"], data["alpha"], data["gamma"]
+    sizes = data["sizes"]
     if sizes.shape != (7,) or sizes.min() < 1 or sizes.max() > 1000:
         raise NotProvedError(f"sizes are {sizes}, not seven numbers from 1 to 1000")
-    if alpha.shape != (2,) or gamma.shape != (4,) or min(alpha[1], *gamma[1::2]) < 1:
-        raise NotProvedError("alpha is not one fraction, or gamma not two")
-    low, below, high, under = gamma.tolist()
-    if low * under > high * below or not 1 <= len(data["profile"]) <= MOST_POWERS:
-        raise NotProvedError("gamma falls, or the front has too many powers of s")
+    for name in ("alpha", "gamma"):
+        if data[name].shape != (4,) or data[name][1::2].min() < 1:
+            raise NotProvedError(f"{name} is not two fractions")
+        low, below, high, under = data[name].tolist()
+        if low * under > high * below:
+            raise NotProvedError(f"{name} falls")
+    if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:
+        raise NotProvedError("there are too many powers of s")
     return data
