@@ -100,13 +100,18 @@ LIES = {
     "gamma 0.5": setting(gamma=[1, 2, 1, 2]),
     "a wide interval": setting(gamma=[29, 100, 31, 100]),
     "half of gamma wrong": setting(gamma=[3, 10, 5, 10]),
+    "gamma falls": setting(gamma=[300000001, 10**9, 3, 10]),
     "gamma over 0": setting(gamma=[3, 0, 3, 0]),
     "gamma over −10": setting(gamma=[-3, -10, -3, -10]),
     "one fraction for gamma": setting(gamma=[3, 10]),
     "gamma in doubles": setting(gamma=[3.0, 10.0, 3.0, 10.0]),
-    "alpha 1": setting(alpha=[1, 1]),
-    "alpha 1.51": setting(alpha=[151, 100]),
-    "alpha negative": setting(alpha=[-3, 2]),
+    "alpha 1": setting(alpha=[1, 1, 1, 1]),
+    "alpha 1.51": setting(alpha=[151, 100, 151, 100]),
+    "alpha up to 1.51": setting(alpha=[3, 2, 151, 100]),
+    "alpha falls": setting(alpha=[3, 2, 149999999, 10**8]),
+    "alpha negative": setting(alpha=[-3, 2, -3, 2]),
+    "one fraction for alpha": setting(alpha=[3, 2]),
+    "alpha over 0": setting(alpha=[3, 0, 3, 0]),
     "a reflected front": front(lambda f: f[::-1] * (-1.0) ** np.arange(f.shape[1])),
     "a step": front(step),
     "no front": front(np.zeros_like),
@@ -114,6 +119,7 @@ LIES = {
     "cells exchanged": front(lambda f: at([200, 220], f[[220, 200]])(f)),
     "coefficients reversed": front(lambda f: f[:, ::-1].copy()),
     "no powers of s": changed("profile", lambda f: f[:0]),
+    "nine powers of s": changed("profile", lambda f: np.append(f, np.zeros((8, *f.shape[1:])), 0)),
     "a front that varies with gamma": changed("profile", lambda f: np.append(f, 0.1 * f, 0)),
     "a front without powers of s": changed("profile", lambda f: f[0]),
     "a cell lost": front(lambda f: f[1:]),
@@ -136,7 +142,6 @@ LIES = {
     "empty": changed("inverse", lambda f: f[:0]),
     "inverse without powers of s": changed("inverse", lambda f: f[0]),
     "inverse that varies with gamma": changed("inverse", lambda f: np.append(f, f, 0)),
-    "gamma falls": setting(gamma=[31, 100, 3, 10]),
     "ten powers of s": changed("profile", lambda f: np.append(f, np.zeros_like(f[[0] * 9]), 0)),
     "negative sizes": changed("sizes", lambda f: -f),
     "huge sizes": changed("sizes", at(0, 2**62)),
@@ -230,10 +235,15 @@ def test_objects_are_not_read(tmp_path):
 
 
 def test_precision_of_others_is_left_alone():
-    flint.ctx.prec = 53
-    check_certificate(DATA / "overshoot.npz")
-    check_certificate("nowhere")
-    assert flint.ctx.prec == 53
+    """The context of flint is the same afterwards, and of no influence before."""
+    flint.ctx.prec, flint.ctx.cap = 30, 3
+    try:
+        record = check_certificate(DATA / "overshoot.npz")
+        check_certificate("nowhere")
+        assert (flint.ctx.prec, flint.ctx.cap) == (30, 3)
+    finally:
+        flint.ctx.prec, flint.ctx.cap = 53, 10
+    assert record == check_certificate(DATA / "overshoot.npz")
 
 
 def test_command_needs_flint_and_numpy_only():

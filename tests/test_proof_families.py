@@ -1,6 +1,7 @@
 """Proofs for all γ of an interval, and the junctions that make one family of them."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -129,6 +130,32 @@ def test_a_front_shifted_by_a_cell_is_not_joined(folder):
         setattr(second, name, [*pieces[1:], pieces[-1]])
     with pytest.raises(balls.NotProvedError, match=r"shift below a cell|translate"):
         join(first, second)
+
+
+def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
+    """About the Hertz chain: α = 3/2 ± 1e-6, two intervals of γ."""
+    alpha, ends = ("1499999/1000000", "1500001/1000000"), ("0.3", "0.3005", "0.301")
+    paths = [tmp_path / "first.npz", tmp_path / "second.npz"]
+    for path, gamma in zip(paths, pairwise(ends), strict=True):
+        record = prove_front(alpha, gamma, path)
+        assert record["proved"], record["reason"]
+        low, high = record["alpha"]
+        assert low <= 1.499999 < 1.500001 <= high
+        front = prove(path)
+        xi = (np.arange(len(front.u)) + 0.5) / front.n - front.left
+        with in_balls():
+            strain = [float(u[0].mid()) for u in front.at(flint.arb(0))[1]]
+        for exponent in (1.499999, 1.500001):
+            computed = solve_front(exponent, sum(map(float, gamma)) / 2)
+            assert abs(evaluate_front(computed, xi) - strain).max() < record["error"]
+    assert len(list(prove_family(paths))) == 2
+
+
+def test_box_of_alpha_is_proved_in_width(tmp_path):
+    record = prove_front(("1499/1000", "1501/1000"), "0.3", tmp_path / "wide.npz")
+    assert not record["proved"]
+    record = prove_front(("2999/2000", "3001/2000"), ("0.3", "0.3005"), tmp_path / "box.npz")
+    assert record["proved"], record["reason"]
 
 
 def test_interval_that_is_too_wide_is_not_proved(tmp_path):

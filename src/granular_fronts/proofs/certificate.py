@@ -32,7 +32,7 @@ Rational = float | str | Fraction
 
 
 def prove_front(
-    alpha: Rational,
+    alpha: Rational | tuple[Rational, Rational],
     gamma: Rational | tuple[Rational, Rational],
     path: str | Path,
     cells: int = 20,
@@ -43,10 +43,10 @@ def prove_front(
 
     Parameters
     ----------
-    alpha : int, float, str or Fraction
-        Exponent of the force, above 1: 2, "3/2" or "1.5".
+    alpha : int, float, str, Fraction or pair of them
+        Exponent of the force, above 1: 2, "3/2" or "1.5"; a pair is an interval.
     gamma : int, float, str, Fraction or pair of them
-        Damping, above 0 (β = α); a pair is an interval, for every point of which the proof holds.
+        Damping, above 0 (β = α).  The proof holds for every point of both intervals.
     path : str or path
         The certificate is written here, in a folder that exists.
     cells : int, optional
@@ -67,12 +67,12 @@ def prove_front(
         If an argument is impossible, the front is not found, or the numbers do not fit into a
         certificate.
     """
-    alpha, interval, path = rational(alpha, "alpha", above=1), _interval(gamma), _place(path)
+    alpha, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
+    path = _place(path)
     cells = arguments.count("cells", cells, least=8, most=200)
     fine = arguments.count("fine", fine, most=1000)
     drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
-    middle = float(sum(interval) / 2)
-    front = solve_front(float(alpha), middle)
+    front = solve_front(float(sum(alpha) / 2), float(sum(interval) / 2))
     if not front.attrs["converged"]:
         raise InputError(f"no front to prove: {front.attrs['reason']}.")
     fields = describe(front, alpha, interval, cells, fine, drift)
@@ -91,7 +91,7 @@ def _write_and_check(path, fields):
 
 def describe(front, alpha, interval, n, fine, drift):
     """The fields of the certificate of a computed front."""
-    exponent, gamma = float(alpha), front.attrs["gamma"]
+    exponent, gamma = front.attrs["alpha"], front.attrs["gamma"]
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
     half = float(interval[1] - interval[0]) / 2
     nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
@@ -109,15 +109,20 @@ def describe(front, alpha, interval, n, fine, drift):
     stiffness = exponent * strain ** (exponent - 1)
     correction = right_inverse.window_correction(stiffness, gamma, n, -first * n, longer)
     fields = {
-        "alpha": _integers(alpha.numerator, alpha.denominator),
-        "gamma": _integers(*(k for end in interval for k in (end.numerator, end.denominator))),
+        "alpha": _fractions(alpha),
+        "gamma": _fractions(interval),
         "sizes": _integers(behind, ahead, n, p, q, c, fine),
         "profile": approximate(fronts, behind, ahead, n),
         "inverse": np.array([_differences(row, INVERSE_UNIT, np.int32) for row in g]),
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
-    if len(fronts) == 1 and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
+    if (
+        alpha[0] == alpha[1]
+        and len(fronts) == 1
+        and roots[0].imag == 0
+        and front.attrs["overshoot"] < 1e-9
+    ):
         radius = 1e-9 + 20 * float(interval[1] - interval[0])
         fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
     return fields
@@ -186,23 +191,28 @@ def _place(path):
     return path
 
 
-def _interval(gamma):
-    """Both ends of an interval of γ, which are one number for a single γ."""
-    ends = gamma if isinstance(gamma, (tuple, list)) else (gamma, gamma)
+def interval_of(numbers, name, above=0):
+    """Both ends of an interval, which are one number for a single one."""
+    ends = numbers if isinstance(numbers, (tuple, list)) else (numbers, numbers)
     if len(ends) != 2:
         raise InputError(
-            f"gamma is {arguments.shown(gamma)}, but must be a number or two: give it."
+            f"{name} is {arguments.shown(numbers)}, but must be a number or two: give it."
         )
-    low, high = (rational(end, "gamma") for end in ends)
+    low, high = (rational(end, name, above) for end in ends)
     if low > high:
         raise InputError(
-            f"the interval of gamma runs from {low} down to {high}: exchange its ends."
+            f"the interval of {name} runs from {low} down to {high}: exchange its ends."
         )
     return low, high
 
 
 def _beads(length):
     return max(1, math.ceil(length))
+
+
+def _fractions(interval):
+    """Numerators and denominators of both ends."""
+    return _integers(*(k for end in interval for k in (end.numerator, end.denominator)))
 
 
 def _integers(*numbers):

@@ -85,7 +85,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         with in_balls():
             front = Front(read(path))
             statements = [*front.exists(), *shape(front), *front.rear()]
-        record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+            record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except Exception as failure:
@@ -96,17 +96,18 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
 class Front:
     """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
 
-    P, u and all that is made from them contain every γ of the certificate.  The window [−b, M] of
-    A is the last W cells.
+    P, u and all that is made from them contain every α and γ of the certificate.  The window
+    [−b, M] of A is the last W cells.
     """
 
     def __init__(self, data):
         self.data, self.inequalities, self.numbers = data, [], {}
-        alpha, low, high = (
+        least, most, low, high = (
             arb(fmpq(*map(int, data[name][k : k + 2])))
-            for name, k in (("alpha", 0), ("gamma", 0), ("gamma", 2))
+            for name in ("alpha", "gamma")
+            for k in (0, 2)
         )
-        self.law = self.alpha, self.gamma = alpha, low.union(high)
+        self.law = self.alpha, self.gamma = least.union(most), low.union(high)
         self.require("alpha > 1", arb(1), self.alpha)
         self.require("gamma > 0", arb(0), self.gamma)
         behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
@@ -257,7 +258,7 @@ class Front:
         outer = gain * (defect + drift * (tails[0] + defect)) + nK * largest(a_high[-n:])
         self.Z1 = (outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])).upper()
 
-        reach = np.clip((np.arange(W) - n) * self.fine - begin, 0, len(tails) - 1)
+        reach = np.minimum((np.arange(W) - n) * self.fine - begin, len(tails) - 1)
         added = gain * tails[reach] + rest
         behind = gain * (1 + tails[0])
         rho = np.concatenate([[behind] * n, w + added, [arb(1)] * n])
@@ -294,12 +295,15 @@ def read(path):
         kind = values.dtype.str[1:], values.ndim
         if kind != fields[name] or not values.size or not np.isfinite(values).all():
             raise NotProvedError(f"{name} is {kind}, not finite numbers {fields[name]}")
-    sizes, alpha, gamma = data["sizes"], data["alpha"], data["gamma"]
+    sizes = data["sizes"]
     if sizes.shape != (7,) or sizes.min() < 1 or sizes.max() > 1000:
         raise NotProvedError(f"sizes are {sizes}, not seven numbers from 1 to 1000")
-    if alpha.shape != (2,) or gamma.shape != (4,) or min(alpha[1], *gamma[1::2]) < 1:
-        raise NotProvedError("alpha is not one fraction, or gamma not two")
-    (low, below, high, under), powers = gamma.tolist(), (data["profile"], data["inverse"])
-    if low * under > high * below or max(map(len, powers)) > MOST_POWERS:
-        raise NotProvedError("gamma falls, or there are too many powers of s")
+    for name in ("alpha", "gamma"):
+        if data[name].shape != (4,) or data[name][1::2].min() < 1:
+            raise NotProvedError(f"{name} is not two fractions")
+        low, below, high, under = data[name].tolist()
+        if low * under > high * below:
+            raise NotProvedError(f"{name} falls")
+    if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:
+        raise NotProvedError("there are too many powers of s")
     return data

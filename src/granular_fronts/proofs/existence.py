@@ -20,8 +20,8 @@ distributions, and u_n(t) = u(n − t) solves the chain.  If u > 0 everywhere, u
 for ξ ≥ M = m + 1; ā = a(ū), L = DQ(P̄) = 1 − ā K*.  With the second differences Δ over one bead
 and the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.  For an interval of
 γ, γ₀ − δ to γ₀ + δ, let γ = γ₀ + s δ and P̄ = P̄₀ + s P̄₁ + … + s^d P̄_d, P̄_k = 0 outside (−ℓ, m) for
-k ≥ 1; then ū is a polynomial in s of degree d + 1.  What follows is claimed for each γ by itself,
-with bounds that hold for all of the interval.
+k ≥ 1; then ū is a polynomial in s of degree d + 1.  α may be in an interval too, on which P̄ does
+not depend.  What follows is claimed for each α and γ by itself, with bounds that hold for all.
 
 **Theorem 2.** Let A: L^∞ → L^∞ be bounded and linear, Y₀ ≥ ‖Q(P̄)‖, Z₁ ≥ ‖1 − L A‖, κ(ξ) ≥ |(K*A
 y)(ξ)| for all ‖y‖ ≤ 1, and Z₂(r) ≥ κ(ξ) |a(ū(ξ) + w) − a(ū(ξ))| for all ξ and |w| ≤ κ(ξ) r.  If Y₀

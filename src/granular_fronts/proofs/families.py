@@ -24,7 +24,9 @@ Hence y = 0, c = 0. ∎
 
 Shifting the second branch by τ, and each following one by the sum of the shifts before it, makes
 the family continuous over all intervals; what is proved of each front (positivity, decrease ahead,
-the maximum above 1) does not change by shifts.
+the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
+certificates, this holds for each α; as φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
+below h with that φ and so depends continuously on α: the family is continuous in α and γ.
 """
 
 import math
@@ -83,16 +85,16 @@ def record(path, front):
     }
 
 
-def ends(front):
-    """Both ends of the interval of γ."""
-    numbers = front.data["gamma"].tolist()
+def ends(front, name="gamma"):
+    """Both ends of the interval of γ, or of α."""
+    numbers = front.data[name].tolist()
     return Fraction(*numbers[:2]), Fraction(*numbers[2:])
 
 
 def join(first, second):
     """Lemma 9 at the common end of two intervals; noted among the inequalities of the second."""
     (_, high), (low, _) = ends(first), ends(second)
-    if high != low or first.data["alpha"].tolist() != second.data["alpha"].tolist():
+    if high != low or ends(first, "alpha") != ends(second, "alpha"):
         raise NotProvedError(f"the intervals do not meet: {high} and {low}")
     n = math.lcm(first.n, second.n)
     one, two = Side(first, 1, n), Side(second, -1, n)

@@ -9,7 +9,7 @@ import numpy as np
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import solve_front
 from granular_fronts.proofs.balls import NotProvedError
-from granular_fronts.proofs.certificate import describe, rational
+from granular_fronts.proofs.certificate import describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
 
 STEP, NARROWEST = Fraction(1, 10**6), 4
@@ -24,7 +24,7 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
 
     Parameters
     ----------
-    alpha : int, str or Fraction
+    alpha : int, str, Fraction or pair of them
     low, high : str or Fraction
         With at most six decimals.
     folder : str or path
@@ -44,7 +44,7 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
     NotProvedError
         Where even narrow intervals are not proved.
     """
-    alpha, folder = rational(alpha, "alpha", above=1), Path(folder)
+    alpha, folder = interval_of(alpha, "alpha", above=1), Path(folder)
     at, high, width = rational(low, "low"), rational(high, "high"), rational(width, "width")
     if (at / STEP).denominator != 1 or (high / STEP).denominator != 1:
         raise InputError("the ends of an interval of gamma have at most six decimals.")
@@ -54,7 +54,7 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
         path = folder / f"{float(at):.6f}.npz"
         if not path.exists():
             interval = at, min(at + steps * STEP, high)
-            front = solve_front(float(alpha), float(sum(interval) / 2))
+            front = solve_front(float(sum(alpha) / 2), float(sum(interval) / 2))
             _write(path, describe(front, alpha, interval, cells, fine, drift))
         try:
             found = prove(path, last)
@@ -75,13 +75,8 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
 def _require_place(front, alpha, at, high):
     """Stop unless a front of the folder is one of this interval."""
     low, end = ends(front)
-    if low != at or not low < end <= high or rational_of(front.data["alpha"]) != alpha:
+    if low != at or not low < end <= high or ends(front, "alpha") != alpha:
         raise NotProvedError("a certificate in the folder belongs to another interval")
-
-
-def rational_of(pair):
-    """A fraction of a certificate."""
-    return Fraction(*pair.tolist())
 
 
 def _write(path, fields):
