@@ -28,7 +28,15 @@ from granular_fronts.fronts.solve import solve_front
 from granular_fronts.proofs.certificate import describe
 
 PACKAGE = "granular_fronts.proofs"
-TRUSTED = ("balls", "consequences", "rear_expansion", "checker", "families")
+TRUSTED = (
+    "balls",
+    "inequalities",
+    "tail_roots",
+    "consequences",
+    "rear_expansion",
+    "checker",
+    "families",
+)
 SOURCES = {name: (ROOT / f"src/granular_fronts/proofs/{name}.py").read_text() for name in TRUSTED}
 EXCHANGED = {
     ast.Add: ast.Sub,

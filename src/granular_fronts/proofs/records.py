@@ -11,6 +11,8 @@ NUMBERS = {
     "amplitude_low": "amplitude_low",
     "amplitude_high": "amplitude_high",
     "monotone": "monotone",
+    "oscillates": "oscillates",
+    "critical": "critical",
 }
 """Numbers of a record, and the variables that hold them."""
 
