@@ -13,7 +13,7 @@ from granular_fronts.proofs.certificate import describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
 
 STEP, NARROWEST, NARROW = Fraction(1, 10**6), 4, 500
-GROWTH, CAUTION, ROOM = Fraction(5, 4), Fraction(7, 10), 0.8
+GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(7, 10), 0.8
 CONCLUSIONS = {"overshoot", "oscillates", "critical", "monotone"}
 
 
