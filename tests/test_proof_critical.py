@@ -25,8 +25,7 @@ def records(tmp_path_factory):
     folder = tmp_path_factory.mktemp("critical")
     return {
         interval: gf.prove_front("3/2", interval, folder / f"{interval[0]}.npz")
-        for interval in (HERTZ = Fraction(3, 2)
-BELOW, AROUND, ABOVE)
+        for interval in (BELOW, AROUND, ABOVE)
     }
 
 

@@ -60,6 +60,7 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
         try:
             found = prove(path, last)
             _require_place(found, alpha, at, high)
+            _require_conclusion(found, steps)
         except NotProvedError:
             path.unlink()
             if steps <= NARROWEST:
