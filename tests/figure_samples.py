@@ -321,6 +321,29 @@ def ring_map():
     return {"rings": campaign.assign(status=solved), **runs}
 
 
+def proofs(alphas, gammas):
+    """Certificates of fronts that overshoot, are monotone, are either, and exist."""
+    names = "error_bound", "overshoot_bound", "gamma_low", "gamma_high"
+    data = sample({"certificate": ["a", "b", "c", "d"]}, {name: ["certificate"] for name in names})
+    data["error_bound"] = "certificate", [1e-8, 1e-7, 1e-6, 1e-5]
+    data["overshoot_bound"] = "certificate", [0.1, np.nan, np.nan, np.nan]
+    for row, shape in enumerate(("oscillates", "monotone", "critical")):
+        data[shape] = "certificate", np.where(np.arange(4) == row, 1.0, np.nan)
+    data["alpha"] = "certificate", alphas
+    data["gamma_low"], data["gamma_high"] = (("certificate", ends) for ends in gammas)
+    return data
+
+
+def enclosed_front():
+    """A front with errors, a residual, and bounds of its tails, the first lower bound unknown."""
+    variables = {name: ["xi"] for name in ("approximation", "error", "residual")}
+    variables |= {name: ["xi_ahead"] for name in ("decay_low", "decay_high")}
+    data = sample({**XI, "xi_ahead": [1.0, 1.5, 2.0, 2.5]}, variables, alpha=1.5, gamma=0.3)
+    data["error"] = 1e-9 * data["error"]
+    data["decay_high"][0] = np.inf
+    return data.assign_attrs(rate=0.5, amplitude_low=0.6, amplitude_high=0.7)
+
+
 PROBES = ("relative_displacement_steady", "relative_displacement_transient")
 GRIDS = ("relative_displacement_grid", "velocity_grid")
 
@@ -351,5 +374,11 @@ SAMPLES = {
     "fig20": ring_limit,
     "fig21": ring_map,
     "fig22": lambda: {"data": half_step_damping()},
+    "fig23": lambda: {
+        "fronts": proofs([1.5, 2.0, 1.5, 3.0], ([0.2, 0.3, 0.25, 0.4], [0.2, 0.3, 0.25, 0.4])),
+        "intervals": proofs([1.5] * 4, ([0.1, 0.2, 0.4, 0.8], [0.2, 0.4, 0.8, 1.0])),
+        "curves": critical_damping(),
+    },
+    "fig24": lambda: {"data": enclosed_front()},
 }
 """What each figure is given, by the names of its arguments."""

@@ -25,12 +25,12 @@ class Certificate:
 
     def __init__(self, name):
         data = load(name)
-        self.alpha = data["alpha"][0] / data["alpha"][1]
+        self.alpha = data["alpha"][2] / data["alpha"][3]
         low, high = (data["gamma"][k] / data["gamma"][k + 1] for k in (0, 2))
         self.gamma = (low + high) / 2
         self.behind, self.ahead, self.n, self.p, self.q, self.c, self.fine = data["sizes"].tolist()
-        self.profile = data["profile"]
-        self.g = np.cumsum(np.cumsum(data["inverse"])) / 2**20
+        (self.profile,) = data["profile"]
+        self.g = np.cumsum(np.cumsum(data["inverse"][0])) / 2**20
         size = len(data["correction"])
         correction = data["correction"].astype(int)
         self.H = np.eye(size) + np.cumsum(np.cumsum(correction, axis=1), axis=0) / 2**16
@@ -202,7 +202,11 @@ def test_norms_are_those_of_dense_matrices(pair):
     indirect=True,
 )
 def test_inverse_is_one(pair):
-    """A on a finer mesh: 1 − L A and A reach a good part of their bounds, and no more."""
+    """Row norms on a finer mesh: near the bounds of A and K*A, a part of that of 1 − L A.
+
+    From below: the supremum over y that are constant on small cells, at middles of cells.  A is
+    exact there but for the middle rule in the convolution with g of what is not constant on cells.
+    """
     front, known = pair
     n, k = front.n, 3
     h, left, right = 1 / (n * k), known.b + known.p + 2, known.M + 1
@@ -226,14 +230,9 @@ def test_inverse_is_one(pair):
 
     window = (x > -known.b) & (x < known.M)
     middles = window & (np.arange(len(x)) % k == k // 2)
-    u = np.zeros(len(x))
-    cells = (x > -front.left) & (x < known.M)
-    u[cells] = np.interp(
-        x[cells],
-        (np.arange(len(front.u)) + 0.5) / n - front.left,
-        floats(front.u_mid),
-    )
-    u[x <= -front.left] = 1.0
+    u = np.where(x < -front.left, 1.0, 0.0)
+    inside = (x > -front.left) & (x < known.M)
+    u[inside] = known.u(x[inside])
     stiffness = known.a(u)
     sources = np.diag(window.astype(float))
     R = stiffness[middles][:, None] * (K @ sources)[middles]
@@ -249,16 +248,15 @@ def test_inverse_is_one(pair):
     d = np.zeros_like(f)
     d[window] = spread @ remaining
     A = G @ (np.diag(left_of.astype(float)) + s + d) + f + np.diag((x > known.M).astype(float))
-    LA = A - stiffness[:, None] * (K @ A)
+    KA = K @ A
     safe = (x > -known.b - 3) & (x < known.M + 0.9)  # Away from the ends of this mesh.
-    defect = abs(np.eye(len(x)) - LA)[safe].sum(axis=1)
-    assert 0.02 < defect.max() < float(front.Z1.mid())
-    norms = abs(A)[window].sum(axis=1)
-    rho = np.repeat(floats(front.rho)[-window.sum() // k :], k)
-    assert (norms < rho * 1.02).all()
-    assert norms[k * n * known.b // 2 :].max() > 0.5 * rho[k * n * known.b // 2 :].max()
-    kappa = np.repeat(floats(front.kappa)[-window.sum() // k :], k)
-    assert (abs(K @ A)[window].sum(axis=1) < kappa * 1.02).all()
+    defect = abs(np.eye(len(x)) - A + stiffness[:, None] * KA)[safe].sum(axis=1).max()
+    assert 0.15 * float(front.Z1.mid()) < defect < float(front.Z1.mid())
+    rho, kappa = (np.repeat(floats(f)[-(window.sum() // k) :], k) for f in (front.rho, front.kappa))
+    shares = [abs(f)[window].sum(axis=1) / bound for f, bound in ((A, rho), (KA, kappa))]
+    assert 0.9999 < shares[0].max() < 1 + 1e-12
+    assert 0.9 < shares[1].max() < 1
+    assert np.median(shares[0]) > 0.9
 
 
 def convolution_of_cells(known, n):

@@ -1,6 +1,7 @@
 """Proofs for all γ of an interval, and the junctions that make one family of them."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -8,60 +9,115 @@ import pytest
 flint = pytest.importorskip("flint")
 
 from granular_fronts.errors import InputError  # noqa: E402
+from granular_fronts.fronts.solve import evaluate_front, solve_front  # noqa: E402
 from granular_fronts.proofs import balls  # noqa: E402
+from granular_fronts.proofs.balls import in_balls  # noqa: E402
 from granular_fronts.proofs.certificate import prove_front, rational  # noqa: E402
-from granular_fronts.proofs.checker import Front, read  # noqa: E402
-from granular_fronts.proofs.families import join, prove_family  # noqa: E402
+from granular_fronts.proofs.families import join, prove, prove_family  # noqa: E402
 from granular_fronts.proofs.intervals import prove_interval  # noqa: E402
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Two intervals of γ that meet at 0.3004."""
+    """Two intervals of γ that meet at 0.3032."""
     folder = tmp_path_factory.mktemp("family")
-    paths = list(prove_interval("3/2", "0.3", "0.3008", folder, width="0.0004"))
-    assert [path.name for path in paths] == ["0.300000.npz", "0.300400.npz"]
+    records = list(prove_interval("3/2", "0.3", "0.3064", folder, width="0.0032"))
+    names = [f"{folder}/{low}.npz" for low in ("0.300000", "0.303200")]
+    assert [record["path"] for record in records] == names
     return folder
 
 
 def fronts(folder):
     """Both fronts."""
     flint.ctx.prec = 80
-    found = [Front(read(path)) for path in sorted(folder.glob("*.npz"))]
-    for front in found:
-        list(front.exists())
-    return found
+    return [prove(path) for path in sorted(folder.glob("*.npz"))]
 
 
 def test_two_intervals_are_one_family(folder):
     records = list(prove_family(sorted(folder.glob("*.npz"))))
-    ends = [[Fraction(*end) for end in record["gamma"]] for record in records]
-    assert ends[0][0] == Fraction("0.3")
-    assert ends[0][1] == ends[1][0]
-    assert ends[1][1] == Fraction("0.3008")
+    middle = Fraction("0.3032")
+    assert [record["gamma"] for record in records] == [
+        (Fraction("0.3"), middle),
+        (middle, Fraction("0.3064")),
+    ]
     last = records[1]["inequalities"][-1]
     assert last["name"] == "the front before is a translate"
     assert last["left"] < 0.95
+    assert max(record["error"] for record in records) < 1e-6
+
+
+def test_front_varies_with_gamma_within_the_enclosure(folder):
+    """Fronts computed at other γ than those that P̄ was made from."""
+    front = prove(next(folder.glob("0.300000.npz")))
+    xi = (np.arange(len(front.u)) + 0.5) / front.n - front.left
+    for s in (-1.0, -0.37, 0.5, 1.0):
+        with in_balls():
+            strain = [float(u[0].mid()) for u in front.at(flint.arb(s))[1]]
+        computed = solve_front(1.5, 0.3016 + 0.0016 * s)
+        assert abs(evaluate_front(computed, xi) - strain).max() < front.error
+
+
+def test_range_over_gamma_contains_every_front(folder):
+    front = prove(next(folder.glob("0.300000.npz")))
+    for s in np.linspace(-1, 1, 7):
+        with in_balls():
+            P, u = front.at(flint.arb(s))
+        assert all(wide[0].contains(one[0]) for wide, one in zip(front.u, u, strict=True))
+        assert all(wide[0].contains(one[0]) for wide, one in zip(front.P, P, strict=True))
+
+
+def test_residual_of_an_interval_contains_those_of_its_points(folder):
+    """|P̄ − ū₊^α| at points in ξ and γ stays below its bound, and reaches a good part of it."""
+    front = prove(next(folder.glob("0.300000.npz")))
+    shares = []
+    for j in range(40, len(front.u), 23):
+        with in_balls():
+            bound = float(front.residual(j).upper())
+        found = 0.0
+        for s in np.linspace(-1, 1, 9):
+            with in_balls():
+                P, u = front.at(flint.arb(s))
+                for t in np.linspace(-1, 1, 7):
+                    value = P[j](flint.arb(t)) - balls.power(u[j](flint.arb(t)), front.alpha)
+                    found = max(found, abs(float(value.mid())))
+        assert found <= bound
+        shares.append(found / bound)
+    assert max(shares) > 0.5
 
 
 def test_what_is_there_is_kept(folder):
     before = {path: path.read_bytes() for path in folder.glob("*.npz")}
-    assert list(prove_interval("3/2", "0.3", "0.3008", folder)) == []
+    again = list(prove_interval("3/2", "0.3", "0.3064", folder))
+    assert [record["path"] for record in again] == [str(path) for path in sorted(before)]
     assert before == {path: path.read_bytes() for path in folder.glob("*.npz")}
+
+
+@pytest.mark.slow
+def test_what_is_not_proved_is_made_anew(folder, tmp_path):
+    """A certificate of another interval, and none, in the place of the second."""
+    first, second = sorted(folder.glob("*.npz"))
+    for file, place in ((first, first.name), (first, second.name)):
+        (tmp_path / place).write_bytes(file.read_bytes())
+    records = list(prove_interval("3/2", "0.3", "0.3064", tmp_path))
+    assert records[0]["gamma"][1] == records[1]["gamma"][0] == Fraction("0.3032")
+    assert records[-1]["gamma"][1] == Fraction("0.3064")
+    assert (tmp_path / first.name).read_bytes() == first.read_bytes()
+    assert (tmp_path / second.name).read_bytes() != first.read_bytes()
 
 
 def test_intervals_that_do_not_meet_are_not_joined(folder):
     first, second = fronts(folder)
-    join(first, second)
-    for pair in ((second, first), (first, first)):
-        with pytest.raises(balls.NotProvedError, match="do not meet"):
-            join(*pair)
+    with in_balls():
+        join(first, second)
+        for pair in ((second, first), (first, first)):
+            with pytest.raises(balls.NotProvedError, match="do not meet"):
+                join(*pair)
 
 
 def test_another_front_is_not_joined(folder):
     """Errors of a hundredth leave room for two fronts."""
     first, second = fronts(folder)
-    second.u[:] = [u + flint.arb("0.02") for u in second.u]
+    second.strain = [[u[0] + flint.arb("0.02"), *u[1:]] for u in second.strain]
     with pytest.raises(balls.NotProvedError):
         join(first, second)
 
@@ -69,15 +125,41 @@ def test_another_front_is_not_joined(folder):
 def test_a_front_shifted_by_a_cell_is_not_joined(folder):
     """It is the same front, but the lemma allows shifts below a cell only."""
     first, second = fronts(folder)
-    for name in ("P", "u"):
+    for name in ("profile", "strain"):
         pieces = getattr(second, name)
         setattr(second, name, [*pieces[1:], pieces[-1]])
     with pytest.raises(balls.NotProvedError, match=r"shift below a cell|translate"):
         join(first, second)
 
 
+def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
+    """About the Hertz chain: α = 3/2 ± 1e-6, two intervals of γ."""
+    alpha, ends = ("1499999/1000000", "1500001/1000000"), ("0.3", "0.3005", "0.301")
+    paths = [tmp_path / "first.npz", tmp_path / "second.npz"]
+    for path, gamma in zip(paths, pairwise(ends), strict=True):
+        record = prove_front(alpha, gamma, path)
+        assert record["proved"], record["reason"]
+        low, high = record["alpha"]
+        assert low <= 1.499999 < 1.500001 <= high
+        front = prove(path)
+        xi = (np.arange(len(front.u)) + 0.5) / front.n - front.left
+        with in_balls():
+            strain = [float(u[0].mid()) for u in front.at(flint.arb(0))[1]]
+        for exponent in (1.499999, 1.500001):
+            computed = solve_front(exponent, sum(map(float, gamma)) / 2)
+            assert abs(evaluate_front(computed, xi) - strain).max() < record["error"]
+    assert len(list(prove_family(paths))) == 2
+
+
+def test_box_of_alpha_is_proved_in_width(tmp_path):
+    record = prove_front(("1499/1000", "1501/1000"), "0.3", tmp_path / "wide.npz")
+    assert not record["proved"]
+    record = prove_front(("2999/2000", "3001/2000"), ("0.3", "0.3005"), tmp_path / "box.npz")
+    assert record["proved"], record["reason"]
+
+
 def test_interval_that_is_too_wide_is_not_proved(tmp_path):
-    record = prove_front("3/2", ("0.3", "0.31"), tmp_path / "wide.npz")
+    record = prove_front("3/2", ("0.3", "0.34"), tmp_path / "wide.npz")
     assert not record["proved"]
     assert "Y0" in record["reason"] or "Z1" in record["reason"]
 

@@ -1,7 +1,7 @@
 """Change the checker in one place, and see that the tests of proofs notice.
 
 A mutant has one integer larger by one, one sign or product or comparison exchanged, or one
-requirement left out.  It is noticed if it does not prove what the certificates kept prove, with
+requirement left out.  It is noticed if it does not prove what the unchanged checker proves, with
 the same numbers, or if it proves something from what is wrong.  Run this file to try all mutants,
 or those of the modules that it is given.
 """
@@ -11,7 +11,9 @@ import copy
 import signal
 import sys
 import tempfile
+import time
 import types
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -20,10 +22,21 @@ from projects import ROOT
 
 pytest.importorskip("flint")
 
-from test_proof_checker import DATA, LIES, PROVED, load
+from test_proof_checker import LIES, load
+
+from granular_fronts.fronts.solve import solve_front
+from granular_fronts.proofs.certificate import describe
 
 PACKAGE = "granular_fronts.proofs"
-TRUSTED = ("balls", "consequences", "rear_expansion", "checker")
+TRUSTED = (
+    "balls",
+    "inequalities",
+    "tail_roots",
+    "consequences",
+    "rear_expansion",
+    "checker",
+    "families",
+)
 SOURCES = {name: (ROOT / f"src/granular_fronts/proofs/{name}.py").read_text() for name in TRUSTED}
 EXCHANGED = {
     ast.Add: ast.Sub,
@@ -37,6 +50,7 @@ EXCHANGED = {
     ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq,
 }
+SECONDS = 40  # processor time after which a mutant that goes on is stopped
 
 
 def requirement(node):
@@ -82,82 +96,170 @@ def mutants(changed=TRUSTED, every=1):
         yield f"{name}, {description}", trees | {name: mutant}
 
 
-def checker_of(trees):
-    """`check_certificate` of changed modules."""
+def modules_of(trees):
+    """The modules of syntax trees, which import one another."""
     kept = {name: sys.modules.get(f"{PACKAGE}.{name}") for name in trees}
+    made = {}
     try:
         for name, tree in trees.items():
-            module = types.ModuleType(f"{PACKAGE}.{name}")
-            sys.modules[module.__name__] = module
-            exec(compile(ast.fix_missing_locations(tree), name, "exec"), module.__dict__)
-        return module.check_certificate
+            made[name] = sys.modules[f"{PACKAGE}.{name}"] = types.ModuleType(f"{PACKAGE}.{name}")
+            code = compile(ast.fix_missing_locations(tree), name, "exec")
+            exec(code, made[name].__dict__)
+        return made
     finally:
         for name, module in kept.items():
             if module is not None:
                 sys.modules[f"{PACKAGE}.{name}"] = module
 
 
-def differs(check):
-    """Whether a checker does not prove what the certificates kept prove."""
-    for name in ("overshoot", "monotone", "steep"):
-        record, known = check(DATA / f"{name}.npz"), PROVED[name]
-        if not record["proved"] or record["statements"] != known["statements"]:
+def rough(data, size):
+    """A certificate whose P̄ jumps from cell to cell, so that the errors of the front are large."""
+    profile = data["profile"].copy()
+    profile[0, ::2, 0] += size
+    return data | {"profile": profile}
+
+
+def longer(data):
+    """The same front with a bead of 1 more behind."""
+    rows = np.zeros_like(data["profile"][:, : data["sizes"][2]])
+    rows[0, :, 0] = 1
+    sizes = data["sizes"] + np.array([1, 0, 0, 0, 0, 0, 0])
+    return data | {"sizes": sizes, "profile": np.concatenate([rows, data["profile"]], axis=1)}
+
+
+def interval(low, high, cells):
+    """A certificate of an interval of γ for α = 2."""
+    ends = Fraction(low), Fraction(high)
+    front = solve_front(2.0, float(sum(ends) / 2))
+    return describe(front, (Fraction(2), Fraction(2)), ends, cells, 40, 6e-4)
+
+
+class Examples:
+    """Certificates, pairs of neighbours and wrong ones, with what the unchanged checker proves."""
+
+    def __init__(self, folder):
+        kept = {name: load(name) for name in ("overshoot", "monotone", "steep")}
+        kept["rough"] = rough(kept["overshoot"], 1e-6)
+        kept["rather monotone"] = rough(kept["monotone"], 1e-10)
+        first, second = interval("0.3", "0.301", 20), interval("0.301", "0.302", 30)
+        first, second = rough(longer(longer(first)), 1e-6), rough(second, 1e-7)
+        wrong = {name: load("monotone") for name in LIES}
+        for name, data in wrong.items():
+            LIES[name](data)
+        self.kept = [self.file(folder, name, data) for name, data in kept.items()]
+        self.wrong = [self.file(folder, name, data) for name, data in wrong.items()]
+        self.pair = [self.file(folder, name, d) for name, d in (("1", first), ("2", second))]
+        apart = {
+            "a gap": second | {"gamma": np.array([3011, 10000, 302, 1000])},
+            "another law": second | {"alpha": np.array([2, 1, 200001, 100000])},
+            "rougher": rough(second, 3e-4),
+        }
+        one, two = self.pair
+        self.apart = [(one, self.file(folder, name, data)) for name, data in apart.items()]
+        self.apart += [(two, one), (one, one)]
+        unchanged = modules_of({name: ast.parse(text) for name, text in SOURCES.items()})
+        self.known = list(self.proofs(unchanged))
+
+    @staticmethod
+    def file(folder, name, data):
+        np.savez(folder / f"{name}.npz", **data)
+        return folder / f"{name}.npz"
+
+    def proofs(self, made):
+        """What modules prove, one certificate after another, and of the pair."""
+        for path in self.kept:
+            record = made["checker"].check_certificate(path)
+            yield record["proved"], record["statements"], record["inequalities"]
+        for record in made["families"].prove_family(self.pair):
+            yield True, record["statements"], record["inequalities"]
+
+    def differ(self, made):
+        """Whether modules do not prove what the unchanged ones prove."""
+        return not all(map(same, self.proofs(made), self.known))
+
+    def believed(self, made):
+        """Whether modules prove something from what is wrong."""
+        if any(made["checker"].check_certificate(path)["proved"] for path in self.wrong):
             return True
-        found = [(one["left"], one["right"]) for one in record["inequalities"]]
-        wanted = [(left, right) for _, left, right in known["inequalities"]]
-        if len(found) != len(wanted) or not np.allclose(found, wanted, rtol=1e-9, atol=1e-13):
+        if any(joined(made, pair) for pair in self.apart):
             return True
-    return False
+        return any(overlooked(made, self.pair, cell) for cell in (0, -1))
 
 
-def believes_lies(check, folder):
-    """Whether a checker proves something from a certificate that is wrong."""
-    for lie in LIES.values():
-        data = load("monotone")
-        lie(data)
-        np.savez(folder / "lie.npz", **data)
-        if check(folder / "lie.npz")["proved"]:
-            return True
-    return False
+def same(found, known):
+    """Whether two proofs have the same statements and the same sides of inequalities."""
+    sides = [[(one["left"], one["right"]) for one in proof[2]] for proof in (found, known)]
+    return (
+        found[:2] == known[:2]
+        and len(sides[0]) == len(sides[1])
+        and np.allclose(*sides, rtol=1e-9, atol=1e-13)
+    )
 
 
-def noticed(trees, folder):
-    """Whether the tests notice a mutant; one that does not end within a minute is noticed."""
+def joined(made, pair):
+    """Whether modules join two certificates to a family."""
+    try:
+        return len(list(made["families"].prove_family(pair))) == 2
+    except made["balls"].NotProvedError:
+        return False
+
+
+def overlooked(made, pair, cell):
+    """Whether modules join fronts that are apart in one cell."""
+    families = made["families"]
+    first, second = map(families.prove, pair)
+    second.strain[cell] = [second.strain[cell][0] + 0.5, *second.strain[cell][1:]]
+    try:
+        with made["balls"].in_balls():
+            families.join(first, second)
+    except made["balls"].NotProvedError:
+        return False
+    return True
+
+
+def noticed(trees, examples):
+    """Whether the tests notice a mutant; one that goes on for long is noticed."""
 
     def stop(*_):
         raise TimeoutError
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(60)
+    before = signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS, 0.1)
     try:
-        check = checker_of(trees)
-        return differs(check) or believes_lies(check, folder)
+        made = modules_of(trees)
+        return examples.differ(made) or examples.believed(made)
     except Exception:
         return True
     finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
+
+
+@pytest.fixture(scope="module")
+def examples(tmp_path_factory):
+    return Examples(tmp_path_factory.mktemp("certificates"))
 
 
 @pytest.mark.slow
-def test_checker_itself_is_no_mutant():
-    assert not differs(checker_of({name: ast.parse(text) for name, text in SOURCES.items()}))
+def test_checker_itself_is_no_mutant(examples):
+    assert not noticed({name: ast.parse(text) for name, text in SOURCES.items()}, examples)
 
 
 @pytest.mark.slow
-def test_most_mutants_are_noticed(tmp_path):
-    """A sample of all: the three that survive are equivalent, as −x and x times (−1, 1) are."""
+def test_most_mutants_are_noticed(examples):
+    """A sample of all: those that survive are equivalent, as −x and x times (−1, 1) are."""
     sample = list(mutants(every=29))
-    survivors = [name for name, trees in sample if not noticed(trees, tmp_path)]
+    survivors = [name for name, trees in sample if not noticed(trees, examples)]
     assert len(survivors) <= 0.12 * len(sample), survivors
 
 
 if __name__ == "__main__":
     total = survived = 0
     with tempfile.TemporaryDirectory() as folder:
+        examples = Examples(Path(folder))
         for name, trees in mutants(sys.argv[1:] or TRUSTED):
             total += 1
-            if not noticed(trees, Path(folder)):
+            if not noticed(trees, examples):
                 survived += 1
                 print(f"not noticed: {name}", flush=True)
-    print(f"{total - survived} of {total} mutants noticed")
+    print(f"{total - survived} of {total} mutants noticed in {time.process_time():.0f} s")

@@ -14,21 +14,35 @@ the middles K_w*g is a sum of g times integrals of K_w over cells about s = m h,
 
     Σ ∫|e'| ≤ α k' + α (k' + γ (2 + e^w + e^(−w))) ‖g‖₁,     k' = (e^w − e^(−w))/w + w ‖K_w‖₁.
 
-If the bound of ‖e‖₁ is below 1, δ − α K_w has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm
-at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
+On an interval of γ, γ₀ + s δ with |s| ≤ 1, g is a polynomial in s, and so is e in the middles; the
+sum of the moduli of its coefficients is a bound there.  If the bound of ‖e‖₁ is below 1, δ − α K_w
+has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
 """
 
 import math
+from contextlib import contextmanager
 
 import numpy as np
-from flint import acb, arb, arb_poly, fmpq
+from flint import acb, arb, arb_poly, ctx, fmpq
 
+PRECISION, SERIES = 80, 12  # bits, and terms of the longest series
 UNIT = arb(0, 1)  # the interval from −1 to 1
 MATRIX_UNIT, INVERSE_UNIT = 2.0**-16, 2.0**-20
 
 
 class NotProvedError(Exception):
     """Names what is not certain, or which field is not what it must be."""
+
+
+@contextmanager
+def in_balls():
+    """Precision, and the longest series, that the proof needs; as they were afterwards."""
+    before = ctx.prec, ctx.cap
+    ctx.prec, ctx.cap = PRECISION, SERIES
+    try:
+        yield
+    finally:
+        ctx.prec, ctx.cap = before
 
 
 def kernel(gamma, w, n):
@@ -53,21 +67,35 @@ def kernel(gamma, w, n):
     return array(middles), whole[::2] + whole[1::2], absolute[::2] + absolute[1::2]
 
 
-def inverse_defect(alpha, gamma, w, n, g, begin):
-    """∫|g| from each cell on, and a bound of ‖e‖₁.
+def inverse_defect(alpha, gammas, w, n, rows, begin):
+    """∫|g| from each cell on, and a bound of ‖e‖₁, for all |s| ≤ 1.
 
-    g, from s = begin/n on, is stored by its second differences in units of INVERSE_UNIT.
+    γ and g are polynomials in s, `gammas` and `rows` their coefficients.  The rows, from begin/n
+    on, are stored by their second differences in units of INVERSE_UNIT.
     """
-    if not begin <= -n or begin + len(g) < n:
+    count = rows.shape[1]
+    if not begin <= -n or begin + count < n:
         raise NotProvedError("an inverse of the rear does not cover (−1, 1)")
-    g, (middles, whole, absolute) = array(summed(g) * INVERSE_UNIT), kernel(gamma, w, n)
-    e = -alpha * convolve(whole, g)
-    e[n:-n] += g
-    e[-begin : 2 * n - begin] -= alpha * middles
-    norms = np.cumsum(np.abs([*g, arb(0)])[::-1])[::-1] / n
-    smooth = (2 * w.sinh() / w if w > 0 else 2) + w * absolute.sum()
+    g = [array(summed(row) * INVERSE_UNIT) for row in rows]
+    e = np.array([array([0] * (count + 2 * n)) for _ in range(len(g) + len(gammas) - 1)])
+    for k, row in enumerate(g):
+        e[k, n:-n] += row
+    for j, part in enumerate(gammas):
+        middles, whole = (part * f for f in slope_kernel(w, n)) if j else kernel(part, w, n)[:2]
+        e[j, -begin : 2 * n - begin] -= alpha * middles
+        for k, row in enumerate(g):
+            e[j + k] -= alpha * convolve(whole, row)
+    norms = np.cumsum(np.abs([*sum(map(np.abs, g)), arb(0)])[::-1])[::-1] / n
+    gamma = horner(gammas, UNIT)
+    smooth = (2 * w.sinh() / w if w > 0 else 2) + w * kernel(gamma, w, n)[2].sum()
     slopes = alpha * (smooth + (smooth + 2 * gamma * (1 + w.cosh())) * norms[0])
     return norms, np.abs(e).sum() / n + slopes / (2 * n)
+
+
+def slope_kernel(w, n):
+    """The first two of `kernel` for sgn(s) e^(−ws), by which K_w depends on γ."""
+    one, zero = (kernel(arb(gamma), w, n)[:2] for gamma in (1, 0))
+    return [f - g for f, g in zip(one, zero, strict=True)]
 
 
 def summed(differences):
@@ -119,6 +147,26 @@ def power(u, exponent):
     return u**exponent if u > 0 else arb(0).union(u.upper() ** exponent)
 
 
+def powers(u, exponent, count):
+    """The first coefficients of (u₀ + u₁ s + …)^exponent, themselves series in t.
+
+    By w = u^c, u w' = c u' w: k u₀ w_k = Σ (c i − k + i) u_i w_(k−i), 1 ≤ i ≤ k.
+    """
+    found = [u[0] ** exponent]
+    for k in range(1, count):
+        terms = ((exponent * i - (k - i)) * (u[i] * found[k - i]) for i in range(1, k + 1))
+        found.append(sum(terms, 0 * u[0]) / (k * u[0]))
+    return found
+
+
+def horner(f, s):
+    """Σ f_k s^k."""
+    value = f[-1]
+    for coefficient in f[-2::-1]:
+        value = coefficient + s * value
+    return value
+
+
 def largest(values):
     """The least exact upper bound of all values."""
     tops = [value.upper() for value in values]
@@ -128,6 +176,11 @@ def largest(values):
     for top in tops:
         found = found if top <= found else top
     return found
+
+
+def tops(values):
+    """An exact upper bound of each value."""
+    return array(value.upper() for value in values)
 
 
 def above(x):

@@ -15,23 +15,26 @@ from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import INVERSE_UNIT, MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
-from granular_fronts.proofs.existence import approximate
+from granular_fronts.proofs.existence import approximate, chebyshev_nodes
 
 LOST, LOST_BEHIND = 1e-4, 0.01
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
-NEAR_ONE = 1e-11
+NEAR_ONE, LOST_IN_CURVATURE = 1e-11, 1e-5
+DEGREE_IN_GAMMA = 4
 DRIFT = 6e-4
 FINE = 40
 COARSE = 20
 WIDEST = 1e-8
 START = 1.5e-5
+SMALL_OVERSHOOT = 1e-6
+PART, LARGEST_PART, SMALLEST_PART = 2.5e-4, 2e-4, 2e-5
 
 Rational = float | str | Fraction
 """A number as `rational` reads it."""
 
 
 def prove_front(
-    alpha: Rational,
+    alpha: Rational | tuple[Rational, Rational],
     gamma: Rational | tuple[Rational, Rational],
     path: str | Path,
     cells: int = 20,
@@ -42,10 +45,10 @@ def prove_front(
 
     Parameters
     ----------
-    alpha : int, float, str or Fraction
-        Exponent of the force, above 1: 2, "3/2" or "1.5".
+    alpha : int, float, str, Fraction or pair of them
+        Exponent of the force, above 1: 2, "3/2" or "1.5"; a pair is an interval.
     gamma : int, float, str, Fraction or pair of them
-        Damping, above 0 (β = α); a pair is an interval, for every point of which the proof holds.
+        Damping, above 0 (β = α).  The proof holds for every point of both intervals.
     path : str or path
         The certificate is written here, in a folder that exists.
     cells : int, optional
@@ -66,12 +69,12 @@ def prove_front(
         If an argument is impossible, the front is not found, or the numbers do not fit into a
         certificate.
     """
-    alpha, interval, path = rational(alpha, "alpha", above=1), _interval(gamma), _place(path)
+    alpha, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
+    path = _place(path)
     cells = arguments.count("cells", cells, least=8, most=200)
     fine = arguments.count("fine", fine, most=1000)
     drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
-    middle = float(sum(interval) / 2)
-    front = solve_front(float(alpha), middle)
+    front = solve_front(float(sum(alpha) / 2), float(sum(interval) / 2))
     if not front.attrs["converged"]:
         raise InputError(f"no front to prove: {front.attrs['reason']}.")
     fields = describe(front, alpha, interval, cells, fine, drift)
@@ -90,12 +93,15 @@ def _write_and_check(path, fields):
 
 def describe(front, alpha, interval, n, fine, drift):
     """The fields of the certificate of a computed front."""
-    exponent, gamma = float(alpha), front.attrs["gamma"]
+    exponent, gamma = front.attrs["alpha"], front.attrs["gamma"]
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
-    behind = _beads(-xi[abs(u - 1) > NEAR_ONE][0])
+    half = float(interval[1] - interval[0]) / 2
+    nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
+    fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
+    behind = _beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
     ahead = _beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
     c = _beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
-    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST)
+    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST, half)
 
     roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
     longer = _beads(6.5 / roots[0].real) * n
@@ -105,34 +111,46 @@ def describe(front, alpha, interval, n, fine, drift):
     stiffness = exponent * strain ** (exponent - 1)
     correction = right_inverse.window_correction(stiffness, gamma, n, -first * n, longer)
     fields = {
-        "alpha": _integers(alpha.numerator, alpha.denominator),
-        "gamma": _integers(*(k for end in interval for k in (end.numerator, end.denominator))),
+        "alpha": _fractions(alpha),
+        "gamma": _fractions(interval),
         "sizes": _integers(behind, ahead, n, p, q, c, fine),
-        "profile": approximate(front, behind, ahead, n),
-        "inverse": _differences(g, INVERSE_UNIT, np.int32),
+        "profile": approximate(fronts, behind, ahead, n),
+        "inverse": _kernels(g),
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
-    narrow = interval[1] - interval[0] < WIDEST
-    if narrow and roots[0].imag == 0 and front.attrs["overshoot"] < 1e-9:
-        radius = 1e-9 + 20 * float(interval[1] - interval[0])
-        fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
+    if alpha[0] == alpha[1] and front.attrs["overshoot"] < SMALL_OVERSHOOT:
+        fields |= _expansion(exponent, gamma, half, n * fine, xi, u)
     return fields
 
 
-def _expansion(alpha, gamma, n, roots, radius, xi, u):
-    """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀."""
-    slow, fast = _weights(alpha, gamma, np.array([root.real for root in roots]))
-    g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND) for w in (slow, fast)]
+def _expansion(alpha, gamma, half, n, xi, u):
+    """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀.
+
+    Nothing where there are more slow roots than a real one and a pair.
+    """
+    roots, moved = (slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
+    slow, fast = _weights(alpha, gamma, roots)
+    if not slow:
+        return {}
+    g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND, half) for w in (slow, fast)]
     x0 = math.floor(xi[(abs(u - 1) > START) & (xi < 0)][0])
-    found = [(root.real, root.imag, radius) for root in roots if root.real < fast]
+    lead = abs(roots.real[roots.imag > 0][0] - roots.real[0])
+    parts = 1 + math.ceil(half / np.clip(PART * lead, SMALLEST_PART, LARGEST_PART))
+    radius = 1e-9 + 3 / parts * abs(roots - moved)
+    found = [(root.real, root.imag, r) for root, r in zip(roots, radius, strict=True)]
     return {
         "weights": np.array([slow, fast]),
-        "roots": np.array(found),
-        "starts": _integers(x0, *(-p * n for _, p, _ in g)),
-        "slow_inverse": _differences(g[0][0], INVERSE_UNIT, np.int32),
-        "fast_inverse": _differences(g[1][0], INVERSE_UNIT, np.int32),
+        "roots": np.array([row for row in found if row[0] < fast]),
+        "starts": _integers(x0, *(-p * n for _, p, _ in g), parts),
+        "slow_inverse": _kernels(g[0][0]),
+        "fast_inverse": _kernels(g[1][0]),
     }
+
+
+def slowest_first(roots):
+    """Real roots first, and the slowest first among those."""
+    return np.array(sorted(roots, key=lambda root: (root.imag != 0, root.real)))
 
 
 def _weights(alpha, gamma, roots):
@@ -145,13 +163,18 @@ def _weights(alpha, gamma, roots):
         slow, fast = weights
         return np.log(1 + norm(fast)) - 4 * fast + 0.1 * np.log(1 + norm(slow))
 
+    def fits(fast):
+        below = roots[roots.real < fast]
+        few = (below.imag == 0).sum() <= 1 and (below.imag > 0).sum() <= 1
+        return few and abs(roots.real - fast).min() > 0.02 * fast
+
     choices = [
         (slow, fast)
-        for slow in np.round(roots[0] * np.linspace(0.84, 0.94, 6), 4)
+        for slow in np.round(roots.real.min() * np.linspace(0.84, 0.94, 6), 4)
         for fast in np.round(slow * np.linspace(1.72, 1.96, 9), 4)
-        if (roots < fast).sum() <= 2 and abs(roots - fast).min() > 0.02 * fast
+        if fits(fast)
     ]
-    return min(choices, key=merit)
+    return min(choices, key=merit, default=(0.0, 0.0))
 
 
 def rational(number, name="number", above=0):
@@ -183,17 +206,17 @@ def _place(path):
     return path
 
 
-def _interval(gamma):
-    """Both ends of an interval of γ, which are one number for a single γ."""
-    ends = gamma if isinstance(gamma, (tuple, list)) else (gamma, gamma)
+def interval_of(numbers, name, above=0):
+    """Both ends of an interval, which are one number for a single one."""
+    ends = numbers if isinstance(numbers, (tuple, list)) else (numbers, numbers)
     if len(ends) != 2:
         raise InputError(
-            f"gamma is {arguments.shown(gamma)}, but must be a number or two: give it."
+            f"{name} is {arguments.shown(numbers)}, but must be a number or two: give it."
         )
-    low, high = (rational(end, "gamma") for end in ends)
+    low, high = (rational(end, name, above) for end in ends)
     if low > high:
         raise InputError(
-            f"the interval of gamma runs from {low} down to {high}: exchange its ends."
+            f"the interval of {name} runs from {low} down to {high}: exchange its ends."
         )
     return low, high
 
@@ -202,10 +225,19 @@ def _beads(length):
     return max(1, math.ceil(length))
 
 
+def _fractions(interval):
+    """Numerators and denominators of both ends."""
+    return _integers(*(k for end in interval for k in (end.numerator, end.denominator)))
+
+
 def _integers(*numbers):
     if max(map(abs, numbers)) >= 2**63:
         raise InputError("a fraction has more than 18 digits: round it.")
     return np.array(numbers, dtype=np.int64)
+
+
+def _kernels(rows):
+    return np.array([_differences(row, INVERSE_UNIT, np.int32) for row in rows])
 
 
 def _differences(values, unit, kind):

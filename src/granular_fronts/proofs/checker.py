@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from flint import arb, arb_poly, arb_series, ctx, fmpq
+from flint import arb, arb_poly, arb_series, fmpq
 
 from granular_fronts import arguments
 from granular_fronts.proofs.balls import (
@@ -23,29 +23,34 @@ from granular_fronts.proofs.balls import (
     array,
     bounds,
     convolve,
+    horner,
+    in_balls,
     inverse_defect,
     kernel,
     largest,
     power,
+    powers,
     size,
+    slope_kernel,
     summed,
+    tops,
 )
 from granular_fronts.proofs.consequences import shape
 from granular_fronts.proofs.rear_expansion import expand, require_zeros
 
-PRECISION, TAYLOR_ORDER, SMALL_STRAIN = 80, 8, 1e-7
+TAYLOR_ORDER, MOST_POWERS, SMALL_STRAIN = 8, 8, 1e-7
 EXPANSION = {  # kind of number and axes
     "roots": ("f8", 2),
     "starts": ("i8", 1),
-    "slow_inverse": ("i4", 1),
-    "fast_inverse": ("i4", 1),
+    "slow_inverse": ("i4", 2),
+    "fast_inverse": ("i4", 2),
 }
 FIELDS = {
     "alpha": ("i8", 1),
     "gamma": ("i8", 1),
     "sizes": ("i8", 1),
-    "profile": ("f8", 2),
-    "inverse": ("i4", 1),
+    "profile": ("f8", 3),
+    "inverse": ("i4", 2),
     "correction": ("i2", 2),
     "weights": ("f8", 1),
 }
@@ -64,8 +69,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     dict
         `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
         parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
-        from ū; `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded
-        outwards) and their difference `margin`.
+        from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
+        are `overshoot` (max u* is above it), `rate` (λ₁), `amplitude_low` and `amplitude_high`
+        (of A) and `monotone` (1); `inequalities`, dicts of `name`, `left` and `right` (left <
+        right, rounded outwards) and their difference `margin`.
 
     Raises
     ------
@@ -74,55 +81,74 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     """
     path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
-    before, ctx.prec = ctx.prec, PRECISION
     try:
-        front = Front(read(path))
-        statements = [*front.exists(), *shape(front), *front.rear()]
-        record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+        with in_balls():
+            front = Front(read(path))
+            statements = [*front.exists(), *shape(front), *front.rear()]
+            record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
-        record["inequalities"] = front.inequalities
+        record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except Exception as failure:
         record["reason"] = f"{type(failure).__name__}: {failure}"
-    finally:
-        ctx.prec = before
     return record
 
 
 class Front:
     """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
 
-    The window [−b, M] of A is its last W cells.
+    P, u and all that is made from them contain every α and γ of the certificate.  The window
+    [−b, M] of A is the last W cells.
     """
 
     def __init__(self, data):
-        self.data, self.inequalities = data, []
-        alpha, low, high = (
+        self.data, self.inequalities, self.numbers = data, [], {}
+        least, most, low, high = (
             arb(fmpq(*map(int, data[name][k : k + 2])))
-            for name, k in (("alpha", 0), ("gamma", 0), ("gamma", 2))
+            for name in ("alpha", "gamma")
+            for k in (0, 2)
         )
-        self.law = self.alpha, self.gamma = alpha, low.union(high)
+        self.law = self.alpha, self.gamma = least.union(most), low.union(high)
         self.require("alpha > 1", arb(1), self.alpha)
         self.require("gamma > 0", arb(0), self.gamma)
         behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
         self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
         self.M = ahead + 1
-        self.W, cells = (self.c + q + ahead + 3) * n, (self.left + ahead + 1) * n
-        have = len(data["profile"]), len(data["inverse"]), *data["correction"].shape
+        self.W = (self.c + q + ahead + 3) * n
+        have = *(data[name].shape[1] for name in ("profile", "inverse")), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
         if have != want:
             raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
         self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
-        pieces = [arb_poly([1])] * ((self.left + 1 - behind) * n)
-        pieces += [arb_poly(row) for row in data["profile"].tolist()] + [arb_poly([0])] * (2 * n)
-        once = antiderivatives(pieces, self.h)
-        twice = antiderivatives(once, self.h)
-        P1, P2 = (
-            [f[j + n] - 2 * f[j] + f[j - n] for j in range(n, n + cells)] for f in (once, twice)
+        known = [self.integrate(k, rows) for k, rows in enumerate(data["profile"].tolist())]
+        self.profile, first, second = (
+            list(zip(*each, strict=True)) for each in zip(*known, strict=True)
         )
-        self.P = pieces[n : n + cells]
-        self.u = [g - self.gamma * f for f, g in zip(P1, P2, strict=True)]
+        self.middle, self.half, zero = (low + high) / 2, (high - low) / 2, arb_poly([0])
+        self.strain = [
+            [
+                g - self.middle * f - self.half * e
+                for e, f, g in zip((zero, *F), (*F, zero), (*G, zero), strict=True)
+            ]
+            for F, G in zip(first, second, strict=True)
+        ]
+        self.P, self.u = self.at(UNIT)
         self.u_mid = array(u[0] for u in self.u)
         self.u_low, self.u_high = map(array, zip(*map(bounds, self.u), strict=True))
+
+    def integrate(self, k, rows):
+        """The coefficient of s^k in P̄ on all cells, and differences of its antiderivatives."""
+        n, behind = self.n, arb_poly([int(k == 0)])
+        pieces = [behind] * ((self.left + 1) * n - self.data["sizes"][0] * n)
+        pieces += [arb_poly(row) for row in rows] + [arb_poly([0])] * (2 * n)
+        once = antiderivatives(pieces, self.h)
+        twice = antiderivatives(once, self.h)
+        inside = range(n, len(pieces) - n)
+        steps = ([f[j + n] - 2 * f[j] + f[j - n] for j in inside] for f in (once, twice))
+        return pieces[n:-n], *steps
+
+    def at(self, s):
+        """P̄ and ū on all cells at γ₀ + s δ."""
+        return [[horner(f, s) for f in cells] for cells in (self.profile, self.strain)]
 
     def require(self, name, left, right):
         """Note left < right, or stop."""
@@ -148,6 +174,7 @@ class Front:
         farthest = next(filter(partial(self.contracts, Y0), far), r).max(r)
         self.require("Z1 + Z2(r) < 1", self.Z1 + self.Z2(r), arb(1))
         self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
+        self.numbers["radius"] = above(r)
         self.P_error, self.u_error = self.rho * r, self.kappa * r
         self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * r
         self.error = above(largest([*self.u_error, *(self.outer_kappa * r)]))
@@ -172,19 +199,23 @@ class Front:
 
     def rise(self, low, high, w):
         """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
-        top = low.max(w) if self.alpha <= 2 else high + w
-        return self.a(top) - self.a(top - w)
+        tops = [low.max(w)] * (not self.alpha > 2) + [high + w] * (not self.alpha < 2)
+        return largest(self.a(top) - self.a(top - w) for top in tops)
 
     def residual(self, j):
-        """Bound of |P̄ − ū₊^α| on cell j by a Taylor polynomial about its middle."""
-        P, u, m = self.P[j], self.u[j], TAYLOR_ORDER
+        """Bound of |P̄ − ū₊^α| on cell j by Taylor polynomials in s about γ₀ and in t."""
         if not self.u_low[j] > SMALL_STRAIN:
-            return size(P) + power(abs(self.u_high[j]), self.alpha)
-        terms = []
+            return size(self.P[j]) + power(abs(self.u_high[j]), self.alpha)
+        P, u, m = self.profile[j], self.strain[j], TAYLOR_ORDER
+        found = [[] for _ in P]
         for point, order in ((arb_poly([0, 1]), m), (arb_poly([UNIT, 1]), m + 1)):
-            p, v = (arb_series(f(point).coeffs(), order) for f in (P, u))
-            terms += (p - v**self.alpha).coeffs()[len(terms) : order]
-        return sum(map(abs, terms), arb(0))
+            p, v = ([arb_series(f(point).coeffs(), order) for f in parts] for parts in (P, u))
+            for terms, f, g in zip(found, p, powers(v, self.alpha, len(P)), strict=True):
+                terms += (f - g).coeffs()[len(terms) : order]
+        ranges = arb_poly([low.union(high) for low, high in map(bounds, u)])
+        near = [self.u_low[j].union(self.u_high[j]), *ranges(arb_poly([UNIT, 1])).coeffs()[1:]]
+        last = (arb_series(near, len(P) + 1) ** self.alpha)[len(P)]
+        return sum((abs(term) for terms in found for term in terms), abs(last))
 
     def bound_inverse(self):
         """Z1, and the row norms ρ of A and κ of K*A, on all cells and outside."""
@@ -196,10 +227,12 @@ class Front:
         drift = largest(abs(a / alpha - 1) for a in (*a_low[:far], *a_high[:far]))
         self.require("|a(ū)/α − 1| behind −c", drift, arb(1))
         a_low, a_mid, a_high = (a[-W:] for a in (a_low, a_mid, a_high))
-        middles, whole, absolute = kernel(self.gamma, arb(0), n)
+        middles, _, absolute = kernel(self.gamma, arb(0), n)
+        flat, sign = kernel(self.middle, arb(0), n)[1], slope_kernel(arb(0), n)[1]
         begin = -self.p * n * self.fine
+        gammas = self.middle, self.half
         tails, defect = inverse_defect(
-            *self.law, arb(0), n * self.fine, self.data["inverse"], begin
+            alpha, gammas, arb(0), n * self.fine, self.data["inverse"], begin
         )
         self.require("‖e‖", defect, arb(1))
 
@@ -207,13 +240,15 @@ class Front:
         H = ones + summed(self.data["correction"]) * MATRIX_UNIT
         rest, v = array([0] * W), array([0] * W)
         for j in range(W):  # columns of 1 − L_h H
-            smooth = convolve(whole, H[:, j])[n:-n]
+            varying = self.half * UNIT * convolve(sign, H[:, j])
+            smooth = (convolve(flat, H[:, j]) + varying)[n:-n]
             rest += np.abs(ones[:, j] - H[:, j] + a_mid * smooth) * (a_mid[j] * nK)
         for k in range(W):  # rows of H diag(a)
             row = H[k] * a_mid
             edges = convolve(middles[::-1], row)[n - 1 : n + W]
             v[k] = h * np.abs(edges).sum() + h / 2 * np.abs(row).sum()
 
+        v, rest = tops(v), tops(rest)
         w, swing = v + 1, array([h * h / 2] * (2 * n + 1))
         swing[[0, n, -1]] += h * self.gamma * array([fmpq(1, 2), 1, fmpq(1, 2)])
         change, modulus = (np.convolve(w, f)[n:-n] for f in (swing, absolute))
@@ -221,22 +256,23 @@ class Front:
         entering = alpha * (self.gamma**2 + (1 - self.gamma) ** 2) / 2 * largest(w[:n])
         gain = 1 + largest([entering, *rest[:n]])
         outer = gain * (defect + drift * (tails[0] + defect)) + nK * largest(a_high[-n:])
-        self.Z1 = outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])
+        self.Z1 = (outer + largest([*inner[:n], *(inner + rest)[n:], entering * drift])).upper()
 
-        reach = np.clip((np.arange(W) - n) * self.fine - begin, 0, len(tails) - 1)
+        reach = np.minimum((np.arange(W) - n) * self.fine - begin, len(tails) - 1)
         added = gain * tails[reach] + rest
         behind = gain * (1 + tails[0])
         rho = np.concatenate([[behind] * n, w + added, [arb(1)] * n])
         direct = np.convolve(rho, absolute + swing)[2 * n : -2 * n]
         through = v + added + inner + outer
         kappa = [
-            d.min(t / a) if a > 0 else d for d, t, a in zip(direct, through, a_low, strict=True)
+            d.upper().min((t / a).upper()) if a > 0 else d
+            for d, t, a in zip(direct, through, a_low, strict=True)
         ]
         first = (gain * tails[0] + entering * (1 + drift) + outer) / (alpha * (1 - drift))
         more = len(self.u) - W
-        self.rho, self.rho_behind = array([behind] * more + [*rho[n:-n]]), behind
-        self.kappa = array([first] * more + kappa)
-        self.outer_kappa = array([first, nK * largest(rho[-2 * n :])])
+        self.rho, self.rho_behind = tops([behind] * more + [*rho[n:-n]]), behind.upper()
+        self.kappa = tops([first] * more + kappa)
+        self.outer_kappa = tops([first, nK * largest(rho[-2 * n :])])
 
     def rear(self):
         """Lemma 7 and, where the certificate has its data, the expansion behind."""
@@ -259,9 +295,15 @@ def read(path):
         kind = values.dtype.str[1:], values.ndim
         if kind != fields[name] or not values.size or not np.isfinite(values).all():
             raise NotProvedError(f"{name} is {kind}, not finite numbers {fields[name]}")
-    sizes, alpha, gamma = data["sizes"], data["alpha"], data["gamma"]
+    sizes = data["sizes"]
     if sizes.shape != (7,) or sizes.min() < 1 or sizes.max() > 1000:
         raise NotProvedError(f"sizes are {sizes}, not seven numbers from 1 to 1000")
-    if alpha.shape != (2,) or gamma.shape != (4,) or min(alpha[1], *gamma[1::2]) < 1:
-        raise NotProvedError("alpha is not one fraction, or gamma not two")
+    for name in ("alpha", "gamma"):
+        if data[name].shape != (4,) or data[name][1::2].min() < 1:
+            raise NotProvedError(f"{name} is not two fractions")
+        low, below, high, under = data[name].tolist()
+        if low * under > high * below:
+            raise NotProvedError(f"{name} falls")
+    if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:
+        raise NotProvedError("there are too many powers of s")
     return data

@@ -80,6 +80,7 @@ def shape(front):
     top = max(tops, key=lambda u: float(u.lower()))
     if top > 1:
         front.require("overshoot", arb(1), top)
+        front.numbers["overshoot"] = -above(-top)
         yield f"max u* > {-above(-top)!r}: the front overshoots."
 
 

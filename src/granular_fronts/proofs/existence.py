@@ -18,7 +18,10 @@ distributions, and u_n(t) = u(n − t) solves the chain.  If u > 0 everywhere, u
 **Approximation.** P̄ = 1 for ξ < −ℓ, 0 for ξ > m, a polynomial on each of the cells of width h =
 1/n between (continuity is not needed); ū = K*P̄, also polynomial on cells, 1 for ξ ≤ −ℓ − 1 and 0
 for ξ ≥ M = m + 1; ā = a(ū), L = DQ(P̄) = 1 − ā K*.  With the second differences Δ over one bead
-and the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.
+and the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.  For an interval of
+γ, γ₀ − δ to γ₀ + δ, let γ = γ₀ + s δ and P̄ = P̄₀ + s P̄₁ + … + s^d P̄_d, P̄_k = 0 outside (−ℓ, m) for
+k ≥ 1; then ū is a polynomial in s of degree d + 1.  α may be in an interval too, on which P̄ does
+not depend.  What follows is claimed for each α and γ by itself, with bounds that hold for all.
 
 **Theorem 2.** Let A: L^∞ → L^∞ be bounded and linear, Y₀ ≥ ‖Q(P̄)‖, Z₁ ≥ ‖1 − L A‖, κ(ξ) ≥ |(K*A
 y)(ξ)| for all ‖y‖ ≤ 1, and Z₂(r) ≥ κ(ξ) |a(ū(ξ) + w) − a(ū(ξ))| for all ξ and |w| ≤ κ(ξ) r.  If Y₀
@@ -40,9 +43,12 @@ to 0) to such functions, then P*, u* → 1 at −∞ and → 0 at +∞.
 W the largest |a(u + w) − a(u)| is at most a(p) − a(p − W), p = max(u₋, W).  For α ≥ 2, a is convex
 on ℝ and it is a(u₊ + W) − a(u₊) over u ≤ u₊.
 
-**Y₀.** On a cell P̄ − ū^α is expanded about the middle; in t ∈ (−1, 1) the remainder after order m
-is t^m times a Taylor coefficient of order m at a point of the cell.  Where ū may be below 1e-7 the
-bound is sup |P̄| + sup ū₊^α.
+**Y₀.** On a cell, F = P̄ − ū^α is expanded in s about 0 up to s^d; the remainder is s^(d+1) times a
+Taylor coefficient of order d + 1 at another s, bounded over the whole cell and −1 ≤ s ≤ 1.  Each of
+the other coefficients is expanded about the middle of the cell; in t ∈ (−1, 1) the remainder after
+order m is t^m times a Taylor coefficient of order m at a point of the cell.  If P̄ interpolates
+fronts at γ in the interval, Y₀ is of order δ^(d+1).  Where ū may be below 1e-7 the bound is sup |P̄|
++ sup ū₊^α.
 """
 
 import numpy as np
@@ -52,11 +58,21 @@ from granular_fronts.fronts.solve import evaluate_front
 DEGREE = 9
 
 
-def approximate(front, behind, ahead, n):
-    """P̄ from a computed front: coefficients in t ∈ (−1, 1) on the cells of [−behind, ahead]."""
-    nodes = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+def chebyshev_nodes(count):
+    """Where polynomials on (−1, 1) interpolate well."""
+    return np.cos(np.pi * (np.arange(count) + 0.5) / count)
+
+
+def approximate(fronts, behind, ahead, n):
+    """P̄ from computed fronts: coefficients in s, on the cells of [−behind, ahead], in t.
+
+    The fronts belong to the Chebyshev nodes in s; s and t are in (−1, 1).
+    """
+    nodes = chebyshev_nodes(DEGREE + 1)
     middles = (np.arange((behind + ahead) * n) + 0.5) / n - behind
-    u = evaluate_front(front, (middles[:, None] + nodes / (2 * n)).ravel())
-    values = np.maximum(u, 0.0) ** front.attrs["alpha"]
-    to_powers = np.linalg.inv(np.vander(nodes, increasing=True))
-    return values.reshape(len(middles), -1) @ to_powers.T
+    xi = middles[:, None] + nodes / (2 * n)
+    values = [np.maximum(evaluate_front(f, xi), 0.0) ** f.attrs["alpha"] for f in fronts]
+    to_powers, to_powers_of_s = (
+        np.linalg.inv(np.vander(x, increasing=True)) for x in (nodes, chebyshev_nodes(len(fronts)))
+    )
+    return np.einsum("ks,sct,mt->kcm", to_powers_of_s, values, to_powers)

@@ -1,14 +1,16 @@
 """One continuous family of fronts: how the fronts of neighbouring intervals of γ are joined.
 
-On the interval of one certificate the fixed point y* depends continuously on γ (a contraction,
-uniform in γ, of a map that is continuous in γ), and so do P* and u*, uniformly in ξ.  Where two
-intervals meet, each certificate gives a front: P₁ and P₂.  Neither is unique near P̄, as
-translates are fronts too, so that P₁ = P₂ cannot be expected; but P₂ may be a translate of P₁.
+On the interval of one certificate H and g are fixed, P̄ and, as K is continuous in L¹, also ū, A and
+Q depend continuously on γ in norm, and r does not depend on γ.  So the fixed point y* of a uniform
+contraction depends continuously on γ, and with it P* and u*, uniformly in ξ.  Where two intervals
+meet, each certificate gives a front, P₁ and P₂, near the P̄ of that end.  Neither is unique near P̄,
+as translates are fronts too, so that P₁ = P₂ cannot be expected; but P₂ may be a translate of P₁.
 
 **Lemma 9.** Let φ(h) = ∫ h over (−1, 1), f = φ(P₁ − P₂), and P₂(ξ) − P₂(η) ≥ m > 0 for |ξ + 1| <
 h, |η − 1| < h.  If T = |f|/m < h, some translate P₂(· + τ), |τ| ≤ T, has the same φ as P₁.  Let
-W(ξ) bound |u₁ − ū| and |u₂(· + τ) − ū|, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ W, with ū, A, Z₁, ρ
-and κ of the first certificate, and r₀ = ∫ ρ over (−1, 1)/(P₁(−1) − P₁(1)).  If
+W(ξ) bound |u₁ − ū| and |u₂(· + τ) − ū|, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ W, with A, Z₁, ρ
+and κ of the first certificate and its ū at that end, and r₀ = ∫ ρ over (−1, 1)/(P₁(−1) − P₁(1)).
+If
 
     Z₁ + sup κ ω + 2 r₀ sup |u₁'| ω < 1,
 
@@ -22,13 +24,18 @@ Hence y = 0, c = 0. ∎
 
 Shifting the second branch by τ, and each following one by the sum of the shifts before it, makes
 the family continuous over all intervals; what is proved of each front (positivity, decrease ahead,
-the maximum above 1) does not change by shifts.
+the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
+certificates, this holds for each α; as φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
+below h with that φ and so depends continuously on α: the family is continuous in α and γ.
 """
 
-from flint import arb, ctx
+import math
+from fractions import Fraction
 
-from granular_fronts.proofs.balls import NotProvedError, bounds, largest, power, size
-from granular_fronts.proofs.checker import PRECISION, Front, read
+from flint import arb, arb_poly, fmpq
+
+from granular_fronts.proofs.balls import NotProvedError, bounds, in_balls, largest, power, size
+from granular_fronts.proofs.checker import Front, read
 from granular_fronts.proofs.consequences import shape
 
 
@@ -42,101 +49,125 @@ def prove_family(paths):
     Yields
     ------
     dict
-        Of each certificate: `path`, `gamma` (pairs of numerator and denominator), `statements`
-        and `inequalities`; the last are those of its own and of its junction with the one before.
+        Of each certificate: see `record`; its inequalities are its own and those of its junction
+        with the one before.
 
     Raises
     ------
     NotProvedError
         At the first certificate that is not proved or not joined.
     """
-    before, last = ctx.prec, None
+    last = None
     for path in paths:
-        ctx.prec = PRECISION
-        try:
-            front = Front(read(path))
-            statements = [*front.exists(), *shape(front), *front.rear()]
-            if last is not None:
-                join(last, front)
-        finally:
-            ctx.prec = before
-        ends = front.data["gamma"].tolist()
-        yield {
-            "path": str(path),
-            "gamma": [ends[:2], ends[2:]],
-            "statements": statements,
-            "inequalities": front.inequalities,
-        }
-        last = front
+        last = prove(path, last)
+        yield record(path, last)
+
+
+def prove(path, last=None):
+    """The front of a certificate, proved from its file and joined to the one before."""
+    with in_balls():
+        front = Front(read(path))
+        front.statements = [*front.exists(), *shape(front), *front.rear()]
+        if last is not None:
+            join(last, front)
+    return front
+
+
+def record(path, front):
+    """What is proved, as in `check_certificate`, with `path`; `gamma` are two fractions."""
+    return {
+        "path": str(path),
+        "gamma": ends(front),
+        "error": front.error,
+        "numbers": front.numbers,
+        "statements": front.statements,
+        "inequalities": front.inequalities,
+    }
+
+
+def ends(front, name="gamma"):
+    """Both ends of the interval of γ, or of α."""
+    numbers = front.data[name].tolist()
+    return Fraction(*numbers[:2]), Fraction(*numbers[2:])
 
 
 def join(first, second):
     """Lemma 9 at the common end of two intervals; noted among the inequalities of the second."""
-    high, low = first.data["gamma"].tolist()[2:], second.data["gamma"].tolist()[:2]
-    same_law = first.data["alpha"].tolist() == second.data["alpha"].tolist()
-    if high != low or not same_law or first.n != second.n:
+    (_, high), (low, _) = ends(first), ends(second)
+    if high != low or ends(first, "alpha") != ends(second, "alpha"):
         raise NotProvedError(f"the intervals do not meet: {high} and {low}")
-    n, alpha, h = first.n, first.alpha, first.h
-    cells = range(-max(first.left, second.left) * n, max(first.M, second.M) * n)
-    middle = range(-n, n)
+    n = math.lcm(first.n, second.n)
+    one, two = Side(first, 1, n), Side(second, -1, n)
+    alpha, h, middle = first.alpha, arb(1) / n, range(-n, n)
     behind, ahead = (
-        [power(bound, alpha) for j in (at - 1, at) for bound in _strain(second, j)]
-        for at in (-n, n)
+        [power(bound, alpha) for j in (at - 1, at) for bound in two.strain(j)] for at in (-n, n)
     )
     fall = -largest([-value for value in behind]) - largest(ahead)
     second.require("P falls over (−1, 1)", arb(0), fall)
-    gap = sum((_force_gap(first, second, j) * h for j in middle), arb(0))
+    gap = sum((_force_gap(one, two, j) * h for j in middle), arb(0))
     shift = gap / fall
     second.require("shift below a cell", shift, h)
-    drop = power(_strain(first, -n)[0], alpha) - power(_strain(first, n)[1], alpha)
+    drop = power(one.strain(-n)[0], alpha) - power(one.strain(n)[1], alpha)
     second.require("the first P falls over (−1, 1)", arb(0), drop)
-    weight = sum((_norm(first, j)[0] * h for j in middle), arb(0)) / drop
+    weight = sum((one.norm(j)[0] * h for j in middle), arb(0)) / drop
 
     inner, outer = [], []
-    for j in (cells[0] - 1, *cells, cells[-1] + 1):
-        (low, high), kappa = bounds(_piece(first, j)), _norm(first, j)[1]
-        steep = largest(_slope(second, k) for k in (j - 1, j, j + 1))
-        apart = size(_piece(first, j) - _piece(second, j)) + _norm(second, j)[1] * second.r
+    for j in range(-max(first.left, second.left) * n - 1, max(first.M, second.M) * n + 1):
+        (low, high), kappa = bounds(one.u(j)), one.norm(j)[1]
+        steep = largest(two.slope(k) for k in (j - 1, j, j + 1))
+        apart = size(one.u(j) - two.u(j)) + two.norm(j)[1] * second.r
         omega = first.rise(low, high, largest([apart + shift * steep, kappa * first.r]))
         inner.append(kappa * omega)
-        outer.append(_slope(first, j) * omega)
+        outer.append(one.slope(j) * omega)
     total = first.Z1 + largest(inner) + 2 * weight * largest(outer)
     second.require("the front before is a translate", total, arb(1))
 
 
-def _index(front, j):
-    """The place of the cell (j, j + 1)/n among those of a front, or None outside."""
-    k = j + front.left * front.n
-    return k if 0 <= k < len(front.u) else None
+class Side:
+    """The front of one end of an interval on the cells (j, j + 1)/n, n a multiple of its own."""
+
+    def __init__(self, front, s, n):
+        self.front, self.n, self.parts = front, n, n // front.n
+        self.pieces, self.strains = front.at(arb(s))
+
+    def place(self, j):
+        """The place of a cell among those of the front, or None outside."""
+        k = j // self.parts + self.front.left * self.front.n
+        return k if 0 <= k < len(self.strains) else None
+
+    def part(self, f, j):
+        """A polynomial on its part of a cell."""
+        k = self.parts
+        return f(arb_poly([fmpq(2 * (j % k) + 1 - k, k), fmpq(1, k)])) if k > 1 else f
+
+    def P(self, j):  # noqa: N802
+        """P̄, within the cells of the front."""
+        return self.part(self.pieces[self.place(j)], j)
+
+    def u(self, j):
+        """ū; 1 behind all cells, 0 ahead."""
+        k = self.place(j)
+        return self.part(self.strains[k], j) if k is not None else arb_poly([int(j < 0)])
+
+    def norm(self, j):
+        """ρ and κ."""
+        k, front = self.place(j), self.front
+        if k is not None:
+            return front.rho[k], front.kappa[k]
+        return (front.rho_behind, front.outer_kappa[0]) if j < 0 else (arb(1), front.outer_kappa[1])
+
+    def strain(self, j):
+        """Bounds of u*."""
+        low, high = bounds(self.u(j))
+        error = self.norm(j)[1] * self.front.r
+        return low - error, high + error
+
+    def slope(self, j):
+        """Bound of |u*'|."""
+        return size(self.u(j).derivative()) * 2 * self.n + self.front.slope_error
 
 
-def _piece(front, j):
-    """ū on a cell; 1 behind all cells, 0 ahead."""
-    k = _index(front, j)
-    return front.u[k] if k is not None else front.u[0] * 0 + (1 if j < 0 else 0)
-
-
-def _norm(front, j):
-    """ρ and κ on a cell."""
-    k = _index(front, j)
-    if k is not None:
-        return front.rho[k], front.kappa[k]
-    return (front.rho_behind, front.outer_kappa[0]) if j < 0 else (arb(1), front.outer_kappa[1])
-
-
-def _strain(front, j):
-    """Bounds of u* on a cell."""
-    low, high = bounds(_piece(front, j))
-    error = _norm(front, j)[1] * front.r
-    return low - error, high + error
-
-
-def _slope(front, j):
-    """Bound of |u*'| on a cell."""
-    return size(_piece(front, j).derivative()) * 2 * front.n + front.slope_error
-
-
-def _force_gap(first, second, j):
+def _force_gap(one, two, j):
     """Bound of |P₁ − P₂| on a cell within both windows."""
-    k, m = _index(first, j), _index(second, j)
-    return size(first.P[k] - second.P[m]) + first.rho[k] * first.r + second.rho[m] * second.r
+    error = one.norm(j)[0] * one.front.r + two.norm(j)[0] * two.front.r
+    return size(one.P(j) - two.P(j)) + error

@@ -1,31 +1,31 @@
 """Certificates for all γ of an interval, one after another, that form one continuous family."""
 
+import time
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-from flint import ctx
 
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import solve_front
 from granular_fronts.proofs.balls import NotProvedError
-from granular_fronts.proofs.certificate import describe, rational
-from granular_fronts.proofs.checker import PRECISION, Front, read
-from granular_fronts.proofs.consequences import shape
-from granular_fronts.proofs.families import join
+from granular_fronts.proofs.certificate import describe, interval_of, rational
+from granular_fronts.proofs.families import ends, prove, record
 
-STEP, NARROWEST = Fraction(1, 10**6), 4
-GROWTH, CAUTION = Fraction(5, 4), Fraction(7, 10)
+STEP, NARROWEST, NARROW = Fraction(1, 10**6), 4, 500
+FIRST_GROWTH, GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(21, 20), Fraction(7, 10), 0.85
+CONCLUSIONS = {"overshoot", "oscillates", "critical", "monotone"}
 
 
-def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, width="1/2000"):
+def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, width="1/500"):
     """Write certificates of neighbouring intervals of γ from `low` to `high`, each one proved.
 
-    What a folder holds already is kept, and continued.
+    Each is proved from its file.  Certificates that the folder holds are proved again and kept; one
+    that is not proved is made anew.
 
     Parameters
     ----------
-    alpha : int, str or Fraction
+    alpha : int, str, Fraction or pair of them
     low, high : str or Fraction
         With at most six decimals.
     folder : str or path
@@ -36,50 +36,63 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
 
     Yields
     ------
-    path
-        Each new certificate, proved and joined to the one before.
+    dict
+        Of each certificate, in the order of γ: see `families.record`, and `seconds`, the processor
+        time that it took to make it, with all attempts, and to prove it.
 
     Raises
     ------
     NotProvedError
         Where even narrow intervals are not proved.
     """
-    alpha, high, folder = rational(alpha, "alpha", above=1), rational(high, "high"), Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    at, last, steps = rational(low, "low"), None, int(rational(width, "width") / STEP)
+    alpha, folder = interval_of(alpha, "alpha", above=1), Path(folder)
+    at, high, width = rational(low, "low"), rational(high, "high"), rational(width, "width")
     if (at / STEP).denominator != 1 or (high / STEP).denominator != 1:
         raise InputError("the ends of an interval of gamma have at most six decimals.")
-    done = sorted(folder.glob("*.npz"))
-    if done:
-        last = _proved(read(done[-1]))
-        at = Fraction(*last.data["gamma"].tolist()[2:])
+    folder.mkdir(parents=True, exist_ok=True)
+    last, steps, growth = None, int(width / STEP), FIRST_GROWTH
+    start = time.process_time()
     while at < high:
-        end = min(at + steps * STEP, high)
-        front = solve_front(float(alpha), float((at + end) / 2))
-        data = describe(front, alpha, (at, end), cells, fine, drift)
+        path = folder / f"{float(at):.6f}.npz"
+        if not path.exists():
+            interval = at, min(at + steps * STEP, high)
+            front = solve_front(float(sum(alpha) / 2), float(sum(interval) / 2))
+            _write(path, describe(front, alpha, interval, cells, fine, drift))
         try:
-            found = _proved(data, last)
+            found = prove(path, last)
+            _require_place(found, alpha, at, high)
+            _require_conclusion(found)
         except NotProvedError:
+            path.unlink()
             if steps <= NARROWEST:
                 raise
-            steps = max(NARROWEST, int(CAUTION * steps))
+            steps, growth = max(NARROWEST, int(CAUTION * steps)), GROWTH
             continue
-        path = folder / f"{float(at):.6f}.npz"
-        with path.with_suffix(".part").open("wb") as file:
-            np.savez_compressed(file, **data)
-        path.with_suffix(".part").replace(path)
-        yield path
-        at, last, steps = end, found, max(steps + 1, int(GROWTH * steps))
+        now = time.process_time()
+        yield record(path, found) | {"seconds": now - start}
+        begin, at = ends(found)
+        steps = int((at - begin) / STEP * (growth if found.Z1 < ROOM else 1)) + 1
+        start, last = now, found
 
 
-def _proved(data, last=None):
-    """The front of a certificate, proved, and joined to the one before."""
-    before, ctx.prec = ctx.prec, PRECISION
-    try:
-        front = Front(data)
-        list(front.exists()), list(shape(front)), list(front.rear())
-        if last is not None:
-            join(last, front)
-        return front
-    finally:
-        ctx.prec = before
+def _require_place(front, alpha, at, high):
+    """Stop unless a front of the folder is one of this interval."""
+    low, end = ends(front)
+    if low != at or not low < end <= high or ends(front, "alpha") != alpha:
+        raise NotProvedError("a certificate in the folder belongs to another interval")
+
+
+def _require_conclusion(front):
+    """Stop where a narrower interval may show whether its fronts are monotone or overshoot."""
+    low, high = ends(front)
+    open_question = "roots" in front.data and not CONCLUSIONS & front.numbers.keys()
+    if open_question and high - low > NARROW * STEP:
+        raise NotProvedError("the interval is too wide to say whether its fronts are monotone")
+
+
+def _write(path, fields):
+    """A certificate that is there is whole."""
+    part = path.with_suffix(".part")
+    with part.open("wb") as file:
+        np.savez_compressed(file, **fields)
+    part.replace(path)

@@ -55,10 +55,14 @@ behind the window by gain (1 + ‖g‖₁), ahead by 1.  K*A y is bounded by Σ_
 with ρ instead of w; or, since ā K*A y = (A y − y) + (1 − L A) y, by (|A y − y| + defect)/inf ā; κ
 is the smaller.
 
-g and H are free: g is the periodic inverse of the discretised δ − α K; H the columns for sources
-in the window of the solution of the collocation equations on a longer window.  L_h has a near
-kernel (translation) and, as D winds once, one equation too many behind: v = 0 is asked for at ξ =
-0, and a constant is added to the equations of the first bead.  In the order used here (constant
+For an interval of γ, g = g₀ + s g₁ + … like P̄ in `existence`, H is fixed, and A, whose R, s and d
+contain K and ā, depends continuously on γ.  All bounds hold for every γ of the interval.
+
+g and H are free: g is the periodic inverse of the discretised δ − α K at γ₀, g₁ half its change
+over the interval; H the columns for sources in the window of the solution of the collocation
+equations on a longer window.  L_h has a near kernel (translation) and, as D winds once, one
+equation too many behind: v = 0 is asked for at ξ = 0, and a constant is added to the equations of
+the first bead.  In the order used here (constant
 first, phase condition in the middle) elimination without further pivoting keeps the exponentially
 small tail accurate.
 """
@@ -79,17 +83,29 @@ def kernel(gamma, w, n):
     return values((np.arange(-n, n) + 0.5) / n), halves[::2] + halves[1::2]
 
 
-def rear_inverse(alpha, gamma, w, n, lost, span=200):
-    """The kernel g on beads [−p, q]; p; q.  Beyond either end is at most `lost` of ∫|g|."""
+def rear_inverse(alpha, gamma, w, n, lost, half=0.0):
+    """The kernels g, and where half > 0 also g₁, on beads [−p, q]; p; q.
+
+    Beyond either end is at most `lost` of ∫|g|.
+    """
+    g = _periodic_inverse(alpha, gamma, w, n)
+    zero = len(g) // 2
+    mass = np.cumsum(abs(g)) / n
+    first, last = np.searchsorted(mass, (lost, mass[-1] - lost))
+    p, q = max(1, -((first - zero) // n)), max(1, -(-(last + 1 - zero) // n))
+    rows = [g]
+    if half > 0:
+        ends = (_periodic_inverse(alpha, gamma + s * half, w, n) for s in (1, -1))
+        rows.append((next(ends) - next(ends)) / 2)
+    return np.array(rows)[:, zero - p * n : zero + q * n], p, q
+
+
+def _periodic_inverse(alpha, gamma, w, n, span=200):
     middles, whole = kernel(gamma, w, n)
     cells = 2 * span * n
     source, operator = np.zeros(cells), np.zeros(cells)
     source[np.arange(-n, n)], operator[np.arange(-n, n + 1)] = alpha * middles, alpha * whole
-    g = np.fft.fftshift(fft.irfft(fft.rfft(source) / (1 - fft.rfft(operator)), cells))
-    mass = np.cumsum(abs(g)) / n
-    first, last = np.searchsorted(mass, (lost, mass[-1] - lost))
-    p, q = max(1, -((first - cells // 2) // n)), max(1, -(-(last + 1 - cells // 2) // n))
-    return g[cells // 2 - p * n : cells // 2 + q * n], p, q
+    return np.fft.fftshift(fft.irfft(fft.rfft(source) / (1 - fft.rfft(operator)), cells))
 
 
 def window_correction(stiffness, gamma, n, zero, longer):

@@ -1,0 +1,71 @@
+"""What certificates prove, as a dataset: intervals of γ, bounds, statements and margins."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+NUMBERS = {
+    "radius": "radius",
+    "rate": "rate",
+    "amplitude_low": "amplitude_low",
+    "amplitude_high": "amplitude_high",
+    "monotone": "monotone",
+    "oscillates": "oscillates",
+    "critical": "critical",
+}
+"""Numbers of a record, and the variables that hold them."""
+
+JOINED = "the front before is a translate"
+"""The last inequality of a junction."""
+
+
+def records_dataset(records):
+    """What is proved, a row for each certificate.
+
+    Parameters
+    ----------
+    records : list of dict
+        As from `check_certificate` or `families.record`, with `path`, `name`, `alpha` and
+        `seconds`, the processor time.
+
+    Returns
+    -------
+    xarray.Dataset
+        On (certificate): `alpha`, `gamma_low`, `gamma_high`, `error_bound` of u,
+        `overshoot_bound` (max u − 1 is above it) and the other numbers, NaN where they are not
+        proved, `joined` (1 where the fronts continue those of the row before),
+        `processor_seconds`, `bytes` and `statements`; on (certificate, inequality): both sides,
+        `left` < `right`.
+    """
+    names = list(dict.fromkeys(one["name"] for row in records for one in row["inequalities"]))
+    sides = np.full((2, len(records), len(names)), np.nan)
+    for place, row in enumerate(records):
+        for one in row["inequalities"]:
+            sides[:, place, names.index(one["name"])] = one["left"], one["right"]
+    columns = {
+        "alpha": [float(row["alpha"]) for row in records],
+        "gamma_low": [float(row["gamma"][0]) for row in records],
+        "gamma_high": [float(row["gamma"][1]) for row in records],
+        "error_bound": [row["error"] for row in records],
+        "processor_seconds": [row["seconds"] for row in records],
+        "bytes": [Path(row["path"]).stat().st_size for row in records],
+        "file": [str(row["path"]) for row in records],
+        "statements": ["\n".join(row["statements"]) for row in records],
+    }
+    for number, variable in NUMBERS.items():
+        columns[variable] = [row["numbers"].get(number, np.nan) for row in records]
+    tops = np.array([row["numbers"].get("overshoot", np.nan) for row in records])
+    columns["overshoot_bound"] = tops - 1
+    data = xr.Dataset(
+        {name: ("certificate", values) for name, values in columns.items()},
+        {"certificate": [row["name"] for row in records], "inequality": names},
+    )
+    data["left"], data["right"] = ((("certificate", "inequality"), side) for side in sides)
+    known = data["left"].sel(inequality=JOINED) if JOINED in names else data["radius"] * np.nan
+    data["joined"] = "certificate", np.isfinite(known.values).astype(int)
+    data["processor_seconds"].attrs["units"] = "s"
+    data["bytes"].attrs["units"] = "byte"
+    for name in ("error_bound", "radius", "overshoot_bound", "amplitude_low", "amplitude_high"):
+        data[name].attrs["error_method"] = "a bound that is proved, rounded outwards"
+    return data
