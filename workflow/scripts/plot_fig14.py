@@ -60,7 +60,7 @@ def plot_fig14(data: xr.Dataset) -> Figure:
 def height(data: xr.Dataset, row: list[str]) -> float:
     """Height of a row of panels, which the names beside the fullest of them need, in inches."""
     chosen = data.sel({"problem": [problem for problem in row if problem != "."]})
-    solved = np.isfinite(chosen["error"]).any("tolerance").sum("method")
+    solved = chosen["error"].notnull().any("tolerance").sum("method")
     return FRAME_HEIGHT + max(LOWEST, NAME_HEIGHT * int(solved.max()))
 
 
