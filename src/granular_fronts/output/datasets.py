@@ -14,6 +14,7 @@ name only when it is complete.
 import importlib.metadata
 import json
 from collections.abc import Hashable, Iterable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -200,6 +201,7 @@ class DatasetError(ValueError):
     """A result file that is missing, damaged, or belongs to something else."""
 
 
+@cache
 def long_name(variable: str) -> str:
     """What a variable or coordinate is, in words, from its name and suffix."""
     matches = [name for name in LONG_NAMES if variable == name or variable.startswith(f"{name}_")]
