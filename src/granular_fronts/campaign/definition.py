@@ -16,8 +16,9 @@ from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.constraints import ranges_increase
+from granular_fronts.scenes.limits import Part, part_errors
 from granular_fronts.scenes.schema import violations
-from granular_fronts.scenes.sizes import NUMBERS_PER_BEAD, Part, part_errors
+from granular_fronts.scenes.sizes import NUMBERS_PER_BEAD
 from granular_fronts.scenes.yaml_files import read_yaml
 
 NAME = re.compile(r"[a-z][a-z0-9_]*")

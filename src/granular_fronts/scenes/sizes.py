@@ -13,19 +13,11 @@ Every function below yields a `Part` for each key that decides on the size of a 
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple
 
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.scenes.laws import front_speed
+from granular_fronts.scenes.limits import Part, part_errors
 from granular_fronts.scenes.scales import decades_of_displacement
-
-MOST_MEMORY = 16 * 2**30
-"""Bytes that one job may hold."""
-
-LONGEST_TIME = 30 * 86400.0
-"""Seconds on one core that one job may take."""
-
-BYTES_PER_NUMBER = 8
 
 NUMBERS_PER_BEAD = 64
 """State and stages of the integrator, and what is followed at each bead."""
@@ -44,6 +36,9 @@ SECONDS_PER_POINT = 5.0e-9
 SECONDS_PER_FRONT = 1.0e-4
 """An exact front, found by continuation from its neighbour."""
 
+SECONDS_PER_COLLECTED_FRONT = 1.0e-2
+"""An exact front with its tail roots and multipliers."""
+
 SECONDS_PER_RUN = 1.0e-4
 """The shortest run whose time is measured."""
 
@@ -55,34 +50,6 @@ FEWEST_BEADS_OF_WINDOW, USUAL_CELLS = 10.0, 20
 
 BEADS_OF_PROBLEMS = 100.0
 """Beads that move on the average in the problems whose solution is stored."""
-
-LARGEST = 1.0e300
-"""Stands for what overflows."""
-
-
-class Part(NamedTuple):
-    """What some keys together contribute to the size of a section.
-
-    Attributes
-    ----------
-    large, small : tuple of str
-        Dotted keys inside the section, of counts and of spacings: the size grows with the former
-        and falls with the latter.
-    numbers : float
-        Numbers held at once.
-    seconds : float
-        Time on one core.
-    """
-
-    large: tuple[str, ...]
-    small: tuple[str, ...] = ()
-    numbers: float = 0.0
-    seconds: float = 0.0
-
-    @property
-    def memory(self) -> float:
-        """Bytes held at once."""
-        return min(BYTES_PER_NUMBER * self.numbers, LARGEST)
 
 
 def size_errors(path: str, section: Mapping) -> Iterator[str]:
@@ -101,50 +68,6 @@ def size_errors(path: str, section: Mapping) -> Iterator[str]:
         One sentence if it is too large: the keys that contribute most, and the size.
     """
     yield from part_errors(section, list(SIZES[path](section)))
-
-
-def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
-    """Compare the sum of some parts with the limits; see `size_errors`."""
-    memory = sum(part.memory for part in parts)
-    seconds = min(sum(part.seconds for part in parts), LARGEST)
-    if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
-        return
-    most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
-    keys = [f"{key} = {_look_up(section, key)}" for key in (*most.large, *most.small)]
-    remedies = [f"lower {' or '.join(most.large)}"] if most.large else []
-    remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
-    yield (
-        f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
-        f"{show_memory(memory)} of memory and {show_time(seconds)} on one core, above the limit of "
-        f"{show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: {', or '.join(remedies)}."
-    )
-
-
-def show_memory(memory: float) -> str:
-    """Bytes in words, for example ``16 GiB``."""
-    for unit in ("bytes", "KiB", "MiB"):
-        if memory < 1000.0:
-            return f"{memory:.0f} {unit}"
-        memory /= 1024.0
-    return f"{_show_number(memory)} GiB"
-
-
-def show_time(seconds: float) -> str:
-    """A duration in words, for example ``30 days``."""
-    for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
-        if seconds >= 2.0 * length:
-            return f"{_show_number(seconds / length)} {unit}"
-    return f"{seconds:.0f} s"
-
-
-def _show_number(value: float) -> str:
-    return f"{value:,.0f}" if value < 1e6 else f"{value:.0e}"
-
-
-def _look_up(section: Any, key: str) -> Any:
-    for name in key.split("."):
-        section = section[name]
-    return section
 
 
 # Scenes.
@@ -214,6 +137,13 @@ def size_of_front(scene: Mapping) -> Iterator[Part]:
 def size_of_survey(section: Mapping) -> Iterator[Part]:
     """A front for each exponent and each damping."""
     yield _front_part(("gamma.num",), len(section["alpha"]) * float(section["gamma"]["num"]))
+
+
+def size_of_collection(section: Mapping) -> Iterator[Part]:
+    """A front with tail roots and multipliers for each exponent and each damping."""
+    fronts = len(section["alpha"]) * float(section["gamma"]["num"])
+    numbers, seconds = NUMBERS_PER_FRONT * fronts, fronts * SECONDS_PER_COLLECTED_FRONT
+    yield Part(("gamma.num",), (), numbers, seconds)
 
 
 def size_of_damping_map(section: Mapping) -> Iterator[Part]:
@@ -384,7 +314,7 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "precision.heteroclinic.*": size_of_repeated_runs,
     "precision.fronts.*": size_of_repeated_runs,
     "precision.log_burgers.*": size_of_log_burgers,
-    "explorer": size_of_survey,
+    "explorer": size_of_collection,
     "stiff_damping": size_of_stiff_damping,
     "proofs": size_of_proofs,
 }

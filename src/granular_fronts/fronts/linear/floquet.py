@@ -261,7 +261,10 @@ def _verdict(values, residual):
     """What the multipliers say of the front, in words."""
     defect, radius = abs(values[0] - 1.0), abs(values[1])
     if residual > LARGEST_DEFECT:
-        return f"undecided: flow and shift change the state by {residual:.1e}, so it is no front"
+        return (
+            f"undecided: flow and shift change the state by {residual:.1e}, so it is no front, "
+            "or one wider than the window"
+        )
     if defect > LARGEST_DEFECT:
         return (
             f"undecided: the multiplier of translation is {defect:.1e} away from 1: give more "

@@ -1,0 +1,84 @@
+"""Limits of what one job may take, and the sentence for a section that asks for more."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+MOST_MEMORY = 16 * 2**30
+"""Bytes that one job may hold."""
+
+LONGEST_TIME = 30 * 86400.0
+"""Seconds on one core that one job may take."""
+
+BYTES_PER_NUMBER = 8
+
+LARGEST = 1.0e300
+"""Stands for what overflows."""
+
+
+class Part(NamedTuple):
+    """What some keys together contribute to the size of a section.
+
+    Attributes
+    ----------
+    large, small : tuple of str
+        Dotted keys inside the section, of counts and of spacings: the size grows with the former
+        and falls with the latter.
+    numbers : float
+        Numbers held at once.
+    seconds : float
+        Time on one core.
+    """
+
+    large: tuple[str, ...]
+    small: tuple[str, ...] = ()
+    numbers: float = 0.0
+    seconds: float = 0.0
+
+    @property
+    def memory(self) -> float:
+        """Bytes held at once."""
+        return min(BYTES_PER_NUMBER * self.numbers, LARGEST)
+
+
+def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
+    """Compare the sum of some parts with the limits; see `sizes.size_errors`."""
+    memory = sum(part.memory for part in parts)
+    seconds = min(sum(part.seconds for part in parts), LARGEST)
+    if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
+        return
+    most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
+    keys = [f"{key} = {_look_up(section, key)}" for key in (*most.large, *most.small)]
+    remedies = [f"lower {' or '.join(most.large)}"] if most.large else []
+    remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
+    yield (
+        f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
+        f"{show_memory(memory)} of memory and {show_time(seconds)} on one core, above the limit of "
+        f"{show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: {', or '.join(remedies)}."
+    )
+
+
+def show_memory(memory: float) -> str:
+    """Bytes in words, for example ``16 GiB``."""
+    for unit in ("bytes", "KiB", "MiB"):
+        if memory < 1000.0:
+            return f"{memory:.0f} {unit}"
+        memory /= 1024.0
+    return f"{_show_number(memory)} GiB"
+
+
+def show_time(seconds: float) -> str:
+    """A duration in words, for example ``30 days``."""
+    for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
+        if seconds >= 2.0 * length:
+            return f"{_show_number(seconds / length)} {unit}"
+    return f"{seconds:.0f} s"
+
+
+def _show_number(value: float) -> str:
+    return f"{value:,.0f}" if value < 1e6 else f"{value:.0e}"
+
+
+def _look_up(section: Any, key: str) -> Any:
+    for name in key.split("."):
+        section = section[name]
+    return section

@@ -1,0 +1,22 @@
+"""Constraints of the section that says what is proved; see `constraints`."""
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+
+
+def shown_front_is_proved(section: Mapping) -> Iterator[str]:
+    """The front that is drawn is one of those that are proved."""
+    if section["shown"] not in section["fronts"]:
+        yield f"shown is {section['shown']}, but must be one of {', '.join(section['fronts'])}."
+
+
+def parts_increase(section: Mapping) -> Iterator[str]:
+    """Parts of an interval of γ follow one another from below."""
+    for name, family in section["intervals"].items():
+        ends = [family["from"], *(part["to"] for part in family["parts"])]
+        for low, high in pairwise(ends):
+            if low >= high:
+                yield (
+                    f"intervals.{name} goes from {low} to {high}, but γ must grow: lower the first "
+                    "or raise the second."
+                )
