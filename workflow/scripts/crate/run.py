@@ -90,8 +90,8 @@ def describe_run(run: Run) -> ROCrate:
     root["name"] = f"A run of {cited['name']}"
     root["description"] = (
         "The workflow, its configuration and environment, every job that ran, and all results. "
-        "To run it again, unpack it, call make, and then: "
-        "snakemake -c2 --configfile configuration.yaml --config results=again"
+        "To run it again, unpack it and call: make .venv/installed; "
+        ".venv/bin/snakemake -c2 --configfile configuration.yaml --config results=again"
     )
     root["datePublished"] = max(job.end for job in run.jobs).date().isoformat()
     root["conformsTo"] = [
