@@ -76,7 +76,8 @@ PLANNED = [c for c in COMMANDS if c.startswith("snakemake") and " --unlock" not 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", PLANNED)
 def test_workflow_can_plan_its_targets(command, mine):
-    outcome = run([sys.executable, "-m", *words_of(command, mine), "--dry-run", "--nolock"])
+    program, *words = words_of(command, mine)
+    outcome = run([sys.executable, "-m", program, "--dry-run", "--nolock", *words])
     assert outcome.returncode == 0, outcome.stderr
 
 
