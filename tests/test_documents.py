@@ -241,7 +241,7 @@ def test_picture_of_the_architecture_is_that_of_the_code():
     )
     for _, place in ARCHITECTURE.FLOW:
         if not place.startswith("results"):
-            assert (ROOT / place.removesuffix(" …")).exists(), place
+            assert any(ROOT.glob(place)), place
 
 
 def test_picture_leaves_out_detours_and_stands_on_what_is_imported():
