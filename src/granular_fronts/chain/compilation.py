@@ -21,4 +21,4 @@ def compile_kernels():
             "tolerance": {"relative": 1.0e-6, "absolute": 1.0e-8},
             "record": {"snapshots": [1.0], "balances": True},
         }
-        solve(scene, scene["tolerance"])
+        solve(scene, scene["tolerance"], "compiling the chain")

@@ -14,3 +14,4 @@ if __name__ == "__main__":
         validate_configuration(load_configuration(*sys.argv[1:]), sys.argv[1:])
     except InputError as error:
         sys.exit(str(error))
+    print("The configuration can be computed.")
