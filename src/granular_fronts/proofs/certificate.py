@@ -26,6 +26,8 @@ FINE = 40
 COARSE = 20
 WIDEST = 1e-8
 START = 1.5e-5
+SMALL_OVERSHOOT = 1e-6
+PART, LARGEST_PART, SMALLEST_PART = 2.5e-4, 2e-4, 2e-5
 
 Rational = float | str | Fraction
 """A number as `rational` reads it."""
@@ -117,30 +119,33 @@ def describe(front, alpha, interval, n, fine, drift):
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
-    if (
-        alpha[0] == alpha[1]
-        and len(fronts) == 1
-        and roots[0].imag == 0
-        and front.attrs["overshoot"] < 1e-9
-    ):
-        radius = 1e-9 + 20 * float(interval[1] - interval[0])
-        fields |= _expansion(exponent, gamma, n * fine, roots, radius, xi, u)
+    if alpha[0] == alpha[1] and front.attrs["overshoot"] < SMALL_OVERSHOOT:
+        fields |= _expansion(exponent, gamma, half, n * fine, xi, u)
     return fields
 
 
-def _expansion(alpha, gamma, n, roots, radius, xi, u):
+def _expansion(alpha, gamma, half, n, xi, u):
     """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀."""
-    slow, fast = _weights(alpha, gamma, np.array([root.real for root in roots]))
+    roots, moved = (slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
+    slow, fast = _weights(alpha, gamma, np.sort(roots.real))
     g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND) for w in (slow, fast)]
     x0 = math.floor(xi[(abs(u - 1) > START) & (xi < 0)][0])
-    found = [(root.real, root.imag, radius) for root in roots if root.real < fast]
+    lead = abs(roots.real[roots.imag > 0][0] - roots.real[0])
+    parts = 1 + math.ceil(half / np.clip(PART * lead, SMALLEST_PART, LARGEST_PART))
+    radius = 1e-9 + 3 / parts * abs(roots - moved)
+    found = [(root.real, root.imag, r) for root, r in zip(roots, radius, strict=True)]
     return {
         "weights": np.array([slow, fast]),
-        "roots": np.array(found),
-        "starts": _integers(x0, *(-p * n for _, p, _ in g)),
+        "roots": np.array([row for row in found if row[0] < fast]),
+        "starts": _integers(x0, *(-p * n for _, p, _ in g), parts),
         "slow_inverse": _differences(g[0][0][0], INVERSE_UNIT, np.int32),
         "fast_inverse": _differences(g[1][0][0], INVERSE_UNIT, np.int32),
     }
+
+
+def slowest_first(roots):
+    """Real roots first, and the slowest first among those."""
+    return np.array(sorted(roots, key=lambda root: (root.imag != 0, root.real)))
 
 
 def _weights(alpha, gamma, roots):

@@ -1,22 +1,19 @@
-"""The front behind: its slowest mode, and the sign of u' on the whole rear.
+"""The front behind: its slowest mode, and whether it comes from 1 monotonically or oscillating.
 
-A front without overshoot comes from 1 monotonically, but far behind u' is smaller than any
-enclosure of u.  Its sign follows from finitely many numbers near one place x₀ of the rear.
+Far behind u' is smaller than any enclosure of u.  Its sign follows from finitely many numbers near
+one place x₀ of the rear.
 
 Let t = ξ − x₀, z = u − 1, Q = P − 1, v = u', ṽ = v 1_{t<0}, D(λ) = 1 − α K̂(λ) with K̂(λ) = ∫ K(s)
-e^(−λs) ds, so that D(λ) = 1 − α (1 − γλ)(2 cosh λ − 2)/λ².  For w ≥ 0 write |f|_w = sup |f|
-e^(−wt), K_w = K e^(−ws), and let Γ_w bound the norm of (δ − α K_w)^(−1) (see `balls`).
+e^(−λs) ds as in `tail_roots`.  For w ≥ 0 write |f|_w = sup |f| e^(−wt), K_w = K e^(−ws), and let
+Γ_w bound the norm of (δ − α K_w)^(−1) (see `balls`).
 
 **Lemma 8.** Suppose that D has no zero with 0 < Re λ ≤ θ, and with θ < Re λ < η exactly the simple
-zeros λ₁, real, and none or a pair λ₂, λ̄₂ with Re λ₂ > λ₁, where η < 2θ, and none with Re λ = η.
-Then
+zeros λ₁, real, or a pair λ₂, λ̄₂, or these three, where η < 2θ, and none with Re λ = η.  Then
 
     v = Σ C_j e^(λ_j t) + ω(t) for t < 0,      |ω(t)| ≤ Γ_η (|F_b|_η + c) e^(ηt),
     |C_j D'(λ_j) + F̂_b(λ_j)| ≤ c/(2θ − Re λ_j),
 
-with F_b on (−1, 1) and c below.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂ − λ₁)t) + Γ_η (|F_b|_η + c)
-e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, and u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁
-e^(−λ₁x₀)/λ₁.
+with F_b on (−1, 1) and c below; C_j of conjugate λ_j are conjugate.
 
 *Proof.* u' = K*P' and P' = a(u) v.  Hence ṽ − α K*ṽ = F_b + F_n, where F_n = 1_{t<0} K*((a(u) − α)
 ṽ) and F_b = K*(P' 1_{t>0}) for −1 < t < 0, F_b = −α K*ṽ for 0 < t < 1, 0 elsewhere.  By parts, as
@@ -25,23 +22,40 @@ K(s) = 1 + s − γ ahead (s < 0) and 1 − s + γ behind,
     F_b = −γ Q(t + 1) − (1 + t − γ) Q(0) + ∫₀^(t+1) Q                    −1 < t < 0,
     F_b = −α [(1 − t + γ) z(0) − γ z(t − 1) − ∫_(t−1)^0 z]                 0 < t < 1.
 
-By Lemma 7 z = O(e^(θξ)), and so is v = K'*(P − 1).  So V = |ṽ|_θ is finite, and V ≤ Γ_θ (|F_b|_θ +
-‖K_θ‖ ε V) with ε = sup |a(u) − α| over t < 0.  Let |z| ≤ ζ < 1 for t < 0 and B = α (α − 1) (1 ∓
-ζ)^(α−2), − for α ≤ 2, the largest |a'| there; ε ≤ B ζ.  Then |z| ≤ V e^(θt)/θ, |(a(u) − α) ṽ| ≤ B
-V² e^(2θt)/θ and |F_n| ≤ c e^(2θt) with c = B V² ‖K_2θ‖/θ. The Laplace transform of ṽ is (F̂_b +
-F̂_n)/D for Re λ = θ, where F̂_n is analytic for Re λ < 2θ and bounded by c/(2θ − Re λ).  F_b has
-bounded variation and F_n is Lipschitz on t < 0, so the transforms are O(1/|Im λ|), and D → 1 as
-|Im λ| → ∞ in the strip: the line of the inverse transform (in L²) moves from θ to η, past −C_j
-e^(λ_j t).  What is left is the solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤
-c. ∎
+D has finitely many zeros with 0 < Re λ < η, so that some θ' > θ has none up to it.  By Lemma 7 z =
+O(e^(θ'ξ)), and so is v = K'*(P − 1).  So V = |ṽ|_θ is finite, and V ≤ Γ_θ (|F_b|_θ + ‖K_θ‖ ε V)
+with ε = sup |a(u) − α| over t < 0.  Let |z| ≤ ζ < 1 for t < 0 and B = α (α − 1) (1 − ζ)^(−|α−2|), a
+bound of |a'| there; ε ≤ B ζ.  Then |z| ≤ V e^(θt)/θ, |(a(u) − α) ṽ| ≤ B V² e^(2θt)/θ and |F_n| ≤ c
+e^(2θt) with c = B V² ‖K_2θ‖/θ. The Laplace transform of ṽ is (F̂_b + F̂_n)/D for Re λ = θ, where
+F̂_n is analytic for Re λ < 2θ and bounded by c/(2θ − Re λ).  F_b has bounded variation and F_n is
+Lipschitz on t < 0, so the transforms are O(1/|Im λ|), and D → 1 as |Im λ| → ∞ in the strip: the
+line of the inverse transform (in L²) moves from θ to η, past −C_j e^(λ_j t).  What is left is the
+solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. ∎
 
-The zeros are counted by winding numbers: along Re λ = w, upwards, D turns m − 1 times if m zeros
-have 0 < Re λ < w, as it turns −1 times along the imaginary axis (Lemma 4) and D → 1 at both ends.
+**Monotone fronts.** Let λ₂, if there is one, have Re λ₂ ≥ λ₁.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂
+− λ₁)t) + Γ_η (|F_b|_η + c) e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, as the right-hand
+side grows with t.  If Re λ₂ > λ₁, then u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁ e^(−λ₁x₀)/λ₁.
+
+**Lemma 13 (oscillation).** Let λ₂ with C₂ ≠ 0 have Re λ₂ < λ₁ if λ₁ is in the strip.  Then, with B
+= 2 |C₂/λ₂| e^(−Re λ₂ x₀) and some φ,
+
+    u = 1 + B e^(Re λ₂ ξ) (cos(Im λ₂ ξ + φ) + o(1)) as ξ → −∞:
+
+u crosses 1 infinitely often, is not monotone, and max u > 1.
+
+*Proof.* z(t) = ∫ v over (−∞, t) = Σ (C_j/λ_j) e^(λ_j t) + O(e^(ηt)).  The two terms of λ₂ are
+conjugate, and their sum is 2 |C₂/λ₂| e^(Re λ₂ t) cos(Im λ₂ t + arg(C₂/λ₂)); all others are smaller
+by a factor that tends to 0. ∎
+
+**Critical damping.** On an interval of γ that contains a γ with Re λ₂ = λ₁ both cases occur.  If on
+all of it d(Re λ₂ − λ₁)/dγ > 0 (see `tail_roots`), C₂ ≠ 0, C₁ < 0 and the inequality of monotone
+fronts holds, then the front is monotone for that γ and those above, and overshoots for those below.
 """
 
 import math
+from copy import copy
 
-from flint import acb, acb_poly, acb_series, arb, arb_poly, fmpq
+from flint import acb, acb_poly, arb, arb_poly, fmpq
 
 from granular_fronts.proofs.balls import (
     NotProvedError,
@@ -54,72 +68,167 @@ from granular_fronts.proofs.balls import (
     largest,
     size,
 )
+from granular_fronts.proofs.tail_roots import find_root, require_zeros, slope, speed
 
-TERMS = 16
+TERMS, MOST_PARTS = 16, 1000
+KINDS = ("pair", "either", "real")
+"""Which root leads, in the order of γ at critical damping."""
 
 
 def expand(front, theta, eta):
-    """Lemma 8 with the roots, the inverses and the x₀ of the certificate."""
-    alpha, gamma, ng = front.alpha, front.gamma, front.n * front.fine
-    x0, *starts = map(int, front.data["starts"])
+    """Lemma 8 with the roots, the inverses and the x₀ of the certificate, on parts of its γ."""
+    x0, *starts, count = map(int, front.data["starts"])
     at = (front.left + x0) * front.n
     if len(starts) != 2 or not front.n <= at <= len(front.u) - front.n:
         raise NotProvedError(f"x0 = {x0} is not inside the cells")
-    roots = [find_root(front, *row) for row in front.data["roots"].tolist()]
-    slowest, *others = (root.real for root in roots)
-    _require_order(front, theta, eta, slowest, others)
+    if not 1 <= count <= MOST_PARTS:
+        raise NotProvedError(f"{count} is no number of parts")
+    kinds = _require_modes(front, theta, eta)
     gains = []
     for w, name, begin in zip((theta, eta), ("slow_inverse", "fast_inverse"), starts, strict=True):
-        norms, defect = inverse_defect(alpha, [gamma], w, ng, front.data[name][None], begin)
+        rows = front.data[name][None]
+        fine = front.n * front.fine
+        norms, defect = inverse_defect(front.alpha, [front.gamma], w, fine, rows, begin)
         front.require(f"‖e‖ of the {name}", defect, arb(1))
         gains.append((1 + norms[0]) / (1 - defect))
+    to_V, to_c = _nonlinearity(front, at, theta, gains[0])
 
-    source, errors = boundary_source(front, at)
-    slow, fast = (_weighted(front.n, source, errors, w) for w in (theta, eta))
+    parts = [_part(front, k, count) for k in range(count)]
+    found = []
+    for part in parts:
+        source, errors = boundary_source(part, at)
+        c = to_c * (to_V * _weighted(front.n, source, errors, theta)) ** 2
+        rest = gains[1] * (_weighted(front.n, source, errors, eta) + c)
+        modes = {}
+        for kind, row in zip(kinds, front.data["roots"].tolist(), strict=True):
+            root = find_root(part, *row)
+            part.require(f"theta < Re λ of the {kind}", theta, root.real)
+            part.require(f"Re λ of the {kind} < eta", root.real, eta)
+            C = _amplitude(part, root, source, errors, c / (2 * theta - root.real))
+            modes[kind] = root, C
+        found.append(lead(part, modes, (rest, eta), x0))
+    _note(front, parts)
+    yield from _statements(front, found)
+
+
+def _require_modes(front, theta, eta):
+    """Kinds of the roots: all up to η < 2θ, one real or one of a pair or both."""
+    kinds = ["real" if row[1] == 0 else "pair" for row in front.data["roots"].tolist()]
+    if len(set(kinds)) < len(kinds):
+        raise NotProvedError("more than one real root, or more than one pair")
+    count = kinds.count("real") + 2 * kinds.count("pair")
+    require_zeros(front, "all roots up to eta", eta, count)
+    front.require("eta < 2 theta", eta, 2 * theta)
+    return kinds
+
+
+def _nonlinearity(front, at, theta, gain):
+    """The factors of |F_b|_θ in V, and of V² in c."""
     below, top = front.u_low - front.u_error, front.u_high + front.u_error
     z = largest([*abs(below[:at] - 1), *abs(top[:at] - 1), front.outer_kappa[0] * front.r])
     front.require("|u − 1| behind x0", z, arb(1))
-    bend = alpha * (alpha - 1) * (1 - z if alpha <= 2 else 1 + z) ** (alpha - 2)
-    once, twice = (kernel(gamma, w, ng)[2].sum() for w in (theta, 2 * theta))
-    front.require("nearly linear behind x0", gains[0] * once * bend * z, arb(1))
-    V = gains[0] * slow / (1 - gains[0] * once * bend * z)
-    c = bend * V**2 * twice / theta
+    bend = front.alpha * (front.alpha - 1) * (1 - z) ** -abs(front.alpha - 2)
+    ng = front.n * front.fine
+    once, twice = (kernel(front.gamma, w, ng)[2].sum() for w in (theta, 2 * theta))
+    front.require("nearly linear behind x0", gain * once * bend * z, arb(1))
+    return gain / (1 - gain * once * bend * z), bend * twice / theta
 
-    C, *minor = (
-        _amplitude(front, root, source, errors, c / (2 * theta - root.real)) for root in roots
+
+def _part(front, k, count):
+    """The front on one of equal parts of its interval of γ, with inequalities of its own."""
+    part = copy(front)
+    low, high = (arb(fmpq(2 * j - count, count)) for j in (k, k + 1))
+    part.gamma, part.middle = (
+        front.middle + s * front.half for s in (low.union(high), (low + high) / 2)
     )
-    front.require("C1 < 0", C.real, arb(0))
-    A = -C.real * (-slowest * x0).exp() / slowest
-    front.numbers |= {
-        "rate": float(slowest),
-        "amplitude_low": -above(-A),
-        "amplitude_high": above(A),
-    }
-    yield (
-        f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {slowest.str(15)},"
-        f" {-above(-A):.6f} − 1e-6 < A < {above(A):.6f} + 1e-6."
-    )
-    t = arb(front.fall - x0)
-    rest = gains[1] * (fast + c) * ((eta - slowest) * t).exp()
-    for amplitude, rate in zip(minor, others, strict=True):
-        rest += 2 * abs(amplitude) * ((rate - slowest) * t).exp()
-    if t < 0 and rest < -C.real:
-        front.require("other modes, where the range of u' < 0 begins", rest, -C.real)
-        front.numbers["monotone"] = 1.0
-        yield "u*' < 0 on the whole line: the front is monotone."
+    part.P, part.u = front.at(low.union(high))
+    part.inequalities = []
+    return part
 
 
-def _require_order(front, theta, eta, slowest, others):
-    """θ < λ₁ < Re λ₂ < η < 2θ, and no more zeros."""
-    require_zeros(front, "all roots up to eta", eta, 1 + 2 * len(others))
-    front.require("theta < lambda1", theta, slowest)
-    front.require("lambda1 < eta", slowest, eta)
-    front.require("eta < 2 theta", eta, 2 * theta)
-    if len(others) > 1:
-        raise NotProvedError("more than one pair of complex roots")
-    for rate in others:
-        front.require("lambda1 < Re lambda2", slowest, rate)
-        front.require("Re lambda2 < eta", rate, eta)
+def lead(part, modes, rest, x0):
+    """Which root leads, its rates and its amplitude, and whether the front is monotone.
+
+    `rest` is the bound of ω and its rate.
+    """
+    real, pair = modes.get("real"), modes.get("pair")
+    ahead = pair[0].real - real[0].real if real and pair else None
+    kind = "either"
+    if not pair or (real and ahead > 0):
+        kind = "real"
+    elif not real or ahead < 0:
+        kind = "pair"
+    if kind != "real":
+        part.require("C2 is not 0", arb(0), abs(pair[1]))
+    if kind == "pair":
+        B = 2 * abs(pair[1] / pair[0]) * (-pair[0].real * x0).exp()
+        return kind, pair[0], B, False
+    part.require("C1 < 0", real[1].real, arb(0))
+    if kind == "either":
+        part.require("Re λ2 − λ1 grows", speed(part, real[0]).real, speed(part, pair[0]).real)
+    A = -real[1].real * (-real[0].real * x0).exp() / real[0].real
+    t = arb(part.fall - x0)
+    others = rest[0] * ((rest[1] - real[0].real) * t).exp()
+    if pair:
+        others += 2 * abs(pair[1]) * (ahead * t).exp()
+    monotone = bool(t < 0 and others < -real[1].real)
+    if monotone or kind == "either":
+        part.require("x0 is ahead of where the range of u' < 0 begins", t, arb(0))
+        part.require("other modes there", others, -real[1].real)
+    return kind, real[0], A, monotone
+
+
+def _note(front, parts):
+    """Of the inequalities of all parts those with the least margins."""
+    least = {}
+    for one in (one for part in parts for one in part.inequalities):
+        known = least.setdefault(one["name"], one)
+        if one["margin"] < known["margin"]:
+            least[one["name"]] = one
+    front.inequalities += least.values()
+
+
+def _statements(front, found):
+    """What all parts of the interval say together."""
+    kinds, roots, amplitudes, monotone = zip(*found, strict=True)
+    places = [KINDS.index(kind) for kind in kinds]
+    low, high = max(0.0, -above(-_least(amplitudes))), above(largest(amplitudes))
+    if set(kinds) == {"real"}:
+        rate = _hull(root.real for root in roots)
+        front.numbers |= {"rate": float(rate), "amplitude_low": low, "amplitude_high": high}
+        yield (
+            f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {rate.str(15)},"
+            f" {low:.6f} − 1e-6 < A < {high:.6f} + 1e-6."
+        )
+        if all(monotone):
+            front.numbers["monotone"] = 1.0
+            yield "u*' < 0 on the whole line: the front is monotone."
+    elif set(kinds) == {"pair"}:
+        rate, waves = _hull(root.real for root in roots), _hull(root.imag for root in roots)
+        front.numbers |= {"oscillates": 1.0, "amplitude_low": low, "amplitude_high": high}
+        yield (
+            f"u* = 1 + B exp(ρ ξ) (cos(ω ξ + φ) + o(1)) as ξ → −∞, ρ = {rate.str(15)}, ω ="
+            f" {waves.str(15)}, 0 < B < {high:.6f} + 1e-6: u* − 1 changes its sign infinitely"
+            " often, and the front overshoots."
+        )
+    elif places == sorted(places) and all(monotone[places.count(0) :]):
+        front.numbers["critical"] = 1.0
+        yield (
+            "For each γ at which Re λ₂ ≥ λ₁, u*' < 0 on the whole line: the front is monotone.  For"
+            " each γ at which Re λ₂ < λ₁, u* − 1 changes its sign infinitely often as ξ → −∞: the"
+            " front overshoots.  The latter γ are below the former."
+        )
+
+
+def _least(values):
+    """An exact lower bound of all values."""
+    return -largest([-value for value in values])
+
+
+def _hull(values):
+    """A ball around all values."""
+    values = list(values)
+    return _least(values).union(largest(values))
 
 
 def boundary_source(front, at):
@@ -163,49 +272,4 @@ def _amplitude(front, root, source, errors, bent):
         value = integral(acb(1)) - integral(acb(-1))
         value += disc(2 * size(f) * remainder + 2 * error * growth)
         transform += value * half * (-root * fmpq(2 * (k - n) + 1, 2 * n)).exp()
-    return -transform / symbol(front, acb_series([root, 1], 2))[1]
-
-
-def symbol(front, x, gamma=None):
-    """D(λ), for all γ of the certificate or for one."""
-    gamma, waves = front.gamma if gamma is None else gamma, x.exp() + (-x).exp() - 2
-    return 1 - front.alpha * (1 - gamma * x) * waves / (x * x)
-
-
-def find_root(front, real, imaginary, radius):
-    """The only zero of D in a square, by the interval Newton operator; real if its middle is."""
-    middle = acb(real, imaginary)
-    square = middle + disc(arb(radius))
-    if imaginary != 0:
-        front.require("lambda2 is not real", arb(0), square.imag)
-    for step in range(3):
-        found = middle - symbol(front, middle) / symbol(front, acb_series([square, 1], 2))[1]
-        if step == 0 and not square.contains_interior(found):
-            raise NotProvedError(f"no single root is found within {radius} of {middle}")
-        middle, square = found.mid(), found
-    return square if imaginary != 0 else acb(square.real)
-
-
-def require_zeros(front, name, w, count):
-    """D ≠ 0 on Re λ = w, and `count` zeros with 0 < Re λ < w.
-
-    The upper half of the line is cut into parts whose images for all γ lie in a half plane from 0;
-    above them |D − 1| < 1.  So D ≠ 0 there for all γ, it turns as often for each, and is followed
-    for the middle one.
-    """
-    waves, height = w.exp() + (-w).exp() + 2, arb(4)
-    while not front.alpha * (1 + front.gamma * (w + height)) * waves < height**2:
-        height *= 2
-    turn, parts = -symbol(front, acb(w, height), front.middle).arg(), [(arb(0), height)]
-    while parts:
-        low, high = parts.pop()
-        start, end = (symbol(front, acb(w, y), front.middle) for y in (low, high))
-        whole = symbol(front, acb(w, low.union(high)))
-        if (whole / start).real > 0:
-            turn += (end / start).arg()
-        elif len(parts) > 60:
-            raise NotProvedError(f"{name}: there may be a root with real part {w}")
-        else:
-            middle = (low + high) / 2
-            parts += [(low, middle), (middle, high)]
-    front.require(name, abs(turn / arb.pi() + 1 - count), arb(0.5))
+    return -transform / slope(front, root)

@@ -1,0 +1,157 @@
+"""Tail roots, α* and critical damping in balls: counts, enclosures, and what is refused."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+flint = pytest.importorskip("flint")
+
+from flint import acb, arb  # noqa: E402
+
+import granular_fronts as gf  # noqa: E402
+from granular_fronts.fronts.linear.critical_damping import meaning_changes_at  # noqa: E402
+from granular_fronts.proofs import tail_roots  # noqa: E402
+from granular_fronts.proofs.balls import NotProvedError  # noqa: E402
+from granular_fronts.proofs.tail_roots import Law  # noqa: E402
+from granular_fronts.proofs.tail_table import ball, tail_records  # noqa: E402
+
+HERTZ = Fraction(3, 2)
+
+
+@pytest.fixture(autouse=True)
+def digits():
+    """Fifty digits, and those of others again afterwards."""
+    before, flint.ctx.prec = flint.ctx.prec, 180
+    yield
+    flint.ctx.prec = before
+
+
+@pytest.fixture(scope="module")
+def records():
+    return list(tail_records())
+
+
+def test_thirty_digits_of_every_quantity(records):
+    for record in records:
+        for part in record["enclosure"].replace("j", "").split("] "):
+            radius = float(part.split("+/-")[1].strip("] )"))
+            assert radius < 1e-28
+    assert flint.ctx.prec == 180
+
+
+def test_computed_values_have_the_errors_they_state(records):
+    """A few units of the last digit; γ in a root costs |dλ/dγ| of its own."""
+    names = {record["quantity"] for record in records}
+    assert {"α*", "γ_c, double root", "γ_c, crossing", "λ1", "λ4"} <= names
+    for record in records:
+        assert record["ulps"] < 16, record
+
+
+def test_known_values(records):
+    values = {(r["quantity"], r["alpha"]): r["computed"] for r in records if not r["gamma"]}
+    assert values["α*", ""] == pytest.approx(1.1877, abs=5e-5)
+    assert values["γ_c, crossing", "3/2"] == pytest.approx(0.2632, abs=5e-5)
+
+
+def hertz_crossing():
+    gamma = gf.critical_damping(1.5)
+    real, pair = sorted(gf.tail_roots(1.5, gamma, count=2), key=lambda root: root.imag)
+    return gamma, complex(real), complex(pair)
+
+
+def test_crossing_exchanges_the_slowest_root():
+    gamma, real, pair = hertz_crossing()
+    law, *roots = tail_roots.crossing(ball(HERTZ), gamma, (real, pair), 1e-9)
+    assert float(law.gamma.rad()) < 1e-40
+    for side, slowest in ((-1e-9, 1), (1e-9, 0)):
+        beside = Law(law.alpha, law.gamma.mid() + side)
+        found = [tail_roots.find_root(beside, x.real, x.imag, 1e-6) for x in (real, pair)]
+        assert found[slowest].real < found[1 - slowest].real
+    assert abs(roots[0].real - roots[1].real) < arb("1e-40")
+
+
+@pytest.mark.parametrize("shift", [1e-6, -1e-6])
+def test_crossing_that_is_elsewhere_is_refused(shift):
+    gamma, real, pair = hertz_crossing()
+    with pytest.raises(NotProvedError, match="no single root"):
+        tail_roots.crossing(ball(HERTZ), gamma + shift, (real, pair), 1e-9)
+
+
+def test_crossing_of_the_wrong_roots_is_refused():
+    gamma, real, pair = hertz_crossing()
+    third = complex(gf.tail_roots(1.5, gamma, count=3)[2])
+    for roots in ((real, real), (real, third), (pair, real)):
+        with pytest.raises(NotProvedError):
+            tail_roots.crossing(ball(HERTZ), gamma, roots, 1e-9)
+
+
+def test_double_root_is_double():
+    alpha = ball(Fraction(9, 8))
+    gamma = gf.critical_damping(1.125)
+    start = gf.tail_roots(1.125, gamma, count=1)[0].real
+    law, root = tail_roots.double_root(alpha, start, 1e-4)
+    assert tail_roots.symbol(law, acb(root)).contains(0)
+    assert tail_roots.slope(law, acb(root)).contains(0)
+    assert abs(law.gamma - gamma) < arb("1e-15")
+    for side, imaginary in ((-1e-4, True), (1e-4, False)):
+        slowest = gf.tail_roots(1.125, gamma + side, count=1)[0]
+        assert bool(slowest.imag) == imaginary
+
+
+@pytest.mark.parametrize("wrong", [1.3, 1.18771])
+def test_no_double_root_beyond_the_last_alpha(wrong):
+    with pytest.raises(NotProvedError):
+        tail_roots.double_root(arb(wrong), 2.34, 1e-2)
+
+
+def test_double_root_of_the_other_side_is_refused():
+    """Beyond the bend the line touches the bell too, with two slower roots before it."""
+    with pytest.raises(NotProvedError):
+        tail_roots.double_root(arb(9) / 8, 3.1, 0.2)
+
+
+def test_bend_and_the_last_alpha():
+    bend = tail_roots.find_bend(2.3469413041671690, 1e-6)
+    last = tail_roots.touching(bend)
+    assert abs(last - meaning_changes_at()) < arb("1e-15")
+    law = Law(last, -tail_roots.bell(bend, 1)[1] / last)
+    tail_roots.require_zeros(law, "three", arb("2.36"), 3)
+    tail_roots.require_zeros(law, "none", arb("2.33"), 0)
+    for start, radius in ((2.4, 1e-6), (2.3, 1e-3), (float("nan"), 1e-6)):
+        with pytest.raises((NotProvedError, ValueError)):
+            tail_roots.find_bend(start, radius)
+
+
+def test_bell_is_bent_as_the_lemma_says():
+    """q'' < 0 up to 2 and q'' > 0 from 4, where the proof is by hand."""
+    for x in np.linspace(0.05, 2, 40):
+        assert tail_roots.bell(arb(x), 2)[2] < 0
+    for x in np.linspace(4, 30, 40):
+        assert tail_roots.bell(arb(x), 2)[2] > 0
+
+
+def test_roots_that_are_not_all_are_refused():
+    starts = [complex(root) for root in gf.tail_roots(1.5, 0.3, count=5)]
+    law = Law(ball(HERTZ), ball(Fraction(3, 10)))
+    assert len(tail_roots.slowest_roots(law, starts, 1e-9)) == 4
+    wrong = {
+        "one left out": starts[:1] + starts[2:],
+        "exchanged": [starts[1], starts[0], *starts[2:]],
+        "one twice": [starts[0], *starts],
+        "a lower half plane": [starts[0], starts[1].conjugate(), *starts[2:]],
+        "a pair for a real root": [starts[0] + 1e-12j, *starts[1:]],
+    }
+    for roots in wrong.values():
+        with pytest.raises(NotProvedError):
+            tail_roots.slowest_roots(law, roots, 1e-9)
+
+
+@pytest.mark.parametrize("gamma", [0.05, 0.2, 0.3, 1.0])
+def test_speed_of_roots_is_their_derivative(gamma):
+    step = 1e-6
+    roots = gf.tail_roots(1.5, gamma, count=2)
+    behind, ahead = (gf.tail_roots(1.5, gamma + s, count=2) for s in (-step, step))
+    for j, root in enumerate(roots):
+        found = complex(tail_roots.speed(Law(arb(1.5), arb(gamma)), acb(root.real, root.imag)))
+        assert found == pytest.approx((ahead[j] - behind[j]) / (2 * step), rel=1e-7)
