@@ -321,6 +321,28 @@ def ring_map():
     return {"rings": campaign.assign(status=solved), **runs}
 
 
+def proofs(alphas, gammas):
+    """Certificates: one of fronts that overshoot, one of monotone ones, one of existence alone."""
+    names = "error_bound", "overshoot_bound", "gamma_low", "gamma_high"
+    data = sample({"certificate": ["a", "b", "c"]}, {name: ["certificate"] for name in names})
+    data["error_bound"] = "certificate", [1e-8, 1e-7, 1e-6]
+    data["overshoot_bound"] = "certificate", [0.1, np.nan, np.nan]
+    data["monotone"] = "certificate", [np.nan, 1.0, np.nan]
+    data["alpha"] = "certificate", alphas
+    data["gamma_low"], data["gamma_high"] = (("certificate", ends) for ends in gammas)
+    return data
+
+
+def enclosed_front():
+    """A front with errors, a residual, and bounds of its tails, the first lower bound unknown."""
+    variables = {name: ["xi"] for name in ("approximation", "error", "residual")}
+    variables |= {name: ["xi_ahead"] for name in ("decay_low", "decay_high")}
+    data = sample({**XI, "xi_ahead": [1.0, 1.5, 2.0, 2.5]}, variables, alpha=1.5, gamma=0.3)
+    data["error"] = 1e-9 * data["error"]
+    data["decay_high"][0] = np.inf
+    return data.assign_attrs(rate=0.5, amplitude_low=0.6, amplitude_high=0.7)
+
+
 PROBES = ("relative_displacement_steady", "relative_displacement_transient")
 GRIDS = ("relative_displacement_grid", "velocity_grid")
 
@@ -351,5 +373,11 @@ SAMPLES = {
     "fig20": ring_limit,
     "fig21": ring_map,
     "fig22": lambda: {"data": half_step_damping()},
+    "fig23": lambda: {
+        "fronts": proofs([1.5, 2.0, 3.0], ([0.2, 0.3, 0.4], [0.2, 0.3, 0.4])),
+        "intervals": proofs([1.5, 1.5, 1.5], ([0.1, 0.2, 0.4], [0.2, 0.4, 0.8])),
+        "curves": critical_damping(),
+    },
+    "fig24": lambda: {"data": enclosed_front()},
 }
 """What each figure is given, by the names of its arguments."""

@@ -57,4 +57,13 @@ def questions_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
         },
         "precision/hard_cases": {"cases": configuration["hard_cases"]},
         "precision/stiff_damping": configuration["stiff_damping"],
+        "proofs/fronts": configuration["proofs"]["fronts"],
+        "proofs/intervals": configuration["proofs"]["intervals"],
+        "proofs/shown_front": shown_front(configuration),
     }
+
+
+def shown_front(configuration: Mapping[str, Any]) -> dict[str, Any]:
+    """The proved front that a figure shows, by its name and parameters."""
+    proofs = configuration["proofs"]
+    return {"name": proofs["shown"], **proofs["fronts"][proofs["shown"]]}

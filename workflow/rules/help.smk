@@ -2,13 +2,14 @@
 
 TARGETS_IN_WORDS = {
     "all": "The report and the tests of all finished files; made when no target is named.",
-    "figures": "All figures but 14 to 16, 20 and 21, which only their own targets make.",
+    "figures": "All figures but 14 to 16, 20, 21, 23 and 24, which only their own targets make.",
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
     "check_results": "The tests of the finished files.",
     "precision": "Time against error of all solvers, with figure 14; a quarter of an hour.",
     "hard_cases": "Problems at the edge, with figure 15.",
     "stiff_damping": "Explicit and implicit steps compared at strong damping.",
+    "proofs": "Fronts proved by ball arithmetic, with figures 23 and 24; a quarter of an hour.",
     "referee": "Problems with accurate answers for discrete-element codes.",
     "ring_limit": "Rings of beads as α → 1, with figures 20 and 21.",
     "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",

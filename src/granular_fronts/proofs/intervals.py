@@ -13,7 +13,7 @@ from granular_fronts.proofs.certificate import describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
 
 STEP, NARROWEST = Fraction(1, 10**6), 4
-GROWTH, CAUTION, ROOM = Fraction(5, 4), Fraction(7, 10), 0.8
+GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(7, 10), 0.8
 
 
 def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, width="1/500"):

@@ -86,9 +86,8 @@ def expand(front, theta, eta):
     kinds = _require_modes(front, theta, eta)
     gains = []
     for w, name, begin in zip((theta, eta), ("slow_inverse", "fast_inverse"), starts, strict=True):
-        rows = front.data[name][None]
-        fine = front.n * front.fine
-        norms, defect = inverse_defect(front.alpha, [front.gamma], w, fine, rows, begin)
+        ng, rows = front.n * front.fine, front.data[name][None]
+        norms, defect = inverse_defect(front.alpha, [front.gamma], w, ng, rows, begin)
         front.require(f"‖e‖ of the {name}", defect, arb(1))
         gains.append((1 + norms[0]) / (1 - defect))
     to_V, to_c = _nonlinearity(front, at, theta, gains[0])

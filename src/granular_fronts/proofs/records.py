@@ -7,11 +7,12 @@ import xarray as xr
 
 NUMBERS = {
     "radius": "radius",
-    "overshoot": "maximum",
     "rate": "rate",
     "amplitude_low": "amplitude_low",
     "amplitude_high": "amplitude_high",
     "monotone": "monotone",
+    "oscillates": "oscillates",
+    "critical": "critical",
 }
 """Numbers of a record, and the variables that hold them."""
 
@@ -31,8 +32,9 @@ def records_dataset(records):
     Returns
     -------
     xarray.Dataset
-        On (certificate): `alpha`, `gamma_low`, `gamma_high`, `error_bound` of u, the numbers, NaN
-        where they are not proved, `joined` (1 where the fronts continue those of the row before),
+        On (certificate): `alpha`, `gamma_low`, `gamma_high`, `error_bound` of u,
+        `overshoot_bound` (max u − 1 is above it) and the other numbers, NaN where they are not
+        proved, `joined` (1 where the fronts continue those of the row before),
         `processor_seconds`, `bytes` and `statements`; on (certificate, inequality): both sides,
         `left` < `right`.
     """
@@ -53,6 +55,8 @@ def records_dataset(records):
     }
     for number, variable in NUMBERS.items():
         columns[variable] = [row["numbers"].get(number, np.nan) for row in records]
+    tops = np.array([row["numbers"].get("overshoot", np.nan) for row in records])
+    columns["overshoot_bound"] = tops - 1
     data = xr.Dataset(
         {name: ("certificate", values) for name, values in columns.items()},
         {"certificate": [row["name"] for row in records], "inequality": names},
@@ -62,6 +66,6 @@ def records_dataset(records):
     data["joined"] = "certificate", np.isfinite(known.values).astype(int)
     data["processor_seconds"].attrs["units"] = "s"
     data["bytes"].attrs["units"] = "byte"
-    for name in ("error_bound", "radius", "maximum", "amplitude_low", "amplitude_high"):
+    for name in ("error_bound", "radius", "overshoot_bound", "amplitude_low", "amplitude_high"):
         data[name].attrs["error_method"] = "a bound that is proved, rounded outwards"
     return data

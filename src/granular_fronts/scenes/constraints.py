@@ -10,6 +10,7 @@ This module imports neither numpy nor numba: the workflow checks its configurati
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
 from typing import Any
 
 from granular_fronts.model.amplitude_scaling import scaling_of
@@ -79,6 +80,24 @@ def ranges_increase(section: Mapping) -> Iterator[str]:
 
 def _is_empty(start: Any, stop: Any) -> bool:
     return not isinstance(start, Mapping) and start >= stop
+
+
+def shown_front_is_proved(section: Mapping) -> Iterator[str]:
+    """The front that is drawn is one of those that are proved."""
+    if section["shown"] not in section["fronts"]:
+        yield f"shown is {section['shown']}, but must be one of {', '.join(section['fronts'])}."
+
+
+def parts_increase(section: Mapping) -> Iterator[str]:
+    """Parts of an interval of γ follow one another from below."""
+    for name, family in section["intervals"].items():
+        ends = [family["from"], *(part["to"] for part in family["parts"])]
+        for low, high in pairwise(ends):
+            if low >= high:
+                yield (
+                    f"intervals.{name} goes from {low} to {high}, but γ must grow: lower the first "
+                    "or raise the second."
+                )
 
 
 def steps_fit_ranges(section: Mapping) -> Iterator[str]:
@@ -365,6 +384,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "precision.heteroclinic.*": (),
     "precision.fronts.*": (),
     "stiff_damping": (),
+    "proofs": (shown_front_is_proved, parts_increase),
 }
 """Constraints by the path of a section.
 

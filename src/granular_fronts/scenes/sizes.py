@@ -50,6 +50,9 @@ SECONDS_PER_RUN = 1.0e-4
 SECONDS_PER_OPERATION = 1.0e-10
 """Of dense linear algebra."""
 
+FEWEST_BEADS_OF_WINDOW, USUAL_CELLS = 10.0, 20
+"""Of the matrix in the certificate of a front; see `proofs.right_inverse`."""
+
 BEADS_OF_PROBLEMS = 100.0
 """Beads that move on the average in the problems whose solution is stored."""
 
@@ -350,6 +353,15 @@ def size_of_stiff_damping(section: Mapping) -> Iterator[Part]:
     yield Part(("repeats",), (), 0.0, runs * section["repeats"] * SECONDS_PER_RUN)
 
 
+def size_of_proofs(section: Mapping) -> Iterator[Part]:
+    """A dense matrix for each certificate, and at least one certificate for each chunk."""
+    for name, family in section["intervals"].items():
+        for part in family["parts"]:
+            unknowns = FEWEST_BEADS_OF_WINDOW * float(part.get("cells", USUAL_CELLS))
+            seconds = part["chunks"] * unknowns**3 * SECONDS_PER_OPERATION
+            yield Part((f"intervals.{name}.parts",), (), unknowns**2, seconds)
+
+
 SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "scenes.chain.*": size_of_chain,
     "scenes.heteroclinic.*": size_of_orbits,
@@ -373,6 +385,7 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "precision.fronts.*": size_of_repeated_runs,
     "precision.log_burgers.*": size_of_log_burgers,
     "stiff_damping": size_of_stiff_damping,
+    "proofs": size_of_proofs,
 }
 """Sizes by the path of a section in the configuration; ``*`` stands for a name."""
 

@@ -1,0 +1,143 @@
+"""Fronts that are proved: certificates, what they prove, and the junctions of intervals of γ.
+
+Certificates lie under <results>/proofs and are no outputs: a job that was stopped goes on from its
+last one, after it has proved again from their files those that are there.
+"""
+
+from proof_chunks import chunk_name, proof_chunks
+from questions import shown_front
+
+CHUNKS = {
+    family: {chunk_name(chunk): chunk for chunk in proof_chunks(described)}
+    for family, described in config["proofs"]["intervals"].items()
+}
+
+
+rule prove_fronts:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+    output:
+        dataset="<results>/data/proofs/fronts.nc",
+    params:
+        code=code("prove_fronts"),
+        fronts=config["proofs"]["fronts"],
+        folder=f"{config['results']}/proofs/fronts",
+    log:
+        "<logs>/prove_fronts.log",
+    benchmark:
+        "<benchmarks>/prove_fronts.tsv"
+    threads: 1
+    message:
+        "Proving single fronts."
+    conda:
+        environment
+    script:
+        "../scripts/prove_fronts.py"
+
+
+rule prove_chunk:
+    input:
+        kernels=rules.compile_front_kernels.output.stamp,
+    output:
+        dataset="<results>/data/proofs/{family}/{chunk}.nc",
+    params:
+        code=code("prove_chunk"),
+        chunk=lambda wildcards: CHUNKS[wildcards.family][wildcards.chunk],
+        folder=lambda wildcards: "/".join(
+            [config["results"], "proofs", wildcards.family, wildcards.chunk]
+        ),
+    log:
+        "<logs>/prove_chunk/{family}/{chunk}.log",
+    benchmark:
+        "<benchmarks>/prove_chunk/{family}/{chunk}.tsv"
+    threads: 1
+    message:
+        "Proving fronts of family {wildcards.family} for γ in {wildcards.chunk}."
+    conda:
+        environment
+    wildcard_constraints:
+        family="|".join(CHUNKS),
+        chunk=r"\d+\.\d{6}-\d+\.\d{6}",
+    script:
+        "../scripts/prove_chunk.py"
+
+
+rule join_intervals:
+    input:
+        chunks=[
+            f"<results>/data/proofs/{family}/{chunk}.nc" for family in CHUNKS for chunk in CHUNKS[family]
+        ],
+    output:
+        dataset="<results>/data/proofs/intervals.nc",
+    params:
+        code=code("join_intervals"),
+        intervals=config["proofs"]["intervals"],
+    log:
+        "<logs>/join_intervals.log",
+    benchmark:
+        "<benchmarks>/join_intervals.tsv"
+    threads: 1
+    message:
+        "Joining the chunks of proved intervals."
+    conda:
+        environment
+    script:
+        "../scripts/join_intervals.py"
+
+
+rule enclose_front:
+    input:
+        dataset=rules.prove_fronts.output.dataset,
+    output:
+        enclosure="<results>/data/proofs/shown_front.nc",
+    params:
+        code=code("enclose_front"),
+        front=shown_front(config),
+        folder=f"{config['results']}/proofs/fronts",
+    log:
+        "<logs>/enclose_front.log",
+    benchmark:
+        "<benchmarks>/enclose_front.tsv"
+    threads: 1
+    message:
+        "Evaluating the enclosure of a front that is proved."
+    conda:
+        environment
+    script:
+        "../scripts/enclose_front.py"
+
+
+rule tabulate_proofs:
+    input:
+        fronts=rules.prove_fronts.output.dataset,
+        intervals=rules.join_intervals.output.dataset,
+    output:
+        csv="<results>/tables/proofs.csv",
+        markdown="<results>/tables/proofs.md",
+        record="<results>/tables/proofs.json",
+        margins_csv="<results>/tables/proof_margins.csv",
+        margins_markdown="<results>/tables/proof_margins.md",
+        margins_record="<results>/tables/proof_margins.json",
+    params:
+        code=code("tabulate_proofs"),
+        asked=asked("proofs/fronts", "proofs/intervals"),
+    log:
+        "<logs>/tabulate_proofs.log",
+    benchmark:
+        "<benchmarks>/tabulate_proofs.tsv"
+    threads: 1
+    message:
+        "Tabulating what is proved."
+    conda:
+        environment
+    script:
+        "../scripts/tabulate_proofs.py"
+
+
+rule proofs:
+    input:
+        rules.tabulate_proofs.output,
+        rules.fig23.input,
+        rules.fig24.input,
+    message:
+        "Fronts are proved, tabulated and drawn: {input}."
