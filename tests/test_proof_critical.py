@@ -15,6 +15,7 @@ from granular_fronts.proofs.balls import NotProvedError, in_balls  # noqa: E402
 from granular_fronts.proofs.checker import check_certificate  # noqa: E402
 from granular_fronts.proofs.tail_roots import Law  # noqa: E402
 
+HERTZ = Fraction(3, 2)
 BELOW, AROUND, ABOVE = ("0.2525", "0.253"), ("0.2632", "0.2633"), ("0.2640", "0.2645")
 
 
@@ -26,12 +27,6 @@ def records(tmp_path_factory):
         interval: gf.prove_front("3/2", interval, folder / f"{interval[0]}.npz")
         for interval in (BELOW, AROUND, ABOVE)
     }
-
-
-def changed(folder, **values):
-    """A certificate above critical damping, changed."""
-    with np.load(folder / f"{ABOVE[0]}.npz") as file:
-        return {name: file[name] for name in file.files} | values
 
 
 def test_fronts_below_oscillate_and_those_above_are_monotone(records):
@@ -79,7 +74,7 @@ def test_root_that_leads_is_not_left_out(records, tmp_path):
     gamma = 0.25275
     front = gf.solve_front(1.5, gamma)
     interval = (Fraction(gamma), Fraction(gamma))
-    data = certificate.describe(front, Fraction(3, 2), interval, 20, 40, 6e-4)
+    data = certificate.describe(front, (HERTZ, HERTZ), interval, 20, 40, 6e-4)
     assert data["roots"][0, 1] == 0 < data["roots"][1, 1]
     path = tmp_path / "front.npz"
     lists = {

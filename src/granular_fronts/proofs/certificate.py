@@ -115,7 +115,7 @@ def describe(front, alpha, interval, n, fine, drift):
         "gamma": _fractions(interval),
         "sizes": _integers(behind, ahead, n, p, q, c, fine),
         "profile": approximate(fronts, behind, ahead, n),
-        "inverse": np.array([_differences(row, INVERSE_UNIT, np.int32) for row in g]),
+        "inverse": _kernels(g),
         "correction": _differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
@@ -125,10 +125,15 @@ def describe(front, alpha, interval, n, fine, drift):
 
 
 def _expansion(alpha, gamma, half, n, xi, u):
-    """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀."""
+    """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀.
+
+    Nothing where there are more slow roots than a real one and a pair.
+    """
     roots, moved = (slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
-    slow, fast = _weights(alpha, gamma, np.sort(roots.real))
-    g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND) for w in (slow, fast)]
+    slow, fast = _weights(alpha, gamma, roots)
+    if not slow:
+        return {}
+    g = [right_inverse.rear_inverse(alpha, gamma, w, n, LOST_BEHIND, half) for w in (slow, fast)]
     x0 = math.floor(xi[(abs(u - 1) > START) & (xi < 0)][0])
     lead = abs(roots.real[roots.imag > 0][0] - roots.real[0])
     parts = 1 + math.ceil(half / np.clip(PART * lead, SMALLEST_PART, LARGEST_PART))
@@ -138,8 +143,8 @@ def _expansion(alpha, gamma, half, n, xi, u):
         "weights": np.array([slow, fast]),
         "roots": np.array([row for row in found if row[0] < fast]),
         "starts": _integers(x0, *(-p * n for _, p, _ in g), parts),
-        "slow_inverse": _differences(g[0][0][0], INVERSE_UNIT, np.int32),
-        "fast_inverse": _differences(g[1][0][0], INVERSE_UNIT, np.int32),
+        "slow_inverse": _kernels(g[0][0]),
+        "fast_inverse": _kernels(g[1][0]),
     }
 
 
@@ -158,13 +163,18 @@ def _weights(alpha, gamma, roots):
         slow, fast = weights
         return np.log(1 + norm(fast)) - 4 * fast + 0.1 * np.log(1 + norm(slow))
 
+    def fits(fast):
+        below = roots[roots.real < fast]
+        few = (below.imag == 0).sum() <= 1 and (below.imag > 0).sum() <= 1
+        return few and abs(roots.real - fast).min() > 0.02 * fast
+
     choices = [
         (slow, fast)
-        for slow in np.round(roots[0] * np.linspace(0.84, 0.94, 6), 4)
+        for slow in np.round(roots.real.min() * np.linspace(0.84, 0.94, 6), 4)
         for fast in np.round(slow * np.linspace(1.72, 1.96, 9), 4)
-        if (roots < fast).sum() <= 2 and abs(roots - fast).min() > 0.02 * fast
+        if fits(fast)
     ]
-    return min(choices, key=merit)
+    return min(choices, key=merit, default=(0.0, 0.0))
 
 
 def rational(number, name="number", above=0):
@@ -224,6 +234,10 @@ def _integers(*numbers):
     if max(map(abs, numbers)) >= 2**63:
         raise InputError("a fraction has more than 18 digits: round it.")
     return np.array(numbers, dtype=np.int64)
+
+
+def _kernels(rows):
+    return np.array([_differences(row, INVERSE_UNIT, np.int32) for row in rows])
 
 
 def _differences(values, unit, kind):

@@ -42,8 +42,8 @@ TAYLOR_ORDER, MOST_POWERS, SMALL_STRAIN = 8, 8, 1e-7
 EXPANSION = {  # kind of number and axes
     "roots": ("f8", 2),
     "starts": ("i8", 1),
-    "slow_inverse": ("i4", 1),
-    "fast_inverse": ("i4", 1),
+    "slow_inverse": ("i4", 2),
+    "fast_inverse": ("i4", 2),
 }
 FIELDS = {
     "alpha": ("i8", 1),

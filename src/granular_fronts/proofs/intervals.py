@@ -12,8 +12,9 @@ from granular_fronts.proofs.balls import NotProvedError
 from granular_fronts.proofs.certificate import describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
 
-STEP, NARROWEST = Fraction(1, 10**6), 4
+STEP, NARROWEST, NARROW = Fraction(1, 10**6), 4, 500
 GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(7, 10), 0.8
+CONCLUSIONS = {"overshoot", "oscillates", "critical", "monotone"}
 
 
 def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, width="1/500"):
@@ -59,6 +60,7 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
         try:
             found = prove(path, last)
             _require_place(found, alpha, at, high)
+            _require_conclusion(found, steps)
         except NotProvedError:
             path.unlink()
             if steps <= NARROWEST:
@@ -77,6 +79,13 @@ def _require_place(front, alpha, at, high):
     low, end = ends(front)
     if low != at or not low < end <= high or ends(front, "alpha") != alpha:
         raise NotProvedError("a certificate in the folder belongs to another interval")
+
+
+def _require_conclusion(front, steps):
+    """Stop where a narrower interval may show whether its fronts are monotone or overshoot."""
+    open_question = "roots" in front.data and not CONCLUSIONS & front.numbers.keys()
+    if open_question and steps > NARROW:
+        raise NotProvedError("the interval is too wide to say whether its fronts are monotone")
 
 
 def _write(path, fields):

@@ -84,10 +84,9 @@ def expand(front, theta, eta):
     if not 1 <= count <= MOST_PARTS:
         raise NotProvedError(f"{count} is no number of parts")
     kinds = _require_modes(front, theta, eta)
-    gains = []
+    gains, gammas, ng = [], [front.middle, front.half], front.n * front.fine
     for w, name, begin in zip((theta, eta), ("slow_inverse", "fast_inverse"), starts, strict=True):
-        ng, rows = front.n * front.fine, front.data[name][None]
-        norms, defect = inverse_defect(front.alpha, [front.gamma], w, ng, rows, begin)
+        norms, defect = inverse_defect(front.alpha, gammas, w, ng, front.data[name], begin)
         front.require(f"‖e‖ of the {name}", defect, arb(1))
         gains.append((1 + norms[0]) / (1 - defect))
     to_V, to_c = _nonlinearity(front, at, theta, gains[0])
