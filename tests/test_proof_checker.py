@@ -159,7 +159,7 @@ LIES = {
     "eta beyond 2 theta": changed("weights", at(1, 2.9)),
     "eta below the pair": changed("weights", at(1, 1.9)),
     "eta below the slowest root": changed("weights", at(1, 1.45)),
-    "a root that is none": changed("roots", at((0, 0), -4.0)),
+    "a root that is none": changed("roots", at((0, 0), 3.0)),
     "the slowest root twice": changed("roots", lambda f: f[[0, 0]]),
     "the pair alone": changed("roots", lambda f: f[1:]),
     "a pair for the real root": changed("roots", at((0, 1), 1e-12)),
