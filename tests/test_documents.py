@@ -65,8 +65,8 @@ def test_python_example_runs(code, capsys):
 
 
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
-    """Its command accepts the certificates kept, and its example proves what it says."""
-    [command], [code] = commands(PROOFS), blocks(PROOFS, "python")
+    """Its command accepts the certificates kept, and its examples prove what they say."""
+    [command], [critical, code] = commands(PROOFS), blocks(PROOFS, "python")
     assert command.startswith("python -m granular_fronts.proofs ")
     outcome = run([sys.executable, *shlex.split(command)[1:]])
     assert outcome.returncode == 0, outcome.stderr
@@ -77,6 +77,9 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     assert "monotone" in names["record"]["statements"][-1]
     assert len(names["family"]) == len(names["records"]) == 2
     assert [one["gamma"] for one in names["family"]] == [one["gamma"] for one in names["records"]]
+    exec(critical, names)
+    assert names["record"]["numbers"]["critical"] == 1
+    assert "is monotone" in names["record"]["statements"][-1]
 
 
 @pytest.mark.parametrize("text", blocks(README, "yaml") + blocks(START, "yaml"))
