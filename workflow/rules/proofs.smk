@@ -66,7 +66,9 @@ rule prove_chunk:
 rule join_intervals:
     input:
         chunks=[
-            f"<results>/data/proofs/{family}/{chunk}.nc" for family in CHUNKS for chunk in CHUNKS[family]
+            f"<results>/data/proofs/{family}/{chunk}.nc"
+            for family in CHUNKS
+            for chunk in CHUNKS[family]
         ],
     output:
         dataset="<results>/data/proofs/intervals.nc",
