@@ -364,6 +364,14 @@ def test_zeros_are_counted(w, zeros):
     flint.ctx.prec = before
 
 
+@pytest.mark.parametrize("gamma", [(3, 10), (1, 1), (6, 5)])
+def test_norm_of_the_kernel(gamma):
+    front = Front(load("overshoot") | {"gamma": np.array([*gamma, *gamma])})
+    g = gamma[0] / gamma[1]
+    size = integrate.quad(lambda s: abs(1 - abs(s) + g * np.sign(s)), -1, 1, points=(0, g - 1))[0]
+    assert float(front.nK.mid()) == pytest.approx(size, rel=1e-12)
+
+
 def test_certificates_are_made_as_those_kept(tmp_path):
     record = gf.prove_front(2, ("3/10", "300000001/1000000000"), tmp_path / "made.npz")
     assert record["proved"], record["reason"]

@@ -179,6 +179,8 @@ class Examples:
             yield True, record["statements"], record["inequalities"]
         with made["balls"].in_balls():
             yield from tails(made["tail_roots"])
+            strongly_damped = load("overshoot") | {"gamma": np.array([6, 5, 6, 5])}
+            yield True, [made["checker"].Front(strongly_damped).nK.str(18)], []
 
     def differ(self, made):
         """Whether modules do not prove what the unchanged ones prove."""
