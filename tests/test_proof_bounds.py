@@ -351,6 +351,24 @@ def test_kernels_and_their_norms_by_quadrature():
     flint.ctx.prec = before
 
 
+@pytest.mark.parametrize("w", [0.0, 0.7, 1.3])
+def test_defect_without_an_inverse_is_that_of_the_kernel(w):
+    """g = 0: e = −α K_w, and its variation by quadrature."""
+    alpha, gamma, n = 1.5, 0.3, 20
+    zeros = np.zeros((1, 4 * n), dtype=np.int32)
+    with balls.in_balls():
+        law = flint.arb(alpha), [flint.arb(gamma)]
+        _, bound = balls.inverse_defect(*law, flint.arb(w), n, zeros, -2 * n)
+
+    def K(s):
+        return (1 - abs(s) + gamma * np.sign(s)) * np.exp(-w * s)
+
+    middles = abs(K((np.arange(-n, n) + 0.5) / n)).sum() / n
+    norm = integrate.quad(lambda s: abs(K(s)), -1, 1, points=(gamma - 1, 0))[0]
+    slopes = integrate.quad(lambda s: np.exp(-w * s), -1, 1)[0] + w * norm
+    assert float(bound.mid()) == pytest.approx(alpha * (middles + slopes / (2 * n)), rel=2e-3)
+
+
 @pytest.mark.parametrize(("w", "zeros"), [(1.0, 0), (1.6, 1), (2.5, 3)])
 def test_zeros_are_counted(w, zeros):
     before, flint.ctx.prec = flint.ctx.prec, 80
