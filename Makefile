@@ -98,7 +98,7 @@ readme: .venv/installed ## Bring the numbers of README and manual up to date.
 	@$(BIN)/snakemake -c2 precision
 	@$(BIN)/snakemake -c2
 	@$(BIN)/python workflow/scripts/update_documents.py --readme README.md \
-	    --performance docs/performance.md --results results
+	    --performance docs/performance.md --proofs docs/proofs.md --results results
 
 docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.
 	@echo "Building the manual in docs/_build/html."

@@ -322,12 +322,13 @@ def ring_map():
 
 
 def proofs(alphas, gammas):
-    """Certificates: one of fronts that overshoot, one of monotone ones, one of existence alone."""
+    """Certificates of fronts that overshoot, are monotone, are either, and exist."""
     names = "error_bound", "overshoot_bound", "gamma_low", "gamma_high"
-    data = sample({"certificate": ["a", "b", "c"]}, {name: ["certificate"] for name in names})
-    data["error_bound"] = "certificate", [1e-8, 1e-7, 1e-6]
-    data["overshoot_bound"] = "certificate", [0.1, np.nan, np.nan]
-    data["monotone"] = "certificate", [np.nan, 1.0, np.nan]
+    data = sample({"certificate": ["a", "b", "c", "d"]}, {name: ["certificate"] for name in names})
+    data["error_bound"] = "certificate", [1e-8, 1e-7, 1e-6, 1e-5]
+    data["overshoot_bound"] = "certificate", [0.1, np.nan, np.nan, np.nan]
+    for row, shape in enumerate(("oscillates", "monotone", "critical")):
+        data[shape] = "certificate", np.where(np.arange(4) == row, 1.0, np.nan)
     data["alpha"] = "certificate", alphas
     data["gamma_low"], data["gamma_high"] = (("certificate", ends) for ends in gammas)
     return data
@@ -374,8 +375,8 @@ SAMPLES = {
     "fig21": ring_map,
     "fig22": lambda: {"data": half_step_damping()},
     "fig23": lambda: {
-        "fronts": proofs([1.5, 2.0, 3.0], ([0.2, 0.3, 0.4], [0.2, 0.3, 0.4])),
-        "intervals": proofs([1.5, 1.5, 1.5], ([0.1, 0.2, 0.4], [0.2, 0.4, 0.8])),
+        "fronts": proofs([1.5, 2.0, 1.5, 3.0], ([0.2, 0.3, 0.25, 0.4], [0.2, 0.3, 0.25, 0.4])),
+        "intervals": proofs([1.5] * 4, ([0.1, 0.2, 0.4, 0.8], [0.2, 0.4, 0.8, 1.0])),
         "curves": critical_damping(),
     },
     "fig24": lambda: {"data": enclosed_front()},

@@ -75,7 +75,8 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     exec(code, names)
     assert names["record"]["proved"]
     assert "monotone" in names["record"]["statements"][-1]
-    assert len(names["family"]) == len(names["paths"]) == 2
+    assert len(names["family"]) == len(names["records"]) == 2
+    assert [one["gamma"] for one in names["family"]] == [one["gamma"] for one in names["records"]]
 
 
 @pytest.mark.parametrize("text", blocks(README, "yaml") + blocks(START, "yaml"))
@@ -178,22 +179,22 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     for name, text in places.items():
         with (project / name).open("a", encoding="utf-8") as file:
             file.write(text)
-    [command] = [line for line in commands(EXTENDING) if "fig23" in line]
+    [command] = [line for line in commands(EXTENDING) if "fig25" in line]
     outcome = snakemake(*shlex.split(command)[2:], folder=project)
     assert outcome.returncode == 0, outcome.stderr
     drawn = {path.name for path in (project / "results" / "figures").iterdir()}
-    assert drawn == {f"fig23_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
-    caption = (project / "results/figures/fig23_flux_difference.rst").read_text(encoding="utf-8")
+    assert drawn == {f"fig25_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (project / "results/figures/fig25_flux_difference.rst").read_text(encoding="utf-8")
     assert "α = 1.5, 1.1" in caption
 
 
-@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig23.py", "workflow/report/fig23.rst"])
+@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig25.py", "workflow/report/fig25.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)
     for name, text in PLACES.items():
         if name.startswith("workflow/") and name != missing:
             with (project / name).open("a", encoding="utf-8") as file:
                 file.write(text)
-    outcome = snakemake("fig23", "--dry-run", folder=project)
+    outcome = snakemake("fig25", "--dry-run", folder=project)
     assert outcome.returncode != 0
-    assert "fig23" in outcome.stdout + outcome.stderr
+    assert "fig25" in outcome.stdout + outcome.stderr

@@ -1,51 +1,48 @@
 """Figures 23 and 24: what is proved of fronts, and nothing that is not."""
 
 import numpy as np
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PathCollection
 from pictures import assert_curve, assert_labels, curves, legend, picture
-
-
-def bars(axes):
-    """Collections of bars: of fronts that overshoot, of monotone ones, and of others."""
-    return [each for each in axes.collections if isinstance(each, LineCollection)]
 
 
 def test_figure_23_bars_span_the_proved_intervals():
     _, intervals, _, panels = picture("fig23")
     axes = panels["plane"]
-    for row, drawn in enumerate(bars(axes)):
-        one = intervals.isel(certificate=row)
-        [segment] = drawn.get_segments()
-        low, high = float(one["gamma_low"]), float(one["gamma_high"])
-        np.testing.assert_array_equal(segment, [[1.5, low], [1.5, high]])
-        np.testing.assert_array_equal(drawn.get_array(), [float(one["error_bound"])])
-    widths = [each.get_linewidths()[0] for each in bars(axes)]
-    assert widths[0] == widths[1] > widths[2]
+    bars, *strips = (each for each in axes.collections if isinstance(each, LineCollection))
+    ends = np.stack([intervals["gamma_low"], intervals["gamma_high"]], axis=1)
+    segments = np.array(bars.get_segments())
+    np.testing.assert_array_equal(segments[:, :, 1], ends)
+    np.testing.assert_array_equal(segments[:, :, 0], 1.5)
+    np.testing.assert_array_equal(bars.get_array(), intervals["error_bound"])
     assert_labels(axes, r"$\alpha$", r"$\gamma$", "linear log")
+    # Each strip has a colour of its own, and stands beside the interval of its shape.
+    assert len({tuple(strip.get_color()[0]) for strip in strips}) == len(strips) == 4
+    for strip, row in zip(strips, ends, strict=True):
+        [segment] = strip.get_segments()
+        np.testing.assert_array_equal(segment[:, 1], row)
+        assert segment[0, 0] == segment[1, 0] > 1.5
 
 
 def test_figure_23_marks_fronts_by_what_is_proved_of_their_shape():
     fronts, _, curves_of_damping, panels = picture("fig23")
     axes = panels["plane"]
-    words = ["overshoots", "monotone", "exists"]
-    marks = {each.get_label(): each for each in axes.collections if each.get_label() in words}
-    for row, word in enumerate(words):
-        np.testing.assert_array_equal(
-            marks[word].get_offsets(),
-            [[float(fronts["alpha"][row]), float(fronts["gamma_low"][row])]],
-        )
-    assert legend(axes)[:3] == words
-    for line, name in zip(curves(axes), ("overshoot", "tail", "long_wave"), strict=True):
+    marks = [each for each in axes.collections if isinstance(each, PathCollection)]
+    for row, mark in enumerate(marks):
+        place = [[float(fronts["alpha"][row]), float(fronts["gamma_low"][row])]]
+        np.testing.assert_array_equal(mark.get_offsets(), place)
+        np.testing.assert_array_equal(mark.get_array(), [float(fronts["error_bound"][row])])
+    words = ["overshoots", "monotone", "one turns into the other", "exists"]
+    assert legend(axes)[:4] == words
+    lines = [line for line in curves(axes) if np.size(line.get_xdata())]
+    for line, name in zip(lines, ("overshoot", "tail", "long_wave"), strict=True):
         values = curves_of_damping[f"critical_damping_{name}"]
         assert_curve(line, curves_of_damping["alpha"], values)
 
 
 def test_figure_23_shows_bounds_of_errors_and_maxima_over_the_damping():
     fronts, intervals, _, panels = picture("fig23")
-    [steps] = panels["errors"].patches
-    values, edges, _ = steps.get_data()
-    np.testing.assert_array_equal(values, intervals["error_bound"])
-    np.testing.assert_array_equal(edges, [0.1, 0.2, 0.4, 0.8])
+    [steps] = curves(panels["errors"])
+    assert_curve(steps, [0.1, 0.2, 0.4, 0.8, 1.0], [1e-8, 1e-7, 1e-6, 1e-5, 1e-5])
     assert legend(panels["errors"]) == [r"$\alpha = 1.5$"]
     families, single = curves(panels["maxima"])
     assert_curve(single, fronts["gamma_low"], fronts["overshoot_bound"])

@@ -17,7 +17,7 @@ from granular_fronts.proofs.checker import Front, read  # noqa: E402
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
-SLOW = {"monotone": (), "overshoot": (), "steep": pytest.mark.slow}
+SLOW = {"monotone": (), "overshoot": (), "steep": pytest.mark.slow, "critical": pytest.mark.slow}
 
 
 class Certificate:

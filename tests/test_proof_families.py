@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,11 @@ from granular_fronts.proofs import balls  # noqa: E402
 from granular_fronts.proofs.balls import in_balls  # noqa: E402
 from granular_fronts.proofs.certificate import prove_front, rational  # noqa: E402
 from granular_fronts.proofs.families import join, prove, prove_family  # noqa: E402
-from granular_fronts.proofs.intervals import prove_interval  # noqa: E402
+from granular_fronts.proofs.intervals import (  # noqa: E402
+    CONCLUSIONS,
+    _require_conclusion,
+    prove_interval,
+)
 
 
 @pytest.fixture(scope="module")
@@ -193,3 +198,16 @@ def test_powers_and_bounds_of_polynomials_contain_all_values():
     values = [1 + 2 * t - 3 * t * t for t in np.linspace(-1, 1, 101)]
     assert low <= min(values)
     assert max(values) <= high
+
+
+def test_wide_interval_that_concludes_nothing_is_made_narrower():
+    """With data of the tail and without a statement on overshoot; narrow ones are kept."""
+    wide, narrow = np.array([3, 10, 301, 1000]), np.array([3, 10, 3004, 10000])
+    silent = SimpleNamespace(data={"roots": (), "gamma": wide}, numbers={"rate": 1.5})
+    with pytest.raises(balls.NotProvedError, match="too wide"):
+        _require_conclusion(silent)
+    _require_conclusion(SimpleNamespace(data={"gamma": wide}, numbers={}))
+    for name in CONCLUSIONS:
+        _require_conclusion(SimpleNamespace(data=silent.data, numbers={name: 1.0}))
+    silent.data["gamma"] = narrow
+    _require_conclusion(silent)

@@ -9,16 +9,22 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.style import PROBE_COLOURS, new_figure
+from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 CURVES = {
-    "overshoot": ("fronts overshoot below", PROBE_COLOURS[0], "-"),
+    "overshoot": ("overshoot vanishes", PROBE_COLOURS[0], "-"),
     "tail": ("tail turns real", PROBE_COLOURS[4], (0, (3, 1))),
     "long_wave": (r"long waves, $\mu = 2$", PROBE_COLOURS[1], (0, (6, 1.5))),
 }
-MARKERS = {"overshoot": "v", "monotone": "s", "neither": "o"}
-WORDS = {"overshoot": "overshoots", "monotone": "monotone", "neither": "exists"}
+SHAPES = {
+    "overshoot": ("overshoots", "v", PROBE_COLOURS[3]),
+    "monotone": ("monotone", "s", PROBE_COLOURS[5]),
+    "critical": ("one turns into the other", "D", ALARM_COLOUR),
+    "neither": ("exists", "o", "0.6"),
+}
+"""What is proved of the shape: in words, the mark of a single front, the colour of a strip."""
 COLOURS = matplotlib.colormaps["viridis_r"]
+BESIDE = 0.035
 
 
 def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) -> Figure:
@@ -37,43 +43,55 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
     -------
     matplotlib.figure.Figure
     """
-    figure, panels = new_figure(3.9, [["plane", "errors"], ["plane", "maxima"]])
+    figure, panels = new_figure(4.2, [["plane", "errors"], ["plane", "maxima"]])
     errors = np.concatenate([data["error_bound"].values for data in (fronts, intervals)])
     norm = LogNorm(errors.min(), errors.max())
-    draw_plane(panels["plane"], fronts, intervals, norm)
+    draw_intervals(panels["plane"], intervals, norm)
+    draw_fronts(panels["plane"], fronts, norm)
     draw_curves(panels["plane"], curves)
     draw_errors(panels["errors"], intervals, norm)
     draw_maxima(panels["maxima"], fronts, intervals)
     return figure
 
 
-def kinds(data: xr.Dataset) -> np.ndarray:
+def shapes(data: xr.Dataset) -> np.ndarray:
     """What is proved of the shape, of each certificate."""
-    overshoots, monotone = (
-        np.isfinite(data["overshoot_bound"].values),
-        data["monotone"].values == 1.0,
+    overshoots = np.isfinite(data["overshoot_bound"].values) | (data["oscillates"].values == 1.0)
+    known = [overshoots, data["monotone"].values == 1.0, data["critical"].values == 1.0]
+    return np.select(known, ["overshoot", "monotone", "critical"], "neither")
+
+
+def draw_intervals(axes: Axes, intervals: xr.Dataset, norm: LogNorm) -> None:
+    """A bar for each proved interval of γ, coloured by the error, and a strip for the shape."""
+    bars = LineCollection(
+        uprights(intervals, 0.0),
+        array=intervals["error_bound"].values,
+        cmap=COLOURS,
+        norm=norm,
+        linewidths=7,
+        capstyle="butt",
     )
-    return np.select([overshoots, monotone], ["overshoot", "monotone"], "neither")
+    axes.add_collection(bars)
+    for shape, (_, _, colour) in SHAPES.items():
+        rows = intervals.isel(certificate=shapes(intervals) == shape)
+        strips = LineCollection(uprights(rows, BESIDE), colors=colour, linewidths=2.5)
+        strips.set_capstyle("butt")
+        axes.add_collection(strips)
+    label = r"proved bound of $|u - \bar u|$"
+    axes.figure.colorbar(bars, ax=axes, location="top", aspect=30, label=label)
 
 
-def draw_plane(axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset, norm: LogNorm) -> None:
-    """Bars over the proved intervals of γ, thin where the shape is not known; single fronts."""
-    for kind, width in (("overshoot", 7.0), ("monotone", 7.0), ("neither", 2.5)):
-        rows = intervals.isel(certificate=kinds(intervals) == kind)
-        ends = zip(
-            rows["alpha"].values, rows["gamma_low"].values, rows["gamma_high"].values, strict=True
-        )
-        bars = LineCollection(
-            [[(alpha, low), (alpha, high)] for alpha, low, high in ends],
-            array=rows["error_bound"].values,
-            cmap=COLOURS,
-            norm=norm,
-            linewidths=width,
-            capstyle="butt",
-        )
-        axes.add_collection(bars)
-    for kind, marker in MARKERS.items():
-        rows = fronts.isel(certificate=kinds(fronts) == kind)
+def uprights(rows: xr.Dataset, beside: float) -> list[list[tuple[float, float]]]:
+    """The ends of each interval of γ, at its exponent or a little beside."""
+    alpha = rows["alpha"].values + beside
+    ends = rows["gamma_low"].values, rows["gamma_high"].values
+    return [[(x, low), (x, high)] for x, low, high in zip(alpha, *ends, strict=True)]
+
+
+def draw_fronts(axes: Axes, fronts: xr.Dataset, norm: LogNorm) -> None:
+    """Single fronts, with the words for all shapes."""
+    for shape, (words, marker, colour) in SHAPES.items():
+        rows = fronts.isel(certificate=shapes(fronts) == shape)
         axes.scatter(
             rows["alpha"],
             rows["gamma_low"],
@@ -82,17 +100,15 @@ def draw_plane(axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset, norm: LogN
             norm=norm,
             marker=marker,
             s=26,
-            edgecolors="black",
-            linewidths=0.7,
+            edgecolors=colour,
+            linewidths=1.2,
             zorder=3,
-            label=WORDS[kind],
         )
-    axes.figure.colorbar(
-        bars, ax=axes, location="top", aspect=30, label=r"proved bound of $|u - \bar u|$"
-    )
-    axes.set(
-        xlabel=r"$\alpha$", ylabel=r"$\gamma$", yscale="log", xlim=(1.05, 3.1), ylim=(0.025, 1.6)
-    )
+        axes.plot(
+            [], [], color=colour, marker=marker, mfc="none", markersize=5, lw=2.5, label=words
+        )
+    axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma$", yscale="log")
+    axes.set(xlim=(1.05, 3.1), ylim=(0.012, 1.6))
 
 
 def draw_curves(axes: Axes, curves: xr.Dataset) -> None:
@@ -108,16 +124,11 @@ def draw_errors(axes: Axes, intervals: xr.Dataset, norm: LogNorm) -> None:
     for colour, alpha in zip(PROBE_COLOURS, np.unique(intervals["alpha"]), strict=False):
         rows = intervals.isel(certificate=intervals["alpha"].values == alpha)
         edges = np.append(rows["gamma_low"].values, rows["gamma_high"].values[-1])
-        axes.stairs(
-            rows["error_bound"].values,
-            edges,
-            baseline=None,
-            color=colour,
-            label=rf"$\alpha = {alpha:g}$",
-        )
-    axes.set(
-        xscale="log", yscale="log", ylabel=r"bound of $|u - \bar u|$", ylim=(norm.vmin, norm.vmax)
-    )
+        bounds = np.append(rows["error_bound"].values, rows["error_bound"].values[-1])
+        label = rf"$\alpha = {alpha:g}$"
+        axes.step(edges, bounds, "-", where="post", color=colour, label=label)
+    axes.set(xscale="log", yscale="log", ylabel=r"bound of $|u - \bar u|$")
+    axes.set(ylim=(norm.vmin, norm.vmax))
     axes.legend(fontsize=7)
 
 

@@ -13,7 +13,7 @@ from granular_fronts.proofs.certificate import describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
 
 STEP, NARROWEST, NARROW = Fraction(1, 10**6), 4, 500
-GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(7, 10), 0.8
+FIRST_GROWTH, GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(21, 20), Fraction(7, 10), 0.85
 CONCLUSIONS = {"overshoot", "oscillates", "critical", "monotone"}
 
 
@@ -50,7 +50,8 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
     if (at / STEP).denominator != 1 or (high / STEP).denominator != 1:
         raise InputError("the ends of an interval of gamma have at most six decimals.")
     folder.mkdir(parents=True, exist_ok=True)
-    last, steps, start = None, int(width / STEP), time.process_time()
+    last, steps, growth = None, int(width / STEP), FIRST_GROWTH
+    start = time.process_time()
     while at < high:
         path = folder / f"{float(at):.6f}.npz"
         if not path.exists():
@@ -60,17 +61,17 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
         try:
             found = prove(path, last)
             _require_place(found, alpha, at, high)
-            _require_conclusion(found, steps)
+            _require_conclusion(found)
         except NotProvedError:
             path.unlink()
             if steps <= NARROWEST:
                 raise
-            steps = max(NARROWEST, int(CAUTION * steps))
+            steps, growth = max(NARROWEST, int(CAUTION * steps)), GROWTH
             continue
         now = time.process_time()
         yield record(path, found) | {"seconds": now - start}
         begin, at = ends(found)
-        steps = int((at - begin) / STEP * (GROWTH if found.Z1 < ROOM else 1)) + 1
+        steps = int((at - begin) / STEP * (growth if found.Z1 < ROOM else 1)) + 1
         start, last = now, found
 
 
@@ -81,10 +82,11 @@ def _require_place(front, alpha, at, high):
         raise NotProvedError("a certificate in the folder belongs to another interval")
 
 
-def _require_conclusion(front, steps):
+def _require_conclusion(front):
     """Stop where a narrower interval may show whether its fronts are monotone or overshoot."""
+    low, high = ends(front)
     open_question = "roots" in front.data and not CONCLUSIONS & front.numbers.keys()
-    if open_question and steps > NARROW:
+    if open_question and high - low > NARROW * STEP:
         raise NotProvedError("the interval is too wide to say whether its fronts are monotone")
 
 
