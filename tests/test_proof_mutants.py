@@ -157,7 +157,7 @@ class Examples:
         apart = {
             "a gap": second | {"gamma": np.array([3011, 10000, 302, 1000])},
             "another law": second | {"alpha": np.array([2, 1, 200001, 100000])},
-            "rougher": rough(second, 3e-4),
+            "rougher": rough(second, 5e-4),
         }
         one, two = self.pair
         self.apart = [(one, self.file(folder, name, data)) for name, data in apart.items()]
@@ -179,6 +179,16 @@ class Examples:
             yield True, record["statements"], record["inequalities"]
         with made["balls"].in_balls():
             yield from tails(made["tail_roots"])
+            bulging = made["families"].prove(self.kept[1])
+            bulging.u_high, bulging.inequalities = bulging.u_high + 1e-3, []
+            yield True, list(bulging.rear()), bulging.inequalities
+            for path in self.kept[1:3]:
+                front = made["families"].prove(path)
+                for kappa in ([9, 0], [0, 9]):  # The line behind and ahead of all cells.
+                    front.outer_kappa = made["balls"].array(kappa)
+                    yield True, [front.Z2(arb(0.1)).str(18)], []
+            strongly_damped = load("overshoot") | {"gamma": np.array([6, 5, 6, 5])}
+            yield True, [made["checker"].Front(strongly_damped).nK.str(18)], []
 
     def differ(self, made):
         """Whether modules do not prove what the unchanged ones prove."""
