@@ -100,9 +100,10 @@ readme: .venv/installed ## Bring the numbers of README and manual up to date.
 	@echo "Bringing the numbers of README and manual up to date."
 	@$(BIN)/snakemake -c2 precision
 	@$(BIN)/snakemake -c2 animation
+	@$(BIN)/snakemake -c2 proofs
 	@$(BIN)/snakemake -c2
 	@$(BIN)/python workflow/scripts/update_documents.py --readme README.md \
-	    --performance docs/performance.md --results results
+	    --performance docs/performance.md --proofs docs/proofs.md --results results
 	@$(BIN)/python docs/measured.py
 
 docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.

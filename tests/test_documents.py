@@ -161,8 +161,8 @@ def test_a_configuration_that_can_be_computed_is_said_so(mine):
 
 
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
-    """Its command accepts the certificates kept, and its example proves what it says."""
-    [command], [code] = commands(PROOFS), blocks(PROOFS, "python")
+    """Its command accepts the certificates kept, and its examples prove what they say."""
+    [command], [critical, code] = commands(PROOFS), blocks(PROOFS, "python")
     assert command.startswith("python -m granular_fronts.proofs ")
     outcome = run([sys.executable, *shlex.split(command)[1:]])
     assert outcome.returncode == 0, outcome.stderr
@@ -171,7 +171,11 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     exec(code, names)
     assert names["record"]["proved"]
     assert "monotone" in names["record"]["statements"][-1]
-    assert len(names["family"]) == len(names["paths"]) == 2
+    assert len(names["family"]) == len(names["records"]) == 2
+    assert [one["gamma"] for one in names["family"]] == [one["gamma"] for one in names["records"]]
+    exec(critical, names)
+    assert names["record"]["numbers"]["critical"] == 1
+    assert "is monotone" in names["record"]["statements"][-1]
 
 
 def test_shown_configuration_is_possible(mine):
@@ -302,22 +306,22 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     for name, text in places.items():
         with (project / name).open("a", encoding="utf-8") as file:
             file.write(text)
-    [command] = [line for line in commands(EXTENDING) if "fig23" in line]
+    [command] = [line for line in commands(EXTENDING) if "fig25" in line]
     outcome = snakemake(*shlex.split(command)[2:], folder=project)
     assert outcome.returncode == 0, outcome.stderr
     drawn = {path.name for path in (project / "results" / "figures").iterdir()}
-    assert drawn == {f"fig23_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
-    caption = (project / "results/figures/fig23_flux_difference.rst").read_text(encoding="utf-8")
+    assert drawn == {f"fig25_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (project / "results/figures/fig25_flux_difference.rst").read_text(encoding="utf-8")
     assert "α = 1.5, 1.1" in caption
 
 
-@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig23.py", "workflow/report/fig23.rst"])
+@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig25.py", "workflow/report/fig25.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)
     for name, text in PLACES.items():
         if name.startswith("workflow/") and name != missing:
             with (project / name).open("a", encoding="utf-8") as file:
                 file.write(text)
-    outcome = snakemake("fig23", "--dry-run", folder=project)
+    outcome = snakemake("fig25", "--dry-run", folder=project)
     assert outcome.returncode != 0
-    assert "fig23" in outcome.stdout + outcome.stderr
+    assert "fig25" in outcome.stdout + outcome.stderr

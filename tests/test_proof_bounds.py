@@ -17,7 +17,7 @@ from granular_fronts.proofs.checker import Front, read  # noqa: E402
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
-SLOW = {"monotone": (), "overshoot": (), "steep": pytest.mark.slow}
+SLOW = {"monotone": (), "overshoot": (), "steep": pytest.mark.slow, "critical": pytest.mark.slow}
 
 
 class Certificate:
@@ -351,6 +351,24 @@ def test_kernels_and_their_norms_by_quadrature():
     flint.ctx.prec = before
 
 
+@pytest.mark.parametrize("w", [0.0, 0.7, 1.3])
+def test_defect_without_an_inverse_is_that_of_the_kernel(w):
+    """g = 0: e = −α K_w, and its variation by quadrature."""
+    alpha, gamma, n = 1.5, 0.3, 20
+    zeros = np.zeros((1, 4 * n), dtype=np.int32)
+    with balls.in_balls():
+        law = flint.arb(alpha), [flint.arb(gamma)]
+        _, bound = balls.inverse_defect(*law, flint.arb(w), n, zeros, -2 * n)
+
+    def K(s):
+        return (1 - abs(s) + gamma * np.sign(s)) * np.exp(-w * s)
+
+    middles = abs(K((np.arange(-n, n) + 0.5) / n)).sum() / n
+    norm = integrate.quad(lambda s: abs(K(s)), -1, 1, points=(gamma - 1, 0))[0]
+    slopes = integrate.quad(lambda s: np.exp(-w * s), -1, 1)[0] + w * norm
+    assert float(bound.mid()) == pytest.approx(alpha * (middles + slopes / (2 * n)), rel=2e-3)
+
+
 @pytest.mark.parametrize(("w", "zeros"), [(1.0, 0), (1.6, 1), (2.5, 3)])
 def test_zeros_are_counted(w, zeros):
     before, flint.ctx.prec = flint.ctx.prec, 80
@@ -362,6 +380,14 @@ def test_zeros_are_counted(w, zeros):
             with pytest.raises(balls.NotProvedError):
                 rear_expansion.require_zeros(front, "zeros", flint.arb(w), count)
     flint.ctx.prec = before
+
+
+@pytest.mark.parametrize("gamma", [(3, 10), (1, 1), (6, 5)])
+def test_norm_of_the_kernel(gamma):
+    front = Front(load("overshoot") | {"gamma": np.array([*gamma, *gamma])})
+    g = gamma[0] / gamma[1]
+    size = integrate.quad(lambda s: abs(1 - abs(s) + g * np.sign(s)), -1, 1, points=(0, g - 1))[0]
+    assert float(front.nK.mid()) == pytest.approx(size, rel=1e-12)
 
 
 def test_certificates_are_made_as_those_kept(tmp_path):

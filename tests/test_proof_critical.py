@@ -55,6 +55,12 @@ def test_the_crossing_is_in_the_interval(records):
         assert records[BELOW]["gamma"][1] < law.gamma < records[ABOVE]["gamma"][0]
 
 
+def test_quadratic_law_has_a_critical_damping_too(tmp_path):
+    record = gf.prove_front(2, ("0.3978", "0.398"), tmp_path / "front.npz")
+    assert record["numbers"]["critical"]
+    assert record["gamma"][0] < gf.critical_damping(2) < record["gamma"][1]
+
+
 def test_computed_tail_has_the_amplitude_that_is_proved(records):
     """|c| in u − 1 = Re c e^(λ₂ξ) + a e^(λ₁ξ) + …, from three points of the computed front."""
     gamma = 0.25275

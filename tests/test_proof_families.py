@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,11 @@ from granular_fronts.proofs import balls  # noqa: E402
 from granular_fronts.proofs.balls import in_balls  # noqa: E402
 from granular_fronts.proofs.certificate import prove_front, rational  # noqa: E402
 from granular_fronts.proofs.families import join, prove, prove_family  # noqa: E402
-from granular_fronts.proofs.intervals import prove_interval  # noqa: E402
+from granular_fronts.proofs.intervals import (  # noqa: E402
+    CONCLUSIONS,
+    _require_conclusion,
+    prove_interval,
+)
 
 
 @pytest.fixture(scope="module")
@@ -133,19 +138,19 @@ def test_a_front_shifted_by_a_cell_is_not_joined(folder):
 
 
 def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
-    """About the Hertz chain: α = 3/2 ± 1e-6, two intervals of γ."""
-    alpha, ends = ("1499999/1000000", "1500001/1000000"), ("0.3", "0.3005", "0.301")
+    """About the Hertz chain: α = 3/2 ± 1/5000, two intervals of γ."""
+    alpha, ends = ("7499/5000", "7501/5000"), ("0.3", "0.301", "0.302")
     paths = [tmp_path / "first.npz", tmp_path / "second.npz"]
     for path, gamma in zip(paths, pairwise(ends), strict=True):
         record = prove_front(alpha, gamma, path)
         assert record["proved"], record["reason"]
         low, high = record["alpha"]
-        assert low <= 1.499999 < 1.500001 <= high
+        assert low <= 1.4998 < 1.5002 <= high
         front = prove(path)
         xi = (np.arange(len(front.u)) + 0.5) / front.n - front.left
         with in_balls():
             strain = [float(u[0].mid()) for u in front.at(flint.arb(0))[1]]
-        for exponent in (1.499999, 1.500001):
+        for exponent in (1.4998, 1.5002):
             computed = solve_front(exponent, sum(map(float, gamma)) / 2)
             assert abs(evaluate_front(computed, xi) - strain).max() < record["error"]
     assert len(list(prove_family(paths))) == 2
@@ -193,3 +198,16 @@ def test_powers_and_bounds_of_polynomials_contain_all_values():
     values = [1 + 2 * t - 3 * t * t for t in np.linspace(-1, 1, 101)]
     assert low <= min(values)
     assert max(values) <= high
+
+
+def test_wide_interval_that_concludes_nothing_is_made_narrower():
+    """With data of the tail and without a statement on overshoot; narrow ones are kept."""
+    wide, narrow = np.array([3, 10, 301, 1000]), np.array([3, 10, 3004, 10000])
+    silent = SimpleNamespace(data={"roots": (), "gamma": wide}, numbers={"rate": 1.5})
+    with pytest.raises(balls.NotProvedError, match="too wide"):
+        _require_conclusion(silent)
+    _require_conclusion(SimpleNamespace(data={"gamma": wide}, numbers={}))
+    for name in CONCLUSIONS:
+        _require_conclusion(SimpleNamespace(data=silent.data, numbers={name: 1.0}))
+    silent.data["gamma"] = narrow
+    _require_conclusion(silent)

@@ -22,8 +22,11 @@ from projects import ROOT
 
 pytest.importorskip("flint")
 
+from flint import arb
 from test_proof_checker import LIES, load
 
+from granular_fronts.fronts.linear.critical_damping import critical_damping
+from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import solve_front
 from granular_fronts.proofs.certificate import describe
 
@@ -127,11 +130,11 @@ def longer(data):
     return data | {"sizes": sizes, "profile": np.concatenate([rows, data["profile"]], axis=1)}
 
 
-def interval(low, high, cells):
-    """A certificate of an interval of γ for α = 2."""
-    ends = Fraction(low), Fraction(high)
-    front = solve_front(2.0, float(sum(ends) / 2))
-    return describe(front, (Fraction(2), Fraction(2)), ends, cells, 40, 6e-4)
+def interval(alpha, low, high, cells=20):
+    """A certificate of an interval of γ."""
+    alpha, ends = Fraction(alpha), (Fraction(low), Fraction(high))
+    front = solve_front(float(alpha), float(sum(ends) / 2))
+    return describe(front, (alpha, alpha), ends, cells, 40, 6e-4)
 
 
 class Examples:
@@ -141,7 +144,9 @@ class Examples:
         kept = {name: load(name) for name in ("overshoot", "monotone", "steep")}
         kept["rough"] = rough(kept["overshoot"], 1e-6)
         kept["rather monotone"] = rough(kept["monotone"], 1e-10)
-        first, second = interval("0.3", "0.301", 20), interval("0.301", "0.302", 30)
+        kept["below"] = interval("3/2", "0.2525", "0.253")
+        kept["around"] = interval("3/2", "0.2632", "0.2633")
+        first, second = interval(2, "0.3", "0.301"), interval(2, "0.301", "0.302", 30)
         first, second = rough(longer(longer(first)), 1e-6), rough(second, 1e-7)
         wrong = {name: load("monotone") for name in LIES}
         for name, data in wrong.items():
@@ -152,7 +157,7 @@ class Examples:
         apart = {
             "a gap": second | {"gamma": np.array([3011, 10000, 302, 1000])},
             "another law": second | {"alpha": np.array([2, 1, 200001, 100000])},
-            "rougher": rough(second, 3e-4),
+            "rougher": rough(second, 5e-4),
         }
         one, two = self.pair
         self.apart = [(one, self.file(folder, name, data)) for name, data in apart.items()]
@@ -172,6 +177,18 @@ class Examples:
             yield record["proved"], record["statements"], record["inequalities"]
         for record in made["families"].prove_family(self.pair):
             yield True, record["statements"], record["inequalities"]
+        with made["balls"].in_balls():
+            yield from tails(made["tail_roots"])
+            bulging = made["families"].prove(self.kept[1])
+            bulging.u_high, bulging.inequalities = bulging.u_high + 1e-3, []
+            yield True, list(bulging.rear()), bulging.inequalities
+            for path in self.kept[1:3]:
+                front = made["families"].prove(path)
+                for kappa in ([9, 0], [0, 9]):  # The line behind and ahead of all cells.
+                    front.outer_kappa = made["balls"].array(kappa)
+                    yield True, [front.Z2(arb(0.1)).str(18)], []
+            strongly_damped = load("overshoot") | {"gamma": np.array([6, 5, 6, 5])}
+            yield True, [made["checker"].Front(strongly_damped).nK.str(18)], []
 
     def differ(self, made):
         """Whether modules do not prove what the unchanged ones prove."""
@@ -181,9 +198,49 @@ class Examples:
         """Whether modules prove something from what is wrong."""
         if any(made["checker"].check_certificate(path)["proved"] for path in self.wrong):
             return True
-        if any(joined(made, pair) for pair in self.apart):
+        if any(joined(made, pair) for pair in self.apart) or wrong_tails(made):
             return True
         return any(overlooked(made, self.pair, cell) for cell in (0, -1))
+
+
+def tails(module):
+    """What a module finds of tail roots: the crossing, a double root, the bend, four roots."""
+    real, pair = sorted(tail_roots(1.5, 0.26324587, count=2), key=lambda root: root.imag)
+    law, *roots = module.crossing(arb(1.5), 0.26324587378607, (real, pair), 1e-7)
+    yield True, [law.gamma.str(18), *(root.str(18) for root in roots)], law.inequalities
+    start = tail_roots(1.125, critical_damping(1.125), count=1)[0].real
+    law, root = module.double_root(arb(1.125), start, 1e-4)
+    yield True, [law.gamma.str(18), root.str(18)], law.inequalities
+    yield True, [module.find_bend(2.347, 1e-3).str(18)], []
+    law = module.Law(arb(1.5), arb(0.3))
+    found = module.slowest_roots(law, tail_roots(1.5, 0.3, count=5), 1e-9)
+    yield True, [root.str(18) for root in found], law.inequalities
+
+
+def wrong_tails(made):
+    """Whether a module finds tail roots that there are not, or not all."""
+    module, roots = made["tail_roots"], list(tail_roots(1.5, 0.3, count=5))
+    pair, third = roots[1:3]
+    law = module.Law(arb(1.5), arb(0.3))
+    tries = [
+        (module.find_bend, 2.4, 1e-6),
+        (module.double_root, arb(1.3), 2.34, 1e-2),
+        (module.double_root, arb(1.125), 3.1, 0.2),
+        (module.crossing, arb(1.5), 0.2633, roots[:2], 1e-9),
+        (module.crossing, arb(1.5), 0.26324587378607, (third, pair), 1e-7),
+        (module.slowest_roots, law, roots[:1] + roots[2:], 1e-9),
+        (module.slowest_roots, law, [roots[1], roots[0], *roots[2:]], 1e-9),
+        (module.slowest_roots, law, [roots[0], *roots], 1e-9),
+        (module.slowest_roots, law, [roots[0], pair.conjugate(), *roots[2:]], 1e-9),
+    ]
+    with made["balls"].in_balls():
+        for function, *arguments in tries:
+            try:
+                function(*arguments)
+            except (made["balls"].NotProvedError, ValueError):
+                continue
+            return True
+    return False
 
 
 def same(found, known):
@@ -208,6 +265,7 @@ def overlooked(made, pair, cell):
     """Whether modules join fronts that are apart in one cell."""
     families = made["families"]
     first, second = map(families.prove, pair)
+    second.strain = list(second.strain)
     second.strain[cell] = [second.strain[cell][0] + 0.5, *second.strain[cell][1:]]
     try:
         with made["balls"].in_balls():

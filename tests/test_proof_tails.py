@@ -1,9 +1,11 @@
 """Tail roots, α* and critical damping in balls: counts, enclosures, and what is refused."""
 
+import re
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from projects import ROOT
 
 flint = pytest.importorskip("flint")
 
@@ -46,6 +48,19 @@ def test_computed_values_have_the_errors_they_state(records):
     assert {"α*", "γ_c, double root", "γ_c, crossing", "λ1", "λ4"} <= names
     for record in records:
         assert record["ulps"] < 16, record
+
+
+def test_page_prints_the_enclosed_numbers(records):
+    text = (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
+    printed = dict(re.findall(r"^\| (\d+(?:/\d+)?) \| (\d\.\d{25,}) \|$", text, re.MULTILINE))
+    crossings = {r["alpha"]: r for r in records if r["quantity"] == "γ_c, crossing"}
+    assert printed.keys() == crossings.keys()
+    for alpha, digits in printed.items():
+        assert abs(arb(crossings[alpha]["enclosure"]) - arb(digits)) < arb("1e-28")
+    others = {r["quantity"] + r["alpha"]: r for r in records}
+    for name in ("α*", "γ_c, double root9/8"):
+        digits = others[name]["enclosure"].strip("[").split(" ")[0][:27]
+        assert digits in text
 
 
 def test_known_values(records):

@@ -22,7 +22,7 @@ stale
 def updated(tmp_path):
     """Both documents and the copied picture after an update from a small results folder."""
     results, readme = tmp_path / "results", tmp_path / "README.md"
-    performance = tmp_path / "performance.md"
+    performance, proofs = tmp_path / "performance.md", tmp_path / "proofs.md"
     for folder in (results / "tables", results / "animation", tmp_path / "docs"):
         folder.mkdir(parents=True)
     rows = [(quantity, "0.56", 0.562341325, 3e-12, "reproduced") for quantity in updating.SHOWN]
@@ -35,7 +35,11 @@ def updated(tmp_path):
     (results / "animation" / updating.PICTURE).write_bytes(b"picture")
     readme.write_text(README, encoding="utf-8")
     performance.write_text(PERFORMANCE, encoding="utf-8")
-    updating.update_documents(readme, performance, results)
+    proofs.write_text("<!-- proved -->\nstale\n<!-- end of proved -->\n", encoding="utf-8")
+    table = "| front | shape |\n|---|---|\n| figure 3 | monotone |\n"
+    (results / "tables" / "proofs.md").write_text(table, encoding="utf-8")
+    updating.update_documents(readme, performance, proofs, results)
+    assert proofs.read_text(encoding="utf-8") == f"<!-- proved -->\n{table}<!-- end of proved -->\n"
     picture = tmp_path / "docs" / updating.PICTURE
     return readme.read_text(encoding="utf-8"), performance.read_text(encoding="utf-8"), picture
 

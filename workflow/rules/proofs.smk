@@ -7,9 +7,10 @@ last one, after it has proved again from their files those that are there.
 from proof_chunks import chunk_name, proof_chunks
 from questions import shown_front
 
+PROOFS = config["proofs"]
 CHUNKS = {
     family: {chunk_name(chunk): chunk for chunk in proof_chunks(described)}
-    for family, described in config["proofs"]["intervals"].items()
+    for family, described in PROOFS["intervals"].items()
 }
 
 
@@ -20,7 +21,7 @@ rule prove_fronts:
         dataset="<results>/data/proofs/fronts.nc",
     params:
         code=code("prove_fronts"),
-        fronts=config["proofs"]["fronts"],
+        fronts=PROOFS["fronts"],
         folder=f"{config['results']}/proofs/fronts",
     log:
         "<logs>/prove_fronts.log",
@@ -73,7 +74,7 @@ rule join_intervals:
         dataset="<results>/data/proofs/intervals.nc",
     params:
         code=code("join_intervals"),
-        intervals=config["proofs"]["intervals"],
+        intervals=PROOFS["intervals"],
     log:
         "<logs>/join_intervals.log",
     benchmark:

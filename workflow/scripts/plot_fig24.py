@@ -34,7 +34,7 @@ def plot_fig24(data: xr.Dataset) -> Figure:
 
 def widening(data: xr.Dataset) -> float:
     """The power of ten by which the enclosure is widened, so that it can be seen."""
-    return 10.0 ** np.ceil(np.log10(VISIBLE / float(data["error"].max())))
+    return 10.0 ** np.ceil(np.log10(VISIBLE / float(data["error"].median())))
 
 
 def draw_front(axes: Axes, data: xr.Dataset) -> None:

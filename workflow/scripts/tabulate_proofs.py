@@ -102,7 +102,9 @@ def margins(name: str, group: xr.Dataset) -> Iterator[dict[str, Any]]:
     for inequality in group["inequality"].values:
         sides = group[["left", "right"]].sel(inequality=inequality).dropna("certificate")
         if sides.sizes["certificate"]:
-            worst = sides.isel(certificate=int((sides["right"] - sides["left"]).argmin()))
+            worst = sides.isel(
+                certificate=int((sides["right"] - sides["left"]).argmin("certificate"))
+            )
             left, right = float(worst["left"]), float(worst["right"])
             yield {
                 "front": name,

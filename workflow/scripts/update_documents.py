@@ -1,4 +1,4 @@
-"""Put numbers and the moving picture of the last run into the README, and times into the manual."""
+"""Put numbers and the moving picture of a run into the README, times and proofs into the manual."""
 
 import shutil
 from pathlib import Path
@@ -25,20 +25,21 @@ SHOWN = (
 """The quantities that the README shows, one of each kind and the one that does not hold."""
 
 
-def update_documents(readme: Path, performance: Path, results: Path) -> None:
+def update_documents(readme: Path, performance: Path, proofs: Path, results: Path) -> None:
     """Replace the marked tables of the documents, and the moving picture of the README.
 
     Parameters
     ----------
-    readme, performance : Path
+    readme, performance, proofs : Path
         Files with a block between ``<!-- name -->`` and ``<!-- end of name -->``: numbers of the
-        paper, and times.
+        paper, times, and what is proved.
     results : Path
-        Folder of a finished run of the targets all, precision and animation.
+        Folder of a finished run of the targets all, precision, animation and proofs.
     """
     for page, name, table in (
         (readme, "numbers", paper_numbers(results)),
         (performance, "speed", speed(results)),
+        (proofs, "proved", proved(results)),
     ):
         text = replace_block(page.read_text(encoding="utf-8"), name, table)
         with complete_file(page) as unfinished:
@@ -69,6 +70,11 @@ def speed(results: Path) -> str:
     """What to use for each problem and error, as Markdown."""
     verdicts = pd.read_csv(results / "tables" / "speed_verdicts.csv", dtype=str)
     return verdicts.to_markdown(index=False, disable_numparse=True)
+
+
+def proved(results: Path) -> str:
+    """Fronts and families of fronts that are proved, as Markdown."""
+    return (results / "tables" / "proofs.md").read_text(encoding="utf-8").strip()
 
 
 def replace_block(text: str, name: str, content: str) -> str:

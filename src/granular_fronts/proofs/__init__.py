@@ -4,8 +4,9 @@ A *certificate* is a file of an approximate front P̄ and of an approximate inve
 linearisation there; `certificate` makes it with floating-point arithmetic and any method it likes.
 `checker` then proves, in balls and with nothing but python-flint and NumPy, that a front exists
 near P̄, and what it looks like.  What has to be believed is the mathematics of `existence`,
-`right_inverse`, `consequences` and `rear_expansion`, the code of `checker`, `consequences`,
-`rear_expansion` and `balls`, and python-flint below it.
+`right_inverse`, `consequences`, `tail_roots` and `rear_expansion`, the code of `checker`,
+`consequences`, `tail_roots`, `rear_expansion`, `inequalities` and `balls`, and python-flint below
+it.
 """
 
 from importlib.util import find_spec

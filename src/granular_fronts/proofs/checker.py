@@ -36,7 +36,9 @@ from granular_fronts.proofs.balls import (
     tops,
 )
 from granular_fronts.proofs.consequences import shape
-from granular_fronts.proofs.rear_expansion import expand, require_zeros
+from granular_fronts.proofs.inequalities import Inequalities
+from granular_fronts.proofs.rear_expansion import expand
+from granular_fronts.proofs.tail_roots import require_zeros
 
 TAYLOR_ORDER, MOST_POWERS, SMALL_STRAIN = 8, 8, 1e-7
 EXPANSION = {  # kind of number and axes
@@ -70,9 +72,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
         parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
         from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
-        are `overshoot` (max u* is above it), `rate` (λ₁), `amplitude_low` and `amplitude_high`
-        (of A) and `monotone` (1); `inequalities`, dicts of `name`, `left` and `right` (left <
-        right, rounded outwards) and their difference `margin`.
+        are `overshoot` (max u* is above it), `rate` (λ₁), `amplitude_low` and `amplitude_high` (of
+        A or B), and as 1 `monotone`, `oscillates` (behind, so that max u* > 1) and `critical`
+        (monotone from some γ on, and not below); `inequalities`, dicts of `name`, `left` and
+        `right` (left < right, rounded outwards) and their difference `margin`.
 
     Raises
     ------
@@ -93,7 +96,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     return record
 
 
-class Front:
+class Front(Inequalities):
     """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
 
     P, u and all that is made from them contain every α and γ of the certificate.  The window
@@ -101,7 +104,8 @@ class Front:
     """
 
     def __init__(self, data):
-        self.data, self.inequalities, self.numbers = data, [], {}
+        super().__init__()
+        self.data, self.numbers = data, {}
         least, most, low, high = (
             arb(fmpq(*map(int, data[name][k : k + 2])))
             for name in ("alpha", "gamma")
@@ -149,15 +153,6 @@ class Front:
     def at(self, s):
         """P̄ and ū on all cells at γ₀ + s δ."""
         return [[horner(f, s) for f in cells] for cells in (self.profile, self.strain)]
-
-    def require(self, name, left, right):
-        """Note left < right, or stop."""
-        if not left < right:
-            raise NotProvedError(f"{name}: {left} is not certainly below {right}")
-        left, right = above(left), -above(-right)
-        self.inequalities.append(
-            {"name": name, "left": left, "right": right, "margin": right - left}
-        )
 
     def a(self, u):
         """α u₊^(α − 1)."""

@@ -18,7 +18,8 @@ ker L* = codim Ran A = 1.  Since P is Lipschitz (u is C¹ by Lemma 1), u' = K*P'
 a bounded element of the kernel, not 0 as P is not constant. ∎
 
 Consequences: the front is isolated up to shifts (let φ vanish on Ran A with φ(P') = 1; for a
-solution P₁ near P some small shift makes φ(P₁ − P) = 0, so P₁ = P + A y with a small y, and the
+solution P₁ near P, τ ↦ φ(P₁(· + τ) − P) has a slope near 1, as P₁' = a(u₁) K'*P₁ is near P' and P'
+is uniformly continuous; so some small shift makes it 0, then P₁ = P + A y with a small y, and the
 theorem's uniqueness gives P₁ = P); and, by the implicit function theorem for P̄ + A y in the space
 of y that vanish at both ends, it continues to a C¹ branch in γ.
 

@@ -3,10 +3,10 @@
 Ahead of x₁, where Lemma 5 of `consequences` holds with s = S(x₁)^(α−1) and k = ‖K‖₁, the proof of
 Lemma 6 bounds u from one bead to the next: for x > x₁ + 1, as u decreases on [x − 1, ∞),
 
-    c u(x − 1/2)^α/2 ≤ u(x) ≤ k u(x − 1)^α,      c = γ − γ² (1 + γ) s/(2 (1 − k s)).
+    c κ u(x − 1 + κ)^α ≤ u(x) ≤ k u(x − 1)^α,      c = γ − γ² (1 + γ) s/(2 (1 − k s)),
 
-Each bound is used where it is better than that of the enclosure.  What is evaluated here in
-doubles, from bounds that are proved, is for the eye.
+for 0 < κ < 1.  Each bound is used where it is better than that of the enclosure.  What is evaluated
+here in doubles, from bounds that are proved, is for the eye.
 """
 
 import numpy as np
@@ -78,8 +78,8 @@ def _tail_ahead(front, xi, low, high):
         known = len(xi) - start
         lows[:known] = np.log(np.maximum(low[start:], 0.0))
         highs[:known] = np.log(high[start:])
+    near = max(1, n // 10)
     for j in range(n + 1, len(ahead)):
         highs[j] = min(highs[j], np.log(k) + alpha * highs[j - n])
-        # A cell more, as the bounds are those of whole cells.
-        lows[j] = max(lows[j], np.log(c / 2) + alpha * lows[j - n // 2 + 1])
+        lows[j] = max(lows[j], np.log(c * near / n) + alpha * lows[j - n + near])
     return ahead, (-highs, -lows)

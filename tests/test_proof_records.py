@@ -1,0 +1,143 @@
+"""What is proved as data: chunks of intervals, records, families, and the enclosure of a front."""
+
+import json
+
+import numpy as np
+import pytest
+
+flint = pytest.importorskip("flint")
+
+from itertools import pairwise  # noqa: E402
+
+import join_intervals  # noqa: E402
+import prove_chunk  # noqa: E402
+import tabulate_proofs  # noqa: E402
+from proof_chunks import chunk_name, proof_chunks  # noqa: E402
+from test_proof_checker import DATA, PROVED  # noqa: E402
+
+import granular_fronts as gf  # noqa: E402
+from granular_fronts.output.datasets import read_dataset  # noqa: E402
+from granular_fronts.proofs.checker import check_certificate  # noqa: E402
+from granular_fronts.proofs.enclosure import enclosure_dataset  # noqa: E402
+from granular_fronts.proofs.records import records_dataset  # noqa: E402
+
+
+def test_chunks_meet_at_decimals_and_cover_the_interval():
+    parts = [{"to": 0.1, "chunks": 3, "cells": 36}, {"to": 0.5, "chunks": 7, "drift": 3e-4}]
+    chunks = list(proof_chunks({"alpha": 1.5, "from": 0.05, "parts": parts}))
+    assert len(chunks) == 10
+    assert chunks[0]["low"] == "0.050000"
+    assert chunks[-1]["high"] == "0.500000"
+    for before, after in pairwise(chunks):
+        assert before["high"] == after["low"]
+        assert before["low"] < before["high"]
+    assert chunks[2] == {"alpha": 1.5, "low": "0.083333", "high": "0.100000", "cells": 36}
+    assert chunks[3]["drift"] == 3e-4
+    assert "cells" not in chunks[3]
+    assert chunk_name(chunks[2]) == "0.083333-0.100000"
+
+
+@pytest.fixture(scope="module")
+def kept():
+    """Records of the certificates that are kept, as data."""
+    rows = [
+        check_certificate(DATA / f"{name}.npz")
+        | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
+        for name in PROVED
+    ]
+    return rows, records_dataset(rows)
+
+
+def test_data_hold_what_the_checker_says(kept):
+    rows, data = kept
+    assert list(data["certificate"].values) == list(PROVED)
+    for row in rows:
+        one = data.sel(certificate=row["name"])
+        assert float(one["error_bound"]) == row["error"]
+        assert float(one["radius"]) == row["numbers"]["radius"]
+        assert str(one["statements"].values).splitlines() == row["statements"]
+        found = one[["left", "right"]].dropna("inequality")
+        sides = {known["name"]: (known["left"], known["right"]) for known in row["inequalities"]}
+        assert sides == {
+            str(name): (float(left), float(right))
+            for name, left, right in zip(
+                found["inequality"].values, found["left"].values, found["right"].values, strict=True
+            )
+        }
+
+
+def test_only_what_is_proved_is_in_the_data(kept):
+    _, data = kept
+    assert float(data["monotone"].sel(certificate="monotone")) == 1.0
+    assert np.isnan(data["overshoot_bound"].sel(certificate="monotone"))
+    assert np.isnan(data["monotone"].sel(certificate="overshoot"))
+    for name in ("overshoot", "steep"):
+        known = next(line for line in PROVED[name]["statements"] if "overshoots" in line)
+        bound = float(data["overshoot_bound"].sel(certificate=name))
+        assert 1 + bound == float(known.split()[3].rstrip(":"))
+    assert not data["joined"].any()
+
+
+def test_table_names_the_shape_and_the_least_margin(kept):
+    _, data = kept
+    row = tabulate_proofs.describe("steep", data.sel(certificate=["steep"]))
+    assert row["shape"].startswith("max u − 1 > 2.3")
+    assert row["certificates"] == 1
+    margins = list(tabulate_proofs.margins("steep", data.sel(certificate=["steep"])))
+    names = {known[0] for known in PROVED["steep"]["inequalities"]}
+    assert {one["inequality"] for one in margins} == names
+    assert all(one["margin"] == one["right"] - one["left"] > 0 for one in margins)
+
+
+def test_table_counts_what_is_joined_as_one_family(kept):
+    _, data = kept
+    one = data.assign(joined=("certificate", [0, 1, 0]))
+    names, groups = zip(*tabulate_proofs.families(one), strict=True)
+    assert names == ("family, alpha = 1.5",) * 2
+    assert [group.sizes["certificate"] for group in groups] == [2, 1]
+
+
+def test_stretches_are_joined_where_they_touch(kept):
+    _, data = kept
+    ends = ("certificate", [0.1, 0.2, 0.5]), ("certificate", [0.2, 0.3, 0.6])
+    rows = data.assign(gamma_low=ends[0], gamma_high=ends[1])
+    assert tabulate_proofs.stretches(rows) == "0.1 to 0.3 and 0.5 to 0.6"
+
+
+def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail():
+    data = enclosure_dataset(DATA / "monotone.npz")
+    computed = gf.solve_front(1.5, 0.3)
+    u = gf.evaluate_front(computed, data["xi"].values)
+    assert np.all(abs(u - data["approximation"]) < data["error"])
+    assert np.all(data["error"] <= data.attrs["error_bound"])
+    ahead = data["xi_ahead"].values
+    assert np.all(data["decay_low"] <= data["decay_high"])
+    assert np.all(np.isfinite(data["decay_high"]))
+    u = gf.evaluate_front(computed, ahead)
+    known = u > 1e-12  # Below, the computed front is rounding.
+    decay = -np.log(u[known])
+    assert np.all(data["decay_low"].values[known] <= decay)
+    assert np.all(decay <= data["decay_high"].values[known])
+    # Ahead of all cells the bounds still grow as they must, by about 3/2 for each bead.
+    growth = data["decay_low"].values[-1] / data["decay_low"].values[-21]
+    assert growth == pytest.approx(1.5, rel=0.02)
+
+
+@pytest.mark.slow
+def test_chunks_are_joined_from_their_files(tmp_path):
+    """Two chunks, each proved by a job, are one family; what is left from elsewhere is removed."""
+    ends, paths = ("0.3", "0.302", "0.304"), []
+    for low, high in pairwise(ends):
+        folder = tmp_path / low
+        folder.mkdir()
+        (folder / "0.900000.npz").write_bytes(b"")
+        paths.append(tmp_path / f"{low}.nc")
+        chunk = {"alpha": 1.5, "low": low, "high": high}
+        prove_chunk.prove_chunk(chunk, folder, paths[-1])
+        assert [file.name for file in folder.iterdir()] == [f"{float(low):.6f}.npz"]
+    join_intervals.join_intervals(paths, {"hertz": {"alpha": 1.5}}, tmp_path / "all.nc")
+    data = read_dataset(tmp_path / "all.nc", "intervals")
+    assert list(data["joined"].values) == [0, 1]
+    assert list(data["gamma_high"].values) == [0.302, 0.304]
+    assert json.loads(data.attrs["config"]) == {"hertz": {"alpha": 1.5}}
+    assert data["monotone"].values.tolist() == [1.0, 1.0]
