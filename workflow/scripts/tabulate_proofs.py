@@ -70,7 +70,7 @@ def shapes(group: xr.Dataset) -> Iterator[str]:
     several = group.sizes["certificate"] > 1
     for where, words in (
         (group["monotone"] == 1.0, "monotone"),
-        (np.isfinite(group["overshoot_bound"]), overshoot(group)),
+        (group["overshoot_bound"].notnull(), overshoot(group)),
     ):
         rows = group.isel(certificate=where.values)
         if rows.sizes["certificate"]:

@@ -69,15 +69,15 @@ def prove_front(
         If an argument is impossible, the front is not found, or the numbers do not fit into a
         certificate.
     """
-    alpha, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
+    exponents, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
     path = _place(path)
     cells = arguments.count("cells", cells, least=8, most=200)
     fine = arguments.count("fine", fine, most=1000)
     drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
-    front = solve_front(float(sum(alpha) / 2), float(sum(interval) / 2))
+    front = solve_front(float(sum(exponents) / 2), float(sum(interval) / 2))
     if not front.attrs["converged"]:
         raise InputError(f"no front to prove: {front.attrs['reason']}.")
-    fields = describe(front, alpha, interval, cells, fine, drift)
+    fields = describe(front, exponents, interval, cells, fine, drift)
     record = _write_and_check(path, fields)
     if not record["proved"] and "roots" in fields:  # Perhaps without the expansion behind.
         fields = {name: values for name, values in fields.items() if name not in EXPANSION}
