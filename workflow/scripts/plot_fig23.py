@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, NullLocator
 
 from figure_step import run_figure
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
@@ -25,6 +26,7 @@ SHAPES = {
 """What is proved of the shape: in words, the mark of a single front, the colour of a strip."""
 COLOURS = matplotlib.colormaps["viridis_r"]
 BESIDE = 0.035
+DAMPINGS = (0.05, 0.1, 0.2, 0.3, 0.5, 1.0)
 
 
 def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) -> Figure:
@@ -43,7 +45,7 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
     -------
     matplotlib.figure.Figure
     """
-    figure, panels = new_figure(4.2, [["plane", "errors"], ["plane", "maxima"]])
+    figure, panels = new_figure(4.4, [["plane", "errors"], ["plane", "maxima"]])
     errors = np.concatenate([data["error_bound"].values for data in (fronts, intervals)])
     norm = LogNorm(errors.min(), errors.max())
     draw_intervals(panels["plane"], intervals, norm)
@@ -51,6 +53,12 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
     draw_curves(panels["plane"], curves)
     draw_errors(panels["errors"], intervals, norm)
     draw_maxima(panels["maxima"], fronts, intervals)
+    for name in ("errors", "maxima"):
+        panels[name].xaxis.set_major_locator(FixedLocator(DAMPINGS))
+        panels[name].xaxis.set_major_formatter("{x:g}")
+        panels[name].xaxis.set_minor_locator(NullLocator())
+    handles, words = panels["plane"].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside lower center", ncols=4, fontsize=7)
     return figure
 
 
@@ -105,10 +113,10 @@ def draw_fronts(axes: Axes, fronts: xr.Dataset, norm: LogNorm) -> None:
             zorder=3,
         )
         axes.plot(
-            [], [], color=colour, marker=marker, mfc="none", markersize=5, lw=2.5, label=words
+            [], [], "-", color=colour, marker=marker, mfc="none", markersize=5, lw=2.5, label=words
         )
     axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma$", yscale="log")
-    axes.set(xlim=(1.05, 3.1), ylim=(0.012, 1.6))
+    axes.set(xlim=(1.05, 3.1), ylim=(0.03, 1.6))
 
 
 def draw_curves(axes: Axes, curves: xr.Dataset) -> None:
@@ -116,7 +124,6 @@ def draw_curves(axes: Axes, curves: xr.Dataset) -> None:
     for name, (label, colour, style) in CURVES.items():
         values = curves[f"critical_damping_{name}"]
         axes.plot(curves["alpha"], values, color=colour, linestyle=style, linewidth=1, label=label)
-    axes.legend(fontsize=6.5, loc="lower right", ncols=2)
 
 
 def draw_errors(axes: Axes, intervals: xr.Dataset, norm: LogNorm) -> None:
