@@ -53,7 +53,7 @@ EXCHANGED = {
     ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq,
 }
-SECONDS = 40  # processor time after which a mutant that goes on is stopped
+SECONDS = 180  # processor time after which a mutant that goes on is stopped
 
 
 def requirement(node):
