@@ -33,9 +33,10 @@ rule collect_fronts:
 
 rule write_explorer:
     input:
-        template="workflow/report/explorer/page.html.j2",
+        template=project("workflow/report/explorer/page.html.j2"),
         scripts=expand(
-            "workflow/report/explorer/{script}.js", script=["shared", "motions", "fronts"]
+            project("workflow/report/explorer/{script}.js"),
+            script=["shared", "motions", "fronts"],
         ),
         motions=[data_file(motion) for motion in EXPLORED],
         collection=rules.collect_fronts.output.dataset,
