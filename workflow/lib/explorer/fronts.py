@@ -30,7 +30,6 @@ READINGS = (
     "width_10_90",
     "error",
     "beads_behind",
-    "spectral_radius_without_translation",
     "translation_defect",
     *(f"distance_{name}" for name in CONTINUUM_LOOKS),
 )
