@@ -46,7 +46,7 @@ rule write_explorer:
         record="<results>/explore.json",
     params:
         code=code("write_explorer"),
-        reference=reference(*EXPLORED, *EXPLORED_FRONTS),
+        reference=reference(*EXPLORED),
         asked=asked(*EXPLORED, *EXPLORED_FRONTS),
     log:
         "<logs>/write_explorer.log",
