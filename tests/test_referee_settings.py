@@ -36,6 +36,10 @@ FRONT = SETTINGS["motions"]["front"]
             {"motions": {"collision": FRONT | {"beads": 3}}},
             "motions.collision.beads is 3, but two beads collide: write 2.",
         ),
+        (
+            {"motions": {"front": FRONT | {"beads": 10**9}}},
+            "motions.front: beads = 1000000000, end_time = 100, interval = 0.5 take at least 5,960",
+        ),
         ({"factors": [0.9, 1, 1, 1.1]}, "factors (entry 3) is 1, not above 1 before it"),
         ({"factors": [0.9, 1.1, 1.2]}, "factors does not hold 1"),
         ({"displacement": 0}, "displacement is 0, but must be above 0"),
