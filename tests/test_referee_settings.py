@@ -43,6 +43,8 @@ FRONT = SETTINGS["motions"]["front"]
         ({"factors": [0.9, 1, 1, 1.1]}, "factors (entry 3) is 1, not above 1 before it"),
         ({"factors": [0.9, 1.1, 1.2]}, "factors does not hold 1"),
         ({"displacement": 0}, "displacement is 0, but must be above 0"),
+        ({"displacement": 1e300}, "displacement is 1e+300, above its limit 100000000.0"),
+        ({"tolerance": {"relative": 2, "absolute": 1e-12}}, "tolerance.relative is 2, but must be"),
         ({"laws": {"Kuwabara": 1.5}}, '"Kuwabara" in laws is no usable name'),
         ({"laws": {"other": 1.1}}, "problem front_glass_other: LAMMPS has no law with alpha = 1.5"),
         ({"dampings": {"glass": "1e-2"}}, 'dampings.glass is "1e-2", which YAML reads as text'),
