@@ -52,14 +52,14 @@ def test_configuration_of_a_module_changes_nothing_by_itself():
     assert own == {"results": yaml.safe_load(DEFAULT.read_text(encoding="utf-8"))["results"]}
 
 
-def jobs_planned(folder, snakefile, configuration, **environment):
-    """Plan the default target of a workflow that uses this one; return what is told of it."""
+def jobs_planned(folder, snakefile, configuration, *targets, **environment):
+    """Plan targets of a workflow that uses this one, or its default; return what is told of it."""
     (folder / "workflow").mkdir(parents=True)
     (folder / "workflow/Snakefile").write_text(MODULE.format(snakefile=snakefile))
     (folder / "config").mkdir()
     (folder / "config/config.yaml").write_text(yaml.safe_dump(configuration))
     return subprocess.run(
-        [sys.executable, "-m", "snakemake", "--cores", "2", "--dry-run"],
+        [sys.executable, "-m", "snakemake", "--cores", "2", "--dry-run", *targets],
         cwd=folder,
         env={**os.environ, **environment},
         capture_output=True,
@@ -70,8 +70,10 @@ def jobs_planned(folder, snakefile, configuration, **environment):
 
 def test_another_workflow_uses_a_clone_with_values_of_its_own(tmp_path):
     clone = f'"{ROOT}/workflow/Snakefile"'
-    run = jobs_planned(tmp_path / "used", clone, {"results": "mine"})
+    targets = ["all", "explore", "referee", "crate"]
+    run = jobs_planned(tmp_path / "used", clone, {"results": "mine"}, *targets)
     assert run.returncode == 0, run.stderr
+    assert re.search(r"^write_explorer +1$", run.stdout, re.MULTILINE)
     assert re.search(r"^write_report +1$", run.stdout, re.MULTILINE)
     assert "mine/figures/fig01_initiation_underdamped.png" in run.stdout
     impossible = {"scenes": {"chain": {"initiation_overdamped": {"beads": -4}}}}

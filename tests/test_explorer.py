@@ -11,7 +11,7 @@ import pytest
 import write_explorer as script
 from explored import write_page
 from explorer.encoding import MISSING, decode, encode
-from explorer.motions import FIELDS
+from explorer.motions import FIELDS, encode_motion, motion_for_page
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
@@ -122,6 +122,13 @@ def test_page_holds_the_motion(written, given_to_scripts):
     opened = data["relative_displacement_grid"].values < 0.0
     assert opened.any()
     assert not (motion["relative_displacement"]["codes"] < 0)[~opened].any()
+
+
+def test_extended_contacts_are_open_only_where_no_force_holds_them(written, given_to_scripts):
+    data = written[1]["flying"]
+    assert given_to_scripts["motions"]["flying"]["opens"] is True
+    held = data.assign_attrs(contacts_open=0)
+    assert motion_for_page(held, encode_motion(held))["opens"] is False
 
 
 def test_page_holds_the_fronts(written, given_to_scripts):

@@ -243,6 +243,9 @@ def test_a_moving_picture_has_the_frames_asked_for(motions, tmp_path):
             assert written.info["loop"] == 0
     with pytest.raises(InputError, match=r"file is '\.mp4', but must be one of \.gif"):
         movie.write(tmp_path / "front.mp4")
+    movie.write(tmp_path / "capital.GIF")
+    with pytest.raises(InputError, match="must be a file in a folder that exists"):
+        movie.write(tmp_path / "nowhere" / "front.gif")
 
 
 def test_what_changes_in_a_moving_picture_is_drawn_as_in_a_whole_one(motions):
@@ -333,6 +336,14 @@ UNSOLVED = {"converged": 0, "reason": "it is too steep"}
 def test_what_cannot_be_drawn_gets_one_sentence(draw, given, sentence):
     with pytest.raises(InputError, match=sentence):
         draw(given)
+
+
+def test_a_sweep_without_overshoot_says_so_and_axes_must_be_axes():
+    sweep = gf.sweep_fronts(1.5, [0.6, 0.7])
+    [text] = gf.plot.sweep(sweep).texts
+    assert text.get_text() == "no overshoot"
+    with pytest.raises(InputError, match="axes is 'x', but must be a Axes: leave it out"):
+        gf.plot.sweep(sweep, axes="x")
 
 
 def test_a_motion_without_the_record_is_asked_for_it():

@@ -106,17 +106,17 @@ def test_rounded_bounds_are_bounds(kept):
 
 def test_table_counts_what_is_joined_as_one_family(kept):
     _, data = kept
-    one = data.assign(joined=("certificate", [0, 1, 0]))
+    one = data.assign(joined=("certificate", [0, 1, 0, 1]))
     names, groups = zip(*tabulate_proofs.families(one), strict=True)
     assert names == ("family, alpha = 1.5",) * 2
-    assert [group.sizes["certificate"] for group in groups] == [2, 1]
+    assert [group.sizes["certificate"] for group in groups] == [2, 2]
 
 
 def test_stretches_are_joined_where_they_touch(kept):
     _, data = kept
-    ends = ("certificate", [0.1, 0.2, 0.5]), ("certificate", [0.2, 0.3, 0.6])
+    ends = ("certificate", [0.1, 0.2, 0.5, 0.7]), ("certificate", [0.2, 0.3, 0.6, 0.9])
     rows = data.assign(gamma_low=ends[0], gamma_high=ends[1])
-    assert tabulate_proofs.stretches(rows) == "0.1 to 0.3 and 0.5 to 0.6"
+    assert tabulate_proofs.stretches(rows) == "0.1 to 0.3 and 0.5 to 0.6 and 0.7 to 0.9"
 
 
 def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail():

@@ -51,7 +51,7 @@ def test_one_symbol_has_one_meaning():
 
 
 def test_letters_with_a_second_meaning_have_a_first_or_are_local():
-    local = {"P", "K", "A", "R", "g", "φ"}
+    local = {"P", "K", "A", "R", "g", "φ", "ρ", "ω"}
     second = {letter for row in SECOND for letter in row[0].split(", ")}
     assert second - local <= set(LETTERS)
     assert all(len(row) == 3 and row[1] and row[2] for row in SECOND)

@@ -208,6 +208,14 @@ def path(name: str, value: object) -> Path:
     raise InputError(f"{name} is {shown(value)}, but must be a path: give the name of a file.")
 
 
+def new_file(name: str, value: object) -> Path:
+    """The path of a file that can be written, in a folder that exists; see `path`."""
+    file = path(name, value)
+    if file.is_dir() or not file.parent.is_dir():
+        raise InputError(f"{name} is {file}, but must be a file in a folder that exists: name one.")
+    return file
+
+
 @contextlib.contextmanager
 def double_precision(what: str, advice: str) -> Iterator[None]:
     """A context in which results that overflow end in a sentence.

@@ -33,9 +33,10 @@ rule collect_fronts:
 
 rule write_explorer:
     input:
-        template="workflow/report/explorer/page.html.j2",
+        template=project("workflow/report/explorer/page.html.j2"),
         scripts=expand(
-            "workflow/report/explorer/{script}.js", script=["shared", "motions", "fronts"]
+            project("workflow/report/explorer/{script}.js"),
+            script=["shared", "motions", "fronts"],
         ),
         motions=[data_file(motion) for motion in EXPLORED],
         collection=rules.collect_fronts.output.dataset,
@@ -45,7 +46,7 @@ rule write_explorer:
         record="<results>/explore.json",
     params:
         code=code("write_explorer"),
-        reference=reference(*EXPLORED, *EXPLORED_FRONTS),
+        reference=reference(*EXPLORED),
         asked=asked(*EXPLORED, *EXPLORED_FRONTS),
     log:
         "<logs>/write_explorer.log",

@@ -4,7 +4,7 @@ from granular_fronts.referee.problems import load_problems
 from granular_fronts.referee.settings import read_settings
 
 with exit_on_error("The problems of the referee cannot be stated."):
-    REFEREE = read_settings(os.path.join(workflow.basedir, "config", "referee.yaml"))
+    REFEREE = read_settings(project("config", "referee.yaml"))
     PROBLEMS = list(load_problems(REFEREE))
 
 

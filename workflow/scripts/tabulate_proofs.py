@@ -73,8 +73,8 @@ def shapes(group: xr.Dataset) -> Iterator[str]:
     for where, words in (
         (group["monotone"] == 1.0, "monotone"),
         (group["overshoot_bound"].notnull(), overshoot(group)),
-        (group["oscillates"] == 1.0, "oscillates behind, max u > 1"),
-        (group["critical"] == 1.0, "from oscillating to monotone"),
+        (group["oscillates"] == 1.0, "tail oscillates, max u > 1"),
+        (group["critical"] == 1.0, "one turns into the other"),
     ):
         rows = group.isel(certificate=where.values)
         if rows.sizes["certificate"]:

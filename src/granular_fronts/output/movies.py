@@ -88,10 +88,10 @@ class Movie:
         Raises
         ------
         InputError
-            If it ends in none of `ENDINGS`.
+            If it ends in none of `ENDINGS`, or its folder is not there.
         """
-        file = arguments.path("path", path)
-        arguments.choice("ending of the file", file.suffix, ENDINGS)
+        file = arguments.new_file("path", path)
+        arguments.choice("ending of the file", file.suffix.lower(), ENDINGS)
         first, *others = self._with_few_colours(list(self.frames()))
         first.save(file, save_all=True, append_images=others, duration=MILLISECONDS, loop=0)
 

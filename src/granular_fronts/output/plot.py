@@ -13,13 +13,10 @@ set for each picture alone, so that a notebook's other figures stay as they are.
 =================  ============================================================================
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 
 from granular_fronts.arguments import count, instance
 from granular_fronts.errors import InputError
@@ -42,9 +39,6 @@ from granular_fronts.output.style import (
     new_figure,
     velocity_map,
 )
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["animate", "chain", "front", "space_time", "sweep"]
 
@@ -99,7 +93,7 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
         )
     with looks_of_figures():
         new = axes is None
-        axes = _new_axes() if axes is None else axes
+        axes = _new_axes() if axes is None else instance("axes", axes, Axes, "leave it out")
         draw_profile(axes, front)
         if "alpha" not in front.attrs:
             axes.set_ylabel("$u$")
@@ -139,9 +133,11 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
     [damping] = [name for name in DAMPINGS if name in sweep.dims] or ["gamma"]
     sweep = _holding("sweep", sweep, ("overshoot",), (damping,), "sweep_fronts")
     with looks_of_figures():
-        axes = _new_axes() if axes is None else axes
-        overshoot = sweep["overshoot"]
-        axes.semilogy(sweep[damping], overshoot.where(overshoot > LEAST_OVERSHOOT), ".-")
+        axes = _new_axes() if axes is None else instance("axes", axes, Axes, "leave it out")
+        overshoot = sweep["overshoot"].where(sweep["overshoot"] > LEAST_OVERSHOOT)
+        axes.semilogy(sweep[damping], overshoot, ".-")
+        if overshoot.isnull().all():
+            axes.text(0.5, 0.5, "no overshoot", transform=axes.transAxes, ha="center")
         unit = r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
         axes.set(xlabel=DAMPINGS[damping], ylabel=unit)
     return axes

@@ -70,7 +70,7 @@ def prove_front(
         certificate.
     """
     exponents, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
-    path = _place(path)
+    path = arguments.new_file("path", path)
     cells = arguments.count("cells", cells, least=8, most=200)
     fine = arguments.count("fine", fine, most=1000)
     drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
@@ -196,14 +196,6 @@ def _written(number):
     if isinstance(number, bool) or re.search(r"[eE][+-]?[\d_]{3}", str(number)):
         raise ValueError
     return repr(float(number)) if isinstance(number, float) else number
-
-
-def _place(path):
-    """Where a file can be written."""
-    path = arguments.path("path", path)
-    if path.is_dir() or not path.parent.is_dir():
-        raise InputError(f"path is {path}, but must be a file in a folder that exists: name one.")
-    return path
 
 
 def interval_of(numbers, name, above=0):

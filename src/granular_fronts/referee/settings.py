@@ -10,11 +10,15 @@ from pathlib import Path
 from typing import Any
 
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.limits import Part, part_errors
 from granular_fronts.scenes.schema import name_entry, violations
 from granular_fronts.scenes.yaml_files import read_yaml
 
 SAME = 1.0e-9
 """Relative distance of a quotient from a whole number that counts as none."""
+
+NUMBERS_OF_A_BEAD = 4
+"""Held of each state: relative displacement and velocity, of the solution and of its refinement."""
 
 
 def read_settings(file: Path | str) -> dict[str, Any]:
@@ -76,7 +80,7 @@ def factor_errors(factors: list[float]) -> Iterator[str]:
 
 
 def motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
-    """Motions have known dampings, end at a state that is compared, and collide in pairs."""
+    """Motions have known dampings, end at a state, collide in pairs, and fit into memory."""
     for motion, chain in settings["motions"].items():
         for damping in chain["dampings"]:
             if damping not in settings["dampings"]:
@@ -92,3 +96,7 @@ def motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
             )
         if motion == "collision" and chain["beads"] != 2:
             yield f"motions.collision.beads is {chain['beads']}, but two beads collide: write 2."
+        states = NUMBERS_OF_A_BEAD * chain["beads"] * intervals
+        size = Part(("beads", "end_time"), ("interval",), numbers=states)
+        for sentence in part_errors({**chain, "interval": settings["interval"]}, [size]):
+            yield f"motions.{motion}: {sentence}"

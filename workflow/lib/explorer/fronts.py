@@ -17,20 +17,24 @@ from bokeh.plotting import figure
 
 from explorer.encoding import Encoded, encode
 from explorer.panels import CURSOR_COLOUR, Part, announce_taps, new_panel
-from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, CONTINUUM_LOOKS
+from granular_fronts.output.style import (
+    ALARM_COLOUR,
+    CHAIN_COLOUR,
+    CONTINUUM_LOOKS,
+    PROBE_COLOURS,
+)
 
 DASHES = dict(zip(CONTINUUM_LOOKS, ("dashed", "dotdash", "dotted"), strict=True))
 CURVES = {
-    "tail": ("tail turns real", "black", "solid"),
-    "double_root": ("double root", "#d02fb4", "dotted"),
-    "long_wave": ("long waves, μ = 2", "#1447c4", "dashed"),
+    "tail": ("tail turns real", PROBE_COLOURS[0], "solid"),
+    "double_root": ("double root", PROBE_COLOURS[4], "dotted"),
+    "long_wave": ("long waves, μ = 2", PROBE_COLOURS[1], "dashed"),
 }
 READINGS = (
     "overshoot",
     "width_10_90",
     "error",
     "beads_behind",
-    "spectral_radius_without_translation",
     "translation_defect",
     *(f"distance_{name}" for name in CONTINUUM_LOOKS),
 )

@@ -10,6 +10,7 @@ from bokeh.plotting import figure
 
 from explorer.encoding import Encoded, encode
 from explorer.panels import Part, add_cursor, announce_taps, new_panel, palette
+from granular_fronts.output.panels import contacts_open
 from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, compression_map, velocity_map
 
 FIELDS = ("relative_displacement", "velocity")
@@ -47,6 +48,7 @@ def motion_for_page(data: xr.Dataset, encoded: Mapping[str, Encoded]) -> dict[st
     return {
         "times": data["t_grid"].values.astype(float),
         "beads": int(data.sizes["bead"]),
+        "opens": contacts_open(data),
         # Colours and axes go this far; gaps may be much wider.
         "largest": float(data["relative_displacement_grid"].max()),
         "slowest": float(velocity.min()),

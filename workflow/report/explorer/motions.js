@@ -10,6 +10,7 @@ const scene = byId("scene"), field = byId("field"), time = byId("time"), bead = 
 const play = byId("play"), reading = byId("motion-reading")
 
 const motion = () => motions[scene.value]
+const isOpen = u => motion().opens && u < 0
 
 function chooseScene() {
   const chosen = motion(), times = chosen.times, count = chosen.beads
@@ -44,7 +45,7 @@ function drawSpacetime() {
   const compressed = field.value === "relative_displacement", look = looks[field.value]
   colours.setv({
     palette: look.palette,
-    low_color: look.low_color,
+    low_color: chosen.opens ? look.low_color : null,
     low: compressed ? -chosen.largest : Math.min(0, chosen.slowest),
     high: compressed ? chosen.largest : chosen.fastest,
   })
@@ -56,7 +57,7 @@ function drawMoment() {
   const u = decodeRow(chosen.relative_displacement, row)
   const v = decodeRow(chosen.velocity, row)
   const numbers = Array.from(u, (_, k) => k + 1)
-  const open = numbers.filter(number => u[number - 1] < 0)
+  const open = numbers.filter(number => isOpen(u[number - 1]))
   profile.data = {n: numbers, u, v}
   const lowest = -GAPS_SHOWN * chosen.largest
   gaps.data = {n: open, u: open.map(number => Math.max(u[number - 1], lowest))}
@@ -83,7 +84,7 @@ function drawBeads(n, u, v) {
     v: shown.map(k => v[k - 1]),
     edge: shown.map(k => (k === n ? "#b35900" : "#1d2733")),
   }
-  const wide = shown.slice(0, -1).filter(k => u[k - 1] < 0)
+  const wide = shown.slice(0, -1).filter(k => isOpen(u[k - 1]))
   openings.data = {
     start: wide.map(k => place.get(k) + 0.5),
     stop: wide.map(k => place.get(k + 1) - 0.5),
