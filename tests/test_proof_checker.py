@@ -154,6 +154,7 @@ LIES = {
     "no weights": changed("weights", lambda f: f[:0]),
     "three weights": changed("weights", lambda f: np.append(f, 3.0)),
     "a weight that is not a number": changed("weights", at(0, np.nan)),
+    "theta next to 0": changed("weights", at(0, 5e-324)),
     "negative theta": changed("weights", at(0, -0.5)),
     "theta beyond the slowest root": changed("weights", at(0, 1.5)),
     "eta beyond 2 theta": changed("weights", at(1, 2.9)),

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from projects import ROOT
 
 flint = pytest.importorskip("flint")
 
@@ -53,6 +54,18 @@ def test_the_crossing_is_in_the_interval(records):
         low, high = records[AROUND]["gamma"]
         assert low < law.gamma < high
         assert records[BELOW]["gamma"][1] < law.gamma < records[ABOVE]["gamma"][0]
+
+
+@pytest.mark.parametrize(("low", "high", "inside"), [(37, 38, True), (38, 39, False)])
+def test_an_interval_beside_the_crossing_is_not_critical(low, high, inside, tmp_path):
+    """γ_x = 0.26324587378607…: what is stated holds on both, but only one contains it."""
+    with np.load(ROOT / "tests/test_proof_data/critical.npz") as file:
+        data = {name: file[name] for name in file.files}
+    data["gamma"] = np.array([2632458700 + low, 10**10, 2632458700 + high, 10**10])
+    np.savez(tmp_path / "front.npz", **data)
+    record = check_certificate(tmp_path / "front.npz")
+    assert record["proved"]
+    assert ("critical" in record["numbers"]) == inside
 
 
 def test_quadratic_law_has_a_critical_damping_too(tmp_path):

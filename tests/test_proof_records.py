@@ -89,6 +89,21 @@ def test_table_names_the_shape_and_the_least_margin(kept):
     assert all(one["margin"] == one["right"] - one["left"] > 0 for one in margins)
 
 
+def test_rounded_bounds_are_bounds(kept):
+    _, data = kept
+    for name in PROVED:
+        one = data.sel(certificate=[name])
+        row = tabulate_proofs.describe(name, one)
+        assert float(row["|u − ū| below"]) >= float(one["error_bound"][0])
+        if "max u" in row["shape"]:
+            bound = float(row["shape"].split("max u − 1 > ")[1].split(";")[0])
+            assert bound <= float(one["overshoot_bound"][0])
+        if "A = " in row["shape"]:
+            middle, radius = map(float, row["shape"].split("A = ")[1].split(" ± "))
+            assert middle - radius <= float(one["amplitude_low"][0])
+            assert middle + radius >= float(one["amplitude_high"][0])
+
+
 def test_table_counts_what_is_joined_as_one_family(kept):
     _, data = kept
     one = data.assign(joined=("certificate", [0, 1, 0, 1]))

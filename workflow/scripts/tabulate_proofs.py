@@ -1,6 +1,8 @@
 """What is proved as tables: fronts and families of fronts, and the margin of each inequality."""
 
+import math
 from collections.abc import Iterator
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from pathlib import Path
 from typing import Any
 
@@ -58,7 +60,7 @@ def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
         "alpha": float(group["alpha"][0]),
         "gamma": f"{low:.12g}" if f"{low:.12g}" == f"{high:.12g}" else f"{low:.12g} to {high:.12g}",
         "shape": "; ".join(shapes(group)) or "existence and tails",
-        "|u − ū| below": f"{float(group['error_bound'].max()):.2e}",
+        "|u − ū| below": f"{rounded(group['error_bound'].max(), 3, ROUND_CEILING):.2e}",
         "certificates": group.sizes["certificate"],
         "kB": float(group["bytes"].sum()) / 1000,
         "processor seconds": float(group["processor_seconds"].sum()),
@@ -78,14 +80,21 @@ def shapes(group: xr.Dataset) -> Iterator[str]:
         if rows.sizes["certificate"]:
             ends = f" for gamma {stretches(rows)}" if several else ""
             yield words + ends
-    if not several and np.isfinite(group["amplitude_low"]).all():
+    if not several and np.isfinite(group["rate"]).all():
         low, high = float(group["amplitude_low"][0]), float(group["amplitude_high"][0])
-        yield f"A = {(low + high) / 2:.3f} ± {(high - low) / 2:.3f}"
+        middle = round((low + high) / 2, 3)
+        radius = math.ceil(1000 * max(high - middle, middle - low)) / 1000
+        yield f"A = {middle:.3f} ± {radius:.3f}"
 
 
 def overshoot(group: xr.Dataset) -> str:
     """What max u exceeds, of all fronts that are proved to overshoot."""
-    return f"max u − 1 > {float(group['overshoot_bound'].min()):.4g}"
+    return f"max u − 1 > {rounded(group['overshoot_bound'].min(), 4, ROUND_FLOOR):.4g}"
+
+
+def rounded(bound: float, digits: int, rounding: str) -> float:
+    """A bound in few digits that is still one."""
+    return float(Context(digits, rounding).create_decimal_from_float(float(bound)))
 
 
 def stretches(rows: xr.Dataset) -> str:
@@ -96,7 +105,7 @@ def stretches(rows: xr.Dataset) -> str:
             found[-1][1] = high
         else:
             found.append([low, high])
-    return " and ".join(f"{low:g} to {high:g}" for low, high in found)
+    return " and ".join(f"{low:.12g} to {high:.12g}" for low, high in found)
 
 
 def margins(name: str, group: xr.Dataset) -> Iterator[dict[str, Any]]:

@@ -50,6 +50,7 @@ by a factor that tends to 0. ∎
 **Critical damping.** On an interval of γ that contains a γ with Re λ₂ = λ₁ both cases occur.  If on
 all of it d(Re λ₂ − λ₁)/dγ > 0 (see `tail_roots`), C₂ ≠ 0, C₁ < 0 and the inequality of monotone
 fronts holds, then the front is monotone for that γ and those above, and overshoots for those below.
+That the interval contains one is shown by the order of the roots at both of its ends.
 """
 
 import math
@@ -68,7 +69,7 @@ from granular_fronts.proofs.balls import (
     largest,
     size,
 )
-from granular_fronts.proofs.tail_roots import find_root, require_zeros, slope, speed
+from granular_fronts.proofs.tail_roots import Law, find_root, require_zeros, slope, speed
 
 TERMS, MOST_PARTS = 16, 1000
 KINDS = ("pair", "either", "real")
@@ -210,12 +211,23 @@ def _statements(front, found):
             " often, and the front overshoots."
         )
     elif places == sorted(places) and all(monotone[places.count(0) :]):
-        front.numbers["critical"] = 1.0
+        if _exchanged(front):
+            front.numbers["critical"] = 1.0
         yield (
             "For each γ at which Re λ₂ ≥ λ₁, u*' < 0 on the whole line: the front is monotone.  For"
             " each γ at which Re λ₂ < λ₁, u* − 1 changes its sign infinitely often as ξ → −∞: the"
             " front overshoots.  The latter γ are below the former."
         )
+
+
+def _exchanged(front):
+    """Whether λ₂ decays more slowly than λ₁ at the lower end of γ, and faster at the upper end."""
+    ahead = []
+    for gamma in (front.middle - front.half, front.middle + front.half):
+        law, rows = Law(front.alpha, gamma), front.data["roots"].tolist()
+        real, pair = sorted((find_root(law, *row) for row in rows), key=lambda x: x.imag != 0)
+        ahead.append(pair.real - real.real)
+    return bool(ahead[0] < 0 and ahead[1] > 0)
 
 
 def _least(values):

@@ -49,7 +49,7 @@ from granular_fronts.proofs.balls import UNIT, NotProvedError, disc
 from granular_fronts.proofs.inequalities import Inequalities
 
 NEWTON_STEPS, BEND_PARTS = 4, 1024
-STRIP = arb(fmpq(1, 32))
+STRIP, SHORTEST = arb(fmpq(1, 32)), arb(fmpq(1, 2**30))
 
 
 class Law(Inequalities):
@@ -120,7 +120,7 @@ def require_zeros(law, name, w, count):
         whole = symbol(law, acb(w, low.union(high)))
         if (whole / start).real > 0:
             turn += (end / start).arg()
-        elif len(parts) > 60:
+        elif not high - low > SHORTEST:
             raise NotProvedError(f"{name}: there may be a root with real part {w}")
         else:
             middle = (low + high) / 2
