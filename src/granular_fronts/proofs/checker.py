@@ -73,9 +73,9 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
         from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
         are `overshoot` (max u* is above it), `rate` (the middle of λ₁ or ρ), `amplitude_low` and
-        `amplitude_high` (of A or B), and as 1 `monotone`, `oscillates` (behind, so that max u* > 1) and `critical`
-        (monotone from some γ on, and not below); `inequalities`, dicts of `name`, `left` and
-        `right` (left < right, rounded outwards) and their difference `margin`.
+        `amplitude_high` (of A or B), and as 1 `monotone`, `oscillates` (behind, so that max u* > 1)
+        and `critical` (monotone from some γ on, and not below); `inequalities`, dicts of `name`,
+        `left` and `right` (left < right, rounded outwards) and their difference `margin`.
 
     Raises
     ------
