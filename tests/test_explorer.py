@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 import write_explorer as script
 from explored import write_page
-from explorer.encoding import MISSING, decode, encode
-from explorer.motions import FIELDS, encode_motion, motion_for_page
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from explorer.encoding import MISSING, decode, encode
+from explorer.motions import FIELDS, encode_motion, motion_for_page
 from granular_fronts.output.provenance import digest, origin, read_record
 
 NUMBERS = st.floats(-1e200, 1e200, allow_subnormal=False) | st.just(np.nan)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from browser import CHROMIUM, browser
 from explored import GAMMAS, write_page
+
 from explorer.encoding import encode
 
 pytestmark = [

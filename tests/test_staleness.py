@@ -262,8 +262,8 @@ def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished
     assert run.returncode == 0, run.stderr
     assert question_of(finished / PAGE) == question_of_data(finished)
     for name, appended, repeated in [
-        ("workflow/lib/explorer/page.py", "# A comment.\n", set()),
-        ("workflow/lib/explorer/encoding.py", "pass\n", {"write_explorer"}),
+        ("workflow/scripts/explorer/page.py", "# A comment.\n", set()),
+        ("workflow/scripts/explorer/encoding.py", "pass\n", {"write_explorer"}),
         ("workflow/report/explorer/shared.js", "// Words.\n", {"write_explorer"}),
         (
             "src/granular_fronts/studies/front_collection.py",

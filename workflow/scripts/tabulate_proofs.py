@@ -60,7 +60,7 @@ def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
         "alpha": float(group["alpha"][0]),
         "gamma": f"{low:.12g}" if f"{low:.12g}" == f"{high:.12g}" else f"{low:.12g} to {high:.12g}",
         "shape": "; ".join(shapes(group)) or "existence and tails",
-        "|u − ū| below": f"{rounded(group['error_bound'].max(), 3, ROUND_CEILING):.2e}",
+        "|u − ū| below": f"{rounded(float(group['error_bound'].max()), 3, ROUND_CEILING):.2e}",
         "certificates": group.sizes["certificate"],
         "kB": float(group["bytes"].sum()) / 1000,
         "processor seconds": float(group["processor_seconds"].sum()),
@@ -89,12 +89,12 @@ def shapes(group: xr.Dataset) -> Iterator[str]:
 
 def overshoot(group: xr.Dataset) -> str:
     """What max u exceeds, of all fronts that are proved to overshoot."""
-    return f"max u − 1 > {rounded(group['overshoot_bound'].min(), 4, ROUND_FLOOR):.4g}"
+    return f"max u − 1 > {rounded(float(group['overshoot_bound'].min()), 4, ROUND_FLOOR):.4g}"
 
 
 def rounded(bound: float, digits: int, rounding: str) -> float:
     """A bound in few digits that is still one."""
-    return float(Context(digits, rounding).create_decimal_from_float(float(bound)))
+    return float(Context(digits, rounding).create_decimal_from_float(bound))
 
 
 def stretches(rows: xr.Dataset) -> str:

@@ -6,7 +6,6 @@ The page shows what its datasets hold and computes nothing.
 from pathlib import Path
 
 from explorer.page import Sources, make_page
-
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.provenance import origin, write_record
