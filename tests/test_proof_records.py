@@ -94,7 +94,7 @@ def test_rounded_bounds_are_bounds(kept):
     for name in PROVED:
         one = data.sel(certificate=[name])
         row = tabulate_proofs.describe(name, one)
-        assert float(row["|u − ū| below"]) >= float(one["error_bound"][0])
+        assert float(row["error of ū below"]) >= float(one["error_bound"][0])
         if "max u" in row["shape"]:
             bound = float(row["shape"].split("max u − 1 > ")[1].split(";")[0])
             assert bound <= float(one["overshoot_bound"][0])

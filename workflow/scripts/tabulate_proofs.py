@@ -54,16 +54,19 @@ def families(joined: xr.Dataset) -> Iterator[tuple[str, xr.Dataset]]:
 
 def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
     """What is proved of a front or of a family, with the worst of its bounds."""
-    low, high = float(group["gamma_low"].min()), float(group["gamma_high"].max())
+    low, high = (
+        f"{float(group['gamma_low'].min()):.13g}",
+        f"{float(group['gamma_high'].max()):.13g}",
+    )
     return {
         "front": name,
         "alpha": float(group["alpha"][0]),
-        "gamma": f"{low:.12g}" if f"{low:.12g}" == f"{high:.12g}" else f"{low:.12g} to {high:.12g}",
+        "gamma": low if low == high else f"{low} to {high}",
         "shape": "; ".join(shapes(group)) or "existence and tails",
-        "|u − ū| below": f"{rounded(float(group['error_bound'].max()), 3, ROUND_CEILING):.2e}",
+        "error of ū below": f"{rounded(float(group['error_bound'].max()), 3, ROUND_CEILING):.2e}",
         "certificates": group.sizes["certificate"],
-        "kB": float(group["bytes"].sum()) / 1000,
-        "processor seconds": float(group["processor_seconds"].sum()),
+        "kB": round(float(group["bytes"].sum()) / 1000, 1),
+        "processor seconds": round(float(group["processor_seconds"].sum()), 1),
     }
 
 
