@@ -8,7 +8,8 @@ or those of the modules that it is given.
 
 import ast
 import copy
-import signal
+import os
+import resource
 import sys
 import tempfile
 import time
@@ -53,7 +54,8 @@ EXCHANGED = {
     ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq,
 }
-SECONDS = 180  # processor time after which a mutant that goes on is stopped
+LIMITS = {resource.RLIMIT_CPU: 180, resource.RLIMIT_AS: 8 * 2**30, resource.RLIMIT_CORE: 0}
+"""Seconds of processor time and bytes of memory at which a mutant that goes on is stopped."""
 
 
 def requirement(node):
@@ -276,21 +278,22 @@ def overlooked(made, pair, cell):
 
 
 def noticed(trees, examples):
-    """Whether the tests notice a mutant; one that goes on for long is noticed."""
+    """Whether the tests notice a mutant, in a process of its own.
 
-    def stop(*_):
-        raise TimeoutError
-
-    before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS, 0.1)
-    try:
-        made = modules_of(trees)
-        return examples.differ(made) or examples.believed(made)
-    except Exception:
-        return True
-    finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-        signal.signal(signal.SIGVTALRM, before)
+    One that takes too much time or memory, or that ends its process, is noticed.
+    """
+    child = os.fork()
+    if child == 0:
+        for limit, most in LIMITS.items():
+            resource.setrlimit(limit, (most, most))
+        try:
+            made = modules_of(trees)
+            unnoticed = not (examples.differ(made) or examples.believed(made))
+        except Exception:
+            unnoticed = False
+        os._exit(int(unnoticed))
+    _, status = os.waitpid(child, 0)
+    return os.waitstatus_to_exitcode(status) != 1
 
 
 @pytest.fixture(scope="module")
