@@ -53,7 +53,7 @@ def test_configuration_of_a_module_changes_nothing_by_itself():
 
 
 def jobs_planned(folder, snakefile, configuration, *targets, **environment):
-    """Plan targets of a workflow that uses this one, or its default; return what is told of it."""
+    """Plan targets of a workflow that uses this one, or its default; return what is printed."""
     (folder / "workflow").mkdir(parents=True)
     (folder / "workflow/Snakefile").write_text(MODULE.format(snakefile=snakefile))
     (folder / "config").mkdir()
@@ -98,7 +98,7 @@ def git(*arguments, folder):
 
 @pytest.mark.slow
 def test_another_workflow_uses_a_tag_of_a_hosted_repository(tmp_path):
-    """Git is told to look for the host in a folder; Snakemake fetches from there as from it."""
+    """Git looks for the host in a folder; Snakemake fetches from there as from it."""
     project = copy_project(tmp_path)
     git("init", "--quiet", folder=project)
     git("add", "--all", folder=project)

@@ -191,8 +191,8 @@ def test_record_names_every_job_of_the_run(finished, entities):
     ran = {
         path.relative_to(run_times).with_suffix("").as_posix() for path in run_times.rglob("*.tsv")
     }
-    told = {name for name in entities if name.startswith("#job-")}
-    assert told == {f"#job-{name}" for name in ran - {"write_crate"}}
+    jobs = {name for name in entities if name.startswith("#job-")}
+    assert jobs == {f"#job-{name}" for name in ran - {"write_crate"}}
 
 
 @pytest.mark.slow

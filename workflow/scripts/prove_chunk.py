@@ -26,7 +26,7 @@ def prove_chunk(chunk: dict, folder: Path, dataset: Path) -> None:
     Parameters
     ----------
     chunk : dict
-        `alpha`, `low` and `high`, and what `prove_interval` is told beside them.
+        `alpha`, `low` and `high`, and further arguments of `prove_interval`.
     folder : Path
         Receives the certificates, and may hold those of a run that was stopped.
     dataset : Path

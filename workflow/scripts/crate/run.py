@@ -1,7 +1,7 @@
 """A run as a Provenance Run Crate: https://w3id.org/ro/wfrun/provenance/0.5.
 
-The workflow has a step for each rule, and a step a tool, the rule's script.  What ran is told by
-actions: one for the whole run, and one for each job with its inputs, outputs, log and run time.
+The workflow has a step for each rule, and a step a tool, the rule's script.  What ran is described
+by actions: one for the whole run, and one for each job with its inputs, outputs, log and run time.
 Only what is known is said: who started the run is not, and a job that an earlier call has run
 stands there with the times of that call.
 """
