@@ -163,6 +163,7 @@ def test_a_configuration_that_can_be_computed_is_said_so(mine):
     assert run(check).stdout == "The configuration can be computed.\n"
 
 
+@pytest.mark.slow
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     """Its command accepts the certificates kept, and its examples prove what they say."""
     [command], [critical, code] = commands(PROOFS), blocks(PROOFS, "python")

@@ -13,11 +13,10 @@ import join_intervals  # noqa: E402
 import prove_chunk  # noqa: E402
 import tabulate_proofs  # noqa: E402
 from proof_chunks import chunk_name, proof_chunks  # noqa: E402
-from test_proof_checker import DATA, PROVED  # noqa: E402
+from test_proof_checker import DATA, PROVED, proved  # noqa: E402
 
 import granular_fronts as gf  # noqa: E402
 from granular_fronts.output.datasets import read_dataset  # noqa: E402
-from granular_fronts.proofs.checker import check_certificate  # noqa: E402
 from granular_fronts.proofs.enclosure import enclosure_dataset  # noqa: E402
 from granular_fronts.proofs.records import records_dataset  # noqa: E402
 
@@ -41,8 +40,7 @@ def test_chunks_meet_at_decimals_and_cover_the_interval():
 def kept():
     """Records of the certificates that are kept, as data."""
     rows = [
-        check_certificate(DATA / f"{name}.npz")
-        | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
+        proved(name) | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
         for name in PROVED
     ]
     return rows, records_dataset(rows)
