@@ -215,7 +215,7 @@ def test_powers_and_bounds_of_polynomials_contain_all_values():
 def test_wide_interval_that_concludes_nothing_is_made_narrower():
     """With data of the tail and without a statement on overshoot; narrow ones are kept."""
     wide, narrow = np.array([3, 10, 301, 1000]), np.array([3, 10, 3004, 10000])
-    silent = SimpleNamespace(data={"roots": (), "gamma": wide}, numbers={"rate": 1.5})
+    silent = SimpleNamespace(data={"roots": (), "gamma": wide}, numbers={"rate_low": 1.5})
     with pytest.raises(balls.NotProvedError, match="too wide"):
         _require_conclusion(silent)
     _require_conclusion(SimpleNamespace(data={"gamma": wide}, numbers={}))

@@ -76,6 +76,13 @@ def test_only_what_is_proved_is_in_the_data(kept):
     assert not data["joined"].any()
 
 
+def test_rate_behind_is_enclosed(kept):
+    """λ₁ of the monotone front from the computed roots, which are good to fifteen digits."""
+    one = kept[1].sel(certificate="monotone")
+    rate = gf.tail_roots(1.5, 0.3, count=1)[0].real
+    assert float(one["rate_low"]) < rate < float(one["rate_high"]) < float(one["rate_low"]) + 1e-13
+
+
 def test_table_names_the_shape_and_the_least_margin(kept):
     _, data = kept
     row = tabulate_proofs.describe("steep", data.sel(certificate=["steep"]))
