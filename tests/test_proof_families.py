@@ -164,13 +164,17 @@ def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
         for exponent in (1.4998, 1.5002):
             computed = solve_front(exponent, sum(map(float, gamma)) / 2)
             assert abs(evaluate_front(computed, xi) - strain).max() < record["error"]
-    assert len(list(prove_family(paths))) == 2
+    _, second = prove_family(paths)
+    assert second["inequalities"][-1]["name"] == "the front before is a translate"
+    assert second["inequalities"][-1]["left"] == pytest.approx(0.67, abs=0.01)  # docs/proofs.md
 
 
 @pytest.mark.slow
 def test_box_of_alpha_is_proved_in_width(tmp_path):
-    record = prove_front(("1499/1000", "1501/1000"), "0.3", tmp_path / "wide.npz")
-    assert not record["proved"]
+    """3/2 ± 1/1200 at γ = 0.3, 3/2 ± 1/2000 on an interval; 3/2 ± 1/1000 is too wide."""
+    for half, gamma, proved in ((1200, "0.3", True), (1000, "0.3", False)):
+        alpha = (Fraction(3, 2) - Fraction(1, half), Fraction(3, 2) + Fraction(1, half))
+        assert prove_front(alpha, gamma, tmp_path / "box.npz")["proved"] == proved
     record = prove_front(("2999/2000", "3001/2000"), ("0.3", "0.3005"), tmp_path / "box.npz")
     assert record["proved"], record["reason"]
 
