@@ -40,7 +40,7 @@ test: lint ## Check style and types, and run the fast tests.
 	@$(BIN)/pytest -m timing
 
 slow: .venv/installed ## Run the slow tests.
-	@echo "Running the slow tests (about eight minutes)."
+	@echo "Running the slow tests."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
 # Jobs of a small run, tests, and kernels as Python (tests/test_uncompiled.py), each in processes of

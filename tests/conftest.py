@@ -9,16 +9,18 @@ from projects import CACHES, copy_project, lend_kernels, snakemake
 
 from granular_fronts.scenes.yaml_files import load_configuration
 
-LONGEST = {
-    *("test_a_further_law", "test_campaign_run", "test_documents", "test_hard_cases"),
-    *("test_paper_numbers", "test_passes", "test_proof_checker", "test_staleness"),
-    *("test_stiff", "test_uncompiled", "test_workflow"),
-}
+LONGEST = (
+    *("test_staleness", "test_campaign_run", "test_proof_mutants", "test_workflow"),
+    *("test_container", "test_proof_fronts", "test_a_further_law", "test_hard_cases"),
+    *("test_documents", "test_chain_reference", "test_interrupts", "test_crate"),
+    *("test_uncompiled", "test_proof_checker", "test_passes", "test_stiff"),
+)
 
 
 def pytest_collection_modifyitems(items):
     """Start with the files that take longest: side by side, the short ones even out the end."""
-    items.sort(key=lambda item: item.path.stem not in LONGEST)
+    order = {name: place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: order.get(item.path.stem, len(order)))
 
 
 @pytest.fixture(scope="session")

@@ -341,7 +341,7 @@ def enclosed_front():
     data = sample({**XI, "xi_ahead": [1.0, 1.5, 2.0, 2.5]}, variables, alpha=1.5, gamma=0.3)
     data["error"] = 1e-9 * data["error"]
     data["decay_high"][0] = np.inf
-    return data.assign_attrs(rate=0.5, amplitude_low=0.6, amplitude_high=0.7)
+    return data.assign_attrs(rate_low=0.4, rate_high=0.5, amplitude_low=0.6, amplitude_high=0.7)
 
 
 PROBES = ("relative_displacement_steady", "relative_displacement_transient")

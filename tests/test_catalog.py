@@ -68,6 +68,7 @@ def jobs_planned(folder, snakefile, configuration, *targets, **environment):
     )
 
 
+@pytest.mark.slow
 def test_another_workflow_uses_a_clone_with_values_of_its_own(tmp_path):
     clone = f'"{ROOT}/workflow/Snakefile"'
     targets = ["all", "explore", "referee", "crate"]

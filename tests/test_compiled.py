@@ -135,6 +135,7 @@ print([name for name, found in count().items() if found > before[name]])
 """
 
 
+@pytest.mark.slow
 def test_compilation_covers_all_that_the_scenes_need():
     """A fresh process, since other tests compile kernels for other arguments."""
     root = Path(__file__).parents[1]

@@ -104,6 +104,7 @@ def described(in_small):
     )
 
 
+@pytest.mark.slow
 def test_crate_is_valid_and_follows_what_can_be_followed(described, tmp_path):
     described.write(tmp_path / "crate")
     required, recommended = violations(tmp_path / "crate", tmp_path)
@@ -111,6 +112,7 @@ def test_crate_is_valid_and_follows_what_can_be_followed(described, tmp_path):
     assert recommended <= UNKNOWN
 
 
+@pytest.mark.slow
 def test_validator_finds_what_is_missing(described, tmp_path):
     """What it says of each entity without one of its properties."""
     missing = {

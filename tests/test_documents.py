@@ -163,6 +163,7 @@ def test_a_configuration_that_can_be_computed_is_said_so(mine):
     assert run(check).stdout == "The configuration can be computed.\n"
 
 
+@pytest.mark.slow
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     """Its command accepts the certificates kept, and its examples prove what they say."""
     [command], [critical, code] = commands(PROOFS), blocks(PROOFS, "python")
@@ -302,6 +303,7 @@ def test_numbers_in_formulas_are_no_equations():
 PLACES = named_blocks(EXTENDING)
 
 
+@pytest.mark.slow
 def test_a_figure_is_added_in_three_places(tmp_path):
     project = copy_project(tmp_path)
     places = {name: text for name, text in PLACES.items() if name.startswith("workflow/")}
@@ -318,6 +320,7 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     assert "α = 1.5, 1.1" in caption
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig25.py", "workflow/report/fig25.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)

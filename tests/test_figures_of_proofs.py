@@ -74,7 +74,7 @@ def test_figure_24_shows_bounds_of_errors_and_of_both_tails():
     low, high, gap = curves(panels["behind"])
     behind = data["xi"].values[data["xi"].values < 0]
     np.testing.assert_allclose(low.get_ydata(), 0.6 * np.exp(0.5 * behind), rtol=1e-14)
-    np.testing.assert_allclose(high.get_ydata(), 0.7 * np.exp(0.5 * behind), rtol=1e-14)
+    np.testing.assert_allclose(high.get_ydata(), 0.7 * np.exp(0.4 * behind), rtol=1e-14)
     assert_curve(gap, data["xi"], 1 - data["approximation"])
     [slope] = curves(panels["ahead"])
     # The first place, where nothing is known from below, is not drawn.

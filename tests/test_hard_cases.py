@@ -44,6 +44,7 @@ def test_error_that_is_no_number_does_not_pass():
     assert not case._replace(error=np.nextafter(1.0, 2.0)).passed
 
 
+@pytest.mark.slow
 def test_criteria_fail_where_the_solver_is_loose(monkeypatch):
     loose = {"relative": 1.0e-6, "absolute": 1.0e-8}
     monkeypatch.setattr(chain_cases, "TOLERANCE", loose)
@@ -96,6 +97,7 @@ def test_extended_reference_equals_the_matrix_exponential():
     assert state.relative_displacement[0] == pytest.approx(expected, abs=1.0e-15)
 
 
+@pytest.mark.slow
 def test_location_keeps_the_order_that_blind_steps_lose():
     orders = {
         name: event_orders.fitted_order(*curve)

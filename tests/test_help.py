@@ -36,6 +36,7 @@ def test_help_of_the_workflow_names_every_target(workflow_help):
     assert all(words.endswith(".") for words in workflow_help.values())
 
 
+@pytest.mark.slow
 def test_help_of_make_names_its_targets_and_those_of_the_workflow(workflow_help):
     run = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True)
     shown = dict(re.findall(r"^  ([\w.]+) +(\S.*)$", run.stdout, re.MULTILINE))

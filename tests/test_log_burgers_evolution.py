@@ -53,6 +53,7 @@ def test_order_away_from_kinks():
     assert scatter < 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "cells"), [("weak", [256, 512, 1024]), ("hertz", [512, 1024])])
 def test_order_with_kinks_is_six_as_well(name, cells):
     """The finer cells at the start leave nothing of the kinks of (49)."""
@@ -72,6 +73,7 @@ def test_steps_are_of_fourth_order():
     assert scatter < 0.1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "error", "cells", "tolerance"),
     [
@@ -124,6 +126,7 @@ def test_unlimited_equation_tends_to_its_limit():
     np.testing.assert_allclose(*ends, atol=3.0e-4)
 
 
+@pytest.mark.slow
 def test_equation_40_is_solved_through_its_steep_start():
     """At α = 3/2 the start meets its floor with infinite slope, and diffusion hardly smooths it."""
     scene = scene_with("hertz", record__snapshots=[0.5, 3.33])

@@ -165,6 +165,7 @@ def compilations_of_two_processes(program, folder):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("program", "count"), [(COUNT_COMPILATIONS, 5), (COUNT_STAGE_PASSES, 3)], ids=["rows", "stages"]
 )
@@ -174,6 +175,7 @@ def test_named_kinds_are_compiled_once_for_all_processes(tmp_path, program, coun
     assert later == files
 
 
+@pytest.mark.slow
 def test_a_loop_that_encloses_a_kernel_would_be_compiled_in_every_process(tmp_path):
     program = COUNT_ENCLOSED_KERNELS + COUNT_STAGE_PASSES.replace(
         '[("hertz", {"alpha": 1.5}), ("toda", {}), ("morse", {"rate": 2.0})]',

@@ -139,6 +139,7 @@ def test_lammps_comes_closer_at_its_order(name, order):
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", scipy_fronts.METHODS)
 def test_peer_finds_the_front_of_the_lattice_or_says_why_not(name):
     front = solve_front(1.5, 0.3)

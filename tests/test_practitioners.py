@@ -169,6 +169,7 @@ def test_what_the_referee_says_of_a_front():
     assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
 
 
+@pytest.mark.slow
 def test_commands_run_as_shown(tmp_path):
     """In the folder of the decks, where LAMMPS leaves its dumps."""
     make, enter, ask = commands(DOCUMENT)

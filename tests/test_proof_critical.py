@@ -30,6 +30,7 @@ def records(tmp_path_factory):
     }
 
 
+@pytest.mark.slow
 def test_fronts_below_oscillate_and_those_above_are_monotone(records):
     below, around, above = (" ".join(record["statements"]) for record in records.values())
     assert all(record["proved"] for record in records.values())
@@ -45,6 +46,7 @@ def test_fronts_below_oscillate_and_those_above_are_monotone(records):
     assert kinds == [{"oscillates"}, {"critical"}, {"monotone"}]
 
 
+@pytest.mark.slow
 def test_the_crossing_is_in_the_interval(records):
     """γ_x, so that fronts are monotone from it on and overshoot below it."""
     gamma = gf.critical_damping(1.5)
@@ -56,7 +58,10 @@ def test_the_crossing_is_in_the_interval(records):
         assert records[BELOW]["gamma"][1] < law.gamma < records[ABOVE]["gamma"][0]
 
 
-@pytest.mark.parametrize(("low", "high", "inside"), [(37, 38, True), (38, 39, False)])
+@pytest.mark.parametrize(
+    ("low", "high", "inside"),
+    [pytest.param(37, 38, True, marks=pytest.mark.slow), (38, 39, False)],
+)
 def test_an_interval_beside_the_crossing_is_not_critical(low, high, inside, tmp_path):
     """γ_x = 0.26324587378607…: what is stated holds on both, but only one contains it."""
     with np.load(ROOT / "tests/test_proof_data/critical.npz") as file:
@@ -68,12 +73,14 @@ def test_an_interval_beside_the_crossing_is_not_critical(low, high, inside, tmp_
     assert ("critical" in record["numbers"]) == inside
 
 
+@pytest.mark.slow
 def test_quadratic_law_has_a_critical_damping_too(tmp_path):
     record = gf.prove_front(2, ("0.3978", "0.398"), tmp_path / "front.npz")
     assert record["numbers"]["critical"]
     assert record["gamma"][0] < gf.critical_damping(2) < record["gamma"][1]
 
 
+@pytest.mark.slow
 def test_computed_tail_has_the_amplitude_that_is_proved(records):
     """|c| in u − 1 = Re c e^(λ₂ξ) + a e^(λ₁ξ) + …, from three points of the computed front."""
     gamma = 0.25275
@@ -87,6 +94,7 @@ def test_computed_tail_has_the_amplitude_that_is_proved(records):
     assert a < 0
 
 
+@pytest.mark.slow
 def test_root_that_leads_is_not_left_out(records, tmp_path):
     """Below critical damping no list of roots makes the front monotone."""
     assert records[BELOW]["proved"]

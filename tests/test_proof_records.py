@@ -13,11 +13,10 @@ import join_intervals  # noqa: E402
 import prove_chunk  # noqa: E402
 import tabulate_proofs  # noqa: E402
 from proof_chunks import chunk_name, proof_chunks  # noqa: E402
-from test_proof_checker import DATA, PROVED  # noqa: E402
+from test_proof_checker import DATA, PROVED, proved  # noqa: E402
 
 import granular_fronts as gf  # noqa: E402
 from granular_fronts.output.datasets import read_dataset  # noqa: E402
-from granular_fronts.proofs.checker import check_certificate  # noqa: E402
 from granular_fronts.proofs.enclosure import enclosure_dataset  # noqa: E402
 from granular_fronts.proofs.records import records_dataset  # noqa: E402
 
@@ -41,8 +40,7 @@ def test_chunks_meet_at_decimals_and_cover_the_interval():
 def kept():
     """Records of the certificates that are kept, as data."""
     rows = [
-        check_certificate(DATA / f"{name}.npz")
-        | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
+        proved(name) | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
         for name in PROVED
     ]
     return rows, records_dataset(rows)
@@ -76,6 +74,13 @@ def test_only_what_is_proved_is_in_the_data(kept):
         bound = float(data["overshoot_bound"].sel(certificate=name))
         assert 1 + bound == float(known.split()[3].rstrip(":"))
     assert not data["joined"].any()
+
+
+def test_rate_behind_is_enclosed(kept):
+    """λ₁ of the monotone front from the computed roots, which are good to fifteen digits."""
+    one = kept[1].sel(certificate="monotone")
+    rate = gf.tail_roots(1.5, 0.3, count=1)[0].real
+    assert float(one["rate_low"]) < rate < float(one["rate_high"]) < float(one["rate_low"]) + 1e-13
 
 
 def test_table_names_the_shape_and_the_least_margin(kept):

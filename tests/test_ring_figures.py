@@ -60,6 +60,7 @@ def drawn(name, *data):
     return getattr(importlib.import_module(name), name)(*data)
 
 
+@pytest.mark.slow
 def test_fig20_draws_every_equation_in_every_limit(rings):
     order = ("damping", "gamma", "mu", "leading", "plateau", "time", "front")
     figure = drawn("plot_fig20", *(rings[name] for name in order))

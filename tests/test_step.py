@@ -118,6 +118,7 @@ def test_interrupted_step_says_how_to_go_on(tmp_path):
     assert (tmp_path / "log").read_text().splitlines()[-1] == sentence
 
 
+@pytest.mark.slow
 def test_a_job_ends_with_the_run_that_started_it(tmp_path):
     """The run is killed outright while a step works, and nobody waits for its end."""
     script = tmp_path / "wait.py"
@@ -153,6 +154,7 @@ def test_a_job_ends_with_the_run_that_started_it(tmp_path):
     run.wait()
 
 
+@pytest.mark.slow
 def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path):
     target = tmp_path / "data/continuum/log_burgers_fronts.nc"
     arguments = ["--config", f"results={tmp_path}", "--", target]

@@ -74,6 +74,7 @@ def test_implicit_steps_agree_with_the_explicit_pair(alpha, beta, gamma):
     np.testing.assert_allclose(final(implicit), final(explicit), atol=1.0e-11)
 
 
+@pytest.mark.slow
 def test_implicit_steps_agree_with_extended_precision():
     scene = driven_scene(50.0, 16, 8.0, delta=1.0)
     motion = Motion(scene["law"], 1.0, 0.0, np.zeros(15), np.zeros(16))

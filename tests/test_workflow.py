@@ -228,16 +228,24 @@ def test_script_explains_its_arguments(script, monkeypatch, capsys):
         assert re.search(rf"^  --{name}\b", shown, re.MULTILINE)
 
 
-# Each script in a process of its own, split off one that has loaded what most of them load.
+# Each script in a process of its own, split off one that has loaded the package.
 ASK_FOR_HELP = """
-import os, runpy, sys
-import jsonargparse, matplotlib.figure, numba, xarray
+import importlib, os, pkgutil, runpy, sys
+import jsonargparse, granular_fronts
+for module in pkgutil.walk_packages(granular_fronts.__path__, "granular_fronts."):
+    if not module.name.endswith("__main__"):
+        importlib.import_module(module.name)
 for script in sys.argv[1:]:
     print(flush=True)
     if os.fork() == 0:
         sys.path[0], sys.argv = os.path.dirname(script), [script, "--help"]
-        runpy.run_path(script, run_name="__main__")
-        os._exit(1)
+        ended = 1
+        try:
+            runpy.run_path(script, run_name="__main__")
+        except SystemExit as end:
+            ended = end.code
+        sys.stdout.flush()
+        os._exit(ended)
     _, status = os.wait()
     print("ended with", os.waitstatus_to_exitcode(status))
 """

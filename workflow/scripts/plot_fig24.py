@@ -81,10 +81,12 @@ def draw_behind(axes: Axes, data: xr.Dataset) -> None:
         label="enclosure",
     )
     rows = data["xi"].values < 0
-    for name in ("amplitude_low", "amplitude_high"):
+    for name, rate, label in (
+        ("amplitude_low", "rate_high", r"$A\,e^{\lambda\xi}$"),
+        ("amplitude_high", "rate_low", None),
+    ):
         if name in data.attrs:
-            term = data.attrs[name] * np.exp(data.attrs["rate"] * data["xi"][rows])
-            label = r"$A\,e^{\lambda\xi}$" if name == "amplitude_low" else None
+            term = data.attrs[name] * np.exp(data.attrs[rate] * data["xi"][rows])
             axes.plot(
                 data["xi"][rows],
                 term,

@@ -15,6 +15,7 @@ terminal shows.
 
 import argparse
 import fcntl
+import gc
 import logging
 import os
 import re
@@ -80,6 +81,8 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
             traceback.print_exc()
             LOGGER.error("%s", describe_unexpected(error))
             sys.exit(1)
+    # Otherwise Python looks once more through all that was imported before it ends, for 0.2 s.
+    gc.freeze()
 
 
 def end_with(lock: Path) -> None:

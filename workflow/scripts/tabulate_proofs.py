@@ -83,11 +83,12 @@ def shapes(group: xr.Dataset) -> Iterator[str]:
         if rows.sizes["certificate"]:
             ends = f" for gamma {stretches(rows)}" if several else ""
             yield words + ends
-    if not several and np.isfinite(group["rate"]).all():
+    if not several and np.isfinite(group["rate_low"]).all():
+        amplitude = "B" if float(group["oscillates"][0]) == 1.0 else "A"
         low, high = float(group["amplitude_low"][0]), float(group["amplitude_high"][0])
         middle = round((low + high) / 2, 3)
         radius = math.ceil(1000 * max(high - middle, middle - low)) / 1000
-        yield f"A = {middle:.3f} ± {radius:.3f}"
+        yield f"{amplitude} = {middle:.3f} ± {radius:.3f}"
 
 
 def overshoot(group: xr.Dataset) -> str:

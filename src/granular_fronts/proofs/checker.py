@@ -72,10 +72,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
         parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
         from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
-        are `overshoot` (max u* is above it), `rate` (the middle of λ₁ or ρ), `amplitude_low` and
-        `amplitude_high` (of A or B), and as 1 `monotone`, `oscillates` (behind, so that max u* > 1)
-        and `critical` (monotone from some γ on, and not below); `inequalities`, dicts of `name`,
-        `left` and `right` (left < right, rounded outwards) and their difference `margin`.
+        are `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ and
+        `amplitude_low`, `amplitude_high` of A or B, and as 1 `monotone`, `oscillates` (behind, so
+        that max u* > 1) and `critical` (monotone from some γ on, and not below); `inequalities`,
+        dicts of `name`, `left` and `right` (left < right, rounded outwards) and their `margin`.
 
     Raises
     ------
@@ -187,10 +187,8 @@ class Front(Inequalities):
     def Z2(self, r):  # noqa: N802
         """The largest κ |a(ū + w) − a(ū)| with |w| ≤ κ r."""
         ends = zip(self.outer_kappa, (arb(1), arb(0)), (arb(1), arb(0)), strict=True)
-        changes = []
-        for kappa, low, high in (*ends, *zip(self.kappa, self.u_low, self.u_high, strict=True)):
-            changes.append(kappa * self.rise(low, high, kappa * r))
-        return largest(changes)
+        cells = *ends, *zip(self.kappa, self.u_low, self.u_high, strict=True)
+        return largest(kappa * self.rise(low, high, kappa * r) for kappa, low, high in cells)
 
     def rise(self, low, high, w):
         """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
@@ -225,10 +223,8 @@ class Front(Inequalities):
         middles, _, absolute = kernel(self.gamma, arb(0), n)
         flat, sign = kernel(self.middle, arb(0), n)[1], slope_kernel(arb(0), n)[1]
         begin = -self.p * n * self.fine
-        gammas = self.middle, self.half
-        tails, defect = inverse_defect(
-            alpha, gammas, arb(0), n * self.fine, self.data["inverse"], begin
-        )
+        law = alpha, (self.middle, self.half), arb(0)
+        tails, defect = inverse_defect(*law, n * self.fine, self.data["inverse"], begin)
         self.require("‖e‖", defect, arb(1))
 
         ones = np.eye(W)

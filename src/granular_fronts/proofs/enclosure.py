@@ -31,7 +31,8 @@ def enclosure_dataset(path):
         In the middles of the cells, on `xi`: `approximation` ū, bounds of the `error` of u and of
         the `residual`; on `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u,
         the latter infinite where u has no bound from below.  Attributes: `error_bound`, `radius`,
-        and where they are proved `rate`, `amplitude_low` and `amplitude_high` of the tail behind.
+        and where they are proved `rate_low`, `rate_high`, `amplitude_low` and `amplitude_high` of
+        the tail behind.
 
     Raises
     ------

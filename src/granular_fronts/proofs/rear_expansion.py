@@ -191,10 +191,12 @@ def _statements(front, found):
     """What all parts of the interval say together."""
     kinds, roots, amplitudes, monotone = zip(*found, strict=True)
     places = [KINDS.index(kind) for kind in kinds]
+    rate = _hull(root.real for root in roots)
     low, high = max(0.0, -above(-_least(amplitudes))), above(largest(amplitudes))
+    bounds = {"rate_low": -above(-rate), "rate_high": above(rate)}
+    bounds |= {"amplitude_low": low, "amplitude_high": high}
     if set(kinds) == {"real"}:
-        rate = _hull(root.real for root in roots)
-        front.numbers |= {"rate": float(rate), "amplitude_low": low, "amplitude_high": high}
+        front.numbers |= bounds
         yield (
             f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {rate.str(15)},"
             f" {low:.6f} − 1e-6 < A < {high:.6f} + 1e-6."
@@ -203,8 +205,8 @@ def _statements(front, found):
             front.numbers["monotone"] = 1.0
             yield "u*' < 0 on the whole line: the front is monotone."
     elif set(kinds) == {"pair"}:
-        rate, waves = _hull(root.real for root in roots), _hull(root.imag for root in roots)
-        front.numbers |= {"oscillates": 1.0, "amplitude_low": low, "amplitude_high": high}
+        waves = _hull(root.imag for root in roots)
+        front.numbers |= bounds | {"oscillates": 1.0}
         yield (
             f"u* = 1 + B exp(ρ ξ) (cos(ω ξ + φ) + o(1)) as ξ → −∞, ρ = {rate.str(15)}, ω ="
             f" {waves.str(15)}, 0 < B < {high:.6f} + 1e-6: u* − 1 changes its sign infinitely"

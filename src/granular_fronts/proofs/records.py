@@ -5,16 +5,11 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-NUMBERS = {
-    "radius": "radius",
-    "rate": "rate",
-    "amplitude_low": "amplitude_low",
-    "amplitude_high": "amplitude_high",
-    "monotone": "monotone",
-    "oscillates": "oscillates",
-    "critical": "critical",
-}
-"""Numbers of a record, and the variables that hold them."""
+BEHIND = "rate_low", "rate_high", "amplitude_low", "amplitude_high"
+"""Bounds of the leading term behind."""
+
+NUMBERS = "radius", *BEHIND, "monotone", "oscillates", "critical"
+"""Numbers of a record that are variables."""
 
 JOINED = "the front before is a translate"
 """The last inequality of a junction."""
@@ -53,8 +48,8 @@ def records_dataset(records):
         "file": [str(row["path"]) for row in records],
         "statements": ["\n".join(row["statements"]) for row in records],
     }
-    for number, variable in NUMBERS.items():
-        columns[variable] = [row["numbers"].get(number, np.nan) for row in records]
+    for name in NUMBERS:
+        columns[name] = [row["numbers"].get(name, np.nan) for row in records]
     tops = np.array([row["numbers"].get("overshoot", np.nan) for row in records])
     columns["overshoot_bound"] = tops - 1
     data = xr.Dataset(
@@ -66,6 +61,6 @@ def records_dataset(records):
     data["joined"] = "certificate", np.isfinite(known.values).astype(int)
     data["processor_seconds"].attrs["units"] = "s"
     data["bytes"].attrs["units"] = "byte"
-    for name in ("error_bound", "radius", "overshoot_bound", "amplitude_low", "amplitude_high"):
+    for name in ("error_bound", "radius", "overshoot_bound", *BEHIND):
         data[name].attrs["error_method"] = "a bound that is proved, rounded outwards"
     return data
