@@ -20,11 +20,11 @@ from rocrate.rocrate import ROCrate
 from crate.entities import (
     add_citation,
     add_file,
-    add_package,
     add_software,
     add_thing,
     describe_file,
     installed_packages,
+    package_identifier,
 )
 from crate.jobs import Job
 
@@ -262,7 +262,7 @@ def add_calls(crate: ROCrate, run: Run, workflow: Entity, actions: Mapping[str, 
             **times(run.jobs),
         },
     )
-    engine = add_package(crate, "snakemake")
+    engine = crate.get(package_identifier("snakemake"))
     controls = [
         add_thing(
             crate,
