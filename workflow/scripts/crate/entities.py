@@ -21,7 +21,9 @@ from rocrate.rocrate import ROCrate
 FORMATS = {
     ".cff": "application/yaml",
     ".csv": "text/csv",
+    ".gif": "image/gif",
     ".html": "text/html",
+    ".js": "text/javascript",
     ".json": "application/json",
     ".md": "text/markdown",
     ".nc": "application/netcdf",
@@ -29,6 +31,7 @@ FORMATS = {
     ".png": "image/png",
     ".py": "text/x-python",
     ".rst": "text/x-rst",
+    ".svg": "image/svg+xml",
     ".toml": "application/toml",
     ".tsv": "text/tab-separated-values",
     ".yaml": "application/yaml",

@@ -89,7 +89,8 @@ def describe_run(run: Run) -> ROCrate:
     files[run.project / "README.md"]["about"] = root
     root["name"] = f"A run of {cited['name']}"
     root["description"] = (
-        "The workflow, its configuration and environment, every job that ran, and all results. "
+        "The workflow, its configuration and environment, every job that ran, all results, and the "
+        "manual, which begins in docs/index.md. "
         "To run it again, unpack it and call: make .venv/installed; "
         ".venv/bin/snakemake -c2 --configfile configuration.yaml --config results=again"
     )
