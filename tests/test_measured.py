@@ -8,6 +8,7 @@ import pytest
 import yaml
 from projects import ROOT
 
+from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
 from granular_fronts.studies.ring_limit import resolutions
 
 
@@ -133,6 +134,24 @@ def test_sizes_of_rings_are_those_of_figure_20():
         round(beads, -3),
         points * usual.places,
     ]
+
+
+def test_slopes_are_fitted_over_the_rings_that_the_page_names():
+    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
+    named = re.search(r"over the seven rings with α from ([\d.]+) to ([\d.]+)\.", text).groups()
+    for name in ("rings_damping", "rings_gamma"):
+        fitted = [
+            alpha
+            for alpha in statements(f"campaigns/{name}")["axes"]["alpha"]
+            if alpha <= LARGEST_EXPONENT
+        ]
+        assert len(fitted) == 7
+        assert (min(fitted), max(fitted)) == tuple(map(float, named))
+    dampings = statements("campaigns/rings_damping")["axes"]["damping"]
+    assert len(EQUATION_ERRORS) * (len(dampings) + 1) == 12
+    assert "Of these twelve slopes" in text
+    assert "at γc = 0.3, 1 and 3" in text
+    assert dampings == [0.3, 1, 3]
 
 
 # The script itself.
