@@ -73,7 +73,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and \
 	    "Python 3.11 or newer is needed, but $(PYTHON) is %d.%d: please name a newer one, for example make PYTHON=python3.12." \
 	    % sys.version_info[:2])'
-	@echo "Installing the pinned packages of environment.txt into .venv (about a minute, 800 MB)."
+	@echo "Installing the pinned packages of environment.txt into .venv."
 	@$(PYTHON) -m venv --clear .venv
 	@$(PIP) install --require-hashes -r environment.txt
 	@$(PIP) install --no-deps --no-build-isolation -e .
@@ -112,7 +112,7 @@ docs: .venv/docs-installed ## Build the manual from pages, docstrings and result
 
 .PHONY: $(shell cmp -s docs-environment.txt .venv/docs-installed || echo .venv/docs-installed)
 .venv/docs-installed: .venv/installed
-	@echo "Installing the packages that build the manual (about half a minute)."
+	@echo "Installing the packages that build the manual."
 	@$(PIP) install --require-hashes --no-deps -r docs-environment.txt
 	@cp docs-environment.txt $@
 

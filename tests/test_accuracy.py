@@ -4,9 +4,11 @@ import math
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from granular_fronts.accuracy import (
     Estimate,
+    certain_sign,
     largest_difference,
     rounded,
     rounding_floor,
@@ -33,6 +35,13 @@ def test_zeros_and_no_values_at_all_have_no_error():
 def test_points_without_a_value_do_not_count():
     assert largest_difference([1.0, math.nan], [1.5, 3.0]) == 0.5
     assert math.isnan(largest_difference([math.nan], [math.nan]))
+
+
+def test_a_sign_is_certain_beyond_the_error_alone():
+    values = [-2.0, -1.0, -0.5, 0.0, 0.5, 2.0, math.nan]
+    variable = xr.DataArray(values, attrs={"error_estimate": 1.0})
+    assert certain_sign(variable).values.tolist() == [-1, 0, 0, 0, 0, 1, 0]
+    assert (certain_sign(variable.assign_attrs(error_estimate=math.nan)) == 0).all()
 
 
 def trapezoidal(points):

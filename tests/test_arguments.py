@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from matplotlib.axes import Axes
 from potentials import hertz
 from projects import ROOT
 
@@ -239,6 +240,9 @@ def test_sentences_say_what_was_given_and_what_is_needed():
         arguments.array("s", [[1.0, 3.0], [4.0, 5.0]], below=3.0)
     with pytest.raises(InputError, match=r"^way is 'c', but must be one of a, b: "):
         arguments.choice("way", "c", ("a", "b"))
+    for kind, wanted in ((Axes, "an Axes"), (xr.Dataset, "a Dataset")):
+        with pytest.raises(InputError, match=rf"^it is 'x', but must be {wanted}: give one\.$"):
+            arguments.instance("it", "x", kind, "give one")
 
 
 def test_arrays_keep_their_shape_and_lists_have_one_dimension():

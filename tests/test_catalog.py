@@ -4,6 +4,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 
 import pytest
 import yaml
@@ -37,6 +38,16 @@ def test_catalogue_finds_what_it_looks_for():
         "report",
     }
     assert usage["report"] == usage["software-stack-deployment"]["report"]
+
+
+def test_environment_for_conda_holds_the_pinned_packages():
+    """Pip reads the path from the folder of the environment, wherever the workflow is used."""
+    file = ROOT / "workflow/envs/main.yaml"
+    dependencies = yaml.safe_load(file.read_text(encoding="utf-8"))["dependencies"]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["requires-python"] == f">={dependencies[0].removeprefix('python=')}"
+    [option] = dependencies[-1]["pip"]
+    assert (file.parent / option.removeprefix("-r ")).resolve() == ROOT / "environment.txt"
 
 
 def test_configuration_page_names_every_key():

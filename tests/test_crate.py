@@ -148,6 +148,39 @@ def test_times_are_those_of_the_jobs(tmp_path):
     }
 
 
+def project_files(*, leave_out=""):
+    """Files of the project in its records, by the rules of the workflow; some may be left out."""
+    rules = (ROOT / "workflow/rules/project_files.smk").read_text(encoding="utf-8")
+    names = {"Path": Path, "PROJECT": ROOT, "project": lambda file: file.relative_to(ROOT)}
+    exec(rules, names)
+    found = names["project_files"](None)
+    return {file for file in found if not leave_out or leave_out not in file.parts}
+
+
+def dead_links(files):
+    """Links of pages, and addresses of pictures, that lead to none of the same files."""
+    kept = {ROOT / file for file in files}
+    return {
+        (file.as_posix(), link)
+        for file in files
+        if file.suffix == ".md"
+        for link in re.findall(r"\]\((?!https?:|#)([^)#\s]+)", (ROOT / file).read_text("utf-8"))
+        # The build of the manual writes these.
+        if "generated" not in link and (ROOT / file.parent / link).resolve() not in kept
+    }
+
+
+def test_every_link_of_a_page_leads_to_a_file_of_the_record():
+    assert dead_links(project_files()) == set()
+    without_manual = dead_links(project_files(leave_out="docs"))
+    assert {("README.md", "docs/front.gif"), ("README.md", "docs/start.md")} <= without_manual
+
+
+def test_record_leaves_out_what_is_built():
+    parts = {part for file in project_files() for part in file.parts}
+    assert parts.isdisjoint({"__pycache__", "_build", "generated", "results", ".venv"})
+
+
 @pytest.fixture(scope="module")
 def unpacked(finished, tmp_path_factory):
     """The record of the smoke run, unpacked."""

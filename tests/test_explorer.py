@@ -16,6 +16,7 @@ from hypothesis.extra.numpy import arrays
 
 from explorer.encoding import MISSING, decode, encode
 from explorer.motions import FIELDS, encode_motion, motion_for_page
+from explorer.page import describe_scene
 from granular_fronts.output.provenance import digest, origin, read_record
 
 NUMBERS = st.floats(-1e200, 1e200, allow_subnormal=False) | st.just(np.nan)
@@ -129,6 +130,31 @@ def test_extended_contacts_are_open_only_where_no_force_holds_them(written, give
     assert given_to_scripts["motions"]["flying"]["opens"] is True
     held = data.assign_attrs(contacts_open=0)
     assert motion_for_page(held, encode_motion(held))["opens"] is False
+
+
+TODA = {"kind": "toda", "rate": 2}
+
+
+@pytest.mark.parametrize(
+    ("law", "words"),
+    [
+        ({"alpha": 1.5, "beta": 2, "gamma": 0.06}, "α = 1.5, β = 2, γ = 0.06"),
+        ({"elastic": TODA}, "Toda potential (strength = 1, rate = 2), no damping"),
+        (
+            {"elastic": TODA, "viscous": {"kind": "linear", "gamma": 0.3}},
+            "Toda potential (strength = 1, rate = 2), linear damping (γ = 0.3)",
+        ),
+        (
+            {"elastic": {"kind": "hertz", "alpha": 1.5, "stiffness": 2}},
+            "Hertz potential (α = 1.5, stiffness = 2), no damping",
+        ),
+    ],
+)
+def test_a_scene_is_titled_with_its_law(written, law, words):
+    data = written[1]["flying"]
+    scene = json.loads(data.attrs["config"]) | {"law": law}
+    titled = describe_scene(data.assign_attrs(scene="any_scene", config=json.dumps(scene)))
+    assert titled == {"name": "any_scene", "title": f"any scene, chain of 20 beads, {words}"}
 
 
 def test_page_holds_the_fronts(written, given_to_scripts):

@@ -1,13 +1,16 @@
 """The page to explore in a browser: it answers hands and keys, and asks the network for nothing."""
 
 import re
+from pathlib import Path
+from urllib.parse import urlparse
+from urllib.request import url2pathname
 
 import numpy as np
 import pytest
 from browser import CHROMIUM, browser
 from explored import GAMMAS, write_page
 
-from explorer.encoding import encode
+from explorer.encoding import decode, encode
 
 pytestmark = [
     pytest.mark.slow,
@@ -70,8 +73,9 @@ def expect_motion(page, motion):
     for field, value, error in zip(FIELDS, numbers[::2], numbers[1::2], strict=True):
         exact = float(moment[field].sel(bead=int(bead)))
         assert abs(float(value) - exact) <= float(error) < 1e-4
-    u, rounding = moment[FIELDS[0]], encode(moment[FIELDS[0]]).steps / 2
-    assert int((u < -rounding).sum()) <= int(opened or 0) <= int((u < 0.0).sum())
+    encoded = encode(moment[FIELDS[0]])
+    error = moment[FIELDS[0]].attrs["error_estimate"] + encoded.steps / 2
+    assert int(opened or 0) == (decode(encoded) < -error).sum()
     return float(t), int(opened or 0)
 
 
@@ -86,6 +90,22 @@ def test_time_and_bead_are_dragged(page, data):
     assert page.evaluate("document.getElementById('time').getAttribute('aria-valuetext')") == (
         f"t = {later:g}"
     )
+
+
+def test_contacts_extended_by_less_than_the_error_are_not_open(shown, data, tmp_path):
+    """The same page with an error of u that is larger than every gap."""
+    u = data["flying"]["relative_displacement_grid"]
+    html = Path(url2pathname(urlparse(data["address"]).path)).read_text(encoding="utf-8")
+    known, larger = (f'["error",{error}]' for error in (u.attrs["error_estimate"], 1.0e3))
+    assert html.count(known) == 1
+    uncertain = tmp_path / "uncertain.html"
+    uncertain.write_text(html.replace(known, larger), encoding="utf-8")
+    expected = {data["address"]: "Open contacts:", uncertain.as_uri(): "No contact is open."}
+    for address, opened in expected.items():
+        shown.open(address, 1280, 900)
+        shown.wait_for("document.getElementById('motion-reading')?.textContent.includes('bead')")
+        drag_slider(shown, "time", 0.9)
+        assert opened in text(shown, "motion-reading")
 
 
 def test_panels_follow_the_time(page, data):

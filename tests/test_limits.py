@@ -1,6 +1,7 @@
 """What docs/limits.md says that is not found is not, and what it says is found is."""
 
 import pytest
+import sympy
 from projects import ROOT
 
 import granular_fronts as gf
@@ -36,3 +37,15 @@ def test_front_is_not_found_and_the_reason_is_said(point):
 def test_strong_damping_is_found():
     assert "With α = β = 3/2 fronts are found up to γ = 100." in TEXT
     assert gf.solve_front(alpha=1.5, gamma=100.0).attrs["converged"] == 1
+
+
+@pytest.mark.slow
+def test_large_linear_terms_keep_newtons_iteration_from_settling():
+    assert "a linear term in V that is 10⁴ times the rest keeps Newton's iteration" in TEXT
+    r = sympy.Symbol("r")
+    for size, found in ((1e3, 1), (1e4, 0)):
+        elastic = gf.Potential.from_expression(sympy.cosh(r) - 1 + size * r, r, interval=(-4, 4))
+        law = gf.make_law(elastic=elastic, viscous={"kind": "linear", "gamma": 0.5})
+        front = gf.solve_front(law=law, states=(-1.0, -0.1))
+        assert front.attrs["converged"] == found
+        assert ("Newton's iteration does not settle" in front.attrs["reason"]) == (not found)

@@ -8,6 +8,7 @@ import pytest
 import yaml
 from projects import ROOT
 
+from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
 from granular_fronts.studies.ring_limit import resolutions
 
 
@@ -85,6 +86,36 @@ def test_findings_type_no_result():
     }
 
 
+UNITS = "ms|s|seconds|minutes?|hours?|days?|(?:core-)?(?:days|years)|[kMG]B"
+COUNTS = r"\d[\d.]*|a|one|two|five|ten|twenty|half an?|a quarter of an"
+TYPED_COST = re.compile(rf"(?<![\w.])(?:{COUNTS}) (?:{UNITS})\b")
+"""A time or a size in prose: '29 s', 'about a minute', 'half an hour', '0.7 GB'."""
+
+
+def typed_costs(text):
+    """Times and sizes of a page outside of its code and of the blocks that a run fills in."""
+    text = re.sub(r"<!-- (\w+) -->\n.*?<!-- end of \1 -->", " ", text, flags=re.DOTALL)
+    text = re.sub(r"```.*?```|`[^`]*`", " ", text, flags=re.DOTALL)
+    return TYPED_COST.findall(" ".join(text.split()))
+
+
+# The page on proofs estimates what intervals cost that are not proved yet.
+PAGES = [page for page in (*TEXTS, ROOT / "CONTRIBUTING.md") if page.name != "proofs.md"]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_pages_type_no_times_and_sizes(page):
+    assert typed_costs(page.read_text(encoding="utf-8")) == []
+
+
+def test_typed_times_and_sizes_are_found():
+    typed = "It takes 29 s and 0.7 GB, about a minute, half an hour or two days."
+    assert typed_costs(typed) == ["29 s", "0.7 GB", "a minute", "half an hour", "two days"]
+    assert (
+        typed_costs("Job 3 starts; `2 s`; takes seconds. <!-- x -->\n2 s\n<!-- end of x -->") == []
+    )
+
+
 def test_sizes_of_rings_are_those_of_figure_20():
     """What the page on the limit says of places and beads."""
     campaign = statements("campaigns/rings_damping")
@@ -103,6 +134,24 @@ def test_sizes_of_rings_are_those_of_figure_20():
         round(beads, -3),
         points * usual.places,
     ]
+
+
+def test_slopes_are_fitted_over_the_rings_that_the_page_names():
+    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
+    named = re.search(r"over the seven rings with α from ([\d.]+) to ([\d.]+)\.", text).groups()
+    for name in ("rings_damping", "rings_gamma"):
+        fitted = [
+            alpha
+            for alpha in statements(f"campaigns/{name}")["axes"]["alpha"]
+            if alpha <= LARGEST_EXPONENT
+        ]
+        assert len(fitted) == 7
+        assert (min(fitted), max(fitted)) == tuple(map(float, named))
+    dampings = statements("campaigns/rings_damping")["axes"]["damping"]
+    assert len(EQUATION_ERRORS) * (len(dampings) + 1) == 12
+    assert "Of these twelve slopes" in text
+    assert "at γc = 0.3, 1 and 3" in text
+    assert dampings == [0.3, 1, 3]
 
 
 # The script itself.

@@ -74,6 +74,18 @@ def test_contacts_that_open_later_are_counted(late, opened):
     assert chain.openings(grid).value == 1 + opened
 
 
+def test_a_contact_extended_by_less_than_its_error_is_not_counted():
+    u = np.full((5, 4), 0.05)
+    u[1, 0] = -0.5
+    grid = driven(relative_displacement_grid=(("t_grid", "bead"), u))
+    grid["smallest_relative_displacement_time"] = 2.0
+    error = grid["relative_displacement_grid"].attrs["error_estimate"]
+    for extension, opened in ((0.5 * error, 0), (2.0 * error, 1)):
+        grid["relative_displacement_grid"][4, 2] = -extension
+        assert chain.openings_after_the_widest_gap(grid).value == opened
+        assert chain.openings(grid).value == 1 + opened
+
+
 @pytest.mark.parametrize("rate", [0.0, 0.02])
 def test_width_of_a_front_that_spreads(rate):
     beads, times = np.arange(1, 402), np.arange(0.0, 2001.0, 5.0)

@@ -63,6 +63,11 @@ def contacts(motion, u):
     return u.isel(bead=slice(None, motion.attrs["contacts"]))
 
 
+def opened(u):
+    """Whether contacts are extended by more than the error of their relative displacements."""
+    return u < -u.attrs["error_estimate"]
+
+
 def marks(axes):
     """Lines that are no data: the marks of open contacts."""
     return [line for line in axes.get_lines() if line.get_transform() is not axes.transData]
@@ -150,12 +155,28 @@ def test_open_contacts_are_marked_at_each_snapshot(motions, name):
         return
     drawn = marks(upper)
     for row, line in enumerate(drawn):
-        np.testing.assert_array_equal(line.get_xdata(), u["bead"][u[row] < 0.0])
+        np.testing.assert_array_equal(line.get_xdata(), u["bead"][opened(u)[row]])
         assert line.get_color() == curves(upper)[row].get_color()
     heights = [line.get_ydata()[0] for line in drawn if np.size(line.get_ydata())]
     assert len(set(heights)) == len(heights)
-    assert (u < 0.0).any()
+    assert opened(u).any()
     assert legend(upper)[-1] == "open contacts"
+
+
+def test_a_contact_extended_by_less_than_its_error_is_not_open(motions):
+    """Neither beside snapshots, nor in a moving picture, nor in the colours of space and time."""
+    motion = motions["pressure"].isel(t=[0], t_grid=[0, 1]).copy(deep=True)
+    error = motion["relative_displacement_grid"].attrs["error_estimate"]
+    motion["relative_displacement"].attrs["error_estimate"] = error
+    for extension, expected in ((0.5 * error, []), (2.0 * error, [4])):
+        for name in ("relative_displacement", "relative_displacement_grid"):
+            motion[name][:, 3] = -extension
+        _, show = moving_chain(motion)
+        moving = show(1)[-1]
+        snapshot, *_ = marks(gf.plot.chain(motion)[0])
+        coloured = image(gf.plot.space_time(motion)[0])
+        assert snapshot.get_xdata().tolist() == moving.get_xdata().tolist() == expected
+        assert (coloured.norm.vmin == -coloured.norm.vmax) == bool(expected)
 
 
 def test_a_panel_without_open_contacts_names_none(motions):
@@ -213,7 +234,7 @@ def test_each_frame_shows_its_time(motions, name):
         assert upper.get_title("left") == f"$t = {4 * row}$"
         if OPENING[name]:
             [line] = marks(upper)
-            np.testing.assert_array_equal(line.get_xdata(), u["bead"][u[row] < 0.0])
+            np.testing.assert_array_equal(line.get_xdata(), u["bead"][opened(u)[row]])
             assert np.all(line.get_ydata() == MARK_HEIGHT)
         else:
             assert marks(upper) == []
@@ -266,7 +287,7 @@ def test_few_colours_keep_open_contacts_red(motions, tmp_path):
     movie = gf.plot.animate(motions["pressure"])
     movie.write(tmp_path / "front.gif")
     u = contacts(motions["pressure"], motions["pressure"]["relative_displacement_grid"])
-    openings = (u < 0.0).sum("bead").values
+    openings = opened(u).sum("bead").values
     red = np.array(matplotlib.colors.to_rgb(ALARM_COLOUR)) * 255
     reds = []
     with Image.open(tmp_path / "front.gif") as written:

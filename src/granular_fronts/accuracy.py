@@ -185,6 +185,25 @@ def recorded(variable: xr.DataArray) -> Estimate:
     return Estimate(float(variable), float(variable.attrs["error_estimate"]))
 
 
+def certain_sign(variable: xr.DataArray) -> xr.DataArray:
+    """Sign of each value, 0 where its `error_estimate` leaves it open.
+
+    A contact counts as open where the sign of its relative displacement is -1.
+
+    Parameters
+    ----------
+    variable : xarray.DataArray
+        With its `error_estimate`.
+
+    Returns
+    -------
+    xarray.DataArray
+        -1, 0 or 1; 0 for NaN.
+    """
+    error = variable.attrs["error_estimate"]
+    return (variable > error).astype(int) - (variable < -error).astype(int)
+
+
 def tabulated(dataset: xr.Dataset, name: str) -> Estimate:
     """A number of a dataset, with the error that stands in the variable beside it."""
     return Estimate(float(dataset[name]), float(dataset[f"{name}_error"]))

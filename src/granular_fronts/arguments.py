@@ -188,7 +188,8 @@ def instance(name: str, value: object, kind: type[Kind], advice: str) -> Kind:
     """
     if isinstance(value, kind):
         return value
-    raise InputError(f"{name} is {shown(value)}, but must be a {kind.__name__}: {advice}.")
+    wanted = with_article(kind.__name__)
+    raise InputError(f"{name} is {shown(value)}, but must be {wanted}: {advice}.")
 
 
 def path(name: str, value: object) -> Path:
@@ -268,6 +269,11 @@ def _limits_in_words(above: Limit, least: Limit, below: Limit, most: Limit) -> s
         f"{word} {limit:g}" for word, limit in words if limit is not None and math.isfinite(limit)
     ]
     return f", {' and '.join(limits)}" if limits else ""
+
+
+def with_article(noun: str) -> str:
+    """A noun behind "a" or "an", by its first letter."""
+    return f"{'an' if noun[0] in 'AEIOUaeiou' else 'a'} {noun}"
 
 
 def shown(value: Any) -> str:

@@ -1,8 +1,11 @@
 """The files of the project that the record of a run holds."""
 
-# What others need to make the same results again. How the project is developed is no part of it.
+# What others need to make the same results again, and to read about them.
 PROJECT_FILES = [
+    "*environment.txt",
+    "CHANGELOG.md",
     "CITATION.cff",
+    "CONTRIBUTING.md",
     "Containerfile",
     "LICENSE",
     "Makefile",
@@ -10,7 +13,7 @@ PROJECT_FILES = [
     "Snakefile",
     "codecheck.yml",
     "config/**/*",
-    "environment.txt",
+    "docs/**/*",
     "profiles/default/config.yaml",
     "pyproject.toml",
     "src/**/*",
@@ -20,11 +23,21 @@ PROJECT_FILES = [
 ]
 
 
+# Written by the build of the manual, by Python and by editors.
+MADE_FOLDERS = {
+    "__pycache__",
+    ".ipynb_checkpoints",
+    "_build",
+    "generated",
+    "jupyter_execute",
+}
+
+
 def project_files(wildcards):
     """Return the files of the project that the record holds."""
     found = [file for name in PROJECT_FILES for file in Path(PROJECT).glob(name)]
     return [
         project(file)
         for file in sorted(found)
-        if file.is_file() and not {"__pycache__", ".ipynb_checkpoints"} & set(file.parts)
+        if file.is_file() and not MADE_FOLDERS & set(file.relative_to(PROJECT).parts)
     ]

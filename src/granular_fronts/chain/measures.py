@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from granular_fronts.accuracy import Estimate, estimate, recorded, rounded
+from granular_fronts.accuracy import Estimate, certain_sign, estimate, recorded, rounded
 
 # A maximum of the mean compression counts if it stands out by this fraction of δ.
 PROMINENCE = 0.1
@@ -175,17 +175,15 @@ def openings_after_the_widest_gap(dataset):
     """Number of contacts seen to open after the time of the smallest relative displacement."""
     start = float(dataset["smallest_relative_displacement_time"])
     u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
-    # What is closer to 0 than its error may be open or closed.
-    level = u.attrs["error_estimate"]
-    later = u.sel(t_grid=slice(start, None)).values
-    opened = (later[:-1] > level) & (later[1:] < -level)
+    signs = certain_sign(u).sel(t_grid=slice(start, None)).values
+    opened = (signs[:-1] == 1) & (signs[1:] == -1)
     return Estimate(float(opened.any(axis=0).sum()), 0.0)
 
 
 def openings(dataset):
     """Number of contacts that are seen open on the space-time grid."""
     u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
-    return Estimate(float((u < -u.attrs["error_estimate"]).any("t_grid").sum()), 0.0)
+    return Estimate(float((certain_sign(u) < 0).any("t_grid").sum()), 0.0)
 
 
 def thickening(dataset):

@@ -11,6 +11,7 @@ from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from granular_fronts.accuracy import certain_sign
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
@@ -139,7 +140,7 @@ def moving_parts(motion: xr.Dataset, suffix: str = "") -> dict[str, xr.DataArray
 
 def open_contacts(u: xr.DataArray) -> np.ndarray:
     """Numbers n of the contacts that are open, of relative displacements on (bead)."""
-    return u["bead"].values[u.values < 0.0]
+    return u["bead"].values[certain_sign(u).values < 0]
 
 
 def draw_open_contacts(

@@ -18,6 +18,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
+from granular_fronts.accuracy import certain_sign
 from granular_fronts.arguments import count, instance
 from granular_fronts.errors import InputError
 from granular_fronts.output.movies import Movie, moving_chain
@@ -218,7 +219,8 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
         If this is no motion, or one without a space-time grid.
     """
     u, velocity = moving_parts(_on_grid(motion), "_grid").values()
-    largest, clipped = float(u.max()), contacts_open(motion) and float(u.min()) < 0.0
+    largest = float(u.max())
+    clipped = contacts_open(motion) and bool((certain_sign(u) < 0).any())
     with looks_of_figures():
         _, panels = new_figure(4.4, [["u", "velocity"]], plt.figure)
         draw_spacetime(

@@ -19,19 +19,22 @@ front, there are none, and `verdict` says so.
 """
 
 import numpy as np
-import xarray as xr
 
 from granular_fronts.fronts.linear.floquet import LARGEST_DEFECT, front_multipliers
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import ERROR_METHODS, evaluate_front
-from granular_fronts.output.progress import counted
 from granular_fronts.studies.continuum_fronts import (
     HETEROCLINIC,
     LOGARITHMIC,
     UNLIMITED,
     continuum_fronts,
 )
-from granular_fronts.studies.front_survey import properties_of, solve_converged
+from granular_fronts.studies.front_survey import (
+    over_plane,
+    properties_of,
+    solve_converged,
+    without_dimensions,
+)
 from granular_fronts.studies.fronts_compared import CONTINUUM_METHOD, LAST_DIGIT
 
 PLACES = 401
@@ -79,19 +82,7 @@ def collect_fronts(exponents, dampings):
     NoFrontError
         If a front is not found.
     """
-    plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
-    points = [collect_front(*point) for point in counted(plane, "collection of fronts", "front")]
-    shape = len(exponents), len(dampings)
-    collection = xr.Dataset(
-        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)}
-    )
-    for name, (dimensions, _) in points[0].items():
-        values = np.array([point[name][1] for point in points])
-        collection[name] = (
-            ("alpha", "gamma", *dimensions),
-            values.reshape(shape + values.shape[1:]),
-        )
-    return with_errors(collection)
+    return with_errors(over_plane(exponents, dampings, collect_front, "collection of fronts"))
 
 
 def collect_front(alpha, gamma):
@@ -102,13 +93,12 @@ def collect_front(alpha, gamma):
     xi = window(front, roots[0])
     profiles = {"": evaluate_front(front, xi)}
     profiles |= {f"_{name}": u for name, (u, _) in continuum_fronts(alpha, gamma, xi).items()}
-    scalars = properties_of(front) | of_spectrum
     return {
         "xi": (("place",), xi),
         **{f"relative_displacement{name}": (("place",), u) for name, u in profiles.items()},
         **parts("tail_root", "root", roots),
         **parts("multiplier", "multiplier", multipliers),
-        **{name: ((), value) for name, value in scalars.items()},
+        **without_dimensions(properties_of(front) | of_spectrum),
     }
 
 

@@ -17,6 +17,7 @@ from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.properties import MEASURES
 from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.output.progress import counted
 from granular_fronts.studies.continuum_fronts import (
     HETEROCLINIC,
     LOGARITHMIC,
@@ -46,19 +47,48 @@ def survey_fronts(exponents, dampings):
         `residual`, `error`, `converged`, the leading tail root (`tail_rate`, `tail_frequency`),
         `mu_heteroclinic` and `distance_<front>`; on (alpha): `critical_damping`.
     """
-    rows = [
-        [properties_of(solve_converged(alpha, gamma)) for gamma in dampings] for alpha in exponents
-    ]
-    names = rows[0][0]
-    survey = xr.Dataset(
-        {
-            name: (("alpha", "gamma"), np.array([[point[name] for point in row] for row in rows]))
-            for name in names
-        },
-        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)},
-    )
+    survey = over_plane(exponents, dampings, survey_front, "survey of fronts")
     survey["critical_damping"] = ("alpha", [critical_damping(alpha) for alpha in exponents])
     return survey
+
+
+def over_plane(exponents, dampings, solve, what):
+    """Collect what is known of a front at each exponent and damping.
+
+    Parameters
+    ----------
+    exponents, dampings : sequence of float
+        As of `survey_fronts`.
+    solve : callable
+        Takes α and γ, and returns a mapping of names to dimensions and values.
+    what : str
+        Name of the progress bar.
+
+    Returns
+    -------
+    xarray.Dataset
+        Each variable on (alpha, gamma) and its own dimensions.
+    """
+    plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
+    points = [solve(*point) for point in counted(plane, what, "front")]
+    shape = len(exponents), len(dampings)
+    found = xr.Dataset(
+        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)}
+    )
+    for name, (dimensions, _) in points[0].items():
+        values = np.array([point[name][1] for point in points])
+        found[name] = ("alpha", "gamma", *dimensions), values.reshape(shape + values.shape[1:])
+    return found
+
+
+def survey_front(alpha, gamma):
+    """One point of the survey, as a mapping of names to dimensions and values."""
+    return without_dimensions(properties_of(solve_converged(alpha, gamma)))
+
+
+def without_dimensions(numbers):
+    """Numbers by name as variables without dimensions of their own."""
+    return {name: ((), value) for name, value in numbers.items()}
 
 
 def solve_converged(alpha, gamma):
@@ -70,7 +100,7 @@ def solve_converged(alpha, gamma):
 
 
 def properties_of(front):
-    """One point of the survey, as a mapping of numbers."""
+    """What the survey keeps of a front, as a mapping of numbers."""
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     root = tail_roots(alpha, gamma, count=1)[0]
     return {

@@ -10,7 +10,15 @@ const scene = byId("scene"), field = byId("field"), time = byId("time"), bead = 
 const play = byId("play"), reading = byId("motion-reading")
 
 const motion = () => motions[scene.value]
-const isOpen = u => motion().opens && u < 0
+
+const numbersOf = values => Array.from(values, (_, k) => k + 1)
+
+// Numbers of the contacts that are open: extended by more than the error of u, where no force holds them.
+function openContacts(u, row) {
+  const chosen = motion(), encoded = chosen.relative_displacement
+  const error = encoded.error + roundingError(encoded, row)
+  return numbersOf(u).filter(n => chosen.opens && u[n - 1] < -error)
+}
 
 function chooseScene() {
   const chosen = motion(), times = chosen.times, count = chosen.beads
@@ -56,21 +64,20 @@ function drawMoment() {
   const t = chosen.times[row]
   const u = decodeRow(chosen.relative_displacement, row)
   const v = decodeRow(chosen.velocity, row)
-  const numbers = Array.from(u, (_, k) => k + 1)
-  const open = numbers.filter(number => isOpen(u[number - 1]))
-  profile.data = {n: numbers, u, v}
+  const open = openContacts(u, row)
+  profile.data = {n: numbersOf(u), u, v}
   const lowest = -GAPS_SHOWN * chosen.largest
   gaps.data = {n: open, u: open.map(number => Math.max(u[number - 1], lowest))}
   time_cursor.location = t
   for (const cursor of bead_cursors) cursor.location = n
-  drawBeads(n, u, v)
+  drawBeads(n, u, v, open)
   sayValue(time, `t = ${rounded(t)}`)
   sayValue(bead, `n = ${n}`)
   sayReading(t, n, open.length, row, {relative_displacement: u, velocity: v})
 }
 
 // Bead n stays where it is, and the others are placed by the contacts between.
-function drawBeads(n, u, v) {
+function drawBeads(n, u, v, open) {
   const scale = OVERLAP / motion().largest
   const first = Math.max(1, n - NEIGHBOURS), last = Math.min(u.length, n + NEIGHBOURS)
   const place = new Map([[n, n]])
@@ -84,7 +91,7 @@ function drawBeads(n, u, v) {
     v: shown.map(k => v[k - 1]),
     edge: shown.map(k => (k === n ? "#b35900" : "#1d2733")),
   }
-  const wide = shown.slice(0, -1).filter(k => isOpen(u[k - 1]))
+  const wide = open.filter(k => k >= first && k < last)
   openings.data = {
     start: wide.map(k => place.get(k) + 0.5),
     stop: wide.map(k => place.get(k + 1) - 0.5),

@@ -21,7 +21,9 @@ from rocrate.rocrate import ROCrate
 FORMATS = {
     ".cff": "application/yaml",
     ".csv": "text/csv",
+    ".gif": "image/gif",
     ".html": "text/html",
+    ".js": "text/javascript",
     ".json": "application/json",
     ".md": "text/markdown",
     ".nc": "application/netcdf",
@@ -29,6 +31,7 @@ FORMATS = {
     ".png": "image/png",
     ".py": "text/x-python",
     ".rst": "text/x-rst",
+    ".svg": "image/svg+xml",
     ".toml": "application/toml",
     ".tsv": "text/tab-separated-values",
     ".yaml": "application/yaml",
@@ -175,19 +178,24 @@ def add_software(crate: ROCrate, project: Path) -> list[Entity]:
 
 
 def add_package(crate: ROCrate, name: str) -> Entity:
-    """Add an installed Python package under its package URL."""
+    """Add an installed Python package under its package URL (`package_identifier`)."""
     described = metadata.metadata(name)
     pages = [line.split(", ", 1)[1] for line in described.get_all("Project-URL") or []]
     if "Home-page" in described:
         pages.insert(0, described["Home-page"])
     return add_thing(
         crate,
-        f"pkg:pypi/{name}@{described['Version']}",
+        package_identifier(name),
         "SoftwareApplication",
         name=described["Name"],
         softwareVersion=described["Version"],
         **({"url": pages[0]} if pages else {}),
     )
+
+
+def package_identifier(name: str) -> str:
+    """The package URL of an installed Python package."""
+    return f"pkg:pypi/{name}@{metadata.version(name)}"
 
 
 def installed_packages() -> str:

@@ -20,11 +20,11 @@ from rocrate.rocrate import ROCrate
 from crate.entities import (
     add_citation,
     add_file,
-    add_package,
     add_software,
     add_thing,
     describe_file,
     installed_packages,
+    package_identifier,
 )
 from crate.jobs import Job
 
@@ -89,7 +89,8 @@ def describe_run(run: Run) -> ROCrate:
     files[run.project / "README.md"]["about"] = root
     root["name"] = f"A run of {cited['name']}"
     root["description"] = (
-        "The workflow, its configuration and environment, every job that ran, and all results. "
+        "The workflow, its configuration and environment, every job that ran, all results, and the "
+        "manual, which begins in docs/index.md. "
         "To run it again, unpack it and call: make .venv/installed; "
         ".venv/bin/snakemake -c2 --configfile configuration.yaml --config results=again"
     )
@@ -262,7 +263,7 @@ def add_calls(crate: ROCrate, run: Run, workflow: Entity, actions: Mapping[str, 
             **times(run.jobs),
         },
     )
-    engine = add_package(crate, "snakemake")
+    engine = crate.get(package_identifier("snakemake"))
     controls = [
         add_thing(
             crate,

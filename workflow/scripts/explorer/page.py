@@ -22,9 +22,12 @@ from bokeh.resources import INLINE
 from explorer.encoding import Encoded
 from explorer.fronts import draw_fronts, encode_fronts, fronts_for_page
 from explorer.motions import FIELDS, draw_motions, encode_motion, motion_for_page
+from granular_fronts.model.laws import Law, make_law
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.provenance import code_version, origin
+
+SYMBOLS = {"alpha": "α", "beta": "β", "gamma": "γ"}
 
 TWO_DIGITS_UP = Context(prec=2, rounding=ROUND_CEILING)
 
@@ -129,12 +132,31 @@ def describe_source(data: xr.Dataset, reference: Mapping[str, Any]) -> dict[str,
 def describe_scene(data: xr.Dataset) -> dict[str, str]:
     """What the page calls a scene."""
     asked, scene = configuration_of(data), data.attrs["scene"]
-    law, is_ring = asked["law"], "half_beads" in asked or asked["boundary"]["kind"] == "ring"
-    numbers = {"alpha": "α", "beta": "β", "gamma": "γ"}
-    said = [f"{sign} = {law[key]:g}" for key, sign in numbers.items() if key in law]
+    is_ring = "half_beads" in asked or asked["boundary"]["kind"] == "ring"
     beads = f"{'ring' if is_ring else 'chain'} of {data.sizes['bead']} beads"
-    words = ", ".join([scene.replace("_", " "), beads, *said])
-    return {"name": scene, "title": words}
+    words = [scene.replace("_", " "), beads, law_in_words(make_law(asked["law"]))]
+    return {"name": scene, "title": ", ".join(words)}
+
+
+def law_in_words(law: Law) -> str:
+    """A law with its numbers, those of the paper's law or those of both potentials."""
+    described = law.describe()
+    if law.is_power:
+        return numbers_in_words(described)
+    kind = described["viscous"]["kind"].replace("_", " ")
+    elastic = f"{law.elastic.name} ({numbers_in_words(described['elastic'])})"
+    if kind == "none":
+        return f"{elastic}, no damping"
+    return f"{elastic}, {kind} damping ({numbers_in_words(described['viscous'])})"
+
+
+def numbers_in_words(parameters: Mapping[str, Any]) -> str:
+    """The numbers among some parameters, each with its symbol or name."""
+    return ", ".join(
+        f"{SYMBOLS.get(name, name)} = {value:g}"
+        for name, value in parameters.items()
+        if name != "kind"
+    )
 
 
 def errors(
