@@ -363,7 +363,7 @@ def test_a_sweep_without_overshoot_says_so_and_axes_must_be_axes():
     sweep = gf.sweep_fronts(1.5, [0.6, 0.7])
     [text] = gf.plot.sweep(sweep).texts
     assert text.get_text() == "no overshoot"
-    with pytest.raises(InputError, match="axes is 'x', but must be a Axes: leave it out"):
+    with pytest.raises(InputError, match="axes is 'x', but must be an Axes: leave it out"):
         gf.plot.sweep(sweep, axes="x")
 
 
