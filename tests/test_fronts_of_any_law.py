@@ -316,7 +316,7 @@ def test_what_cannot_be_found_is_a_record_with_a_reason(law, states, words):
         ({"law": TODA, "states": (-1, 0, 1)}, "states holds 3 numbers"),
         ({"law": TODA, "states": (-1, 0), "alpha": 1.5}, "alpha and law are given together"),
         ({"law": TODA, "states": (-1, 0), "right_state": 0.1}, "right_state is 0.1 beside a law"),
-        ({"law": TODA, "states": (-1, 0), "method": "shooting"}, "shooting knows two powers"),
+        ({"law": TODA, "states": (-1, 0), "method": "shooting"}, r"shooting takes the law \(28\)"),
         ({"law": {"elastic": {"kind": "tode"}}, "states": (-1, 0)}, "did you mean toda"),
         ({"law": 1.5, "states": (-1, 0)}, "law is 1.5"),
         ({}, "alpha is None"),

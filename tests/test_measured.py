@@ -8,6 +8,8 @@ import pytest
 import yaml
 from projects import ROOT
 
+from granular_fronts.campaign import cost
+from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
 from granular_fronts.studies.ring_limit import resolutions
 
@@ -134,6 +136,28 @@ def test_sizes_of_rings_are_those_of_figure_20():
         round(beads, -3),
         points * usual.places,
     ]
+
+
+RATES = re.compile(
+    r"more than (?P<front>\d+) exact fronts in a second of processor time, at α = 3/2 over "
+    r"0\.1 ≤ γ ≤ 1, or more than (?P<chain>\d+) chains of 200 beads at a tolerance of 10⁻⁹"
+)
+CAMPAIGNS = {
+    "front": {"axes": {"gamma": {"logspace": [0.1, 1, 400]}}, "fixed": {"alpha": 1.5}},
+    "chain": {
+        "axes": {"gamma": {"logspace": [0.05, 1, 40]}},
+        "fixed": {"alpha": 1.5, "delta": 0.1, "beads": 200},
+        "tolerance": 1e-9,
+    },
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", CAMPAIGNS)
+def test_campaigns_are_as_fast_as_the_page_says(kind):
+    text = " ".join(TEXTS[ROOT / "docs" / "performance.md"].split())
+    asked = check_campaign({"kind": kind, **CAMPAIGNS[kind]}, kind)
+    assert 1.0 / cost.measure(asked) > int(RATES.search(text)[kind])
 
 
 def test_slopes_are_fitted_over_the_rings_that_the_page_names():

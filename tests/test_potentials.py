@@ -144,7 +144,7 @@ def make(interval=(-1.0, 1.0), **replaced):
         ({"first": lambda r: -(r**3)}, "V' of mine is .*, but the finite difference there is"),
         ({"second": lambda r: 3.000_02 * r**2}, "V'' of mine is .*, but the finite difference"),
         ({"third": lambda r: np.zeros_like(r)}, "V''' of mine is 0 at"),
-        ({"interval": (1.0, -1.0)}, "interval is .* must grow"),
+        ({"interval": (1.0, -1.0)}, "interval is .* must increase"),
     ],
 )
 def test_wrong_potential_is_named(replaced, sentence):

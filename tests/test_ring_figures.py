@@ -9,6 +9,7 @@ import xarray as xr
 from campaigns import all_chunks, campaign, solve
 from rings import SCENES
 
+from granular_fronts.accuracy import Estimate
 from granular_fronts.campaign import measures, merging
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.output.style import MODEL_LOOKS
@@ -89,6 +90,20 @@ def test_fig20_draws_every_equation_in_every_limit(rings):
     orders = measures.fitted_order(rings["gamma"], "displacement_sup_logarithmic")
     assert f"(41): {orders.value:.2f} ±" in gamma.get_title()
     plt.close("all")
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "words"),
+    [
+        (0.9293, 0.042, "0.93 ± 0.04"),
+        (-0.061, 0.03, "−0.06 ± 0.03"),
+        (-0.002, 0.013, "0.00 ± 0.01"),
+        (0.9991, 0.0018, "0.999 ± 0.002"),
+    ],
+)
+def test_fig20_writes_orders_with_the_digits_of_their_errors(value, error, words):
+    plot_fig20 = importlib.import_module("plot_fig20")
+    assert plot_fig20.with_error(Estimate(value, error)) == words
 
 
 def test_fig21_draws_the_best_equation_and_times_of_loss(rings, paper_runs):

@@ -54,8 +54,8 @@ def test_a_solitary_wave_whose_iteration_does_not_settle(monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"law": gf.make_law(**TODA), "states": (-1.0, 0.0)}, "shooting knows two powers"),
-        ({"alpha": 1.5, "gamma": 0.3, "right_state": 0.2}, "closes its window on a chain at rest"),
+        ({"law": gf.make_law(**TODA), "states": (-1.0, 0.0)}, r"shooting takes the law \(28\)"),
+        ({"alpha": 1.5, "gamma": 0.3, "right_state": 0.2}, "needs a chain at rest ahead"),
     ],
 )
 def test_shooting_names_the_method_for_other_fronts(arguments, words):

@@ -6,7 +6,7 @@ reading a help text does not wait for numpy and numba.
 
 from importlib import import_module
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 _HOME_OF = {
     "Potential": "granular_fronts.model.potentials",

@@ -1,10 +1,13 @@
 """Figure 20: errors of the amplitude equations on rings of beads as α → 1."""
 
+import math
+
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
+from granular_fronts.accuracy import Estimate
 from granular_fronts.campaign.measures import fitted_order, selected
 from granular_fronts.output.style import CHAIN_COLOUR, MODEL_LOOKS, new_figure
 
@@ -85,7 +88,14 @@ def order_text(campaign: xr.Dataset, error: str, parameter: str) -> str:
         fitted_order(campaign, error, slow_time=SLOW_TIME, **{parameter: value})
         for value in campaign[parameter].values
     ]
-    return ", ".join(f"{order.value:.2f} ± {order.error:.2f}" for order in orders)
+    return ", ".join(map(with_error, orders))
+
+
+def with_error(order: Estimate) -> str:
+    """A fitted order and its error, with the digits that the error leaves, two at least."""
+    # A line through two points fits exactly.
+    digits = max(2, math.ceil(-math.log10(order.error or 1.0)))
+    return f"{order.value:z.{digits}f} ± {order.error:.{digits}f}".replace("-", "−")
 
 
 def draw_over_time(axes: Axes, pulses: xr.Dataset, front: xr.Dataset) -> None:
@@ -129,7 +139,7 @@ def draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
         epsilon, error, _ = selected(damping, f"residual_{formula}", **place)
         axes.plot(epsilon, error, color=CHAIN_COLOUR, marker=marker, ms=3)
         order = fitted_order(damping, f"residual_{formula}", **place)
-        rows.append(f"{label}: {order.value:.2f} ± {order.error:.2f}")
+        rows.append(f"{label}: {with_error(order)}")
     title = r"$\gamma c = 1$: $\dot x$ less a formula in $y$"
     axes.set_title(title + "\nslopes\n" + "\n".join(rows), fontsize=7)
     axes.set(xlabel=r"$\varepsilon$", ylabel=r"$\sup|\Delta\dot x|/\delta c$ at $\tau = 1$")

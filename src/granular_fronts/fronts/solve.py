@@ -234,12 +234,12 @@ def by_shooting(question):
     if not (law.is_power and question.behind == -1.0):
         raise InputError(
             f"law is {json.dumps(law.describe(), default=str)} and the states are "
-            f"{question.behind:g} and {question.ahead:g}, but shooting knows two powers from "
-            'compression 1 into a chain at rest: use method "profile".'
+            f"{question.behind:g} and {question.ahead:g}, but shooting takes the law (28) alone, "
+            'from compression 1 into a chain at rest: use method "profile".'
         )
     if question.ahead < 0.0:
         raise InputError(
-            f"right_state is {-question.ahead}, but shooting closes its window on a chain at rest: "
+            f"right_state is {-question.ahead}, but shooting needs a chain at rest ahead: "
             'use method "profile".'
         )
     shots = refined_by(

@@ -25,7 +25,7 @@ def check_interval(interval):
     """Both ends of an interval, in their order."""
     ends = sequence("interval", interval)
     if ends.size != 2 or not ends[0] < ends[1]:
-        raise InputError(f"interval is {interval}, but must grow: give its two ends in order.")
+        raise InputError(f"interval is {interval}, but its ends must increase: give them in order.")
     return map(float, ends)
 
 

@@ -15,8 +15,7 @@ or of a SymPy expression.  Its functions take and return arrays; `model.passes` 
 chains.  Potentials with a minimum have it at r = 0, where the chain is at rest; the units are the
 user's.
 
-This module imports nothing heavier than numpy; SymPy is needed by those alone who bring an
-expression.
+This module imports nothing heavier than numpy; SymPy is needed for expressions alone.
 """
 
 from __future__ import annotations
