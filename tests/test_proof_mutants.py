@@ -206,11 +206,12 @@ class Examples:
 
     def believed(self, made):
         """Whether modules prove something from what is wrong."""
-        if any(made["checker"].check_certificate(path)["proved"] for path in self.wrong):
-            return True
-        if any(joined(made, pair) for pair in self.apart) or wrong_tails(made):
-            return True
-        return any(overlooked(made, self.pair, cell) for cell in (0, -1))
+        return (
+            wrong_tails(made)
+            or any(overlooked(made, self.pair, cell) for cell in (0, -1))
+            or any(joined(made, pair) for pair in self.apart)
+            or any(made["checker"].check_certificate(path)["proved"] for path in self.wrong)
+        )
 
 
 def tails(module):
