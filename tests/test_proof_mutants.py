@@ -35,13 +35,16 @@ PACKAGE = "granular_fronts.proofs"
 TRUSTED = (
     "balls",
     "inequalities",
+    "arrays",
+    "contraction",
     "tail_roots",
     "consequences",
     "rear_expansion",
     "checker",
     "families",
 )
-SOURCES = {name: (ROOT / f"src/granular_fronts/proofs/{name}.py").read_text() for name in TRUSTED}
+FOLDER = ROOT / "src/granular_fronts/proofs"
+SOURCES = {name: (FOLDER / f"{name.replace('.', '/')}.py").read_text() for name in TRUSTED}
 EXCHANGED = {
     ast.Add: ast.Sub,
     ast.Sub: ast.Add,
