@@ -15,6 +15,7 @@ from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
+from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.existence import approximate, chebyshev_nodes
 from granular_fronts.proofs.stored import beads, differences, fractions, integers, kernels
 
@@ -41,6 +42,7 @@ def prove_front(
     cells: int = 20,
     fine: int = FINE,
     drift: float = DRIFT,
+    beta: int | None = None,
 ) -> dict[str, Any]:
     """Prove that a front exists, near the computed one, and what it looks like.
 
@@ -49,7 +51,7 @@ def prove_front(
     alpha : int, float, str, Fraction or pair of them
         Exponent of the force, above 1: 2, "3/2" or "1.5"; a pair is an interval.
     gamma : int, float, str, Fraction or pair of them
-        Damping, above 0 (β = α).  The proof holds for every point of both intervals.
+        Damping, above 0.  The proof holds for every point of both intervals.
     path : str or path
         The certificate is written here, in a folder that exists.
     cells : int, optional
@@ -58,6 +60,9 @@ def prove_front(
         Cells of the inverse behind per cell of the window, from 1 to 1000.
     drift : float, optional
         Largest absolute value of a(u)/α − 1 behind the window, between 0 and 1.
+    beta : 1, optional
+        Exponent of the damping: α by default, or 1, linear dashpots, whose intervals must be
+        narrow, as the approximate front does not depend on γ.
 
     Returns
     -------
@@ -75,10 +80,15 @@ def prove_front(
     cells = arguments.count("cells", cells, least=8, most=200)
     fine = arguments.count("fine", fine, most=1000)
     drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
-    front = solve_front(float(sum(exponents) / 2), float(sum(interval) / 2))
+    if beta is not None and arguments.scalar("beta", beta) != 1.0:
+        raise InputError(
+            f"beta is {beta}, but fronts are proved for β = 1 and β = α: leave it out."
+        )
+    front = solve_front(float(sum(exponents) / 2), float(sum(interval) / 2), beta)
     if not front.attrs["converged"]:
         raise InputError(f"no front to prove: {front.attrs['reason']}.")
-    fields = describe(front, exponents, interval, cells, fine, drift)
+    described = describe_dashpots if beta == 1 else describe
+    fields = described(front, exponents, interval, cells, fine, drift)
     record = _write_and_check(path, fields)
     if not record["proved"] and "roots" in fields:  # Perhaps without the expansion behind.
         fields = {name: values for name, values in fields.items() if name not in EXPANSION}

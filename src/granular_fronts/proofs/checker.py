@@ -37,6 +37,7 @@ from granular_fronts.proofs.balls import (
 )
 from granular_fronts.proofs.consequences import shape
 from granular_fronts.proofs.contraction import Contraction
+from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.rear_expansion import expand
 from granular_fronts.proofs.tail_roots import require_zeros
 
@@ -64,7 +65,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Parameters
     ----------
     path : str or path
-        A file that `prove_front` wrote.
+        A file that `prove_front` wrote, of either law.
 
     Returns
     -------
@@ -74,8 +75,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
         are `overshoot` (max u* is above it), `rate` (the middle of λ₁ or ρ), `amplitude_low` and
         `amplitude_high` (of A or B), and as 1 `monotone`, `oscillates` (behind, so that max u* > 1)
-        and `critical` (monotone from some γ on, and not below); `inequalities`, dicts of `name`,
-        `left` and `right` (left < right, rounded outwards) and their difference `margin`.
+        and `critical` (monotone from some γ on, and not below), with dashpots `tail_start`,
+        `tail_low` and `tail_high` (of the exponentials that bound u* ahead); `inequalities`, dicts
+        of `name`, `left` and `right` (left < right, rounded outwards) and their difference
+        `margin`.
 
     Raises
     ------
@@ -86,7 +89,8 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
     try:
         with in_balls():
-            front = Front(read(path))
+            data = load(path)
+            front = DashpotFront(data) if "strain" in data else Front(checked(data))
             statements = list(front.prove())
             record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
