@@ -3,7 +3,7 @@
 Notation of `existence`; u = u*, P = u₊^α, σ(ν) = ν − 2γ (cosh ν − 1), which is concave, positive
 from 0 to its zero μ and negative beyond.  By Lemma 14,
 
-    −u' = γ Δu + W,      W(ξ) = ∫_{ξ−1}^ξ P − ∫_ξ^{ξ+1} P,                                      (1)
+    −u' = γ Δu + W,      W(ξ) = ∫_{ξ−1}^ξ P − ∫_ξ^{ξ+1} P,                                      (a)
 
 a heat equation on the lattice, in the frame of the front, and e^(−νξ) leaves −u' − γ Δu = σ(ν)
 e^(−νξ).  That a force which vanishes faster than the strain disturbs it little, Lemma 19 shows by
@@ -16,12 +16,12 @@ comparison with such exponentials.  Unlike with β = α the tail is exponential.
 with ∫ |G| (1 + e^(νs)) ds < ∞ for each ν < μ (Wiener, with weights).  Let s(x) = sup |u| over ξ >
 x.  Cutting at x leaves
 
-    u 1_{>x} − γ k*(u 1_{>x}) = 1_{>x} Λ*P + E,                                                 (2)
+    u 1_{>x} − γ k*(u 1_{>x}) = 1_{>x} Λ*P + E,                                                 (b)
 
 E = γ k*(u 1_{<x}) on (x, x + 1), −γ k*(u 1_{>x}) on (x − 1, x), 0 elsewhere; |E| ≤ γ s(x − 1),
 |Λ*P| ≤ s(x − 1)^α on ξ > x.  Hence s(x + d) ≤ (1 + ‖G‖₁) s(x − 1)^α + γ s(x − 1) ∫ |G| over (d −
 1, ∞), which is below s(x − 1)/2 for large d and x, as s → 0: u = O(e^(−κξ)) for some κ > 0.  Then
-P = O(e^(−ακξ)), and by (2) u = O(e^(−min(ακ, ν) ξ)); finitely many steps give ν. ∎
+P = O(e^(−ακξ)), and by (b) u = O(e^(−min(ακ, ν) ξ)); finitely many steps give ν. ∎
 
 **Lemma 19 (comparison).** Let t = ξ − x₁, σ(ν₁) > 0 > σ(ν₂), α ν₁ ≥ ν₂ > 0, and U, V > 0 with
 
@@ -32,11 +32,11 @@ Then u ≤ U e^(−ν₁t) and −u' ≥ V e^(−ν₂t) for all t ≥ 0; so u >
 e^(−ν₂t), and ν₁ < μ < ν₂.
 
 *Proof.* y = u e^(ν₁t) → 0 as t → ∞ (Lemma 18).  If y exceeds U, it has its largest value Y over t
-≥ −1 at some t > 0, where y' = 0.  Equation (1) there reads ν₁ Y = γ (e^(−ν₁) y(t + 1) − 2Y + e^ν₁
+≥ −1 at some t > 0, where y' = 0.  Equation (a) there reads ν₁ Y = γ (e^(−ν₁) y(t + 1) − 2Y + e^ν₁
 y(t − 1)) + e^(ν₁t) W ≤ γ (2 cosh ν₁ − 2) Y + e^(ν₁t) W, so σ(ν₁) Y ≤ e^(ν₁t) W ≤ e^(ν₁t) S
 ∫_{ξ−1}^ξ u₊ ≤ S Y (e^ν₁ − 1)/ν₁, a contradiction.
 
-By (1) u is C², and v = −u' solves −v' = γ Δv + ΔP, where ΔP ≥ −2P ≥ −2 U^α e^(−αν₁t) ≥ −2 U^α
+By (a) u is C², and v = −u' solves −v' = γ Δv + ΔP, where ΔP ≥ −2P ≥ −2 U^α e^(−αν₁t) ≥ −2 U^α
 e^(−ν₂t) for t ≥ 0; by Lemma 14 v → 0.  If z = v − V e^(−ν₂t), which is not negative for −1 ≤ t ≤ 0
 and tends to 0, is negative somewhere, it has its least value at some t > 0; there z' = 0, Δz ≥ 0
 and 0 = γ Δz + ΔP − V σ(ν₂) e^(−ν₂t) ≥ (−2 U^α − V σ(ν₂)) e^(−ν₂t) > 0, a contradiction. ∎
@@ -44,7 +44,7 @@ and 0 = γ Δz + ΔP − V σ(ν₂) e^(−ν₂t) ≥ (−2 U^α − V σ(ν₂
 **Lemma 20 (the tail).** If u > 0 on [x₁ − 1, ∞), there is C > 0 with u = C e^(−μξ) (1 + o(1)) as ξ
 → ∞.
 
-*Proof.* Take x = x₁ in (2), in t.  Its right-hand side f is not negative: for 0 < t < 1, E = γ ∫ u
+*Proof.* Take x = x₁ in (b), in t.  Its right-hand side f is not negative: for 0 < t < 1, E = γ ∫ u
 over (t − 1, 0), and for −1 < t < 0, E = γ ∫ u over (0, t + 1).  f = O(e^(−ηt)) for every η < αμ by
 Lemma 18.  The zeros of 1 − γ k̂ in a strip are finitely many, as k̂ → 0 far up; by the proof of
 Lemma 18 there are none with −μ < Re λ ≤ 0, and on Re λ = −μ only λ = −μ, a simple one, as 1 − γ
