@@ -63,6 +63,7 @@ O(e^(θξ)) as ξ → −∞.
 from flint import arb, fmpq
 
 from granular_fronts.proofs.balls import NotProvedError, above, array, bounds, largest, power
+from granular_fronts.proofs.consequences import overshoot
 from granular_fronts.proofs.tail_roots import Law, require_zeros
 
 
@@ -88,11 +89,7 @@ def shape(front):
         f" exp(−{float(slow)!r} t) for t ≥ 0."
     )
     yield "u* = C exp(−μξ) (1 + o(1)) as ξ → ∞, C > 0, where μ = 2γ (cosh μ − 1) > 0."
-    top = -min((-front.u_mid + front.rho * front.r), key=above).upper()
-    if top > 1:
-        front.require("overshoot", arb(1), top)
-        front.numbers["overshoot"] = -above(-top)
-        yield f"max u* > {-above(-top)!r}: the front overshoots."
+    yield from overshoot(front, front.u_mid - front.rho * front.r)
     front.require("theta > 0", arb(0), theta)
     behind = Law(front.alpha, front.gamma / front.alpha)
     require_zeros(behind, "no root up to theta", theta, 0)

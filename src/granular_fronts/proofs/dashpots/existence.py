@@ -42,7 +42,8 @@ mass 2, and |u*₊^α − ū₊^α| ≤ a(ū₊ + ρ r) ρ r as a increases. ∎
 **Lemma 16 (limits).** If A maps the y that vanish at both ends (ess sup of |y| over |ξ| > X tends
 to 0) to such functions, then u* → 1 at −∞ and → 0 at +∞.
 *Proof.* Those y form a closed subspace, and N maps it to itself: F(ū + z) vanishes at both ends if
-z does, since ∫Λ = 1 and ∫k = 0. ∎
+z does, since ∫Λ = 1 and ∫k = 0. ∎  The A of `right_inverse` does, as all its kernels have compact
+support.
 
 Z₂ is bounded as in `granular_fronts.proofs.existence`.  α and γ may be in intervals, on which ū
 and the numbers in A do not depend: all bounds hold for each of them.
