@@ -329,7 +329,7 @@ def proofs(alphas, gammas):
     data["overshoot_bound"] = "certificate", [0.1, np.nan, np.nan, np.nan]
     for row, shape in enumerate(("oscillates", "monotone", "critical")):
         data[shape] = "certificate", np.where(np.arange(4) == row, 1.0, np.nan)
-    data["alpha"] = "certificate", alphas
+    data["alpha"], data["beta"] = (("certificate", alphas) for _ in range(2))
     data["gamma_low"], data["gamma_high"] = (("certificate", ends) for ends in gammas)
     return data
 

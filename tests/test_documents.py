@@ -166,7 +166,7 @@ def test_a_configuration_that_can_be_computed_is_said_so(mine):
 @pytest.mark.slow
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     """Its command accepts the certificates kept, and its examples prove what they say."""
-    [command], [critical, code] = commands(PROOFS), blocks(PROOFS, "python")
+    [command], [critical, code, dashpots] = commands(PROOFS), blocks(PROOFS, "python")
     assert command.startswith("python -m granular_fronts.proofs ")
     outcome = run([sys.executable, *shlex.split(command)[1:]])
     assert outcome.returncode == 0, outcome.stderr
@@ -180,6 +180,9 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     exec(critical, names)
     assert names["record"]["numbers"]["critical"] == 1
     assert "is monotone" in names["record"]["statements"][-1]
+    exec(dashpots, names)
+    assert names["record"]["proved"]
+    assert names["record"]["numbers"]["overshoot"] > 1.0136
 
 
 def test_shown_configuration_is_possible(mine):

@@ -1,8 +1,9 @@
 """Figures 23 and 24: what is proved of fronts, and nothing that is not."""
 
 import numpy as np
+from figure_samples import SAMPLES
 from matplotlib.collections import LineCollection, PathCollection
-from pictures import assert_curve, assert_labels, curves, legend, picture
+from pictures import assert_curve, assert_labels, curves, draw, legend, panels, picture
 
 
 def test_figure_23_bars_span_the_proved_intervals():
@@ -37,6 +38,14 @@ def test_figure_23_marks_fronts_by_what_is_proved_of_their_shape():
     for line, name in zip(lines, ("overshoot", "tail", "long_wave"), strict=True):
         values = curves_of_damping[f"critical_damping_{name}"]
         assert_curve(line, curves_of_damping["alpha"], values)
+
+
+def test_figure_23_leaves_out_fronts_with_dashpots():
+    samples = SAMPLES["fig23"]()
+    samples["fronts"]["beta"] = "certificate", [1.0, *samples["fronts"]["alpha"].values[1:]]
+    axes = panels(draw("fig23", samples))["plane"]
+    marks = [each for each in axes.collections if isinstance(each, PathCollection)]
+    assert [len(mark.get_offsets()) for mark in marks] == [0, 1, 1, 1]
 
 
 def test_figure_23_shows_bounds_of_errors_and_maxima_over_the_damping():

@@ -40,13 +40,19 @@ PACKAGE = "granular_fronts.proofs"
 TRUSTED = (
     "balls",
     "inequalities",
+    "arrays",
+    "contraction",
     "tail_roots",
     "consequences",
+    "dashpots.row_norms",
+    "dashpots.ahead",
+    "dashpots.checker",
     "rear_expansion",
     "checker",
     "families",
 )
-SOURCES = {name: (ROOT / f"src/granular_fronts/proofs/{name}.py").read_text() for name in TRUSTED}
+FOLDER = ROOT / "src/granular_fronts/proofs"
+SOURCES = {name: (FOLDER / f"{name.replace('.', '/')}.py").read_text() for name in TRUSTED}
 EXCHANGED = {
     ast.Add: ast.Sub,
     ast.Sub: ast.Add,

@@ -18,7 +18,7 @@ from granular_fronts.fronts.solve import solve_front
 from granular_fronts.model.scaling import Scaling
 from granular_fronts.output import files, progress
 from granular_fronts.proofs import __main__ as proofs
-from granular_fronts.proofs import certificate
+from granular_fronts.proofs import certificate, stored
 from granular_fronts.studies import (
     front_survey,
     front_trends,
@@ -197,7 +197,7 @@ def test_a_certificate_needs_a_front(monkeypatch, tmp_path):
 
 def test_a_fraction_with_too_many_digits():
     with pytest.raises(InputError, match=r"a fraction has more than 18 digits: round it"):
-        certificate._integers(2**63)
+        stored.integers(2**63)
 
 
 def test_a_campaign_may_give_beads_by_a_range():

@@ -35,7 +35,7 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
     Parameters
     ----------
     fronts : xarray.Dataset
-        Single fronts that are proved.
+        Single fronts that are proved; those with β = α are drawn.
     intervals : xarray.Dataset
         Families of fronts that are proved.
     curves : xarray.Dataset
@@ -45,6 +45,7 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
     -------
     matplotlib.figure.Figure
     """
+    fronts = fronts.isel(certificate=fronts["beta"].values == fronts["alpha"].values)
     figure, panels = new_figure(4.4, [["plane", "errors"], ["plane", "maxima"]])
     errors = np.concatenate([data["error_bound"].values for data in (fronts, intervals)])
     norm = LogNorm(errors.min(), errors.max())

@@ -53,7 +53,8 @@ def prove(name: str, case: dict[str, Any], path: Path) -> dict[str, Any]:
             f"Front {name} is not proved, {found['reason']}: give it more cells or a smaller drift."
         )
     seconds = time.process_time() - start
-    return found | {"name": name, "alpha": case["alpha"], "path": path, "seconds": seconds}
+    law = {"alpha": case["alpha"], "beta": case.get("beta", case["alpha"])}
+    return found | law | {"name": name, "path": path, "seconds": seconds}
 
 
 if __name__ == "__main__":

@@ -61,6 +61,7 @@ def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
     return {
         "front": name,
         "alpha": float(group["alpha"][0]),
+        "beta": float(group["beta"][0]),
         "gamma": low if low == high else f"{low} to {high}",
         "shape": "; ".join(shapes(group)) or "existence and tails",
         "error of ū below": f"{rounded(float(group['error_bound'].max()), 3, ROUND_CEILING):.2e}",

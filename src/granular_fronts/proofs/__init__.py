@@ -6,7 +6,7 @@ linearisation there; `certificate` makes it with floating-point arithmetic and a
 near P̄, and what it looks like.  What has to be believed is the mathematics of `existence`,
 `right_inverse`, `consequences`, `tail_roots` and `rear_expansion`, the code of `checker`,
 `consequences`, `tail_roots`, `rear_expansion`, `inequalities` and `balls`, and python-flint below
-it.
+it.  `dashpots` does the same for linear dashpots (β = 1).
 """
 
 from importlib.util import find_spec

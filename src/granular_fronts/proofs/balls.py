@@ -73,23 +73,35 @@ def inverse_defect(alpha, gammas, w, n, rows, begin):
     γ and g are polynomials in s, `gammas` and `rows` their coefficients.  The rows, from begin/n
     on, are stored by their second differences in units of INVERSE_UNIT.
     """
-    count = rows.shape[1]
-    if not begin <= -n or begin + count < n:
-        raise NotProvedError("an inverse of the rear does not cover (−1, 1)")
-    g = [array(summed(row) * INVERSE_UNIT) for row in rows]
-    e = np.array([array([0] * (count + 2 * n)) for _ in range(len(g) + len(gammas) - 1)])
-    for k, row in enumerate(g):
-        e[k, n:-n] += row
-    for j, part in enumerate(gammas):
-        middles, whole = (part * f for f in slope_kernel(w, n)) if j else kernel(part, w, n)[:2]
-        e[j, -begin : 2 * n - begin] -= alpha * middles
-        for k, row in enumerate(g):
-            e[j + k] -= alpha * convolve(whole, row)
-    norms = np.cumsum(np.abs([*sum(map(np.abs, g)), arb(0)])[::-1])[::-1] / n
+    kernels = [
+        [alpha * f for f in kernel(gammas[0], w, n)[:2]],
+        *([alpha * part * f for f in slope_kernel(w, n)] for part in gammas[1:]),
+    ]
     gamma = horner(gammas, UNIT)
     smooth = (2 * w.sinh() / w if w > 0 else 2) + w * kernel(gamma, w, n)[2].sum()
-    slopes = alpha * (smooth + (smooth + 2 * gamma * (1 + w.cosh())) * norms[0])
-    return norms, np.abs(e).sum() / n + slopes / (2 * n)
+    return defect(kernels, (alpha * smooth, 2 * alpha * gamma * (1 + w.cosh())), n, rows, begin)
+
+
+def defect(kernels, variation, n, rows, begin):
+    """The same for e = g − f − f*g with another f on (−1, 1), smooth between −1, 0 and 1.
+
+    `kernels` has the coefficients of f in s: f in the middles of cells, and integrals as of
+    `kernel`.  `variation` bounds ∫|f'| between the jumps of f, and their sum.
+    """
+    count = rows.shape[1]
+    if not begin <= -n or begin + count < n:
+        raise NotProvedError("an inverse does not cover (−1, 1)")
+    g = [array(summed(row) * INVERSE_UNIT) for row in rows]
+    e = np.array([array([0] * (count + 2 * n)) for _ in range(len(g) + len(kernels) - 1)])
+    for k, row in enumerate(g):
+        e[k, n:-n] += row
+    for j, (middles, whole) in enumerate(kernels):
+        e[j, -begin : 2 * n - begin] -= middles
+        for k, row in enumerate(g):
+            e[j + k] -= convolve(whole, row)
+    norms = np.cumsum(np.abs([*sum(map(np.abs, g)), arb(0)])[::-1])[::-1] / n
+    smooth, jumps = variation
+    return norms, np.abs(e).sum() / n + (smooth + (smooth + jumps) * norms[0]) / (2 * n)
 
 
 def slope_kernel(w, n):

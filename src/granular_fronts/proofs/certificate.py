@@ -13,9 +13,11 @@ from granular_fronts.errors import InputError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.proofs import right_inverse
-from granular_fronts.proofs.balls import INVERSE_UNIT, MATRIX_UNIT
+from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
+from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.existence import approximate, chebyshev_nodes
+from granular_fronts.proofs.stored import beads, differences, fractions, integers, kernels
 
 LOST, LOST_BEHIND = 1e-4, 0.01
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
@@ -40,6 +42,7 @@ def prove_front(
     cells: int = 20,
     fine: int = FINE,
     drift: float = DRIFT,
+    beta: int | None = None,
 ) -> dict[str, Any]:
     """Prove that a front exists, near the computed one, and what it looks like.
 
@@ -48,7 +51,7 @@ def prove_front(
     alpha : int, float, str, Fraction or pair of them
         Exponent of the force, above 1: 2, "3/2" or "1.5"; a pair is an interval.
     gamma : int, float, str, Fraction or pair of them
-        Damping, above 0 (β = α).  The proof holds for every point of both intervals.
+        Damping, above 0.  The proof holds for every point of both intervals.
     path : str or path
         The certificate is written here, in a folder that exists.
     cells : int, optional
@@ -57,6 +60,9 @@ def prove_front(
         Cells of the inverse behind per cell of the window, from 1 to 1000.
     drift : float, optional
         Largest absolute value of a(u)/α − 1 behind the window, between 0 and 1.
+    beta : 1, optional
+        Exponent of the damping: α by default, or 1, linear dashpots, whose intervals must be
+        narrow, as the approximate front does not depend on γ.
 
     Returns
     -------
@@ -74,10 +80,15 @@ def prove_front(
     cells = arguments.count("cells", cells, least=8, most=200)
     fine = arguments.count("fine", fine, most=1000)
     drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
-    front = solve_front(float(sum(exponents) / 2), float(sum(interval) / 2))
+    if beta is not None and arguments.scalar("beta", beta) != 1.0:
+        raise InputError(
+            f"beta is {beta}, but fronts are proved for β = 1 and β = α: leave it out."
+        )
+    front = solve_front(float(sum(exponents) / 2), float(sum(interval) / 2), beta)
     if not front.attrs["converged"]:
         raise InputError(f"no front to prove: {front.attrs['reason']}.")
-    fields = describe(front, exponents, interval, cells, fine, drift)
+    described = describe_dashpots if beta == 1 else describe
+    fields = described(front, exponents, interval, cells, fine, drift)
     record = _write_and_check(path, fields)
     if not record["proved"] and "roots" in fields:  # Perhaps without the expansion behind.
         fields = {name: values for name, values in fields.items() if name not in EXPANSION}
@@ -98,25 +109,25 @@ def describe(front, alpha, interval, n, fine, drift):
     half = float(interval[1] - interval[0]) / 2
     nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
     fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
-    behind = _beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
-    ahead = _beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
-    c = _beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
+    behind = beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
+    ahead = beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
+    c = beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
     g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST, half)
 
     roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
-    longer = _beads(6.5 / roots[0].real) * n
+    longer = beads(6.5 / roots[0].real) * n
     first, last = -(c + q + 2) - longer // n, ahead + 1
     middles = (np.arange((last - first) * n) + 0.5) / n + first
     strain = np.maximum(evaluate_front(front, middles), 0.0)
     stiffness = exponent * strain ** (exponent - 1)
     correction = right_inverse.window_correction(stiffness, gamma, n, -first * n, longer)
     fields = {
-        "alpha": _fractions(alpha),
-        "gamma": _fractions(interval),
-        "sizes": _integers(behind, ahead, n, p, q, c, fine),
+        "alpha": fractions(alpha),
+        "gamma": fractions(interval),
+        "sizes": integers(behind, ahead, n, p, q, c, fine),
         "profile": approximate(fronts, behind, ahead, n),
-        "inverse": _kernels(g),
-        "correction": _differences(correction, MATRIX_UNIT, np.int16),
+        "inverse": kernels(g),
+        "correction": differences(correction, MATRIX_UNIT, np.int16),
         "weights": np.array([round(0.9 * roots[0].real, 4)]),
     }
     if alpha[0] == alpha[1] and front.attrs["overshoot"] < SMALL_OVERSHOOT:
@@ -142,9 +153,9 @@ def _expansion(alpha, gamma, half, n, xi, u):
     return {
         "weights": np.array([slow, fast]),
         "roots": np.array([row for row in found if row[0] < fast]),
-        "starts": _integers(x0, *(-p * n for _, p, _ in g), parts),
-        "slow_inverse": _kernels(g[0][0]),
-        "fast_inverse": _kernels(g[1][0]),
+        "starts": integers(x0, *(-p * n for _, p, _ in g), parts),
+        "slow_inverse": kernels(g[0][0]),
+        "fast_inverse": kernels(g[1][0]),
     }
 
 
@@ -211,32 +222,3 @@ def interval_of(numbers, name, above=0):
             f"the interval of {name} runs from {low} down to {high}: exchange its ends."
         )
     return low, high
-
-
-def _beads(length):
-    return max(1, math.ceil(length))
-
-
-def _fractions(interval):
-    """Numerators and denominators of both ends."""
-    return _integers(*(k for end in interval for k in (end.numerator, end.denominator)))
-
-
-def _integers(*numbers):
-    if max(map(abs, numbers)) >= 2**63:
-        raise InputError("a fraction has more than 18 digits: round it.")
-    return np.array(numbers, dtype=np.int64)
-
-
-def _kernels(rows):
-    return np.array([_differences(row, INVERSE_UNIT, np.int32) for row in rows])
-
-
-def _differences(values, unit, kind):
-    """Second differences in integers, once along each axis of a matrix."""
-    found = np.rint(values / unit).astype(np.int64)
-    for axis in (0, -1):
-        found = np.diff(found, axis=axis, prepend=0)
-    if abs(found).max() > np.iinfo(kind).max:
-        raise InputError("the window's matrix is too rough for a certificate: use more cells.")
-    return found.astype(kind)

@@ -6,7 +6,6 @@ doubles and integers, of which nothing is assumed.  A comparison of balls holds 
 of their points; wherever one does not, and whatever else happens, nothing is proved.
 """
 
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ import numpy as np
 from flint import arb, arb_poly, arb_series, fmpq
 
 from granular_fronts import arguments
+from granular_fronts.proofs.arrays import both_ends, load, require_arrays, require_lengths
 from granular_fronts.proofs.balls import (
     MATRIX_UNIT,
     UNIT,
@@ -36,7 +36,8 @@ from granular_fronts.proofs.balls import (
     tops,
 )
 from granular_fronts.proofs.consequences import shape
-from granular_fronts.proofs.inequalities import Inequalities
+from granular_fronts.proofs.contraction import Contraction
+from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.rear_expansion import expand
 from granular_fronts.proofs.tail_roots import require_zeros
 
@@ -64,7 +65,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Parameters
     ----------
     path : str or path
-        A file that `prove_front` wrote.
+        A file that `prove_front` wrote, of either law.
 
     Returns
     -------
@@ -74,8 +75,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
         are `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ and
         `amplitude_low`, `amplitude_high` of A or B, and as 1 `monotone`, `oscillates` (behind, so
-        that max u* > 1) and `critical` (monotone from some γ on, and not below); `inequalities`,
-        dicts of `name`, `left` and `right` (left < right, rounded outwards) and their `margin`.
+        that max u* > 1) and `critical` (monotone from some γ on, and not below), with dashpots
+        `tail_start`, `tail_low`, `tail_high` (of the exponentials that bound u* ahead);
+        `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded outwards) and
+        their `margin`.
 
     Raises
     ------
@@ -86,8 +89,9 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
     try:
         with in_balls():
-            front = Front(read(path))
-            statements = [*front.exists(), *shape(front), *front.rear()]
+            data = load(path)
+            front = DashpotFront(data) if "strain" in data else Front(checked(data))
+            statements = list(front.prove())
             record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
@@ -96,7 +100,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     return record
 
 
-class Front(Inequalities):
+class Front(Contraction):
     """The approximate front P̄, ū on the cells of [−left, M], and the bounds of the theorem.
 
     P, u and all that is made from them contain every α and γ of the certificate.  The window
@@ -105,12 +109,8 @@ class Front(Inequalities):
 
     def __init__(self, data):
         super().__init__()
-        self.data, self.numbers = data, {}
-        least, most, low, high = (
-            arb(fmpq(*map(int, data[name][k : k + 2])))
-            for name in ("alpha", "gamma")
-            for k in (0, 2)
-        )
+        self.data = data
+        (least, most), (low, high) = both_ends(data, "alpha"), both_ends(data, "gamma")
         self.law = self.alpha, self.gamma = least.union(most), low.union(high)
         self.require("alpha > 1", arb(1), self.alpha)
         self.require("gamma > 0", arb(0), self.gamma)
@@ -120,8 +120,7 @@ class Front(Inequalities):
         self.W = (self.c + q + ahead + 3) * n
         have = *(data[name].shape[1] for name in ("profile", "inverse")), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
-        if have != want:
-            raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
+        require_lengths(have, want)
         self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
         known = [self.integrate(k, rows) for k, rows in enumerate(data["profile"].tolist())]
         self.profile, first, second = (
@@ -154,25 +153,20 @@ class Front(Inequalities):
         """P̄ and ū on all cells at γ₀ + s δ."""
         return [[horner(f, s) for f in cells] for cells in (self.profile, self.strain)]
 
-    def a(self, u):
-        """α u₊^(α − 1)."""
-        return self.alpha * power(u, self.alpha - 1)
+    def prove(self):
+        """All statements."""
+        yield from self.exists()
+        yield from shape(self)
+        yield from self.rear()
 
     def exists(self):
         """The theorem: a solution, its enclosure and its uniqueness; Lemma 4."""
         self.bound_inverse()
         Y0 = largest(map(self.residual, range(len(self.u))))
-        self.require("Z1 < 1", self.Z1, arb(1))
-        near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))
-        self.r = r = next(filter(partial(self.contracts, Y0), near), Y0).upper()
-        far = (arb(2) ** fmpq(-k, 4) for k in range(400))
-        farthest = next(filter(partial(self.contracts, Y0), far), r).max(r)
-        self.require("Z1 + Z2(r) < 1", self.Z1 + self.Z2(r), arb(1))
-        self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
-        self.numbers["radius"] = above(r)
-        self.P_error, self.u_error = self.rho * r, self.kappa * r
-        self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * r
-        self.error = above(largest([*self.u_error, *(self.outer_kappa * r)]))
+        self.r, farthest = self.contract(Y0)
+        self.P_error, self.u_error = self.rho * self.r, self.kappa * self.r
+        self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * self.r
+        self.error = above(largest([*self.u_error, *(self.outer_kappa * self.r)]))
         yield (
             "There is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0 ahead, with |u* − ū| <"
             f" {1.001 * self.error:.3e} on the whole line; it is the only P̄ + A y with ‖y‖ <"
@@ -180,20 +174,11 @@ class Front(Inequalities):
         )
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 
-    def contracts(self, Y0, r):
-        """Whether the theorem's inequality holds at the radius r."""
-        return bool((1 - self.Z1 - self.Z2(r)) * r > Y0)
-
     def Z2(self, r):  # noqa: N802
         """The largest κ |a(ū + w) − a(ū)| with |w| ≤ κ r."""
         ends = zip(self.outer_kappa, (arb(1), arb(0)), (arb(1), arb(0)), strict=True)
         cells = *ends, *zip(self.kappa, self.u_low, self.u_high, strict=True)
         return largest(kappa * self.rise(low, high, kappa * r) for kappa, low, high in cells)
-
-    def rise(self, low, high, w):
-        """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
-        tops = [low.max(w)] * (not self.alpha > 2) + [high + w] * (not self.alpha < 2)
-        return largest(self.a(top) - self.a(top - w) for top in tops)
 
     def residual(self, j):
         """Bound of |P̄ − ū₊^α| on cell j by Taylor polynomials in s about γ₀ and in t."""
@@ -276,25 +261,14 @@ class Front(Inequalities):
 
 
 def read(path):
-    """The arrays of a certificate, of the kinds and shapes that they must have."""
-    with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-        data = {name: file[name] for name in file.files}
+    """The arrays of a certificate of this kind."""
+    return checked(load(path))
+
+
+def checked(data):
+    """The arrays of a certificate, if they have the kinds and shapes that they must have."""
     fields = FIELDS | EXPANSION if len(data["weights"]) == 2 else FIELDS
-    if sorted(data) != sorted(fields):
-        raise NotProvedError(f"the fields are {sorted(data)}, not {sorted(fields)}")
-    for name, values in data.items():
-        kind = values.dtype.str[1:], values.ndim
-        if kind != fields[name] or not values.size or not np.isfinite(values).all():
-            raise NotProvedError(f"{name} is {kind}, not finite numbers {fields[name]}")
-    sizes = data["sizes"]
-    if sizes.shape != (7,) or sizes.min() < 1 or sizes.max() > 1000:
-        raise NotProvedError(f"sizes are {sizes}, not seven numbers from 1 to 1000")
-    for name in ("alpha", "gamma"):
-        if data[name].shape != (4,) or data[name][1::2].min() < 1:
-            raise NotProvedError(f"{name} is not two fractions")
-        low, below, high, under = data[name].tolist()
-        if low * under > high * below:
-            raise NotProvedError(f"{name} falls")
+    require_arrays(data, fields, sizes=7)
     if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:
         raise NotProvedError("there are too many powers of s")
     return data

@@ -77,7 +77,11 @@ def shape(front):
     yield (
         f"u* > 0 on the whole line, u*' < 0 for ξ ≥ {front.fall}, and ln(−ln u*)/ξ → ln α as ξ → ∞."
     )
-    tops = [u[0] - error for u, error in zip(front.u, front.u_error, strict=True)]
+    yield from overshoot(front, [u[0] for u in front.u] - front.u_error)
+
+
+def overshoot(front, tops):
+    """That max u* > 1, from lower bounds of u* anywhere."""
     top = max(tops, key=lambda u: float(u.lower()))
     if top > 1:
         front.require("overshoot", arb(1), top)

@@ -63,14 +63,18 @@ def chebyshev_nodes(count):
     return np.cos(np.pi * (np.arange(count) + 0.5) / count)
 
 
+def cell_nodes(behind, ahead, n):
+    """ξ at the Chebyshev nodes of each of the cells of [−behind, ahead]."""
+    middles = (np.arange((behind + ahead) * n) + 0.5) / n - behind
+    return middles[:, None] + chebyshev_nodes(DEGREE + 1) / (2 * n)
+
+
 def approximate(fronts, behind, ahead, n):
     """P̄ from computed fronts: coefficients in s, on the cells of [−behind, ahead], in t.
 
     The fronts belong to the Chebyshev nodes in s; s and t are in (−1, 1).
     """
-    nodes = chebyshev_nodes(DEGREE + 1)
-    middles = (np.arange((behind + ahead) * n) + 0.5) / n - behind
-    xi = middles[:, None] + nodes / (2 * n)
+    nodes, xi = chebyshev_nodes(DEGREE + 1), cell_nodes(behind, ahead, n)
     values = [np.maximum(evaluate_front(f, xi), 0.0) ** f.attrs["alpha"] for f in fronts]
     to_powers, to_powers_of_s = (
         np.linalg.inv(np.vander(x, increasing=True)) for x in (nodes, chebyshev_nodes(len(fronts)))

@@ -21,13 +21,13 @@ def records_dataset(records):
     Parameters
     ----------
     records : list of dict
-        As from `check_certificate` or `families.record`, with `path`, `name`, `alpha` and
-        `seconds`, the processor time.
+        As from `check_certificate` or `families.record`, with `path`, `name`, `alpha`, `beta`
+        (by default α) and `seconds`, the processor time.
 
     Returns
     -------
     xarray.Dataset
-        On (certificate): `alpha`, `gamma_low`, `gamma_high`, `error_bound` of u,
+        On (certificate): `alpha`, `beta`, `gamma_low`, `gamma_high`, `error_bound` of u,
         `overshoot_bound` (max u − 1 is above it) and the other numbers, NaN where they are not
         proved, `joined` (1 where the fronts continue those of the row before),
         `processor_seconds`, `bytes` and `statements`; on (certificate, inequality): both sides,
@@ -40,6 +40,7 @@ def records_dataset(records):
             sides[:, place, names.index(one["name"])] = one["left"], one["right"]
     columns = {
         "alpha": [float(row["alpha"]) for row in records],
+        "beta": [float(row.get("beta", row["alpha"])) for row in records],
         "gamma_low": [float(row["gamma"][0]) for row in records],
         "gamma_high": [float(row["gamma"][1]) for row in records],
         "error_bound": [row["error"] for row in records],

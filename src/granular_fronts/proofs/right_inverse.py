@@ -84,28 +84,40 @@ def kernel(gamma, w, n):
 
 
 def rear_inverse(alpha, gamma, w, n, lost, half=0.0):
-    """The kernels g, and where half > 0 also g₁, on beads [−p, q]; p; q.
+    """The kernels g, and where half > 0 also g₁, on beads [−p, q]; p; q."""
 
-    Beyond either end is at most `lost` of ∫|g|.
-    """
-    g = _periodic_inverse(alpha, gamma, w, n)
+    def inverse(at):
+        return periodic_inverse(*(alpha * f for f in kernel(at, w, n)), n)
+
+    rows = [inverse(gamma)]
+    if half > 0:
+        rows.append((inverse(gamma + half) - inverse(gamma - half)) / 2)
+    return trimmed(rows, n, lost)
+
+
+def trimmed(rows, n, lost):
+    """Kernels on beads [−p, q]; p; q.  Beyond either end is at most `lost` of the first's ∫|g|."""
+    g = rows[0]
     zero = len(g) // 2
     mass = np.cumsum(abs(g)) / n
     first, last = np.searchsorted(mass, (lost, mass[-1] - lost))
     p, q = max(1, -((first - zero) // n)), max(1, -(-(last + 1 - zero) // n))
-    rows = [g]
-    if half > 0:
-        ends = (_periodic_inverse(alpha, gamma + s * half, w, n) for s in (1, -1))
-        rows.append((next(ends) - next(ends)) / 2)
     return np.array(rows)[:, zero - p * n : zero + q * n], p, q
 
 
-def _periodic_inverse(alpha, gamma, w, n, span=200):
-    middles, whole = kernel(gamma, w, n)
+def periodic_inverse(middles, whole, n, span=200):
+    """G with δ + g inverse to δ − f, from f in the middles of cells and its integrals."""
     cells = 2 * span * n
     source, operator = np.zeros(cells), np.zeros(cells)
-    source[np.arange(-n, n)], operator[np.arange(-n, n + 1)] = alpha * middles, alpha * whole
+    source[np.arange(-n, n)], operator[np.arange(-n, n + 1)] = middles, whole
     return np.fft.fftshift(fft.irfft(fft.rfft(source) / (1 - fft.rfft(operator)), cells))
+
+
+def toeplitz(whole, cells):
+    """The matrix of integrals of a kernel over cells about x_i − x_j."""
+    n = len(whole) // 2
+    offsets = np.subtract.outer(np.arange(cells), np.arange(cells))
+    return np.where(abs(offsets) <= n, whole[np.clip(offsets + n, 0, 2 * n)], 0.0)
 
 
 def window_correction(stiffness, gamma, n, zero, longer):
@@ -113,13 +125,16 @@ def window_correction(stiffness, gamma, n, zero, longer):
 
     The cell `zero` begins at ξ = 0.
     """
-    cells = len(stiffness)
-    whole = kernel(gamma, 0.0, n)[1]
-    offsets = np.subtract.outer(np.arange(cells), np.arange(cells))
-    near = np.where(abs(offsets) <= n, whole[np.clip(offsets + n, 0, 2 * n)], 0.0)
+    matrix = toeplitz(kernel(gamma, 0.0, n)[1], len(stiffness))
+    return solve_window(stiffness[:, None] * matrix, n, zero, longer)
+
+
+def solve_window(matrix, n, zero, longer):
+    """H − 1 on the last cells, from the matrix of T on a longer window."""
+    cells = len(matrix)
     system, sources = np.zeros((cells + 1, cells + 1)), np.zeros((cells + 1, cells - longer))
     rows = np.delete(np.arange(cells + 1), zero + 1)
-    system[rows, 1:] = np.eye(cells) - stiffness[:, None] * near
+    system[rows, 1:] = np.eye(cells) - matrix
     system[:n, 0] = 1.0
     system[zero + 1, zero + 1] = 1.0
     sources[rows] = np.eye(cells)[:, longer:]

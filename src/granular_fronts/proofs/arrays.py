@@ -1,0 +1,47 @@
+"""The arrays of a certificate: read, and of the kinds and shapes that they must have."""
+
+import numpy as np
+from flint import arb, fmpq
+
+from granular_fronts.proofs.balls import NotProvedError
+
+LONGEST = 1000
+
+
+def load(path):
+    """The arrays of a file, of which nothing is known."""
+    with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+        return {name: file[name] for name in file.files}
+
+
+def require_arrays(data, fields, sizes):
+    """Stop unless there are exactly some fields, of their kinds and axes, and so many sizes.
+
+    α and γ are intervals: both ends as fractions.
+    """
+    if sorted(data) != sorted(fields):
+        raise NotProvedError(f"the fields are {sorted(data)}, not {sorted(fields)}")
+    for name, values in data.items():
+        kind = values.dtype.str[1:], values.ndim
+        if kind != fields[name] or not values.size or not np.isfinite(values).all():
+            raise NotProvedError(f"{name} is {kind}, not finite numbers {fields[name]}")
+    found = data["sizes"]
+    if found.shape != (sizes,) or found.min() < 1 or found.max() > LONGEST:
+        raise NotProvedError(f"sizes are {found}, not {sizes} numbers from 1 to {LONGEST}")
+    for name in ("alpha", "gamma"):
+        if data[name].shape != (4,) or data[name][1::2].min() < 1:
+            raise NotProvedError(f"{name} is not two fractions")
+        low, below, high, under = data[name].tolist()
+        if low * under > high * below:
+            raise NotProvedError(f"{name} falls")
+
+
+def require_lengths(have, want):
+    """Stop unless arrays have the lengths that follow from the sizes."""
+    if have != want:
+        raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
+
+
+def both_ends(data, name):
+    """Both ends of the interval of α or γ, as balls."""
+    return [arb(fmpq(*map(int, data[name][k : k + 2]))) for k in (0, 2)]

@@ -1,0 +1,41 @@
+"""The contraction of Theorems 2 and 15: a radius r from Y₀, Z₁ and Z₂(r)."""
+
+from functools import partial
+
+from flint import arb, fmpq
+
+from granular_fronts.proofs.balls import above, largest, power
+from granular_fronts.proofs.inequalities import Inequalities
+
+
+class Contraction(Inequalities):
+    """Something with the exponent `alpha`, the bound `Z1` and a function `Z2` of the radius."""
+
+    def __init__(self):
+        super().__init__()
+        self.numbers = {}
+
+    def a(self, u):
+        """α u₊^(α − 1)."""
+        return self.alpha * power(u, self.alpha - 1)
+
+    def rise(self, low, high, w):
+        """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
+        tops = [low.max(w)] * (not self.alpha > 2) + [high + w] * (not self.alpha < 2)
+        return largest(self.a(top) - self.a(top - w) for top in tops)
+
+    def contract(self, Y0):
+        """The radius r of the theorem; a larger one, within which the solution is the only one."""
+        self.require("Z1 < 1", self.Z1, arb(1))
+        near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))
+        r = next(filter(partial(self.contracts, Y0), near), Y0).upper()
+        far = (arb(2) ** fmpq(-k, 4) for k in range(400))
+        farthest = next(filter(partial(self.contracts, Y0), far), r).max(r)
+        self.require("Z1 + Z2(r) < 1", self.Z1 + self.Z2(r), arb(1))
+        self.require("Y0 < (1 − Z1 − Z2(r)) r", Y0, (1 - self.Z1 - self.Z2(r)) * r)
+        self.numbers["radius"] = above(r)
+        return r, farthest
+
+    def contracts(self, Y0, r):
+        """Whether the theorem's inequality holds at the radius r."""
+        return bool((1 - self.Z1 - self.Z2(r)) * r > Y0)
