@@ -38,6 +38,15 @@ def test_without_damping_oscillations_fill_a_growing_region():
     assert late < 0.05 * early
 
 
+def test_a_range_is_no_better_known_than_its_ends():
+    """Leaving out every other bead changes nothing where the extremes stay."""
+    beads = np.arange(200)
+    u = np.where(beads < 190, 1.0 + 1e-6 * np.cos(0.5 * np.pi * (beads - 95)), 0.0)
+    found = oscillation_behind(u)
+    assert found.value == pytest.approx(2e-6, rel=1e-9)
+    assert 1e-14 < found.error < 1e-12
+
+
 def test_a_harmonic_wave_spreads_and_a_front_does_not():
     early, late = (wave_width(u)[0] for u in press_chain(1.0, 1.0, 120, TIMES))
     assert late / early == pytest.approx(2.0, abs=0.05)

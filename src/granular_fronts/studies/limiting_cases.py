@@ -21,6 +21,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.accuracy import (
+    Estimate,
     estimate,
     recorded,
     variable_and_errors,
@@ -127,7 +128,9 @@ def oscillation_behind(profile):
     """Range of u over a part of the way of a wave behind its front, and its error."""
     way = last_fall(profile, np.arange(1.0, profile.size + 1.0), 0.5)
     part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
-    return estimate(np.ptp(part), np.ptp(part[::2]))
+    found = estimate(np.ptp(part), np.ptp(part[::2]))
+    # A range of u is no better known than u itself, which is about the tolerance of the chain.
+    return Estimate(found.value, found.error + TOLERANCE["relative"] * float(np.abs(part).max()))
 
 
 def wave_width(profile):
