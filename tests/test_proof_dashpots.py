@@ -16,6 +16,7 @@ from granular_fronts.proofs.dashpots.checker import DashpotFront  # noqa: E402
 from granular_fronts.proofs.dashpots.existence import approximate_strain  # noqa: E402
 
 ALPHA, GAMMA = 1.5, 0.3
+ENDS = "behind", "ahead"
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
@@ -109,12 +110,97 @@ def test_residual_is_bounded(front):
     assert 0.1 * bound < max(found) < bound + 1e-14
 
 
+def kernels(front):
+    """Both g and H in doubles."""
+    behind, ahead = (np.cumsum(np.cumsum(front.data[f"inverse_{end}"][0])) / 2**20 for end in ENDS)
+    correction = front.data["correction"].astype(int)
+    H = np.cumsum(np.cumsum(correction, axis=1), axis=0) / 2**16
+    return behind, ahead, np.eye(len(H)) + H
+
+
+def test_norms_are_those_of_dense_matrices(front):
+    """Z₁ and ρ by the formulas of `right_inverse`, with matrices instead of polynomials."""
+    sizes, n, h = front.sizes, front.n, 1 / front.n
+    p, p_ahead, M, b = sizes["p"], sizes["p_ahead"], sizes["M"], front.b
+    g, g_ahead, H = kernels(front)
+    low, mid, high = (
+        ALPHA * np.maximum(floats(u), 0) ** (ALPHA - 1)
+        for u in (front.u_low, front.u_mid, front.u_high)
+    )
+    xi, W = middles(front), len(H)
+    drift = max(abs(a[xi < -sizes["c"]] / ALPHA - 1).max() for a in (low, high))
+    force_ahead = high[xi > M - p_ahead].max()
+    window = (xi > -b) & (xi < M)
+    a, low, high = mid[window], low[window], high[window]
+
+    x = xi[window]
+    apart = np.round(np.subtract.outer(x, x) * n)
+    whole = (abs(apart) < n) + (abs(apart) == n) / 2
+    jump = np.sign(apart) * whole * h
+    tent = np.maximum(1 - abs(apart) * h, 0) * h
+    tent += np.select([apart == 0, abs(apart) == n], [-h * h / 4, h * h / 8])
+    T = GAMMA * jump + tent * a
+    rest = abs(np.eye(W) - H + T @ H) @ (2 * GAMMA + tent @ a)
+    edges = np.append(x - h / 2, M)
+    s = np.subtract.outer(x, edges)
+    jumps, tents = H @ (np.sign(s) * (abs(s) < 1)) * GAMMA, H @ np.maximum(1 - abs(s), 0)
+    v = h / 2 * sum(abs(jumps[:, k : k + W] + a * tents[:, k : k + W]).sum(axis=1) for k in (0, 1))
+    v += h * h / 8 * abs(H) @ (2 * whole @ a)
+    w = 1 + v
+    inner = GAMMA * h / 2 * ((2 * (apart == 0) + (abs(apart) == n)) @ w)
+    inner += h * h / 2 * (abs(apart) <= n) @ (w * high)
+    inner += tent @ (w * np.maximum(high - a, a - low))
+
+    ng = n * sizes["fine"]
+    s = (np.arange(-ng, ng) + 0.5) / ng
+    halves = (np.arange(-2 * ng, 2 * ng) + 0.5) / (2 * ng)
+
+    def inverse_defect(g, p, kernel, smooth, jumps):
+        integrals = np.concatenate([[0], kernel(halves) / (2 * ng), [0]])
+        e = -np.convolve(integrals[::2] + integrals[1::2], g)
+        e[ng:-ng] += g
+        e[p * ng : (p + 2) * ng] -= kernel(s)
+        norm = abs(g).sum() / ng
+        return abs(e).sum() / ng + (smooth + (smooth + jumps) * norm) / (2 * ng), norm
+
+    e, norm = inverse_defect(
+        g, p, lambda s: ALPHA * (1 - abs(s)) + GAMMA * np.sign(s), 2 * ALPHA, 4 * GAMMA
+    )
+    e_ahead, norm_ahead = inverse_defect(
+        g_ahead, p_ahead, lambda s: GAMMA * np.sign(s), 0, 4 * GAMMA
+    )
+    gain = max(1 + (GAMMA + high[:n].max() / 2) * w[:n].max(), rest[:n].max())
+    gain_ahead = 1 + (GAMMA + high[-n:].max() / 2) * w[-n:].max()
+    Z1 = max(inner[:n].max(), (inner + rest)[n:].max())
+    Z1 += gain * (e + ALPHA * drift * (1 + norm))
+    Z1 += gain_ahead * (e_ahead + (1 + norm_ahead) * force_ahead)
+    assert float(front.Z1.mid()) == pytest.approx(Z1, rel=1e-6)
+
+    from_left, from_right = x - h / 2 + b - 1, x + h / 2 - M
+    places = (np.arange(len(g)) + 0.5) / ng - p
+    behind = np.array([abs(g[places > at]).sum() / ng for at in from_left])
+    places = (np.arange(len(g_ahead)) + 0.5) / ng - p_ahead
+    ahead = np.array([abs(g_ahead[places < at]).sum() / ng for at in from_right])
+    rho = w + gain * behind + gain_ahead * ahead
+    rho[:n] += rest[:n]
+    assert floats(front.rho)[window] == pytest.approx(rho, rel=1e-8)
+    for bound, value in (
+        (front.rho_behind, gain * (1 + norm)),
+        (front.rho_ahead, gain_ahead * (1 + norm_ahead)),
+    ):
+        assert float(bound.mid()) == pytest.approx(value, rel=1e-8)
+    assert floats(front.rho)[xi < -b] == pytest.approx(gain * (1 + norm), rel=1e-8)
+    assert floats(front.rho)[xi > M] == pytest.approx(gain_ahead * (1 + norm_ahead), rel=1e-8)
+
+
+@pytest.mark.slow
 def test_row_norms_on_a_finer_mesh(front):
     """From below: the bounds ρ of A are attained, and 1 − L A stays below Z₁.
 
     A, in matrices, acts on functions that are constant on cells a third as wide.
     """
-    data, sizes, n, k = front.data, front.sizes, front.n, 3
+    sizes, n, k = front.sizes, front.n, 3
+    g, g_ahead, H = kernels(front)
     h, b, M = 1 / (n * k), front.b, sizes["M"]
     left, right = b + sizes["p"] + 2, M + sizes["q_ahead"] + 2
     x = (np.arange((left + right) * n * k) + 0.5) * h - left
@@ -130,8 +216,8 @@ def test_row_norms_on_a_finer_mesh(front):
         halves = np.concatenate([[0], kernel(s) * h / 2, [0]])
         return toeplitz(halves[::2] + halves[1::2], -n * k)
 
-    def convolution(rows, p, q):
-        ng, g = n * sizes["fine"], np.cumsum(np.cumsum(rows[0])) / 2**20
+    def convolution(g, p, q):
+        ng = n * sizes["fine"]
         places = np.arange(-p * n * k - 1, q * n * k + 2)
         grid = np.arange(-p * ng, q * ng + 1) / ng
         primitive = np.concatenate([[0], np.cumsum(g)]) / ng
@@ -148,16 +234,14 @@ def test_row_norms_on_a_finer_mesh(front):
     in_cells[window] = spread @ a[centres]
     T_h = GAMMA * jump[centres] + tent[centres] * in_cells
     R = T_h * window
-    correction = data["correction"].astype(int)
-    H = np.eye(len(R)) + np.cumsum(np.cumsum(correction, axis=1), axis=0) / 2**16
     f = np.diag(window.astype(float))
     f[window] += spread @ (H @ R)
     remaining = R - H @ R + T_h[:, window] @ (spread @ (H @ R))
     remaining[n:] = 0.0
     sources = np.diag(behind.astype(float)) + behind[:, None] * (T @ f)
     sources[window] += spread @ remaining
-    A = convolution(data["inverse_behind"], sizes["p"], sizes["q"]) @ sources + f
-    A += convolution(data["inverse_ahead"], sizes["p_ahead"], sizes["q_ahead"]) @ (
+    A = convolution(g, sizes["p"], sizes["q"]) @ sources + f
+    A += convolution(g_ahead, sizes["p_ahead"], sizes["q_ahead"]) @ (
         np.diag(ahead.astype(float)) + ahead[:, None] * (T @ f)
     )
     safe = (x > -b - 3) & (x < M + 2)  # Away from the ends of this mesh.
