@@ -75,10 +75,10 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
         are `overshoot` (max u* is above it), `rate` (the middle of λ₁ or ρ), `amplitude_low` and
         `amplitude_high` (of A or B), and as 1 `monotone`, `oscillates` (behind, so that max u* > 1)
-        and `critical` (monotone from some γ on, and not below), with dashpots `tail_start`,
-        `tail_low` and `tail_high` (of the exponentials that bound u* ahead); `inequalities`, dicts
-        of `name`, `left` and `right` (left < right, rounded outwards) and their difference
-        `margin`.
+        and `critical` (monotone from some γ on, and not below), with dashpots `tail_start` (x₁,
+        rounded up), `tail_low` and `tail_high` (the exponentials that bound u* ahead have these
+        values at x₁); `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded
+        outwards) and their difference `margin`.
 
     Raises
     ------
