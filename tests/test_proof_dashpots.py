@@ -344,6 +344,7 @@ LATE = {
     "nu2 below mu": changed("weights", at(2, 2.2)),
     "nu2 beyond alpha nu1": changed("weights", at(2, 2.9)),
     "nu1 negative": changed("weights", at(1, -1.0)),
+    "nu2 negative": changed("weights", at(2, -5.0)),
 }
 
 

@@ -30,11 +30,13 @@ pytest.importorskip("flint")
 
 from flint import arb
 from test_proof_checker import LIES, load
+from test_proof_dashpots import LATE, WRONG
 
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import solve_front
 from granular_fronts.proofs.certificate import describe
+from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 
 PACKAGE = "granular_fronts.proofs"
 TRUSTED = (
@@ -152,6 +154,14 @@ def interval(alpha, low, high, cells=20):
     return describe(front, (alpha, alpha), ends, cells, 40, 6e-4)
 
 
+def dashpots(low, high, size=0.0):
+    """A certificate of an interval of γ with linear dashpots, of a ū that may jump."""
+    front, ends = solve_front(1.5, 0.3, beta=1.0), (Fraction(low), Fraction(high))
+    data = describe_dashpots(front, (Fraction(3, 2),) * 2, ends, 16, 40, 6e-4)
+    data["strain"][::2, 0] += size
+    return data
+
+
 class Examples:
     """Certificates, pairs of neighbours and wrong ones, with what the unchanged checker proves."""
 
@@ -163,9 +173,15 @@ class Examples:
         kept["around"] = interval("3/2", "0.2632", "0.2633")
         first, second = interval(2, "0.3", "0.301"), interval(2, "0.301", "0.302", 30)
         first, second = rough(longer(longer(first)), 1e-6), rough(second, 1e-7)
+        kept["dashpots"] = dashpots("0.3", "0.3")
+        kept["dashpots around"] = dashpots("0.299999", "0.300001")
+        kept["rough dashpots"] = dashpots("0.3", "0.3", 1e-6)
         wrong = {name: load("monotone") for name in LIES}
         for name, data in wrong.items():
             LIES[name](data)
+        for name, lie in (WRONG | LATE).items():
+            wrong[f"dashpots {name}"] = data = dict(kept["dashpots"])
+            lie(data)
         self.kept = [self.file(folder, name, data) for name, data in kept.items()]
         self.wrong = [self.file(folder, name, data) for name, data in wrong.items()]
         self.pair = [self.file(folder, name, d) for name, d in (("1", first), ("2", second))]
@@ -203,6 +219,10 @@ class Examples:
                 for kappa in ([9, 0], [0, 9]):  # The line behind and ahead of all cells.
                     front.outer_kappa = made["balls"].array(kappa)
                     yield True, [front.Z2(arb(0.1)).str(18)], []
+            front = made["dashpots.checker"].DashpotFront(made["arrays"].load(self.kept[-1]))
+            front.proved = list(front.exists())
+            for front.rho_behind, front.rho_ahead in ((arb(99), arb(0)), (arb(0), arb(99))):
+                yield True, [front.Z2(arb(0.1)).str(18)], []
             strongly_damped = load("overshoot") | {"gamma": np.array([6, 5, 6, 5])}
             yield True, [made["checker"].Front(strongly_damped).nK.str(18)], []
 

@@ -76,9 +76,9 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         are `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ and
         `amplitude_low`, `amplitude_high` of A or B, and as 1 `monotone`, `oscillates` (behind, so
         that max u* > 1) and `critical` (monotone from some γ on, and not below), with dashpots
-        `tail_start`, `tail_low`, `tail_high` (of the exponentials that bound u* ahead);
-        `inequalities`, dicts of `name`, `left` and `right` (left < right, rounded outwards) and
-        their `margin`.
+        `tail_start` (x₁, rounded up), `tail_low` and `tail_high` (the exponentials that bound u*
+        ahead have these values at x₁); `inequalities`, dicts of `name`, `left` and `right` (left <
+        right, rounded outwards) and their `margin`.
 
     Raises
     ------

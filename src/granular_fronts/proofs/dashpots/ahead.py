@@ -107,7 +107,7 @@ def _compare(front, high, steepest, slow, fast):
     front.require("sigma(nu1) > 0", arb(0), sigma(slow))
     front.require("sigma(nu2) < 0", sigma(fast), arb(0))
     front.require("nu2 < alpha nu1", fast, alpha * slow)
-    front.require("nu1 > 0", arb(0), slow)
+    front.require("nu2 > 0", arb(0), fast)
     mass, sup, sups = (slow.exp() - 1) / slow, front.rho_ahead * front.r, []
     for bound in high[::-1]:
         sup = largest([sup, bound])

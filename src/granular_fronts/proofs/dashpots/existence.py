@@ -46,7 +46,7 @@ z does, since ∫Λ = 1 and ∫k = 0. ∎  The A of `right_inverse` does, as all
 support.
 
 Z₂ is bounded as in `granular_fronts.proofs.existence`.  α and γ may be in intervals, on which ū
-and the numbers in A do not depend: all bounds hold for each of them.
+and the kernels g, g₊ and the matrix H of A do not depend: all bounds hold for each of them.
 """
 
 import numpy as np
