@@ -226,6 +226,9 @@ def tails(module):
     law = module.Law(arb(1.5), arb(0.3))
     found = module.slowest_roots(law, tail_roots(1.5, 0.3, count=5), 1e-9)
     yield True, [root.str(18) for root in found], law.inequalities
+    law = module.Law(arb(12), arb(0.087))
+    module.require_zeros(law, "a pair far from the real axis", arb(0.3456), 2)
+    yield True, [], law.inequalities
 
 
 def wrong_tails(made):
@@ -235,6 +238,9 @@ def wrong_tails(made):
     law = module.Law(arb(1.5), arb(0.3))
     tries = [
         (module.find_bend, 2.4, 1e-6),
+        (module.find_bend, -2.3469413041671690, 1e-6),
+        (module.require_zeros, law, "a line through a root", arb(roots[0].real, 1e-12), 0),
+        (module.require_zeros, law, "a line through a root", arb(roots[0].real, 1e-12), 1),
         (module.double_root, arb(1.3), 2.34, 1e-2),
         (module.double_root, arb(1.125), 3.1, 0.2),
         (module.crossing, arb(1.5), 0.2633, roots[:2], 1e-9),
