@@ -30,6 +30,7 @@ pytest.importorskip("flint")
 
 from flint import arb
 from test_proof_checker import LIES, load
+from test_proof_tails import FAR
 
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.linear.tails import tail_roots
@@ -226,8 +227,9 @@ def tails(module):
     law = module.Law(arb(1.5), arb(0.3))
     found = module.slowest_roots(law, tail_roots(1.5, 0.3, count=5), 1e-9)
     yield True, [root.str(18) for root in found], law.inequalities
-    law = module.Law(arb(12), arb(0.087))
-    module.require_zeros(law, "a pair far from the real axis", arb(0.3456), 2)
+    alpha, gamma, w, zeros = FAR
+    law = module.Law(arb(alpha), arb(gamma))
+    module.require_zeros(law, "roots far from the real axis", arb(w), zeros)
     yield True, [], law.inequalities
 
 
