@@ -31,6 +31,7 @@ pytest.importorskip("flint")
 from flint import arb
 from test_proof_checker import LIES, load
 from test_proof_dashpots import LATE, WRONG
+from test_proof_tails import FAR
 
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.linear.tails import tail_roots
@@ -252,6 +253,10 @@ def tails(module):
     law = module.Law(arb(1.5), arb(0.3))
     found = module.slowest_roots(law, tail_roots(1.5, 0.3, count=5), 1e-9)
     yield True, [root.str(18) for root in found], law.inequalities
+    alpha, gamma, w, zeros = FAR
+    law = module.Law(arb(alpha), arb(gamma))
+    module.require_zeros(law, "roots far from the real axis", arb(w), zeros)
+    yield True, [], law.inequalities
 
 
 def wrong_tails(made):
@@ -261,6 +266,9 @@ def wrong_tails(made):
     law = module.Law(arb(1.5), arb(0.3))
     tries = [
         (module.find_bend, 2.4, 1e-6),
+        (module.find_bend, -2.3469413041671690, 1e-6),
+        (module.require_zeros, law, "a line through a root", arb(roots[0].real, 1e-12), 0),
+        (module.require_zeros, law, "a line through a root", arb(roots[0].real, 1e-12), 1),
         (module.double_root, arb(1.3), 2.34, 1e-2),
         (module.double_root, arb(1.125), 3.1, 0.2),
         (module.crossing, arb(1.5), 0.2633, roots[:2], 1e-9),

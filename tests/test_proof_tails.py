@@ -138,6 +138,49 @@ def test_bend_and_the_last_alpha():
             tail_roots.find_bend(start, radius)
 
 
+@pytest.mark.parametrize("place", ["2.0001", "2.3", "3.49999"])
+def test_bell_may_bend_nowhere_else(monkeypatch, place):
+    """Where both q'' and its slope may be 0, from 2 to 7/2, nothing is concluded."""
+    bell = tail_roots.bell
+
+    def flat(x, order):
+        values = bell(x, order)
+        return [*values[:2], arb(0), arb(0)] if x.contains(arb(place)) else values
+
+    monkeypatch.setattr(tail_roots, "bell", flat)
+    with pytest.raises(NotProvedError, match="may bend more than once"):
+        tail_roots.find_bend(2.3469413041671690, 1e-6)
+
+
+def test_bend_of_negative_argument_is_refused():
+    """The bell is even."""
+    with pytest.raises(NotProvedError, match="not between 2 and 7/2"):
+        tail_roots.find_bend(-2.3469413041671690, 1e-6)
+
+
+def test_a_line_through_a_root_counts_nothing():
+    law = Law(ball(HERTZ), ball(Fraction(3, 10)))
+    root = tail_roots.find_root(law, float(gf.tail_roots(1.5, 0.3, count=1)[0].real), 0, 1e-9)
+    for count in (0, 1):
+        with pytest.raises(NotProvedError, match="may be a root"):
+            tail_roots.require_zeros(law, "on the line", root.real, count)
+
+
+FAR = 12, 0.087, 0.3456, 2
+
+
+def test_roots_far_from_the_real_axis_are_counted():
+    """A pair with Im λ > 4: a line that ended there would not turn around 0."""
+    alpha, gamma, w, zeros = FAR
+    slow = [root for root in gf.tail_roots(alpha, gamma, count=2) if root.real < w]
+    assert [root.imag > 4 for root in slow] == [True]
+    law = Law(arb(alpha), arb(gamma))
+    tail_roots.require_zeros(law, "a pair", arb(w), zeros)
+    for count in (0, 4):
+        with pytest.raises(NotProvedError):
+            tail_roots.require_zeros(law, "a pair", arb(w), count)
+
+
 def test_bell_is_bent_as_the_lemma_says():
     """q'' < 0 up to 2 and q'' > 0 from 4, where the proof is by hand."""
     for x in np.linspace(0.05, 2, 40):
