@@ -213,3 +213,11 @@ def test_speed_of_roots_is_their_derivative(gamma):
     for j, root in enumerate(roots):
         found = complex(tail_roots.speed(Law(arb(1.5), arb(gamma)), acb(root.real, root.imag)))
         assert found == pytest.approx((ahead[j] - behind[j]) / (2 * step), rel=1e-7)
+
+
+@pytest.mark.parametrize("far", ["20.001", "1e300", "inf", "nan"])
+def test_no_line_is_followed_without_end(far):
+    """A certificate may name any θ, and its check must end."""
+    law = Law(ball(HERTZ), ball(Fraction(3, 10)))
+    with pytest.raises(NotProvedError, match="too far behind"):
+        tail_roots.require_zeros(law, "theta", arb(far), 0)
