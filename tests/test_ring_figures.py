@@ -99,6 +99,8 @@ def test_fig20_draws_every_equation_in_every_limit(rings):
         (-0.061, 0.03, "−0.06 ± 0.03"),
         (-0.002, 0.013, "0.00 ± 0.01"),
         (0.9991, 0.0018, "0.999 ± 0.002"),
+        (1.0, 0.0, "1.00 ± 0.00"),
+        (np.nan, np.nan, "nan ± nan"),
     ],
 )
 def test_fig20_writes_orders_with_the_digits_of_their_errors(value, error, words):

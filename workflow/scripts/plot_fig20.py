@@ -93,8 +93,8 @@ def order_text(campaign: xr.Dataset, error: str, parameter: str) -> str:
 
 def with_error(order: Estimate) -> str:
     """A fitted order and its error, with the digits that the error leaves, two at least."""
-    # A line through two points fits exactly.
-    digits = max(2, math.ceil(-math.log10(order.error or 1.0)))
+    # A line through two points has the error 0, one through a ring that failed has none.
+    digits = max(2, math.ceil(-math.log10(order.error))) if order.error > 0.0 else 2
     return f"{order.value:z.{digits}f} ± {order.error:.{digits}f}".replace("-", "−")
 
 
