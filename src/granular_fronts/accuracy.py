@@ -186,7 +186,7 @@ def recorded(variable: xr.DataArray) -> Estimate:
 
 
 def certain_sign(variable: xr.DataArray) -> xr.DataArray:
-    """Sign of each value, 0 where its `error_estimate` leaves it open.
+    """Sign of each value, 0 where its size is at most its `error_estimate`.
 
     A contact counts as open where the sign of its relative displacement is -1.
 

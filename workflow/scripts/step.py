@@ -81,7 +81,7 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
             traceback.print_exc()
             LOGGER.error("%s", describe_unexpected(error))
             sys.exit(1)
-    # Otherwise Python looks once more through all that was imported before it ends, for 0.2 s.
+    # Python looks for garbage when it ends, without this among all that was imported.
     gc.freeze()
 
 
