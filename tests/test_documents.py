@@ -323,7 +323,6 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     assert "α = 1.5, 1.1" in caption
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig25.py", "workflow/report/fig25.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)

@@ -48,7 +48,6 @@ def loaded():
     return json.loads(run.stdout)
 
 
-@pytest.mark.slow
 def test_all_that_python_loads_is_found_by_reading(loaded):
     assert set(SCRIPTS) < set(loaded)
     for name, modules in loaded.items():

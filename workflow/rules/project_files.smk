@@ -19,6 +19,7 @@ PROJECT_FILES = [
     "src/**/*",
     "tests/*.py",
     "tests/artefacts/*.py",
+    "tests/test_proof_data/*",
     "workflow/**/*",
 ]
 

@@ -27,6 +27,7 @@ FORMATS = {
     ".json": "application/json",
     ".md": "text/markdown",
     ".nc": "application/netcdf",
+    ".npz": "application/zip",
     ".pdf": "application/pdf",
     ".png": "image/png",
     ".py": "text/x-python",
