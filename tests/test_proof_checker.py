@@ -282,7 +282,7 @@ def test_objects_are_not_read(tmp_path):
     np.savez(tmp_path / "file.npz", weights=np.array([{}], dtype=object))
     record = check_certificate(tmp_path / "file.npz")
     assert not record["proved"]
-    assert "pickle" in record["reason"]
+    assert "is no file of arrays" in record["reason"]
 
 
 def test_precision_of_others_is_left_alone():
@@ -328,7 +328,15 @@ def test_command_says_what_failed(tmp_path):
         env={"PYTHONPATH": str(ROOT / "src")},
     )
     assert run.returncode == 1
-    assert "not proved: FileNotFoundError" in run.stdout
+    assert "not proved: there is no file" in run.stdout
+
+
+def test_what_is_no_certificate_is_said_so(tmp_path):
+    file = tmp_path / "notes.npz"
+    file.write_text("no arrays")
+    record = check_certificate(file)
+    assert not record["proved"]
+    assert record["reason"] == f"{file} is no file of arrays as prove_front writes it"
 
 
 @pytest.mark.parametrize("name", ["prove_front", "check_certificate"])

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from scipy import optimize
+from test_proof_checker import at, changed, setting
 
 flint = pytest.importorskip("flint")
 
@@ -264,26 +265,6 @@ def test_defect_of_the_jump_without_an_inverse():
         variation = flint.arb(0), flint.arb(4 * GAMMA)
         _, norm = balls.defect([sign], variation, n, np.zeros((1, 4 * n), dtype=np.int32), -2 * n)
     assert float(norm.mid()) == pytest.approx(2 * GAMMA, rel=1e-14)
-
-
-def changed(name, change):
-    def apply(data):
-        data[name] = change(data[name])
-
-    return apply
-
-
-def setting(**values):
-    return lambda data: data.update({name: np.array(value) for name, value in values.items()})
-
-
-def at(index, value):
-    def change(values):
-        values = values.copy()
-        values[index] = value
-        return values
-
-    return change
 
 
 def reflected(rows):

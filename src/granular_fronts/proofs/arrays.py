@@ -10,8 +10,13 @@ LONGEST = 1000
 
 def load(path):
     """The arrays of a file, of which nothing is known."""
-    with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-        return {name: file[name] for name in file.files}
+    try:
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            return {name: file[name] for name in file.files}
+    except FileNotFoundError:
+        raise NotProvedError(f"there is no file {path}") from None
+    except Exception as error:
+        raise NotProvedError(f"{path} is no file of arrays as prove_front writes it") from error
 
 
 def require_arrays(data, fields, sizes):

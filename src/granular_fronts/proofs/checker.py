@@ -95,6 +95,8 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
             record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
+    except NotProvedError as failure:
+        record["reason"] = str(failure)
     except Exception as failure:
         record["reason"] = f"{type(failure).__name__}: {failure}"
     return record
