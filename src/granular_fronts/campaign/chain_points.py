@@ -13,30 +13,32 @@ contacts at rest.  The motion ends after `crossings` times N/c, in which the fro
 chain.
 
 Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chunk, is solved again
-with the tolerance divided by `REFINEMENT`; the largest difference is the error estimate.
+with the tolerance divided by `REFINEMENT` and other steps; see `chain.event_errors`.
 """
 
-import functools
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.accuracy import largest_difference, with_refinement
+from granular_fronts.accuracy import largest_difference, rounding_floor, with_refinement
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.laws import law_at
 from granular_fronts.campaign.one_by_one import solve_one_by_one
-from granular_fronts.chain.recording import fitted_speed
-from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.chain.event_errors import event_errors
+from granular_fronts.chain.recorder import TIME, VALUE
+from granular_fronts.chain.recording import extremes_of_all, fitted_speed
+from granular_fronts.chain.run import Run, integrate, prepare
+from granular_fronts.chain.simulate import REFINEMENT, SPLITS
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
 from granular_fronts.scenes.laws import front_speed
 from granular_fronts.scenes.validation import check_scene
 
 REFINED_EVERY = 25
-REFINEMENT = 10.0
 ERROR_METHOD = (
-    f"largest difference to solving one point in {REFINED_EVERY} with the tolerance divided by "
-    f"{REFINEMENT:g}"
+    f"difference to solving one point in {REFINED_EVERY} with the tolerance divided by "
+    f"{REFINEMENT:g} and other steps"
 )
 ARRIVAL_LEVEL = 0.5
 ABSOLUTE_TO_RELATIVE = 0.01
@@ -65,54 +67,108 @@ def solve_chunk(points, settings, activity):
         sizes["relative_displacement"] = (beads.size,)
 
     def measure(point, number, count):
-        solve = functools.partial(_solve_point, point, settings.get("law"), beads)
+        def solve(resolution):
+            return _solve_point(point, settings.get("law"), *resolution)
+
         if number % REFINED_EVERY and number < count - 1:
-            return {name: (value, np.nan) for name, value in solve(tolerance).items()}
-        measured, refined = with_refinement(solve, tolerance, tolerance / REFINEMENT)
-        return {
-            name: (value, largest_difference(value, refined[name]))
-            for name, value in measured.items()
-        }
+            motion = solve((tolerance, 1))
+            return {name: (value, np.nan) for name, value in _measures(motion, beads).items()}
+        motions = with_refinement(solve, (tolerance, 1), (tolerance / REFINEMENT, SPLITS))
+        return _with_errors(motions, beads)
 
     return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
 
 
-def _solve_point(point, law, beads, tolerance):
-    """Measures of one chain in units of δ and 1/c, and its final u at the given beads.
+class _Motion(NamedTuple):
+    """A run that has ended, its number of beads, and its units of length and speed."""
+
+    run: Run
+    beads: int
+    length: float
+    speed: float
+
+
+def _solve_point(point, law, tolerance, splits):
+    """Follow one chain, a `_Motion`; `splits` as in `chain.run.prepare`.
 
     Raises
     ------
     SolveError
-        If the motion cannot be followed, or if the front does not reach the far end of the range
-        its speed is fitted over.
+        If the motion cannot be followed.
     """
     if law is None:
         scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
     else:
         scene, length, c = scene_of_law(point, law, tolerance)
-    run = prepare(scene)
+    run = prepare(scene, splits)
     integrate(run, scene["tolerance"])
-    recording, count = run.recording, scene["beads"]
-    speed = fitted_speed(recording.arrival[1 : count + 1])
-    peak = recording.first_peak[count // 2]
+    return _Motion(run, scene["beads"], length, c)
+
+
+# Measure, by the variable of `event_errors` that it is read from: its factor in units of length to
+# the first and of speed to the second power.
+UNITS = {
+    "front_speed": ("front_speed", 0, -1),
+    "overshoot": ("first_peak", -1, 0),
+    "largest_overshoot": ("largest_relative_displacement", -1, 0),
+    "smallest_compression": ("smallest_relative_displacement", -1, 0),
+    "first_gap_time": ("first_gap_time", 0, 1),
+    "first_gap_bead": ("first_gap_bead", 0, 0),
+}
+
+
+def _in_units(variables, motion):
+    """Variables of the chain as measures in units of δ and 1/c."""
+    return {
+        name: variables[variable] * motion.length**length * motion.speed**speed
+        for name, (variable, length, speed) in UNITS.items()
+    }
+
+
+def _measures(motion, beads):
+    """Measures of one chain in units of δ and 1/c, and its final u at the given beads.
+
+    Raises
+    ------
+    SolveError
+        If the front does not reach the far end of the range its speed is fitted over.
+    """
+    recording, count = motion.run.recording, motion.beads
+    speed = fitted_speed(recording.arrival[TIME, 1 : count + 1])
+    peak = recording.first_peak[VALUE, count // 2]
     if not np.isfinite([speed, peak]).all():
         raise SolveError(
             "The front has not passed the middle of the chain at the end: raise crossings."
         )
-    extremes = recording.extremes
-    measured = {
-        "front_speed": speed / c,
-        "overshoot": peak / length - 1.0,
-        "largest_overshoot": extremes.largest / length - 1.0,
-        "smallest_compression": extremes.smallest / length,
-        "first_gap_time": extremes.gap_time * c,
-        "first_gap_bead": extremes.gap_bead,
-    }
+    variables = extremes_of_all(recording, int(motion.run.chain.contacts))
+    measured = _in_units(variables | {"front_speed": speed, "first_peak": peak}, motion)
+    measured["overshoot"] -= 1.0
+    measured["largest_overshoot"] -= 1.0
     if beads is not None:
         measured["relative_displacement"] = np.where(
-            beads < count, run.row(U)[np.minimum(beads, count) - 1] / length, np.nan
+            beads < count,
+            motion.run.row(U)[np.minimum(beads, count) - 1] / motion.length,
+            np.nan,
         )
     return measured
+
+
+def _with_errors(motions, beads):
+    """Measures of a chain with their errors, by name, from the chain and its refinement."""
+    found, refined = motions.map(lambda motion: _measures(motion, beads))
+    recordings = motions.map(lambda motion: motion.run.recording)
+    motion = motions.usual
+    events = event_errors(*recordings, motion.beads, int(motion.run.chain.contacts))
+    errors = _in_units(events, motion)
+    return {
+        name: (
+            value,
+            np.fmax(errors[name], rounding_floor(value))
+            if name in errors
+            else largest_difference(value, refined[name]),
+        )
+        for name, value in found.items()
+    }
 
 
 def normalised_scene(point, tolerance):

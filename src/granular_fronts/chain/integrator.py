@@ -17,9 +17,10 @@ from numba import int64
 from granular_fronts.chain.contact_events import passes_any_kink, step_at_contact
 from granular_fronts.chain.new_state import error_norm
 from granular_fronts.chain.recorder import (
-    next_extreme,
     next_output,
-    passes_level,
+    next_passage,
+    next_turn,
+    note_ends,
     record_step,
 )
 from granular_fronts.chain.state import NEW_U, U
@@ -52,12 +53,12 @@ def begin(chain, table):
 
 
 @subroutine
-def growth_of(error):
-    """Change of step size after an accepted step."""
+def growth_of(error, most):
+    """Change of step size after an accepted step, at most so much."""
     if error == 0.0:
-        return rk.LARGEST_FACTOR
+        return most
     factor = rk.SAFETY * error ** (rk.CAUTION * rk.ERROR_EXPONENT)
-    return min(rk.LARGEST_FACTOR, factor * factor if error < rk.SMALL_ERROR else factor)
+    return min(most, factor * factor if error < rk.SMALL_ERROR else factor)
 
 
 @subroutine
@@ -79,8 +80,7 @@ def advance(chain, table, recording, relative, absolute, most_steps):
     """
     law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
     # Whatever is read in every step is taken from the recording once.
-    level, side, arrival = recording.level, recording.side, recording.arrival
-    has_level, track_extremes = not math.isnan(level), recording.track_extremes
+    has_level, track_extremes = not math.isnan(recording.level), recording.track_extremes
     track_energy = recording.track_energy
     output_time = next_output(recording)
     after_rejection = False
@@ -120,9 +120,12 @@ def advance(chain, table, recording, relative, absolute, most_steps):
         clock.power = take_slopes(chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, track_energy)
         noteworthy = output_time <= t_new
         if has_level and not noteworthy:
-            noteworthy = passes_level(table, arrival, level, side, next_.arrival, last)
-        if track_extremes and not noteworthy:
-            noteworthy = next_extreme(chain, table, h, recording, int64(1), last) <= last
+            noteworthy = next_passage(chain, table, h, recording, next_.arrival, last) <= last
+        if track_extremes:
+            note_ends(chain, table, 1.0, t_new, recording.largest)
+            note_ends(chain, table, -1.0, t_new, recording.smallest)
+            if not noteworthy:
+                noteworthy = next_turn(chain, table, h, recording, int64(1), last) <= last
         if noteworthy:
             record_step(chain, table, h, t_new, recording)
             output_time = next_output(recording)
@@ -134,7 +137,7 @@ def advance(chain, table, recording, relative, absolute, most_steps):
         if landing:
             next_.stop += 1
             clock.h = max(clock.h, h)
-        growth = growth_of(error)
+        growth = growth_of(error, clock.growth)
         if not landing or growth < 1.0:
             clock.h = h * (min(1.0, growth) if after_rejection else growth)
         after_rejection = False

@@ -1,8 +1,13 @@
-r"""What is recorded of a step: states at given times, first arrivals, extremes, the first opening.
+r"""What is recorded of a step: states at given times, and five events of every contact.
 
-Everything is located on the continuous extension (`dense_output`).  Most steps hold nothing of
-note, which loops over whole rows without a branch find out: `passes_level` looks at the contacts
-that wait for their arrival, `next_extreme` at all.
+Events: u passes a level for the first time; its first maximum after that; it turns negative for the
+first time, the contact opens; its largest and its smallest value of all times, t = 0 included.
+Everything is located on the continuous extension (`dense_output`).
+
+Most steps hold nothing of note, which loops over whole rows without a branch find out:
+`next_passage` looks at the contacts that wait for their arrival, `next_turn` at all.  Between the
+ends of a step u exceeds both by no more than about :math:`h|\dot u(t + h) - \dot u(t)|/2`; where
+this may matter, the polynomial of the contact decides.
 """
 
 import math
@@ -11,7 +16,6 @@ from typing import NamedTuple
 import numpy as np
 from numba import int64, uint64
 
-from granular_fronts.chain.contact_events import rate_of
 from granular_fronts.chain.dense_output import contact_polynomial, take_output_stages, write_state
 from granular_fronts.chain.state import (
     ELASTIC_SLOPES,
@@ -30,16 +34,12 @@ from granular_fronts.numerics.polynomials import crossing, derivative, polynomia
 NEXT = record_type(*[(name, np.int64) for name in ("stop", "profile", "sample", "arrival")])
 """Index of the next stop, profile and sample, and first contact that waits for its arrival."""
 
-EXTREMES = record_type(
-    *[
-        (f"{name}{part}", float)
-        for name in ("largest", "smallest")
-        for part in ("", "_time", "_bead")
-    ],
-    ("gap_time", float),
-    ("gap_bead", float),
-)
-"""Largest and smallest u of all contacts and times, and the first opening, NaN if there is none."""
+VALUE, TIME, STEEPNESS, RIVAL, RIVAL_TIME, END, END_TIME = range(7)
+"""Rows of an event: u, t, and how steeply the quantity that locates it passes zero, |u̇| or |ü|.
+
+An extreme of all times is the best turn of u between steps, or the best end of a step.  It has rows
+for both, and for the second best turn, which another solution may take for the best.
+"""
 
 
 class Recording(NamedTuple):
@@ -56,14 +56,14 @@ class Recording(NamedTuple):
     next : record
         Of type `NEXT`.
     level : float
-        Level whose first passage is timed at each contact, NaN for none; 1 if u rises through it,
-        −1 if it falls.
-    arrival : ndarray, shape (columns,)
-        Time of that passage, or NaN.
-    first_peak, first_peak_time : ndarray, shape (columns,)
-        First maximum of each contact above the level, the overshoot as the front passes.
-    extremes : record
-        Of type `EXTREMES`.
+        Level whose first passage is timed at each contact, NaN for none.
+    side : ndarray, shape (columns,)
+        1 if u rises through the level, −1 if it falls.
+    arrival, first_peak, opening : ndarray, shape (3, columns)
+        Passage of the level, first maximum after it, first passage of 0 from above; NaN where there
+        is none.
+    largest, smallest : ndarray, shape (7, columns)
+        Extremes of each contact; the values of turns are infinite where there is none.
     coefficients : ndarray, shape (8,)
         Work space, of the polynomial of a contact.
     track_extremes, track_energy : bool
@@ -81,8 +81,9 @@ class Recording(NamedTuple):
     side: np.ndarray
     arrival: np.ndarray
     first_peak: np.ndarray
-    first_peak_time: np.ndarray
-    extremes: np.record
+    opening: np.ndarray
+    largest: np.ndarray
+    smallest: np.ndarray
     coefficients: np.ndarray
     track_extremes: bool
     track_energy: bool
@@ -123,122 +124,145 @@ def write_output(chain, table, h, t_new, recording):
         next_.sample += 1
 
 
+@subroutine(forceinline=True)
+def rate_rows(chain):
+    """The factor γ, and the rows of its slopes at the start and at the end of the step."""
+    slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+    return chain.law.gamma, slopes + rk.SLOT[0], slopes + rk.SLOT[rk.NEW_SLOPE]
+
+
+@subroutine(forceinline=True)
+def rates(table, rows, n):
+    """Rate of change of u_n at the start and at the end of the step, from its `rate_rows`."""
+    factor, start, end = rows
+    return table[D, n] + factor * table[start, n], table[NEW_D, n] + factor * table[end, n]
+
+
 @subroutine
-def passes_level(table, arrival, level, side, first, last):
-    """Whether any of the contacts first … last arrives at the level in this step."""
-    passages = 0
+def next_passage(chain, table, h, recording, first, last):
+    """First of the contacts first … last that may arrive at the level; beyond `last` if none."""
+    side, level, arrival = recording.side, recording.level, recording.arrival
+    rows = rate_rows(chain)
+    none = found = last + 1
     for n in range(uint64(first), uint64(last + 1)):
+        rate, new_rate = rates(table, rows, n)
+        turns = (side[n] * rate > 0.0) & (side[n] * new_rate <= 0.0)
+        margin = 0.5 * h * abs(rate - new_rate) if turns else 0.0
+        highest = max(side[n] * table[U, n], side[n] * table[NEW_U, n]) + margin
         # Only NaN differs from itself.
-        passages += (
-            (side[n] * table[U, n] < side[n] * level)
-            & (side[n] * level <= side[n] * table[NEW_U, n])
-            & (arrival[n] != arrival[n])
-        )
-    return passages > 0
+        arrives = (arrival[TIME, n] != arrival[TIME, n]) & (side[n] * level <= highest)
+        found = min(found, int64(n) if arrives else none)
+    return found
 
 
 @subroutine
 def write_arrivals(chain, table, h, last, have_polynomials, recording):
     """First passages of the level within the step."""
-    side, level, next_ = recording.side, recording.level, recording.next
-    arrival = recording.arrival
-    coefficients = recording.coefficients
-    for n in range(next_.arrival, last + 1):
-        arrives = side[n] * table[U, n] < side[n] * level <= side[n] * table[NEW_U, n]
-        if not (arrives and math.isnan(arrival[n])):
-            continue
+    next_, arrival = recording.next, recording.arrival
+    n = next_passage(chain, table, h, recording, next_.arrival, last)
+    while n <= last:
         if not have_polynomials:
             take_output_stages(chain, table, h, n, n)
-        contact_polynomial(chain, table, h, n, coefficients)
-        arrival[n] = chain.clock.t + h * crossing(coefficients, level)
-    while next_.arrival < chain.contacts and not math.isnan(arrival[next_.arrival]):
+        contact_polynomial(chain, table, h, n, recording.coefficients)
+        write_passage(chain, table, h, n, recording.level, recording.side[n], recording, arrival)
+        n = next_passage(chain, table, h, recording, n + 1, last)
+    while next_.arrival < chain.contacts and not math.isnan(arrival[TIME, next_.arrival]):
         next_.arrival += 1
 
 
 @subroutine
-def next_extreme(chain, table, h, recording, first, last):
-    """First of the contacts first … last that may hold an extreme or open; beyond `last` if none.
+def write_passage(chain, table, h, n, level, side, recording, event):
+    """First passage of a level, upwards if side is 1, before a turn of u or before the end."""
+    coefficients = recording.coefficients
+    if not side * table[U, n] < side * level:
+        return
+    end, new_u = 1.0, table[NEW_U, n]
+    rate, new_rate = rates(table, rate_rows(chain), n)
+    if side * new_u < side * level and side * rate > 0.0 >= side * new_rate:
+        end = crossing(derivative(coefficients), 0.0)
+        new_u = polynomial(coefficients, end)
+    if side * new_u < side * level:
+        return
+    part = coefficients * end ** np.arange(rk.DEGREE + 1)
+    theta = end * crossing(part, level)
+    event[VALUE, n], event[TIME, n] = level, chain.clock.t + h * theta
+    event[STEEPNESS, n] = abs(polynomial(derivative(coefficients), theta)) / h
 
-    The conditions are those of `write_extremes`, each at least as wide.
-    """
-    arrival, first_peak = recording.arrival, recording.first_peak
-    largest, smallest = recording.extremes.largest, recording.extremes.smallest
-    factor, viscous = chain.law.gamma, ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
-    start, end = viscous + rk.SLOT[0], viscous + rk.SLOT[rk.NEW_SLOPE]
+
+@subroutine
+def note_ends(chain, table, side, t_new, event):
+    """Largest u of every contact at the ends of steps so far, or smallest if side is −1."""
+    for n in range(uint64(1), uint64(min(chain.clock.reach, chain.contacts) + 1)):
+        u, exceeds = table[NEW_U, n], side * table[NEW_U, n] > side * event[END, n]
+        event[END_TIME, n] = t_new if exceeds else event[END_TIME, n]
+        event[END, n] = u if exceeds else event[END, n]
+
+
+@subroutine
+def next_turn(chain, table, h, recording, first, last):
+    """First of the contacts first … last that may turn or open; beyond `last` if none."""
+    arrival, first_peak, opening = recording.arrival, recording.first_peak, recording.opening
+    largest, smallest = recording.largest, recording.smallest
+    rows = rate_rows(chain)
     none = found = last + 1
     for n in range(uint64(first), uint64(last + 1)):
         u, new_u = table[U, n], table[NEW_U, n]
-        rate = table[D, n] + factor * table[start, n]
-        new_rate = table[NEW_D, n] + factor * table[end, n]
+        rate, new_rate = rates(table, rows, n)
         margin = 0.5 * h * abs(rate - new_rate)
-        high, low = max(u, new_u), min(u, new_u)
+        high, low = max(u, new_u) + margin, min(u, new_u) - margin
         # Only NaN differs from itself.
         counts = (
-            (high + margin > largest)
-            | (low - margin < smallest)
-            | ((arrival[n] == arrival[n]) & (first_peak[n] != first_peak[n]))
+            (high > largest[RIVAL, n])
+            | (low < smallest[RIVAL, n])
+            | (
+                (arrival[TIME, n] == arrival[TIME, n])
+                & (first_peak[TIME, n] != first_peak[TIME, n])
+            )
         )
-        turns = rate * new_rate <= 0.0
-        holds = (turns & counts) | (high > largest) | (low < smallest) | (u * new_u < 0.0)
+        falls = (rate < 0.0) & (new_rate >= 0.0)
+        turns = ((rate > 0.0) & (new_rate <= 0.0)) | falls
+        opens = (u > 0.0) & ((new_u < 0.0) | (falls & (low < 0.0)))
+        opens &= opening[TIME, n] != opening[TIME, n]
+        holds = (turns & counts) | opens
         found = min(found, int64(n) if holds else none)
     return found
 
 
 @subroutine
-def note_largest(extremes, value, t, n):
-    """Keep a new largest u."""
-    if value > extremes.largest:
-        extremes.largest, extremes.largest_time, extremes.largest_bead = value, t, n
-
-
-@subroutine
-def note_smallest(extremes, value, t, n):
-    """Keep a new smallest u."""
-    if value < extremes.smallest:
-        extremes.smallest, extremes.smallest_time, extremes.smallest_bead = value, t, n
-
-
-@subroutine
-def write_extremes(chain, table, h, t_new, last, have_polynomials, recording):
-    """Extremes of u over the step, and the first opening."""
-    n = next_extreme(chain, table, h, recording, int64(1), last)
+def write_turns(chain, table, h, last, have_polynomials, recording):
+    """Turns of u at an extreme within the step, and first openings."""
+    n = next_turn(chain, table, h, recording, int64(1), last)
     while n <= last:
-        write_extreme(chain, table, h, t_new, n, have_polynomials, recording)
-        n = next_extreme(chain, table, h, recording, n + 1, last)
+        if not have_polynomials:
+            take_output_stages(chain, table, h, n, n)
+        contact_polynomial(chain, table, h, n, recording.coefficients)
+        if table[U, n] > NEGLIGIBLE and math.isnan(recording.opening[TIME, n]):
+            write_passage(chain, table, h, n, -NEGLIGIBLE, -1.0, recording, recording.opening)
+        write_turn(chain, table, h, n, recording)
+        n = next_turn(chain, table, h, recording, n + 1, last)
 
 
 @subroutine
-def write_extreme(chain, table, h, t_new, n, have_polynomials, recording):
-    """Extremes of contact n over the step, and its opening, if they count."""
-    extremes, first_peak, t = recording.extremes, recording.first_peak, chain.clock.t
-    u, new_u = table[U, n], table[NEW_U, n]
-    note_largest(extremes, new_u, t_new, n)
-    note_smallest(extremes, new_u, t_new, n)
-    rate = rate_of(chain, table, D, int64(0), n)
-    new_rate = rate_of(chain, table, NEW_D, rk.NEW_SLOPE, n)
-    margin = 0.5 * h * abs(rate - new_rate)
-    is_first = not math.isnan(recording.arrival[n]) and math.isnan(first_peak[n])
-    peak = rate > 0.0 >= new_rate and (is_first or max(u, new_u) + margin > extremes.largest)
-    trough = rate < 0.0 <= new_rate and min(u, new_u) - margin < extremes.smallest
-    opens = u > NEGLIGIBLE and new_u < -NEGLIGIBLE and math.isnan(extremes.gap_time)
-    if not (peak or trough or opens):
+def write_turn(chain, table, h, n, recording):
+    """The turn of contact n within the step, if there is one and it counts."""
+    coefficients, first_peak = recording.coefficients, recording.first_peak
+    rate, new_rate = rates(table, rate_rows(chain), n)
+    rises, falls = rate > 0.0 >= new_rate, rate < 0.0 <= new_rate
+    if not (rises or falls):
         return
-    if not have_polynomials:
-        take_output_stages(chain, table, h, n, n)
-    coefficients = recording.coefficients
-    contact_polynomial(chain, table, h, n, coefficients)
-    if opens:
-        extremes.gap_time, extremes.gap_bead = t + h * crossing(coefficients, 0.0), n
-    if not (peak or trough):
-        return
-    theta = crossing(derivative(coefficients), 0.0)
-    value, time = polynomial(coefficients, theta), t + h * theta
-    if trough:
-        note_smallest(extremes, value, time, n)
-        return
-    note_largest(extremes, value, time, n)
-    if is_first:
-        first_peak[n], recording.first_peak_time[n] = value, time
+    slope = derivative(coefficients)
+    theta = crossing(slope, 0.0)
+    value, time = polynomial(coefficients, theta), chain.clock.t + h * theta
+    curvature = abs(polynomial(derivative(slope), theta)) / (h * h)
+    if rises and math.isnan(first_peak[TIME, n]) and time >= recording.arrival[TIME, n]:
+        first_peak[VALUE, n], first_peak[TIME, n] = value, time
+        first_peak[STEEPNESS, n] = curvature
+    event, side = (recording.largest, 1.0) if rises else (recording.smallest, -1.0)
+    if side * value > side * event[VALUE, n]:
+        event[RIVAL, n], event[RIVAL_TIME, n] = event[VALUE, n], event[TIME, n]
+        event[VALUE, n], event[TIME, n], event[STEEPNESS, n] = value, time, curvature
+    elif side * value > side * event[RIVAL, n]:
+        event[RIVAL, n], event[RIVAL_TIME, n] = value, time
 
 
 @subroutine
@@ -250,6 +274,7 @@ def record_step(chain, table, h, t_new, recording):
         chain.clock.right_hand_sides += rk.SLOPES - rk.NEW_SLOPE - 1
         write_output(chain, table, h, t_new, recording)
     last = min(chain.clock.reach, chain.contacts)
-    write_arrivals(chain, table, h, last, due, recording)
+    if not math.isnan(recording.level):
+        write_arrivals(chain, table, h, last, due, recording)
     if recording.track_extremes:
-        write_extremes(chain, table, h, t_new, last, due, recording)
+        write_turns(chain, table, h, last, due, recording)

@@ -22,7 +22,18 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.chain import equations
-from granular_fronts.chain.recorder import EXTREMES, NEXT, Recording
+from granular_fronts.chain.recorder import (
+    END,
+    END_TIME,
+    NEXT,
+    RIVAL,
+    RIVAL_TIME,
+    STEEPNESS,
+    TIME,
+    VALUE,
+    Recording,
+)
+from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.numerics.runge_kutta import DEGREE
 
@@ -48,8 +59,8 @@ def probe_samples(scene):
     return np.concatenate(times), np.concatenate(beads)
 
 
-def make_recording(scene, ahead, u):
-    """Empty arrays for everything the scene asks for.
+def make_recording(scene, ahead, u, splits=1):
+    """Arrays for everything the scene asks for; what is located on the way is NaN until it is.
 
     Parameters
     ----------
@@ -59,6 +70,8 @@ def make_recording(scene, ahead, u):
         Compression ahead of the active window.
     u : ndarray, shape (columns,)
         Compressions at t = 0, a row of the engine.
+    splits : int, optional
+        Steps at least from one stop to the next.
     """
     columns = u.size
     record = scene["record"]
@@ -66,36 +79,43 @@ def make_recording(scene, ahead, u):
     profile_times = np.union1d(snapshots, grid_times(scene))
     times, beads = probe_samples(scene)
     order = np.argsort(times, kind="stable")
-    next_, extremes = np.zeros(1, NEXT)[0], np.full(1, np.nan).repeat(8).view(EXTREMES)[0]
+    next_ = np.zeros(1, NEXT)[0]
     next_.arrival = 1
-    extremes.largest, extremes.smallest = -np.inf, np.inf
+    passage = np.full((STEEPNESS + 1, columns), np.nan)
+    largest, smallest = np.full((2, END_TIME + 1, columns), np.nan)
+    for event, none in ((largest, -np.inf), (smallest, np.inf)):
+        event[[VALUE, RIVAL]], event[END], event[END_TIME] = none, u, 0.0
     level = float(record.get("arrival_level", np.nan))
     return Recording(
-        stops=_stops(scene, snapshots),
+        stops=_stops(scene, snapshots, splits),
         profile_times=profile_times,
         profile_u=np.full((profile_times.size, columns), ahead),
         profile_d=np.zeros((profile_times.size, columns)),
         sample_times=times[order],
         sample_beads=beads[order],
-        samples=np.zeros(times.size),
+        samples=np.full(times.size, np.nan),
         next=next_,
         level=level,
         side=np.where(u < level, 1.0, -1.0),
-        arrival=np.full(columns, np.nan),
-        first_peak=np.full(columns, np.nan),
-        first_peak_time=np.full(columns, np.nan),
-        extremes=extremes,
+        arrival=passage,
+        first_peak=passage.copy(),
+        opening=passage.copy(),
+        largest=largest,
+        smallest=smallest,
         coefficients=np.zeros(DEGREE + 1),
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),
     )
 
 
-def _stops(scene, snapshots):
-    """Times on which steps land: snapshots, the end of a piston's ramp, the end of the motion."""
+def _stops(scene, snapshots, splits):
+    """Times on which steps land: snapshots, the end of a piston's ramp, the end, parts of these."""
     end_time, ramp = float(scene["end_time"]), float(scene["boundary"].get("ramp", 0.0))
     inside = np.append(snapshots, ramp)
-    return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
+    ends = np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
+    starts = np.append(0.0, ends[:-1])[:, np.newaxis]
+    parts = starts + (ends[:, np.newaxis] - starts) * np.arange(1, splits) / splits
+    return np.union1d(parts, ends)
 
 
 def collect(scene, run):
@@ -110,7 +130,9 @@ def collect(scene, run):
     -------
     xarray.Dataset
     """
-    recording = run.recording
+    recording, next_ = run.recording, run.recording.next
+    if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
+        raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
     beads = np.arange(1, scene["beads"] + 1)
     dataset = xr.Dataset(coords={"bead": beads})
     dataset = dataset.merge(_profiles(scene, run))
@@ -118,7 +140,7 @@ def collect(scene, run):
     if not np.isnan(recording.level):
         dataset = dataset.merge(_arrivals(scene, recording))
     if recording.track_extremes:
-        dataset = dataset.merge(_extremes(recording.extremes))
+        dataset = dataset.assign(extremes_of_all(recording, int(run.chain.contacts)))
     return dataset.assign_attrs(
         contacts=int(run.chain.contacts), contacts_open=int(not run.chain.law.attraction)
     )
@@ -171,39 +193,69 @@ def _probes(scene, recording):
 
 
 def fitted_speed(arrival):
-    """Slope of bead number over arrival time in the middle of the chain.
+    """Slope of bead number over arrival time in the middle of the chain; see `speed_and_error`."""
+    return speed_and_error(arrival, np.zeros_like(arrival))[0]
+
+
+def speed_and_error(arrival, errors):
+    """Slope of bead number over arrival time in the middle of the chain, and its error.
 
     NaN if fewer than two beads were passed there, or if neither end was passed first, as on a ring
     with two waves.
 
     Parameters
     ----------
-    arrival : ndarray, shape (N,)
+    arrival, errors : ndarray, shape (N,)
         NaN where the front has not arrived.
+
+    Returns
+    -------
+    speed, error : float
+        The error in the worst case of those of the times.
     """
     first, last = (int(fraction * arrival.size) for fraction in SPEED_RANGE)
     passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
     if passed.size < 2:
-        return np.nan
+        return np.nan, np.nan
     beads, times = passed - passed.mean(), arrival[passed] - arrival[passed].mean()
     slowness = (beads @ times) / (beads @ beads)
-    return 1.0 / slowness if slowness != 0.0 else np.nan
+    if slowness == 0.0:
+        return np.nan, np.nan
+    return 1.0 / slowness, np.abs(beads) @ errors[passed] / (beads @ beads) / slowness**2
 
 
 def _arrivals(scene, recording):
-    beads = scene["beads"]
-    arrival = recording.arrival[1 : beads + 1]
-    speed = fitted_speed(arrival)
-    variables = {"arrival_time": ("bead", arrival), "front_speed": speed}
+    every = slice(1, scene["beads"] + 1)
+    arrival = recording.arrival[TIME, every]
+    variables = {"arrival_time": ("bead", arrival), "front_speed": fitted_speed(arrival)}
     if recording.track_extremes:
-        variables["first_peak"] = ("bead", recording.first_peak[1 : beads + 1])
-        variables["first_peak_time"] = ("bead", recording.first_peak_time[1 : beads + 1])
+        variables["first_peak"] = ("bead", recording.first_peak[VALUE, every])
+        variables["first_peak_time"] = ("bead", recording.first_peak[TIME, every])
     return xr.Dataset(variables)
 
 
-def _extremes(extremes):
-    variables = {"first_gap_time": extremes.gap_time, "first_gap_bead": extremes.gap_bead}
-    for kind in ("largest", "smallest"):
-        for part in ("", "_time", "_bead"):
-            variables[f"{kind}_relative_displacement{part}"] = float(extremes[f"{kind}{part}"])
-    return xr.Dataset(variables)
+def extremes_of_all(recording, contacts):
+    """Largest and smallest u of all contacts and times, and the first opening, by variable."""
+    opening = recording.opening[TIME, 1 : contacts + 1]
+    opens = np.isfinite(opening).any()
+    first = int(np.nanargmin(opening)) if opens else 0
+    variables = {
+        "first_gap_time": opening[first],
+        "first_gap_bead": first + 1.0 if opens else np.nan,
+    }
+    for kind, side in (("largest", 1.0), ("smallest", -1.0)):
+        value, time, bead = candidates(getattr(recording, kind)[:, 1 : contacts + 1])
+        # Of equal extremes the first one counts.
+        best = np.lexsort((bead, time, -side * value))[0]
+        variables[f"{kind}_relative_displacement"] = value[best]
+        variables[f"{kind}_relative_displacement_time"] = time[best]
+        variables[f"{kind}_relative_displacement_bead"] = bead[best]
+    return variables
+
+
+def candidates(event):
+    """Values, times and beads that may hold an extreme of all contacts: turns, rivals and ends."""
+    value, time = event[[VALUE, RIVAL, END]].ravel(), event[[TIME, RIVAL_TIME, END_TIME]].ravel()
+    bead = np.tile(np.arange(1.0, event.shape[1] + 1.0), 3)
+    there = np.isfinite(value)
+    return value[there], time[there], bead[there]

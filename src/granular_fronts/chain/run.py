@@ -31,7 +31,7 @@ from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
-from granular_fronts.numerics.runge_kutta import STAGES
+from granular_fronts.numerics.runge_kutta import LARGEST_FACTOR, STAGES
 
 FIRST_STEP = 1.0e-6
 # Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
@@ -77,8 +77,15 @@ class Run(NamedTuple):
         return self.table[row, 1 : self.chain.beads + 1]
 
 
-def prepare(scene):
+def prepare(scene, splits=1):
     """The run of a checked scene, ready at t = 0.
+
+    Parameters
+    ----------
+    scene : mapping
+    splits : int, optional
+        Steps at least from one stop to the next.  So many also take the place of one step where
+        steps grow as fast as they may: no step of two runs with different splits is the same.
 
     Raises
     ------
@@ -96,7 +103,8 @@ def prepare(scene):
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain.ahead, table[U])
+    chain.clock.growth = LARGEST_FACTOR ** (1.0 / splits)
+    recording = make_recording(scene, chain.ahead, table[U], splits)
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 

@@ -4,20 +4,23 @@ A scene is the mapping that the configuration holds under `scenes: chain:`; its 
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
 the adaptive pair of `integrator`, or with the implicit steps of `stiff` where damping is strong.
 
-Accuracy.  Every scene is integrated a second time, with the tolerance divided by `REFINEMENT` until
-more steps are taken; the largest difference between the two runs is the error estimate of each
-recorded variable.  It comes from an independent refinement and not from the step controller.  It is
-an estimate and no bound: where the error shrinks with the tolerance it is about nine tenths of the
-error or more, and where both runs consist of rounding it may be half of it.
+Accuracy.  Every scene is integrated a second time, with the tolerance divided by `REFINEMENT` and
+in at least `SPLITS` steps from one stop to the next, so that the two runs differ from the first
+step on.  The error estimate of an array is the largest difference between them.  Single numbers,
+which may agree by chance, take theirs from all events near them (`event_errors`).  The estimates
+come from an independent refinement and not from the step controller; they are no bounds.
 """
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import error_attributes
+from granular_fronts.accuracy import error_attributes, rounding_floor
 from granular_fronts.chain.balances import Balances
+from granular_fronts.chain.event_errors import event_errors
+from granular_fronts.chain.recorder import Recording
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare, work_done
 from granular_fronts.errors import SolveError
@@ -27,6 +30,7 @@ from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
 from granular_fronts.scenes.validation import check_scene
 
 REFINEMENT = 10.0
+SPLITS = 2
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 STIFF_SOLVER = f"Radau IIA of order 9 in strain form where damping is stiff, else {SOLVER}"
 ERROR_METHOD = (
@@ -45,11 +49,14 @@ class Solution(NamedTuple):
         Work: steps accepted, rejected, cut at contacts; right-hand sides.
     drifts : dict
         Largest relative drift of the balance laws.
+    recording : chain.recorder.Recording
+        As the integrator left it.
     """
 
     dataset: xr.Dataset
     counts: dict
     drifts: dict
+    recording: Recording
 
 
 def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
@@ -79,8 +86,12 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """
     scene = check_scene("chain", scene, name)
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
-    refined = refine(scene, solution, f"scene {name}, estimating the error")
-    return _with_error_estimates(solution, refined.dataset, scene["tolerance"])
+    finer = {
+        "relative": max(scene["tolerance"]["relative"] / REFINEMENT, RELATIVE_TOLERANCE_FLOOR),
+        "absolute": scene["tolerance"]["absolute"] / REFINEMENT,
+    }
+    refined = solve(scene, finer, f"scene {name}, estimating the error", SPLITS)
+    return _with_error_estimates(solution, refined, scene["tolerance"])
 
 
 def simulate_once(scene, name="given"):
@@ -93,37 +104,7 @@ def simulate_once(scene, name="given"):
     return solve(scene, scene["tolerance"], f"scene {name}, solving").dataset
 
 
-def refine(scene, solution, activity):
-    """Integrate a scene again, more accurately.
-
-    The tolerance is divided until more steps are taken than before: in a short motion the first
-    steps grow as fast as they may at either tolerance, and two equal runs say nothing of the error.
-
-    Parameters
-    ----------
-    scene : mapping
-        Checked.
-    solution : Solution
-    activity : str
-        As of `solve`.
-
-    Returns
-    -------
-    Solution
-    """
-    finer = scene["tolerance"]
-    while True:
-        finer = {
-            "relative": max(finer["relative"] / REFINEMENT, RELATIVE_TOLERANCE_FLOOR),
-            "absolute": finer["absolute"] / REFINEMENT,
-        }
-        refined = solve(scene, finer, activity)
-        takes_more = refined.counts["steps_accepted"] > solution.counts["steps_accepted"]
-        if takes_more or finer["relative"] <= RELATIVE_TOLERANCE_FLOOR:
-            return refined
-
-
-def solve(scene, tolerance, activity="solving"):
+def solve(scene, tolerance, activity="solving", splits=1):
     """Integrate a checked scene once, at the given tolerance.
 
     Parameters
@@ -133,13 +114,15 @@ def solve(scene, tolerance, activity="solving"):
         `relative` and `absolute`, per step, in the maximum norm over beads.
     activity : str
         What the progress line and a failure are headed with.
+    splits : int, optional
+        As in `run.prepare`.
 
     Returns
     -------
     Solution
     """
     try:
-        run = prepare(scene)
+        run = prepare(scene, splits)
         balances = Balances(run)
         with time_bar(activity, scene["end_time"]) as show_time:
 
@@ -150,14 +133,24 @@ def solve(scene, tolerance, activity="solving"):
             integrate(run, tolerance, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    return Solution(collect(scene, run), work_done(run.clock), balances.drifts())
+    return Solution(collect(scene, run), work_done(run.clock), balances.drifts(), run.recording)
 
 
 def _with_error_estimates(solution, refined, tolerance):
-    """The dataset of `solution`, each variable with its largest difference to `refined`."""
+    """The dataset of a solution, each variable with its error by a refined one."""
     dataset = solution.dataset
+    events = event_errors(
+        solution.recording, refined.recording, dataset.sizes["bead"], dataset.attrs["contacts"]
+    )
     for name, variable in dataset.data_vars.items():
-        variable.attrs |= error_attributes(variable, refined[name], ERROR_METHOD)
+        other = refined.dataset[name]
+        attributes = error_attributes(variable, other, ERROR_METHOD)
+        if name in events:
+            attributes["error_estimate"] = float(np.fmax(events[name], rounding_floor(variable)))
+        if name in events and variable.dims:
+            # An event that one run alone has is not certain to have happened.
+            variable = variable.where(np.isfinite(other))
+        dataset[name] = variable.assign_attrs(attributes)
     dataset.attrs |= {
         "solver": STIFF_SOLVER if solution.counts["steps_implicit"] else SOLVER,
         "relative_tolerance": float(tolerance["relative"]),

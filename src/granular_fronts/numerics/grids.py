@@ -7,5 +7,10 @@ ROUNDING = 1e-12
 
 
 def regular_points(start, stop, step):
-    """start, start + step, … up to and including a stop that the step hits up to rounding."""
-    return start + step * np.arange(int(np.floor((stop - start) / step * (1 + ROUNDING))) + 1)
+    """start, start + step, … up to a stop, which is itself the last point if a step hits it."""
+    count = int(np.floor((stop - start) / step * (1 + ROUNDING)))
+    points = start + step * np.arange(count + 1)
+    # Rounding may carry the last point beyond the stop, or leave it short of it.
+    if abs(stop - points[-1]) <= ROUNDING * abs(stop - start):
+        points[-1] = stop
+    return points

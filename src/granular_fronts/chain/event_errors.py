@@ -1,0 +1,162 @@
+r"""Errors of located events, from the events of two runs.
+
+Two runs may agree on a single number by chance, on many they do not.  Every event of a contact is a
+sample of the error of u, or of that of u̇: the value of an extreme is wrong by :math:`\delta u`, its
+time by :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  An
+event takes the largest of the samples near it, of contacts at most `NEAR` away and of times within
+a factor of `RECENT`, through its own reading.
+
+The extreme of all contacts and times is the best of many candidates.  Where others come as close to
+it as the errors allow, its time and bead are as uncertain as those of the candidates differ.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from granular_fronts.chain.recorder import END, END_TIME, STEEPNESS, TIME, VALUE
+from granular_fronts.chain.recording import candidates, extremes_of_all, speed_and_error
+
+NEAR, RECENT = 2, 2.0
+# Two events are one if u changes by less than this share of its largest from the one to the other.
+SAME = 0.01
+
+
+class Samples(NamedTuple):
+    """Errors at the times of events, each of shape (events, contacts), NaN where there is none."""
+
+    time: np.ndarray
+    of_u: np.ndarray
+    of_rate: np.ndarray
+
+
+def event_errors(recording, refined, beads, contacts):
+    """Errors of all variables that hold events.
+
+    Parameters
+    ----------
+    recording, refined : recorder.Recording
+        Of a run and of its refinement.
+    beads, contacts : int
+        How many beads there are, and how many contacts move.
+
+    Returns
+    -------
+    dict of str to float
+        Absolute errors by the name of the variable.
+    """
+    names = ("arrival", "opening", "first_peak", "largest", "smallest")
+    events = {
+        name: tuple(getattr(one, name)[:, 1 : beads + 1] for one in (recording, refined))
+        for name in names
+    }
+    errors, samples = {}, take_samples(events)
+    if not np.isnan(recording.level):
+        arrival = error_of_passage(samples, *events["arrival"])
+        _, speed = speed_and_error(events["arrival"][0][TIME], arrival)
+        errors |= {"arrival_time": _largest(arrival), "front_speed": speed}
+        peak, other = events["first_peak"]
+        errors["first_peak"] = _largest(_near(samples.time, samples.of_u, peak[TIME]))
+        errors["first_peak_time"] = _largest(error_of_turn(samples, peak, other))
+    if recording.track_extremes:
+        both = [extremes_of_all(one, contacts) for one in (recording, refined)]
+        errors |= _of_first_opening(samples, *events["opening"], *both)
+        for kind in ("largest", "smallest"):
+            errors |= _of_extreme(kind, samples, events[kind][0], contacts, *both)
+    return errors
+
+
+def take_samples(events):
+    """The errors of u and u̇ that the events of two runs show; `events` by name, of both."""
+    largest, smallest = (events[name][0][END] for name in ("largest", "smallest"))
+    size = max(np.abs(largest).max(), np.abs(smallest).max())
+    none, rows = np.full(largest.size, np.nan), []
+    for name, (own, other) in events.items():
+        moved = np.abs(own[TIME] - other[TIME])
+        if name in ("arrival", "opening"):
+            change = own[STEEPNESS] * moved
+            rows.append((own[TIME], np.where(change < SAME * size, change, np.nan), none))
+            continue
+        same = own[STEEPNESS] * moved**2 < SAME * size
+        of_rate = np.where(same, own[STEEPNESS] * moved, np.nan)
+        with np.errstate(invalid="ignore"):  # Infinite where neither has turned.
+            change = np.abs(own[VALUE] - other[VALUE])
+        rows.append((own[TIME], change, of_rate))
+        if name in ("largest", "smallest"):
+            # Ends of steps are comparable at the start and the end of the motion.
+            change = np.where(own[END_TIME] == other[END_TIME], own[END] - other[END], np.nan)
+            rows.append((own[END_TIME], np.abs(change), none))
+    time, of_u, of_rate = np.moveaxis(np.array(rows), 1, 0)
+    return Samples(time, np.maximum(of_u, np.spacing(size)), of_rate)
+
+
+def error_of_passage(samples, own, other):
+    """Errors of the times at which contacts pass a level."""
+    through = _near(samples.time, samples.of_u, own[TIME]) / own[STEEPNESS]
+    return np.fmax(through, np.abs(own[TIME] - other[TIME]))
+
+
+def error_of_turn(samples, own, other):
+    """Errors of the times at which contacts turn."""
+    through = _near(samples.time, samples.of_rate, own[TIME]) / own[STEEPNESS]
+    return np.fmax(through, np.abs(own[TIME] - other[TIME]))
+
+
+def _near(times, errors, time):
+    """Largest error near each contact at a time of its own, shape (contacts,); NaN without time."""
+    wide, contacts = [(0, 0), (NEAR, NEAR)], errors.shape[1]
+    times, errors = (np.pad(rows, wide, constant_values=np.nan) for rows in (times, errors))
+    largest = np.where(np.isfinite(time), 0.0, np.nan)
+    for first in range(2 * NEAR + 1):
+        there, error = times[:, first : first + contacts], errors[:, first : first + contacts]
+        counts = (there <= RECENT * time) & (time <= RECENT * there) & np.isfinite(error)
+        largest = np.maximum(largest, np.where(counts, error, 0.0).max(axis=0))
+    return largest
+
+
+def _of_first_opening(samples, own, other, found, refined):
+    """Errors of time and bead of the first opening."""
+    names = ("first_gap_time", "first_gap_bead")
+    if np.isnan(found["first_gap_time"]):
+        return dict.fromkeys(names, np.nan)
+    if np.isnan(refined["first_gap_time"]):
+        return dict.fromkeys(names, np.inf)
+    first = int(found["first_gap_bead"]) - 1
+    error = error_of_passage(samples, own, other)[first]
+    rivals = np.flatnonzero(own[TIME] <= found["first_gap_time"] + 2.0 * error)
+    return {
+        name: max([least, abs(found[name] - refined[name]), *abs(values[rivals] - found[name])])
+        for name, least, values in zip(
+            names, (error, 0.0), (own[TIME], 1.0 + np.arange(own[TIME].size)), strict=True
+        )
+    }
+
+
+def _of_extreme(kind, samples, own, contacts, found, refined):
+    """Errors of value, time and bead of an extreme of all contacts."""
+    name = f"{kind}_relative_displacement"
+    extreme, time, bead = (found[f"{name}{part}"] for part in ("", "_time", "_bead"))
+    n = int(bead) - 1
+    of_u, of_rate = (
+        _near(samples.time, errors, np.full(own.shape[1], time))[n]
+        for errors in (samples.of_u, samples.of_rate)
+    )
+    if time == 0.0:
+        of_u = 0.0
+    value, times, beads = candidates(own[:, :contacts])
+    rivals = (value != extreme) & (np.abs(value - extreme) <= 2.0 * of_u)
+    turns = time == own[TIME, n] and own[STEEPNESS, n] > 0.0
+    errors = {
+        name: [of_u],
+        f"{name}_time": [of_rate / own[STEEPNESS, n] if turns else 0.0, *abs(times[rivals] - time)],
+        f"{name}_bead": [0.0, *abs(beads[rivals] - bead)],
+    }
+    return {
+        part: float(max(*several, abs(found[part] - refined[part])))
+        for part, several in errors.items()
+    }
+
+
+def _largest(errors):
+    """Largest error of those that are numbers, NaN if there is none."""
+    return float(np.fmax.reduce(errors, initial=np.nan))
