@@ -12,39 +12,28 @@ import numpy as np
 
 sys.path[:0] = [str(Path(__file__).parents[1] / part) for part in ("src", "workflow/scripts")]
 
-from truth import chains  # noqa: E402
-
-
-def ratio_of(beyond, stated):
-    """True over stated error; infinite where nothing is stated of an error."""
-    if beyond <= 0:
-        return 0.0
-    return beyond / stated if stated > 0 else np.inf
-
+from truth import ratio  # noqa: E402
+from truth.chains import cases  # noqa: E402
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--seed", type=int, default=1)
 parser.add_argument("--count", type=int, default=200)
 arguments = parser.parse_args()
 ratios, gains = [], []
-for name, stated, true, largest in chains.cases(arguments.seed, arguments.count):
-    if np.isnan(stated) and np.isnan(true):
-        print(f"scene {arguments.seed} {name}")
-        continue
-    beyond = true - 4 * np.spacing(largest)
-    ratios.append(ratio_of(beyond, stated))
-    if np.spacing(largest) < true < np.inf:
-        gains.append(stated / true)
-    if not ratios[-1] <= 2:
+for name, stated, true, largest in cases(arguments.seed, arguments.count):
+    times = ratio(stated, true, largest)
+    if not times <= 2:
         print(
-            f"scene {arguments.seed} {name}: stated {stated:.2e}, true {true:.2e}, "
-            f"ratio {ratios[-1]:.3g}",
+            f"seed {arguments.seed}, {name}: stated {stated:.2e}, true {true:.2e}, ratio {times:.3g}",
             flush=True,
         )
+    if not np.isnan(largest):
+        ratios.append(times)
+        if true > np.spacing(largest):
+            gains.append(stated / true)
 shares, parts = np.array(ratios), (0.5, 0.9, 0.99, 0.995, 1)
-print(
-    f"{shares.size} numbers: {np.mean(shares > 2):.2%} above 2, {np.mean(shares > 10):.2%} above 10"
-)
+above = [f"{np.mean(shares > limit):.2%} above {limit}" for limit in (2, 10)]
+print(f"{shares.size} numbers: {', '.join(above)}")
 found = ", ".join(f"{value:.3g}" for value in np.quantile(shares, parts, method="higher"))
 print(f"true over stated, quantiles {', '.join(map(str, parts))}: {found}")
-print(f"stated over true, median where the error is above rounding: {np.median(gains):.3g}")
+print(f"stated over true, median where the error is above rounding: {np.nanmedian(gains):.3g}")

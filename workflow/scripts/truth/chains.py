@@ -187,22 +187,22 @@ def judge(scene: dict[str, Any]) -> Iterator[tuple[str, float, float, float]]:
     true = truths(scene, data, motion) | events(scene, data, motion)
     for name, variable in data.data_vars.items():
         found, wanted = np.atleast_1d(variable.values), np.atleast_1d(true[name])
-        same = (np.isnan(found) & np.isnan(wanted)) | (found == wanted)
-        difference = np.where(same, 0, np.abs(found - wanted)).astype(float)
+        nothing = np.isnan(found) & np.isnan(wanted)
+        if nothing.all():
+            continue
+        difference = np.where(nothing, 0, np.abs(found - wanted)).astype(float)
         difference[difference < RESOLVED * motion.size] = 0.0
-        error = float(np.where(np.isnan(difference), np.inf, difference).max(initial=0.0))
+        error = float(np.nan_to_num(difference, nan=np.inf).max())
         largest = float(np.nanmax(np.abs(found), initial=0.0))
         yield name, float(variable.attrs["error_estimate"]), error, largest
 
 
 def cases(seed: int, count: int) -> Iterator[tuple[str, float, float, float]]:
-    """The numbers of some random chains, named ``<index> <variable>``; no refused scene counts."""
+    """All numbers of some random chains; one that is refused has no numbers, but a sentence."""
     for index in range(count):
         scene = random_scene(np.random.default_rng([seed, index]))
         try:
-            numbers = list(judge(scene))
+            for name, *numbers in judge(scene):
+                yield f"{name} {index}", *numbers
         except (InputError, SolveError) as error:
-            yield f"{index} refused: {error}", np.nan, np.nan, np.nan
-            continue
-        for name, *number in numbers:
-            yield f"{index} {name}", *number
+            yield f"refused {index}: {error}", np.nan, np.nan, np.nan

@@ -10,7 +10,6 @@ import functools
 import math
 
 import numpy as np
-from rings import scene_with
 
 import granular_fronts as gf
 from granular_fronts.continuum.log_burgers.evolution import evolve_unlimited
@@ -198,15 +197,16 @@ def random_scene(rng, equation):
         start = {"kind": "given", "rescaled_force": waves.tolist()}
     tolerance = float(10 ** rng.uniform(-8.0, -4.0))
     resolution = {"cells": int(2 ** rng.integers(7, 10)), "tolerance": tolerance}
-    return scene_with(
-        law={"alpha": alpha, "gamma": gamma},
-        displacement=delta,
-        half_beads=math.ceil(half_length / epsilon),
-        start=start,
-        end_time=float(times[-1]),
-        record={"snapshots": times.tolist(), "grid": {"step": 0.5}},
-        **{f"equations__{equation}": resolution},
-    )
+    return {
+        "law": {"alpha": alpha, "gamma": gamma},
+        "displacement": delta,
+        "half_beads": math.ceil(half_length / epsilon),
+        "start": start,
+        "end_time": float(times[-1]),
+        "tolerance": {"relative": 1e-9, "absolute": 1e-12},
+        "equations": dict.fromkeys(EQUATIONS, resolution) | {"upwind": {"points": 512}},
+        "record": {"snapshots": times.tolist(), "grid": {"step": 0.5}},
+    }
 
 
 def cases(seed, count):
