@@ -24,7 +24,8 @@ for name, stated, true, largest in cases(arguments.seed, arguments.count):
     times = ratio(stated, true, largest)
     if not times <= 2:
         print(
-            f"seed {arguments.seed}, {name}: stated {stated:.2e}, true {true:.2e}, ratio {times:.3g}",
+            f"seed {arguments.seed}, {name}: stated {stated:.2e}, true {true:.2e}, "
+            f"ratio {times:.3g}",
             flush=True,
         )
     if not np.isnan(largest):

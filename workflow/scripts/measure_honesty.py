@@ -1,6 +1,7 @@
-"""Compare stated errors of random problems with true ones, by programs that share no line with ours.
+"""Compare stated errors of random problems with true ones, by programs that share no line.
 
-python workflow/scripts/measure_honesty.py --wing chains --seed 1 --count 50 --dataset honesty.nc
+python workflow/scripts/measure_honesty.py --wing chains --problems "{seed: 1, count: 50}" \
+    --dataset honesty.nc
 """
 
 from importlib import import_module
@@ -14,7 +15,7 @@ from step import run_step
 from truth import ratio
 
 
-def measure_honesty(wing: str, seed: int, count: int, dataset: Path) -> None:
+def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
     """Solve random problems of a wing, and write every number's stated and true error.
 
     Numbers whose error is more than twice the stated one, and refusals, are printed.
@@ -23,16 +24,17 @@ def measure_honesty(wing: str, seed: int, count: int, dataset: Path) -> None:
     ----------
     wing : str
         chains, fronts or evolutions.
-    seed, count : int
-        Which random problems, and how many.
+    problems : dict
+        Which random problems, `seed`, and how many, `count`.
     dataset : Path
         The netCDF file to write, on (number).
     """
     found = []
-    for name, stated, true, largest in import_module(f"truth.{wing}").cases(seed, count):
+    cases = import_module(f"truth.{wing}").cases
+    for name, stated, true, largest in cases(**problems):
         times = ratio(stated, true, largest)
         if not times <= 2.0:
-            print(f"seed {seed}, {name}: stated {stated:.2e}, true {true:.2e}, ratio {times:.3g}")
+            print(f"{name}: stated {stated:.2e}, true {true:.2e}, ratio {times:.3g}")
         if not np.isnan(largest):
             found.append((name.split()[0], stated, true, times))
     ratios = np.array([row[-1] for row in found])
@@ -53,10 +55,8 @@ def measure_honesty(wing: str, seed: int, count: int, dataset: Path) -> None:
             "number": ("number", np.arange(len(names)), {"long_name": "number that is judged"}),
             "variable": ("number", list(names), {"long_name": "variable that states its error"}),
         },
-        {"wing": wing, "seed": seed},
     )
-    config = {"seed": seed, "count": count}
-    write_dataset(measured, dataset, scene_id=f"honesty_{wing}", config=config)
+    write_dataset(measured, dataset, scene_id=f"honesty_{wing}", config=problems)
 
 
 if __name__ == "__main__":
