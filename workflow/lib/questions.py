@@ -57,7 +57,6 @@ def questions_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
             "precision_log_burgers": rings,
         },
         "precision/hard_cases": {"cases": configuration["hard_cases"]},
-        "precision/stiff_damping": configuration["stiff_damping"],
         "proofs/fronts": configuration["proofs"]["fronts"],
         "proofs/intervals": configuration["proofs"]["intervals"],
         "proofs/shown_front": shown_front(configuration),

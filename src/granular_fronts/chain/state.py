@@ -61,14 +61,10 @@ infinite there, so that no contact may pass; 1 if the law acts in extension too,
 
 CLOCK = record_type(
     *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
-    *[
-        (name, np.int64)
-        for name in ("reach", "accepted", "rejected", "cut", "implicit", "right_hand_sides")
-    ],
+    *[(name, np.int64) for name in ("reach", "accepted", "rejected", "cut", "right_hand_sides")],
 )
 """Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0; last
-bead of the active window; steps accepted, rejected, cut at contacts and implicit; right-hand sides.
-"""
+bead of the active window; steps accepted, rejected and cut at contacts; right-hand sides."""
 
 CHAIN = record_type(
     ("law", LAW),
