@@ -21,7 +21,7 @@ from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sizes import NUMBERS_PER_BEAD
 from granular_fronts.scenes.yaml_files import read_yaml
 
-NAME = re.compile(r"[a-z][a-z0-9_]*")
+NAME = re.compile(r"[a-z][a-z0-9_]{0,99}")
 """A campaign's name, which becomes part of file names."""
 
 NUMBERS_PER_VALUE = 4
@@ -108,8 +108,8 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
         )
     if not NAME.fullmatch(name):
         raise InputError(
-            f"Campaign {name}: a name has lower-case letters, digits and underscores only, a "
-            f"letter first: rename {files[name]}."
+            f"Campaign {name}: a name has lower-case letters, digits and underscores only, 100 at "
+            f"most, a letter first: rename {files[name]}."
         )
     return check_campaign(read_yaml(files[name]), name)
 
