@@ -64,6 +64,8 @@ SECTIONS_REFUSED = [
     ("scenes.heteroclinic.weak", ORBIT, ["has the name of scenes.heteroclinic.weak", "rename"]),
     ("scenes.front.piston", FRONT, ["has the name of the fronts driven by pistons", "rename"]),
     # Sizes.
+    ("proofs.intervals.hertz.parts", [{"to": 1, "chunks": 10**9}], ["above its limit 10000"]),
+    ("proofs.fronts.hertz_1.gamma", [0.31, 0.3], ["fronts.hertz_1.gamma goes from 0.31 to 0.3"]),
     (
         "scenes.chain.initiation_underdamped.record.snapshots",
         [*range(1_000_001)],

@@ -6,11 +6,21 @@ import numpy as np
 
 from granular_fronts.errors import InputError
 from granular_fronts.proofs.balls import INVERSE_UNIT
+from granular_fronts.scenes.limits import Part, part_errors
+
+MATRICES = 6
+"""Held at once while the window's matrix is solved."""
 
 
 def beads(length):
     """The least number of beads that a length fits into."""
     return max(1, math.ceil(length))
+
+
+def require_size(rows, cells):
+    """Refuse a window's matrix that does not fit into memory."""
+    for error in part_errors({"cells": cells}, [Part(("cells",), (), MATRICES * float(rows) ** 2)]):
+        raise InputError(error)
 
 
 def fractions(interval):
