@@ -335,10 +335,12 @@ def test_command_says_what_failed(tmp_path):
 
 def write_large(file):
     """Write more zeros than a certificate may hold, in a few megabytes."""
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-        with archive.open("weights.npy", "w", force_zip64=True) as member:
-            for _ in range(129):
-                member.write(bytes(2**23))
+    with (
+        zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive,
+        archive.open("weights.npy", "w", force_zip64=True) as member,
+    ):
+        for _ in range(129):
+            member.write(bytes(2**23))
 
 
 @pytest.mark.parametrize(

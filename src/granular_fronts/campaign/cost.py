@@ -61,6 +61,8 @@ def measure(campaign: Campaign) -> float:
     # The first time code is compiled and caches are filled, which a chunk does once.
     for _ in range(2):
         seconds = time_sample(sample_of(campaign, FIRST_LENGTH))
+        if seconds > SAMPLE_SECONDS:
+            return seconds
     length = max(FIRST_LENGTH, round(SAMPLE_SECONDS / (PIECES**2 * seconds)))
     return time_sample(sample_of(campaign, length))
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from granular_fronts.campaign.axes import count_values, expand_axis, order_errors, spacing_errors
+from granular_fronts.campaign.chain_scenes import time_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.errors import InputError
@@ -159,6 +160,8 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     raise_if_any(name, _value_errors(kind, grid, varied))
     if law:
         raise_if_any(name, errors_of_law(law, grid))
+    elif given["kind"] == "chain":
+        raise_if_any(name, time_errors(grid, given.get("tolerance", DEFAULT_TOLERANCE)))
     scalars = record.get("scalars", list(kind.scalars))
     return Campaign(
         name=name,

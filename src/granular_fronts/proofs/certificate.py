@@ -17,7 +17,14 @@ from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
 from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.existence import approximate, chebyshev_nodes
-from granular_fronts.proofs.stored import beads, differences, fractions, integers, kernels, require_size
+from granular_fronts.proofs.stored import (
+    beads,
+    differences,
+    fractions,
+    integers,
+    kernels,
+    require_size,
+)
 
 LOST, LOST_BEHIND = 1e-4, 0.01
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11

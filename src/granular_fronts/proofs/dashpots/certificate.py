@@ -9,7 +9,14 @@ from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.dashpots.existence import approximate_strain
 from granular_fronts.proofs.dashpots.right_inverse import ahead_inverse, window_correction
-from granular_fronts.proofs.stored import beads, differences, fractions, integers, kernels, require_size
+from granular_fronts.proofs.stored import (
+    beads,
+    differences,
+    fractions,
+    integers,
+    kernels,
+    require_size,
+)
 
 LOST, NEAR_ONE, SMALL_STRAIN, SMALL_STIFFNESS = 1e-4, 1e-11, 1e-11, 2e-3
 WIDEST_RATES = 0.2
