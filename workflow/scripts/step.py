@@ -77,6 +77,12 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
             LOGGER.error("%s", describe_fault(error))
             sys.exit(1)
         except Exception as error:
+            mappings = [name for name, value in arguments.items() if isinstance(value, dict)]
+            if mappings and not snakemake and isinstance(error, KeyError | TypeError):
+                sys.exit(
+                    f"{' or '.join(mappings)} is not what {function.__name__} takes ({error}): "
+                    "take it from a file, for example config/default.yaml:dotted.key."
+                )
             traceback.print_exc()
             LOGGER.error("%s", describe_unexpected(error))
             sys.exit(1)
