@@ -100,6 +100,16 @@ def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path,
     assert capsys.readouterr().err == "half"
 
 
+def test_mapping_by_hand_that_lacks_a_key_is_a_sentence(monkeypatch):
+    def measure(scene: dict) -> None:
+        """Measure."""
+        scene["beads"]
+
+    monkeypatch.setattr(sys, "argv", ["measure", "--scene", "{a: 1}"])
+    with pytest.raises(SystemExit, match=r"scene is not what measure takes \('beads'\): take it"):
+        run_step(measure)
+
+
 @pytest.mark.parametrize("arguments", [["-m", "granular_fronts.scenes", DEFAULT], [HELP, "--help"]])
 def test_program_whose_output_nobody_reads_ends_in_silence(arguments):
     reader, writer = os.pipe()
