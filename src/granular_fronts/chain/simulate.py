@@ -11,6 +11,7 @@ an estimate and no bound: where the error shrinks with the tolerance it is about
 error or more, and where both runs consist of rounding it may be half of it.
 """
 
+import sys
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -24,9 +25,13 @@ from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
+from granular_fronts.scenes.limits import show_time
+from granular_fronts.scenes.sizes import size_of_chain
 from granular_fronts.scenes.validation import check_scene
 
 REFINEMENT = 10.0
+LONG = 60.0
+"""Seconds from which on the least time of a scene is said before."""
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 STIFF_SOLVER = f"Radau IIA of order 9 in strain form where damping is stiff, else {SOLVER}"
 ERROR_METHOD = (
@@ -78,6 +83,9 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
     scene = check_scene("chain", scene, name)
+    seconds = sum(part.seconds for part in size_of_chain(scene))
+    if seconds > LONG:
+        print(f"Scene {name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(solution, refined.dataset, scene["tolerance"])
