@@ -124,7 +124,7 @@ def describe(front, alpha, interval, n, fine, drift):
     roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
     longer = beads(6.5 / roots[0].real) * n
     first, last = -(c + q + 2) - longer // n, ahead + 1
-    require_size((last - first) * n, n)
+    require_size((last - first) * n)
     middles = (np.arange((last - first) * n) + 0.5) / n + first
     strain = np.maximum(evaluate_front(front, middles), 0.0)
     stiffness = exponent * strain ** (exponent - 1)

@@ -6,10 +6,9 @@ import numpy as np
 
 from granular_fronts.errors import InputError
 from granular_fronts.proofs.balls import INVERSE_UNIT
-from granular_fronts.scenes.limits import Part, part_errors
 
-MATRICES = 6
-"""Held at once while the window's matrix is solved."""
+MOST_ROWS = 19_000
+"""Of the window's matrix, of which six copies, 16 GiB, are held at once while it is solved."""
 
 
 def beads(length):
@@ -17,10 +16,13 @@ def beads(length):
     return max(1, math.ceil(length))
 
 
-def require_size(rows, cells):
+def require_size(rows):
     """Refuse a window's matrix that does not fit into memory."""
-    for error in part_errors({"cells": cells}, [Part(("cells",), (), MATRICES * float(rows) ** 2)]):
-        raise InputError(error)
+    if rows > MOST_ROWS:
+        raise InputError(
+            f"the matrix of the window would have {rows} rows, but more than {MOST_ROWS} take "
+            "above 16 GiB: lower cells, or gamma."
+        )
 
 
 def fractions(interval):

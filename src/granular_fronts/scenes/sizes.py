@@ -342,15 +342,17 @@ def _front_part(keys: tuple[str, ...], fronts: float) -> Part:
 
 def _motion_time(scene: Mapping, beads: float) -> float:
     """Time that the steps of a motion take."""
-    size = decades_of_displacement(scene)
-    if not math.isfinite(size):
+    size, record, boundary = decades_of_displacement(scene), scene["record"], scene["boundary"]
+    is_pressed = boundary["kind"] == "pressure"
+    # Beads that nothing holds fly apart, and long steps follow them.
+    flies_apart = is_pressed and not (boundary["left"] or boundary["right"])
+    if flies_apart or not math.isfinite(size):
         return 0.0
     law, end = scene["law"], scene["end_time"]
     speed, damping = front_speed(law, size), damping_rate(law, size)
     most = MOST_STIFFNESS * min(scene["tolerance"]["relative"], LEAST_TOLERANCE)
-    record, boundary = scene["record"], scene["boundary"]
-    explicit = "arrival_level" in record or record.get("extremes") or boundary["kind"] != "pressure"
-    if not explicit and LEAST_STIFFNESS * speed <= damping <= most * speed:
+    is_explicit = "arrival_level" in record or record.get("extremes") or not is_pressed
+    if not is_explicit and LEAST_STIFFNESS * speed <= damping <= most * speed:
         damping = 0.0
     steps = end * (STEPS_PER_CROSSING * speed + STEPS_PER_DAMPING_TIME * damping)
     moving = min(beads, 0.5 * speed * end)

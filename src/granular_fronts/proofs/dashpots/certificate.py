@@ -35,7 +35,7 @@ def describe(front, alpha, interval, n, fine, drift):
     rear = min(tail_roots(exponent, gamma, beta=1.0).real)
     longer = beads(6.5 / rear)
     first = -(c + q + 1) - longer
-    require_size((M - first) * n, n)
+    require_size((M - first) * n)
     middles = (np.arange((M - first) * n) + 0.5) / n + first
     strain = np.maximum(evaluate_front(front, middles), 0.0)
     stiffness = exponent * strain ** (exponent - 1)
