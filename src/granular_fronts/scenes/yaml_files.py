@@ -193,7 +193,7 @@ def _event_errors(text: str, file: Path | str) -> Iterator[str]:
                 return
             counts[-1] += sizes.get(event.anchor, 0)
         if len(counts) > DEEPEST:
-            yield f"{where}: more than {DEEPEST} mappings and lists stand inside each other: nest fewer."
+            yield f"{where}: more than {DEEPEST} mappings or lists nest here: nest fewer."
             return
         if counts[-1] > MOST_VALUES:
             yield f"{where}: here are more than {MOST_VALUES:,} values: write fewer."
