@@ -26,7 +26,6 @@ from granular_fronts.scenes.law_constraints import (
     strains_lie_in_domain,
     theta_steps_meet_end,
 )
-from granular_fronts.scenes.laws import front_speed
 from granular_fronts.scenes.proof_constraints import parts_increase, shown_front_is_proved
 from granular_fronts.scenes.scales import (
     absolute_tolerance_errors,
@@ -116,9 +115,9 @@ def relative_tolerance_above_floor(section: Mapping) -> Iterator[str]:
 
 def absolute_tolerance_resolves_motion(scene: Mapping) -> Iterator[str]:
     """The absolute tolerance lies between rounding and the size of the motion."""
-    size = decades_of_displacement(scene)
-    speed = front_speed(scene["law"], size) if math.isfinite(size) else 0.0
-    yield from absolute_tolerance_errors(scene["tolerance"]["absolute"], size, speed)
+    yield from absolute_tolerance_errors(
+        scene["tolerance"]["absolute"], decades_of_displacement(scene)
+    )
 
 
 def ring_is_set_in_motion(scene: Mapping) -> Iterator[str]:

@@ -18,9 +18,6 @@ From rest the integrator's first steps shrink with it: at 1e-25 some laws take m
 more exact.
 """
 
-ABSOLUTE_TOLERANCE_OF_SPEED = 2.0e-19
-"""The same over the largest velocity: with less, rounding sets the steps once a chain settles."""
-
 ABSOLUTE_TOLERANCE_CEILING = 0.1
 """Largest absolute tolerance over the largest relative displacement."""
 
@@ -79,7 +76,7 @@ def energies_are_representable(scene: Mapping) -> Iterator[str]:
         )
 
 
-def absolute_tolerance_errors(absolute: float, size: float, speed: float = 0.0) -> Iterator[str]:
+def absolute_tolerance_errors(absolute: float, size: float) -> Iterator[str]:
     """Say that an absolute tolerance drowns in rounding, or lets everything pass.
 
     Parameters
@@ -88,23 +85,20 @@ def absolute_tolerance_errors(absolute: float, size: float, speed: float = 0.0) 
         The key ``tolerance.absolute`` of a section.
     size : float
         Decimal logarithm of the largest relative displacement.
-    speed : float, optional
-        Of fronts of that size.
 
     Yields
     ------
     str
     """
     above = math.log10(absolute) - size
-    floor = max(ABSOLUTE_TOLERANCE_FLOOR, ABSOLUTE_TOLERANCE_OF_SPEED * speed)
-    if above < math.log10(floor):
-        limit, side, advice = floor, "below", "more"
+    if above < math.log10(ABSOLUTE_TOLERANCE_FLOOR):
+        limit, side, advice = ABSOLUTE_TOLERANCE_FLOOR, "below", "more"
     elif math.isfinite(above) and above > math.log10(ABSOLUTE_TOLERANCE_CEILING):
         limit, side, advice = ABSOLUTE_TOLERANCE_CEILING, "above", "less"
     else:
         return
     largest = 10.0**size
     yield (
-        f"tolerance.absolute is {absolute}, {side} {limit:.3g} of the largest relative "
-        f"displacement, which is about {largest:.3g}: give {limit * largest:.1e} or {advice}."
+        f"tolerance.absolute is {absolute}, {side} {limit:g} of the largest relative displacement, "
+        f"which is about {largest:.3g}: give {limit * largest:.1e} or {advice}."
     )
