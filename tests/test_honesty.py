@@ -1,0 +1,102 @@
+"""Stated errors of random problems against true ones, and the references that give the latter."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from truth import chains, evolutions, fronts, ratio
+from truth.chain_motion import PI, REAL, Motion
+
+
+def scene(law, u, velocity, end):
+    """A chain with free ends and a given start."""
+    start = {"kind": "given", "relative_displacement": u, "velocity": velocity}
+    boundary = {"kind": "pressure", "left": 0.0, "right": 0.0}
+    return {
+        "law": law,
+        "beads": len(velocity),
+        "boundary": boundary,
+        "start": start,
+        "end_time": end,
+    }
+
+
+def test_reference_exchanges_the_velocities_of_elastic_beads():
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+    _, velocity = Motion(scene(law, [-1.0], [1.0, 0.0], 20.0)).states([20.0])
+    assert np.abs(velocity - [0.0, 1.0]).max() < 1e-17
+
+
+def test_reference_of_a_damped_linear_contact_is_the_closed_form():
+    """Where it is closed, ü = −2 (u + γ u̇): it touches at t = 1 and opens half a period later."""
+    gamma = REAL(0.3)
+    law = {"alpha": 1.0, "beta": 1.0, "gamma": float(gamma)}
+    gamma = REAL(law["gamma"])
+    motion = Motion(scene(law, [-1.0], [1.0, 0.0], 8.0))
+    frequency = np.sqrt(2 - gamma**2)
+    touches, opens = motion.passages(0.0).time
+    assert abs(touches - 1) < 1e-17
+    assert abs(opens - 1 - PI / frequency) < 1e-17
+    _, velocity = motion.states([8.0])
+    assert abs(velocity[0] @ [1, -1] + np.exp(-gamma * PI / frequency)) < 1e-17
+    top = motion.passages()
+    later = np.arctan(frequency / gamma) / frequency
+    highest = np.exp(-gamma * later) * np.sin(frequency * later) / frequency
+    assert abs(top.u[0] - highest) < 1e-17
+    assert abs(top.time[0] - 1 - later) < 1e-16
+
+
+def test_reference_carries_the_soliton_of_toda():
+    n, kappa, end = np.arange(1, 31), REAL(2), 1.5
+    law = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}
+
+    def soliton(t):
+        phase = 2 * (kappa * (np.append(0, n) - 13) - np.sinh(kappa) * t)
+        share = 1 / (1 + np.exp(-phase))
+        heights = np.log1p((np.sinh(kappa) / np.cosh(phase[1:] / 2)) ** 2)
+        return heights[:-1], 2 * np.sinh(kappa) * np.diff(share)
+
+    start = soliton(REAL(0))
+    motion = Motion(scene(law, *start, end))
+    for found, exact in zip(motion.states([end]), soliton(REAL(end)), strict=True):
+        assert np.abs(found[0] - exact).max() < 1e-16
+
+
+@cache
+def numbers(cases, seed, count):
+    """Stated, true and largest of some random problems, none of which is refused."""
+    found = np.array([number[1:] for number in cases(seed, count)])
+    assert np.isfinite(found[:, 2]).all()
+    return found
+
+
+def shares(found, divisor=1.0):
+    """Shares of numbers that are off by more than 2 and 10, and the median of stated over true."""
+    ratios = np.array([ratio(stated / divisor, *rest) for stated, *rest in found])
+    stated, true, _ = found[np.isfinite(found[:, 1]) & (found[:, 1] > 0.0)].T
+    return np.mean(ratios > 2.0), np.mean(ratios > 10.0), np.median(stated / true)
+
+
+def test_a_few_chains_state_honest_errors():
+    found = numbers(chains.cases, 3, 10)
+    twice, tenfold, median = shares(found)
+    assert twice <= 0.02
+    assert tenfold == 0.0
+    assert 0.1 < median < 10.0
+
+
+def test_errors_thirty_times_too_small_are_noticed():
+    _, tenfold, _ = shares(numbers(chains.cases, 3, 10), divisor=30.0)
+    assert tenfold > 0.2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("cases", "count"), [(chains.cases, 150), (fronts.cases, 25), (evolutions.cases, 20)]
+)
+def test_many_stated_errors_are_honest(cases, count):
+    twice, tenfold, median = shares(numbers(cases, 2, count))
+    assert twice <= 0.005
+    assert tenfold == 0.0
+    assert median <= 10.0
