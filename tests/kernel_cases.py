@@ -10,8 +10,6 @@ from rings import scene_with
 
 import granular_fronts as gf
 from granular_fronts.chain.equations import Boundary
-from granular_fronts.chain.recording import collect
-from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
@@ -83,26 +81,6 @@ def ring_of_two_powers():
     """Powers that have no special form, on a ring."""
     scene = ring_scene(*smooth_ring(6), 0.1, 1.3, 1.1, 2.0, tolerance=LOOSE)
     return variables(simulate_chain(scene))
-
-
-def implicit_steps():
-    """Strong damping by implicit steps, which find no extremes."""
-    record = {"snapshots": [0.0, 20.0, 40.0]}
-    scene = driven_scene(20.0, 6, 40.0, delta=1.0, tolerance=LOOSE, record=record)
-    run = prepare(scene)
-    integrate(run, LOOSE, stiff_from=0.0)
-    return variables(collect(scene, run))
-
-
-def implicit_steps_of_two_laws():
-    """With probes on the way, and the dissipated energy."""
-    record = {"snapshots": [40.0], "balances": True, "grid": {"step": 20.0}}
-    probes = {"far": {"beads": [2, 4], "start": 10.0, "stop": 40.0, "step": 10.0}}
-    scene = driven_scene(20.0, 6, 40.0, 1.5, 1.2, 1.0, tolerance=LOOSE, record=record)
-    run = prepare(scene | {"record": record | {"probes": probes}})
-    integrate(run, LOOSE, stiff_from=0.0)
-    assert run.clock.implicit > 0
-    return variables(collect(scene | {"record": record | {"probes": probes}}, run))
 
 
 def powers():
@@ -234,8 +212,6 @@ CASES = (
     chain_with_gaps,
     chains_of_other_laws,
     ring_of_two_powers,
-    implicit_steps,
-    implicit_steps_of_two_laws,
     powers,
     interpolants,
     vector_functions,

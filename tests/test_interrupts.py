@@ -25,10 +25,6 @@ LONG = {
         "gf.simulate_chain(chain(20, 0.1, 10.0))",
         "gf.simulate_chain(chain(100_000, 0.1, 1e5))",
     ),
-    "stiff chain": (
-        "gf.simulate_chain(chain(20, 40.0, 10.0))",
-        "gf.simulate_chain(chain(20_000, 40.0, 1e5))",
-    ),
     "orbit": (
         "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30))",
         "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30_000_000))",

@@ -68,9 +68,9 @@ def test_a_cable_is_the_mirror_image_of_a_chain(relative):
         assert errors < 1e3 * relative
 
 
-def pulled(gamma, **changes):
+def test_pulled_chain_relaxes_under_strong_damping():
     scene = {
-        "law": {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": gamma}},
+        "law": {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 20.0}},
         "beads": 4,
         "boundary": {"kind": "pressure", "left": -0.5, "right": -0.5},
         "start": {
@@ -78,16 +78,11 @@ def pulled(gamma, **changes):
             "relative_displacement": [0.01, -0.5, -0.5],
             "velocity": [0.0, 0.0, 0.0, 0.0],
         },
-        "end_time": 8000.0,
+        "end_time": 800.0,
         "tolerance": {"relative": 1e-8, "absolute": 1e-10},
-        "record": {"snapshots": [8000.0]},
+        "record": {"snapshots": [800.0]},
     }
-    return gf.simulate_chain(scene | changes)
-
-
-def test_strong_damping_of_a_pulled_chain_takes_implicit_steps():
-    relaxed = pulled(200.0)
-    assert relaxed.attrs["steps_implicit"] > 0
+    relaxed = gf.simulate_chain(scene)
     # What is left decays like exp(−tV″/W″), here to 1e-11.
     np.testing.assert_allclose(relaxed["relative_displacement"].squeeze()[:-1], -0.5, atol=1e-8)
 

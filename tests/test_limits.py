@@ -2,9 +2,11 @@
 
 import pytest
 import sympy
+from chains import driven_scene
 from projects import ROOT
 
 import granular_fronts as gf
+from granular_fronts.chain.simulate import solve
 
 TEXT = " ".join((ROOT / "docs" / "limits.md").read_text(encoding="utf-8").split())
 NOT_FOUND = {
@@ -49,3 +51,12 @@ def test_large_linear_terms_keep_newtons_iteration_from_settling():
         front = gf.solve_front(law=law, states=(-1.0, -0.1))
         assert front.attrs["converged"] == found
         assert ("Newton's iteration does not settle" in front.attrs["reason"]) == (not found)
+
+
+@pytest.mark.parametrize(("beta", "gamma"), [(1.0, 50.0), (1.5, 50.0), (1.5, 200.0)])
+def test_strong_damping_costs_the_steps_that_stability_asks_for(beta, gamma):
+    assert "about 4G′(δ)/6 in a unit of time" in TEXT
+    scene = driven_scene(gamma, 420, 700.0, beta=beta)
+    steps = solve(scene, {"relative": 1e-9, "absolute": 1e-11}).counts["steps_accepted"]
+    slope = beta * gamma * 0.1 ** (beta - 1.0)
+    assert steps == pytest.approx(700.0 * 4.0 * slope / 6.0, rel=0.25)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from chains import TIGHT, driven_scene, take_fixed_steps
+from chains import driven_scene, take_fixed_steps
 from scipy.integrate import solve_ivp
 
 import granular_fronts as gf
@@ -149,8 +149,3 @@ def test_conversion_to_strain_form_and_back(t):
     velocity[0] += 0.4 * (boundary.piston.acceleration_at(t) - 0.5 / 3.0)
     back = equations.velocities(d, u, boundary, law, t=t)
     np.testing.assert_allclose(back, velocity, atol=2.0e-14)
-
-
-def test_strong_damping_is_left_to_the_explicit_pair():
-    scene = piston_scene((1.5, 1.5, 100.0), beads=12, end_time=20.0, tolerance=TIGHT)
-    assert solve(scene, scene["tolerance"]).counts["steps_implicit"] == 0

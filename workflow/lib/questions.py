@@ -57,7 +57,6 @@ def questions_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
             "precision_log_burgers": rings,
         },
         "precision/hard_cases": {"cases": configuration["hard_cases"]},
-        "precision/stiff_damping": configuration["stiff_damping"],
         **{f"precision/honesty_{wing}": one for wing, one in configuration["honesty"].items()},
         "proofs/fronts": configuration["proofs"]["fronts"],
         "proofs/intervals": configuration["proofs"]["intervals"],

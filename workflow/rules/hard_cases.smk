@@ -45,57 +45,6 @@ rule tabulate_hard_cases:
         "../scripts/tabulate_hard_cases.py"
 
 
-rule measure_stiff_damping:
-    input:
-        kernels=rules.compile_kernels.output.stamp,
-    output:
-        dataset="<results>/data/precision/stiff_damping.nc",
-    params:
-        code=code("measure_stiff_damping"),
-        problem=config["stiff_damping"],
-    log:
-        "<logs>/measure_stiff_damping.log",
-    benchmark:
-        "<benchmarks>/measure_stiff_damping.tsv"
-    threads: ALL_CORES
-    message:
-        "Measuring explicit and implicit steps over the damping."
-    conda:
-        environment
-    script:
-        "../scripts/measure_stiff_damping.py"
-
-
-rule tabulate_stiff_damping:
-    input:
-        dataset=rules.measure_stiff_damping.output.dataset,
-    output:
-        csv="<results>/tables/stiff_damping.csv",
-        markdown="<results>/tables/stiff_damping.md",
-        record="<results>/tables/stiff_damping.json",
-    params:
-        code=code("tabulate_stiff_damping"),
-        asked=asked("precision/stiff_damping"),
-    log:
-        "<logs>/tabulate_stiff_damping.log",
-    benchmark:
-        "<benchmarks>/tabulate_stiff_damping.tsv"
-    threads: 1
-    message:
-        "Comparing explicit and implicit steps at equal error."
-    conda:
-        environment
-    script:
-        "../scripts/tabulate_stiff_damping.py"
-
-
-rule stiff_damping:
-    input:
-        rules.tabulate_stiff_damping.output,
-    message:
-        "Explicit and implicit steps are compared: {input}."
-
-
 rule hard_cases:
     input:
         rules.tabulate_hard_cases.output,

@@ -12,7 +12,6 @@ TARGETS_IN_WORDS = {
     "precision": "Time against error of all solvers, with figure 14; minutes on a quiet machine.",
     "hard_cases": "Problems at the edge, with figure 15.",
     "honesty": "Stated errors of random problems against true ones, with figure 25.",
-    "stiff_damping": "Explicit and implicit steps compared at strong damping.",
     "proofs": "Fronts proved by ball arithmetic, with figures 23 and 24; takes long.",
     "referee": "Problems with accurate answers for discrete-element codes.",
     "ring_limit": "Rings of beads as α → 1, with figures 20 and 21.",

@@ -1,7 +1,4 @@
-"""Compile every kernel of the explicit chain once, on motions as short as can be.
-
-The implicit steps take longer to compile than all the rest, and few scenes need them.
-"""
+"""Compile every kernel of the chain once, on motions as short as can be."""
 
 from granular_fronts.chain.simulate import solve
 

@@ -136,7 +136,7 @@ def collect(scene, run):
     beads = np.arange(1, scene["beads"] + 1)
     dataset = xr.Dataset(coords={"bead": beads})
     dataset = dataset.merge(_profiles(scene, run))
-    dataset = dataset.merge(_probes(scene, recording))
+    dataset = dataset.merge(_probes(scene, run))
     if not np.isnan(recording.level):
         dataset = dataset.merge(_arrivals(scene, recording))
     if recording.track_extremes:
@@ -175,10 +175,13 @@ def _profiles(scene, run):
     return xr.Dataset(variables, coordinates)
 
 
-def _probes(scene, recording):
-    times, _ = probe_samples(scene)
+def _probes(scene, run):
+    times, beads = probe_samples(scene)
     samples = np.empty(times.size)
-    samples[np.argsort(times, kind="stable")] = recording.samples
+    samples[np.argsort(times, kind="stable")] = run.recording.samples
+    if not run.boundary.ring:
+        # The engine keeps the last bead itself where the held contact has its place.
+        samples[beads == scene["beads"]] = run.boundary.right
     dataset, first = xr.Dataset(), 0
     for name, probe in scene["record"].get("probes", {}).items():
         moments = regular_points(probe["start"], probe["stop"], probe["step"])

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain import equations, integrator, stiff
+from granular_fronts.chain import equations, integrator
 from granular_fronts.chain.contact_law import compile_law, is_at_rest_without_stiffness
 from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recorder import Recording
@@ -38,8 +38,6 @@ FIRST_STEP = 1.0e-6
 # force to first order, every stage carries them one bead further.
 MARGIN_WITHOUT_STIFFNESS = 4
 STEPS_PER_BLOCK = 2000
-# Where a stiff run needs the explicit pair for a while, it tries the implicit steps this often.
-STEPS_BETWEEN_ATTEMPTS = 100
 # How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
 CLOSE_TO_AN_END = 1.0e-6
 
@@ -108,7 +106,7 @@ def prepare(scene, splits=1):
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
-def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STIFF):
+def integrate(run, tolerance, after_block=lambda run: None):
     """Advance a run to its end.
 
     Parameters
@@ -118,8 +116,6 @@ def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STI
         `relative` and `absolute`, per step, in the maximum norm over beads.
     after_block : callable, optional
         Called with the run after every `STEPS_PER_BLOCK` steps and at the end.
-    stiff_from : float, optional
-        Stiffness from which implicit steps are taken, infinite for never; see `chain.stiff`.
 
     Raises
     ------
@@ -130,9 +126,9 @@ def integrate(run, tolerance, after_block=lambda run: None, stiff_from=stiff.STI
     stops = run.recording.stops
     if 0.0 < ramp < stops[-1]:
         rising = run.recording._replace(stops=stops[stops <= ramp])
-        _advance(run._replace(recording=rising), tolerance, after_block, stiff_from)
+        _advance(run._replace(recording=rising), tolerance, after_block)
         end_ramp(run)
-    _advance(run, tolerance, after_block, stiff_from)
+    _advance(run, tolerance, after_block)
 
 
 def end_ramp(run):
@@ -142,25 +138,17 @@ def end_ramp(run):
     integrator.begin(run.chain, run.table)
 
 
-def _advance(run, tolerance, after_block, stiff_from):
+def _advance(run, tolerance, after_block):
     """Advance a run to the last of its stops."""
-    implicit = stiff.ImplicitSteps(run) if stiff.suits(run, stiff_from) else None
-    steps = STEPS_BETWEEN_ATTEMPTS if implicit else STEPS_PER_BLOCK
+    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
     status = integrator.RUNNING
     while status == integrator.RUNNING:
-        if implicit:
-            status = implicit.advance(run, tolerance)
-        if status == integrator.RUNNING:
-            status = advance_explicit(run, tolerance, steps)
+        status = integrator.advance(
+            run.chain, run.table, run.recording, relative, absolute, STEPS_PER_BLOCK
+        )
         after_block(run)
     if status != integrator.FINISHED:
         raise SolveError(_cause(status, run))
-
-
-def advance_explicit(run, tolerance, steps):
-    """Take up to so many steps of the explicit pair; a status of `integrator`."""
-    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
-    return integrator.advance(run.chain, run.table, run.recording, relative, absolute, steps)
 
 
 def make_boundary(scene):
@@ -236,7 +224,6 @@ def work_done(clock):
         "steps_accepted": int(clock.accepted),
         "steps_rejected": int(clock.rejected),
         "steps_cut_at_contacts": int(clock.cut),
-        "steps_implicit": int(clock.implicit),
         "right_hand_sides": int(clock.right_hand_sides),
     }
 

@@ -2,7 +2,7 @@ r"""From a scene to a dataset: front initiation and every other driven or period
 
 A scene is the mapping that the configuration holds under `scenes: chain:`; its keys are described
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
-the adaptive pair of `integrator`, or with the implicit steps of `stiff` where damping is strong.
+the adaptive pair of `integrator`.
 
 Accuracy.  Every scene is integrated a second time, with the tolerance divided by `REFINEMENT` and
 in at least `SPLITS` steps from one stop to the next, so that the two runs differ from the first
@@ -32,7 +32,6 @@ from granular_fronts.scenes.validation import check_scene
 REFINEMENT = 10.0
 SPLITS = 2
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
-STIFF_SOLVER = f"Radau IIA of order 9 in strain form where damping is stiff, else {SOLVER}"
 ERROR_METHOD = (
     f"largest difference to a run of more steps, with the tolerance divided by {REFINEMENT:g}"
 )
@@ -152,7 +151,7 @@ def _with_error_estimates(solution, refined, tolerance):
             variable = variable.where(np.isfinite(other))
         dataset[name] = variable.assign_attrs(attributes)
     dataset.attrs |= {
-        "solver": STIFF_SOLVER if solution.counts["steps_implicit"] else SOLVER,
+        "solver": SOLVER,
         "relative_tolerance": float(tolerance["relative"]),
         "absolute_tolerance": float(tolerance["absolute"]),
         **solution.counts,

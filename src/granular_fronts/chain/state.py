@@ -60,16 +60,11 @@ factor of the viscous slopes); compressions at which F or G is not smooth, and w
 infinite there, so that no contact may pass; 1 if the law acts in extension too, else 0."""
 
 CLOCK = record_type(
-    *[(name, float) for name in ("t", "h", "growth", "acceleration", "power", "dissipated")],
-    *[
-        (name, np.int64)
-        for name in ("reach", "accepted", "rejected", "cut", "implicit", "right_hand_sides")
-    ],
+    *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
+    *[(name, np.int64) for name in ("reach", "accepted", "rejected", "cut", "right_hand_sides")],
 )
-"""Time, next step, largest factor from one step to the next, acceleration of the piston, power
-dissipated at t and energy since t = 0; last bead of the active window; steps accepted, rejected,
-cut at contacts and implicit; right-hand sides.
-"""
+"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0; last
+bead of the active window; steps accepted, rejected and cut at contacts; right-hand sides."""
 
 CHAIN = record_type(
     ("law", LAW),

@@ -154,7 +154,6 @@ LONG_NAMES = {
     "speed": "speed of the front, negative if it runs to smaller n",
     "speed_defect": "speed found over the exact speed, less 1",
     "squared_slope_at_one": "squared slope q where y first reaches 1 from the foot of the front",
-    "stability_steps": "explicit steps that stability asks for per contact that the front passes",
     "start": "kind of start",
     "statements": "what is proved, in words",
     "state": "strain x_(n+1) - x_n far from the front",

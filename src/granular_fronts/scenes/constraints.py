@@ -366,7 +366,6 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "precision.heteroclinic.*": (),
     "precision.fronts.*": (),
     "explorer": (),
-    "stiff_damping": (),
     "proofs": (shown_front_is_proved, parts_increase),
 }
 """Constraints by the path of a section.

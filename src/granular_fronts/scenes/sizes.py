@@ -269,20 +269,6 @@ def size_of_log_burgers(problem: Mapping) -> Iterator[Part]:
     yield Part(("repeats",), (), 0.0, problem["repeats"] * SECONDS_PER_RUN)
 
 
-def size_of_stiff_damping(section: Mapping) -> Iterator[Part]:
-    """One motion for each damping and tolerance, some times over."""
-    runs = len(section["gammas"]) * len(section["relative_tolerances"])
-    beads = float(section["beads"])
-    motion = {
-        "law": {"alpha": 1.5},
-        "displacement": section["displacement"],
-        "end_time": section["end_time"],
-    }
-    seconds = runs * _crossing_time(motion, beads)
-    yield Part(("beads", "end_time"), (), NUMBERS_PER_BEAD * beads, seconds)
-    yield Part(("repeats",), (), 0.0, runs * section["repeats"] * SECONDS_PER_RUN)
-
-
 def size_of_proofs(section: Mapping) -> Iterator[Part]:
     """A dense matrix for each certificate, and at least one certificate for each chunk."""
     for name, family in section["intervals"].items():
@@ -315,7 +301,6 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "precision.fronts.*": size_of_repeated_runs,
     "precision.log_burgers.*": size_of_log_burgers,
     "explorer": size_of_collection,
-    "stiff_damping": size_of_stiff_damping,
     "proofs": size_of_proofs,
 }
 """Sizes by the path of a section in the configuration; ``*`` stands for a name."""
