@@ -1,4 +1,4 @@
-"""What is true, by programs that share no line with the package that they judge.
+"""What is true, by programs that are independent of the package that they judge.
 
 Each module has ``cases(seed, count)``, which yields of random problems the name of a number, its
 stated error, its true one and the largest value it was found among.  They stand beside the scripts

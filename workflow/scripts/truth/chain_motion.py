@@ -1,4 +1,4 @@
-"""Motion of a chain in extended precision, by a method that shares nothing with the package.
+"""Motion of a chain in extended precision, by a method that shares nothing with the package's.
 
 The unknowns are the positions x_n and the generalised velocities w_n, eqs. (31) and (32), in 80-bit
 arithmetic.  Within a step the slopes are a Chebyshev polynomial, found by Picard iteration; its
