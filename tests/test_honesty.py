@@ -79,7 +79,7 @@ def shares(found, divisor=1.0):
 
 
 def test_a_few_chains_state_honest_errors():
-    found = numbers(chains.cases, 3, 10)
+    found = numbers(chains.cases, 4, 6)
     twice, tenfold, median = shares(found)
     assert twice <= 0.02
     assert tenfold == 0.0
@@ -87,7 +87,7 @@ def test_a_few_chains_state_honest_errors():
 
 
 def test_errors_thirty_times_too_small_are_noticed():
-    _, tenfold, _ = shares(numbers(chains.cases, 3, 10), divisor=30.0)
+    _, tenfold, _ = shares(numbers(chains.cases, 4, 6), divisor=30.0)
     assert tenfold > 0.2
 
 
