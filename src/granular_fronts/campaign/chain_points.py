@@ -13,7 +13,7 @@ contacts at rest.  The motion ends after `crossings` times N/c, in which the fro
 chain.
 
 Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chunk, is solved again
-with the tolerance divided by `REFINEMENT` and other steps; see `chain.event_errors`.
+with two steps for each of the first run; see `chain.event_errors`.
 """
 
 import math
@@ -21,25 +21,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.accuracy import largest_difference, rounding_floor, with_refinement
+from granular_fronts.accuracy import largest_difference, refined_by, rounding_floor
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.laws import law_at
 from granular_fronts.campaign.one_by_one import solve_one_by_one
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import TIME, VALUE
 from granular_fronts.chain.recording import extremes_of_all, fitted_speed
-from granular_fronts.chain.run import Run, integrate, prepare
-from granular_fronts.chain.simulate import REFINEMENT, SPLITS
+from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
 from granular_fronts.scenes.laws import front_speed
 from granular_fronts.scenes.validation import check_scene
 
 REFINED_EVERY = 25
-ERROR_METHOD = (
-    f"difference to solving one point in {REFINED_EVERY} with the tolerance divided by "
-    f"{REFINEMENT:g} and other steps"
-)
+ERROR_METHOD = f"difference to solving one point in {REFINED_EVERY} with each step in two halves"
 ARRIVAL_LEVEL = 0.5
 ABSOLUTE_TO_RELATIVE = 0.01
 
@@ -67,29 +63,26 @@ def solve_chunk(points, settings, activity):
         sizes["relative_displacement"] = (beads.size,)
 
     def measure(point, number, count):
-        def solve(resolution):
-            return _solve_point(point, settings.get("law"), *resolution)
-
+        motion = _solve_point(point, settings.get("law"), tolerance)
         if number % REFINED_EVERY and number < count - 1:
-            motion = solve((tolerance, 1))
             return {name: (value, np.nan) for name, value in _measures(motion, beads).items()}
-        motions = with_refinement(solve, (tolerance, 1), (tolerance / REFINEMENT, SPLITS))
-        return _with_errors(motions, beads)
+        return _with_errors(refined_by(_solve_in_halves, motion), beads)
 
     return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
 
 
 class _Motion(NamedTuple):
-    """A run that has ended, its number of beads, and its units of length and speed."""
+    """A run that has ended, its scene, the ends of its steps, its units of length and speed."""
 
     run: Run
-    beads: int
+    scene: dict
+    ends: np.ndarray
     length: float
     speed: float
 
 
-def _solve_point(point, law, tolerance, splits):
-    """Follow one chain, a `_Motion`; `splits` as in `chain.run.prepare`.
+def _solve_point(point, law, tolerance):
+    """Follow one chain, a `_Motion`.
 
     Raises
     ------
@@ -100,13 +93,17 @@ def _solve_point(point, law, tolerance, splits):
         scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
     else:
         scene, length, c = scene_of_law(point, law, tolerance)
-    run = prepare(scene, splits)
-    integrate(run, scene["tolerance"])
-    return _Motion(run, scene["beads"], length, c)
+    run = prepare(scene)
+    return _Motion(run, scene, integrate(run, scene["tolerance"]), length, c)
 
 
-# Measure, by the variable of `event_errors` that it is read from: its factor in units of length to
-# the first and of speed to the second power.
+def _solve_in_halves(motion):
+    """Follow the chain of a `_Motion` again, with two steps for each of its own."""
+    run = prepare(motion.scene)
+    return motion._replace(run=run, ends=integrate_in_halves(run, motion.ends))
+
+
+# By measure: the variable of the chain, and the powers of its units of length and speed.
 UNITS = {
     "front_speed": ("front_speed", 0, -1),
     "overshoot": ("first_peak", -1, 0),
@@ -133,7 +130,7 @@ def _measures(motion, beads):
     SolveError
         If the front does not reach the far end of the range its speed is fitted over.
     """
-    recording, count = motion.run.recording, motion.beads
+    recording, count = motion.run.recording, motion.scene["beads"]
     speed = fitted_speed(recording.arrival[TIME, 1 : count + 1])
     peak = recording.first_peak[VALUE, count // 2]
     if not np.isfinite([speed, peak]).all():
@@ -158,7 +155,7 @@ def _with_errors(motions, beads):
     found, refined = motions.map(lambda motion: _measures(motion, beads))
     recordings = motions.map(lambda motion: motion.run.recording)
     motion = motions.usual
-    events = event_errors(*recordings, motion.beads, int(motion.run.chain.contacts))
+    events = event_errors(*recordings, motion.scene["beads"], int(motion.run.chain.contacts))
     errors = _in_units(events, motion)
     return {
         name: (

@@ -53,12 +53,12 @@ def begin(chain, table):
 
 
 @subroutine
-def growth_of(error, most):
-    """Change of step size after an accepted step, at most so much."""
+def growth_of(error):
+    """Change of step size after an accepted step."""
     if error == 0.0:
-        return most
+        return rk.LARGEST_FACTOR
     factor = rk.SAFETY * error ** (rk.CAUTION * rk.ERROR_EXPONENT)
-    return min(most, factor * factor if error < rk.SMALL_ERROR else factor)
+    return min(rk.LARGEST_FACTOR, factor * factor if error < rk.SMALL_ERROR else factor)
 
 
 @subroutine
@@ -69,9 +69,38 @@ def reduction_of(error):
     return max(rk.SMALLEST_FACTOR, min(1.0, rk.SAFETY * error**rk.ERROR_EXPONENT))
 
 
+@subroutine
+def complete(chain, table, recording, h, t_new, energy):
+    """Record a step that counts, and make its end the start of the next one."""
+    clock, next_, reach = chain.clock, recording.next, chain.clock.reach
+    last = min(reach, chain.contacts)
+    clock.dissipated += energy
+    clock.power = take_slopes(
+        chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, recording.track_energy
+    )
+    noteworthy = next_output(recording) <= t_new
+    if not (noteworthy or math.isnan(recording.level)):
+        noteworthy = next_passage(chain, table, h, recording, next_.arrival, last) <= last
+    if recording.track_extremes:
+        note_ends(chain, table, 1.0, t_new, recording.largest)
+        note_ends(chain, table, -1.0, t_new, recording.smallest)
+        if not noteworthy:
+            noteworthy = next_turn(chain, table, h, recording, int64(1), last) <= last
+    if noteworthy:
+        record_step(chain, table, h, t_new, recording)
+    accept(chain, table, reach)
+    clock.t = t_new
+    clock.reach = max(reach, end_of_window(chain, table, last))
+    clock.accepted += 1
+    if t_new >= recording.stops[next_.stop]:
+        next_.stop += 1
+
+
 @kernel
-def advance(chain, table, recording, relative, absolute, most_steps):
-    """Integrate until the last stop, or until `most_steps` further steps are accepted.
+def advance(chain, table, recording, relative, absolute, ends):
+    """Integrate until the last stop, or until so many further steps are accepted as `ends` holds.
+
+    The ends of these steps are written into `ends`.
 
     Returns
     -------
@@ -79,13 +108,9 @@ def advance(chain, table, recording, relative, absolute, most_steps):
         RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE, OPENED.
     """
     law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
-    # Whatever is read in every step is taken from the recording once.
-    has_level, track_extremes = not math.isnan(recording.level), recording.track_extremes
-    track_energy = recording.track_energy
-    output_time = next_output(recording)
     after_rejection = False
     steps = 0
-    while steps < most_steps and not interrupted():
+    while steps < ends.size and not interrupted():
         if next_.stop == stops.size:
             return FINISHED
         t, stop, reach = clock.t, stops[next_.stop], clock.reach
@@ -95,7 +120,7 @@ def advance(chain, table, recording, relative, absolute, most_steps):
         if h < shortest and not landing:
             return COLLAPSED
         last = min(reach, chain.contacts)
-        largest, energy = try_step(chain, table, h, reach, track_energy)
+        largest, energy = try_step(chain, table, h, reach, recording.track_energy)
         clock.right_hand_sides += rk.STAGES
         error = error_norm(law, largest, h, relative, absolute)
         if not error <= 1.0:
@@ -116,29 +141,38 @@ def advance(chain, table, recording, relative, absolute, most_steps):
                 clock.cut += 1
                 clock.h = at_contact
                 continue
-        clock.dissipated += energy
-        clock.power = take_slopes(chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, track_energy)
-        noteworthy = output_time <= t_new
-        if has_level and not noteworthy:
-            noteworthy = next_passage(chain, table, h, recording, next_.arrival, last) <= last
-        if track_extremes:
-            note_ends(chain, table, 1.0, t_new, recording.largest)
-            note_ends(chain, table, -1.0, t_new, recording.smallest)
-            if not noteworthy:
-                noteworthy = next_turn(chain, table, h, recording, int64(1), last) <= last
-        if noteworthy:
-            record_step(chain, table, h, t_new, recording)
-            output_time = next_output(recording)
-        accept(chain, table, reach)
-        clock.t = t_new
-        clock.reach = max(reach, end_of_window(chain, table, min(reach, chain.contacts)))
-        clock.accepted += 1
+        complete(chain, table, recording, h, t_new, energy)
+        ends[steps] = t_new
         steps += 1
         if landing:
-            next_.stop += 1
             clock.h = max(clock.h, h)
-        growth = growth_of(error, clock.growth)
+        growth = growth_of(error)
         if not landing or growth < 1.0:
             clock.h = h * (min(1.0, growth) if after_rejection else growth)
         after_rejection = False
+    return RUNNING
+
+
+@kernel
+def follow(chain, table, recording, ends, most_steps):
+    """Integrate until the last stop, or take `most_steps` steps, which end at given times.
+
+    Returns
+    -------
+    int
+        RUNNING, FINISHED, or NOT_FINITE.
+    """
+    clock, next_ = chain.clock, recording.next
+    for _ in range(most_steps):
+        if next_.stop == recording.stops.size:
+            return FINISHED
+        if interrupted():
+            return RUNNING
+        t_new = ends[clock.accepted]
+        h = t_new - clock.t
+        largest, energy = try_step(chain, table, h, clock.reach, recording.track_energy)
+        clock.right_hand_sides += rk.STAGES
+        if not math.isfinite(largest.state):
+            return NOT_FINITE
+        complete(chain, table, recording, h, t_new, energy)
     return RUNNING

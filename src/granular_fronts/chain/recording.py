@@ -59,7 +59,7 @@ def probe_samples(scene):
     return np.concatenate(times), np.concatenate(beads)
 
 
-def make_recording(scene, ahead, u, splits=1):
+def make_recording(scene, ahead, u):
     """Arrays for everything the scene asks for; what is located on the way is NaN until it is.
 
     Parameters
@@ -70,8 +70,6 @@ def make_recording(scene, ahead, u, splits=1):
         Compression ahead of the active window.
     u : ndarray, shape (columns,)
         Compressions at t = 0, a row of the engine.
-    splits : int, optional
-        Steps at least from one stop to the next.
     """
     columns = u.size
     record = scene["record"]
@@ -87,7 +85,7 @@ def make_recording(scene, ahead, u, splits=1):
         event[[VALUE, RIVAL]], event[END], event[END_TIME] = none, u, 0.0
     level = float(record.get("arrival_level", np.nan))
     return Recording(
-        stops=_stops(scene, snapshots, splits),
+        stops=_stops(scene, snapshots),
         profile_times=profile_times,
         profile_u=np.full((profile_times.size, columns), ahead),
         profile_d=np.zeros((profile_times.size, columns)),
@@ -108,14 +106,11 @@ def make_recording(scene, ahead, u, splits=1):
     )
 
 
-def _stops(scene, snapshots, splits):
-    """Times on which steps land: snapshots, the end of a piston's ramp, the end, parts of these."""
+def _stops(scene, snapshots):
+    """Times on which steps land: snapshots, the end of a piston's ramp, the end of the motion."""
     end_time, ramp = float(scene["end_time"]), float(scene["boundary"].get("ramp", 0.0))
     inside = np.append(snapshots, ramp)
-    ends = np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
-    starts = np.append(0.0, ends[:-1])[:, np.newaxis]
-    parts = starts + (ends[:, np.newaxis] - starts) * np.arange(1, splits) / splits
-    return np.union1d(parts, ends)
+    return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
 
 
 def collect(scene, run):

@@ -31,7 +31,7 @@ from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
-from granular_fronts.numerics.runge_kutta import LARGEST_FACTOR, STAGES
+from granular_fronts.numerics.runge_kutta import STAGES
 
 FIRST_STEP = 1.0e-6
 # Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
@@ -75,15 +75,8 @@ class Run(NamedTuple):
         return self.table[row, 1 : self.chain.beads + 1]
 
 
-def prepare(scene, splits=1):
+def prepare(scene):
     """The run of a checked scene, ready at t = 0.
-
-    Parameters
-    ----------
-    scene : mapping
-    splits : int, optional
-        Steps at least from one stop to the next.  So many also take the place of one step where
-        steps grow as fast as they may: no step of two runs with different splits is the same.
 
     Raises
     ------
@@ -101,8 +94,7 @@ def prepare(scene, splits=1):
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    chain.clock.growth = LARGEST_FACTOR ** (1.0 / splits)
-    recording = make_recording(scene, chain.ahead, table[U], splits)
+    recording = make_recording(scene, chain.ahead, table[U])
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
@@ -117,18 +109,61 @@ def integrate(run, tolerance, after_block=lambda run: None):
     after_block : callable, optional
         Called with the run after every `STEPS_PER_BLOCK` steps and at the end.
 
+    Returns
+    -------
+    ndarray, shape (steps,)
+        The times at which the steps ended.
+
     Raises
     ------
     SolveError
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
-    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
-    stops = run.recording.stops
-    if 0.0 < ramp < stops[-1]:
-        rising = run.recording._replace(stops=stops[stops <= ramp])
-        _advance(run._replace(recording=rising), tolerance, after_block)
-        end_ramp(run)
-    _advance(run, tolerance, after_block)
+    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
+    blocks = []
+
+    def advance(chain, table, recording):
+        ends, before = np.empty(STEPS_PER_BLOCK), chain.clock.accepted
+        status = integrator.advance(chain, table, recording, relative, absolute, ends)
+        blocks.append(ends[: chain.clock.accepted - before])
+        return status
+
+    _advance_parts(run, advance, after_block)
+    return np.concatenate(blocks)
+
+
+def integrate_in_halves(run, ends, after_block=lambda run: None):
+    """Advance a run to its end by two steps for each of another run of the same scene.
+
+    Where the error is one of truncation it is smaller by 2⁸, whatever limited the steps: accuracy,
+    stability, outputs or contacts.
+
+    Parameters
+    ----------
+    run : Run
+    ends : ndarray, shape (steps,)
+        Times at which the steps of the other run ended.
+    after_block : callable, optional
+        As of `integrate`.
+
+    Returns
+    -------
+    ndarray
+        The times at which the halves ended.
+
+    Raises
+    ------
+    SolveError
+        If the state is no longer finite.
+    """
+    halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
+    halves = halves[halves > 0.0]
+
+    def follow(chain, table, recording):
+        return integrator.follow(chain, table, recording, halves, STEPS_PER_BLOCK)
+
+    _advance_parts(run, follow, after_block)
+    return halves
 
 
 def end_ramp(run):
@@ -138,14 +173,22 @@ def end_ramp(run):
     integrator.begin(run.chain, run.table)
 
 
-def _advance(run, tolerance, after_block):
+def _advance_parts(run, advance, after_block):
+    """Advance a run to its end, up to the end of a ramp and from there."""
+    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
+    stops = run.recording.stops
+    if 0.0 < ramp < stops[-1]:
+        rising = run.recording._replace(stops=stops[stops <= ramp])
+        _advance(run._replace(recording=rising), advance, after_block)
+        end_ramp(run)
+    _advance(run, advance, after_block)
+
+
+def _advance(run, advance, after_block):
     """Advance a run to the last of its stops."""
-    relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
     status = integrator.RUNNING
     while status == integrator.RUNNING:
-        status = integrator.advance(
-            run.chain, run.table, run.recording, relative, absolute, STEPS_PER_BLOCK
-        )
+        status = advance(run.chain, run.table, run.recording)
         after_block(run)
     if status != integrator.FINISHED:
         raise SolveError(_cause(status, run))

@@ -4,11 +4,11 @@ A scene is the mapping that the configuration holds under `scenes: chain:`; its 
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
 the adaptive pair of `integrator`.
 
-Accuracy.  Every scene is integrated a second time, with the tolerance divided by `REFINEMENT` and
-in at least `SPLITS` steps from one stop to the next, so that the two runs differ from the first
-step on.  The error estimate of an array is the largest difference between them.  Single numbers,
-which may agree by chance, take theirs from all events near them (`event_errors`).  The estimates
-come from an independent refinement and not from the step controller; they are no bounds.
+Accuracy.  Every scene is integrated a second time, with two steps for each of the first run: the
+two differ from the first step on, and where the error is one of truncation, that of the second run
+is smaller by 2⁸.  The error estimate of an array is the largest difference between them.  Single
+numbers, which may agree by chance, take theirs from all events near them (`event_errors`).  The
+estimates come from an independent refinement and not from the step controller; they are no bounds.
 """
 
 from collections.abc import Mapping
@@ -22,19 +22,15 @@ from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import Recording
 from granular_fronts.chain.recording import collect
-from granular_fronts.chain.run import integrate, prepare, work_done
+from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, work_done
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
-from granular_fronts.scenes.constraints import RELATIVE_TOLERANCE_FLOOR
 from granular_fronts.scenes.validation import check_scene
 
-REFINEMENT = 10.0
-SPLITS = 2
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
-ERROR_METHOD = (
-    f"largest difference to a run of more steps, with the tolerance divided by {REFINEMENT:g}"
-)
+ERROR_METHOD = "largest difference to a run that takes each step in two halves"
+EVENT_METHOD = "differences of the events nearby to a run that takes each step in two halves"
 
 
 class Solution(NamedTuple):
@@ -50,12 +46,15 @@ class Solution(NamedTuple):
         Largest relative drift of the balance laws.
     recording : chain.recorder.Recording
         As the integrator left it.
+    ends : ndarray, shape (steps,)
+        Times at which the steps ended.
     """
 
     dataset: xr.Dataset
     counts: dict
     drifts: dict
     recording: Recording
+    ends: np.ndarray
 
 
 def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
@@ -85,11 +84,7 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     """
     scene = check_scene("chain", scene, name)
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
-    finer = {
-        "relative": max(scene["tolerance"]["relative"] / REFINEMENT, RELATIVE_TOLERANCE_FLOOR),
-        "absolute": scene["tolerance"]["absolute"] / REFINEMENT,
-    }
-    refined = solve(scene, finer, f"scene {name}, estimating the error", SPLITS)
+    refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(solution, refined, scene["tolerance"])
 
 
@@ -103,7 +98,7 @@ def simulate_once(scene, name="given"):
     return solve(scene, scene["tolerance"], f"scene {name}, solving").dataset
 
 
-def solve(scene, tolerance, activity="solving", splits=1):
+def solve(scene, tolerance, activity="solving"):
     """Integrate a checked scene once, at the given tolerance.
 
     Parameters
@@ -113,15 +108,23 @@ def solve(scene, tolerance, activity="solving", splits=1):
         `relative` and `absolute`, per step, in the maximum norm over beads.
     activity : str
         What the progress line and a failure are headed with.
-    splits : int, optional
-        As in `run.prepare`.
 
     Returns
     -------
     Solution
     """
+    return _follow(scene, activity, integrate, tolerance)
+
+
+def refine(scene, solution, activity="estimating the error"):
+    """Integrate a scene again, with two steps for each of a `Solution`; the rest as in `solve`."""
+    return _follow(scene, activity, integrate_in_halves, solution.ends)
+
+
+def _follow(scene, activity, integrate, steps):
+    """Integrate a scene to its end by a function of `run` and what sets its steps."""
     try:
-        run = prepare(scene, splits)
+        run = prepare(scene)
         balances = Balances(run)
         with time_bar(activity, scene["end_time"]) as show_time:
 
@@ -129,10 +132,12 @@ def solve(scene, tolerance, activity="solving", splits=1):
                 show_time(run.clock.t)
                 balances.check(run)
 
-            integrate(run, tolerance, after_block)
+            ends = integrate(run, steps, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    return Solution(collect(scene, run), work_done(run.clock), balances.drifts(), run.recording)
+    return Solution(
+        collect(scene, run), work_done(run.clock), balances.drifts(), run.recording, ends
+    )
 
 
 def _with_error_estimates(solution, refined, tolerance):
@@ -146,6 +151,7 @@ def _with_error_estimates(solution, refined, tolerance):
         attributes = error_attributes(variable, other, ERROR_METHOD)
         if name in events:
             attributes["error_estimate"] = float(np.fmax(events[name], rounding_floor(variable)))
+            attributes["error_method"] = EVENT_METHOD
         if name in events and variable.dims:
             # An event that one run alone has is not certain to have happened.
             variable = variable.where(np.isfinite(other))
