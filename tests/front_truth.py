@@ -20,6 +20,9 @@ LARGEST_MATRIX = 12_000_000
 SETTLED = 2e-18
 LEFT_OUT = 3e-18
 
+# Of the stated error; where more is left, extended precision is not enough for a judge.
+ENOUGH = 0.2
+
 
 def hertz(r, order, alpha, factor):
     """V' (order 1) or V'' of (−r)₊^(α+1)/(α + 1)."""
@@ -280,7 +283,8 @@ def compare(front, law, behind, ahead, rng):
         true = TrueFront(front, law, behind, ahead, parts)
         if not true.fits or true.tail < LEFT_OUT:
             break
-    if not true.fits or true.residual > 1e-15 or abs(true.defect) > 1e-14:
+    known = ENOUGH * front.attrs["error_estimate"] / float(np.abs(true.jump))
+    if not true.fits or true.residual > known or abs(true.defect) > known:
         return
     waves = true.pulse(true.s)
     fields = {"strain": true.ahead + true.jump * true.s, "velocity": true.velocity()}
@@ -335,8 +339,7 @@ def cases(seed, count):
     name : str
     stated_error, true_error, largest_value : float
     """
-    rng = np.random.default_rng(seed)
-    for k in range(count):
+    for k, rng in enumerate(np.random.default_rng(seed).spawn(count)):
         (elastic, viscous), states = random_front(rng)
         law = {"elastic": elastic, "viscous": viscous}
         try:
