@@ -16,7 +16,8 @@ from granular_fronts.continuum.log_burgers.evolution import evolve_unlimited
 from granular_fronts.model.amplitude_scaling import gamma_for, make_slow_scales
 
 POINTS, FEWEST_POINTS = 4096, 512
-SHARE_OF_TOLERANCE, LEAST_TOLERANCE = 3e-4, 3e-12
+SHARE_OF_TOLERANCE = {"dispersive": 3e-4, "logarithmic": 3e-6, "unlimited": 3e-6}
+LEAST_TOLERANCE = 3e-14
 EXTINCT = 1e-15
 CIRCLE = np.exp(1j * np.pi * (np.arange(32) + 0.5) / 16)
 SMALLEST = 1e-30
@@ -149,20 +150,24 @@ EQUATIONS = {
 }
 
 
+def scales_of(scene):
+    """Scales of a scene."""
+    return make_slow_scales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
+
+
 def compare(equation, scene):
     """(name, stated error, true error, largest value) of the answer at all times of a scene."""
     found = EQUATIONS[equation](scene)["rescaled_force"]
-    law = scene["law"]
-    scales = make_slow_scales(law["alpha"], law["gamma"], scene["displacement"])
+    scales = scales_of(scene)
     half_length = scales.half_length(scene["half_beads"])
-    alpha = law["alpha"] if equation == "unlimited" else 1.0
+    alpha = scales.alpha if equation == "unlimited" else 1.0
     start = scene["start"]
     if start["kind"] == "plateau":
         amplitudes = plateau_amplitudes(start["half_width"], start["floor"], half_length)
     else:
         amplitudes = given_amplitudes(start["rescaled_force"], 1.0 / alpha)
     dispersion = scales.dispersion if equation == "dispersive" else 0.0
-    allowed = SHARE_OF_TOLERANCE * scene["equations"][equation]["tolerance"]
+    allowed = SHARE_OF_TOLERANCE[equation] * scene["equations"][equation]["tolerance"]
     allowed = max(allowed, LEAST_TOLERANCE)
     ring, error = Ring(half_length, dispersion, alpha, amplitudes, allowed), 0.0
     for row, tau in zip(found.values, found["slow_time"].values, strict=True):

@@ -18,7 +18,10 @@ from granular_fronts.numerics.quadrature import kernel_weights
 Number = np.longdouble
 LARGEST_MATRIX = 12_000_000
 SETTLED = 2e-18
-LEFT_OUT = 3e-18
+LEFT_OUT = 1e-17
+
+# Of the stated error; where more is left, extended precision is not enough for a judge.
+ENOUGH = 0.5
 
 
 def hertz(r, order, alpha, factor):
@@ -162,12 +165,15 @@ class TrueFront:
         self.hat, self.drag = sinc**2, -1j * self.k * sinc**2
         self.site, self.back = np.exp(-1j * half) * sinc, np.exp(-2j * half)
 
-    def pulse(self, values):
-        """Amplitudes of values that are constant before the first point and 0 after the last."""
+    def pulse(self, function=lambda s: s):
+        """Amplitudes of a function of s, where s is 1 before the first point and 0 after the last.
+
+        A state behind that were left to the first point would not be held by any equation.
+        """
         whole = np.zeros(self.pulse_size, Number)
-        whole[: self.left] = values[0]
-        whole[self.left : self.left + values.size] = values
-        return np.fft.rfft(whole * self.ramp)
+        whole[: self.left] = 1
+        whole[self.left : self.left + self.s.size] = self.s
+        return np.fft.rfft(function(whole) * self.ramp)
 
     def on_points(self, amplitudes):
         """Values at the points of the front."""
@@ -179,7 +185,7 @@ class TrueFront:
         speed = Number(1)
         self.residual, least = math.inf, math.inf
         for _ in range(12):
-            p, q = self.pulse(self.p(self.s)), self.pulse(self.q(self.s))
+            p, q = self.pulse(self.p), self.pulse(self.q)
             tail = max(np.abs(a[-a.size // 20 :]).max() / np.abs(a).max() for a in (p, q))
             residual = speed**2 * self.s - self.on_points(self.hat * p + speed * self.drag * q)
             right = np.roll(residual, -1)
@@ -215,7 +221,7 @@ class TrueFront:
             if d >= 0:
                 border[d] = column[d]
         band[w + upper, middle] = 1.0
-        amplitudes = self.pulse(self.q(s))
+        amplitudes = self.pulse(self.q)
         slope = (2 * self.s - self.on_points(self.drag * amplitudes)).astype(float)
         right = np.roll(slope, -1)
         right[middle + 1 :] = slope[middle + 1 :]
@@ -229,7 +235,7 @@ class TrueFront:
 
     def velocity(self):
         """ẋ at the points."""
-        p, q = self.pulse(self.p(self.s)), self.pulse(self.q(self.s))
+        p, q = self.pulse(self.p), self.pulse(self.q)
         share = self.on_points(self.site * p + self.back * q) - self.q(self.s)
         return -self.speed * (self.ahead + self.jump * share)
 
@@ -256,7 +262,7 @@ class TrueFront:
 
     def measures(self):
         """Overshoot, width, slope and dissipated power."""
-        waves, size = self.pulse(self.s), np.abs(self.jump)
+        waves, size = self.pulse(), np.abs(self.jump)
         slope = 1j * self.k * waves
         levels = []
         for level in (Number(9) / 10, Number(1) / 10):
@@ -280,9 +286,10 @@ def compare(front, law, behind, ahead, rng):
         true = TrueFront(front, law, behind, ahead, parts)
         if not true.fits or true.tail < LEFT_OUT:
             break
-    if not true.fits or true.residual > 1e-15 or abs(true.defect) > 1e-14:
+    known = ENOUGH * front.attrs["error_estimate"] / float(np.abs(true.jump))
+    if not true.fits or true.residual > known or abs(true.defect) > known:
         return
-    waves = true.pulse(true.s)
+    waves = true.pulse()
     fields = {"strain": true.ahead + true.jump * true.s, "velocity": true.velocity()}
     middle = int(np.argmin(np.abs(front["xi"].values)))
     first = true.middle - middle * true.parts
@@ -335,8 +342,7 @@ def cases(seed, count):
     name : str
     stated_error, true_error, largest_value : float
     """
-    rng = np.random.default_rng(seed)
-    for k in range(count):
+    for k, rng in enumerate(np.random.default_rng(seed).spawn(count)):
         (elastic, viscous), states = random_front(rng)
         law = {"elastic": elastic, "viscous": viscous}
         try:
