@@ -1,28 +1,10 @@
 """Stated errors of fronts and of the amplitude equations, against solutions of other programs."""
 
-import evolution_truth
-import front_truth
 import numpy as np
 import pytest
 
 import granular_fronts as gf
-
-FEW_UNITS = 4.0
-
-
-def hold(found, share=1.0):
-    """Whether stated errors are honest: a share within twice, all within ten times, few too wide.
-
-    Parameters
-    ----------
-    found : iterable of (name, stated error, true error, largest value)
-    share : float
-    """
-    stated, true, largest = np.array([numbers for _, *numbers in found]).T
-    excess = true - FEW_UNITS * np.spacing(largest)
-    within = np.mean(excess <= 2.0 * stated) >= share
-    wide = np.median(stated / np.maximum(true, 1e-300)) > 10.0
-    return bool(within and (excess <= 10.0 * stated).all() and not wide)
+from truth import evolutions, fronts, hold
 
 
 def powers(alpha, beta, gamma):
@@ -47,7 +29,7 @@ FRONTS = {
 def test_errors_of_a_front_and_of_its_measures_hold(name):
     law, states = FRONTS[name]
     front = gf.solve_front(law=law, states=states)
-    found = list(front_truth.compare(front, law, *states, np.random.default_rng(3)))
+    found = list(fronts.compare(front, law, *states, np.random.default_rng(3)))
     assert len(found) == 8
     assert hold(found)
     # The same judge sees an error that is a hundred times too small.
@@ -58,20 +40,20 @@ def test_reference_knows_the_dissipated_power():
     """(α − 1)/(2(α + 1)), eq. (16), to more digits than a double has."""
     law = powers(1.5, 1.0, 0.4)
     front = gf.solve_front(law=law, states=(-1.0, 0.0))
-    power = front_truth.TrueFront(front, law, -1.0, 0.0).measures()["dissipated_power"]
-    assert abs(power - front_truth.Number(1) / 10) < 2e-18
+    power = fronts.TrueFront(front, law, -1.0, 0.0).measures()["dissipated_power"]
+    assert abs(power - fronts.Number(1) / 10) < 2e-18
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_errors_of_random_fronts_hold(seed):
-    assert hold(front_truth.cases(seed, 60), 0.995)
+    assert hold(fronts.cases(seed, 60), 0.995)
 
 
 def smooth_scene(equation, slow_time, tolerance):
     """A smooth wave for so short a time that no tolerance comes in."""
-    scene = evolution_truth.random_scene(np.random.default_rng(3), "unlimited")
-    scales = evolution_truth.scales_of(scene)
+    scene = evolutions.random_scene(np.random.default_rng(3), "unlimited")
+    scales = evolutions.scales_of(scene)
     time = slow_time / scales.slow_rate
     scene["equations"][equation] = {"cells": 256, "tolerance": tolerance}
     return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": 0.5}}}
@@ -80,7 +62,7 @@ def smooth_scene(equation, slow_time, tolerance):
 @pytest.mark.parametrize("equation", ["dispersive", "logarithmic"])
 def test_errors_of_the_first_steps_of_an_evolution_hold(equation):
     found = [
-        ("", *evolution_truth.compare(equation, smooth_scene(equation, time, tolerance)))
+        ("", *evolutions.compare(equation, smooth_scene(equation, time, tolerance)))
         for time, tolerance in ((0.2, 1e-5), (0.1, 1e-4))
     ]
     assert hold(found)
@@ -90,4 +72,4 @@ def test_errors_of_the_first_steps_of_an_evolution_hold(equation):
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_errors_of_random_evolutions_hold(seed):
-    assert hold(evolution_truth.cases(seed, 20), 0.995)
+    assert hold(evolutions.cases(seed, 20), 0.995)
