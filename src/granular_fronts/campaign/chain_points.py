@@ -155,7 +155,7 @@ def _with_errors(motions, beads):
     found, refined = motions.map(lambda motion: _measures(motion, beads))
     recordings = motions.map(lambda motion: motion.run.recording)
     motion = motions.usual
-    events = event_errors(*recordings, motion.scene["beads"], int(motion.run.chain.contacts))
+    events = event_errors(motion.scene, *recordings, int(motion.run.chain.contacts))
     errors = _in_units(events, motion)
     return {
         name: (

@@ -2,9 +2,9 @@ r"""Errors of located events, from the events of two runs.
 
 Two runs may agree on a single number by chance, on many they do not.  Every event of a contact is a
 sample of the error of u, or of that of u̇: the value of an extreme is wrong by :math:`\delta u`, its
-time by :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  An
-event takes the largest of the samples near it, of contacts at most `NEAR` away and of times within
-a factor of `RECENT`, through its own reading.
+time by :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  The
+states at a few times are samples too.  An event takes the largest of the samples near it, of
+contacts at most `NEAR` away and of times within a factor of `RECENT`, through its own reading.
 
 The extreme of all contacts and times is the best of many candidates.  Where others come as close to
 it as the errors allow, its time and bead are as uncertain as those of the candidates differ.
@@ -15,7 +15,12 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.chain.recorder import END, END_TIME, STEEPNESS, TIME, VALUE
-from granular_fronts.chain.recording import candidates, extremes_of_all, speed_and_error
+from granular_fronts.chain.recording import (
+    candidates,
+    extremes_of_all,
+    monitor_times,
+    speed_and_error,
+)
 
 NEAR, RECENT = 2, 2.0
 # Two events are one if u changes by less than this share of its largest from the one to the other.
@@ -30,15 +35,16 @@ class Samples(NamedTuple):
     of_rate: np.ndarray
 
 
-def event_errors(recording, refined, beads, contacts):
+def event_errors(scene, recording, refined, contacts):
     """Errors of all variables that hold events.
 
     Parameters
     ----------
+    scene : mapping
     recording, refined : recorder.Recording
         Of a run and of its refinement.
-    beads, contacts : int
-        How many beads there are, and how many contacts move.
+    contacts : int
+        How many contacts move.
 
     Returns
     -------
@@ -46,11 +52,12 @@ def event_errors(recording, refined, beads, contacts):
         Absolute errors by the name of the variable.
     """
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
-    events = {
-        name: tuple(getattr(one, name)[:, 1 : beads + 1] for one in (recording, refined))
-        for name in names
-    }
-    errors, samples = {}, take_samples(events)
+    runs, every = (recording, refined), np.s_[:, 1 : scene["beads"] + 1]
+    events = {name: tuple(getattr(one, name)[every] for one in runs) for name in names}
+    profiles = tuple(one.profile_u[every] for one in runs)
+    rows = np.searchsorted(recording.profile_times, monitor_times(scene))
+    states = zip(recording.profile_times[rows], *(u[rows] for u in profiles), strict=True)
+    errors, samples = {}, take_samples(events, states)
     if not np.isnan(recording.level):
         arrival = error_of_passage(samples, *events["arrival"])
         _, speed = speed_and_error(events["arrival"][0][TIME], arrival)
@@ -59,15 +66,23 @@ def event_errors(recording, refined, beads, contacts):
         errors["first_peak"] = _largest(_near(samples.time, samples.of_u, peak[TIME]))
         errors["first_peak_time"] = _largest(error_of_turn(samples, peak, other))
     if recording.track_extremes:
-        both = [extremes_of_all(one, contacts) for one in (recording, refined)]
+        both = [extremes_of_all(one, contacts) for one in runs]
         errors |= _of_first_opening(samples, *events["opening"], *both)
         for kind in ("largest", "smallest"):
             errors |= _of_extreme(kind, samples, events[kind][0], contacts, *both)
     return errors
 
 
-def take_samples(events):
-    """The errors of u and u̇ that the events of two runs show; `events` by name, of both."""
+def take_samples(events, states):
+    """The errors of u and u̇ that two runs show.
+
+    Parameters
+    ----------
+    events : dict of str to pair of ndarray
+        Rows of the events of both.
+    states : iterable of tuple
+        Times, and u of both.
+    """
     largest, smallest = (events[name][0][END] for name in ("largest", "smallest"))
     size = max(np.abs(largest).max(), np.abs(smallest).max())
     none, rows = np.full(largest.size, np.nan), []
@@ -86,6 +101,7 @@ def take_samples(events):
             # Ends of steps are comparable at the start and the end of the motion.
             change = np.where(own[END_TIME] == other[END_TIME], own[END] - other[END], np.nan)
             rows.append((own[END_TIME], np.abs(change), none))
+    rows += [(np.full(own.size, time), np.abs(own - other), none) for time, own, other in states]
     time, of_u, of_rate = np.moveaxis(np.array(rows), 1, 0)
     return Samples(time, np.maximum(of_u, np.spacing(size)), of_rate)
 

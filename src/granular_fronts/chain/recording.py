@@ -41,12 +41,21 @@ from granular_fronts.numerics.runge_kutta import DEGREE
 # before the far end.
 SPEED_RANGE = (0.5, 0.9)
 
+# Two runs are compared at the end divided by these powers of 2.
+MONITORS = np.arange(7, 0, -1)
+
 
 def grid_times(scene):
     """Times of the space-time grid, empty if the scene records none."""
     if "grid" not in scene["record"]:
         return np.empty(0)
     return regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
+
+
+def monitor_times(scene):
+    """Times between t = 0 and the end at which two runs are compared, if events are recorded."""
+    events = {"arrival_level", "extremes"} & set(scene["record"])
+    return np.ldexp(float(scene["end_time"]), -MONITORS) if events else np.empty(0)
 
 
 def probe_samples(scene):
@@ -74,7 +83,7 @@ def make_recording(scene, ahead, u):
     columns = u.size
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
-    profile_times = np.union1d(snapshots, grid_times(scene))
+    profile_times = np.unique(np.concatenate([snapshots, grid_times(scene), monitor_times(scene)]))
     times, beads = probe_samples(scene)
     order = np.argsort(times, kind="stable")
     next_ = np.zeros(1, NEXT)[0]

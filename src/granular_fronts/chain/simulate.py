@@ -85,7 +85,7 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     scene = check_scene("chain", scene, name)
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
-    return _with_error_estimates(solution, refined, scene["tolerance"])
+    return _with_error_estimates(scene, solution, refined)
 
 
 def simulate_once(scene, name="given"):
@@ -140,12 +140,10 @@ def _follow(scene, activity, integrate, steps):
     )
 
 
-def _with_error_estimates(solution, refined, tolerance):
-    """The dataset of a solution, each variable with its error by a refined one."""
+def _with_error_estimates(scene, solution, refined):
+    """The dataset of a solution of a scene, each variable with its error by a refined one."""
     dataset = solution.dataset
-    events = event_errors(
-        solution.recording, refined.recording, dataset.sizes["bead"], dataset.attrs["contacts"]
-    )
+    events = event_errors(scene, solution.recording, refined.recording, dataset.attrs["contacts"])
     for name, variable in dataset.data_vars.items():
         other = refined.dataset[name]
         attributes = error_attributes(variable, other, ERROR_METHOD)
@@ -158,8 +156,8 @@ def _with_error_estimates(solution, refined, tolerance):
         dataset[name] = variable.assign_attrs(attributes)
     dataset.attrs |= {
         "solver": SOLVER,
-        "relative_tolerance": float(tolerance["relative"]),
-        "absolute_tolerance": float(tolerance["absolute"]),
+        "relative_tolerance": float(scene["tolerance"]["relative"]),
+        "absolute_tolerance": float(scene["tolerance"]["absolute"]),
         **solution.counts,
         **solution.drifts,
     }
