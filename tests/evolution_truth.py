@@ -222,12 +222,15 @@ def cases(seed, count):
     name : str
     stated_error, true_error, largest_value : float
     """
-    rng = np.random.default_rng(seed)
-    for k in range(count):
+    for k, rng in enumerate(np.random.default_rng(seed).spawn(count)):
         equation = ("dispersive", "logarithmic", "dispersive", "unlimited")[k % 4]
         scene = random_scene(rng, equation)
         described = {name: scene[name] for name in ("law", "displacement", "half_beads")}
         described |= {"snapshots": scene["record"]["snapshots"]} | scene["equations"][equation]
         if scene["start"]["kind"] == "plateau":
             described["start"] = scene["start"]
-        yield f"{equation} {k}: {described}", *compare(equation, scene)
+        try:
+            yield f"{equation} {k}: {described}", *compare(equation, scene)
+        except gf.InputError:
+            # Too few cells for the edge of the wave.
+            continue
