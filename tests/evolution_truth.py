@@ -209,7 +209,7 @@ def random_scene(rng, equation):
         half_beads=math.ceil(half_length / epsilon),
         start=start,
         end_time=float(times[-1]),
-        record={"snapshots": times.tolist(), "grid": {"step": 0.5}},
+        record={"snapshots": times.tolist(), "grid": {"step": float(times[-1])}},
         **{f"equations__{equation}": resolution},
     )
 

@@ -74,7 +74,7 @@ def smooth_scene(equation, slow_time, tolerance):
     scales = evolution_truth.scales_of(scene)
     time = slow_time / scales.slow_rate
     scene["equations"][equation] = {"cells": 256, "tolerance": tolerance}
-    return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": 0.5}}}
+    return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": time}}}
 
 
 @pytest.mark.parametrize("equation", ["dispersive", "logarithmic"])
