@@ -63,9 +63,9 @@ def test_reference_knows_the_dissipated_power():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [11, 12])
 def test_errors_of_random_fronts_hold(seed):
-    assert hold(front_truth.cases(seed, 60), 0.995)
+    assert hold(front_truth.cases(seed, 40), 0.995)
 
 
 def smooth_scene(equation, slow_time, tolerance):
@@ -88,6 +88,6 @@ def test_errors_of_the_first_steps_of_an_evolution_hold(equation):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [22, 23])
 def test_errors_of_random_evolutions_hold(seed):
-    assert hold(evolution_truth.cases(seed, 20), 0.995)
+    assert hold(evolution_truth.cases(seed, 8), 0.995)
