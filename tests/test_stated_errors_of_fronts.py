@@ -45,9 +45,9 @@ def test_reference_knows_the_dissipated_power():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [11, 12])
 def test_errors_of_random_fronts_hold(seed):
-    assert hold(fronts.cases(seed, 60), 0.995)
+    assert hold(fronts.cases(seed, 40), 0.995)
 
 
 def smooth_scene(equation, slow_time, tolerance):
@@ -56,7 +56,7 @@ def smooth_scene(equation, slow_time, tolerance):
     scales = evolutions.scales_of(scene)
     time = slow_time / scales.slow_rate
     scene["equations"][equation] = {"cells": 256, "tolerance": tolerance}
-    return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": 0.5}}}
+    return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": time}}}
 
 
 @pytest.mark.parametrize("equation", ["dispersive", "logarithmic"])
@@ -70,6 +70,6 @@ def test_errors_of_the_first_steps_of_an_evolution_hold(equation):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [22, 23])
 def test_errors_of_random_evolutions_hold(seed):
-    assert hold(evolutions.cases(seed, 20), 0.995)
+    assert hold(evolutions.cases(seed, 8), 0.995)

@@ -199,7 +199,8 @@ def evaluate_front(
     xi = array("xi", xi, advice="leave that point out")
     choice("name", name, [field for field in FIELDS if field in front])
     check_grid(front)
-    values, positions, middle = front[name].values, *_positions(front["xi"].values, xi.ravel())
+    values = front[name].values
+    positions, middle = _positions(front["xi"].values, xi.ravel())
     return interpolate_all(values, positions, values[0], values[-1], middle).reshape(xi.shape)
 
 

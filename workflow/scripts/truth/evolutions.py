@@ -11,8 +11,9 @@ import math
 
 import numpy as np
 
-import granular_fronts as gf
-from granular_fronts.continuum.log_burgers.evolution import evolve_unlimited
+from granular_fronts.continuum.log_burgers.evolution import evolve_log_burgers, evolve_unlimited
+from granular_fronts.continuum.log_kdv_burgers.evolution import evolve_log_kdv_burgers
+from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import gamma_for, make_slow_scales
 
 POINTS, FEWEST_POINTS = 4096, 512
@@ -144,8 +145,8 @@ def given_amplitudes(values, power):
 
 
 EQUATIONS = {
-    "logarithmic": gf.evolve_log_burgers,
-    "dispersive": gf.evolve_log_kdv_burgers,
+    "logarithmic": evolve_log_burgers,
+    "dispersive": evolve_log_kdv_burgers,
     "unlimited": evolve_unlimited,
 }
 
@@ -202,6 +203,7 @@ def random_scene(rng, equation):
         start = {"kind": "given", "rescaled_force": waves.tolist()}
     tolerance = float(10 ** rng.uniform(-8.0, -4.0))
     resolution = {"cells": int(2 ** rng.integers(7, 10)), "tolerance": tolerance}
+    others = dict.fromkeys(EQUATIONS, {"cells": 512, "tolerance": 1e-6})
     return {
         "law": {"alpha": alpha, "gamma": gamma},
         "displacement": delta,
@@ -209,8 +211,8 @@ def random_scene(rng, equation):
         "start": start,
         "end_time": float(times[-1]),
         "tolerance": {"relative": 1e-9, "absolute": 1e-12},
-        "equations": dict.fromkeys(EQUATIONS, resolution) | {"upwind": {"points": 512}},
-        "record": {"snapshots": times.tolist(), "grid": {"step": 0.5}},
+        "equations": others | {equation: resolution, "upwind": {"points": 512}},
+        "record": {"snapshots": times.tolist(), "grid": {"step": float(times[-1])}},
     }
 
 
@@ -222,12 +224,15 @@ def cases(seed, count):
     name : str
     stated_error, true_error, largest_value : float
     """
-    rng = np.random.default_rng(seed)
-    for k in range(count):
+    for k, rng in enumerate(np.random.default_rng(seed).spawn(count)):
         equation = ("dispersive", "logarithmic", "dispersive", "unlimited")[k % 4]
         scene = random_scene(rng, equation)
         described = {name: scene[name] for name in ("law", "displacement", "half_beads")}
         described |= {"snapshots": scene["record"]["snapshots"]} | scene["equations"][equation]
         if scene["start"]["kind"] == "plateau":
             described["start"] = scene["start"]
-        yield f"{equation} {k}: {described}", *compare(equation, scene)
+        try:
+            yield f"{equation} {k}: {described}", *compare(equation, scene)
+        except InputError:
+            # Too few cells for the edge of the wave.
+            continue

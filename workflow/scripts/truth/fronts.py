@@ -12,7 +12,8 @@ from fractions import Fraction
 import numpy as np
 from scipy.linalg import lapack
 
-import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.numerics.quadrature import kernel_weights
 
 Number = np.longdouble
@@ -122,7 +123,7 @@ class TrueFront:
         points = self.middle + 1 + math.ceil(1.25 * (xi.size - middle)) * self.parts
         self.xi = Number(self.spacing.numerator) / Number(self.spacing.denominator)
         self.h, self.xi = self.xi, self.xi * np.arange(-self.middle, points - self.middle)
-        start = gf.evaluate_front(front, self.xi.astype(float), "strain").astype(Number)
+        start = evaluate_front(front, self.xi.astype(float), "strain").astype(Number)
         self.s = (start - self.ahead) / self.jump
         self.given = slice(self.middle % self.parts, None, self.parts)
         self.fits = points * (3 * (math.ceil(1 / self.spacing) + 9) + 2) < LARGEST_MATRIX
@@ -300,7 +301,7 @@ def compare(front, law, behind, ahead, rng):
         yield name, stated, float(np.abs(kept - found.values).max()), float(np.abs(kept).max())
     places = rng.uniform(max(front["xi"].values[0], -20.0), front["xi"].values[-1], 12)
     exact = np.array([true.ahead + true.jump * true.at(xi, waves) for xi in places])
-    found = gf.evaluate_front(front, places, "strain")
+    found = evaluate_front(front, places, "strain")
     size = float(np.abs(fields["strain"]).max())
     yield "evaluated", front.attrs["error_estimate"], float(np.abs(found - exact).max()), size
     for name, value in true.measures().items():
@@ -346,8 +347,8 @@ def cases(seed, count):
         (elastic, viscous), states = random_front(rng)
         law = {"elastic": elastic, "viscous": viscous}
         try:
-            front = gf.solve_front(law=law, states=states)
-        except gf.InputError:
+            front = solve_front(law=law, states=states)
+        except InputError:
             continue
         if front.attrs["converged"]:
             for name, *numbers in compare(front, law, *states, rng):

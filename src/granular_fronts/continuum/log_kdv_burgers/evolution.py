@@ -130,7 +130,7 @@ def solve_refined(scene, times):
         "tolerance": TOLERANCE_REFINEMENT * resolution["tolerance"],
     }
     return refined_by(
-        lambda found: solve(scene, times, **finer, coarser=found.step_ends),
+        lambda found: solve(scene, times, **finer, coarser=found),
         solve(scene, times, **resolution),
     )
 

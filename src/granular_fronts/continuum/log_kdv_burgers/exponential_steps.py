@@ -146,7 +146,7 @@ class Motion:
             remaining = stop - self.tau
             # Two equal steps to the stop rather than a long and a short one.
             longest = min(self.next_step, self.half_of_coarser())
-            lands = longest >= remaining
+            lands = longest >= remaining or remaining < RESOLUTION * stop
             h = remaining if lands else min(longest, 0.5 * remaining)
             if h < RESOLUTION * stop and not lands:
                 raise SolveError(
@@ -158,8 +158,8 @@ class Motion:
             if accepted:
                 self.tau = stop if lands else self.tau + h
                 self.ends.append(self.tau)
-            if accepted and lands:
-                # A step cut short to land says little about the next one.
+            if accepted and (lands or longest < self.next_step):
+                # A step cut short says little about the next one.
                 self.next_step = max(self.next_step, h * factor)
             elif not LEAST_SHRINKING < factor < LEAST_GROWTH:
                 self.next_step = h * factor

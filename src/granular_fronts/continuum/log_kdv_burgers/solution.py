@@ -95,8 +95,8 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
         Error per step, in y; the logarithm is cut off below it.
     levels : int, optional
         L: the run begins on 2^L times as many points.
-    coarser : list of float, optional
-        `step_ends` of a run whose steps are all halved here.
+    coarser : Evolution, optional
+        A run whose steps are all halved here.
 
     Returns
     -------
@@ -111,7 +111,9 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
     scaling, start = scaling_of(scene), make_start(scene["start"])
     half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
     equation = Equation(half_length, 1.0, scaling.dispersion, tolerance)
-    kept, motion = follow(equation, start, slow_times, cells, tolerance, levels, coarser)
+    kept, motion = follow(
+        equation, start, slow_times, cells, tolerance, levels, coarser and coarser.step_ends
+    )
     later = [values_on_points(kept[row], 2 * kept[row].size - 1) for row in np.flatnonzero(times)]
     smallest = min((float(values.min()) for values in later), default=start.floor)
     mean_drift = max(abs(row[0] - motion.amplitudes[0]) for row in kept)
