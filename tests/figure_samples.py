@@ -344,6 +344,14 @@ def enclosed_front():
     return data.assign_attrs(rate_low=0.4, rate_high=0.5, amplitude_low=0.6, amplitude_high=0.7)
 
 
+def honesty(*variables):
+    """Three numbers of each variable."""
+    names = np.repeat(variables, 3)
+    values = ("ratio", "stated_error", "true_error")
+    data = sample({"number": np.arange(names.size)}, {name: ["number"] for name in values})
+    return data.assign_coords(variable=("number", names))
+
+
 PROBES = ("relative_displacement_steady", "relative_displacement_transient")
 GRIDS = ("relative_displacement_grid", "velocity_grid")
 
@@ -380,5 +388,10 @@ SAMPLES = {
         "curves": critical_damping(),
     },
     "fig24": lambda: {"data": enclosed_front()},
+    "fig25": lambda: {
+        "chains": honesty("velocity", "arrival_time", "first_gap_bead", "front_speed"),
+        "fronts": honesty("strain", "slope"),
+        "evolutions": honesty("logarithmic", "dispersive", "unlimited"),
+    },
 }
 """What each figure is given, by the names of its arguments."""

@@ -22,9 +22,10 @@ HUGE = 10**400
 
 def a_front(**attributes):
     """A dataset that looks like a front, without solving for one."""
-    xi = np.linspace(-4.0, 4.0, 9)
+    xi = np.linspace(-9.0, 9.0, 19)
     u = 1.0 / (1.0 + np.exp(3.0 * xi))
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3, "right_state": 0.0, "speed": 1.0}
+    law |= {"spacing": 1.0, "state_behind": -1.0, "state_ahead": 0.0}
     return xr.Dataset(
         {"relative_displacement": ("xi", u), "velocity": ("xi", u)},
         {"xi": xi},

@@ -91,11 +91,16 @@ def test_window_is_kept_at_the_step_asked_for():
 
 
 def test_survey_and_map_agree_with_single_fronts():
-    survey = survey_fronts([1.3], [0.1, 0.5])
+    survey = survey_fronts([1.3], [0.1, 1e-12, 0.5])
     plane = map_critical_damping(np.array([1.3]), np.array([0.1, 0.5]), 1e-3)
+    lost = survey.isel(gamma=1, alpha=0)
+    assert lost["converged"] == 0
+    assert "sites" in str(lost["reason"].values)
+    assert np.isnan(lost["overshoot"])
     for gamma in (0.1, 0.5):
         point = survey.sel(alpha=1.3, gamma=gamma)
         alone = solve_front(1.3, gamma)
+        assert point["converged"] == 1
         assert float(point["overshoot"]) == alone.attrs["overshoot"]
         swept = float(plane["overshoot"].sel(alpha=1.3, gamma=gamma))
         error = plane["overshoot"].attrs["error_estimate"] + alone.attrs["error_estimate"]

@@ -193,6 +193,27 @@ def test_a_failure_is_a_record_with_a_reason():
 
 
 @pytest.mark.parametrize(
+    "changed",
+    [
+        lambda front: front.isel(xi=slice(None, None, 2)),
+        lambda front: front.isel(xi=slice(100, None)),
+        lambda front: front.isel(xi=slice(None, -40)),
+        lambda front: front.isel(xi=[0]),
+        lambda front: front.drop_sel(xi=-1.0),
+        lambda front: front.assign_coords(xi=front["xi"] + 1.0),
+        lambda front: front.assign_coords(xi=0.5 * front["xi"]),
+    ],
+    ids=["thinned", "behind", "ahead", "point", "hole", "shifted", "scaled"],
+)
+def test_a_front_on_another_grid_is_refused(changed):
+    """Local polynomials would go through points that are not where they seem to be."""
+    front = gf.solve_front(1.5, 0.3)
+    assert gf.evaluate_front(front.copy(), -1.0) == front["relative_displacement"].sel(xi=-1.0)
+    with pytest.raises(InputError, match="thin, crop or shift the values"):
+        gf.evaluate_front(changed(front), -1.0)
+
+
+@pytest.mark.parametrize(
     ("arguments", "words"),
     [
         ({"alpha": 1.0}, "linear chain"),

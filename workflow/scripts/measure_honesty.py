@@ -1,4 +1,4 @@
-"""Compare stated errors of random problems with true ones, by programs that share no line.
+"""Compare stated errors of random problems with true ones, by independent programs.
 
 python workflow/scripts/measure_honesty.py --wing chains --problems "{seed: 1, count: 50}" \
     --dataset honesty.nc

@@ -8,11 +8,6 @@ from matplotlib.figure import Figure
 from figure_step import run_figure
 from granular_fronts.output.style import PROBE_COLOURS, PROBE_STYLES, new_figure
 
-TITLES = {
-    "chains": "a  chains",
-    "fronts": "b  exact fronts",
-    "evolutions": "c  amplitude equations",
-}
 # Kinds of numbers by what their names hold; the first that matches counts.
 KINDS = {
     "times": ("_time",),
@@ -40,11 +35,11 @@ def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -
     -------
     matplotlib.figure.Figure
     """
-    wings = {"chains": chains, "fronts": fronts, "evolutions": evolutions}
+    wings = {"chains": chains, "exact fronts": fronts, "amplitude equations": evolutions}
     figure, panels = new_figure(3.0, [[*wings]])
-    for wing, data in wings.items():
+    for letter, (wing, data) in zip("abc", wings.items(), strict=True):
         draw_wing(panels[wing], data)
-        panels[wing].set_title(f"{TITLES[wing]}\n{in_words(data)}", fontsize=7.5, loc="left")
+        panels[wing].set_title(f"{letter}  {wing}\n{in_words(data)}", fontsize=7, loc="left")
     panels["chains"].set_ylabel("share of numbers above")
     return figure
 
@@ -83,9 +78,9 @@ def in_words(data: xr.Dataset) -> str:
     ratios, stated, true = (data[name].values for name in ("ratio", "stated_error", "true_error"))
     wrong = (true > 0.0) & np.isfinite(true)
     median = np.median(stated[wrong] / true[wrong])
-    above = ", ".join(f"{np.mean(ratios > limit):.2%} above {limit:g}" for limit in (2, 10))
-    worst = f"largest {ratios.max():.2g}, median stated/true {median:.2g}"
-    return f"{ratios.size} numbers, {above}\n{worst}"
+    above = ", ".join(f"{np.mean(ratios > limit):.1%} above {limit:g}" for limit in (2, 10))
+    worst = f"largest {ratios.max():.2g}, median of stated/true {median:.2g}"
+    return f"{ratios.size} numbers: {above}\n{worst}"
 
 
 if __name__ == "__main__":

@@ -15,10 +15,17 @@ variables :math:`c^3 (R_b - R_a)^2 \int q'(s)\, s'^2 d\xi`.  The balance (6) acr
 it, eq. (16), whatever W; for a Hertz chain at rest ahead it is (α − 1)/(2(α + 1)).  The integral is
 a sum over the grid, whose error for a smooth function that is constant at both ends is smaller than
 any power of h.
+
+Errors.  A number is as wrong as what it is read from.  Where s errs by up to η, its largest value
+errs by η, and the place of a level by η/|s'|; a slope by η/4h, since a part of η is rounding, which
+differs from point to point; and the dissipated power, by parts, by about
+:math:`c^3 (R_b - R_a)^2 \eta` times the total variation of :math:`q's'`.  No error is below this,
+and none below the change of the number in the refined front.
 """
 
 import numpy as np
 
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.fronts.profile.equation import evaluate_slopes
 from granular_fronts.fronts.profile.newton import fill_forces, make_forces
 from granular_fronts.numerics.compiled import kernel
@@ -38,37 +45,55 @@ def velocity(profile, order):
     forces = make_forces(profile.s.size, width)
     fill_forces(problem, profile.s, forces)
     q = forces.q[width:-width]
-    one_site_back = profile.positions(profile.xi - 1.0)
-    before = interpolate_all(q, one_site_back, problem.damping_number, 0.0)
+    back = (profile.xi - 1.0) / float(profile.spacing)
+    before = interpolate_all(q, back, problem.damping_number, 0.0, profile.middle)
     share = np.correlate(forces.p, site, "valid") - q + before
     return problem.speed * (problem.start + problem.jump * share)
 
 
 def measure(profile):
-    """Overshoot, width, slope and dissipated power of a profile.
+    """Overshoot, width, slope and dissipated power of a profile, and how they feel its error.
 
     Returns
     -------
-    dict
-        `overshoot`, by how much the strain passes the state behind, 0 for a monotone front;
-        `width_10_90` in sites between 90 % and 10 % of the way to the state behind, the last time
-        the strain passes them; `slope`, the steepest on the way from behind; `dissipated_power`.
+    values, sensitivities : ndarray, shape (4,)
+        In the order of `MEASURES`; errors over that of s.
     """
-    spacing = float(profile.spacing)
-    return dict(zip(MEASURES, measures(profile.problem, spacing, profile.s), strict=True))
+    return np.split(measures(profile.problem, float(profile.spacing), profile.s), 2)
+
+
+def errors_of_measures(values, others, sensitivities, error):
+    """Errors of measures, of which a refined front has others, from the error of s."""
+    return np.max(
+        [np.abs(values - others), sensitivities * error, EPSILON * np.abs(values)], axis=0
+    )
 
 
 MEASURES = ("overshoot", "width_10_90", "slope", "dissipated_power")
+"""By how much the strain passes the state behind, 0 for a monotone front; sites between 90 % and
+10 % of the way to the state behind, the last time the strain passes them; the steepest slope on the
+way from behind; and the dissipated power.
+"""
 
 
 @kernel
 def measures(problem, spacing, s):
-    """The numbers named in `MEASURES`."""
+    """The numbers named in `MEASURES`, and after them their sensitivities."""
     jump = abs(problem.jump)
-    rise, fall = find_level(s, 0.9, 1.0, 0.0), find_level(s, 0.1, 1.0, 0.0)
+    (rise, before), (fall, after) = find_level(s, 0.9, 1.0, 0.0), find_level(s, 0.1, 1.0, 0.0)
     slopes = derivative(s, 1.0, 0.0) / spacing
     stiffness, viscosity = np.empty(s.size), np.empty(s.size)
     evaluate_slopes(problem, s, stiffness, viscosity)
-    power = problem.speed**3 * jump**2 * spacing * np.sum(viscosity * slopes**2)
-    overshoot = jump * max(largest(s, 1.0, 0.0) - 1.0, 0.0)
-    return overshoot, spacing * (fall - rise), jump * largest(-slopes, 0.0, 0.0), power
+    rate = problem.speed**3 * jump**2
+    return np.array(
+        [
+            jump * max(largest(s, 1.0, 0.0) - 1.0, 0.0),
+            spacing * (fall - rise + (after - before)),
+            jump * largest(-slopes, 0.0, 0.0),
+            rate * spacing * np.sum(viscosity * slopes**2),
+            jump,
+            1.0 / min(abs(slopes[rise]), abs(slopes[fall])),
+            0.25 * jump / spacing,
+            rate * np.sum(np.abs(np.diff(viscosity * slopes))),
+        ]
+    )

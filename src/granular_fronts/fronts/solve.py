@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import refined_by
+from granular_fronts.accuracy import EPSILON, refined_by
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
 from granular_fronts.fronts.profile.equation import (
@@ -25,12 +25,13 @@ from granular_fronts.fronts.profile.equation import (
     power_speed,
 )
 from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
-from granular_fronts.fronts.properties import MEASURES, measure, velocity
+from granular_fronts.fronts.properties import MEASURES, errors_of_measures, measure, velocity
 from granular_fronts.fronts.shooting import solve as shooting
 from granular_fronts.fronts.shooting.sampling import sample_front
 from granular_fronts.fronts.validation import (
     check_front,
     check_given_law,
+    check_grid,
     check_law,
     check_right_state,
     is_given_by_law,
@@ -53,8 +54,6 @@ ERROR_METHODS = {
 }
 
 FIELDS = ("relative_displacement", "velocity", "strain")
-
-RESOLUTION = 2.0**-52
 
 
 class Question(NamedTuple):
@@ -131,9 +130,9 @@ def solve_front(
         last.  Attributes: `law` as JSON, `state_behind`, `state_ahead`, for two powers from
         compression 1 `alpha`, `beta`, `gamma`, `right_state`; `method`, `speed`, `converged` (0 or
         1) and `reason`, `residual`, `speed_defect` (the speed found over the exact one, less 1;
-        shooting prescribes it), `error_estimate` of the strain, `overshoot`, `width_10_90`,
-        `slope`, `dissipated_power`, and `…_error` of these four and of the defect.  Where
-        converged is 0, all but the law and the reason are NaN.
+        shooting prescribes it), `error_estimate` of the strain, `spacing` of the grid, `overshoot`,
+        `width_10_90`, `slope`, `dissipated_power`, and `…_error` of these four and of the defect.
+        Where converged is 0, all but the law and the reason are NaN.
 
     Raises
     ------
@@ -194,13 +193,15 @@ def evaluate_front(
     Raises
     ------
     InputError
-        If the front has not converged.
+        If the front has not converged, or was thinned, cropped or shifted.
     """
     check_front(front)
     xi = array("xi", xi, advice="leave that point out")
     choice("name", name, [field for field in FIELDS if field in front])
-    values, positions = front[name].values, _positions(front["xi"].values, xi.ravel())
-    return interpolate_all(values, positions, values[0], values[-1]).reshape(xi.shape)
+    check_grid(front)
+    values = front[name].values
+    positions, middle = _positions(front["xi"].values, xi.ravel())
+    return interpolate_all(values, positions, values[0], values[-1], middle).reshape(xi.shape)
 
 
 def by_profile(question):
@@ -272,16 +273,18 @@ def _describe(method, question, solution, refined):
     """The dataset of a front, its errors the differences to the refined one."""
     problem = question.problem
     size = problem.size
-    positions = _positions(solution.xi, refined.xi)
-    again = interpolate_all(solution.s, positions, 1.0, 0.0)
-    error = max(abs(problem.jump) * _largest(again - refined.s), RESOLUTION * size)
+    positions, middle = _positions(solution.xi, refined.xi)
+    again = interpolate_all(solution.s, positions, 1.0, 0.0, middle)
+    error = max(abs(problem.jump) * _largest(again - refined.s), EPSILON * size)
     if error > ACCEPTED_ERROR * size:
         raise NoFrontError(f"the strain errs by {error:.1e}, more than {ACCEPTED_ERROR * size:g}")
     ends = (-problem.speed * R for R in (question.behind, question.ahead))
-    again = interpolate_all(solution.velocity, positions, *ends)
-    velocity_error = max(_largest(again - refined.velocity), RESOLUTION * problem.speed * size)
+    again = interpolate_all(solution.velocity, positions, *ends, middle)
+    velocity_error = max(_largest(again - refined.velocity), EPSILON * problem.speed * size)
     u = problem.start + problem.jump * solution.s
-    found, found_again = measure(solution), measure(refined)
+    (values, sensitivities), (others, _) = measure(solution), measure(refined)
+    errors = errors_of_measures(values, others, sensitivities, error / abs(problem.jump))
+    defects = solution.speed_defect, refined.speed_defect
     return _dataset(
         method,
         question,
@@ -296,21 +299,20 @@ def _describe(method, question, solution, refined):
         reason="",
         residual=float(solution.residuals[-1]),
         speed_defect=solution.speed_defect,
-        speed_defect_error=abs(solution.speed_defect - refined.speed_defect),
+        # Both would be 0 without rounding.
+        speed_defect_error=max(EPSILON, *map(abs, defects)),
         error_estimate=error,
-        **found,
-        **{
-            f"{name}_error": max(abs(found[name] - found_again[name]), RESOLUTION * size)
-            for name in MEASURES
-        },
+        spacing=solution.spacing,
+        **dict(zip(MEASURES, values, strict=True)),
+        **{f"{name}_error": value for name, value in zip(MEASURES, errors, strict=True)},
     )
 
 
 def _describe_failure(method, question, reason):
     """The dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
-    unknown = ("residual", "speed_defect", "speed_defect_error", "error_estimate", *MEASURES)
-    unknown += tuple(f"{name}_error" for name in MEASURES)
+    unknown = ("residual", "speed_defect", "error_estimate", "spacing", *MEASURES)
+    unknown += tuple(f"{name}_error" for name in ("speed_defect", *MEASURES))
     return _dataset(
         method,
         question,
@@ -349,10 +351,9 @@ def describe_front(law, behind, ahead):
 
 
 def _positions(grid, xi):
-    """Positions in units of the spacing of a grid, 0 at its first point."""
+    """Positions in units of the spacing of a grid, 0 at ξ = 0, and the index of that point."""
     middle = int(np.argmin(np.abs(grid)))
-    # Counted from ξ = 0, a position near the front has no rounding error of a far end.
-    return xi / grid[middle + 1] + middle
+    return xi / grid[middle + 1], middle
 
 
 def _largest(differences):

@@ -19,12 +19,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.arguments import sequence
-from granular_fronts.fronts.profile.continuation import COLUMNS, follow
+from granular_fronts.fronts.profile.continuation import COLUMNS, PLAIN, follow
 from granular_fronts.fronts.profile.equation import front_problem, power_problem
 from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
-from granular_fronts.fronts.properties import MEASURES
-from granular_fronts.fronts.solve import ACCEPTED_ERROR, RESOLUTION, describe_front
+from granular_fronts.fronts.properties import MEASURES, errors_of_measures
+from granular_fronts.fronts.solve import ACCEPTED_ERROR, describe_front
 from granular_fronts.fronts.validation import (
     check_alpha,
     check_beta,
@@ -38,8 +39,9 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
 ERROR_METHOD = (
-    f"difference to a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
-    "on grids finer by 1.4 or more and windows longer by 1.1"
+    f"change in a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
+    "on grids finer by 1.4 or more and windows longer by 1.1, or if larger what the error of the "
+    "strain makes of the number"
 )
 
 
@@ -75,9 +77,9 @@ def sweep_fronts(
         On `gamma`, or `factor` of a law, in the order given: `overshoot`, `width_10_90`, `slope`,
         `dissipated_power`, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
         `tail_frequency`, real and imaginary part of the slowest tail exponent; `error_estimate` of
-        the strain, the largest of the errors of the overshoot, of the width times the slope, and
-        of the dissipated power per bead, or where that is too large the difference of the strain
-        itself; `converged` (0 or 1) and `reason`.  Units are those of the law.
+        the strain, the one that explains the changes of overshoot, width and dissipated power, or
+        where that is too large the difference of the strain itself; `converged` (0 or 1) and
+        `reason`.  Units are those of the law.
 
     Raises
     ------
@@ -111,7 +113,7 @@ def _sweep(problem, dampings):
         values[first : first + len(found)], others[first : first + len(again)] = found, again
         first = end
     accepted = ACCEPTED_ERROR * problem.size
-    estimates = _estimates(problem, values, _errors(problem, values, others))
+    estimates = _estimates(problem, values, others)
     for k in np.flatnonzero(estimates > accepted):
         found, again, estimate = _alone(problem._replace(damping=dampings[k]))
         if estimate < estimates[k]:
@@ -155,7 +157,8 @@ def _alone(problem):
 
 def _describe(problem, name, places, values, others, estimate, reasons):
     """The dataset of a sweep on the coordinate `name`."""
-    errors = _errors(problem, values, others)
+    (found, sensitivities), (again, _) = _split(values), _split(others)
+    errors = errors_of_measures(found, again, sensitivities, estimate / abs(problem.jump))
     accepted = ACCEPTED_ERROR * problem.size
     # The negation also holds for NaN, which compares with nothing.
     inaccurate = ~(estimate <= accepted)
@@ -167,11 +170,12 @@ def _describe(problem, name, places, values, others, estimate, reasons):
     variables = {
         column: (name, values[:, k], {"error_method": ERROR_METHOD} if column in MEASURES else {})
         for k, column in enumerate(COLUMNS)
+        if column in MEASURES + PLAIN
     }
     variables["overshoot"][2]["long_name"] = "how far the strain passes the state behind"
     variables["slope"][2]["long_name"] = "steepest slope of the strain, per site"
     variables |= {
-        f"{column}_error": (name, errors[:, k], {"long_name": f"error of {column}"})
+        f"{column}_error": (name, errors[k], {"long_name": f"error of {column}"})
         for k, column in enumerate(MEASURES)
     }
     variables |= {
@@ -182,13 +186,17 @@ def _describe(problem, name, places, values, others, estimate, reasons):
     return name_variables(xr.Dataset(variables, coords={name: places}))
 
 
-def _errors(problem, values, others):
-    """Differences of two computations, or the rounding of the larger state where they agree."""
-    return np.maximum(np.abs(values - others), RESOLUTION * problem.size)
+def _split(values):
+    """Measures and their sensitivities, each of shape (4, fronts)."""
+    return values.T[:4], values.T[4:8]
 
 
-def _estimates(problem, values, errors):
-    """Error of the strain of every front, from those of its measures."""
-    overshoot, width, _, power = errors.T[: len(MEASURES)]
-    power_of_strain = abs(problem.jump) * problem.speed**3
-    return np.max([overshoot, width * values[:, 2], power / power_of_strain], axis=0)
+def _estimates(problem, values, others):
+    """Error of the strain of every front that explains the differences of overshoot, width, power.
+
+    The slope feels rounding, which differs from point to point, more than any other error.
+    """
+    (found, sensitivities), (again, _) = _split(values), _split(others)
+    errors = np.delete(np.abs(found - again) / sensitivities, MEASURES.index("slope"), axis=0)
+    # Three numbers may agree by chance where a whole front does not.
+    return np.maximum(abs(problem.jump) * errors.max(axis=0), 2.0 * EPSILON * problem.size)

@@ -3,11 +3,17 @@
 James (2021), section 2.  Every function returns plain numbers, or raises an `InputError`.
 """
 
+import math
+
+import numpy as np
 import xarray as xr
 
 from granular_fronts.arguments import instance, scalar, sequence
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import make_law
+
+SAME = 1e-9
+"""By how much an untouched front may be off, over its spacing or its larger state."""
 
 
 def check_law(alpha, gamma, beta=None):
@@ -110,6 +116,21 @@ def check_front_of_powers(front):
             "give such a front, scaled by eq. (30)."
         )
     return front
+
+
+def check_grid(front):
+    """Refuse a front that is not on the grid of its solution, from end to end."""
+    xi, u = front["xi"].values, front["relative_displacement"].values
+    spacing, middle = front.attrs.get("spacing", math.nan), int(np.argmin(np.abs(xi)))
+    behind, ahead = (-front.attrs.get(f"state_{end}", math.nan) for end in ("behind", "ahead"))
+    off_grid = np.abs(xi - spacing * (np.arange(xi.size) - middle)).max()
+    off_state = np.abs(u[[0, middle, -1]] - [behind, 0.5 * (behind + ahead), ahead]).max()
+    if not (off_grid <= SAME * spacing and off_state <= SAME * max(abs(behind), abs(ahead))):
+        raise InputError(
+            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but a front of "
+            f"solve_front steps by {spacing:g} sites, is half-way at xi = 0 and at rest at both "
+            "ends: evaluate it as it was solved, and thin, crop or shift the values."
+        )
 
 
 def check_front(front):

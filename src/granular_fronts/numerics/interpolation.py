@@ -26,7 +26,7 @@ DIFFERENCES = np.array(
 
 
 @subroutine
-def interpolate(values, position, behind, ahead):
+def interpolate(values, position, behind, ahead, origin):
     """The local polynomial at one position.
 
     Parameters
@@ -34,40 +34,41 @@ def interpolate(values, position, behind, ahead):
     values : ndarray, shape (points,)
         On a uniform grid.
     position : float
-        In units of the spacing, 0 at the first point.
+        In units of the spacing, 0 at the point `origin`; far from it, digits are lost.
     behind, ahead : float
         Values beyond the first and the last point.
+    origin : int
 
     Returns
     -------
     float
     """
-    if position < -NODES:
+    if position < -NODES - origin:
         return behind
-    if position > values.size + NODES:
+    if position > values.size + NODES - origin:
         return ahead
     nearest = round(position)
-    if position == nearest and 0 <= nearest < values.size:
-        return values[nearest]
+    if position == nearest and 0 <= nearest + origin < values.size:
+        return values[nearest + origin]
     first = math.floor(position) - NODES // 2 + 1
     above = below = 0.0
     for j in range(NODES):
-        k = first + j
+        k = first + j + origin
         value = behind if k < 0 else ahead if k >= values.size else values[k]
-        if position == k:
+        if position == first + j:
             return value
-        weight = WEIGHTS[j] / (position - k)
+        weight = WEIGHTS[j] / (position - (first + j))
         above += weight * value
         below += weight
     return above / below
 
 
 @kernel
-def interpolate_all(values, positions, behind, ahead):
+def interpolate_all(values, positions, behind, ahead, origin=0):
     """The local polynomials at many positions, shape of `positions` (1-D)."""
     result = np.empty(positions.size)
     for k in range(positions.size):
-        result[k] = interpolate(values, positions[k], behind, ahead)
+        result[k] = interpolate(values, positions[k], behind, ahead, origin)
     return result
 
 
@@ -85,18 +86,25 @@ def derivative(values, behind, ahead):
 
 @subroutine
 def find_level(values, level, behind, ahead):
-    """The last position where decreasing values pass a level, by bisection; NaN if none."""
+    """The last position where decreasing values pass a level, by bisection.
+
+    Returns
+    -------
+    k : int
+    fraction : float
+        The position is k + fraction; NaN if there is none.
+    """
     for k in range(values.size - 2, -1, -1):
         if values[k] >= level > values[k + 1]:
-            left, right = float(k), float(k + 1)
-            for _ in range(60):
+            left, right = 0.0, 1.0
+            for _ in range(53):
                 middle = 0.5 * (left + right)
-                if interpolate(values, middle, behind, ahead) >= level:
+                if interpolate(values, middle, behind, ahead, k) >= level:
                     left = middle
                 else:
                     right = middle
-            return 0.5 * (left + right)
-    return math.nan
+            return k, 0.5 * (left + right)
+    return 0, math.nan
 
 
 @kernel
@@ -121,13 +129,13 @@ def largest(values, behind, ahead):
 @subroutine
 def crest_value(values, k, behind, ahead):
     """The maximum of the interpolant next to a point, by ternary search."""
-    left, right = k - 1.0, k + 1.0
+    left, right = -1.0, 1.0
     # The value is flat at the crest, so that half the digits of its place suffice.
     for _ in range(45):
         third = (right - left) / 3.0
         a, b = left + third, right - third
-        if interpolate(values, a, behind, ahead) < interpolate(values, b, behind, ahead):
+        if interpolate(values, a, behind, ahead, k) < interpolate(values, b, behind, ahead, k):
             left = a
         else:
             right = b
-    return interpolate(values, 0.5 * (left + right), behind, ahead)
+    return interpolate(values, 0.5 * (left + right), behind, ahead, k)

@@ -365,6 +365,7 @@ CONSTRAINTS: dict[str, tuple[Constraint, ...]] = {
     "precision.ring.*": (),
     "precision.heteroclinic.*": (),
     "precision.fronts.*": (),
+    "honesty.*": (),
     "explorer": (),
     "proofs": (shown_front_is_proved, parts_increase),
 }

@@ -47,6 +47,9 @@ SECONDS_PER_FRONT = 1.0e-4
 SECONDS_PER_COLLECTED_FRONT = 1.0e-2
 """An exact front with its tail roots and multipliers."""
 
+SECONDS_PER_PROBLEM = 0.3
+"""A random chain in extended precision; fronts take longer."""
+
 SECONDS_PER_RUN = 1.0e-4
 """The shortest run whose time is measured."""
 
@@ -153,6 +156,11 @@ def size_of_collection(section: Mapping) -> Iterator[Part]:
     fronts = len(section["alpha"]) * float(section["gamma"]["num"])
     numbers, seconds = NUMBERS_PER_FRONT * fronts, fronts * SECONDS_PER_COLLECTED_FRONT
     yield Part(("gamma.num",), (), numbers, seconds)
+
+
+def size_of_random_problems(section: Mapping) -> Iterator[Part]:
+    """Some twenty numbers of each problem."""
+    yield Part(("count",), (), 20.0 * section["count"], section["count"] * SECONDS_PER_PROBLEM)
 
 
 def size_of_damping_map(section: Mapping) -> Iterator[Part]:
@@ -307,6 +315,7 @@ SIZES: dict[str, Callable[[Mapping], Iterator[Part]]] = {
     "precision.heteroclinic.*": size_of_repeated_runs,
     "precision.fronts.*": size_of_repeated_runs,
     "precision.log_burgers.*": size_of_log_burgers,
+    "honesty.*": size_of_random_problems,
     "explorer": size_of_collection,
     "proofs": size_of_proofs,
 }

@@ -75,12 +75,12 @@ def collect_fronts(exponents, dampings):
         On (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, that of translation
         first, then by decreasing modulus, NaN beyond the last.  On (alpha, gamma): `beads_behind`,
         `translation_defect`, `spectral_radius_without_translation`, `verdict` in words, and what
-        `survey_fronts` keeps.
+        `survey_fronts` keeps; also `converged` and `reason`, as there.
 
     Raises
     ------
     NoFrontError
-        If a front is not found.
+        If none is found.
     """
     return with_errors(over_plane(exponents, dampings, collect_front, "collection of fronts"))
 

@@ -44,7 +44,8 @@ def survey_fronts(exponents, dampings):
     -------
     xarray.Dataset
         On (alpha, gamma): `overshoot`, `width_10_90`, `slope`, `dissipated_power`, `speed_defect`,
-        `residual`, `error`, `converged`, the leading tail root (`tail_rate`, `tail_frequency`),
+        `residual`, `error`, `converged` (0 or 1) and `reason`, the leading tail root (`tail_rate`,
+        `tail_frequency`),
         `mu_heteroclinic` and `distance_<front>`; on (alpha): `critical_damping`.
     """
     survey = over_plane(exponents, dampings, survey_front, "survey of fronts")
@@ -67,10 +68,33 @@ def over_plane(exponents, dampings, solve, what):
     Returns
     -------
     xarray.Dataset
-        Each variable on (alpha, gamma) and its own dimensions.
+        Each variable on (alpha, gamma) and its own dimensions, and `converged`; where that is 0,
+        `reason` says why, and the rest is NaN or empty.
+
+    Raises
+    ------
+    NoFrontError
+        If none is found.
     """
     plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
-    points = [solve(*point) for point in counted(plane, what, "front")]
+    points, reasons = [], []
+    for point in counted(plane, what, "front"):
+        try:
+            points.append(solve(*point) | without_dimensions({"converged": 1, "reason": ""}))
+        except NoFrontError as failure:
+            points.append(None)
+            reasons.append(str(failure))
+    known = next(filter(None, points), None)
+    if known is None:
+        raise NoFrontError(reasons[0])
+    nothing = {
+        name: (own, "" if isinstance(value, str) else np.full(np.shape(value), np.nan))
+        for name, (own, value) in known.items()
+    }
+    points = [
+        point or nothing | without_dimensions({"converged": 0, "reason": reasons.pop(0)})
+        for point in points
+    ]
     shape = len(exponents), len(dampings)
     found = xr.Dataset(
         coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)}
@@ -108,7 +132,6 @@ def properties_of(front):
         "speed_defect": front.attrs["speed_defect"],
         "residual": front.attrs["residual"],
         "error": front.attrs["error_estimate"],
-        "converged": front.attrs["converged"],
         "tail_rate": root.real,
         "tail_frequency": root.imag,
         "mu_heteroclinic": amplitude_of_chain(alpha, gamma).mu,

@@ -29,7 +29,7 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import BarycentricInterpolator
+from scipy.interpolate import KroghInterpolator
 from scipy.optimize import brentq
 
 from granular_fronts.fronts.linear.tails import tail_roots
@@ -191,7 +191,8 @@ def excess_by_table(peaks, factors, table):
     ndarray, of the shape of `peaks`
     """
     inside = (peaks <= max(table)) & (peaks >= min(table))
-    logarithm = BarycentricInterpolator(table, np.log(factors))
+    # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
+    logarithm = KroghInterpolator(table, np.log(factors))
     return np.where(inside, np.expm1(logarithm(peaks)), np.nan)
 
 

@@ -38,7 +38,7 @@ import numpy as np
 from scipy.fft import irfft, rfft, rfftfreq
 from scipy.special import xlogy
 
-from granular_fronts.accuracy import Refined, with_refinement
+from granular_fronts.accuracy import Refined, refined_by, with_refinement
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare
@@ -195,7 +195,9 @@ def compare(ring, slow_times, tolerance, xi=None):
         profiles = motions.map(lambda motion: _profiles(ring, motion, times, asked, xi))
         measured["relative_displacement"] = profiles.usual, error_of(profiles)
     for name, solve in MODELS.items():
-        solutions = with_refinement(functools.partial(solve, ring, times), *usual_and_finer)
+        usual, finer = usual_and_finer
+        refine = functools.partial(solve, ring, times, finer)
+        solutions = refined_by(refine, solve(ring, times, usual))
         both = [
             _errors(ring, motion, solution, asked)
             | _losses(ring, motion, solution, slow_times, rows)
@@ -296,11 +298,11 @@ def error_of(both):
         return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
 
 
-def _logarithmic(ring, times, resolution):
+def _logarithmic(ring, times, resolution, _coarser=None):
     return _log_burgers(ring, 1.0, times, resolution)
 
 
-def _unlimited(ring, times, resolution):
+def _unlimited(ring, times, resolution, _coarser=None):
     return _log_burgers(ring, ring.alpha, times, resolution)
 
 
@@ -310,10 +312,10 @@ def _log_burgers(ring, alpha, times, resolution):
     return log_burgers.solve(ring.scene, alpha, times, cells, tolerance, levels=levels)
 
 
-def _dispersive(ring, times, resolution):
+def _dispersive(ring, times, resolution, coarser=None):
     levels = log_kdv_burgers.START_LEVELS if ring.has_kinks else 0
     points, tolerance = resolution.cells(ring.half_length), resolution.equation_tolerance
-    return log_kdv_burgers.solve(ring.scene, times, points, tolerance, levels=levels)
+    return log_kdv_burgers.solve(ring.scene, times, points, tolerance, levels, coarser)
 
 
 MODELS = {"logarithmic": _logarithmic, "unlimited": _unlimited, "dispersive": _dispersive}

@@ -89,10 +89,11 @@ def run_profile_on_grid(gamma, bead, spacing):
 
 def values_at(profile, bead):
     """Relative displacements and velocities of a profile at whole ξ."""
-    positions = profile.positions(bead.astype(float))
+    xi, middle = bead.astype(float), profile.middle
+    positions = xi / float(profile.spacing)
     return {
-        "relative_displacement": interpolate_all(profile.s, positions, 1.0, 0.0),
-        "velocity": interpolate_all(velocity(profile, ORDER), positions, 1.0, 0.0),
+        "relative_displacement": profile.evaluate(xi),
+        "velocity": interpolate_all(velocity(profile, ORDER), positions, 1.0, 0.0, middle),
     }
 
 

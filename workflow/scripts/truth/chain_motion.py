@@ -1,4 +1,4 @@
-"""Motion of a chain in extended precision, by a method that shares nothing with the package.
+"""Motion of a chain in extended precision, by a method that shares nothing with the package's.
 
 The unknowns are the positions x_n and the generalised velocities w_n, eqs. (31) and (32), in 80-bit
 arithmetic.  Within a step the slopes are a Chebyshev polynomial, found by Picard iteration; its
@@ -8,6 +8,7 @@ is so short that the force does nothing in it.
 """
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ TOLERANCE = REAL("1e-17")
 # Compressions below this part of the largest one are noise ahead of a wave.
 NOISE = REAL("1e-17")
 MOST_ITERATIONS = 60
+BISECTIONS, NEWTON_STEPS = 10, 4
 
 
 def chebyshev(theta: Any, count: int = DEGREE + 1) -> np.ndarray:
@@ -46,6 +48,7 @@ INTEGRATE = integrals(NODES) @ TO_COEFFICIENTS / 2
 # Where passages are looked for.
 FINE = -np.cos(PI * np.arange(3 * DEGREE + 1).astype(REAL) / (3 * DEGREE))
 FINE_VALUES, FINE_INTEGRALS = chebyshev(FINE), integrals(FINE)
+DERIVATIVE = np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).astype(REAL)
 
 
 def power(u: np.ndarray, exponent: np.longdouble) -> np.ndarray:
@@ -307,26 +310,33 @@ class Motion:
         offset = self.compression(step.state)
         half = step.length / 2
 
-        def place(theta, contacts, turning=level is None):
-            """The difference u − level or the rate u' at places, one for each of some contacts."""
-            if turning:
-                return (chebyshev(theta) * rates[:, contacts].T).sum(axis=-1)
-            u = offset[contacts] + half * (integrals(theta) * rates[:, contacts].T).sum(axis=-1)
-            return u - REAL(level or 0)
+        def u_at(theta, contacts):
+            return offset[contacts] + half * (integrals(theta) * rates[:, contacts].T).sum(axis=-1)
+
+        def rate_at(theta, contacts, of=rates):
+            return (chebyshev(theta, len(of)) * of[:, contacts].T).sum(axis=-1)
 
         if level is None:
-            values = FINE_VALUES @ rates
+            values, value_at = FINE_VALUES @ rates, rate_at
+            slope_at = partial(rate_at, of=DERIVATIVE @ rates)
         else:
             values = offset + half * (FINE_INTEGRALS @ rates) - REAL(level)
+            value_at = lambda *place: u_at(*place) - REAL(level)  # noqa: E731
+            slope_at = lambda *place: half * rate_at(*place)  # noqa: E731
         rises = (values[:-1] <= 0) & (values[1:] > 0)
         falls = (values[:-1] > 0) & (values[1:] <= 0)
         rows, contacts = np.nonzero(rises | falls)
         direction = np.where(rises[rows, contacts], 1, -1)
         low, high = FINE[rows], FINE[rows + 1]
-        for _ in range(70 if rows.size else 0):
+        if not rows.size:
+            return Passages(low, contacts, low, low, direction)
+        for _ in range(BISECTIONS):
             middle = (low + high) / 2
-            beyond = direction * place(middle, contacts) > 0
+            beyond = direction * value_at(middle, contacts) > 0
             low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-        u = place(low, contacts, turning=False) + REAL(level or 0)
-        rate = place(low, contacts, turning=True)
-        return step.start + half * (low + 1), contacts, u, rate, direction
+        theta = (low + high) / 2
+        for _ in range(NEWTON_STEPS):
+            moved = theta - value_at(theta, contacts) / slope_at(theta, contacts)
+            theta = np.clip(moved, low, high)
+        time = step.start + half * (theta + 1)
+        return Passages(time, contacts, u_at(theta, contacts), rate_at(theta, contacts), direction)

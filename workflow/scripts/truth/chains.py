@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-import granular_fronts as gf
+from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError, SolveError
 from truth.chain_motion import Motion
 
@@ -182,7 +182,7 @@ def _arrivals(scene, motion, turns, start):
 
 def judge(scene: dict[str, Any]) -> Iterator[tuple[str, float, float, float]]:
     """Name, stated error, true error and largest value of every variable of a scene."""
-    data = gf.simulate_chain(scene)
+    data = simulate_chain(scene)
     motion = Motion(scene)
     true = truths(scene, data, motion) | events(scene, data, motion)
     for name, variable in data.data_vars.items():

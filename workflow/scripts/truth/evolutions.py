@@ -11,12 +11,14 @@ import math
 
 import numpy as np
 
-import granular_fronts as gf
-from granular_fronts.continuum.log_burgers.evolution import evolve_unlimited
+from granular_fronts.continuum.log_burgers.evolution import evolve_log_burgers, evolve_unlimited
+from granular_fronts.continuum.log_kdv_burgers.evolution import evolve_log_kdv_burgers
+from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import gamma_for, make_slow_scales
 
 POINTS, FEWEST_POINTS = 4096, 512
-SHARE_OF_TOLERANCE, LEAST_TOLERANCE = 3e-4, 3e-12
+SHARE_OF_TOLERANCE = {"dispersive": 3e-4, "logarithmic": 3e-6, "unlimited": 3e-6}
+LEAST_TOLERANCE = 3e-14
 EXTINCT = 1e-15
 CIRCLE = np.exp(1j * np.pi * (np.arange(32) + 0.5) / 16)
 SMALLEST = 1e-30
@@ -143,26 +145,30 @@ def given_amplitudes(values, power):
 
 
 EQUATIONS = {
-    "logarithmic": gf.evolve_log_burgers,
-    "dispersive": gf.evolve_log_kdv_burgers,
+    "logarithmic": evolve_log_burgers,
+    "dispersive": evolve_log_kdv_burgers,
     "unlimited": evolve_unlimited,
 }
+
+
+def scales_of(scene):
+    """Scales of a scene."""
+    return make_slow_scales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 def compare(equation, scene):
     """(name, stated error, true error, largest value) of the answer at all times of a scene."""
     found = EQUATIONS[equation](scene)["rescaled_force"]
-    law = scene["law"]
-    scales = make_slow_scales(law["alpha"], law["gamma"], scene["displacement"])
+    scales = scales_of(scene)
     half_length = scales.half_length(scene["half_beads"])
-    alpha = law["alpha"] if equation == "unlimited" else 1.0
+    alpha = scales.alpha if equation == "unlimited" else 1.0
     start = scene["start"]
     if start["kind"] == "plateau":
         amplitudes = plateau_amplitudes(start["half_width"], start["floor"], half_length)
     else:
         amplitudes = given_amplitudes(start["rescaled_force"], 1.0 / alpha)
     dispersion = scales.dispersion if equation == "dispersive" else 0.0
-    allowed = SHARE_OF_TOLERANCE * scene["equations"][equation]["tolerance"]
+    allowed = SHARE_OF_TOLERANCE[equation] * scene["equations"][equation]["tolerance"]
     allowed = max(allowed, LEAST_TOLERANCE)
     ring, error = Ring(half_length, dispersion, alpha, amplitudes, allowed), 0.0
     for row, tau in zip(found.values, found["slow_time"].values, strict=True):
@@ -197,6 +203,7 @@ def random_scene(rng, equation):
         start = {"kind": "given", "rescaled_force": waves.tolist()}
     tolerance = float(10 ** rng.uniform(-8.0, -4.0))
     resolution = {"cells": int(2 ** rng.integers(7, 10)), "tolerance": tolerance}
+    others = dict.fromkeys(EQUATIONS, {"cells": 512, "tolerance": 1e-6})
     return {
         "law": {"alpha": alpha, "gamma": gamma},
         "displacement": delta,
@@ -204,8 +211,8 @@ def random_scene(rng, equation):
         "start": start,
         "end_time": float(times[-1]),
         "tolerance": {"relative": 1e-9, "absolute": 1e-12},
-        "equations": dict.fromkeys(EQUATIONS, resolution) | {"upwind": {"points": 512}},
-        "record": {"snapshots": times.tolist(), "grid": {"step": 0.5}},
+        "equations": others | {equation: resolution, "upwind": {"points": 512}},
+        "record": {"snapshots": times.tolist(), "grid": {"step": float(times[-1])}},
     }
 
 
@@ -217,12 +224,15 @@ def cases(seed, count):
     name : str
     stated_error, true_error, largest_value : float
     """
-    rng = np.random.default_rng(seed)
-    for k in range(count):
+    for k, rng in enumerate(np.random.default_rng(seed).spawn(count)):
         equation = ("dispersive", "logarithmic", "dispersive", "unlimited")[k % 4]
         scene = random_scene(rng, equation)
         described = {name: scene[name] for name in ("law", "displacement", "half_beads")}
         described |= {"snapshots": scene["record"]["snapshots"]} | scene["equations"][equation]
         if scene["start"]["kind"] == "plateau":
             described["start"] = scene["start"]
-        yield f"{equation} {k}: {described}", *compare(equation, scene)
+        try:
+            yield f"{equation} {k}: {described}", *compare(equation, scene)
+        except InputError:
+            # Too few cells for the edge of the wave.
+            continue

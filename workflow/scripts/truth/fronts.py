@@ -12,13 +12,17 @@ from fractions import Fraction
 import numpy as np
 from scipy.linalg import lapack
 
-import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.numerics.quadrature import kernel_weights
 
 Number = np.longdouble
 LARGEST_MATRIX = 12_000_000
 SETTLED = 2e-18
-LEFT_OUT = 3e-18
+LEFT_OUT = 1e-17
+
+# Of the stated error; where more is left, extended precision is not enough for a judge.
+ENOUGH = 0.5
 
 
 def hertz(r, order, alpha, factor):
@@ -119,7 +123,7 @@ class TrueFront:
         points = self.middle + 1 + math.ceil(1.25 * (xi.size - middle)) * self.parts
         self.xi = Number(self.spacing.numerator) / Number(self.spacing.denominator)
         self.h, self.xi = self.xi, self.xi * np.arange(-self.middle, points - self.middle)
-        start = gf.evaluate_front(front, self.xi.astype(float), "strain").astype(Number)
+        start = evaluate_front(front, self.xi.astype(float), "strain").astype(Number)
         self.s = (start - self.ahead) / self.jump
         self.given = slice(self.middle % self.parts, None, self.parts)
         self.fits = points * (3 * (math.ceil(1 / self.spacing) + 9) + 2) < LARGEST_MATRIX
@@ -162,12 +166,15 @@ class TrueFront:
         self.hat, self.drag = sinc**2, -1j * self.k * sinc**2
         self.site, self.back = np.exp(-1j * half) * sinc, np.exp(-2j * half)
 
-    def pulse(self, values):
-        """Amplitudes of values that are constant before the first point and 0 after the last."""
+    def pulse(self, function=lambda s: s):
+        """Amplitudes of a function of s, where s is 1 before the first point and 0 after the last.
+
+        A state behind that were left to the first point would not be held by any equation.
+        """
         whole = np.zeros(self.pulse_size, Number)
-        whole[: self.left] = values[0]
-        whole[self.left : self.left + values.size] = values
-        return np.fft.rfft(whole * self.ramp)
+        whole[: self.left] = 1
+        whole[self.left : self.left + self.s.size] = self.s
+        return np.fft.rfft(function(whole) * self.ramp)
 
     def on_points(self, amplitudes):
         """Values at the points of the front."""
@@ -179,7 +186,7 @@ class TrueFront:
         speed = Number(1)
         self.residual, least = math.inf, math.inf
         for _ in range(12):
-            p, q = self.pulse(self.p(self.s)), self.pulse(self.q(self.s))
+            p, q = self.pulse(self.p), self.pulse(self.q)
             tail = max(np.abs(a[-a.size // 20 :]).max() / np.abs(a).max() for a in (p, q))
             residual = speed**2 * self.s - self.on_points(self.hat * p + speed * self.drag * q)
             right = np.roll(residual, -1)
@@ -215,7 +222,7 @@ class TrueFront:
             if d >= 0:
                 border[d] = column[d]
         band[w + upper, middle] = 1.0
-        amplitudes = self.pulse(self.q(s))
+        amplitudes = self.pulse(self.q)
         slope = (2 * self.s - self.on_points(self.drag * amplitudes)).astype(float)
         right = np.roll(slope, -1)
         right[middle + 1 :] = slope[middle + 1 :]
@@ -229,7 +236,7 @@ class TrueFront:
 
     def velocity(self):
         """ẋ at the points."""
-        p, q = self.pulse(self.p(self.s)), self.pulse(self.q(self.s))
+        p, q = self.pulse(self.p), self.pulse(self.q)
         share = self.on_points(self.site * p + self.back * q) - self.q(self.s)
         return -self.speed * (self.ahead + self.jump * share)
 
@@ -256,7 +263,7 @@ class TrueFront:
 
     def measures(self):
         """Overshoot, width, slope and dissipated power."""
-        waves, size = self.pulse(self.s), np.abs(self.jump)
+        waves, size = self.pulse(), np.abs(self.jump)
         slope = 1j * self.k * waves
         levels = []
         for level in (Number(9) / 10, Number(1) / 10):
@@ -280,9 +287,10 @@ def compare(front, law, behind, ahead, rng):
         true = TrueFront(front, law, behind, ahead, parts)
         if not true.fits or true.tail < LEFT_OUT:
             break
-    if not true.fits or true.residual > 1e-15 or abs(true.defect) > 1e-14:
+    known = ENOUGH * front.attrs["error_estimate"] / float(np.abs(true.jump))
+    if not true.fits or true.residual > known or abs(true.defect) > known:
         return
-    waves = true.pulse(true.s)
+    waves = true.pulse()
     fields = {"strain": true.ahead + true.jump * true.s, "velocity": true.velocity()}
     middle = int(np.argmin(np.abs(front["xi"].values)))
     first = true.middle - middle * true.parts
@@ -293,7 +301,7 @@ def compare(front, law, behind, ahead, rng):
         yield name, stated, float(np.abs(kept - found.values).max()), float(np.abs(kept).max())
     places = rng.uniform(max(front["xi"].values[0], -20.0), front["xi"].values[-1], 12)
     exact = np.array([true.ahead + true.jump * true.at(xi, waves) for xi in places])
-    found = gf.evaluate_front(front, places, "strain")
+    found = evaluate_front(front, places, "strain")
     size = float(np.abs(fields["strain"]).max())
     yield "evaluated", front.attrs["error_estimate"], float(np.abs(found - exact).max()), size
     for name, value in true.measures().items():
@@ -335,13 +343,12 @@ def cases(seed, count):
     name : str
     stated_error, true_error, largest_value : float
     """
-    rng = np.random.default_rng(seed)
-    for k in range(count):
+    for k, rng in enumerate(np.random.default_rng(seed).spawn(count)):
         (elastic, viscous), states = random_front(rng)
         law = {"elastic": elastic, "viscous": viscous}
         try:
-            front = gf.solve_front(law=law, states=states)
-        except gf.InputError:
+            front = solve_front(law=law, states=states)
+        except InputError:
             continue
         if front.attrs["converged"]:
             for name, *numbers in compare(front, law, *states, rng):

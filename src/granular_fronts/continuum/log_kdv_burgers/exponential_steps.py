@@ -27,6 +27,7 @@ recursion loses digits there.
 """
 
 import math
+from bisect import bisect_right
 from typing import NamedTuple
 
 import numpy as np
@@ -103,19 +104,23 @@ class Motion:
     points : int
     tolerance : float
         Error per step in the maximum norm.
+    coarser : list of float, optional
+        Slow times at which another motion ended its steps; this one takes two or more for each.
 
     Attributes
     ----------
     amplitudes : ndarray
     points : int
     tau : float
+    ends : list of float
+        Slow times at which steps ended, from 0 on.
     accepted, rejected : int
         Steps so far.
     """
 
-    def __init__(self, equation, amplitudes, points, tolerance):
-        self.equation, self.tolerance = equation, tolerance
-        self.tau, self.next_step = 0.0, FIRST_STEP
+    def __init__(self, equation, amplitudes, points, tolerance, coarser=None):
+        self.equation, self.tolerance, self.coarser = equation, tolerance, coarser
+        self.tau, self.next_step, self.ends = 0.0, FIRST_STEP, [0.0]
         self.accepted = self.rejected = 0
         self.set_amplitudes(amplitudes, points)
 
@@ -140,8 +145,9 @@ class Motion:
         while self.tau < stop:
             remaining = stop - self.tau
             # Two equal steps to the stop rather than a long and a short one.
-            lands = self.next_step >= remaining
-            h = remaining if lands else min(self.next_step, 0.5 * remaining)
+            longest = min(self.next_step, self.half_of_coarser())
+            lands = longest >= remaining or remaining < RESOLUTION * stop
+            h = remaining if lands else min(longest, 0.5 * remaining)
             if h < RESOLUTION * stop and not lands:
                 raise SolveError(
                     f"At slow time {self.tau:.6g} the step size collapsed to {h:.3g}: the "
@@ -151,11 +157,19 @@ class Motion:
             self.accepted, self.rejected = self.accepted + accepted, self.rejected + (not accepted)
             if accepted:
                 self.tau = stop if lands else self.tau + h
-            if accepted and lands:
-                # A step cut short to land says little about the next one.
+                self.ends.append(self.tau)
+            if accepted and (lands or longest < self.next_step):
+                # A step cut short says little about the next one.
                 self.next_step = max(self.next_step, h * factor)
             elif not LEAST_SHRINKING < factor < LEAST_GROWTH:
                 self.next_step = h * factor
+
+    def half_of_coarser(self):
+        """Half of the step that the coarser motion took here; infinite without one."""
+        if self.coarser is None:
+            return math.inf
+        end = min(bisect_right(self.coarser, self.tau), len(self.coarser) - 1)
+        return 0.5 * (self.coarser[end] - self.coarser[end - 1])
 
     def try_step(self, h):
         """Take one step if its error allows.

@@ -47,6 +47,8 @@ class Evolution(NamedTuple):
         ℓ.
     counts : dict
         Steps.
+    step_ends : list of float
+        Slow times at which they ended.
     mean_drift : float
         Largest change of the mean.
     smallest_value : float
@@ -60,6 +62,7 @@ class Evolution(NamedTuple):
     amplitudes: list
     half_length: float
     counts: dict
+    step_ends: list
     mean_drift: float
     smallest_value: float
 
@@ -77,7 +80,7 @@ class Evolution(NamedTuple):
         return values.reshape(points.shape)
 
 
-def solve(scene, times, cells, tolerance, levels=START_LEVELS):
+def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
     """Solve the logarithmic KdV–Burgers equation of a periodic scene once.
 
     Parameters
@@ -92,6 +95,8 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS):
         Error per step, in y; the logarithm is cut off below it.
     levels : int, optional
         L: the run begins on 2^L times as many points.
+    coarser : Evolution, optional
+        A run whose steps are all halved here.
 
     Returns
     -------
@@ -106,17 +111,27 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS):
     scaling, start = scaling_of(scene), make_start(scene["start"])
     half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
     equation = Equation(half_length, 1.0, scaling.dispersion, tolerance)
-    kept, motion = follow(equation, start, slow_times, cells, tolerance, levels)
+    kept, motion = follow(
+        equation, start, slow_times, cells, tolerance, levels, coarser and coarser.step_ends
+    )
     later = [values_on_points(kept[row], 2 * kept[row].size - 1) for row in np.flatnonzero(times)]
     smallest = min((float(values.min()) for values in later), default=start.floor)
     mean_drift = max(abs(row[0] - motion.amplitudes[0]) for row in kept)
     counts = {"steps_accepted": motion.accepted, "steps_rejected": motion.rejected}
     return Evolution(
-        start, times, slow_times, kept, half_length, counts, float(mean_drift), smallest
+        start,
+        times,
+        slow_times,
+        kept,
+        half_length,
+        counts,
+        motion.ends,
+        float(mean_drift),
+        smallest,
     )
 
 
-def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS):
+def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, coarser=None):
     """Amplitudes of a start at some slow times.
 
     Parameters
@@ -125,7 +140,7 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS):
     start : starts.Plateau or starts.Given
     slow_times : ndarray, shape (times,)
         In any order, at least 0.
-    cells, tolerance, levels
+    cells, tolerance, levels, coarser
         As in `solve`.
 
     Returns
@@ -137,7 +152,7 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS):
     """
     points = cells * 2**levels
     amplitudes = start_amplitudes(start, equation.half_length, points)
-    motion = Motion(equation, amplitudes, points, tolerance)
+    motion = Motion(equation, amplitudes, points, tolerance, coarser)
     ahead, kept = list(np.argsort(slow_times, kind="stable")), [None] * len(slow_times)
     while ahead:
         drops = np.inf if motion.points == cells else extinction_time(equation, motion.points // 2)

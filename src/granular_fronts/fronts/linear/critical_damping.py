@@ -196,7 +196,7 @@ def _vanishing_overshoot(alpha, beta, cut):
                 f"The front for alpha = {alpha}, beta = {beta}, gamma = {gamma:.6g} was not found "
                 f"({profile.reason}): choose another cut."
             )
-        return math.log(max(measure(profile)["overshoot"], RESOLUTION) / cut)
+        return math.log(max(measure(profile)[0][0], RESOLUTION) / cut)
 
     above = below = critical_damping(alpha, beta)
     while excess(above) > 0.0:

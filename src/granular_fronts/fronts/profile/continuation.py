@@ -32,7 +32,9 @@ from granular_fronts.numerics.extrapolation import REMEMBERED, predict, remember
 from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.quadrature import kernel_weights
 
-COLUMNS = (*MEASURES, "residual", "speed_defect", "tail_rate", "tail_frequency")
+PLAIN = ("residual", "speed_defect", "tail_rate", "tail_frequency")
+SENSITIVITIES = tuple(f"sensitivity of {name}" for name in MEASURES)
+COLUMNS = (*MEASURES, *SENSITIVITIES, *PLAIN)
 
 MARGIN = 3.0
 """Sites kept ahead of where s reaches its end."""
@@ -99,8 +101,8 @@ def follow_on_grid(first_problem, dampings, grid, differences, decay, start, val
     for k in range(dampings.size):
         if interrupted():
             return 0
-        values[k, 6], values[k, 7] = slowest_tail(first_problem, dampings[k])
-        needed = decay / (values[k, 6] * grid.spacing)
+        values[k, 10], values[k, 11] = slowest_tail(first_problem, dampings[k])
+        needed = decay / (values[k, 10] * grid.spacing)
         if not needed <= MOST_POINTS:
             # Such a window is not even tried; the sweep starts anew there, and says so.
             dampings, middles = dampings[:k], middles[:k]
@@ -127,8 +129,8 @@ def follow_on_grid(first_problem, dampings, grid, differences, decay, start, val
         if not (passes and defect <= 1.5 * DEFECT * problem.magnification):
             return k
         remember(s, first, 0.0, past[k % REMEMBERED])
-        values[k, 0], values[k, 1], values[k, 2], values[k, 3] = measures(problem, grid.spacing, s)
-        values[k, 4], values[k, 5] = history[count], unknowns.speed[0] - 1.0
+        values[k, :8] = measures(problem, grid.spacing, s)
+        values[k, 8], values[k, 9] = history[count], unknowns.speed[0] - 1.0
     return dampings.size
 
 

@@ -97,11 +97,7 @@ class Profile(NamedTuple):
 
     def evaluate(self, xi):
         """Values of s at any positions, 1-D."""
-        return interpolate_all(self.s, self.positions(xi), 1.0, 0.0)
-
-    def positions(self, xi):
-        """Positions in units of the spacing, 0 at the first point."""
-        return xi / float(self.spacing) + self.middle
+        return interpolate_all(self.s, xi / float(self.spacing), 1.0, 0.0, self.middle)
 
 
 def solve_profile(problem):
@@ -250,9 +246,10 @@ def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
     )
     if status == newton.SETTLED:
         return profile
-    return profile._replace(
-        reason=f"Newton's iteration does not settle, with a residual of {history[step]:.1e}"
-    )
+    end = f"does not settle, with a residual of {history[step]:.1e}"
+    if status == newton.NOT_FINITE:
+        end = f"overflows after {step} steps"
+    return profile._replace(reason=f"Newton's iteration {end}")
 
 
 def reason_against(profile):

@@ -1,0 +1,75 @@
+"""Stated errors of fronts and of the amplitude equations, against solutions of other programs."""
+
+import numpy as np
+import pytest
+
+import granular_fronts as gf
+from truth import evolutions, fronts, hold
+
+
+def powers(alpha, beta, gamma):
+    return {
+        "elastic": {"kind": "hertz", "alpha": alpha},
+        "viscous": {"kind": "power", "beta": beta, "gamma": gamma},
+    }
+
+
+FRONTS = {
+    "long": (powers(2.0, 2.0, 6.0), (-1.0, -0.39)),
+    "weakly nonlinear": (powers(1.024, 1.024, 0.02), (-1.0, 0.0)),
+    "sharp": (powers(4.42, 1.54, 4.89), (-1.0, 0.0)),
+    "toda": (
+        {"elastic": {"kind": "toda", "rate": 2.6}, "viscous": {"kind": "linear", "gamma": 6.53}},
+        (-1.84, 0.43),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FRONTS)
+def test_errors_of_a_front_and_of_its_measures_hold(name):
+    law, states = FRONTS[name]
+    front = gf.solve_front(law=law, states=states)
+    found = list(fronts.compare(front, law, *states, np.random.default_rng(3)))
+    assert len(found) == 8
+    assert hold(found)
+    # The same judge sees an error that is a hundred times too small.
+    assert not hold([(word, 0.01 * stated, *numbers) for word, stated, *numbers in found])
+
+
+def test_reference_knows_the_dissipated_power():
+    """(α − 1)/(2(α + 1)), eq. (16), to more digits than a double has."""
+    law = powers(1.5, 1.0, 0.4)
+    front = gf.solve_front(law=law, states=(-1.0, 0.0))
+    power = fronts.TrueFront(front, law, -1.0, 0.0).measures()["dissipated_power"]
+    assert abs(power - fronts.Number(1) / 10) < 2e-18
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [11, 12])
+def test_errors_of_random_fronts_hold(seed):
+    assert hold(fronts.cases(seed, 40), 0.995)
+
+
+def smooth_scene(equation, slow_time, tolerance):
+    """A smooth wave for so short a time that no tolerance comes in."""
+    scene = evolutions.random_scene(np.random.default_rng(3), "unlimited")
+    scales = evolutions.scales_of(scene)
+    time = slow_time / scales.slow_rate
+    scene["equations"][equation] = {"cells": 256, "tolerance": tolerance}
+    return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": time}}}
+
+
+@pytest.mark.parametrize("equation", ["dispersive", "logarithmic"])
+def test_errors_of_the_first_steps_of_an_evolution_hold(equation):
+    found = [
+        ("", *evolutions.compare(equation, smooth_scene(equation, time, tolerance)))
+        for time, tolerance in ((0.2, 1e-5), (0.1, 1e-4))
+    ]
+    assert hold(found)
+    assert not hold([(word, 0.01 * stated, *numbers) for word, stated, *numbers in found])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [22, 23])
+def test_errors_of_random_evolutions_hold(seed):
+    assert hold(evolutions.cases(seed, 8), 0.995)
