@@ -113,9 +113,14 @@ def test_digest_of_data_sees_values_names_and_shapes():
     assert data_digest(dataset) == data_digest(dataset.assign_attrs(solver="other"))
 
 
-def test_data_read_back_have_the_digest_they_were_written_with(results):
-    dataset = read_dataset(results / "data" / f"{NAME}.nc")
-    assert dataset.attrs["data_digest"] == data_digest(dataset)
+def test_data_read_back_have_the_digest_they_were_written_with(tmp_path):
+    """A file keeps neither the type of text nor the sign of what is not a number."""
+    texts = np.array(["", "stopped"], dtype=object)
+    values = {"value": [-np.nan, -0.0], "message": texts, "passed": [True, False], "step": [1, 2]}
+    given = xr.Dataset({name: ("case", value) for name, value in values.items()})
+    write_dataset(given, tmp_path / "scene.nc", scene_id="scene", config={})
+    dataset = read_dataset(tmp_path / "scene.nc")
+    assert dataset.attrs["data_digest"] == data_digest(given) == data_digest(dataset)
 
 
 def test_every_dataset_of_a_figure_answers_a_question():

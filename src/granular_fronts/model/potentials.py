@@ -181,7 +181,7 @@ class Potential:
         Raises
         ------
         InputError
-            If it is no expression of SymPy, a text for example, which would run as Python; if it has
+            If it is no expression of SymPy, as a text is not, which would run as Python; if it has
             other symbols or no numbers, or fails the check of `Potential`.
         ModuleNotFoundError
             Without SymPy.
