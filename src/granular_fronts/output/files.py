@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TypeGuard
 
-from granular_fronts.errors import NoSpaceError
+from granular_fronts.errors import InputError, NoSpaceError
 
 FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 """The system's answers where a disk or the user's share of it is full, or a file may not grow."""
@@ -41,10 +41,14 @@ def complete_file(path: Path | str) -> Iterator[Path]:
 
     Raises
     ------
+    InputError
+        If something lies there that is no file: a folder, a device or a pipe is never replaced.
     NoSpaceError
         If the block fails because the disk is full.
     """
     path = Path(path)
+    if path.exists() and not path.is_file():
+        raise InputError(f"{path} is no file that can be replaced: name another one.")
     unfinished = path.with_name(f"unfinished-{HOST}-{os.getpid()}-{path.name}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
