@@ -77,6 +77,13 @@ def test_texts_are_filled_with_what_was_computed(path, tmp_path):
     assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
 
 
+def test_values_in_a_caption_are_no_markup(path, tmp_path):
+    caption = "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', ' }}y"
+    make_files(path, tmp_path / "fig", caption)
+    words = r".. raw:: html \*x\_\*, y"
+    assert (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()[0] == words
+
+
 def test_caption_that_names_what_no_dataset_has_is_an_error(path, tmp_path):
     with pytest.raises(jinja2.UndefinedError, match="strength"):
         make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")
