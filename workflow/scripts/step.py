@@ -148,7 +148,8 @@ def describe_unexpected(error: Exception) -> str:
     str
     """
     if is_full(error):
-        return str(NoSpaceError(Path(error.filename or ".").absolute().parent))
+        file = Path(error.filename).absolute() if error.filename else Path.cwd() / "a file"
+        return str(NoSpaceError(file.parent))
     reason = " ".join(str(error).split())
     return f"The step failed unexpectedly, {type(error).__name__}: {reason}"
 
