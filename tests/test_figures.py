@@ -58,10 +58,11 @@ def make_files(path, stem, caption, reference=None):
     )
 
 
-def test_saved_files_are_reproducible(path, tmp_path):
+def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path):
     (tmp_path / "one").mkdir()
     (tmp_path / "two").mkdir()
     for name in ("one", "two"):
+        plt.rcParams.update({"text.usetex": True, "figure.facecolor": "red"})
         make_files(path, tmp_path / name / "fig", "A caption.")
     for ending in ENDINGS.values():
         one, two = (tmp_path / name / f"fig.{ending}" for name in ("one", "two"))

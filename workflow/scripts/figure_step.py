@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Any
 
 import jinja2
+import matplotlib
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -69,6 +70,7 @@ def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
         data = {name: read(path) for name, path in paths.items()}
         every = [dataset for given in data.values() for dataset in listed(given)]
         origins = [origin(dataset.attrs) for dataset in every]
+        matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
         save_figure(draw(**data), outputs["pdf"], outputs["png"], origins)
         computed = {name: configurations(given) for name, given in data.items()}
         notes = departure_notes(every, reference)
