@@ -24,7 +24,7 @@ from typing import Any
 
 import granular_fronts
 from granular_fronts.numerics.source_code import code_digest
-from granular_fronts.output.files import complete_file
+from granular_fronts.output.files import complete_file, read_json
 
 SOURCES = Path(granular_fronts.__file__).parent
 
@@ -135,7 +135,7 @@ def write_record(
 
 def read_record(path: Path) -> dict[str, Any]:
     """Read what `write_record` wrote."""
-    return json.loads(path.read_text(encoding="utf-8"))
+    return read_json(path)
 
 
 def disagreements(
