@@ -66,6 +66,7 @@ def test_folder_that_is_not_writable_is_refused(monkeypatch, tmp_path):
     monkeypatch.setattr("os.access", lambda path, mode: path != tmp_path)
     [sentence] = folder_errors(str(tmp_path / "new" / "results"))
     assert f"nothing can be written into {tmp_path}" in sentence
+    assert not [*folder_errors(str(tmp_path / "new" / "results"), writes=False)]
 
 
 @pytest.mark.parametrize("results", ["results", "results/smoke", "/tmp", "resultate-2é"])
@@ -86,6 +87,7 @@ YAML_REFUSED = [
     ("a: 1\nb: 2\na: 3", ["line 3, column 1", "the key a stands twice"]),
     ("[1, 2]", ["holds no mapping", "write key: value"]),
     ("a: \x00", ["is no YAML"]),
+    ("__use_yte__: true\na: ?1 + 1", ["is a template", "runs as Python"]),
 ]
 
 
