@@ -15,6 +15,7 @@ from initiate_front import initiate_front
 from tabulate_statements import find_measure
 
 from granular_fronts.accuracy import Estimate
+from granular_fronts.errors import InputError
 from granular_fronts.output.departures import departures
 from granular_fronts.output.judgement import Range, half_unit, judge, range_of_criterion
 from granular_fronts.output.statements import (
@@ -79,6 +80,12 @@ def test_a_criterion_that_allows_nothing_is_an_error(criterion):
 )
 def test_half_a_unit_of_the_last_digit(printed, half):
     assert float(half_unit(printed)) == pytest.approx(half, rel=1e-12)
+
+
+def test_a_number_without_quotation_marks_is_refused():
+    statement = {"quantity": "width", "kind": "number", "printed": 0.10}
+    with pytest.raises(InputError, match=r"printed of “width” is 0\.1 without quotation marks"):
+        criterion_of(statement)
 
 
 @pytest.mark.parametrize("printed", ["nan", "inf", "-Infinity", "abc"])
