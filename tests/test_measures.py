@@ -179,18 +179,6 @@ def test_powers_of_families_are_slopes():
     assert fronts.width_power(bent).error > 0.3
 
 
-def test_late_over_early_carries_both_errors():
-    waves = xr.Dataset(
-        {
-            "width": (("alpha", "t"), [[10.0, 20.0]]),
-            "width_error": (("alpha", "t"), [[0.1, 0.4]]),
-        },
-        {"alpha": [1.0], "t": [1.0, 4.0]},
-    )
-    value, error = laws.spreading(waves, 1.0)
-    assert (value, error) == (2.0, pytest.approx(0.06))
-
-
 def ring(chain, equation):
     """Snapshots at t = 0 of a ring of 39 beads and of the equation, from functions of the site."""
     scene = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5.0, "half_beads": 20}
@@ -215,15 +203,6 @@ def test_profiles_of_one_shape_are_correlated():
     assert gap.value > 0.999
     displaced = periodic.profile_correlation(ring(pulse, lambda n: pulse(n + 12.0)))
     assert displaced.value < 0.3
-
-
-def test_frequency_of_an_orbit_that_oscillates_is_positive():
-    orbits = xr.Dataset(
-        {"angular_frequency": ("mu", [0.9, 0.0]), "angular_frequency_error": ("mu", [1e-9, 1e-9])},
-        {"mu": [0.3, 3.0]},
-    )
-    assert continuum.angular_frequency(orbits, 0.3) == (0.9, 1e-9)
-    assert continuum.angular_frequency(orbits, 3.0).value == 0.0
 
 
 def jumps(**variables):

@@ -7,7 +7,6 @@ import xarray as xr
 from granular_fronts.campaign import measures as rings
 from granular_fronts.fronts import measures as fronts
 from granular_fronts.studies import law_measures as laws
-from granular_fronts.studies import ring_measures as ring
 
 
 def test_power_of_strong_damping_is_that_of_the_last_pair():
@@ -46,12 +45,6 @@ def test_largest_defect_of_pistons_is_of_any_quantity():
         values |= {f"{name}_expected": round(found), name: found, f"{name}_error": 1e-6 * found}
     dataset = xr.Dataset({name: ("law", [value]) for name, value in values.items()})
     assert laws.largest_piston_defect(dataset) == pytest.approx((1e-3, 1.001e-6), rel=1e-9)
-
-
-def test_damping_parameter_of_a_ring(monkeypatch):
-    """12/μ² = ε/γc."""
-    monkeypatch.setattr(ring, "scales", lambda dataset: type("Scales", (), {"ratio": 3.0}))
-    assert ring.damping_parameter(None).value == pytest.approx(2.0, rel=1e-15)
 
 
 ORDERS = {"logarithmic": 1.0, "unlimited": 0.9, "dispersive": 1.1}
