@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
@@ -97,6 +98,27 @@ def test_front_is_that_of_another_code(name):
     front = solved(name)
     found = gf.evaluate_front(front, XI, "strain")
     np.testing.assert_allclose(found, STRAINS[name], atol=3e-14)
+
+
+@by_front
+def test_what_is_measured_on_a_front_is_that_of_its_profile(name):
+    """By SciPy's root finder and by differences, without the kernels that measure."""
+    front, (behind, ahead) = solved(name), FRONTS[name][1]
+
+    def share(xi):
+        return (gf.evaluate_front(front, xi, "strain") - ahead) / (behind - ahead)
+
+    xi = np.arange(front["xi"].values[0], front["xi"].values[-1], 2e-3)
+    values, ends = share(xi), []
+    for level in (0.9, 0.1):
+        k = np.flatnonzero((values[:-1] >= level) & (values[1:] < level))[-1]
+        ends.append(brentq(lambda x, level=level: float(share(x)) - level, xi[k], xi[k + 1]))
+    jump, found = abs(behind - ahead), front.attrs
+    assert found["width_10_90"] == pytest.approx(ends[1] - ends[0], abs=1e-9)
+    assert found["slope"] == pytest.approx(jump * -np.gradient(values, xi).min(), rel=1e-4)
+    assert found["overshoot"] == pytest.approx(jump * max(values.max() - 1.0, 0.0), abs=1e-5 * jump)
+    for measure in ("overshoot", "width_10_90", "slope", "dissipated_power"):
+        assert 0.0 < found[f"{measure}_error"] < 1e-11
 
 
 def carried(law, states, front, shift=0.0):
