@@ -364,23 +364,18 @@ def test_another_start_is_named(folder, problem):
 
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
-    [(["--answers", "nowhere"], "nowhere holds no answers: make them by snakemake")],
+    [
+        (["--answers", "nowhere"], "nowhere holds no answers: make them by snakemake"),
+        (["--error=-1"], r"--error is -1\S*, but must be a finite number, above 0"),
+        (["--error=0"], r"--error is 0\S*, but must be a finite number, above 0"),
+        (["--error=nan"], r"--error is nan, but must be a finite number, above 0"),
+        (["--figures={}/answers.csv"], r"no folder can be made \(File exists\): name another"),
+    ],
 )
-def test_missing_answers_are_named(arguments, sentence, tmp_path):
+def test_impossible_arguments_are_named(folder, arguments, sentence):
+    words = [word.format(folder) for word in arguments]
     with pytest.raises(SystemExit, match=sentence):
-        main([str(tmp_path / f"{FRONT}_0.1.csv"), *arguments])
-
-
-@pytest.mark.parametrize("wanted", ["-1", "0", "nan"])
-def test_an_impossible_wanted_error_is_named(folder, wanted):
-    with pytest.raises(SystemExit, match=r"--error is \S+, but must be a finite number, above 0"):
-        main([f"{FRONT}_0.1.csv", "--answers", str(folder), f"--error={wanted}"])
-
-
-def test_a_file_where_figures_should_lie_is_named(folder):
-    file = folder / "answers.csv"
-    with pytest.raises(SystemExit, match=r"no folder can be made \(File exists\): name another"):
-        main([f"{FRONT}_0.1.csv", "--answers", str(folder), "--figures", str(file)])
+        main([f"{FRONT}_0.1.csv", "--answers", str(folder), *words])
 
 
 def test_only_answers_of_the_table_are_known(folder, problem, tmp_path):
