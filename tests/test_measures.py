@@ -161,24 +161,6 @@ def test_extremes_of_a_velocity_are_located_between_grid_points():
     assert abs(smallest.value - 0.7) <= smallest.error
 
 
-def test_powers_of_families_are_slopes():
-    alpha, delta = np.array([1.02, 1.05, 1.1]), np.array([1e-2, 1e-1, 1.0])
-    trends = xr.Dataset(
-        {
-            "width_of_exponent": ("exponent", 3.0 * (1.0 - 1.0 / alpha) ** -0.5, EXACT),
-            "critical_gamma": ("displacement", 0.3 * delta**-0.25, EXACT),
-            "width_of_displacement": ("displacement", [1.0, 2.0, 4.0], EXACT),
-        },
-        {"exponent": alpha, "displacement": delta},
-        {"config": json.dumps({"alpha": 1.5})},
-    )
-    assert fronts.width_power(trends).value == pytest.approx(-0.5)
-    assert fronts.critical_power_of_pressure(trends).value == pytest.approx(-0.25)
-    assert fronts.narrowing(trends).value == 0.25
-    bent = trends.assign(width_of_exponent=("exponent", [3.0, 2.0, 1.9]))
-    assert fronts.width_power(bent).error > 0.3
-
-
 def ring(chain, equation):
     """Snapshots at t = 0 of a ring of 39 beads and of the equation, from functions of the site."""
     scene = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5.0, "half_beads": 20}

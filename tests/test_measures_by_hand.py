@@ -93,6 +93,7 @@ PISTONS = dataset(
     }
 )
 
+TWO_METHODS = ("relative_displacement", "relative_displacement_shooting")
 FRONT = dataset(
     attrs={"alpha": 1.5, "overshoot": 0.44, "error_estimate": 1e-3, "dissipated_power": 0.1}
     | {"dissipated_power_error": 2e-3},
@@ -100,14 +101,31 @@ FRONT = dataset(
     velocity_logarithmic=({"xi": [0.0]}, [0.0]),
 )
 FRONT["velocity_logarithmic"].attrs["distance"] = 0.3
+SHOT = [dataset(error=e, **dict.fromkeys(TWO_METHODS, ({}, 0.0))) for e in (3e-14, 1e-14)]
+for front, distance in zip(SHOT, (1e-14, 2e-14), strict=True):
+    front["relative_displacement_shooting"].attrs["distance"] = distance
 CURVES = dataset(
+    attrs={"exchange_exponent": 1.25},
     critical_damping_tail=({"alpha": [1.02, 1.5]}, [0.08, 0.25]),
     critical_damping_long_wave=({"alpha": [1.02, 1.5]}, [0.1, 0.5]),
 )
+EXPONENTS = [1.02, 1.05, 1.5]
 TRENDS = dataset(
     tail_frequency=({"beta": [1.0, 1.5], "piston_velocity": [1.0, 0.01]}, [[2, 0], [0.5, 3]]),
-    gaussian_distance=({"exponent": [1.02, 1.5]}, [0.01, 0.13]),
-    solitary_peak=({"exponent": [1.02, 1.5]}, [1.0, 2.25]),
+    gaussian_distance=({"exponent": EXPONENTS}, [0.01, 0.02, 0.13]),
+    solitary_peak=({"exponent": EXPONENTS}, [1.0, 1.5, 2.25]),
+    # Its powers of 1 − 1/α, which is 1/51, 1/21 and 1/3, are −1/2 and −1/4.
+    width_of_exponent=({"exponent": EXPONENTS}, [51**0.5, 21**0.5, 21**0.5 / 7**0.25]),
+    critical_gamma=({"displacement": [0.01, 1.0]}, [0.3 * 100**0.25, 0.3]),
+    width_of_displacement=({"displacement": [0.01, 1.0]}, [1.0, 4.0]),
+)
+# The slope of the last pair is −7/4, that of the pair before −3/2.
+STRONG = {"alpha": [1.5], "gamma": [0.5, 1.0, 2.0, 4.0]}
+SURVEY = dataset(distance_unlimited=(STRONG, [[9.0, 1.0, 2.0**-1.5, 2.0**-3.25]]))
+POWERS = dataset(
+    power_expected=({"law": ["one", "other"]}, [2.0, -4.0]),
+    power_exact=({"law": ["one", "other"]}, [2.0002, -4.004]),
+    power_exact_error=({"law": ["one", "other"]}, [1e-3, 4e-5]),
 )
 
 # Fronts y = 1/(1 + e^(ks)), for which −y'/(y (1 − y)) = k; μ = 0 has the Gaussian of Remark 8.
@@ -230,6 +248,8 @@ BY_HAND = [
     (laws.spreading, WAVES, {"alpha": 1.0}, 2.0, 0.06),
     (laws.front_speed, PISTONS, {"law": "dashpot", "ramp": 10}, 2.0, 0.05),
     (laws.compression_behind, PISTONS, {"law": "dashpot", "ramp": 0}, 1.5, 0.05),
+    (laws.largest_piston_defect, PISTONS, {}, 1.0, 0.05),
+    (laws.largest_relative_distance, POWERS, {"quantity": "power", "way": "exact"}, 1e-3, 5e-4),
     (laws.velocity_behind, PISTONS, {"law": "dashpot", "ramp": 0}, 1.5, 0.05),
     (fronts.force_overshoot, FRONT, {}, 1.728, 1.5 * 1.728 * 1e-3),
     (fronts.displacement_overshoot, FRONT, {}, 0.44, 1e-3),
@@ -240,6 +260,12 @@ BY_HAND = [
     (fronts.tail_contrast, TRENDS, {"beta": 1.5}, 2.5, 2e-3),
     (fronts.tail_contrast, TRENDS, {"beta": 1.0}, -2.0, 2e-3),
     (fronts.gaussian_distance, TRENDS, {"exponent": 1.02}, 0.01, 1e-3),
+    (fronts.width_power, TRENDS, {}, -0.5, 0.25),
+    (fronts.critical_power_of_pressure, TRENDS, {}, -0.25, 2e-3 / (0.3 * math.log(100))),
+    (fronts.narrowing, TRENDS, {}, 0.25, 1e-3 / 4 + 0.25 * 1e-3 / 4),
+    (fronts.exchange_exponent, CURVES, {}, 1.25, 1.25e-14),
+    (fronts.methods_apart, tuple(SHOT), {}, 2e-14, 3e-14),
+    (fronts.strong_damping_power, SURVEY, {"alpha": 1.5}, -1.75, 0.25),
     (fronts.solitary_force, TRENDS, {"exponent": 1.5}, 3.375 * math.exp(-0.5), ANY),
     (continuum.squared_slope_overdamped, ORBITS, {}, 2e-40, 1e-3),
     (continuum.squared_slope_underdamped, ORBITS, {}, 3.0, 1e-3),
