@@ -92,6 +92,15 @@ def test_a_drift_that_is_no_number_is_not_lost():
     assert np.isnan(balances.drifts()["momentum_drift"])
 
 
+def test_drifts_are_relative_to_the_largest_energy_and_velocities():
+    scene = driven_scene(end_time=1.0, record={"snapshots": [], "balances": True})
+    balances = Balances(run.prepare(scene))
+    for law in ("momentum", "energy"):
+        balances._note(law, 1e-3, 10.0)
+        balances._note(law, -5e-4, 1.0)
+    assert list(balances.drifts().values()) == [1e-4, 1e-4]
+
+
 def test_energy_is_lost_only_to_damping():
     u, velocity = smooth_ring()
     energies = {}
