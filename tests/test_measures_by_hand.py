@@ -158,20 +158,26 @@ RING = {
 }
 
 
-def shock(place, height, sites, floor=0.0):
+def shock(place, height, sites, floor=0.0, slope=0.25):
     """A plateau of 22 beads on the ring that falls through u = δ/2 at a place."""
     behind = (place - sites + 15.0) % 39.0 - 15.0
-    return 16.0 * np.clip(0.5 + behind / 4.0, floor, height)
+    return 16.0 * np.clip(0.5 + slope * behind, floor, height)
 
 
 TIMES, BEADS, SITES = [0.0, 3.0, 6.0], np.arange(1.0, 40.0), np.arange(1.0, 40.0, 0.5)
 AT_BEADS, AT_SITES = {"t": TIMES, "bead": BEADS}, {"t": TIMES, "site": SITES}
+BUMPS = [(0.0, 25), (1.6, 25), (1.6, 24), (1.6, 23)]
 SHOCKS = dataset(
     RING,
     relative_displacement=(AT_BEADS, [shock(place, 1.0, BEADS) for place in (22, 28, 36)]),
     relative_displacement_logarithmic=(
         AT_SITES,
-        [shock(21, 1.25, SITES), shock(27, 0.8, SITES, 0.01), shock(33.5, 0.8, SITES)],
+        [shock(21, 1.25, SITES), shock(27, 0.8, SITES, 0.01, 0.5), shock(33.5, 0.8, SITES)],
+    ),
+    # A bump on the shock at bead 28 moves from bead 25 to 23.
+    relative_displacement_grid=(
+        {"t_grid": [0.0, 3.0, 4.0, 5.0], "bead": BEADS},
+        [shock(28, 1, BEADS) + np.maximum(b - 0.8 * abs(BEADS - n), 0.0) for b, n in BUMPS],
     ),
     relative_displacement_upwind=(AT_SITES, [1.1 * shock(30, 1.0, SITES)] * 3),
     velocity=(AT_BEADS, np.full((3, 39), 32.0)),
@@ -287,6 +293,8 @@ BY_HAND = [
     (ring.damping_parameter, SHOCKS, {}, 2.0, 4 * 2**-51),
     (ring.shock_travel, SHOCKS, {}, 14.0, ANY),
     (ring.shock_speed_ratio, SHOCKS, {}, 8.0 / 6.5, ANY),
+    (ring.bump_birthplace, SHOCKS, {}, 3.0, ANY),
+    (ring.bump_velocity, SHOCKS, {}, -1.0, ANY),
     (ring.shock_lead, SHOCKS, {}, 2.5, ANY),
     (ring.aftershock_distance, SHOCKS, {}, 0.2, ANY),
     (ring.displacement_excess, SHOCKS, {}, -20.0, 100 * 2e-3 / 16),
