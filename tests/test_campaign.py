@@ -6,11 +6,9 @@ import sys
 
 import numpy as np
 import pytest
-import yaml
 from altered_files import is_without_requests
 from campaigns import CHAINS, ORBITS, ROOT, all_chunks, campaign, pretend_solved, refusal, solve
 from projects import load_step
-from test_schema import schema_nodes
 
 from granular_fronts.campaign import chunks, cost, definition, plan, planning
 from granular_fronts.campaign.axes import expand_axis
@@ -152,21 +150,6 @@ def test_checking_and_reading_a_plan_wait_for_no_heavy_import():
     environment = {"PYTHONPATH": str(ROOT / "src")}
     run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     assert run.stdout == "set()\n"
-
-
-def test_schema_describes_every_key_and_is_strict():
-    file = ROOT / "workflow/schemas/campaign.schema.yaml"
-    for path, node in schema_nodes(yaml.safe_load(file.read_text(encoding="utf-8"))):
-        required = set(node.get("required", []))
-        for name, child in node.get("properties", {}).items():
-            assert child.get("description"), f"{path}.{name}"
-            optional = "Optional" in child["description"]
-            assert optional == (name not in required), f"{path}.{name}"
-        # The numbers of a potential depend on its kind.
-        if "properties" in node and path != "schema.potential":
-            assert node["additionalProperties"] is False, path
-        if node.get("type") in ("number", "integer"):
-            assert "dimensionless" in node["description"], path
 
 
 # Chunks.

@@ -28,7 +28,7 @@ from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
 
 
-def write_report(
+def write_report(  # noqa: PLR0913 - what its rule names
     template: Path,
     texts: Path,
     figures: list[Path],
