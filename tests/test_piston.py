@@ -154,3 +154,10 @@ def test_conversion_to_strain_form_and_back(t):
 def test_strong_damping_is_left_to_the_explicit_pair():
     scene = piston_scene((1.5, 1.5, 100.0), beads=12, end_time=20.0, tolerance=TIGHT)
     assert solve(scene, scene["tolerance"]).counts["steps_implicit"] == 0
+
+
+def test_a_piston_rises_linearly_over_its_ramp():
+    rising, sudden = Piston(2.0, 4.0), Piston(2.0, 0.0)
+    assert [rising.velocity_at(t) for t in (0.0, 1.0, 4.0, 9.0)] == [0.0, 0.5, 2.0, 2.0]
+    assert rising.acceleration_at([1.0, 4.0, 9.0]).tolist() == [0.5, 0.5, 0.0]
+    assert (sudden.velocity_at(0.0), sudden.acceleration_at(0.0)) == (2.0, 0.0)
