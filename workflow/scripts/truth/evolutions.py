@@ -203,7 +203,7 @@ def random_scene(rng, equation):
         start = {"kind": "given", "rescaled_force": waves.tolist()}
     tolerance = float(10 ** rng.uniform(-8.0, -4.0))
     resolution = {"cells": int(2 ** rng.integers(7, 10)), "tolerance": tolerance}
-    others = dict.fromkeys(EQUATIONS, {"cells": 512, "tolerance": 1e-6})
+    others = {name: {"cells": 512, "tolerance": 1e-6} for name in EQUATIONS}
     return {
         "law": {"alpha": alpha, "gamma": gamma},
         "displacement": delta,
