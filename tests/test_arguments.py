@@ -130,6 +130,7 @@ OUT_OF_RANGE = [
     *[("prove_front", "alpha", v) for v in (1, 1.0, "1", "1/2", [2.0, 1.5], [1.5])],
     *[("prove_front", "path", v) for v in (ROOT, str(ROOT), ROOT / "nowhere" / "front.npz")],
     *[("prove_front", "cells", v) for v in (7, 201)],
+    ("prove_front", "gamma", 100),
     ("prove_front", "fine", 1001),
     *[("prove_front", "beta", v) for v in (2.0, 1.5)],
     *[("prove_front", "drift", v) for v in (0.0, 1.0)],

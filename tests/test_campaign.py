@@ -34,6 +34,7 @@ def test_spacings_are_those_of_numpy():
         expand_axis({"logspace": [0.02, 3.0, 7]}), np.geomspace(0.02, 3.0, 7), rtol=1e-11
     )
     assert expand_axis({"linspace": [0.5, 3.0, 1]}) == [0.5]
+    assert expand_axis([0.1234567890123456]) == [0.1234567890123456]
 
 
 REFUSED = [
@@ -61,6 +62,10 @@ REFUSED = [
         ["profile.count is 40, but from 1 to 20 there are 20 beads"],
     ),
     ({"kind": "frnt"}, ["kind is", "choose chain or front or heteroclinic"]),
+    (
+        {"axes": {"gamma": [0.1, 1.0e12]}},
+        ["units of δ and 1/c", "law.gamma = 1000000000000.0", "on one core", "or law.gamma"],
+    ),
     ({"tolerance": 0}, ["tolerance is 0", "limit 1e-15", "or more"]),
     ({"colour": 1}, ["colour is no key"]),
     ({"tolerance": 1e3}, ["tolerance is 1000.0", "limit 0.1", "or less"]),

@@ -213,6 +213,7 @@ def test_failing_point_has_a_reason_and_the_others_are_solved(tmp_path):
         merging.merge_chunks(asked, [solve(chunk, tmp_path)]), path, scene_id="mine", config=CHAINS
     )
     merged = read_dataset(path)
+    assert len(merged.drop_dims("sentence").to_dataframe()) == 4
     np.testing.assert_array_equal(merged["status"], [[1, 1], [0, 0]])
     assert merged.attrs["failed_points"] == 2
     texts = merged["reason_text"].values[merged["reason"].values]

@@ -88,6 +88,7 @@ REFUSED = [
     ),
     ({"record__probes__steady__beads": [0]}, ["probes.steady.beads (entry 1) is 0", "limit 1"]),
     ({"record__probes__Fig 1": {}}, ['"Fig 1" in record.probes is no usable name']),
+    ({f"record__probes__{'x' * 101}": {}}, ["in record.probes is no usable name", "100 at most"]),
     ({"tolerance__relative": 1.0e3}, ["tolerance.relative is 1000.0", "limit 0.1", "or less"]),
     (
         {"tolerance__absolute": 1.0e-300},
@@ -99,6 +100,7 @@ REFUSED = [
     ({"beads": 10**9}, ["beads = 1000000000", "16,004 GiB", "limit of 16 GiB", "lower beads"]),
     ({"beads": 10**30}, ["beads is 1000", "beyond what an array can hold"]),
     ({"end_time": 1.0e300}, ["end_time = 1e+300", "years on one core", "lower beads or end_time"]),
+    ({"law__gamma": 1.0e12}, ["law.gamma = 1000000000000.0", "37 years on one core", "law.gamma."]),
     ({"record__grid__step": 1.0e-9}, ["record.grid.step = 1e-09", "raise record.grid.step"]),
     (
         {"record__probes__steady__step": 1.0e-9},

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 from configurations import DEFAULT, ROOT, SMOKE
 
 from granular_fronts.errors import InputError
@@ -13,7 +14,7 @@ from granular_fronts.scenes.configuration import (
     check_configuration,
     folder_errors,
 )
-from granular_fronts.scenes.yaml_files import load_configuration, merge
+from granular_fronts.scenes.yaml_files import LONGEST_FILE, load_configuration, merge, read_yaml
 
 
 @pytest.mark.parametrize("files", [[DEFAULT], [DEFAULT, SMOKE]], ids=["default", "smoke"])
@@ -49,6 +50,9 @@ def test_checking_waits_for_no_heavy_import():
 @pytest.mark.parametrize(
     ("results", "words"),
     [
+        ("$HOME/x", ["'$'", "use letters"]),
+        ("s3://bucket/x", ["'://'", "use letters"]),
+        ("x" * 10_000, ["File name too long", "shorten it"]),
         ("~/x", ["results is ~/x", f"write {Path.home()}/x"]),
         ("a{b}", ["'{}'", "use letters"]),
         (" a", ["blanks", "use letters"]),
@@ -79,6 +83,11 @@ def test_mapping_after_config_names_the_way():
     assert "--configfile mine.yaml" in sentence
 
 
+BOMB = "a0: &a0 [x,x,x,x,x,x,x,x,x,x]\n" + "".join(
+    f"a{i}: &a{i} [{','.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 10)
+)
+"""Ten thousand million values in ten lines."""
+
 YAML_REFUSED = [
     ("a: b: c", ["line 1, column 5", "no YAML", "correct it"]),
     ("a:\n\tb: 1", ["line 2, column 1", "no YAML"]),
@@ -86,6 +95,12 @@ YAML_REFUSED = [
     ("a: 1\nb: 2\na: 3", ["line 3, column 1", "the key a stands twice"]),
     ("[1, 2]", ["holds no mapping", "write key: value"]),
     ("a: \x00", ["is no YAML"]),
+    ("a: 2026-13-45", ["is no YAML (month must be in 1..12)"]),
+    ("a: 1\ngamma: 1:30", ["line 2, column 8", "YAML reads 1:30 as 90", "the number you mean"]),
+    ("a: {beads: 0420}", ["line 1, column 12", "YAML reads 0420 as 272"]),
+    ("a: &a {b: *a}", ["line 1, column 11", "*a stands inside itself"]),
+    ("{a: " * 100_000, ["column 397", "more than 100 mappings or lists nest here"]),
+    (BOMB, ["line 6, column 46", "more than 1,000,000 values", "write fewer"]),
 ]
 
 
@@ -101,9 +116,27 @@ def test_wrong_yaml_is_refused_with_its_place(tmp_path, text, words):
         assert word in sentence
 
 
-def test_missing_file_is_refused_in_a_sentence(tmp_path):
-    with pytest.raises(InputError, match=r"nosuch\.yaml cannot be read .* name a text file"):
-        load_configuration(tmp_path / "nosuch.yaml")
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (None, r"cannot be read .* name a text file"),
+        ("a: 1".encode("utf-16"), r"cannot be read .* name a text file in UTF-8"),
+        (b" " * (LONGEST_FILE + 1), r"longer than 64 MiB: write fewer"),
+    ],
+)
+def test_file_that_is_no_text_of_usual_length_is_refused(tmp_path, content, words):
+    file = tmp_path / "mine.yaml"
+    if content:
+        file.write_bytes(content)
+    with pytest.raises(InputError, match=rf"mine\.yaml (is )?{words}"):
+        load_configuration(file)
+
+
+@pytest.mark.parametrize("text", ["1.5", "1_000", "0.5", "-0", "0", "'1:30'", "'0420'", "07:45"])
+def test_number_that_has_one_meaning_is_read(tmp_path, text):
+    file = tmp_path / "mine.yaml"
+    file.write_text(f"a: {text}", encoding="utf-8")
+    assert str(read_yaml(file)["a"]) == str(yaml.safe_load(text))
 
 
 def test_merged_keys_may_be_overridden(tmp_path):

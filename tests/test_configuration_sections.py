@@ -63,6 +63,13 @@ SECTIONS_REFUSED = [
     ("scenes.heteroclinic.weak", ORBIT, ["has the name of scenes.heteroclinic.weak", "rename"]),
     ("scenes.front.piston", FRONT, ["has the name of the fronts driven by pistons", "rename"]),
     # Sizes.
+    ("proofs.intervals.hertz.parts", [{"to": 1, "chunks": 10**9}], ["above its limit 10000"]),
+    ("proofs.fronts.hertz_1.gamma", [0.31, 0.3], ["fronts.hertz_1.gamma goes from 0.31 to 0.3"]),
+    (
+        "scenes.chain.initiation_underdamped.record.snapshots",
+        [*range(1_000_001)],
+        ["values, above the limit of 1,000,000: list fewer"],
+    ),
     ("exact_fronts.survey.gamma.num", 10**9, ["gamma.num = 1000000000", "GiB", "lower gamma.num"]),
     ("exact_fronts.critical_damping.alpha.num", 10**9, ["alpha.num = 1000000000", "74 days"]),
     ("exact_fronts.multipliers.beads_behind", [10**6], ["beads_behind = [1000000]", "years"]),

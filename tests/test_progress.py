@@ -9,6 +9,7 @@ from contextlib import redirect_stderr, suppress
 import pytest
 from projects import ROOT
 
+from granular_fronts.chain import simulate
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output import progress
 
@@ -89,6 +90,12 @@ def test_nothing_is_shown_where_messages_go_into_a_file(capsys):
     simulate_chain(SCENE, "weak")
     assert list(progress.counted("abc", "solving", "point")) == list("abc")
     assert capsys.readouterr() == ("", "")
+
+
+def test_least_time_of_a_long_scene_is_said_before(monkeypatch, capsys):
+    monkeypatch.setattr(simulate, "LONG", 0.0)
+    simulate_chain(SCENE, "weak")
+    assert capsys.readouterr() == ("", "Scene weak takes at least 0 s on one core.\n")
 
 
 @pytest.mark.usefixtures("at_once")

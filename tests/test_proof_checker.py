@@ -1,8 +1,10 @@
 """What the checker of proofs proves, and that it proves nothing from what is wrong."""
 
 import json
+import os
 import subprocess
 import sys
+import zipfile
 from copy import copy
 from functools import cache
 
@@ -331,12 +333,30 @@ def test_command_says_what_failed(tmp_path):
     assert "not proved: there is no file" in run.stdout
 
 
-def test_what_is_no_certificate_is_said_so(tmp_path):
+def write_large(file):
+    """Write more zeros than a certificate may hold, in a few megabytes."""
+    with (
+        zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive,
+        archive.open("weights.npy", "w", force_zip64=True) as member,
+    ):
+        for _ in range(129):
+            member.write(bytes(2**23))
+
+
+@pytest.mark.parametrize(
+    ("write", "reason"),
+    [
+        (lambda file: file.write_text("no arrays"), "{} is no file of arrays as prove_front"),
+        (write_large, "{} holds more than 1 GiB"),
+        (os.mkfifo, "there is no file {}"),
+    ],
+)
+def test_what_is_no_certificate_is_said_so(tmp_path, write, reason):
     file = tmp_path / "notes.npz"
-    file.write_text("no arrays")
+    write(file)
     record = check_certificate(file)
     assert not record["proved"]
-    assert record["reason"] == f"{file} is no file of arrays as prove_front writes it"
+    assert record["reason"].startswith(reason.format(file))
 
 
 @pytest.mark.parametrize("name", ["prove_front", "check_certificate"])

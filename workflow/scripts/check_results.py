@@ -37,8 +37,10 @@ def check_results(results: Path, configuration: dict, verdict: Path) -> None:
     Raises
     ------
     ValueError
-        When a test fails.
+        When a test fails, or there is no such folder.
     """
+    if not results.is_dir():
+        raise ValueError(f"There is no folder {results}: name one that holds results.")
     outcome = Outcome()
     with TemporaryDirectory() as folder:
         asked = Path(folder, "configuration.yaml")

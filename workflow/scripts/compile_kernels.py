@@ -11,6 +11,8 @@ from pathlib import Path
 
 import numba
 
+from granular_fronts.arguments import choice
+from granular_fronts.numerics.compiled import SOURCES
 from granular_fronts.output.files import complete_file
 from step import run_step
 
@@ -27,7 +29,10 @@ def compile_kernels(wings: list[str], stamp: Path) -> None:
     """
     start = time.perf_counter()
     for wing in wings:
-        import_module(f"granular_fronts.{wing}.compilation").compile_kernels()
+        known = [file.parent.name for file in SOURCES.glob("*/compilation.py")]
+        import_module(
+            f"granular_fronts.{choice('a wing', wing, known)}.compilation"
+        ).compile_kernels()
     seconds = round(time.perf_counter() - start, 3)
     with complete_file(stamp) as unfinished:
         unfinished.write_text(json.dumps({"numba": numba.__version__, "seconds": seconds}) + "\n")

@@ -31,10 +31,9 @@ from pathlib import Path
 from textwrap import shorten
 from typing import Any, TextIO
 
-import yaml
-
-from granular_fronts.errors import NoSpaceError
+from granular_fronts.errors import InputError, NoSpaceError, end_with_reader
 from granular_fronts.output.files import is_full
+from granular_fronts.scenes.yaml_files import parse_yaml, read_yaml
 
 LOGGER = logging.getLogger("granular_fronts")
 
@@ -73,11 +72,17 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
             write_to_log(traceback.format_exc())
             LOGGER.error("Interrupted: run the same command again to go on.")
             sys.exit(EXIT_INTERRUPTED)
-        except (ValueError, NoSpaceError) as error:
+        except (ValueError, OSError) as error:
             write_to_log(traceback.format_exc())
-            LOGGER.error("%s", error)
+            LOGGER.error("%s", _describe_fault(error))
             sys.exit(1)
         except Exception as error:
+            mappings = [name for name, value in arguments.items() if isinstance(value, dict)]
+            if mappings and not snakemake and isinstance(error, KeyError | TypeError):
+                sys.exit(
+                    f"{' or '.join(mappings)} is not what {function.__name__} takes ({error}): "
+                    "take it from a file, for example config/default.yaml:dotted.key."
+                )
             traceback.print_exc()
             LOGGER.error("%s", describe_unexpected(error))
             sys.exit(1)
@@ -137,7 +142,7 @@ def describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> s
 
 
 def describe_unexpected(error: Exception) -> str:
-    """The sentence for an error that no sentence was written for; a full disk is named as such.
+    """The sentence for an error that no sentence was written for.
 
     Parameters
     ----------
@@ -147,10 +152,19 @@ def describe_unexpected(error: Exception) -> str:
     -------
     str
     """
-    if is_full(error):
-        return str(NoSpaceError(Path(error.filename or ".").absolute().parent))
     reason = " ".join(str(error).split())
     return f"The step failed unexpectedly, {type(error).__name__}: {reason}"
+
+
+def _describe_fault(error: ValueError | OSError) -> str:
+    """The sentence for what was given, or for a file that cannot be read or written."""
+    if isinstance(error, ValueError | NoSpaceError):
+        return str(error)
+    if is_full(error):
+        return str(NoSpaceError(Path(error.filename or ".").absolute().parent))
+    if error.filename is None:
+        return describe_unexpected(error)
+    return f"{error.filename} cannot be read or written ({error.strerror}): name another."
 
 
 def from_workflow(function: Callable[..., None], snakemake: Any) -> dict[str, Any]:
@@ -220,7 +234,8 @@ def from_command_line(function: Callable[..., None]) -> dict[str, Any]:
     class HelpFormatter(jsonargparse.DefaultHelpFormatter, argparse.RawDescriptionHelpFormatter):
         """Leave the lines of a script's docstring as they are, for the command it shows."""
 
-    jsonargparse.set_loader("yaml_or_leaf", load_yaml_or_leaf, (yaml.YAMLError,))
+    end_with_reader()
+    jsonargparse.set_loader("yaml_or_leaf", load_yaml_or_leaf, (InputError,))
     parser = jsonargparse.ArgumentParser(
         parser_mode="yaml_or_leaf",
         formatter_class=HelpFormatter,
@@ -252,16 +267,18 @@ def load_yaml_or_leaf(text: str) -> Any:
     """
     named = re.fullmatch(r"(?P<file>[^\s{}\[\]]+\.ya?ml):(?P<key>[\w.]+)", text)
     if not named:
-        return yaml.safe_load(text)
+        return parse_yaml(text, "the argument")
     file = Path(named["file"])
     if not file.is_file():
         raise argparse.ArgumentError(None, f"There is no file {file}: name one that exists.")
-    value = yaml.safe_load(file.read_text(encoding="utf-8"))
+    try:
+        value = read_yaml(file)
+    except InputError as error:
+        raise argparse.ArgumentError(None, str(error)) from None
     for key in named["key"].split("."):
-        if key not in value:
-            raise argparse.ArgumentError(
-                None, f"{text} stops at {key}: choose one of {', '.join(value)}."
-            )
+        if not isinstance(value, dict) or key not in value:
+            choices = f": choose one of {', '.join(value)}" if isinstance(value, dict) else ""
+            raise argparse.ArgumentError(None, f"{text} stops at {key}{choices}.")
         value = value[key]
     return value
 

@@ -1,7 +1,7 @@
 """The values of an axis: a list, or evenly or logarithmically spaced from start to stop.
 
-Values are rounded to `DIGITS` significant digits.  A point is recognised by its values, and the
-values of ``linspace: [0, 1, 11]`` must be found again, to the last bit, in ``[0, 1, 21]``.
+Spaced values are rounded to `DIGITS` significant digits.  A point is recognised by its values, and
+those of ``linspace: [0, 1, 11]`` must be found again, to the last bit, in ``[0, 1, 21]``.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,7 +24,7 @@ def expand_axis(given: Sequence[float] | Mapping) -> list[float]:
     list of float
     """
     if not isinstance(given, Mapping):
-        return [round_value(value) for value in given]
+        return [*given]
     [(spacing, (start, stop, count))] = given.items()
     fractions = [index / max(count - 1, 1) for index in range(count)]
     if spacing == "linspace":

@@ -16,14 +16,13 @@ Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chun
 with two steps for each of the first run; see `chain.event_errors`.
 """
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
 from granular_fronts.accuracy import largest_difference, refined_by, rounding_floor
+from granular_fronts.campaign.chain_scenes import normalised_scene, scene_of_law
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.campaign.laws import law_at
 from granular_fronts.campaign.one_by_one import solve_one_by_one
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import TIME, VALUE
@@ -31,13 +30,9 @@ from granular_fronts.chain.recording import extremes_of_all, fitted_speed
 from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
-from granular_fronts.scenes.laws import front_speed
-from granular_fronts.scenes.validation import check_scene
 
 REFINED_EVERY = 25
 ERROR_METHOD = f"difference to solving one point in {REFINED_EVERY} with each step in two halves"
-ARRIVAL_LEVEL = 0.5
-ABSOLUTE_TO_RELATIVE = 0.01
 
 
 def solve_chunk(points, settings, activity):
@@ -166,68 +161,3 @@ def _with_errors(motions, beads):
         )
         for name, value in found.items()
     }
-
-
-def normalised_scene(point, tolerance):
-    """The scene of a point in units of δ and 1/c.
-
-    Parameters
-    ----------
-    point : mapping
-        Parameters of kind ``chain``.
-    tolerance : float
-        Relative, per step.
-
-    Returns
-    -------
-    dict
-        A chain scene.
-    """
-    alpha, beta, delta = point["alpha"], point["beta"], point["delta"]
-    beads = int(point["beads"])
-    gamma = point["gamma"] * delta ** (beta - 0.5 * (alpha + 1.0))
-    return {
-        "law": {"alpha": alpha, "beta": beta, "gamma": gamma},
-        "beads": beads,
-        "boundary": {"kind": "pressure", "left": 1.0, "right": point["delta_right"] / delta},
-        "start": {"kind": "rest"},
-        "end_time": point["crossings"] * beads,
-        "tolerance": {"relative": tolerance, "absolute": ABSOLUTE_TO_RELATIVE * tolerance},
-        "record": {"snapshots": [], "arrival_level": ARRIVAL_LEVEL, "extremes": True},
-    }
-
-
-def scene_of_law(point, law, tolerance):
-    """The scene of a point with a law by the kinds of its potentials, and its units.
-
-    Parameters
-    ----------
-    point : mapping
-        Parameters of kind ``chain`` and the numbers of the law that vary.
-    law : mapping
-        Of the campaign.
-    tolerance : float
-        Relative, per step.
-
-    Returns
-    -------
-    scene : dict
-        A chain scene, checked.
-    delta, c : float
-        Units of length and speed.
-    """
-    law, delta, beads = law_at(law, point), float(point["delta"]), int(point["beads"])
-    c = front_speed(law, math.log10(delta))
-    scene = {
-        "law": law,
-        "beads": beads,
-        "boundary": {"kind": "pressure", "left": delta, "right": float(point["delta_right"])},
-        "start": {"kind": "rest"},
-        "end_time": float(point["crossings"]) * beads / c if c > 0.0 else math.inf,
-        "tolerance": {
-            "relative": float(tolerance),
-            "absolute": float(ABSOLUTE_TO_RELATIVE * tolerance * delta),
-        },
-        "record": {"snapshots": [], "arrival_level": ARRIVAL_LEVEL * delta, "extremes": True},
-    }
-    return check_scene("chain", scene, "of the point"), delta, c

@@ -59,10 +59,10 @@ def seconds_per_point(campaign: Campaign, folder: Path) -> float:
 def measure(campaign: Campaign) -> float:
     """Solve a sample of a campaign and return the processor time of one of its points."""
     # The first time code is compiled and caches are filled, which a chunk does once.
-    for _ in range(2):
-        seconds = time_sample(sample_of(campaign, FIRST_LENGTH))
-    length = max(FIRST_LENGTH, round(SAMPLE_SECONDS / (PIECES**2 * seconds)))
-    return time_sample(sample_of(campaign, length))
+    time_sample(sample_of(campaign, 1))
+    seconds = time_sample(sample_of(campaign, FIRST_LENGTH))
+    length = round(SAMPLE_SECONDS / (PIECES**2 * seconds))
+    return time_sample(sample_of(campaign, length)) if length > FIRST_LENGTH else seconds
 
 
 def time_sample(sample: list[Chunk]) -> float:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from granular_fronts.campaign.axes import count_values, expand_axis, order_errors, spacing_errors
+from granular_fronts.campaign.chain_scenes import time_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.errors import InputError
@@ -21,7 +22,7 @@ from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sizes import NUMBERS_PER_BEAD
 from granular_fronts.scenes.yaml_files import read_yaml
 
-NAME = re.compile(r"[a-z][a-z0-9_]*")
+NAME = re.compile(r"[a-z][a-z0-9_]{0,99}")
 """A campaign's name, which becomes part of file names."""
 
 NUMBERS_PER_VALUE = 4
@@ -108,8 +109,8 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
         )
     if not NAME.fullmatch(name):
         raise InputError(
-            f"Campaign {name}: a name has lower-case letters, digits and underscores only, a "
-            f"letter first: rename {files[name]}."
+            f"Campaign {name}: a name has lower-case letters, digits and underscores only, 100 at "
+            f"most, a letter first: rename {files[name]}."
         )
     return check_campaign(read_yaml(files[name]), name)
 
@@ -159,6 +160,8 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     raise_if_any(name, _value_errors(kind, grid, varied))
     if law:
         raise_if_any(name, errors_of_law(law, grid))
+    elif given["kind"] == "chain":
+        raise_if_any(name, time_errors(grid, given.get("tolerance", DEFAULT_TOLERANCE)))
     scalars = record.get("scalars", list(kind.scalars))
     return Campaign(
         name=name,

@@ -37,9 +37,12 @@ NEXT = record_type(*[(name, np.int64) for name in ("stop", "profile", "sample", 
 VALUE, TIME, STEEPNESS, RIVAL, RIVAL_TIME, END, END_TIME = range(7)
 """Rows of an event: u, t, and how steeply the quantity that locates it passes zero, |u̇| or |ü|.
 
-An extreme of all times is the best turn of u between steps, or the best end of a step.  It has rows
+An extreme of all times is the best turn of u within steps, or the best end of a step.  It has rows
 for both, and for the second best turn, which another solution may take for the best.
 """
+
+# A turn that is second to one of its contact counts if it comes as close to the extreme of all.
+CLOSE = 1.0e-3
 
 
 class Recording(NamedTuple):
@@ -64,6 +67,8 @@ class Recording(NamedTuple):
         is none.
     largest, smallest : ndarray, shape (7, columns)
         Extremes of each contact; the values of turns are infinite where there is none.
+    extremes : ndarray, shape (2,)
+        Largest and smallest turn of all contacts so far, infinite if there is none.
     coefficients : ndarray, shape (8,)
         Work space, of the polynomial of a contact.
     track_extremes, track_energy : bool
@@ -84,6 +89,7 @@ class Recording(NamedTuple):
     opening: np.ndarray
     largest: np.ndarray
     smallest: np.ndarray
+    extremes: np.ndarray
     coefficients: np.ndarray
     track_extremes: bool
     track_energy: bool
@@ -201,9 +207,10 @@ def note_ends(chain, table, side, t_new, event):
 @subroutine
 def next_turn(chain, table, h, recording, first, last):
     """First of the contacts first … last that may turn or open; beyond `last` if none."""
-    arrival, first_peak, opening = recording.arrival, recording.first_peak, recording.opening
+    arrival, first_peak = recording.arrival, recording.first_peak
     largest, smallest = recording.largest, recording.smallest
-    rows = rate_rows(chain)
+    rows, (upper, lower) = rate_rows(chain), (recording.extremes[0], recording.extremes[1])
+    upper, lower = upper - CLOSE * abs(upper), lower + CLOSE * abs(lower)
     none = found = last + 1
     for n in range(uint64(first), uint64(last + 1)):
         u, new_u = table[U, n], table[NEW_U, n]
@@ -212,8 +219,10 @@ def next_turn(chain, table, h, recording, first, last):
         high, low = max(u, new_u) + margin, min(u, new_u) - margin
         # Only NaN differs from itself.
         counts = (
-            (high > largest[RIVAL, n])
-            | (low < smallest[RIVAL, n])
+            (high > largest[END, n])
+            | (low < smallest[END, n])
+            | (high > upper)
+            | (low < lower)
             | (
                 (arrival[TIME, n] == arrival[TIME, n])
                 & (first_peak[TIME, n] != first_peak[TIME, n])
@@ -222,7 +231,6 @@ def next_turn(chain, table, h, recording, first, last):
         falls = (rate < 0.0) & (new_rate >= 0.0)
         turns = ((rate > 0.0) & (new_rate <= 0.0)) | falls
         opens = (u > 0.0) & ((new_u < 0.0) | (falls & (low < 0.0)))
-        opens &= opening[TIME, n] != opening[TIME, n]
         holds = (turns & counts) | opens
         found = min(found, int64(n) if holds else none)
     return found
@@ -258,6 +266,8 @@ def write_turn(chain, table, h, n, recording):
         first_peak[VALUE, n], first_peak[TIME, n] = value, time
         first_peak[STEEPNESS, n] = curvature
     event, side = (recording.largest, 1.0) if rises else (recording.smallest, -1.0)
+    extremes, which = recording.extremes, 0 if rises else 1
+    extremes[which] = side * max(side * value, side * extremes[which])
     if side * value > side * event[VALUE, n]:
         event[RIVAL, n], event[RIVAL_TIME, n] = event[VALUE, n], event[TIME, n]
         event[VALUE, n], event[TIME, n], event[STEEPNESS, n] = value, time, curvature

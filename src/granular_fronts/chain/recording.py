@@ -109,6 +109,7 @@ def make_recording(scene, ahead, u):
         opening=passage.copy(),
         largest=largest,
         smallest=smallest,
+        extremes=np.array([-np.inf, np.inf]),
         coefficients=np.zeros(DEGREE + 1),
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),

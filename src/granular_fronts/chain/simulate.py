@@ -11,6 +11,7 @@ numbers, which may agree by chance, take theirs from all events near them (`even
 estimates come from an independent refinement and not from the step controller; they are no bounds.
 """
 
+import sys
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -26,8 +27,12 @@ from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, w
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
+from granular_fronts.scenes.limits import show_time
+from granular_fronts.scenes.sizes import size_of_chain
 from granular_fronts.scenes.validation import check_scene
 
+LONG = 60.0
+"""Seconds from which on the least time of a scene is said before."""
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 ERROR_METHOD = "largest difference to a run that takes each step in two halves"
 EVENT_METHOD = "differences of the events nearby to a run that takes each step in two halves"
@@ -83,6 +88,9 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
     scene = check_scene("chain", scene, name)
+    seconds = sum(part.seconds for part in size_of_chain(scene))
+    if seconds > LONG:
+        print(f"Scene {name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(scene, solution, refined)

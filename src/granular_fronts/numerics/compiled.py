@@ -31,8 +31,12 @@ import numpy as np
 from numba.core import event
 from numba.core.registry import CPUDispatcher
 
+from granular_fronts.errors import InputError
 from granular_fronts.numerics.imports import import_closure, module_files
 from granular_fronts.numerics.source_code import cache_root, code_digest
+
+if numba.config.DISABLE_JIT:
+    raise InputError("NUMBA_DISABLE_JIT is set, but kernels must be compiled: unset it.")
 
 SOURCES = Path(__file__).parents[1]
 

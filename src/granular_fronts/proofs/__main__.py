@@ -2,6 +2,7 @@
 
 import sys
 
+from granular_fronts.errors import end_with_reader
 from granular_fronts.proofs.checker import check_certificate
 
 
@@ -25,4 +26,5 @@ def main(paths):
 
 
 if __name__ == "__main__":
+    end_with_reader()
     sys.exit(main(sys.argv[1:]))

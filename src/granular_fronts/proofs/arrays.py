@@ -1,5 +1,7 @@
 """The arrays of a certificate: read, and of the kinds and shapes that they must have."""
 
+from pathlib import Path
+
 import numpy as np
 from flint import arb, fmpq
 
@@ -7,16 +9,21 @@ from granular_fronts.proofs.balls import NotProvedError
 
 LONGEST = 1000
 
+LARGEST = 2**30
+"""Bytes of all arrays."""
+
 
 def load(path):
     """The arrays of a file, of which nothing is known."""
+    if not Path(path).is_file():
+        raise NotProvedError(f"there is no file {path}")
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            return {name: file[name] for name in file.files}
-    except FileNotFoundError:
-        raise NotProvedError(f"there is no file {path}") from None
+            if sum(member.file_size for member in file.zip.infolist()) <= LARGEST:
+                return {name: file[name] for name in file.files}
     except Exception as error:
         raise NotProvedError(f"{path} is no file of arrays as prove_front writes it") from error
+    raise NotProvedError(f"{path} holds more than {LARGEST >> 30} GiB")
 
 
 def require_arrays(data, fields, sizes):

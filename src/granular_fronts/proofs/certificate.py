@@ -17,7 +17,14 @@ from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
 from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.existence import approximate, chebyshev_nodes
-from granular_fronts.proofs.stored import beads, differences, fractions, integers, kernels
+from granular_fronts.proofs.stored import (
+    beads,
+    differences,
+    fractions,
+    integers,
+    kernels,
+    require_size,
+)
 
 LOST, LOST_BEHIND = 1e-4, 0.01
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
@@ -117,6 +124,7 @@ def describe(front, alpha, interval, n, fine, drift):
     roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
     longer = beads(6.5 / roots[0].real) * n
     first, last = -(c + q + 2) - longer // n, ahead + 1
+    require_size((last - first) * n)
     middles = (np.arange((last - first) * n) + 0.5) / n + first
     strain = np.maximum(evaluate_front(front, middles), 0.0)
     stiffness = exponent * strain ** (exponent - 1)

@@ -7,10 +7,22 @@ import numpy as np
 from granular_fronts.errors import InputError
 from granular_fronts.proofs.balls import INVERSE_UNIT
 
+MOST_ROWS = 19_000
+"""Of the window's matrix, of which six copies, 16 GiB, are held at once while it is solved."""
+
 
 def beads(length):
     """The least number of beads that a length fits into."""
     return max(1, math.ceil(length))
+
+
+def require_size(rows):
+    """Refuse a window's matrix that does not fit into memory."""
+    if rows > MOST_ROWS:
+        raise InputError(
+            f"the matrix of the window would have {rows} rows, but more than {MOST_ROWS} take "
+            "above 16 GiB: lower cells, or gamma."
+        )
 
 
 def fractions(interval):

@@ -10,7 +10,7 @@ from collections import defaultdict
 from pathlib import Path
 
 from granular_fronts.arguments import scalar
-from granular_fronts.errors import InputError, exit_on_error
+from granular_fronts.errors import InputError, end_with_reader, exit_on_error
 from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
 from granular_fronts.referee.answers import problems_of
 from granular_fronts.referee.assessment import find, report
@@ -97,4 +97,5 @@ def judge(path, results, options):
 
 
 if __name__ == "__main__":
+    end_with_reader()
     main(sys.argv[1:])

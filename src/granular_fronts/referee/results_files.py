@@ -140,6 +140,10 @@ def table_rows(path):
             f"{path} has no column {missing[0]}, but {reprlib.repr(', '.join(names))}: give the "
             f"columns {', '.join(COLUMNS)}, with commas between."
         )
+    if None in set().union(*rows):
+        raise InputError(
+            f"{path} has rows of more than {len(names)} numbers: write decimals with a point."
+        )
     return [tuple(number(path, row[name]) for name in COLUMNS) for row in rows]
 
 

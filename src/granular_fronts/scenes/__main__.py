@@ -5,11 +5,12 @@ Snakemake says of a file with a YAML error only that it has one; this says where
 
 import sys
 
-from granular_fronts.errors import InputError
+from granular_fronts.errors import InputError, end_with_reader
 from granular_fronts.scenes.configuration import validate_configuration
 from granular_fronts.scenes.yaml_files import load_configuration
 
 if __name__ == "__main__":
+    end_with_reader()
     try:
         validate_configuration(load_configuration(*sys.argv[1:]), sys.argv[1:])
     except InputError as error:

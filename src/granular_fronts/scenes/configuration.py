@@ -12,12 +12,12 @@ from pathlib import Path
 from granular_fronts.scenes.constraints import CONSTRAINTS
 from granular_fronts.scenes.dataset_names import name_errors
 from granular_fronts.scenes.figure_needs import need_errors
-from granular_fronts.scenes.schema import violations
+from granular_fronts.scenes.schema import LONGEST_SHOWN, violations
 from granular_fronts.scenes.validation import raise_if_any, section_errors, section_label
 from granular_fronts.scenes.yaml_files import yaml_errors
 
-UNUSABLE_LETTERS = "{}<>*?|\"'\n\t\\"
-"""Letters of a folder's name that Snakemake or a shell takes for something else."""
+UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
+"""Parts of a folder's name that Snakemake, a shell or a reader takes for something else."""
 
 
 def validate_configuration(
@@ -101,7 +101,7 @@ def folder_errors(results: str) -> Iterator[str]:
     str
         One sentence if it cannot.
     """
-    found = "".join(letter for letter in UNUSABLE_LETTERS if letter in results)
+    found = "".join(part for part in UNUSABLE if part in results)
     if results.startswith("~"):
         yield (
             f"results is {results}, where ~ would be a folder of that name: write "
@@ -113,9 +113,13 @@ def folder_errors(results: str) -> Iterator[str]:
             "its name: use letters, digits, underscores and slashes."
         )
     else:
-        existing = next(
-            path for path in [Path(results), *Path(results).absolute().parents] if path.exists()
-        )
+        paths = [Path(results), *Path(results).absolute().parents]
+        try:
+            existing = next(path for path in paths if path.exists())
+        except OSError as error:
+            begin = results[:LONGEST_SHOWN]
+            yield f"results is {begin} …, no folder ({error.strerror}): shorten it."
+            return
         if not existing.is_dir():
             yield f"results is {results}, but {existing} is a file: name a folder."
         elif not os.access(existing, os.W_OK | os.X_OK):

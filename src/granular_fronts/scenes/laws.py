@@ -119,6 +119,14 @@ def front_speed(law: Any, size: float) -> float:
     return math.sqrt(abs(float(elastic.first(-u))) / u)
 
 
+def damping_rate(law: Any, size: float) -> float:
+    """Largest rate at which damping acts at a compression of 10^size, 4G' of the viscous force."""
+    if is_short(law):
+        return 4.0 * law["gamma"] * law["beta"] * 10.0 ** ((law["beta"] - 1.0) * size)
+    viscous, u = made_law(law).viscous, 10.0**size
+    return 4.0 * float(viscous.second(-u)) if -u > viscous.domain[0] else 0.0
+
+
 def decades_of_energy(law: Any, size: float) -> dict[str, float]:
     """Decimal logarithms of V and W at a compression of 10^size, by key of the law."""
     if is_short(law):

@@ -6,8 +6,11 @@ from typing import Any, NamedTuple
 MOST_MEMORY = 16 * 2**30
 """Bytes that one job may hold."""
 
-LONGEST_TIME = 30 * 86400.0
+LONGEST_TIME = 86400.0
 """Seconds on one core that one job may take."""
+
+MOST_VALUES = 1_000_000
+"""Values of a configuration, a campaign or a scene: to check so many takes half a minute."""
 
 BYTES_PER_NUMBER = 8
 

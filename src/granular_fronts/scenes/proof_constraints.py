@@ -13,12 +13,18 @@ def shown_front_is_proved(section: Mapping) -> Iterator[str]:
 
 
 def parts_increase(section: Mapping) -> Iterator[str]:
-    """Parts of an interval of γ follow one another from below."""
+    """Intervals of γ, and their parts, go up."""
+    numbers = {
+        f"fronts.{name}.gamma": front["gamma"]
+        for name, front in section["fronts"].items()
+        if isinstance(front["gamma"], list)
+    }
     for name, family in section["intervals"].items():
-        ends = [family["from"], *(part["to"] for part in family["parts"])]
+        numbers[f"intervals.{name}"] = [family["from"], *(part["to"] for part in family["parts"])]
+    for key, ends in numbers.items():
         for low, high in pairwise(ends):
             if low >= high:
                 yield (
-                    f"intervals.{name} goes from {low} to {high}, but γ must grow: lower the first "
+                    f"{key} goes from {low} to {high}, but γ must grow: lower the first "
                     "or raise the second."
                 )

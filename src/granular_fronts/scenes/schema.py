@@ -10,7 +10,7 @@ import json
 import math
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence, ValuesView
 from pathlib import Path
 from types import UnionType
 from typing import Any
@@ -19,6 +19,7 @@ import yaml
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
+from granular_fronts.scenes.limits import MOST_VALUES
 from granular_fronts.scenes.yaml_files import read_yaml
 
 _KIND = {
@@ -91,6 +92,10 @@ def violations(
     str
         A sentence for each violation.
     """
+    if (found := _count_values(instance)) > MOST_VALUES:
+        where = "".join(_locate([*place])).removesuffix(": ") or "The file"
+        yield f"{where} holds {found:,} values, above the limit of {MOST_VALUES:,}: list fewer."
+        return
     rules = _schema(schema)
     if definition:
         rules = {"$ref": f"#/$defs/{definition}", "$defs": rules["$defs"]}
@@ -129,6 +134,12 @@ def _schema(name: str) -> dict:
     return read_yaml(file)
 
 
+def _count_values(value: object) -> int:
+    """Number of values at any depth."""
+    inside = value.values() if isinstance(value, Mapping) else value
+    return 1 + (sum(map(_count_values, inside)) if isinstance(inside, list | ValuesView) else 0)
+
+
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:
     """Split a path into the words that name its scene and its dotted key inside that scene."""
     scene = ""
@@ -147,7 +158,7 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
             return f"{_show(error.instance)} in {key} is unknown: {_choice(error)}"
         return (
             f"{_show(error.instance)} in {key} is no usable name: use lower-case letters, digits "
-            "and underscores, a letter first."
+            "and underscores, 100 at most, a letter first."
         )
     if error.validator == "required":
         return _missing_key(error, key, definitions)

@@ -3,7 +3,7 @@
 Five levels of checks each rely on those before: the schema in ``workflow/schemas`` says which keys
 exist, what each means and in which range it lies; the law must be one that can be made; energies
 must be numbers that a computer can hold; constraints tie keys together; and the whole must fit into
-memory and a month.
+memory and a day.
 
 This module imports neither numpy nor numba: the workflow checks its configuration at each start.
 """

@@ -1,10 +1,12 @@
 """YAML files as people write them: where one is wrong, a sentence says in which line.
 
 YAML itself lets the last of two equal keys win without a word; here a key that stands twice in one
-mapping is an error, since one of its two values would be ignored.
+mapping is an error, since one of its two values would be ignored.  So are numbers that YAML 1.1
+reads to another base than ten, and files that grow beyond a limit when they are read.
 """
 
 import functools
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,6 +14,7 @@ from typing import Any
 import yaml
 
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.limits import MOST_VALUES
 
 try:
     from yaml import CSafeLoader as SafeLoader
@@ -20,6 +23,15 @@ except ImportError:
 
 MERGE_TAG = "tag:yaml.org,2002:merge"
 """Tag of the key ``<<``, which may stand beside the keys that it merges."""
+
+LONGEST_FILE = 64 * 2**20
+"""Bytes of a file."""
+
+DEEPEST = 100
+"""Mappings and lists inside each other; Python itself reads about a thousand."""
+
+OTHER_BASE = re.compile(r"[-+]?(0[0-7_]+|\d[\d_]*(:[0-5]?\d)+(\.[\d_]*)?)")
+"""Numbers to base 8 and 60, such as 0420 and 1:30."""
 
 
 class _Loader(SafeLoader):
@@ -54,24 +66,35 @@ def read_yaml(file: Path | str) -> Any:
     Raises
     ------
     InputError
-        If the file is missing, is no YAML, or has a key twice in one mapping: file, line, column
-        and what to do, one sentence for each key.
+        If the file is missing, too large or no YAML, has a key twice in one mapping, or a number
+        to another base: file, line, column and what to do.
     """
     try:
-        loader = _Loader(Path(file).read_text(encoding="utf-8"))
-        value = loader.get_single_data()
+        with Path(file).open("rb") as stream:
+            content = stream.read(LONGEST_FILE + 1)
+        text = content.decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{file} cannot be read ({error}): name a text file in UTF-8.") from None
-    except yaml.YAMLError as error:
+    if len(content) > LONGEST_FILE:
+        raise InputError(f"{file} is longer than {LONGEST_FILE >> 20} MiB: write fewer values.")
+    return parse_yaml(text, file)
+
+
+def parse_yaml(text: str, file: Path | str) -> Any:
+    """The contents of a YAML text; `file`, where it comes from, begins the sentences of errors."""
+    try:
+        errors = [*_event_errors(text, file)]
+        loader = _Loader(text)
+        value = None if errors else loader.get_single_data()
+    except (yaml.YAMLError, ValueError) as error:
         raise InputError(_syntax_error(file, error)) from None
-    if loader.repeated:
-        raise InputError(
-            "\n".join(
-                f"{_position(file, key.start_mark)}: the key {key.value} stands twice in one "
-                "mapping, and one of its values would be ignored: keep one."
-                for key in loader.repeated
-            )
-        )
+    errors += [
+        f"{_position(file, key.start_mark)}: the key {key.value} stands twice in one "
+        "mapping, and one of its values would be ignored: keep one."
+        for key in loader.repeated
+    ]
+    if errors:
+        raise InputError("\n".join(errors))
     return value
 
 
@@ -146,6 +169,37 @@ def merge(below: Mapping, above: Mapping) -> dict:
     return merged
 
 
+def _event_errors(text: str, file: Path | str) -> Iterator[str]:
+    """Find what must not be made into values; after a size without end nothing else is sought."""
+    counts, anchors, sizes = [0], [""], {}
+    for event in yaml.parse(text, Loader=SafeLoader):
+        where = _position(file, event.start_mark)
+        if isinstance(event, yaml.CollectionStartEvent):
+            counts.append(0)
+            anchors.append(event.anchor)
+        elif isinstance(event, yaml.CollectionEndEvent):
+            sizes[anchors.pop()] = size = counts.pop() + 1
+            counts[-1] += size
+        elif isinstance(event, yaml.ScalarEvent):
+            sizes[event.anchor] = 1
+            counts[-1] += 1
+            if event.implicit[0] and OTHER_BASE.fullmatch(event.value):
+                read = yaml.safe_load(event.value)
+                if not isinstance(read, str):
+                    yield f"{where}: YAML reads {event.value} as {read}: write the number you mean."
+        elif isinstance(event, yaml.AliasEvent):
+            if event.anchor in anchors:
+                yield f"{where}: *{event.anchor} stands inside itself: write its values out."
+                return
+            counts[-1] += sizes.get(event.anchor, 0)
+        if len(counts) > DEEPEST:
+            yield f"{where}: more than {DEEPEST} mappings or lists nest here: nest fewer."
+            return
+        if counts[-1] > MOST_VALUES:
+            yield f"{where}: here are more than {MOST_VALUES:,} values: write fewer."
+            return
+
+
 def _repeated_keys(node: yaml.MappingNode) -> Iterator[yaml.ScalarNode]:
     written = set()
     for key, _ in node.value:
@@ -155,7 +209,7 @@ def _repeated_keys(node: yaml.MappingNode) -> Iterator[yaml.ScalarNode]:
             written.add(key.value)
 
 
-def _syntax_error(file: Path | str, error: yaml.YAMLError) -> str:
+def _syntax_error(file: Path | str, error: Any) -> str:
     mark = getattr(error, "problem_mark", None)
     if mark is None:
         reason = " ".join(str(error).split())

@@ -30,8 +30,8 @@ of the tolerance, and everything is measured again, at fewer places and on every
 `loss_times`, so that what interpolation adds is part of the difference, the error estimate.
 """
 
-import functools
 import math
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -184,8 +184,8 @@ def compare(ring, slow_times, tolerance, xi=None):
     """
     passages = loss_times(float(np.max(slow_times)))
     every = np.union1d(slow_times, passages)
-    times, usual_and_finer = every / ring.scaling.slow_rate, resolutions(tolerance)
-    motions = follow(ring, times, *usual_and_finer)
+    times, (usual, finer) = every / ring.scaling.slow_rate, resolutions(tolerance)
+    motions = follow(ring, times, usual, finer)
     asked, passed = np.searchsorted(every, slow_times), np.searchsorted(every, passages)
     measured = _facts(ring, motions, slow_times)
     residuals = motions.map(lambda motion: velocity_residuals(ring, motion, asked))
@@ -195,9 +195,7 @@ def compare(ring, slow_times, tolerance, xi=None):
         profiles = motions.map(lambda motion: _profiles(ring, motion, times, asked, xi))
         measured["relative_displacement"] = profiles.usual, error_of(profiles)
     for name, solve in MODELS.items():
-        usual, finer = usual_and_finer
-        refine = functools.partial(solve, ring, times, finer)
-        solutions = refined_by(refine, solve(ring, times, usual))
+        solutions = refined_by(partial(solve, ring, times, finer), solve(ring, times, usual))
         both = [
             _errors(ring, motion, solution, asked)
             | _losses(ring, motion, solution, slow_times, rows)
@@ -214,12 +212,12 @@ def follow(ring, times, usual, finer):
     """The chain at some times, and more accurately at the same places."""
     points = usual.points(ring.half_length)
     if not ring.has_kinks and ring.beads > points:
-        smooth = functools.partial(_follow_smooth, ring, times)
+        smooth = partial(_follow_smooth, ring, times)
         try:
             return with_refinement(smooth, usual, finer)
         except GapError:
             pass
-    return with_refinement(functools.partial(_follow_beads, ring, times), usual, finer)
+    return with_refinement(partial(_follow_beads, ring, times), usual, finer)
 
 
 def _follow_smooth(ring, times, resolution):
@@ -383,7 +381,7 @@ def _errors(ring, motion, solution, rows):
     start, _ = _start_at(ring, motion.site)
     slopes = np.array(
         [
-            slope_of(functools.partial(solution.rescaled_force, row), there)
+            slope_of(partial(solution.rescaled_force, row), there)
             for row, there in zip(rows, xi, strict=True)
         ]
     )

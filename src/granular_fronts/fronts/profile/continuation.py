@@ -60,7 +60,7 @@ def follow(start, dampings, order):
     spacing, middle = start.spacing, start.middle
     problem = start.problem
     slowest = lowest_roots_of_all(problem.behind.p_slope, problem.tail_damping, 1)[0].real
-    values = np.empty((dampings.size, len(COLUMNS)))
+    values = np.full((dampings.size, len(COLUMNS)), math.nan)
     reached = follow_on_grid(
         problem,
         dampings,

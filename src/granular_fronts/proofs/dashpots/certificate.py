@@ -9,7 +9,14 @@ from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.dashpots.existence import approximate_strain
 from granular_fronts.proofs.dashpots.right_inverse import ahead_inverse, window_correction
-from granular_fronts.proofs.stored import beads, differences, fractions, integers, kernels
+from granular_fronts.proofs.stored import (
+    beads,
+    differences,
+    fractions,
+    integers,
+    kernels,
+    require_size,
+)
 
 LOST, NEAR_ONE, SMALL_STRAIN, SMALL_STIFFNESS = 1e-4, 1e-11, 1e-11, 2e-3
 WIDEST_RATES = 0.2
@@ -28,6 +35,7 @@ def describe(front, alpha, interval, n, fine, drift):
     rear = min(tail_roots(exponent, gamma, beta=1.0).real)
     longer = beads(6.5 / rear)
     first = -(c + q + 1) - longer
+    require_size((M - first) * n)
     middles = (np.arange((M - first) * n) + 0.5) / n + first
     strain = np.maximum(evaluate_front(front, middles), 0.0)
     stiffness = exponent * strain ** (exponent - 1)
