@@ -12,6 +12,8 @@ export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 # the order of tests/conftest.py, not by their numbers of tests.
 SIDE_BY_SIDE := --numprocesses auto --dist loadfile --no-loadscope-reorder
 test slow: export OPENBLAS_NUM_THREADS := 1
+# Their many processes start faster from bytecode, also where the surroundings forbid to write it.
+test slow: export PYTHONDONTWRITEBYTECODE :=
 
 # Runs a command and shows what it says only if it fails.
 quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }

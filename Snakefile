@@ -9,7 +9,7 @@ min_version("9.27")
 include: "workflow/rules/common.smk"
 
 
-from granular_fronts.scenes.configuration import validate_configuration
+from granular_fronts.scenes.configuration import folder_errors, validate_configuration
 from granular_fronts.errors import InputError, exit_on_error
 from granular_fronts.scenes.yaml_files import load_configuration, merge
 
@@ -26,7 +26,10 @@ if workflow.modifier.is_module:
     config = merge(DEFAULTS, config)
 
 with exit_on_error("The configuration cannot be computed."):
-    validate_configuration(config, workflow.configfiles, workflow.config_settings.config)
+    # Whether results can be written counts where a run starts, see onstart.
+    validate_configuration(
+        config, workflow.configfiles, workflow.config_settings.config, writes=False
+    )
 
 
 pathvars:

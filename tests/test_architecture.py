@@ -1,10 +1,9 @@
-"""The wings of the package: no import upward, no circle, and files and functions of a size to read.
+"""The wings of the package: no import upward, no circle, and files of a size to read.
 
 Imports are read with `ast` and not executed, those inside functions included.
 """
 
 import ast
-from pathlib import Path
 
 import pytest
 from projects import ROOT
@@ -29,7 +28,7 @@ WINGS = (
 )
 """From the bottom up: each may import those before it, and itself."""
 
-MOST_LINES, MOST_ARGUMENTS = 400, 8
+MOST_LINES = 400
 
 
 def sources(folder):
@@ -131,31 +130,3 @@ def test_files_are_short_enough_to_read():
         if (lines := len(path.read_text(encoding="utf-8").splitlines())) > MOST_LINES
     }
     assert long == {}
-
-
-def functions_with_many_arguments(path):
-    """Names of functions with more than eight arguments, a step of the workflow not counted.
-
-    The arguments of a step are the named inputs, outputs and parameters of its rule.
-    """
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.FunctionDef) and node.name != path.stem:
-            given = node.args
-            count = len(given.posonlyargs) + len(given.args) + len(given.kwonlyargs)
-            if count > MOST_ARGUMENTS:
-                yield f"{path.relative_to(ROOT)}: {node.name} has {count}"
-
-
-@pytest.mark.parametrize("wing", [*WINGS[3:], "workflow", "tests"])
-def test_functions_take_at_most_eight_arguments(wing):
-    folder = PACKAGE / wing if wing in WINGS else ROOT / wing
-    assert [line for path in sources(folder) for line in functions_with_many_arguments(path)] == []
-
-
-def test_an_argument_too_many_is_found(tmp_path, monkeypatch):
-    monkeypatch.setitem(globals(), "ROOT", tmp_path)
-    path = Path(tmp_path, "many.py")
-    path.write_text(
-        "def f(a, b, c, d, e, f, g, *, h, i): ...\ndef g(a, b, c, d, e, f, g, h): ...\n"
-    )
-    assert list(functions_with_many_arguments(path)) == ["many.py: f has 9"]

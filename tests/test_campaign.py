@@ -6,10 +6,9 @@ import sys
 
 import numpy as np
 import pytest
-import yaml
+from altered_files import is_without_requests
 from campaigns import CHAINS, ORBITS, ROOT, all_chunks, campaign, pretend_solved, refusal, solve
 from projects import load_step
-from test_schema import schema_nodes
 
 from granular_fronts.campaign import chunks, cost, definition, plan, planning
 from granular_fronts.campaign.axes import expand_axis
@@ -153,21 +152,6 @@ def test_checking_and_reading_a_plan_wait_for_no_heavy_import():
     assert run.stdout == "set()\n"
 
 
-def test_schema_describes_every_key_and_is_strict():
-    file = ROOT / "workflow/schemas/campaign.schema.yaml"
-    for path, node in schema_nodes(yaml.safe_load(file.read_text(encoding="utf-8"))):
-        required = set(node.get("required", []))
-        for name, child in node.get("properties", {}).items():
-            assert child.get("description"), f"{path}.{name}"
-            optional = "Optional" in child["description"]
-            assert optional == (name not in required), f"{path}.{name}"
-        # The numbers of a potential depend on its kind.
-        if "properties" in node and path != "schema.potential":
-            assert node["additionalProperties"] is False, path
-        if node.get("type") in ("number", "integer"):
-            assert "dimensionless" in node["description"], path
-
-
 # Chunks.
 
 
@@ -255,6 +239,22 @@ def test_few_new_values_are_gathered_in_few_chunks(tmp_path):
     asked = grown(delta=values)
     _, missing = chunks.find_missing(asked, tmp_path)
     assert [chunk.size for chunk in chunks.cut(asked, missing, 30)] == [30, 30]
+
+
+@pytest.mark.parametrize("content", [None, '{"kind": "chain", "sett'])
+def test_lost_request_of_a_solved_chunk_is_written_again(tmp_path, content):
+    """The chunk itself holds it, so that nothing is solved twice."""
+    [chunk] = all_chunks(campaign(ORBITS, axes={"mu": [1.0]}), 1)
+    request = tmp_path / f"{chunk.name}.json"
+    chunks.write_request(chunk, tmp_path)
+    solve(chunk, tmp_path)
+    plan.write_plan(plan.Plan(1, [chunk.name], {}), tmp_path / "plan.json")
+    assert not is_without_requests(str(tmp_path / "plan.json"))
+    request.unlink() if content is None else request.write_text(content)
+    assert is_without_requests(str(tmp_path / "plan.json"))
+    solved, missing = chunks.find_missing(campaign(ORBITS, axes={"mu": [1.0]}), tmp_path)
+    assert (solved, missing.any()) == ([chunk.name], False)
+    assert chunks.read_request(request) == chunk
 
 
 def test_request_that_is_there_keeps_its_date(tmp_path):

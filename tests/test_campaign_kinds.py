@@ -13,6 +13,7 @@ from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic, turning_points
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.fronts.sweep import sweep_fronts
 from granular_fronts.output.datasets import DatasetError, read_dataset, write_dataset
 
 # Kinds.
@@ -21,18 +22,20 @@ from granular_fronts.output.datasets import DatasetError, read_dataset, write_da
 def test_chain_point_agrees_with_the_same_scene_in_other_units():
     """Solved with δ = 1 by the campaign and with δ = 0.1 by the scene: James (2021), eq. (29)."""
     given = {**CHAINS, "axes": {"gamma": [0.1]}, "tolerance": 1e-10}
-    for beta in (1.5, 1.0):
-        fixed = {"alpha": 1.5, "beta": beta, "delta": 0.1, "beads": 30}
+    for beta, right in ((1.5, 0.0), (1.0, 0.02)):
+        fixed = {"alpha": 1.5, "beta": beta, "delta": 0.1, "delta_right": right, "beads": 30}
         [chunk] = all_chunks(campaign(given, fixed=fixed), 10)
         solved = KINDS["chain"].solve_chunk(chunk.points(), chunk.settings)
         speed = 0.1**0.25
         record = {"snapshots": [], "arrival_level": 0.05, "extremes": True}
         end_time = 1.2 * 30 / speed
-        scene = driven_scene(0.1, 30, end_time, beta=beta, record=record)
+        ends = {"kind": "pressure", "left": 0.1, "right": right}
+        scene = driven_scene(0.1, 30, end_time, beta=beta, record=record, boundary=ends)
         data = simulate_chain(scene)
         expected = {
             "front_speed": front_speed(data).value / speed,
             "overshoot": float(data["first_peak"].sel(bead=15)) / 0.1 - 1.0,
+            "largest_overshoot": float(data["largest_relative_displacement"]) / 0.1 - 1.0,
             "smallest_compression": float(data["smallest_relative_displacement"]) / 0.1,
             "first_gap_time": float(data["first_gap_time"]) * speed,
             "first_gap_bead": float(data["first_gap_bead"]),
@@ -131,6 +134,8 @@ def test_fronts_are_the_same_whichever_axis_is_fast():
     one, two = (KINDS["front"].solve_chunk(c.points(), c.settings) for c in (chunk, other))
     for name, value in one.values.items():
         np.testing.assert_array_equal(value, two.values[name].T)
+    sweeps = [sweep_fronts(alpha, axes["gamma"])["slope_error"].max() for alpha in axes["alpha"]]
+    assert one.errors["slope"] == max(sweeps) > min(sweeps)
 
 
 # Merging, failing points.
@@ -151,6 +156,8 @@ def test_merged_grid_holds_each_point_in_its_place(solved_folder):
     values = KINDS["chain"].solve_chunk(whole.points(), whole.settings).values
     for name, value in values.items():
         np.testing.assert_array_equal(merged[name], value)
+    errors = [read_dataset(file, file.stem)["overshoot"].error_estimate for file in files]
+    assert merged["overshoot"].error_estimate == max(errors) > min(errors)
     assert merged.attrs["failed_points"] == 0
     assert merged.attrs["beads"] == 30
     again = merging.merge_chunks(asked, files[::-1])

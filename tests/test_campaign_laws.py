@@ -16,7 +16,7 @@ CHAINS = {
     "axes": {"law.elastic.rate": [0.5, 1.0], "delta": [0.1, 0.5]},
     "fixed": {"beads": 30},
     "tolerance": 1e-8,
-    "record": {"scalars": ["front_speed", "overshoot", "first_gap_time"]},
+    "record": {"scalars": ["front_speed", "overshoot", "first_gap_time", "largest_overshoot"]},
 }
 FRONTS = {
     "kind": "front",
@@ -36,13 +36,15 @@ def solved(given):
 
 def test_a_law_of_powers_gives_the_points_of_its_exponents():
     """Solved in the units of the law and in those of δ: James (2021), eq. (29)."""
-    fixed = {"alpha": 1.5, "beta": 2.5, "beads": 30}
+    ends = {"beads": 30, "delta_right": 0.01}
+    record = {"scalars": [*CHAINS["record"]["scalars"], "smallest_compression"]}
     axes = {"gamma": [0.1, 0.3], "delta": [0.1, 0.5]}
-    short = {key: CHAINS[key] for key in ("kind", "tolerance", "record")}
-    expected = solved(short | {"axes": axes, "fixed": fixed})
+    short = {"kind": "chain", "tolerance": CHAINS["tolerance"], "record": record}
+    expected = solved(short | {"axes": axes, "fixed": {"alpha": 1.5, "beta": 2.5} | ends})
     law = {"elastic": {"kind": "hertz", "alpha": 1.5}, "viscous": {"kind": "simon_hunt_crossley"}}
     varied = {"law.viscous.gamma": [0.1, 0.3], "delta": [0.1, 0.5]}
-    found = solved(CHAINS | {"law": law, "axes": varied})
+    found = solved(CHAINS | {"law": law, "axes": varied, "fixed": ends, "record": record})
+    assert (expected.values["smallest_compression"] < 0.0).all()
     for name, values in expected.values.items():
         np.testing.assert_allclose(found.values[name], values, rtol=1e-6, atol=1e-7)
 

@@ -92,6 +92,21 @@ def test_a_drift_that_is_no_number_is_not_lost():
     assert np.isnan(balances.drifts()["momentum_drift"])
 
 
+def test_drifts_are_relative_to_the_largest_energy_and_velocities():
+    scene = driven_scene(end_time=1.0, record={"snapshots": [], "balances": True})
+    balances = Balances(run.prepare(scene))
+    for law in ("momentum", "energy"):
+        balances._note(law, 1e-3, 10.0)
+        balances._note(law, -5e-4, 1.0)
+    assert list(balances.drifts().values()) == [1e-4, 1e-4]
+
+
+def test_a_held_contact_has_no_energy_of_its_own():
+    state, elastic = (np.array([0.5, 0.3]), np.array([1.0, 2.0])), 0.4 * np.array([0.5, 0.3]) ** 2.5
+    for ring, expected in ((False, 2.5 + elastic[0]), (True, 2.5 + elastic.sum())):
+        assert equations.energy(*state, Boundary(ring), HERTZ) == pytest.approx(expected)
+
+
 def test_energy_is_lost_only_to_damping():
     u, velocity = smooth_ring()
     energies = {}

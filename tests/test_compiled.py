@@ -13,6 +13,7 @@ import pytest
 from numba.core.registry import CPUDispatcher
 
 from granular_fronts.numerics.compiled import SOURCES, cache_folder, file_of, kernel
+from granular_fronts.numerics.kernel_files import CheckedFiles
 from granular_fronts.numerics.source_code import file_digest
 
 READ = Path.read_bytes
@@ -58,6 +59,33 @@ def test_a_kernel_depends_on_the_versions_of_its_compiler_and_of_numpy(monkeypat
         with monkeypatch.context() as patched:
             patched.setattr(package, "__version__", "0.0")
             assert cache_folder.__wrapped__(file) != cache_folder(file), package.__name__
+
+
+@pytest.mark.parametrize("name", ["kernel.nbi", "kernel.1.nbc"])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda content: b"",
+        lambda content: content[:-1],
+        lambda content: content[:9] + bytes([content[9] ^ 1]) + content[10:],
+    ],
+)
+def test_damaged_file_of_a_kernel_is_dropped_and_made_again(tmp_path, name, damage):
+    files = CheckedFiles(str(tmp_path), "kernel", "stamp")
+    for _ in range(2):
+        files.save("signature", ("machine code", 1))
+        assert files.load("signature") == ("machine code", 1)
+        (tmp_path / name).write_bytes(damage((tmp_path / name).read_bytes()))
+        assert files.load("signature") is None
+
+
+def test_kernels_are_kept_in_files_that_are_checked():
+    assert isinstance(kernel(abs_of)._cache._cache_file, CheckedFiles)
+
+
+def abs_of(x):
+    """Something to compile."""
+    return abs(x)
 
 
 def test_kernel_decorates_with_and_without_options():

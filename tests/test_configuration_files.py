@@ -70,6 +70,7 @@ def test_folder_that_is_not_writable_is_refused(monkeypatch, tmp_path):
     monkeypatch.setattr("os.access", lambda path, mode: path != tmp_path)
     [sentence] = folder_errors(str(tmp_path / "new" / "results"))
     assert f"nothing can be written into {tmp_path}" in sentence
+    assert not [*folder_errors(str(tmp_path / "new" / "results"), writes=False)]
 
 
 @pytest.mark.parametrize("results", ["results", "results/smoke", "/tmp", "resultate-2é"])
@@ -101,6 +102,7 @@ YAML_REFUSED = [
     ("a: &a {b: *a}", ["line 1, column 11", "*a stands inside itself"]),
     ("{a: " * 100_000, ["column 397", "more than 100 mappings or lists nest here"]),
     (BOMB, ["line 6, column 46", "more than 1,000,000 values", "write fewer"]),
+    ("__use_yte__: true\na: ?1 + 1", ["is a template", "runs as Python"]),
 ]
 
 

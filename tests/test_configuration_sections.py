@@ -1,7 +1,6 @@
 """Sections of the configuration outside `scenes`: each is checked, and refused in a sentence."""
 
 import functools
-import math
 import operator
 import re
 
@@ -37,13 +36,6 @@ FRONT = {
 ORBIT = {"mu": [1], "profile": {"start": -1, "stop": 1, "step": 0.5}}
 MATERIAL = "laws.materials.beads.glass"
 SECTIONS_REFUSED = [
-    # Numbers that are not finite.
-    ("exact_fronts.survey.alpha", [1.1, math.nan], ["alpha (entry 2) is nan", "finite"]),
-    ("exact_fronts.critical_damping.overshoot_cut", math.nan, ["is nan", "finite"]),
-    ("laws.materials.impact_velocity", math.nan, ["is nan", "finite"]),
-    ("laws.piston.velocity", math.nan, ["is nan", "finite"]),
-    ("front_exponents", [1.5, math.inf], ["front_exponents (entry 2) is inf", "finite"]),
-    ("chunk_seconds", math.inf, ["is inf", "finite"]),
     # Entries listed twice.
     ("exact_fronts.survey.alpha", [1.1, 1.5, 1.1], ["alpha (entry 3) is 1.1", "list it once"]),
     ("front_exponents", [1.5, 1.5], ["front_exponents (entry 2) is 1.5", "list it once"]),

@@ -11,7 +11,13 @@ from chains import driven_scene
 
 import granular_fronts as gf
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.output.datasets import DatasetError, long_name, read_dataset, write_dataset
+from granular_fronts.output.datasets import (
+    DatasetError,
+    long_name,
+    read_dataset,
+    read_origins,
+    write_dataset,
+)
 
 EVERYTHING = {
     "snapshots": [5.0, 20.0],
@@ -80,6 +86,34 @@ def test_truncated_file_is_refused(path):
     path.write_bytes(path.read_bytes()[:500])
     with pytest.raises(DatasetError, match=r"not a readable netCDF file.*delete it"):
         read_dataset(path)
+
+
+def add_one(dataset):
+    dataset["velocity"][0, 0] += 1.0
+
+
+def turn_the_smallest_bit(dataset):
+    name = "total_velocity"
+    dataset[name][-1] = np.nextafter(dataset[name][-1], np.inf)
+
+
+def claim_other_damping(dataset):
+    dataset.config = dataset.config.replace("0.06", "0.07")
+
+
+@pytest.mark.parametrize("alter", [add_one, turn_the_smallest_bit, claim_other_damping])
+def test_altered_file_is_refused_by_every_reader(path, alter):
+    with netCDF4.Dataset(path, "a") as dataset:
+        alter(dataset)
+    with pytest.raises(DatasetError, match=r"scene\.nc was altered after .*: delete it and run"):
+        read_dataset(path)
+    with pytest.raises(DatasetError, match=r"scene\.nc was altered"):
+        read_origins(path.parent, ["scene"])
+
+
+def test_dataset_that_is_written_again_has_a_digest_of_its_own(path, scene):
+    write_dataset(read_dataset(path) * 2.0, path, scene_id="short", config=scene)
+    read_dataset(path)
 
 
 def test_foreign_file_is_refused(tmp_path):

@@ -215,11 +215,6 @@ def test_named_files_and_links_exist(document):
             assert path.exists(), path
 
 
-def test_readme_is_short():
-    """What else there is to say stands in the manual."""
-    assert len(README.read_text(encoding="utf-8").splitlines()) <= 150
-
-
 def test_wings_of_the_manual_are_those_of_the_package():
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| ((?:`[\w/]+`(?:, )?)+) \|", text, re.MULTILINE)

@@ -56,6 +56,13 @@ def html(written):
     return written[0].read_text(encoding="utf-8")
 
 
+def test_what_datasets_say_is_escaped(tmp_path, monkeypatch):
+    monkeypatch.setattr("explorer.page.code_version", lambda: "<script>run()</script>")
+    page = write_page(tmp_path)[0].read_text(encoding="utf-8")
+    assert "<script>run()" not in page
+    assert "Code &lt;script&gt;run()" in page
+
+
 def array(coded):
     """An array as Bokeh keeps it in a page."""
     data = gzip.decompress(b64decode(coded["array"]["data"]))

@@ -58,10 +58,11 @@ def make_files(path, stem, caption, reference=None):
     )
 
 
-def test_saved_files_are_reproducible(path, tmp_path):
+def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path):
     (tmp_path / "one").mkdir()
     (tmp_path / "two").mkdir()
     for name in ("one", "two"):
+        plt.rcParams.update({"text.usetex": True, "figure.facecolor": "red"})
         make_files(path, tmp_path / name / "fig", "A caption.")
     for ending in ENDINGS.values():
         one, two = (tmp_path / name / f"fig.{ending}" for name in ("one", "two"))
@@ -75,6 +76,13 @@ def test_texts_are_filled_with_what_was_computed(path, tmp_path):
     assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
     record = read_record(tmp_path / "fig.json")
     assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
+
+
+def test_values_in_a_caption_are_no_markup(path, tmp_path):
+    caption = "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', ' }}y"
+    make_files(path, tmp_path / "fig", caption)
+    words = r".. raw:: html \*x\_\*, y"
+    assert (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()[0] == words
 
 
 def test_caption_that_names_what_no_dataset_has_is_an_error(path, tmp_path):

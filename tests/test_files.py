@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from granular_fronts.errors import NoSpaceError
+from granular_fronts.arguments import new_file
+from granular_fronts.errors import InputError, NoSpaceError
 from granular_fronts.output.files import HOST, complete_file, remove_leftovers
 
 ABOVE_ANY_PROCESS = 2**22 + 1
@@ -28,6 +29,18 @@ def test_a_failed_write_leaves_nothing(tmp_path):
     with pytest.raises(RuntimeError, match="something else"):
         fail()
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir, lambda path: path.symlink_to("/dev/null")])
+def test_only_a_file_is_replaced(tmp_path, make):
+    target = tmp_path / "result.nc"
+    make(target)
+    with pytest.raises(InputError, match=r"result\.nc is no file that can be replaced"):
+        fill(target)
+    with pytest.raises(InputError, match="must be a file in a folder that exists"):
+        new_file("path", target)
+    assert not target.is_file()
+    assert list(tmp_path.iterdir()) == [target]
 
 
 def test_an_interrupted_write_keeps_the_old_file(tmp_path):

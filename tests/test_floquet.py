@@ -124,7 +124,9 @@ def test_front_is_stable(alpha, gamma, beta):
     result = usual_multipliers(alpha, gamma, beta)
     assert result.attrs["translation_defect"] < 1.0e-8
     assert result.attrs["flow_residual"] < 1.0e-7
-    assert result.attrs["spectral_radius_without_translation"] < 1.0
+    assert result.attrs["translation_defect"] == abs(result.values[0] - 1.0)
+    radius = result.attrs["spectral_radius_without_translation"]
+    assert radius == np.abs(result.values[1:]).max() < 1.0
     assert result.attrs["verdict"].startswith("stable")
     assert np.all(np.diff(np.abs(result.values[1:])) <= 1.0e-12)
 

@@ -31,6 +31,7 @@ from granular_fronts.continuum.log_kdv_burgers.slow_manifold import (
     slow_orbit,
     state_on_manifold,
 )
+from granular_fronts.continuum.log_kdv_burgers.survey import measure_rates, survey_fronts
 from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     FINER_STEPS,
     Accuracy,
@@ -200,6 +201,17 @@ def test_squared_slope_at_one_agrees_with_fifty_digits(mu):
 @pytest.mark.parametrize("mu", [2.0, 3.0, 11.9, 12.0, 50.0])
 def test_squared_slope_at_one_vanishes_from_the_transition_on(mu):
     assert squared_slope_at_one(mu) < 1.0e-40
+
+
+@pytest.mark.parametrize("mu", [0.3, 1.0, 2.5, 3.0])
+def test_rates_read_off_an_orbit_are_the_eigenvalues_within_their_errors(mu):
+    rate, rate_error, frequency, frequency_error = measure_rates(mu)
+    expected = linear_rates(mu)[0 if mu > 2.0 else 1]
+    assert abs(rate - expected.real) < rate_error < 1e-9
+    assert abs(frequency - expected.imag) <= frequency_error < 1e-9
+    square = survey_fronts([mu], np.array([-1.0, 0.0]))["squared_slope_at_one"]
+    # It is 0 from μ = 2 on, and what is found there the error.
+    assert square.error_estimate == (np.spacing(square) if mu < 2.0 else square)
 
 
 def test_squared_slope_at_one_without_damping():

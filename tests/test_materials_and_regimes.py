@@ -33,9 +33,13 @@ def materials(configuration):
     return evaluate_materials(**configuration["laws"]["materials"])
 
 
-def test_materials_are_consistent(materials):
+def test_materials_are_consistent(materials, configuration):
+    given = configuration["laws"]["materials"]
     for material in materials["material"].values:
-        one = materials.sel(material=material)
+        one, mass = materials.sel(material=material), given["beads"][material]["mass"]
+        law = float(one["stiffness"]), float(one["contact_damping"])
+        scaled = gf.Scaling(mass, *law, given["impact_velocity"])
+        assert scaled.gamma == pytest.approx(float(one["gamma"]), rel=1e-12)
         e, printed = float(one["restitution"]), float(one["gamma_printed"])
         assert gf.restitution(float(one["gamma"])) == pytest.approx(e, rel=1e-12)
         assert gf.restitution(printed) == pytest.approx(float(one["restitution_exact"]), rel=1e-12)

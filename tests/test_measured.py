@@ -88,37 +88,6 @@ def test_findings_type_no_result():
     }
 
 
-UNITS = "ms|s|seconds|minutes?|hours?|days?|(?:core-)?(?:days|years)|[kMG]B"
-COUNTS = r"\d[\d.]*|an?|one|two|three|four|five|six|ten|twenty|half an?|a quarter of an"
-TYPED_COST = re.compile(rf"(?<![\w.])(?:{COUNTS}) (?:{UNITS})\b")
-"""A time or a size in prose: '29 s', 'about a minute', 'half an hour', '0.7 GB'."""
-
-
-def typed_costs(text):
-    """Times and sizes of a page outside of its code and of the blocks that a run fills in."""
-    text = re.sub(r"<!-- (\w+) -->\n.*?<!-- end of \1 -->", " ", text, flags=re.DOTALL)
-    text = re.sub(r"```.*?```|`[^`]*`", " ", text, flags=re.DOTALL)
-    return TYPED_COST.findall(" ".join(text.split()))
-
-
-# The page on proofs says what parts of an interval took in a run; its table has whole ones alone.
-PAGES = [page for page in (*TEXTS, ROOT / "CONTRIBUTING.md") if page.name != "proofs.md"]
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
-def test_pages_type_no_times_and_sizes(page):
-    assert typed_costs(page.read_text(encoding="utf-8")) == []
-
-
-def test_typed_times_and_sizes_are_found():
-    typed = "It takes 29 s and 0.7 GB, about a minute, half an hour, an hour or two days."
-    found = ["29 s", "0.7 GB", "a minute", "half an hour", "an hour", "two days"]
-    assert typed_costs(typed) == found
-    assert (
-        typed_costs("Job 3 starts; `2 s`; takes seconds. <!-- x -->\n2 s\n<!-- end of x -->") == []
-    )
-
-
 def test_sizes_of_rings_are_those_of_figure_20():
     """What the page on the limit says of places and beads."""
     campaign = statements("campaigns/rings_damping")

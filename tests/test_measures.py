@@ -161,36 +161,6 @@ def test_extremes_of_a_velocity_are_located_between_grid_points():
     assert abs(smallest.value - 0.7) <= smallest.error
 
 
-def test_powers_of_families_are_slopes():
-    alpha, delta = np.array([1.02, 1.05, 1.1]), np.array([1e-2, 1e-1, 1.0])
-    trends = xr.Dataset(
-        {
-            "width_of_exponent": ("exponent", 3.0 * (1.0 - 1.0 / alpha) ** -0.5, EXACT),
-            "critical_gamma": ("displacement", 0.3 * delta**-0.25, EXACT),
-            "width_of_displacement": ("displacement", [1.0, 2.0, 4.0], EXACT),
-        },
-        {"exponent": alpha, "displacement": delta},
-        {"config": json.dumps({"alpha": 1.5})},
-    )
-    assert fronts.width_power(trends).value == pytest.approx(-0.5)
-    assert fronts.critical_power_of_pressure(trends).value == pytest.approx(-0.25)
-    assert fronts.narrowing(trends).value == 0.25
-    bent = trends.assign(width_of_exponent=("exponent", [3.0, 2.0, 1.9]))
-    assert fronts.width_power(bent).error > 0.3
-
-
-def test_late_over_early_carries_both_errors():
-    waves = xr.Dataset(
-        {
-            "width": (("alpha", "t"), [[10.0, 20.0]]),
-            "width_error": (("alpha", "t"), [[0.1, 0.4]]),
-        },
-        {"alpha": [1.0], "t": [1.0, 4.0]},
-    )
-    value, error = laws.spreading(waves, 1.0)
-    assert (value, error) == (2.0, pytest.approx(0.06))
-
-
 def ring(chain, equation):
     """Snapshots at t = 0 of a ring of 39 beads and of the equation, from functions of the site."""
     scene = {"law": {"alpha": 1.5, "gamma": 0.24}, "displacement": 5.0, "half_beads": 20}
@@ -215,15 +185,6 @@ def test_profiles_of_one_shape_are_correlated():
     assert gap.value > 0.999
     displaced = periodic.profile_correlation(ring(pulse, lambda n: pulse(n + 12.0)))
     assert displaced.value < 0.3
-
-
-def test_frequency_of_an_orbit_that_oscillates_is_positive():
-    orbits = xr.Dataset(
-        {"angular_frequency": ("mu", [0.9, 0.0]), "angular_frequency_error": ("mu", [1e-9, 1e-9])},
-        {"mu": [0.3, 3.0]},
-    )
-    assert continuum.angular_frequency(orbits, 0.3) == (0.9, 1e-9)
-    assert continuum.angular_frequency(orbits, 3.0).value == 0.0
 
 
 def jumps(**variables):

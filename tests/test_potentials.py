@@ -1,5 +1,7 @@
 """Potentials: derivatives against 40 digits, factors, and a user's potentials that are wrong."""
 
+import sys
+
 import mpmath as mp
 import numpy as np
 import pytest
@@ -112,6 +114,34 @@ def test_expression_without_a_number_is_named(name):
         Potential.from_expression(getattr(sympy, name)(r), r, interval=(-2.0, 2.0))
 
 
+@pytest.mark.parametrize(
+    ("make_arguments", "sentence"),
+    [
+        (
+            lambda r: ("__import__('pathlib').Path('run').touch()", r),
+            "but must be an Expr: make one",
+        ),
+        (lambda r: (None, r), "expression is None"),
+        (lambda r: (r**2 > 0, r), "expression is .* but must be an Expr"),
+        (lambda r: (r**2, "r"), "symbol is 'r', but must be a Symbol"),
+    ],
+)
+def test_what_is_no_expression_is_refused_and_no_text_is_run(
+    make_arguments, sentence, tmp_path, monkeypatch
+):
+    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError, match=sentence):
+        Potential.from_expression(*make_arguments(sympy.Symbol("r")), interval=(-1.0, 1.0))
+    assert not list(tmp_path.iterdir())
+
+
+def test_missing_sympy_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "sympy", None)
+    with pytest.raises(ModuleNotFoundError, match=r"need SymPy: pip install .*\[symbolic\]"):
+        Potential.from_expression(None, None, interval=(-1.0, 1.0))
+
+
 def test_polynomial_of_numpy_makes_a_potential():
     """It has no hash of its own; numba does not compile it, and a sentence says so."""
     quartic = np.polynomial.Polynomial([0.0, 0.0, 0.5, 0.1, 0.2])
@@ -144,6 +174,8 @@ def make(interval=(-1.0, 1.0), **replaced):
         ({"first": lambda r: -(r**3)}, "V' of mine is .*, but the finite difference there is"),
         ({"second": lambda r: 3.000_02 * r**2}, "V'' of mine is .*, but the finite difference"),
         ({"third": lambda r: np.zeros_like(r)}, "V''' of mine is 0 at"),
+        ({"value": lambda r: 1 / 0}, "V of mine .* fails with 'division by zero'"),
+        ({"second": lambda r: 3.0 * r**2 + 1e-3j}, "V'' of mine has complex values"),
         ({"interval": (1.0, -1.0)}, "interval is .* must increase"),
     ],
 )

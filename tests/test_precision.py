@@ -210,15 +210,10 @@ def merged(tmp_path):
             }.items()
         },
         coords={"run": np.arange(3)},
-        attrs={
-            "scene": "precision_log_burgers",
-            "config": "{}",
-            "code_version": "0",
-            "load_before": 0.2,
-        },
+        attrs={"load_before": 0.2},
     )
     files.append(tmp_path / "log_burgers.nc")
-    burgers.to_netcdf(files[-1])
+    write_dataset(burgers, files[-1], scene_id="precision_log_burgers", config={})
     merging.merge_precision(files, tmp_path / "speed_error.nc")
     return tmp_path / "speed_error.nc"
 

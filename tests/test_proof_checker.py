@@ -379,9 +379,3 @@ def test_without_flint_a_sentence_says_how_to_install_it(name):
         "ModuleNotFoundError: Proofs of fronts need python-flint: install it by "
         "pip install 'granular-fronts[proofs]'."
     )
-
-
-def test_checker_can_be_read_in_one_sitting():
-    """Fewer lines than anyone would skip, docstrings included."""
-    text = (ROOT / "src/granular_fronts/proofs/checker.py").read_text(encoding="utf-8")
-    assert len(text.splitlines()) <= 300

@@ -1,14 +1,18 @@
 """Records say what a figure or a table was made from, and disagreements are found."""
 
 import json
+import os
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
 import yaml
+from altered_files import is_altered
 from projects import ROOT
 
+from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import read_dataset, read_origins, write_dataset
 from granular_fronts.output.provenance import (
     data_digest,
@@ -113,9 +117,32 @@ def test_digest_of_data_sees_values_names_and_shapes():
     assert data_digest(dataset) == data_digest(dataset.assign_attrs(solver="other"))
 
 
-def test_data_read_back_have_the_digest_they_were_written_with(results):
-    dataset = read_dataset(results / "data" / f"{NAME}.nc")
-    assert dataset.attrs["data_digest"] == data_digest(dataset)
+def test_data_read_back_have_the_digest_they_were_written_with(tmp_path):
+    """A file keeps neither the type of text nor the sign of what is not a number."""
+    texts = np.array(["", "stopped"], dtype=object)
+    values = {"value": [-np.nan, -0.0], "message": texts, "passed": [True, False], "step": [1, 2]}
+    given = xr.Dataset({name: ("case", value) for name, value in values.items()})
+    write_dataset(given, tmp_path / "scene.nc", scene_id="scene", config={})
+    dataset = read_dataset(tmp_path / "scene.nc")
+    assert dataset.attrs["data_digest"] == data_digest(given) == data_digest(dataset)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "altered"), [(0.0, False), (0.5, False), (-2.0, True), (2.0, True), (86400.0, True)]
+)
+def test_file_whose_time_is_not_the_one_that_was_noted_is_altered(results, seconds, altered):
+    """An archive may round a time to the second."""
+    file = results / "table.csv"
+    noted = SimpleNamespace(endtime=file.stat().st_mtime)
+    os.utime(file, (noted.endtime + seconds,) * 2)
+    assert is_altered(str(file), noted) == altered
+    assert not is_altered(str(results / "absent.csv"), noted)
+
+
+def test_damaged_record_is_named(results):
+    (results / "table.json").write_text('{"files": {')
+    with pytest.raises(InputError, match=r"table\.json is damaged .*: delete it and run the work"):
+        found(results)
 
 
 def test_every_dataset_of_a_figure_answers_a_question():

@@ -3,9 +3,7 @@
 import re
 
 import pytest
-import yaml
 from projects import ROOT
-from test_schema import schema_nodes
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.problems import load_problems
@@ -77,16 +75,3 @@ def test_a_broken_file_of_settings_is_named(text, sentence, tmp_path):
     (tmp_path / "referee.yaml").write_text(text)
     with pytest.raises(InputError, match=re.escape(sentence)):
         read_settings(tmp_path / "referee.yaml")
-
-
-def test_schema_describes_every_key_and_is_strict():
-    file = ROOT / "workflow" / "schemas" / "referee.schema.yaml"
-    for path, node in schema_nodes(yaml.safe_load(file.read_text(encoding="utf-8"))):
-        for name, child in node.get("properties", {}).items():
-            assert child.get("description"), f"{path}.{name}"
-            optional = "Optional" in child["description"]
-            assert optional == (name not in node.get("required", [])), f"{path}.{name}"
-        if "properties" in node:
-            assert node["additionalProperties"] is False, path
-        if node.get("type") in ("number", "integer"):
-            assert "dimensionless" in node["description"], path

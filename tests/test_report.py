@@ -94,6 +94,24 @@ def test_page_holds_pictures_captions_tables_and_links(results):
     assert "<td>1.2e-12" in page
 
 
+def test_what_files_hold_is_shown_and_never_run(results):
+    """A title, and a caption whose directives would insert a script or another file."""
+    record = results / "figures/fig01_front.json"
+    (results / "secret.txt").write_text("what nobody should read")
+    caption = f".. raw:: html\n\n   <em>run</em>\n\n.. include:: {results}/secret.txt\n"
+    record.with_suffix(".rst").write_text(caption)
+    data = read_dataset(results / "data/chain/scene.nc")
+    files = [record.with_suffix(f".{ending}") for ending in ("pdf", "png", "rst")]
+    title = "</script><script>run()</script>"
+    write_record(record, files, [origin(data.attrs)], title=title, alt="")
+    page = write(results)
+    assert "<script>run()" not in page
+    assert "<em>run</em>" not in page
+    assert "nobody should read" not in page
+    made_from = re.search(r'id="made-from">(.*?)</script>', page)[1]
+    assert json.loads(made_from)["fig01_front"]["title"] == title
+
+
 def test_contents_lead_to_every_part(results):
     page = write(results)
     targets = re.findall(r'<a href="#([\w-]+)">', page)

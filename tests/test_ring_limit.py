@@ -71,6 +71,26 @@ def test_fourier_series_ends_where_a_contact_opens_and_the_beads_go_on():
     assert motions.usual.site.size == ring.beads
 
 
+def test_residuals_are_zero_for_the_velocities_of_their_formula():
+    """y = 1 + cos(κξ)/2, whose slope and flux are known, on a ring of δ = c = 1."""
+    ring = make_ring(1.1, damping=0.5)
+    site = np.arange(1.0, ring.beads + 1.0)
+    wave_number = np.pi / ring.half_length
+    phase = wave_number * ring.scaling.epsilon * site
+    y, slope = 1.0 + 0.5 * np.cos(phase), -0.5 * wave_number * np.sin(phase)
+    correction = 0.5 * ring.scaling.epsilon
+    velocities = {
+        "leading": y,
+        "printed": y - correction * (slope + 0.5 * 2.0 * slope),
+        "first_order": y - correction * (slope + 0.5 * (slope + y * np.log(y))),
+    }
+    u = y[None] ** (1.0 / 1.1)
+    for name, velocity in velocities.items():
+        motion = ring_limit.Motion(site, u, velocity[None] + 0.3, np.nan, np.nan)
+        for other, found in ring_limit.velocity_residuals(ring, motion, [0]).items():
+            assert (found[0] < 1e-14) == (other == f"residual_{name}")
+
+
 # Starts.
 
 

@@ -146,6 +146,8 @@ def test_sphere_agrees_with_hertz_in_two_steps():
     effective = modulus / (2.0 * (1.0 - poisson**2))
     expected = 4.0 / 3.0 * effective * math.sqrt(radius / 2.0)
     assert sphere_stiffness(radius, modulus, poisson) == pytest.approx(expected, rel=1e-15)
+    # A cube that holds the sphere has 6/π times its mass.
+    assert sphere_mass(radius, 2500.0) == pytest.approx(math.pi / 6 * 2500 * (2 * radius) ** 3)
 
 
 @pytest.mark.parametrize(

@@ -28,17 +28,22 @@ def schema_nodes(node, path="schema"):
             yield from schema_nodes(child, f"{path}.{name}")
 
 
+@pytest.fixture(params=["config", "campaign", "referee"])
+def schema(request):
+    file = SCHEMA.with_name(f"{request.param}.schema.yaml")
+    return yaml.safe_load(file.read_text(encoding="utf-8"))
+
+
 @pytest.fixture
-def schema():
+def of_configuration():
     return yaml.safe_load(SCHEMA.read_text(encoding="utf-8"))
 
 
-def described(node, schema):
-    """A node, or the definition that it refers to, which carries the description."""
-    if "$ref" not in node:
-        return node
-    steps = node["$ref"].removeprefix("#/").split("/")
-    return functools.reduce(operator.getitem, steps, schema)
+def description(node, schema):
+    """What is said of a node, or of the definition that it refers to."""
+    steps = node.get("$ref", "#").split("/")[1:]
+    referred = functools.reduce(operator.getitem, steps, schema) if steps else {}
+    return node.get("description") or referred.get("description", "")
 
 
 def test_schema_describes_every_key(schema):
@@ -46,7 +51,7 @@ def test_schema_describes_every_key(schema):
         f"{path}.{name}"
         for path, node in schema_nodes(schema)
         for name, child in node.get("properties", {}).items()
-        if not described(child, schema).get("description")
+        if not description(child, schema)
     ]
     assert not undescribed
 
@@ -63,14 +68,14 @@ POTENTIALS = ("schema.elastic_potential", "schema.viscous_potential")
 def test_schema_is_strict_at_every_level(schema):
     """But for potentials, whose kinds and parameters `model.kinds` lists."""
     for path, node in schema_nodes(schema):
-        if "properties" in node and "allOf" not in node and path not in POTENTIALS:
+        if "properties" in node and "allOf" not in node and "potential" not in path:
             assert node.get("additionalProperties") is False, path
 
 
 @pytest.mark.parametrize("place", POTENTIALS)
-def test_schema_describes_every_kind_of_potential(schema, place):
+def test_schema_describes_every_kind_of_potential(of_configuration, place):
     name = place.removeprefix("schema.")
-    description = schema["$defs"][name]["properties"]["kind"]["description"]
+    description = of_configuration["$defs"][name]["properties"]["kind"]["description"]
     known = ELASTIC if name == "elastic_potential" else VISCOUS
     for kind, described in known.items():
         assert kind in description
@@ -78,21 +83,21 @@ def test_schema_describes_every_kind_of_potential(schema, place):
     assert name == "elastic_potential" or all(kind in description for kind in DEPENDENT)
 
 
-def test_keys_that_may_be_left_out_are_called_optional(schema):
+def test_keys_that_may_be_left_out_and_no_others_are_called_optional(schema):
     for path, node in schema_nodes(schema):
         if "allOf" in node:
             continue
-        for name in set(node.get("properties", {})) - set(node.get("required", [])):
-            assert "Optional." in node["properties"][name]["description"], f"{path}.{name}"
+        for name, child in node.get("properties", {}).items():
+            optional = "Optional" in description(child, schema)
+            assert optional == (name not in node.get("required", [])), f"{path}.{name}"
 
 
-def test_default_shows_every_optional_key_of_a_heteroclinic_scene(schema, default):
+def test_default_shows_every_optional_key_of_a_heteroclinic_scene(of_configuration, default):
     scene = default["scenes"]["heteroclinic"]["front_profiles"]
-    assert scene.keys() == schema["$defs"]["heteroclinic_scene"]["properties"].keys()
+    assert scene.keys() == of_configuration["$defs"]["heteroclinic_scene"]["properties"].keys()
 
 
-def test_default_shows_every_optional_key(schema, default):
+def test_default_shows_every_optional_key(of_configuration, default):
     record = default["scenes"]["chain"][SCENE]["record"]
-    assert (
-        record.keys() == schema["$defs"]["chain_scene"]["properties"]["record"]["properties"].keys()
-    )
+    chain = of_configuration["$defs"]["chain_scene"]
+    assert record.keys() == chain["properties"]["record"]["properties"].keys()

@@ -17,6 +17,7 @@ import subprocess
 import sys
 import time
 
+import netCDF4
 import psutil
 import pytest
 import yaml
@@ -277,6 +278,63 @@ def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished
     other = ask(finished, "explored_again", {"law": {"gamma": 0.3}})
     plan = snakemake("--dry-run", *other, "--", "explore", folder=finished)
     assert jobs_of(plan) - {"explore"} == {"initiate_front", "write_explorer"}, plan.stdout
+
+
+def cut(file):
+    file.write_bytes(file.read_bytes()[:-20])
+
+
+def empty(file):
+    file.write_bytes(b"")
+
+
+def date_in_the_future(file):
+    later = time.time() + 86400.0
+    os.utime(file, (later, later))
+
+
+ALTERATIONS = {
+    "data/chain/initiation_overdamped.nc": (cut, "initiate_front"),
+    "data/continuum/front_profiles.nc": (date_in_the_future, "compute_heteroclinic"),
+    "figures/fig05_initial_conditions.png": (cut, "plot_fig05"),
+    "tables/findings.json": (cut, "tabulate_findings"),
+    "benchmarks/plot_fig04.tsv": (empty, "plot_fig04"),
+    "report.html": (empty, "write_report"),
+}
+
+
+def test_altered_files_are_made_again_and_no_others(finished):
+    configuration = ["--configfile", "config/smoke.yaml"]
+    assert snakemake(*configuration, folder=finished).returncode == 0
+    folder = finished / "results/smoke"
+    picture = folder / "figures/fig05_initial_conditions.png"
+    whole = picture.read_bytes()
+    for name, (alter, _) in ALTERATIONS.items():
+        alter(folder / name)
+    due = jobs_of(snakemake("--dry-run", *configuration, folder=finished))
+    assert {maker for _, maker in ALTERATIONS.values()} <= due
+    assert not due & {"compare_periodic_chain", "plot_fig01", "tabulate_materials"}
+    run = snakemake(*configuration, folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert picture.read_bytes() == whole
+    again = snakemake("--dry-run", *configuration, folder=finished)
+    assert "Nothing to be done" in again.stdout + again.stderr
+
+
+def test_altered_number_whose_file_kept_its_date_is_refused(finished):
+    """Snakemake sees nothing; who reads the file does."""
+    data = finished / "results/smoke/data/fronts/survey.nc"
+    whole, times = data.read_bytes(), data.stat()
+    with netCDF4.Dataset(data, "a") as dataset:
+        dataset["overshoot"][0, 0] *= 1.01
+    os.utime(data, ns=(times.st_atime_ns, times.st_mtime_ns))
+    draw = ["--configfile", "config/smoke.yaml", "--forcerun", "plot_fig11", "--", "fig11"]
+    run = snakemake(*draw, folder=finished)
+    data.write_bytes(whole)
+    os.utime(data, ns=(times.st_atime_ns, times.st_mtime_ns))
+    assert snakemake(*draw, folder=finished).returncode == 0
+    assert run.returncode != 0
+    assert "survey.nc was altered after it was written: delete it and run" in run.stderr
 
 
 def jobs_of(plan):

@@ -27,6 +27,7 @@ def test_sweep_agrees_with_single_fronts_in_any_order(alpha, beta):
     np.testing.assert_allclose(sweep["dissipated_power"], power, atol=1e-14)
     assert np.abs(sweep["speed_defect"]).max() <= 1e-14
     assert sweep["error_estimate"].max() <= 1e-12
+    assert min(sweep[f"{name}_error"].min() for name in ("width_10_90", "slope")) > 0.0
     for gamma in shuffled[::8]:
         front, point = gf.solve_front(alpha, gamma, beta), sweep.sel(gamma=gamma)
         for name in ("overshoot", "width_10_90", "slope", "dissipated_power"):

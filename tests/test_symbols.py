@@ -2,7 +2,6 @@
 
 import re
 
-import pytest
 import yaml
 from projects import ROOT
 from test_documents import DOCUMENTS
@@ -11,20 +10,8 @@ from test_schema import SCHEMA, schema_nodes
 from granular_fronts.output.datasets import LONG_NAMES
 
 PAGE = ROOT / "docs" / "symbols.md"
-GREEK = [
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "eta",
-    "theta",
-    "lambda",
-    "mu",
-    "xi",
-    "sigma",
-    "tau",
-]
+GREEK = ["alpha", "beta", "gamma", "delta", "epsilon", "eta"]
+GREEK += ["theta", "lambda", "mu", "xi", "sigma", "tau"]
 
 
 def rows(heading):
@@ -63,34 +50,21 @@ def tokens(text):
     return set(re.findall(rf"\b(?:{'|'.join(GREEK)}|[A-Za-z](?:_\w+)?)\b", text))
 
 
-@pytest.mark.parametrize("variable", LONG_NAMES)
-def test_symbols_of_variables_are_explained(variable):
-    used = tokens(LONG_NAMES[variable]) | (tokens(variable) & {variable})
-    assert used - {*TEXTS, *LETTERS} == set()
+def test_symbols_of_variables_are_explained():
+    for variable, meaning in LONG_NAMES.items():
+        used = tokens(meaning) | (tokens(variable) & {variable})
+        assert used <= {*TEXTS, *LETTERS}, variable
 
 
 def greek_letters(text):
     return set(re.findall(r"[α-ωϵ]", text))
 
 
-def described():
-    """What the schema of the configuration says of its keys."""
-    schema = yaml.safe_load(SCHEMA.read_text(encoding="utf-8"))
-    return " ".join(node.get("description", "") for _, node in schema_nodes(schema))
-
-
-EXPLAINED = greek_letters(" ".join(LETTERS)) | greek_letters(str(SECOND))
-WRITTEN = [*DOCUMENTS, *sorted((ROOT / "workflow" / "report").glob("*.rst"))]
-
-
-@pytest.mark.parametrize("page", WRITTEN, ids=lambda page: page.relative_to(ROOT).as_posix())
-def test_greek_letters_of_pages_and_captions_are_explained(page):
+def test_greek_letters_of_pages_captions_and_configuration_are_explained():
+    explained = greek_letters(" ".join(LETTERS)) | greek_letters(str(SECOND)) | {"π"}
     # In the docstrings that pages show, a letter is defined where it is used.
-    assert greek_letters(page.read_text(encoding="utf-8")) - EXPLAINED <= {"π"}
-
-
-def test_greek_letters_of_the_configuration_are_explained():
-    assert greek_letters(described()) - EXPLAINED <= {"π"}
+    for page in [*DOCUMENTS, *(ROOT / "workflow" / "report").glob("*.rst"), SCHEMA]:
+        assert greek_letters(page.read_text(encoding="utf-8")) <= explained, page
 
 
 def test_names_in_the_glossary_are_those_of_files_or_keys():
@@ -98,13 +72,6 @@ def test_names_in_the_glossary_are_those_of_files_or_keys():
     keys = {key for _, node in schema_nodes(schema) for key in node.get("properties", {})}
     known = keys | LONG_NAMES.keys() | {"exchange_exponent", "epsilon", "slow_time", "delta"}
     long = {text for text in TEXTS if len(text) > 3 and text not in GREEK}
-    symbols = {
-        "R_minus",
-        "R_plus",
-        "f_alpha",
-        "gamma_0",
-        "impact_velocity",
-        "front_profiles",
-        "quadratic",
-    }
+    symbols = {"R_minus", "R_plus", "f_alpha", "gamma_0"}
+    symbols |= {"impact_velocity", "front_profiles", "quadratic"}
     assert long - known - symbols == set()

@@ -3,6 +3,7 @@
 import pandas as pd
 import pytest
 import update_documents as updating
+from projects import ROOT
 
 README = """# Title
 
@@ -37,7 +38,10 @@ def updated(tmp_path):
     performance.write_text(PERFORMANCE, encoding="utf-8")
     proofs.write_text("<!-- proved -->\nstale\n<!-- end of proved -->\n", encoding="utf-8")
     table = "| front | shape |\n|---|---|\n| figure 3 | monotone |\n"
-    (results / "tables" / "proofs.md").write_text(table, encoding="utf-8")
+    updating.update_documents(readme, performance, proofs, results)
+    assert "stale" in proofs.read_text(encoding="utf-8"), "its table is not made yet"
+    for ending in ("csv", "md"):
+        (results / "tables" / f"proofs.{ending}").write_text(table, encoding="utf-8")
     updating.update_documents(readme, performance, proofs, results)
     assert proofs.read_text(encoding="utf-8") == f"<!-- proved -->\n{table}<!-- end of proved -->\n"
     picture = tmp_path / "docs" / updating.PICTURE
@@ -60,7 +64,21 @@ def test_blocks_are_replaced_and_nothing_else(updated):
 def test_chosen_numbers_are_shown_and_all_verdicts_counted(updated):
     readme, performance, _ = updated
     for quantity in updating.SHOWN:
-        assert ["", quantity, "0.56", "0.562341", "3e-12", "reproduced", ""] in cells(readme)
+        assert ["", quantity, "0.56", "0.562341", "< 1e-11", "reproduced", ""] in cells(readme)
     assert not any("fronts exist" in row for row in cells(readme))
     assert "all 12 numbers and statements: reproduced 10, holds 2." in readme
     assert ["", "ring", "1e-09", "use it", ""] in cells(performance)
+
+
+def test_prose_on_proofs_has_the_bounds_of_its_table():
+    page = (ROOT / "docs" / "proofs.md").read_text(encoding="utf-8")
+    shapes = {row[1]: row[5] for row in cells(updating.block(page, "proved"))}
+    above = {name: float(shapes[name].split(" > ")[1]) for name in ("figure_1", "hertz_0_2")}
+    words = " ".join(page.split())
+    assert f"the first with a maximum above {1.0 + above['figure_1']:.4f}, " in words
+    assert (
+        f"at γ = 0.2 the enclosed one overshoots, by more than {100 * above['hertz_0_2']:.2f} %."
+        in words
+    )
+    for name in ("figure_3", "hertz_0_3", "hertz_0_3333"):
+        assert shapes[name].startswith("monotone")

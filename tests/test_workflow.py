@@ -200,23 +200,6 @@ def test_killed_run_leaves_no_half_file_and_the_next_call_ends_it(finished, vict
     assert [file.name for file in data.rglob("*")] == ["chain", "initiation_underdamped.nc"]
 
 
-@pytest.mark.slow
-def test_truncated_result_is_refused_in_a_sentence(finished):
-    damaged = finished / "results/smoke/data/chain/initiation_overdamped.nc"
-    whole, times = damaged.read_bytes(), damaged.stat()
-    draw = ["--configfile", "config/smoke.yaml", "--", "fig03"]
-    damaged.write_bytes(whole[:1000])
-    try:
-        run = snakemake(*draw, folder=finished)
-    finally:
-        damaged.write_bytes(whole)
-        os.utime(damaged, ns=(times.st_atime_ns, times.st_mtime_ns))
-        snakemake(*draw, folder=finished)
-    assert run.returncode != 0
-    assert "initiation_overdamped.nc is not a readable netCDF file" in run.stderr
-    assert "delete it and run the workflow again" in run.stderr
-
-
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.stem)
 def test_script_explains_its_arguments(script, monkeypatch, capsys):
     step = load_step(script)

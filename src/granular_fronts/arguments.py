@@ -212,7 +212,7 @@ def path(name: str, value: object) -> Path:
 def new_file(name: str, value: object) -> Path:
     """The path of a file that can be written, in a folder that exists; see `path`."""
     file = path(name, value)
-    if file.is_dir() or not file.parent.is_dir():
+    if (file.exists() and not file.is_file()) or not file.parent.is_dir():
         raise InputError(f"{name} is {file}, but must be a file in a folder that exists: name one.")
     return file
 

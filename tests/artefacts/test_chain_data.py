@@ -4,14 +4,14 @@ import json
 
 import numpy as np
 import pytest
-import xarray as xr
+from conftest import read_dataset
 
 SCENES = ["initiation_underdamped", "initiation_overdamped"]
 
 
 @pytest.fixture(params=SCENES)
 def motion(request, results):
-    return xr.load_dataset(results / "data" / "chain" / f"{request.param}.nc")
+    return read_dataset(results / "data" / "chain" / f"{request.param}.nc")
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def test_every_number_has_an_error(motion):
 
 def test_strong_damping_opens_no_gap(results, as_in_the_paper):
     as_in_the_paper("chain/initiation_overdamped")
-    motion = xr.load_dataset(results / "data" / "chain" / "initiation_overdamped.nc")
+    motion = read_dataset(results / "data" / "chain" / "initiation_overdamped.nc")
     assert np.isnan(motion["first_gap_time"])
     # Ahead of the wave the interpolation rounds to either side of zero.
     assert float(motion["relative_displacement_grid"].min()) > -1e-30

@@ -1,6 +1,7 @@
 """The tables of statements are complete, read the same in both formats, and hold no surprise."""
 
 import csv
+import math
 
 import pytest
 
@@ -37,6 +38,26 @@ def test_statements_are_complete(results, name):
         assert row["remark"]
     markdown = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").splitlines()
     assert len(markdown) == len(rows) + 2
+
+
+@TABLES
+def test_what_has_no_lower_limit_is_not_negative(results, name):
+    for row in read_table(results, name)[1]:
+        if row["criterion"].startswith(("at most", "below")):
+            assert float(row["computed"]) >= 0.0, row["quantity"]
+
+
+@TABLES
+def test_readers_see_the_numbers_and_errors_that_machines_do(results, name):
+    _, rows = read_table(results, name)
+    markdown = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").splitlines()
+    heads, _, *lines = ([cell.strip() for cell in line.split("|")[1:-1]] for line in markdown)
+    for row, line in zip(rows, lines, strict=True):
+        shown = dict(zip(heads, line, strict=True))
+        for head, rounding in (("computed", 1e-5), ("numerical error", 0.1)):
+            exact = float(row[head]) if row[head] else math.nan
+            found = float("nan" if shown[head] == "–" else shown[head])
+            assert found == pytest.approx(exact, rel=rounding, abs=0.0, nan_ok=True)
 
 
 @TABLES

@@ -4,6 +4,11 @@
 rule check_results:
     input:
         tests=sorted(glob(project("tests", "artefacts", "*.py"))),
+        pages=[
+            project("README.md"),
+            project("docs", "performance.md"),
+            project("docs", "proofs.md"),
+        ],
         datasets=DATASETS,
         figures=DRAWN_FILES,
         tables=WRITTEN_FILES,

@@ -20,6 +20,13 @@ os.environ.update(
     NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
 )
 
+# Snakemake starts its jobs by this name, without quotation marks.
+if " " in sys.executable:
+    sys.exit(
+        f"Snakemake starts no job by {sys.executable}, since there is a blank in this path: move "
+        "the folder, or make the environment elsewhere."
+    )
+
 from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
 from run_lock import FolderInUseError, lock_folder
@@ -52,7 +59,14 @@ HELD = []
 
 
 def hold_results_folder():
-    """Let no other run into the results folder until this one ends, and let its jobs end with it."""
+    """Let no other run into the results folder until this one ends, and let its jobs end with it.
+
+    Who only asks for help writes nothing there.
+    """
+    if not any(job.output for job in workflow.dag.needrun_jobs()):
+        return
+    for error in folder_errors(config["results"]):
+        sys.exit(error)
     try:
         HELD.append(lock_folder(Path(config["results"])))
     except FolderInUseError as error:

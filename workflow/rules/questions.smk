@@ -1,5 +1,6 @@
 """What each dataset answers, and what the paper asks of the same dataset."""
 
+from altered_files import make_altered_files_again
 from granular_fronts.output.provenance import code_version, question_digest, read_record
 from granular_fronts.scenes.yaml_files import read_yaml
 from questions import FAMILIES, questions, questions_on_demand
@@ -76,3 +77,4 @@ def reference(*datasets):
 
 
 check_history()
+make_altered_files_again()

@@ -34,6 +34,7 @@ def animate_front(dataset: Path, gif: Path, pdf: Path, png: Path, record: Path) 
     record : Path
         What they were made from.
     """
+    plt.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
     motion = read_dataset(dataset)
     crossing = float(motion["arrival_time"].max())
     origins = [origin(motion.attrs)]

@@ -55,7 +55,7 @@ def check_results(results: Path, configuration: dict, verdict: Path) -> None:
             "expected one because config/default.yaml was changed: that file holds the paper's "
             "parameters, to which the verdicts belong; put other ones into a file laid over it."
         )
-    skipped = f", {outcome.skipped} that expect the paper's parameters were skipped"
+    skipped = f", {outcome.skipped} that expect the paper's parameters or more tables were skipped"
     with complete_file(verdict) as unfinished:
         unfinished.write_text(
             f"All {outcome.passed} tests of the files in {results} passed"

@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Any
 
 import jinja2
+import matplotlib
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -69,10 +70,12 @@ def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
         data = {name: read(path) for name, path in paths.items()}
         every = [dataset for given in data.values() for dataset in listed(given)]
         origins = [origin(dataset.attrs) for dataset in every]
+        matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
         save_figure(draw(**data), outputs["pdf"], outputs["png"], origins)
         computed = {name: configurations(given) for name, given in data.items()}
         notes = departure_notes(every, reference)
-        text = "\n\n".join([fill(template.read_text(encoding="utf-8"), computed).strip(), *notes])
+        caption = fill(template.read_text(encoding="utf-8"), computed, finalize=without_markup)
+        text = "\n\n".join([caption.strip(), *notes])
         with complete_file(outputs["caption"]) as unfinished:
             unfinished.write_text(f"{text}\n", encoding="utf-8")
         files = [outputs[name] for name in ("pdf", "png", "caption")]
@@ -122,7 +125,7 @@ def configurations(given: xr.Dataset | list[xr.Dataset]) -> Any:
     return configuration_of(given)
 
 
-def fill(template: str, computed: Mapping[str, Any]) -> str:
+def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], str] = str) -> str:
     """Fill a text with the values that were computed.
 
     Parameters
@@ -131,14 +134,23 @@ def fill(template: str, computed: Mapping[str, Any]) -> str:
         Jinja; a name that is unknown is an error.
     computed : mapping
         Configuration of each dataset, by the name it has in the figure.
+    finalize : callable, optional
+        Makes text of a value.
 
     Returns
     -------
     str
     """
-    environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=False)
+    environment = jinja2.Environment(
+        undefined=jinja2.StrictUndefined, autoescape=False, finalize=finalize
+    )
     environment.filters["number"] = "{:g}".format
     return environment.from_string(template).render(computed)
+
+
+def without_markup(value: Any) -> str:
+    """A value of a data file as words of a caption, whatever reStructuredText it holds."""
+    return re.sub(r"([_*`|\\])", r"\\\1", re.sub(r"\s+", " ", str(value)))
 
 
 def departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) -> Iterator[str]:
@@ -157,12 +169,13 @@ def departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) ->
     """
     for dataset in datasets:
         scene = dataset.attrs["scene"]
+        named = without_markup(scene)
         if scene not in reference:
-            yield f"**Scene {scene} is not one of the paper's.**"
+            yield f"**Scene {named} is not one of the paper's.**"
             continue
         if found := physical_departures(configuration_of(dataset), reference[scene]):
-            words = re.sub(r"([_*`|\\])", r"\\\1", describe(found))
-            yield f"**Not the paper's parameters** in scene {scene}: {words}."
+            words = without_markup(describe(found))
+            yield f"**Not the paper's parameters** in scene {named}: {words}."
 
 
 if __name__ == "__main__":

@@ -52,8 +52,6 @@ def prove_chunk(chunk: dict, folder: Path, dataset: Path) -> None:
             " of the interval more cells, a finer inverse behind or a smaller drift."
         ) from failure
     print(describe_progress(rows, chunk), file=sys.stderr)
-    for file in {*folder.iterdir()} - {Path(row["path"]) for row in rows}:
-        file.unlink()
     write_dataset(records_dataset(rows), dataset, scene_id=dataset.stem, config=chunk)
 
 

@@ -161,7 +161,7 @@ def _describe_fault(error: ValueError | OSError) -> str:
     if isinstance(error, ValueError | NoSpaceError):
         return str(error)
     if is_full(error):
-        return str(NoSpaceError(Path(error.filename or ".").absolute().parent))
+        return str(NoSpaceError(Path(error.filename or "file").absolute().parent))
     if error.filename is None:
         return describe_unexpected(error)
     return f"{error.filename} cannot be read or written ({error.strerror}): name another."

@@ -1,5 +1,6 @@
 """Put numbers and the moving picture of a run into the README, times and proofs into the manual."""
 
+import math
 import shutil
 from pathlib import Path
 
@@ -34,17 +35,20 @@ def update_documents(readme: Path, performance: Path, proofs: Path, results: Pat
         Files with a block between ``<!-- name -->`` and ``<!-- end of name -->``: numbers of the
         paper, times, and what is proved.
     results : Path
-        Folder of a finished run of the targets all, precision, animation and proofs.
+        Folder of a finished run of the target all; of precision, animation and proofs, what was
+        not made stays as it is.
     """
-    for page, name, table in (
-        (readme, "numbers", paper_numbers(results)),
-        (performance, "speed", speed(results)),
-        (proofs, "proved", proved(results)),
+    for page, name, table, make_block in (
+        (readme, "numbers", "paper_numbers", paper_numbers),
+        (performance, "speed", "speed_verdicts", speed),
+        (proofs, "proved", "proofs", proved),
     ):
-        text = replace_block(page.read_text(encoding="utf-8"), name, table)
-        with complete_file(page) as unfinished:
-            unfinished.write_text(text, encoding="utf-8")
-    shutil.copyfile(results / "animation" / PICTURE, readme.parent / "docs" / PICTURE)
+        if (results / "tables" / f"{table}.csv").exists():
+            text = replace_block(page.read_text(encoding="utf-8"), name, make_block(results))
+            with complete_file(page) as unfinished:
+                unfinished.write_text(text, encoding="utf-8")
+    if (results / "animation" / PICTURE).exists():
+        shutil.copyfile(results / "animation" / PICTURE, readme.parent / "docs" / PICTURE)
 
 
 def paper_numbers(results: Path) -> str:
@@ -56,7 +60,7 @@ def paper_numbers(results: Path) -> str:
             "quantity": table["quantity"],
             "printed": table["printed"],
             "computed": [f"{float(value):.6g}" for value in table["computed"]],
-            "numerical error": [f"{float(value):.0e}" for value in table["numerical error"]],
+            "numerical error": [bound(float(value)) for value in table["numerical error"]],
             "verdict": table["verdict"],
         }
     )
@@ -64,6 +68,11 @@ def paper_numbers(results: Path) -> str:
     counts = statements["verdict"].value_counts()
     verdicts = ", ".join(f"{verdict} {count}" for verdict, count in counts.items())
     return f"{rows}\n\nVerdicts on all {len(statements)} numbers and statements: {verdicts}."
+
+
+def bound(error: float) -> str:
+    """A power of ten that an error stays below, also where another machine finds thrice as much."""
+    return f"< {10.0 ** math.ceil(math.log10(3.0 * error)):.0e}"
 
 
 def speed(results: Path) -> str:
@@ -79,10 +88,12 @@ def proved(results: Path) -> str:
 
 def replace_block(text: str, name: str, content: str) -> str:
     """The text with what stands between the marks of a block replaced."""
-    start, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
-    before, rest = text.split(start)
-    _, after = rest.split(end)
-    return f"{before}{start}\n{content}\n{end}{after}"
+    return text.replace(block(text, name), content)
+
+
+def block(text: str, name: str) -> str:
+    """What stands between the marks of a block."""
+    return text.split(f"<!-- {name} -->\n")[1].split(f"\n<!-- end of {name} -->")[0]
 
 
 if __name__ == "__main__":

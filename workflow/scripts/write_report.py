@@ -28,7 +28,7 @@ from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
 
 
-def write_report(
+def write_report(  # noqa: PLR0913 - what its rule names
     template: Path,
     texts: Path,
     figures: list[Path],
@@ -92,7 +92,7 @@ def write_report(
         outdated=[record.stem for record in on_demand if record not in shown],
         run_times=tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
-        made_from=json.dumps({record.stem: read_record(record) for record in [*figures, *tables]}),
+        made_from={record.stem: read_record(record) for record in [*figures, *tables]},
         configuration=dump_configuration(configuration),
     )
     with complete_file(page) as unfinished:
@@ -182,9 +182,10 @@ def render(caption: str) -> str:
     str
         The HTML of its paragraphs.
     """
-    # Browsers draw MathML themselves; the default wants a style sheet of its own.
-    mathematics = {"math_output": "MathML"}
-    return publish_parts(caption, writer="html5", settings_overrides=mathematics)["fragment"]
+    # Browsers draw MathML themselves; the default wants a style sheet of its own. A caption holds
+    # values of data files, which may come from anywhere.
+    settings = {"math_output": "MathML", "raw_enabled": False, "file_insertion_enabled": False}
+    return publish_parts(caption, writer="html5", settings_overrides=settings)["fragment"]
 
 
 def tabulate_csv(table: Path) -> str:

@@ -21,7 +21,8 @@ import numpy as np
 
 from granular_fronts.campaign.definition import Campaign
 from granular_fronts.errors import InputError
-from granular_fronts.output.files import complete_file
+from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
+from granular_fronts.output.files import complete_file, read_json
 
 IDENTITY = "campaign.json"
 
@@ -72,7 +73,7 @@ class Chunk(NamedTuple):
 
 
 def find_missing(campaign: Campaign, folder: Path) -> tuple[list[str], np.ndarray]:
-    """Lay the solved chunks of a folder over the grid.
+    """Lay the solved chunks of a folder over the grid; requests that are lost are written again.
 
     Parameters
     ----------
@@ -95,6 +96,7 @@ def find_missing(campaign: Campaign, folder: Path) -> tuple[list[str], np.ndarra
         if missing[where].any():
             missing[where] = False
             solved.append(chunk.name)
+            write_request(chunk, folder)
     return solved, missing.reshape(campaign.shape)
 
 
@@ -117,7 +119,7 @@ def claim_folder(campaign: Campaign, folder: Path) -> None:
         with complete_file(mark) as unfinished:
             unfinished.write_text(json.dumps(identity) + "\n", encoding="utf-8")
         return
-    found = json.loads(mark.read_text(encoding="utf-8"))
+    found = read_json(mark)
     if found != identity:
         raise InputError(
             f"Campaign {campaign.name}: {folder} holds the results of campaign "
@@ -128,25 +130,35 @@ def claim_folder(campaign: Campaign, folder: Path) -> None:
 
 def solved_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
     """Chunks in a folder that are solved with the campaign's settings, in the order of names."""
-    for data in sorted(folder.glob("*.nc")):
-        request = data.with_suffix(".json")
-        if request.exists():
+    for file in sorted(folder.glob("*.nc")):
+        request = file.with_suffix(".json")
+        if is_request(request):
             chunk = read_request(request)
-            same_parameters = {*chunk.lines, *chunk.fast} == {*campaign.grid}
-            same_settings = (chunk.kind, chunk.settings) == (campaign.kind_name, campaign.settings)
-            if same_parameters and same_settings:
-                yield chunk
+        else:
+            try:
+                chunk = Chunk(**configuration_of(read_dataset(file, scene_id=file.stem)))
+            except DatasetError:
+                continue  # It is solved again.
+        same_parameters = {*chunk.lines, *chunk.fast} == {*campaign.grid}
+        same_settings = (chunk.kind, chunk.settings) == (campaign.kind_name, campaign.settings)
+        if same_parameters and same_settings:
+            yield chunk
 
 
 def read_request(path: Path) -> Chunk:
     """Read the request of a chunk."""
-    return Chunk(**json.loads(path.read_text(encoding="utf-8")))
+    return Chunk(**read_json(path))
+
+
+def is_request(path: Path) -> bool:
+    """Whether there is a whole request, by the digest that is its name."""
+    return path.exists() and hashlib.sha256(path.read_bytes()).hexdigest()[:16] == path.stem
 
 
 def write_request(chunk: Chunk, folder: Path) -> None:
     """Write the request of a chunk unless it is there: a newer date would solve it again."""
     path = folder / f"{chunk.name}.json"
-    if not path.exists():
+    if not is_request(path):
         with complete_file(path) as unfinished:
             unfinished.write_text(chunk.as_json(), encoding="utf-8")
 

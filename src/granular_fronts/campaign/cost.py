@@ -20,7 +20,7 @@ import numpy as np
 from granular_fronts.campaign.chunks import Chunk
 from granular_fronts.campaign.definition import Campaign
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.output.files import complete_file
+from granular_fronts.output.files import complete_file, read_json
 
 PIECES, FIRST_LENGTH = 3, 3
 """Pieces along each of the two directions, across lines and along them, and their first length."""
@@ -45,7 +45,7 @@ def seconds_per_point(campaign: Campaign, folder: Path) -> float:
     digest = hashlib.sha256(asked.encode()).hexdigest()[:16]
     file = folder / "cost.json"
     if file.exists():
-        known = json.loads(file.read_text(encoding="utf-8"))
+        known = read_json(file)
         if known["campaign"] == digest:
             return known["seconds_per_point"]
     print(f"Campaign {campaign.name}: measuring what a point costs.", file=sys.stderr)

@@ -9,7 +9,7 @@ import os
 from pathlib import Path
 from typing import NamedTuple
 
-from granular_fronts.output.files import complete_file
+from granular_fronts.output.files import complete_file, read_json
 
 
 class Plan(NamedTuple):
@@ -43,7 +43,7 @@ def write_plan(plan: Plan, file: Path) -> None:
 
 def read_plan(file: Path | str) -> Plan:
     """Read a plan."""
-    return Plan(**json.loads(Path(file).read_text(encoding="utf-8")))
+    return Plan(**read_json(file))
 
 
 def describe_progress(file: Path, seconds_per_point: float) -> str:

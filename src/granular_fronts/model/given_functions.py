@@ -56,12 +56,15 @@ def _check_values(function, nodes, symbol, name):
     """Raise if a function is not vectorised, or has no finite value at a node."""
     try:
         with np.errstate(all="ignore"):
-            values = np.asarray(function(nodes), dtype=float)
-    except (TypeError, ValueError) as error:
+            found = np.asarray(function(nodes))
+            values = np.asarray(found.real, dtype=float)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError(
             f"{symbol} of {name} is not vectorised: given an array it fails with '{error}'. Use "
             "functions of numpy, or numpy.vectorize."
         ) from error
+    if np.iscomplexobj(found):
+        raise InputError(f"{symbol} of {name} has complex values: give a real function of r.")
     if values.shape != nodes.shape:
         raise InputError(
             f"{symbol} of {name} is not vectorised: given {nodes.size} values of r it returns an "

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from granular_fronts.arguments import scalar
+from granular_fronts.arguments import instance, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.model.given_functions import check_functions, check_interval, check_kinks
 from granular_fronts.model.kinds import KINDS
@@ -181,7 +181,10 @@ class Potential:
         Raises
         ------
         InputError
-            If the expression has other symbols, has no numbers, or fails the check of `Potential`.
+            If it is no expression of SymPy, as a text is not, which would run as Python; if it has
+            other symbols or no numbers, or fails the check of `Potential`.
+        ModuleNotFoundError
+            Without SymPy.
 
         Examples
         --------
@@ -191,9 +194,16 @@ class Potential:
         >>> float(quartic.first(-2.0))
         -8.0
         """
-        import sympy
-
-        others = sorted(map(str, sympy.sympify(expression).free_symbols - {symbol}))
+        try:
+            import sympy
+        except ImportError as error:
+            raise ModuleNotFoundError(
+                "Potentials from expressions need SymPy: pip install 'granular-fronts[symbolic]'.",
+                name="sympy",
+            ) from error
+        instance("expression", expression, sympy.Expr, "make one of sympy.Symbol('r')")
+        instance("symbol", symbol, sympy.Symbol, "give the one that stands for r")
+        others = sorted(map(str, expression.free_symbols - {symbol}))
         if others:
             raise InputError(
                 f"The expression {expression} depends on {', '.join(others)} besides {symbol}: "
@@ -201,7 +211,7 @@ class Potential:
             )
         # Of a real number |r| and max(r, 0) have derivatives, which their pieces give.
         r = sympy.Symbol("r", real=True)
-        pieces = sympy.sympify(expression).subs(symbol, r).rewrite(sympy.Piecewise)
+        pieces = expression.subs(symbol, r).rewrite(sympy.Piecewise)
         derivatives = [sympy.diff(pieces, r, order) for order in range(4)]
         try:
             of_arrays, of_numbers = (

@@ -12,8 +12,8 @@ The cache may be kept from one run to the next, on one machine or between machin
 integration, say).  The key of a folder is the digest of the code and the versions of numba,
 llvmlite and NumPy: kernels contain NumPy's functions as numba writes them for its version, and
 hold tables that NumPy computed as constants.  Numba itself adds the processor, its features, and
-the versions of numba and of Python to the key of each entry.  What does not fit is compiled anew
-beside what is there, and never used.
+the versions of numba and of Python to the key of each entry.  What does not fit, or is damaged, is
+compiled anew and never used.
 
 Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
 while.  Numba itself reports each compilation, so that the line comes when there is one and not
@@ -33,6 +33,7 @@ from numba.core.registry import CPUDispatcher
 
 from granular_fronts.errors import InputError
 from granular_fronts.numerics.imports import import_closure, module_files
+from granular_fronts.numerics.kernel_files import check_kernel_files
 from granular_fronts.numerics.source_code import cache_root, code_digest
 
 if numba.config.DISABLE_JIT:
@@ -81,6 +82,7 @@ class CompilationNotice(event.Listener):
 
 
 event.register("numba:compile", CompilationNotice())
+check_kernel_files()
 
 
 def kernel(function=None, /, **options):

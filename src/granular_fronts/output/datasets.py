@@ -22,7 +22,13 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import code_version, data_digest, origin, question_digest
+from granular_fronts.output.provenance import (
+    code_version,
+    data_digest,
+    digest,
+    origin,
+    question_digest,
+)
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
 
@@ -250,6 +256,7 @@ def write_dataset(
     config = json.loads(json.dumps(config, default=lambda law: law.describe()))
     described = name_variables(dataset.copy())
     described.attrs = {
+        **{key: _plain(value) for key, value in dataset.attrs.items()},
         "Conventions": "CF-1.11",
         "title": f"Scene {scene_id}",
         "references": PAPER,
@@ -260,7 +267,6 @@ def write_dataset(
         "data_digest": data_digest(described),
         "software": ", ".join(f"{name} {importlib.metadata.version(name)}" for name in _PACKAGES),
         "code_version": code_version(),
-        **{key: _plain(value) for key, value in dataset.attrs.items()},
     }
     with complete_file(path) as unfinished:
         described.to_netcdf(unfinished, engine="netcdf4", encoding=_encoding(described))
@@ -282,7 +288,8 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
     Raises
     ------
     DatasetError
-        If the file is missing, truncated, not one of this project's, or of another scene.
+        If the file is missing, damaged, not one of this project's, or of another scene, or if its
+        values or its configuration are not those that were written.
     """
     remedy = "delete it and run the workflow again."
     if not Path(path).exists():
@@ -292,12 +299,15 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
             loaded = dataset.load()
     except (OSError, ValueError, RuntimeError) as error:
         raise DatasetError(f"{path} is not a readable netCDF file ({error}): {remedy}") from error
-    if "scene" not in loaded.attrs or "code_version" not in loaded.attrs:
+    if not {"scene", "config", "config_digest", "data_digest"} <= loaded.attrs.keys():
         raise DatasetError(f"{path} was not written by this project (no scene in it): {remedy}")
     if scene_id is not None and loaded.attrs["scene"] != scene_id:
         raise DatasetError(
             f"{path} holds scene {loaded.attrs['scene']}, but {scene_id} is expected: {remedy}"
         )
+    asked = digest(str(loaded.attrs["config"]).encode())
+    if (asked, data_digest(loaded)) != (loaded.attrs["config_digest"], loaded.attrs["data_digest"]):
+        raise DatasetError(f"{path} was altered after it was written: {remedy}")
     return loaded
 
 
@@ -316,16 +326,8 @@ def read_origins(folder: Path, names: Iterable[str]) -> dict[str, dict[str, str]
     dict of str to dict
         As `provenance.origin` gives, by name; a dataset that is missing is left out.
     """
-    # What else is here needs xarray alone, and solvers that name their variables start faster.
-    import netCDF4
-
-    origins = {}
-    for name in names:
-        path = Path(folder, f"{name}.nc")
-        if path.exists():
-            with netCDF4.Dataset(path) as dataset:
-                origins[name] = origin({key: dataset.getncattr(key) for key in dataset.ncattrs()})
-    return origins
+    files = {name: Path(folder, f"{name}.nc") for name in names}
+    return {name: origin(read_dataset(path).attrs) for name, path in files.items() if path.exists()}
 
 
 def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:

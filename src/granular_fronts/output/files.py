@@ -6,15 +6,16 @@ writes the same file removes it.
 """
 
 import errno
+import json
 import os
 import platform
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TypeGuard
+from typing import Any, TypeGuard
 
-from granular_fronts.errors import NoSpaceError
+from granular_fronts.errors import InputError, NoSpaceError
 
 FULL_DISK = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 """The system's answers where a disk or the user's share of it is full, or a file may not grow."""
@@ -41,10 +42,14 @@ def complete_file(path: Path | str) -> Iterator[Path]:
 
     Raises
     ------
+    InputError
+        If something lies there that is no file: a folder, a device or a pipe is never replaced.
     NoSpaceError
         If the block fails because the disk is full.
     """
     path = Path(path)
+    if path.exists() and not path.is_file():
+        raise InputError(f"{path} is no file that can be replaced: name another one.")
     unfinished = path.with_name(f"unfinished-{HOST}-{os.getpid()}-{path.name}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -60,6 +65,22 @@ def complete_file(path: Path | str) -> Iterator[Path]:
     finally:
         with suppress(FileNotFoundError, NotADirectoryError):
             unfinished.unlink()
+
+
+def read_json(path: Path | str) -> Any:
+    """What a JSON file of the workflow holds.
+
+    Raises
+    ------
+    InputError
+        If it is damaged.
+    """
+    try:
+        return json.loads(Path(path).read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise InputError(
+            f"{path} is damaged ({error}): delete it and run the workflow again."
+        ) from error
 
 
 def is_full(error: BaseException) -> TypeGuard[OSError]:

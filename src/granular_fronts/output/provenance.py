@@ -16,6 +16,7 @@ what is asked now.
 
 import hashlib
 import json
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -23,7 +24,7 @@ from typing import Any
 
 import granular_fronts
 from granular_fronts.numerics.source_code import code_digest
-from granular_fronts.output.files import complete_file
+from granular_fronts.output.files import complete_file, read_json
 
 SOURCES = Path(granular_fronts.__file__).parent
 
@@ -71,12 +72,16 @@ def data_digest(dataset: Any) -> str:
     found = hashlib.sha256()
     for name in sorted(dataset.variables):
         values = dataset.variables[name].values
-        found.update(f"{name} {values.dtype.kind} {values.shape} ".encode())
-        if values.dtype.kind in "biuf":
-            found.update(values.tobytes())
-        else:
-            # Text has no fixed width in memory, so it counts as its characters.
+        # A file keeps neither the width of text nor its type, nor the sign of what is not a number.
+        kind = values.dtype.kind if values.dtype.kind in "biuf" else "U"
+        found.update(f"{name} {kind} {values.shape} ".encode())
+        if kind == "U":
             found.update(json.dumps(values.astype(str).tolist()).encode())
+            continue
+        if kind == "f":
+            values = values.copy()
+            values[values != values] = math.nan
+        found.update(values.tobytes())
     return found.hexdigest()[:DIGEST_LENGTH]
 
 
@@ -130,7 +135,7 @@ def write_record(
 
 def read_record(path: Path) -> dict[str, Any]:
     """Read what `write_record` wrote."""
-    return json.loads(path.read_text(encoding="utf-8"))
+    return read_json(path)
 
 
 def disagreements(

@@ -27,6 +27,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from granular_fronts.accuracy import Estimate
+from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.judgement import half_unit, judge, range_of_criterion
@@ -69,6 +70,12 @@ def criterion_of(statement: Mapping[str, Any]) -> str:
     """
     if "not_judged" in statement:
         return ""
+    for key in ("printed", "criterion"):
+        if not isinstance(text := statement.get(key, ""), str):
+            raise InputError(
+                f"{key} of “{statement['quantity']}” is {text} without quotation marks: set them, "
+                "since the digits that are written count."
+            )
     if statement["kind"] == "number":
         within = statement.get("within", half_unit(statement["printed"]))
         return f"{statement['printed']} within {within}"

@@ -12,6 +12,7 @@ from granular_fronts import arguments
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.output.files import complete_file
 from granular_fronts.proofs import right_inverse
 from granular_fronts.proofs.balls import MATRIX_UNIT
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
@@ -104,7 +105,7 @@ def prove_front(
 
 
 def _write_and_check(path, fields):
-    with path.open("wb") as file:
+    with complete_file(path) as unfinished, unfinished.open("wb") as file:
         np.savez_compressed(file, **fields)
     return check_certificate(path)
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import solve_front
+from granular_fronts.output.files import complete_file
 from granular_fronts.proofs.balls import NotProvedError
 from granular_fronts.proofs.certificate import describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
@@ -91,8 +92,5 @@ def _require_conclusion(front):
 
 
 def _write(path, fields):
-    """A certificate that is there is whole."""
-    part = path.with_suffix(".part")
-    with part.open("wb") as file:
+    with complete_file(path) as unfinished, unfinished.open("wb") as file:
         np.savez_compressed(file, **fields)
-    part.replace(path)

@@ -21,7 +21,10 @@ UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 
 
 def validate_configuration(
-    configuration: Mapping, files: Sequence[Path | str] = (), arguments: Mapping | None = None
+    configuration: Mapping,
+    files: Sequence[Path | str] = (),
+    arguments: Mapping | None = None,
+    writes: bool = True,
 ) -> None:
     """Validate a configuration and the way in which it was given.
 
@@ -33,6 +36,8 @@ def validate_configuration(
         The files it was merged from.
     arguments : Mapping, optional
         What the command line gave after ``--config``.
+    writes : bool, optional
+        Whether results will be written.
 
     Raises
     ------
@@ -41,7 +46,7 @@ def validate_configuration(
     """
     raise_if_any([*yaml_errors(files), *argument_errors(arguments or {})])
     check_configuration(configuration)
-    raise_if_any([*folder_errors(configuration["results"])])
+    raise_if_any([*folder_errors(configuration["results"], writes)])
 
 
 def check_configuration(configuration: Mapping) -> None:
@@ -88,13 +93,15 @@ def argument_errors(arguments: Mapping) -> Iterator[str]:
             )
 
 
-def folder_errors(results: str) -> Iterator[str]:
+def folder_errors(results: str, writes: bool = True) -> Iterator[str]:
     """Find out whether a folder can receive results; nothing is written.
 
     Parameters
     ----------
     results : str
         The folder, relative to the working directory.
+    writes : bool, optional
+        Whether anything will be written there.
 
     Yields
     ------
@@ -122,7 +129,7 @@ def folder_errors(results: str) -> Iterator[str]:
             return
         if not existing.is_dir():
             yield f"results is {results}, but {existing} is a file: name a folder."
-        elif not os.access(existing, os.W_OK | os.X_OK):
+        elif writes and not os.access(existing, os.W_OK | os.X_OK):
             yield (
                 f"results is {results}, but nothing can be written into {existing}: name a folder "
                 "of your own."

@@ -122,6 +122,11 @@ def yaml_errors(files: Sequence[Path | str]) -> Iterator[str]:
                     f"{file} holds no mapping of keys to values, as config/default.yaml does: "
                     "write key: value."
                 )
+            elif value and "__use_yte__" in value:
+                yield (
+                    f"{file} is a template (__use_yte__), which Snakemake runs as Python: write "
+                    "its values themselves."
+                )
 
 
 def load_configuration(*files: Path | str) -> dict:

@@ -13,7 +13,6 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import netCDF4
 from rocrate.model.entity import Entity
 from rocrate.rocrate import ROCrate
 
@@ -27,6 +26,7 @@ from crate.entities import (
     package_identifier,
 )
 from crate.jobs import Job
+from granular_fronts.output.datasets import read_dataset
 
 PROFILES = {
     "https://w3id.org/ro/wfrun/process/0.5": "Process Run Crate",
@@ -306,6 +306,7 @@ def describe_call(job: Job) -> str:
         said = [log.readline().strip()]
     for file in job.outputs:
         if file.endswith(".nc"):
-            with netCDF4.Dataset(file) as dataset:
-                said.append(f"{Path(file).name}: {dataset.code_version}, {dataset.software}")
+            attributes = read_dataset(file).attrs
+            versions = f"{attributes['code_version']}, {attributes['software']}"
+            said.append(f"{Path(file).name}: {versions}")
     return "\n".join(said)

@@ -4,7 +4,6 @@ Bokeh draws the panels and is part of the page.  The controls are the browser's 
 have a name, a value in words and keys for readers who see no picture; Bokeh's sliders have none.
 """
 
-import json
 from collections.abc import Iterable, Iterator, Mapping
 from decimal import ROUND_CEILING, Context
 from typing import Any, NamedTuple
@@ -102,9 +101,9 @@ def make_page(
         "collection": sources.collection,
         "code_version": code_version(),
         "bokeh_version": bokeh.__version__,
-        "made_from": json.dumps([origin(data.attrs) for data in sources.all()]),
+        "made_from": [origin(data.attrs) for data in sources.all()],
     }
-    environment = jinja2.Environment(undefined=jinja2.StrictUndefined)
+    environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=True)
     return file_html(
         document,
         INLINE,
