@@ -39,7 +39,7 @@ def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -
     figure, panels = new_figure(3.0, [[*wings]])
     for letter, (wing, data) in zip("abc", wings.items(), strict=True):
         draw_wing(panels[wing], data)
-        panels[wing].set_title(f"{letter}  {wing}\n{in_words(data)}", fontsize=7, loc="left")
+        panels[wing].set_title(f"{letter}  {wing}\n{in_words(data)}", fontsize=6.5, loc="left")
     panels["chains"].set_ylabel("share of numbers above")
     return figure
 
@@ -78,9 +78,10 @@ def in_words(data: xr.Dataset) -> str:
     ratios, stated, true = (data[name].values for name in ("ratio", "stated_error", "true_error"))
     wrong = (true > 0.0) & np.isfinite(true)
     median = np.median(stated[wrong] / true[wrong])
-    above = ", ".join(f"{np.mean(ratios > limit):.1%} above {limit:g}" for limit in (2, 10))
-    worst = f"largest {ratios.max():.2g}, median of stated/true {median:.2g}"
-    return f"{ratios.size} numbers: {above}\n{worst}"
+    above = ", ".join(f"{np.mean(ratios > limit):.2%} > {limit:g}" for limit in (2, 10))
+    return (
+        f"{ratios.size} numbers: {above}\nlargest {ratios.max():.2g}, median inverse {median:.2g}"
+    )
 
 
 if __name__ == "__main__":
