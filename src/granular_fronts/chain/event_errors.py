@@ -5,11 +5,13 @@ sample of the error of u, or of that of u̇: the value of an extreme is wrong by
 time by :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  The
 states at a few times are samples too.  An event takes the largest of the samples near it, of
 contacts at most `NEAR` away and of times within a factor of `RECENT`, through its own reading.
+More than `FEW` events of one kind are enough: each takes the largest difference of those near it.
 
 The extreme of all contacts and times is the best of many candidates.  Where others come as close to
 it as the errors allow, its time and bead are as uncertain as those of the candidates differ.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +24,8 @@ from granular_fronts.chain.recording import (
     speed_and_error,
 )
 
-NEAR, RECENT = 2, 2.0
+# States are compared at times a factor of 2 apart: one of them is always near.
+NEAR, RECENT, FEW = 2, math.sqrt(2.0), 5
 # Two events are one if u changes by less than this share of its largest from the one to the other.
 SAME = 0.01
 
@@ -63,7 +66,9 @@ def event_errors(scene, recording, refined, contacts):
         _, speed = speed_and_error(events["arrival"][0][TIME], arrival)
         errors |= {"arrival_time": _largest(arrival), "front_speed": speed}
         peak, other = events["first_peak"]
-        errors["first_peak"] = _largest(_near(samples.time, samples.of_u, peak[TIME]))
+        errors["first_peak"] = _largest(
+            _of_several(np.abs(peak[VALUE] - other[VALUE]), samples, samples.of_u, peak[TIME])
+        )
         errors["first_peak_time"] = _largest(error_of_turn(samples, peak, other))
     if recording.track_extremes:
         both = [extremes_of_all(one, contacts) for one in runs]
@@ -108,14 +113,22 @@ def take_samples(events, states):
 
 def error_of_passage(samples, own, other):
     """Errors of the times at which contacts pass a level."""
-    through = _near(samples.time, samples.of_u, own[TIME]) / own[STEEPNESS]
-    return np.fmax(through, np.abs(own[TIME] - other[TIME]))
+    moved = np.abs(own[TIME] - other[TIME])
+    return _of_several(moved, samples, samples.of_u, own[TIME], own[STEEPNESS])
 
 
 def error_of_turn(samples, own, other):
     """Errors of the times at which contacts turn."""
-    through = _near(samples.time, samples.of_rate, own[TIME]) / own[STEEPNESS]
-    return np.fmax(through, np.abs(own[TIME] - other[TIME]))
+    moved = np.abs(own[TIME] - other[TIME])
+    return _of_several(moved, samples, samples.of_rate, own[TIME], own[STEEPNESS])
+
+
+def _of_several(differences, samples, errors, time, steepness=1.0):
+    """Errors of events of one kind, from their differences and, if these are few, from samples."""
+    several = _near(time[np.newaxis], differences[np.newaxis], time)
+    if np.count_nonzero(np.isfinite(differences)) > FEW:
+        return several
+    return np.fmax(several, _near(samples.time, errors, time) / steepness)
 
 
 def _near(times, errors, time):
