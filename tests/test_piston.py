@@ -149,3 +149,10 @@ def test_conversion_to_strain_form_and_back(t):
     velocity[0] += 0.4 * (boundary.piston.acceleration_at(t) - 0.5 / 3.0)
     back = equations.velocities(d, u, boundary, law, t=t)
     np.testing.assert_allclose(back, velocity, atol=2.0e-14)
+
+
+def test_a_piston_rises_linearly_over_its_ramp():
+    rising, sudden = Piston(2.0, 4.0), Piston(2.0, 0.0)
+    assert [rising.velocity_at(t) for t in (0.0, 1.0, 4.0, 9.0)] == [0.0, 0.5, 2.0, 2.0]
+    assert rising.acceleration_at([1.0, 4.0, 9.0]).tolist() == [0.5, 0.5, 0.0]
+    assert (sudden.velocity_at(0.0), sudden.acceleration_at(0.0)) == (2.0, 0.0)

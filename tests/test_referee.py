@@ -84,8 +84,7 @@ FORCE = r"u\^\((.*)/(.*)\) \+ (\S+) \* (\S+) \* u\^\((\S+)\) \* du/dt"
 def test_deck_and_words_have_the_force_of_the_law(name):
     """The deck's by the manual of pair_style granular: spheres of radius 1/2 and mass 1."""
     problem, compressions = PROBLEMS[name], np.array([1e-3, 0.1, 2.0])
-    law, scene = problem.scene["law"], problem.scene
-    elastic = compressions**1.5
+    scene, law, elastic = problem.scene, problem.scene["law"], compressions**1.5
     viscous = law["gamma"] * law["beta"] * compressions ** (law["beta"] - 1.0)
     deck = write_deck(name, problem.title, scene, problem.interval)
     stiffness, coefficient, model = re.search(r"hertz (\S+) (\S+) damping (\w+) ", deck).groups()
