@@ -79,9 +79,8 @@ def in_words(data: xr.Dataset) -> str:
     wrong = (true > 0.0) & np.isfinite(true)
     median = np.median(stated[wrong] / true[wrong])
     above = ", ".join(f"{np.mean(ratios > limit):.2%} > {limit:g}" for limit in (2, 10))
-    return (
-        f"{ratios.size} numbers: {above}\nlargest {ratios.max():.2g}, median inverse {median:.2g}"
-    )
+    worst = f"largest {ratios.max():.2g}, median stated/true {median:.2g}"
+    return f"{ratios.size} numbers: {above}\n{worst}"
 
 
 if __name__ == "__main__":
