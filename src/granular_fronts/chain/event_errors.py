@@ -60,7 +60,8 @@ def event_errors(scene, recording, refined, contacts):
     profiles = tuple(one.profile_u[every] for one in runs)
     rows = np.searchsorted(recording.profile_times, monitor_times(scene))
     states = zip(recording.profile_times[rows], *(u[rows] for u in profiles), strict=True)
-    errors, samples = {}, take_samples(events, states)
+    rounding = 4.0 * np.spacing(np.abs(recording.profile_d[rows]).max(initial=0.0))
+    errors, samples = {}, take_samples(events, states, rounding)
     if not np.isnan(recording.level):
         arrival = error_of_passage(samples, *events["arrival"])
         _, speed = speed_and_error(events["arrival"][0][TIME], arrival)
@@ -78,7 +79,7 @@ def event_errors(scene, recording, refined, contacts):
     return errors
 
 
-def take_samples(events, states):
+def take_samples(events, states, rounding):
     """The errors of u and u̇ that two runs show.
 
     Parameters
@@ -87,6 +88,8 @@ def take_samples(events, states):
         Rows of the events of both.
     states : iterable of tuple
         Times, and u of both.
+    rounding : float
+        Of rates.
     """
     largest, smallest = (events[name][0][END] for name in ("largest", "smallest"))
     size = max(np.abs(largest).max(), np.abs(smallest).max())
@@ -108,7 +111,7 @@ def take_samples(events, states):
             rows.append((own[END_TIME], np.abs(change), none))
     rows += [(np.full(own.size, time), np.abs(own - other), none) for time, own, other in states]
     time, of_u, of_rate = np.moveaxis(np.array(rows), 1, 0)
-    return Samples(time, np.maximum(of_u, np.spacing(size)), of_rate)
+    return Samples(time, np.maximum(of_u, np.spacing(size)), np.fmax(of_rate, rounding))
 
 
 def error_of_passage(samples, own, other):

@@ -144,6 +144,13 @@ def rates(table, rows, n):
     return table[D, n] + factor * table[start, n], table[NEW_D, n] + factor * table[end, n]
 
 
+@subroutine(forceinline=True)
+def cubic_slope(u, new_u, rate, new_rate, h):
+    """Coefficients a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
+    mean = (new_u - u) / h
+    return 3.0 * (rate + new_rate - 2.0 * mean), 6.0 * mean - 4.0 * rate - 2.0 * new_rate
+
+
 @subroutine
 def next_passage(chain, table, h, recording, first, last):
     """First of the contacts first … last that may arrive at the level; beyond `last` if none."""
@@ -189,8 +196,7 @@ def write_passage(chain, table, h, n, level, side, recording, event):
         new_u = polynomial(coefficients, end)
     if side * new_u < side * level:
         return
-    part = coefficients * end ** np.arange(rk.DEGREE + 1)
-    theta = end * crossing(part, level)
+    theta = crossing(coefficients, level, 0.0, end)
     event[VALUE, n], event[TIME, n] = level, chain.clock.t + h * theta
     event[STEEPNESS, n] = abs(polynomial(derivative(coefficients), theta)) / h
 
@@ -229,7 +235,10 @@ def next_turn(chain, table, h, recording, first, last):
             )
         )
         falls = (rate < 0.0) & (new_rate >= 0.0)
-        turns = ((rate > 0.0) & (new_rate <= 0.0)) | falls
+        bend, change = cubic_slope(u, new_u, rate, new_rate, h)
+        twice = (bend * rate > 0.0) & (change * rate < 0.0) & (abs(change) < 2.0 * abs(bend))
+        twice &= change * change > 4.0 * bend * rate
+        turns = ((rate > 0.0) & (new_rate <= 0.0)) | falls | twice
         opens = (u > 0.0) & ((new_u < 0.0) | (falls & (low < 0.0)))
         holds = (turns & counts) | opens
         found = min(found, int64(n) if holds else none)
@@ -252,15 +261,27 @@ def write_turns(chain, table, h, last, have_polynomials, recording):
 
 @subroutine
 def write_turn(chain, table, h, n, recording):
-    """The turn of contact n within the step, if there is one and it counts."""
-    coefficients, first_peak = recording.coefficients, recording.first_peak
+    """The turns of contact n within the step that count: one, or two if the cubic has as many."""
+    slope = derivative(recording.coefficients)
     rate, new_rate = rates(table, rate_rows(chain), n)
-    rises, falls = rate > 0.0 >= new_rate, rate < 0.0 <= new_rate
-    if not (rises or falls):
+    bend, change = cubic_slope(table[U, n], table[NEW_U, n], rate, new_rate, h)
+    turns_twice = rate * new_rate > 0.0 and 0.0 < -change * rate < 2.0 * bend * rate
+    middle = -0.5 * change / bend if turns_twice else 1.0
+    inner_rate = polynomial(slope, middle) if middle < 1.0 else new_rate
+    write_turn_between(chain, h, n, recording, slope, (0.0, middle), (rate, inner_rate))
+    if middle < 1.0:
+        write_turn_between(chain, h, n, recording, slope, (middle, 1.0), (inner_rate, new_rate))
+
+
+@subroutine
+def write_turn_between(chain, h, n, recording, slope, ends, rates_there):
+    """The turn of contact n between two θ, if there is one and it counts."""
+    first_peak = recording.first_peak
+    rises = rates_there[0] > 0.0 >= rates_there[1]
+    if not (rises or rates_there[0] < 0.0 <= rates_there[1]):
         return
-    slope = derivative(coefficients)
-    theta = crossing(slope, 0.0)
-    value, time = polynomial(coefficients, theta), chain.clock.t + h * theta
+    theta = crossing(slope, 0.0, ends[0], ends[1])
+    value, time = polynomial(recording.coefficients, theta), chain.clock.t + h * theta
     curvature = abs(polynomial(derivative(slope), theta)) / (h * h)
     if rises and math.isnan(first_peak[TIME, n]) and time >= recording.arrival[TIME, n]:
         first_peak[VALUE, n], first_peak[TIME, n] = value, time

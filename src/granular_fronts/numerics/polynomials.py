@@ -22,18 +22,17 @@ def polynomial(coefficients, theta):
 
 
 @kernel
-def crossing(coefficients, level):
-    """A θ in [0, 1] where the polynomial meets `level`, to the last bit.
+def crossing(coefficients, level, low=0.0, high=1.0):
+    """A θ from `low` to `high` where the polynomial meets `level`, to the last bit.
 
     Newton's method, kept inside a bracket that each value narrows; where it would leave the bracket
     the bracket is halved.  The polynomial must start on one side of the level and end on the other;
     where rounding keeps it from the level, the place is its end.
     """
-    low, high, end = 0.0, 1.0, polynomial(coefficients, 1.0)
-    rising = coefficients[0] < level
-    theta = 0.5
-    if end != coefficients[0]:
-        theta = min(1.0, max(0.0, (level - coefficients[0]) / (end - coefficients[0])))
+    start, end = polynomial(coefficients, low), polynomial(coefficients, high)
+    rising = start < level
+    share = (level - start) / (end - start) if end != start else 0.5
+    theta = low + (high - low) * min(1.0, max(0.0, share))
     for _ in range(MOST_ITERATIONS):
         value, slope = 0.0, 0.0
         for power in range(coefficients.size - 1, -1, -1):

@@ -154,8 +154,11 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, c
     amplitudes = start_amplitudes(start, equation.half_length, points)
     motion = Motion(equation, amplitudes, points, tolerance, coarser)
     ahead, kept = list(np.argsort(slow_times, kind="stable")), [None] * len(slow_times)
+    # A finer run has twice the points of the coarser one until the end, if it drops waves with it.
+    share = 4 if coarser else 2
     while ahead:
-        drops = np.inf if motion.points == cells else extinction_time(equation, motion.points // 2)
+        is_smooth = motion.points == cells
+        drops = np.inf if is_smooth else extinction_time(equation, motion.points // share)
         while ahead and slow_times[ahead[0]] <= drops:
             row = ahead.pop(0)
             motion.advance(slow_times[row])
