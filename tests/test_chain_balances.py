@@ -198,4 +198,4 @@ def test_error_estimates_stand_beside_every_variable():
     dataset = simulate_chain(driven_scene(end_time=20.0))
     for variable in dataset.data_vars.values():
         assert 0.0 <= variable.attrs["error_estimate"] < 1.0e-12
-        assert "tolerance divided by" in variable.attrs["error_method"]
+        assert "each step in two halves" in variable.attrs["error_method"]

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from chains import driven_scene
 
-from granular_fronts.chain.recording import fitted_speed
-from granular_fronts.chain.simulate import solve
+from granular_fronts.chain.recording import collect, fitted_speed
+from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.chain.simulate import simulate_chain, solve
+from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 
 FINE = 0.002
@@ -29,9 +31,98 @@ def motion():
     return solve(scene, scene["tolerance"]).dataset
 
 
-def test_regular_points_include_a_stop_that_the_step_hits_up_to_rounding():
-    assert regular_points(0.0, 0.3, 0.1).size == 4
-    assert regular_points(60.0, 420.0, 0.1)[-1] == pytest.approx(420.0)
+def test_regular_points_end_at_a_stop_that_the_step_hits_up_to_rounding():
+    for count in range(1, 1001):
+        stop = round(0.1 * count, 1)
+        points = regular_points(0.0, stop, 0.1)
+        assert points.size == count + 1
+        assert points[-1] == stop
+        assert (np.diff(points) > 0.0).all()
+    assert regular_points(0.0, 1.0, 0.3)[-1] == 3 * 0.3
+
+
+HELD = {"kind": "pressure", "left": 0.1, "right": 0.02}
+
+
+@pytest.mark.parametrize("end", [0.7, 1.2, 12.6])
+def test_last_rows_of_grid_and_probes_are_the_state_at_the_end(end):
+    """126 steps of 0.1 end beyond 12.6, by rounding."""
+    probe = {"beads": [1, 8], "start": 0.0, "stop": end, "step": 0.1}
+    record = {"snapshots": [end], "grid": {"step": 0.1}, "probes": {"near": probe}}
+    data = simulate_chain(driven_scene(0.06, 8, end, boundary=HELD, record=record))
+    last = data["relative_displacement"].isel(t=0).values
+    np.testing.assert_allclose(data["relative_displacement_grid"][-1], last, rtol=1e-14)
+    np.testing.assert_allclose(data["relative_displacement_near"][-1], last[[0, 7]], rtol=1e-14)
+    assert last[7] == 0.02  # Held, and not the position of the last bead.
+    assert float(data["t_grid"][-1]) == float(data["t_near"][-1]) == end
+    momentum = (0.1**1.5 - 0.02**1.5) * end
+    assert float(data["total_velocity"][-1]) == pytest.approx(momentum, rel=1e-13)
+
+
+def test_a_run_that_ends_before_its_last_output_is_no_result():
+    scene = driven_scene(end_time=20.0, record={"snapshots": [10.0, 20.0]})
+    run = prepare(scene)
+    run.recording.stops[-1] = 15.0
+    integrate(run, scene["tolerance"])
+    with pytest.raises(SolveError, match="before its last output"):
+        collect(scene, run)
+
+
+TODA = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}
+
+
+def free(law, u, velocity, end, relative=1e-9):
+    """A chain with free ends, its extremes recorded."""
+    return {
+        "law": law,
+        "beads": len(velocity),
+        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
+        "start": {"kind": "given", "relative_displacement": u, "velocity": velocity},
+        "end_time": end,
+        "tolerance": {"relative": relative, "absolute": 1e-2 * relative},
+        "record": {"snapshots": [], "extremes": True},
+    }
+
+
+@pytest.mark.parametrize("relative", [1e-5, 1e-9, 1e-14])
+def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relative):
+    """Contact 2 opens at 0.179797, contact 1 at 0.197058, neither at a kink."""
+    data = simulate_chain(free(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative))
+    assert data["first_gap_bead"] == 2
+    assert float(data["first_gap_time"]) == pytest.approx(0.1797965101523, rel=10.0 * relative)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_extremes_count_from_the_start_on(sign):
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+    data = simulate_chain(free(law, [1.0], [-1000.0 * sign, 1000.0 * sign], 1e-3))
+    name = {1.0: "largest", -1.0: "smallest"}[sign]
+    assert data[f"{name}_relative_displacement"] == 1.0
+    assert data[f"{name}_relative_displacement_time"] == 0.0
+
+
+def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():
+    """An undamped contact oscillates for ever: any of its maxima may be the largest."""
+    data = simulate_chain(free(TODA, [0.0], [0.5, -0.5], 20.0))
+    period = 2.0 * np.pi / np.sqrt(2.0)
+    assert data["largest_relative_displacement_time"].attrs["error_estimate"] > period
+    assert data["largest_relative_displacement"].attrs["error_estimate"] < 1e-6
+
+
+@pytest.mark.parametrize("relative", [1e-2, 1e-4, 1e-6, 1e-9])
+def test_errors_of_early_and_short_motions_are_stated(relative):
+    """Where steps grow as fast as they may the tolerance has no say in them."""
+    record = {"snapshots": [0.5, 1.04], "grid": {"step": 0.26}, "arrival_level": 0.01}
+    scene = driven_scene(0.06, 8, 1.04, delta=0.5, record=record | {"extremes": True})
+    exact = simulate_chain(scene | {"tolerance": {"relative": 1e-14, "absolute": 1e-17}})
+    coarse = {"relative": relative, "absolute": 1e-2 * relative}
+    for name, variable in simulate_chain(scene | {"tolerance": coarse}).items():
+        error = float(np.abs(variable - exact[name]).max())
+        rounding = 4.0 * np.spacing(float(np.abs(variable).max()))
+        if np.isfinite(error):
+            assert error <= 2.0 * variable.attrs["error_estimate"] + rounding
+        if error > 1e-15:
+            assert variable.attrs["error_estimate"] <= 20.0 * error
 
 
 def test_probes_meet_snapshots_and_grid(motion):

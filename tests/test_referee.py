@@ -382,8 +382,8 @@ def test_only_answers_of_the_table_are_known(folder, problem, tmp_path):
     """Of a removed problem the files of an earlier run remain, and one may be broken."""
     file = write_table(tmp_path / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
     (tmp_path / f"{FRONT}.nc").write_text("no dataset")
-    header = "problem,quantity,value,error\n"
-    (tmp_path / "answers.csv").write_text(f"{header}{COLLISION},a,1,0\n")
+    header = "problem,quantity,value,error"
+    (tmp_path / "answers.csv").write_text(f"{header}\n{COLLISION},a,1,0\n")
     with pytest.raises(SystemExit, match=f"but the problems are {COLLISION}:"):
         main([file, "--answers", str(tmp_path)])
     (tmp_path / "answers.csv").write_text(f"{header}{FRONT},a,1,0\n{FRONT},b,1,0\n")

@@ -14,7 +14,7 @@ from run_lock import lock_folder
 from test_workflow import Job
 
 from granular_fronts.numerics.kernel_files import CheckedFiles
-from step import describe_unexpected, run_step
+from step import describe_fault, run_step
 
 DEFAULT = ROOT / "config" / "default.yaml"
 HELP = ROOT / "workflow" / "scripts" / "survey_fronts.py"
@@ -93,7 +93,7 @@ def test_folder_of_kernels_is_named_where_its_disk_is_full(tmp_path):
         files._open_for_write(str(tmp_path / "kernel.nbi")),
     ):
         raise OSError(errno.ENOSPC, "No space left on device")
-    assert f"There is no space left in {tmp_path}: free" in describe_unexpected(caught.value)
+    assert f"There is no space left in {tmp_path}: free" in describe_fault(caught.value)
 
 
 def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path, capsys):
@@ -138,7 +138,7 @@ import time
 sys.path.insert(0, {tests!r})
 from pathlib import Path
 from test_workflow import Job
-from step import describe_unexpected, run_step
+from step import describe_fault, run_step
 
 def wait(page: Path):
     "Wait for Ctrl-C."

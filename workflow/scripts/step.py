@@ -74,7 +74,7 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
             sys.exit(EXIT_INTERRUPTED)
         except (ValueError, OSError) as error:
             write_to_log(traceback.format_exc())
-            LOGGER.error("%s", _describe_fault(error))
+            LOGGER.error("%s", describe_fault(error))
             sys.exit(1)
         except Exception as error:
             mappings = [name for name, value in arguments.items() if isinstance(value, dict)]
@@ -156,8 +156,17 @@ def describe_unexpected(error: Exception) -> str:
     return f"The step failed unexpectedly, {type(error).__name__}: {reason}"
 
 
-def _describe_fault(error: ValueError | OSError) -> str:
-    """The sentence for what was given, or for a file that cannot be read or written."""
+def describe_fault(error: ValueError | OSError) -> str:
+    """The sentence for what was given, or for a file that cannot be read or written.
+
+    Parameters
+    ----------
+    error : ValueError or OSError
+
+    Returns
+    -------
+    str
+    """
     if isinstance(error, ValueError | NoSpaceError):
         return str(error)
     if is_full(error):

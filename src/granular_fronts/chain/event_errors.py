@@ -21,6 +21,7 @@ from granular_fronts.chain.recording import (
     candidates,
     extremes_of_all,
     monitor_times,
+    rounding_of,
     speed_and_error,
 )
 
@@ -73,10 +74,16 @@ def event_errors(scene, recording, refined, contacts):
         errors["first_peak_time"] = _largest(error_of_turn(samples, peak, other))
     if recording.track_extremes:
         both = [extremes_of_all(one, contacts) for one in runs]
+        rounding = rounding_of(recording, contacts)
         errors |= _of_first_opening(samples, *events["opening"], *both)
         for kind in ("largest", "smallest"):
-            errors |= _of_extreme(kind, samples, events[kind][0], contacts, *both)
-    return errors
+            event = events[kind][0][:, :contacts]
+            errors |= _of_extreme(kind, samples, event, rounding, *both)
+    # No time is wrong by more than the motion lasts.
+    return {
+        name: min(error, scene["end_time"]) if name.endswith("_time") else error
+        for name, error in errors.items()
+    }
 
 
 def take_samples(events, states, rounding):
@@ -164,23 +171,23 @@ def _of_first_opening(samples, own, other, found, refined):
     }
 
 
-def _of_extreme(kind, samples, own, contacts, found, refined):
+def _of_extreme(kind, samples, own, rounding, found, refined):
     """Errors of value, time and bead of an extreme of all contacts."""
     name = f"{kind}_relative_displacement"
     extreme, time, bead = (found[f"{name}{part}"] for part in ("", "_time", "_bead"))
     n = int(bead) - 1
-    of_u, of_rate = (
-        _near(samples.time, errors, np.full(own.shape[1], time))[n]
-        for errors in (samples.of_u, samples.of_rate)
-    )
-    if time == 0.0:
-        of_u = 0.0
-    value, times, beads = candidates(own[:, :contacts])
-    rivals = (value != extreme) & (np.abs(value - extreme) <= 2.0 * of_u)
+    moment = np.full(samples.time.shape[1], time)
+    of_u = _near(samples.time, samples.of_u, moment)[n] if time > 0.0 else rounding
+    of_rate = _near(samples.time, samples.of_rate, moment)[n]
     turns = time == own[TIME, n] and own[STEEPNESS, n] > 0.0
+    through = of_rate / own[STEEPNESS, n] if turns else 0.0
+    value, times, beads = candidates(own)
+    distance = np.abs(value - extreme)
+    # What rounding adds to an extreme of the start is no rival of it.
+    rivals = (distance <= 2.0 * of_u) & ((time > 0.0) | (distance > rounding))
     errors = {
         name: [of_u],
-        f"{name}_time": [of_rate / own[STEEPNESS, n] if turns else 0.0, *abs(times[rivals] - time)],
+        f"{name}_time": [through, *abs(times[rivals] - time)],
         f"{name}_bead": [0.0, *abs(beads[rivals] - bead)],
     }
     return {

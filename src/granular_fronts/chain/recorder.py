@@ -205,7 +205,8 @@ def write_passage(chain, table, h, n, level, side, recording, event):
 def note_ends(chain, table, side, t_new, event):
     """Largest u of every contact at the ends of steps so far, or smallest if side is −1."""
     for n in range(uint64(1), uint64(min(chain.clock.reach, chain.contacts) + 1)):
-        u, exceeds = table[NEW_U, n], side * table[NEW_U, n] > side * event[END, n]
+        u = table[NEW_U, n]
+        exceeds = side * u > side * event[END, n] + NEGLIGIBLE
         event[END_TIME, n] = t_new if exceeds else event[END_TIME, n]
         event[END, n] = u if exceeds else event[END, n]
 
@@ -282,6 +283,8 @@ def write_turn_between(chain, h, n, recording, slope, ends, rates_there):
         return
     theta = crossing(slope, 0.0, ends[0], ends[1])
     value, time = polynomial(recording.coefficients, theta), chain.clock.t + h * theta
+    if abs(value) <= NEGLIGIBLE:
+        value = 0.0
     curvature = abs(polynomial(derivative(slope), theta)) / (h * h)
     if rises and math.isnan(first_peak[TIME, n]) and time >= recording.arrival[TIME, n]:
         first_peak[VALUE, n], first_peak[TIME, n] = value, time

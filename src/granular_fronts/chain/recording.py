@@ -21,6 +21,7 @@ relative displacement is that of its contact.
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import rounding_floor
 from granular_fronts.chain import equations
 from granular_fronts.chain.recorder import (
     END,
@@ -251,14 +252,23 @@ def extremes_of_all(recording, contacts):
         "first_gap_time": opening[first],
         "first_gap_bead": first + 1.0 if opens else np.nan,
     }
+    rounding = rounding_of(recording, contacts)
     for kind, side in (("largest", 1.0), ("smallest", -1.0)):
         value, time, bead = candidates(getattr(recording, kind)[:, 1 : contacts + 1])
-        # Of equal extremes the first one counts.
-        best = np.lexsort((bead, time, -side * value))[0]
+        # Of extremes that are equal up to rounding the first one counts.
+        ties = np.flatnonzero(side * value >= (side * value).max() - rounding)
+        best = ties[np.lexsort((bead[ties], time[ties]))[0]]
         variables[f"{kind}_relative_displacement"] = value[best]
         variables[f"{kind}_relative_displacement_time"] = time[best]
         variables[f"{kind}_relative_displacement_bead"] = bead[best]
     return variables
+
+
+def rounding_of(recording, contacts):
+    """One unit in the last place of the largest |u| of the motion."""
+    return rounding_floor(
+        [event[END, 1 : contacts + 1] for event in (recording.largest, recording.smallest)]
+    )
 
 
 def candidates(event):
