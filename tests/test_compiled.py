@@ -11,6 +11,7 @@ import numba
 import numpy as np
 import pytest
 from numba.core.registry import CPUDispatcher
+from projects import ROOT
 
 from granular_fronts.numerics.compiled import SOURCES, cache_folder, file_of, kernel
 from granular_fronts.numerics.kernel_files import CheckedFiles
@@ -171,3 +172,19 @@ def test_compilation_covers_all_that_the_scenes_need():
     code = COUNT_AFTER_COMPILATION.format(tests=str(root / "tests"), **files)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert run.stdout.strip() == "[]", run.stderr
+
+
+@pytest.mark.slow
+def test_kernels_compiled_now_and_loaded_give_the_same_bits(tmp_path):
+    environment = os.environ | {
+        "NUMBA_CACHE_DIR": str(tmp_path / "kernels"),
+        "PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in ("src", "tests")),
+    }
+    files = [tmp_path / f"{when}.npz" for when in ("compiled", "loaded")]
+    for file in files:
+        command = [sys.executable, "-c", f"from kernel_cases import save; save({str(file)!r})"]
+        subprocess.run(command, env=environment, capture_output=True, check=True)
+    compiled, loaded = (dict(np.load(file)) for file in files)
+    assert compiled.keys() == loaded.keys()
+    differing = [name for name in compiled if compiled[name].tobytes() != loaded[name].tobytes()]
+    assert differing == []

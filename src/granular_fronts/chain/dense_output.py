@@ -34,7 +34,7 @@ from granular_fronts.numerics.compiled import subroutine
 _CONTRACT = {"contract"}
 
 
-@subroutine
+@subroutine(forceinline=True)
 def take_output_stages(chain, table, h, first, last):
     """The three stages that only dense output uses, as far as the contacts first … last need them.
 
@@ -58,7 +58,7 @@ def take_output_stages(chain, table, h, first, last):
             laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, low, high)
 
 
-@subroutine(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def sum_all_slots(chain, table, row, h, low, high):
     """U of an output stage on the contacts low … high."""
     single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
@@ -91,7 +91,7 @@ def contact_polynomial(chain, table, h, n, coefficients):
     coefficients[1] += h * table[D, n]
 
 
-@subroutine(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def write_state(chain, table, h, theta, row_u, row_d):
     """u(θ) and d(θ) of all beads of the active window; at θ = 1 the new state itself."""
     reach = chain.clock.reach

@@ -69,7 +69,7 @@ def reduction_of(error):
     return max(rk.SMALLEST_FACTOR, min(1.0, rk.SAFETY * error**rk.ERROR_EXPONENT))
 
 
-@subroutine
+@subroutine(forceinline=True)
 def complete(chain, table, recording, h, t_new, energy):
     """Record a step that counts, and make its end the start of the next one."""
     clock, next_, reach = chain.clock, recording.next, chain.clock.reach

@@ -57,7 +57,7 @@ def final_sum(table, slopes, weights, n):
     return total
 
 
-@subroutine(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def add_elastic(chain, table, h, first, last):
     """New state from the elastic slopes, and `Largest`, for the beads first … last.
 
@@ -89,7 +89,7 @@ def add_elastic(chain, table, h, first, last):
     )
 
 
-@subroutine(fastmath=_CONTRACT)
+@subroutine(fastmath=_CONTRACT, forceinline=True)
 def add_viscous(chain, table, h, first, last):
     """Add the viscous slopes to the new u; the largest estimates of order 5 and 3."""
     slopes = uint64(VISCOUS_SLOPES)
@@ -101,7 +101,7 @@ def add_viscous(chain, table, h, first, last):
     return h * double_of(fifth), h * double_of(third)
 
 
-@subroutine
+@subroutine(forceinline=True)
 def finish(chain, table, h, first, last):
     """New state of the beads first … last, and their `Largest`."""
     largest = add_elastic(chain, table, h, first, last)

@@ -107,7 +107,7 @@ def next_output(recording):
     return t
 
 
-@subroutine
+@subroutine(forceinline=True)
 def write_output(chain, table, h, t_new, recording):
     """Profiles and samples that fall into (t, t_new]."""
     t, next_ = chain.clock.t, recording.next
@@ -168,7 +168,7 @@ def next_passage(chain, table, h, recording, first, last):
     return found
 
 
-@subroutine
+@subroutine(forceinline=True)
 def write_arrivals(chain, table, h, last, have_polynomials, recording):
     """First passages of the level within the step."""
     next_, arrival = recording.next, recording.arrival
@@ -246,7 +246,7 @@ def next_turn(chain, table, h, recording, first, last):
     return found
 
 
-@subroutine
+@subroutine(forceinline=True)
 def write_turns(chain, table, h, last, have_polynomials, recording):
     """Turns of u at an extreme within the step, and first openings."""
     n = next_turn(chain, table, h, recording, int64(1), last)
@@ -299,7 +299,7 @@ def write_turn_between(chain, h, n, recording, slope, ends, rates_there):
         event[RIVAL, n], event[RIVAL_TIME, n] = value, time
 
 
-@subroutine
+@subroutine(forceinline=True)
 def record_step(chain, table, h, t_new, recording):
     """Record what an accepted step holds, before its end becomes the start of the next one."""
     due = next_output(recording) <= t_new

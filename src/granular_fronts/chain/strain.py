@@ -101,7 +101,7 @@ def laplacian(chain, table, source, target, shift, first, last):
         table[target, n] = (behind - f) - (f - ahead)
 
 
-@subroutine(fastmath=_REDUCE)
+@subroutine(fastmath=_REDUCE, forceinline=True)
 def laplacian_and_squares(chain, table, source, target, shift, reach):
     """Do the same for the beads 1 … reach, and return the sum of the squares (f_{n-1} − f_n)²."""
     close(chain, table, source, shift)
@@ -114,7 +114,7 @@ def laplacian_and_squares(chain, table, source, target, shift, reach):
     return total
 
 
-@subroutine(fastmath=_REDUCE)
+@subroutine(fastmath=_REDUCE, forceinline=True)
 def sum_of_products(table, reach):
     """Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads 1 … reach."""
     total = 0.0
@@ -178,7 +178,7 @@ def take_stage(chain, table, row, h, reach, with_power):
     return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
 
 
-@subroutine
+@subroutine(forceinline=True)
 def try_step(chain, table, h, reach, with_energy):
     """All stages and the new state for a step h: its `Largest` and the energy dissipated.
 

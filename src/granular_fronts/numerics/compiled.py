@@ -114,6 +114,10 @@ def subroutine(function=None, /, **options):
 
     The wrappers by which Python could call it take a sixth of the time of compilation.
 
+    What fuses multiply and add, and whatever calls it up to a kernel, asks for `forceinline`: each
+    kernel that calls a function carries a copy of it, which may fuse otherwise, and of several
+    copies in a process any may run.
+
     Parameters
     ----------
     function, **options
