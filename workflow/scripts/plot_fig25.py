@@ -14,9 +14,9 @@ KINDS = {
     "numbers of beads": ("_bead",),
     "extremes and speeds": ("largest", "smallest", "peak", "front_speed"),
     "states": ("relative_displacement", "velocity", "strain", "evaluated"),
-    "equation (41)": ("logarithmic",),
-    "equation (40)": ("unlimited",),
-    "equation (55)": ("dispersive",),
+    "logarithmic Burgers (41)": ("logarithmic",),
+    "unlimited (40)": ("unlimited",),
+    "log. KdV–Burgers (55)": ("dispersive",),
     "measures": ("",),
 }
 FEW, TWICE, TENFOLD = 5e-3, 2.0, 10.0

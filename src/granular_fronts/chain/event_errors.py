@@ -60,7 +60,9 @@ def event_errors(scene, recording, refined, contacts):
     events = {name: tuple(getattr(one, name)[every] for one in runs) for name in names}
     profiles = tuple(one.profile_u[every] for one in runs)
     rows = np.searchsorted(recording.profile_times, monitor_times(scene))
-    states = zip(recording.profile_times[rows], *(u[rows] for u in profiles), strict=True)
+    states = [
+        (recording.profile_times[row], *(profile[row] for profile in profiles)) for row in rows
+    ]
     rounding = 4.0 * np.spacing(np.abs(recording.profile_d[rows]).max(initial=0.0))
     errors, samples = {}, take_samples(events, states, rounding)
     if not np.isnan(recording.level):
@@ -93,14 +95,14 @@ def take_samples(events, states, rounding):
     ----------
     events : dict of str to pair of ndarray
         Rows of the events of both.
-    states : iterable of tuple
+    states : list of tuple
         Times, and u of both.
     rounding : float
         Of rates.
     """
-    largest, smallest = (events[name][0][END] for name in ("largest", "smallest"))
-    size = max(np.abs(largest).max(), np.abs(smallest).max())
-    none, rows = np.full(largest.size, np.nan), []
+    ends = [events[name][0][END] for name in ("largest", "smallest")]
+    size = max(np.abs(u).max() for u in [*ends, *(own for _, own, _ in states)])
+    none, rows = np.full(ends[0].size, np.nan), []
     for name, (own, other) in events.items():
         moved = np.abs(own[TIME] - other[TIME])
         if name in ("arrival", "opening"):
