@@ -160,8 +160,8 @@ def _with_error_estimates(scene, solution, refined):
             attributes["error_method"] = EVENT_METHOD
         if name in events and variable.dims:
             # An event that one run alone has is not certain to have happened.
-            variable = variable.where(np.isfinite(other))
-        dataset[name] = variable.assign_attrs(attributes)
+            variable.values[np.isnan(other.values)] = np.nan
+        variable.attrs |= attributes
     dataset.attrs |= {
         "solver": SOLVER,
         "relative_tolerance": float(scene["tolerance"]["relative"]),

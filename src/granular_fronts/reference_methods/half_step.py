@@ -97,7 +97,7 @@ def integrate(chain, x, v, step, steps, follow=None):
     step = scalar("step", step, above=0.0, advice="give a step")
     steps = count("steps", steps)
     follow = np.arange(x.size) if follow is None else np.asarray(follow, np.int64)
-    followed_x, followed_v = np.empty((2, steps + 1, follow.size))
+    followed_x, followed_v = np.full((2, steps + 1, follow.size), np.nan)
     advance(x, v, law, ends, step, follow, followed_x, followed_v)
     return Motion(step * np.arange(steps + 1), followed_x, followed_v)
 
