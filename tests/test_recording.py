@@ -92,6 +92,12 @@ def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relati
     assert float(data["first_gap_time"]) == pytest.approx(0.1797965101523, rel=10.0 * relative)
 
 
+def test_contacts_that_just_touch_and_are_pulled_apart_open_at_the_start():
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 1.0}
+    data = simulate_chain(free(law, [0.0, 0.0, 0.5], [-1.0, 0.0, 0.0, 0.0], 5.0))
+    assert (data["first_gap_time"], data["first_gap_bead"]) == (0.0, 1.0)
+
+
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_extremes_count_from_the_start_on(sign):
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}

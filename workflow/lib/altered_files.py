@@ -10,7 +10,7 @@ from typing import Any
 from snakemake.persistence import ParamsChange
 from snakemake.persistence.file import FilePersistence
 
-MARGIN = 1.0
+MARGIN = 2.0
 """Seconds by which an archive or a file system may round the time of a file."""
 
 

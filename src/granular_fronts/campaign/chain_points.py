@@ -155,7 +155,7 @@ def _with_errors(motions, beads):
     return {
         name: (
             value,
-            np.fmax(errors[name], rounding_floor(value))
+            np.maximum(np.nan_to_num(errors[name], nan=np.inf), rounding_floor(value))
             if name in errors
             else largest_difference(value, refined[name]),
         )

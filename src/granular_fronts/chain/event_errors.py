@@ -37,6 +37,13 @@ class Samples(NamedTuple):
     time: np.ndarray
     of_u: np.ndarray
     of_rate: np.ndarray
+    size: float
+    """Largest |u| of the motion."""
+
+    def near_turns(self, time, steepness):
+        """Errors of u̇ near turns; that of u over their time scale, (size/|ü|)^½, is a sample."""
+        from_u = _near(self.time, self.of_u, time) * np.sqrt(steepness / self.size)
+        return np.fmax(_near(self.time, self.of_rate, time), from_u)
 
 
 def event_errors(scene, recording, refined, contacts):
@@ -67,11 +74,17 @@ def event_errors(scene, recording, refined, contacts):
     errors, samples = {}, take_samples(events, states, rounding)
     if not np.isnan(recording.level):
         arrival = error_of_passage(samples, *events["arrival"])
-        _, speed = speed_and_error(events["arrival"][0][TIME], arrival)
+        times = [one[TIME] for one in events["arrival"]]
+        speeds, (speed, *_) = zip(*(speed_and_error(one, arrival) for one in times), strict=True)
+        speed = np.fmax(speed, abs(speeds[0] - speeds[1]))
         errors |= {"arrival_time": _largest(arrival), "front_speed": speed}
         peak, other = events["first_peak"]
         errors["first_peak"] = _largest(
-            _of_several(np.abs(peak[VALUE] - other[VALUE]), samples, samples.of_u, peak[TIME])
+            _of_several(
+                np.abs(peak[VALUE] - other[VALUE]),
+                _near(samples.time, samples.of_u, peak[TIME]),
+                peak[TIME],
+            )
         )
         errors["first_peak_time"] = _largest(error_of_turn(samples, peak, other))
     if recording.track_extremes:
@@ -120,27 +133,29 @@ def take_samples(events, states, rounding):
             rows.append((own[END_TIME], np.abs(change), none))
     rows += [(np.full(own.size, time), np.abs(own - other), none) for time, own, other in states]
     time, of_u, of_rate = np.moveaxis(np.array(rows), 1, 0)
-    return Samples(time, np.maximum(of_u, np.spacing(size)), np.fmax(of_rate, rounding))
+    size = float(max(size, np.finfo(float).tiny))
+    return Samples(time, np.maximum(of_u, np.spacing(size)), np.fmax(of_rate, rounding), size)
 
 
 def error_of_passage(samples, own, other):
     """Errors of the times at which contacts pass a level."""
     moved = np.abs(own[TIME] - other[TIME])
-    return _of_several(moved, samples, samples.of_u, own[TIME], own[STEEPNESS])
+    through = _near(samples.time, samples.of_u, own[TIME]) / own[STEEPNESS]
+    return _of_several(moved, through, own[TIME])
 
 
 def error_of_turn(samples, own, other):
     """Errors of the times at which contacts turn."""
     moved = np.abs(own[TIME] - other[TIME])
-    return _of_several(moved, samples, samples.of_rate, own[TIME], own[STEEPNESS])
+    through = samples.near_turns(own[TIME], own[STEEPNESS]) / own[STEEPNESS]
+    return _of_several(moved, through, own[TIME])
 
 
-def _of_several(differences, samples, errors, time, steepness=1.0):
+def _of_several(differences, through, time):
     """Errors of events of one kind, from their differences and, if these are few, from samples."""
     several = _near(time[np.newaxis], differences[np.newaxis], time)
-    if np.count_nonzero(np.isfinite(differences)) > FEW:
-        return several
-    return np.fmax(several, _near(samples.time, errors, time) / steepness)
+    is_few = np.count_nonzero(np.isfinite(differences)) <= FEW
+    return np.fmax(several, through) if is_few else several
 
 
 def _near(times, errors, time):
@@ -180,9 +195,11 @@ def _of_extreme(kind, samples, own, rounding, found, refined):
     n = int(bead) - 1
     moment = np.full(samples.time.shape[1], time)
     of_u = _near(samples.time, samples.of_u, moment)[n] if time > 0.0 else rounding
-    of_rate = _near(samples.time, samples.of_rate, moment)[n]
-    turns = time == own[TIME, n] and own[STEEPNESS, n] > 0.0
-    through = of_rate / own[STEEPNESS, n] if turns else 0.0
+    steepness = own[STEEPNESS, n]
+    of_rate = samples.near_turns(moment, steepness)[n]
+    # The best end of a step may pass for a turn by rounding.
+    turns = abs(own[VALUE, n] - extreme) <= rounding and steepness > 0.0
+    through = of_rate / steepness if turns else 0.0
     value, times, beads = candidates(own)
     distance = np.abs(value - extreme)
     # What rounding adds to an extreme of the start is no rival of it.

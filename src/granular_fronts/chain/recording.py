@@ -43,7 +43,7 @@ from granular_fronts.numerics.runge_kutta import DEGREE
 SPEED_RANGE = (0.5, 0.9)
 
 # Two runs are compared at the end divided by these powers of 2.
-MONITORS = np.arange(7, 0, -1)
+MONITORS = np.arange(11, -1, -1)
 
 
 def grid_times(scene):

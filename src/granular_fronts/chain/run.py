@@ -14,7 +14,7 @@ import numpy as np
 from granular_fronts.chain import equations, integrator
 from granular_fronts.chain.contact_law import compile_law, is_at_rest_without_stiffness
 from granular_fronts.chain.equations import Boundary, Piston
-from granular_fronts.chain.recorder import Recording
+from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.state import (
     CHAIN,
@@ -31,6 +31,7 @@ from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics.runge_kutta import STAGES
 
 FIRST_STEP = 1.0e-6
@@ -95,7 +96,16 @@ def prepare(scene):
             "start down, eq. (27)."
         )
     recording = make_recording(scene, chain.ahead, table[U])
+    note_openings_at_start(recording, chain.contacts, u, velocity)
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
+
+
+def note_openings_at_start(recording, contacts, u, velocity):
+    """Contacts that just touch at t = 0 and are pulled apart open there."""
+    rate = (velocity - np.roll(velocity, -1))[:contacts]
+    opens = 1 + np.flatnonzero((np.abs(u[:contacts]) <= NEGLIGIBLE) & (rate < 0.0))
+    recording.opening[[VALUE, TIME], opens[:, np.newaxis]] = 0.0
+    recording.opening[STEEPNESS, opens] = -rate[opens - 1]
 
 
 def integrate(run, tolerance, after_block=lambda run: None):

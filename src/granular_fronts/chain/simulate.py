@@ -156,11 +156,13 @@ def _with_error_estimates(scene, solution, refined):
         other = refined.dataset[name]
         attributes = error_attributes(variable, other, ERROR_METHOD)
         if name in events:
-            attributes["error_estimate"] = float(np.fmax(events[name], rounding_floor(variable)))
+            if variable.dims:
+                # An event that one run alone has is not certain to have happened.
+                variable.values[np.isnan(other.values)] = np.nan
+            # Of a number whose error is none nothing is known.
+            error = np.inf if np.isnan(events[name]) else events[name]
+            attributes["error_estimate"] = float(np.maximum(error, rounding_floor(variable)))
             attributes["error_method"] = EVENT_METHOD
-        if name in events and variable.dims:
-            # An event that one run alone has is not certain to have happened.
-            variable.values[np.isnan(other.values)] = np.nan
         variable.attrs |= attributes
     dataset.attrs |= {
         "solver": SOLVER,

@@ -1,7 +1,7 @@
 """Memory and time that a section of the configuration takes at the least.
 
 The estimates are lower bounds, mostly by orders of magnitude, since they decide only what is
-refused: what ends within a day is never refused, and what takes longer is, before it starts.
+refused: what ends within half a day is not refused, and what takes days is, before it starts.
 
 A front of height δ runs through a bead in the time 1/c, c = δ^((α − 1)/2): N beads over a time t
 ask for ctN *crossings*, or half of (ct)² while the front has not reached the last bead.
@@ -34,6 +34,9 @@ NUMBERS_PER_FRONT = 16
 SECONDS_PER_CROSSING = 5.0e-8
 
 STEPS_PER_CROSSING, STEPS_PER_DAMPING_TIME = 1.0 / 3.0, 1.0 / 20.0
+
+CROSSINGS_BEFORE_FLIGHT = 10.0
+"""A piston has thrown all beads off a free end after so many crossings of the chain."""
 
 SECONDS_PER_STEP, SECONDS_PER_BEAD = 5.0e-7, 1.0e-8
 """A step of a chain, and in addition of each bead that moves."""
@@ -339,10 +342,13 @@ def _motion_time(scene: Mapping, beads: float) -> float:
     size, boundary = decades_of_displacement(scene), scene["boundary"]
     # Beads that nothing holds fly apart, and long steps follow them.
     flies_apart = boundary["kind"] == "pressure" and not (boundary["left"] or boundary["right"])
+    thrown = boundary["kind"] == "piston" and not boundary.get("right", 0.0)
     if flies_apart or not math.isfinite(size):
         return 0.0
     law, end = scene["law"], scene["end_time"]
     speed, damping = front_speed(law, size), damping_rate(law, size)
+    if thrown and speed > 0.0:
+        end = min(end, CROSSINGS_BEFORE_FLIGHT * beads / speed)
     steps = end * (STEPS_PER_CROSSING * speed + STEPS_PER_DAMPING_TIME * damping)
     moving = min(beads, 0.5 * speed * end)
     return steps * (SECONDS_PER_STEP + SECONDS_PER_BEAD * moving)

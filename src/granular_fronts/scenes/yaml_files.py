@@ -30,8 +30,8 @@ LONGEST_FILE = 64 * 2**20
 DEEPEST = 100
 """Mappings and lists inside each other; Python itself reads about a thousand."""
 
-OTHER_BASE = re.compile(r"[-+]?(0[0-7_]+|\d[\d_]*(:[0-5]?\d)+(\.[\d_]*)?)")
-"""Numbers to base 8 and 60, such as 0420 and 1:30."""
+OTHER_BASE = re.compile(r"[-+]?(0[xb]\w+|0[0-7_]*[1-7][0-7_]*|\d[\d_]*(:[0-5]?\d)+(\.[\d_]*)?)")
+"""Numbers to another base than ten, such as 0x1F, 0420 and 1:30."""
 
 
 class _Loader(SafeLoader):
