@@ -129,7 +129,8 @@ def test_a_campaign_of_exact_fronts_has_the_further_law(extended):
         front = gf.solve_front(law=law, states=(-1.5, -0.1))
         overshoot = float(found["overshoot"].sel(damping=damping))
         assert overshoot == pytest.approx(front.attrs["overshoot"], abs=1e-11)
-        assert overshoot > 0.0
+    # The front of the stronger damping is monotone up to rounding.
+    assert float(found["overshoot"].sel(damping=0.5)) > 1e-5
 
 
 def test_the_page_on_extensions_is_true(extended):

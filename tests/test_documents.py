@@ -309,12 +309,12 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     for name, text in places.items():
         with (project / name).open("a", encoding="utf-8") as file:
             file.write(text)
-    [command] = [line for line in commands(EXTENDING) if "fig25" in line]
+    [command] = [line for line in commands(EXTENDING) if "fig26" in line]
     outcome = snakemake(*shlex.split(command)[2:], folder=project)
     assert outcome.returncode == 0, outcome.stderr
     drawn = {path.name for path in (project / "results" / "figures").iterdir()}
-    assert drawn == {f"fig25_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
-    caption = (project / "results/figures/fig25_flux_difference.rst").read_text(encoding="utf-8")
+    assert drawn == {f"fig26_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (project / "results/figures/fig26_flux_difference.rst").read_text(encoding="utf-8")
     assert "α = 1.5, 1.1" in caption
 
 

@@ -1,6 +1,6 @@
 """Compile every kernel of the chain once, on motions as short as can be."""
 
-from granular_fronts.chain.simulate import solve
+from granular_fronts.chain.simulate import refine, solve
 
 # Hertz's exponent, another one, and two at once.
 EXPONENTS = ((1.5, 1.5), (1.2, 1.2), (1.5, 1.0))
@@ -18,4 +18,4 @@ def compile_kernels():
             "tolerance": {"relative": 1.0e-6, "absolute": 1.0e-8},
             "record": {"snapshots": [1.0], "balances": True},
         }
-        solve(scene, scene["tolerance"], "compiling the chain")
+        refine(scene, solve(scene, scene["tolerance"], "compiling the chain"))
