@@ -318,13 +318,13 @@ def test_a_figure_is_added_in_three_places(tmp_path):
     assert "α = 1.5, 1.1" in caption
 
 
-@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig25.py", "workflow/report/fig25.rst"])
+@pytest.mark.parametrize("missing", ["workflow/scripts/plot_fig26.py", "workflow/report/fig26.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)
     for name, text in PLACES.items():
         if name.startswith("workflow/") and name != missing:
             with (project / name).open("a", encoding="utf-8") as file:
                 file.write(text)
-    outcome = snakemake("fig25", "--dry-run", folder=project)
+    outcome = snakemake("fig26", "--dry-run", folder=project)
     assert outcome.returncode != 0
-    assert "fig25" in outcome.stdout + outcome.stderr
+    assert "fig26" in outcome.stdout + outcome.stderr
