@@ -111,7 +111,12 @@ def test_row_maps_are_vector_code(kind, order):
 
 @pytest.mark.timing
 def test_scalar_code_would_be_found():
-    slow = gf.Potential(np.exp, np.exp, np.exp, interval=(-2.0, 0.0))
+    slow = gf.Potential(
+        lambda r: (-r) ** 2.3,
+        lambda r: -2.3 * (-r) ** 1.3,
+        lambda r: 2.99 * (-r) ** 0.3,
+        interval=(-2.0, -0.05),
+    )
     u, result, repeats = np.linspace(0.1, 1.2, 4000), np.empty(4000), 50
     arguments = row_map(slow, 1), u, result, 0, u.size - 1, row_parameters(slow, 1), repeats
     root = fastest(lambda: [np.sqrt(u, out=result) for _ in range(repeats)])
