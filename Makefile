@@ -45,7 +45,7 @@ slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
 
-# Jobs of a small run, tests, and kernels as Python (tests/test_uncompiled.py), each in processes of
+# Jobs of a small run, tests, and kernels as Python (tests/numerics/test_uncompiled.py), each in processes of
 # its own whose data are put together.
 MEASURED := $(BIN)/python -m coverage run -m
 SMALL := snakemake -c2 --configfile config/smoke.yaml --config results=results/coverage
@@ -57,7 +57,7 @@ coverage: .venv/installed ## Measure which lines the workflow and the fast tests
 	@$(MEASURED) $(SMALL) campaign=smoke -- campaign
 	@$(MEASURED) pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
 	@$(BIN)/python -m coverage combine --quiet
-	@$(BIN)/python tests/coverage_of_jobs.py
+	@$(BIN)/python tools/coverage_of_jobs.py
 	@$(BIN)/python -m coverage report
 
 lint: .venv/installed ## Check the style, the workflow's rules and the types.
@@ -67,8 +67,8 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/Snakefile workflow/rules)
 	$(call quietly,$(BIN)/python -m mypy)
 
-# An installation keeps a copy of what it was made from: the time stamp of that file says nothing.
-.PHONY: $(shell cmp -s environment.txt .venv/installed || echo .venv/installed)
+# An installation keeps a copy of what it was made from: time stamps say nothing.
+.PHONY: $(shell cat environment.txt pyproject.toml | cmp -s - .venv/installed || echo .venv/installed)
 .venv/installed:
 	@command -v $(PYTHON) >/dev/null || { \
 	    echo "There is no $(PYTHON) here: please install Python 3.11 or newer." >&2; exit 1; }
@@ -79,7 +79,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@$(PYTHON) -m venv --clear .venv
 	@$(PIP) install --require-hashes -r environment.txt
 	@$(PIP) install --no-deps --no-build-isolation -e .
-	@cp environment.txt $@
+	@cat environment.txt pyproject.toml > $@
 
 # Made again only when they are asked for by name, so that uv is needed for nothing else.
 ifneq ($(filter %environment.txt,$(MAKECMDGOALS)),)
@@ -104,7 +104,7 @@ readme: .venv/installed ## Bring the numbers of README and manual up to date.
 	@$(BIN)/snakemake -c2 animation
 	@$(BIN)/snakemake -c2 proofs
 	@$(BIN)/snakemake -c2
-	@$(BIN)/python workflow/scripts/update_documents.py --readme README.md \
+	@$(BIN)/python workflow/scripts/report/update_documents.py --readme README.md \
 	    --performance docs/performance.md --proofs docs/proofs.md --results results
 	@$(BIN)/python docs/measured.py
 

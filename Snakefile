@@ -46,18 +46,18 @@ onstart:
 include: "workflow/rules/questions.smk"
 include: "workflow/rules/products.smk"
 include: "workflow/rules/figures.smk"
-include: "workflow/rules/chain.smk"
+include: "workflow/rules/kernels.smk"
+include: "workflow/rules/scenes.smk"
+include: "workflow/rules/studies.smk"
 include: "workflow/rules/animation.smk"
-include: "workflow/rules/continuum.smk"
-include: "workflow/rules/fronts.smk"
-include: "workflow/rules/laws.smk"
+include: "workflow/rules/tables.smk"
 include: "workflow/rules/precision.smk"
 include: "workflow/rules/hard_cases.smk"
 include: "workflow/rules/honesty.smk"
 include: "workflow/rules/proofs.smk"
 include: "workflow/rules/referee.smk"
+include: "workflow/rules/campaign_chunks.smk"
 include: "workflow/rules/campaign.smk"
-include: "workflow/rules/tables.smk"
 include: "workflow/rules/checks.smk"
 include: "workflow/rules/report.smk"
 include: "workflow/rules/explorer.smk"
@@ -79,3 +79,11 @@ rule all:
 
 # After the default target, whose results it records.
 include: "workflow/rules/crate.smk"
+
+
+# Every script runs in the same environment; rules of another workflow around this one in its own.
+for one in workflow.rules:
+    if one.script and is_ours(one):
+        one.conda_env = environment
+        # Which script a parameter names Snakemake finds out for a job, but not for its archive.
+        one.script = one.script.format(params=one.params)

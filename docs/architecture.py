@@ -29,7 +29,7 @@ FLOW = (
     ("rules", "workflow/rules"),
     ("scripts", "workflow/scripts"),
     ("datasets", "results/data"),
-    ("scripts that draw", "workflow/scripts/plot_*.py"),
+    ("scripts that draw", "workflow/scripts/figures"),
     ("figures and tables", "results/figures, results/tables"),
     ("report", "results/report.html"),
 )

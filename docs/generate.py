@@ -12,7 +12,7 @@ from typing import Any
 import yaml
 
 import granular_fronts
-from granular_fronts.output.datasets import LONG_NAMES
+from granular_fronts.output.datasets import long_names
 
 ROOT = Path(__file__).parents[1]
 WORKFLOW = ROOT / "workflow"
@@ -163,7 +163,7 @@ def variables() -> str:
         "name: `relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:"
     ]
     lines += ["[symbols](../symbols.md).", "", "| variable | what |", "|---|---|"]
-    lines += [f"| `{name}` | {meaning} |" for name, meaning in sorted(LONG_NAMES.items())]
+    lines += [f"| `{name}` | {meaning} |" for name, meaning in sorted(long_names().items())]
     return "\n".join(lines) + "\n"
 
 

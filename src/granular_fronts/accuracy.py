@@ -99,38 +99,15 @@ class Refined(NamedTuple):
         return Refined(function(self.usual), function(self.finer))
 
     def estimate(self, measure: Callable[[Any], float] = float) -> Estimate:
-        """A number that is measured on a solution, with its error.
-
-        Parameters
-        ----------
-        measure : callable
-            From a solution to a number.
-
-        Returns
-        -------
-        Estimate
-        """
+        """A number measured on both solutions, with its error."""
         return estimate(*self.map(measure))
 
 
 def with_refinement(solve: Callable[[Any], Any], usual: Any, finer: Any) -> Refined:
-    """Solve a problem twice, so that the difference estimates the error.
+    """Solve a problem at two resolutions, so that the difference estimates the error.
 
-    Parameters
-    ----------
-    solve : callable
-        From a resolution (a tolerance, a grid, an order, or a record of these) to a solution.
-    usual, finer : object
-        Resolution of the solution, and of its independent refinement.
-
-    Returns
-    -------
-    Refined
-
-    Raises
-    ------
-    SolveError
-        As `solve` raises it; where the refinement fails, the sentence says so.
+    A resolution is a tolerance, a grid, an order, or a record of these.  Where the refinement
+    fails, the sentence of its SolveError says so.
     """
     return refined_by(lambda _found: solve(finer), solve(usual))
 
@@ -151,18 +128,10 @@ def rounding_floor(values: npt.ArrayLike) -> float:
 
 
 def largest_difference(values: npt.ArrayLike, others: npt.ArrayLike) -> float:
-    """Error estimate of values that were computed twice.
+    """Error estimate of values computed twice: the largest difference, at least the rounding floor.
 
-    Parameters
-    ----------
-    values, others : array_like, same shape
-        NaN where there is nothing, an arrival that did not happen for example.
-
-    Returns
-    -------
-    float
-        The largest difference, at least the rounding floor; NaN where no pair is finite, and 0
-        where there are no values.
+    NaN stands where there is nothing, an arrival that did not happen for example.  The result is
+    NaN where no pair is finite, and 0 where there are no values.
     """
     if np.size(values) == 0:
         return 0.0
@@ -186,19 +155,9 @@ def recorded(variable: xr.DataArray) -> Estimate:
 
 
 def certain_sign(variable: xr.DataArray) -> xr.DataArray:
-    """Sign of each value, 0 where its size is at most its `error_estimate`.
+    """Sign of each value, 0 for NaN and where its size is at most its `error_estimate`.
 
     A contact counts as open where the sign of its relative displacement is -1.
-
-    Parameters
-    ----------
-    variable : xarray.DataArray
-        With its `error_estimate`.
-
-    Returns
-    -------
-    xarray.DataArray
-        -1, 0 or 1; 0 for NaN.
     """
     error = variable.attrs["error_estimate"]
     return (variable > error).astype(int) - (variable < -error).astype(int)
@@ -212,22 +171,9 @@ def tabulated(dataset: xr.Dataset, name: str) -> Estimate:
 def estimated_variable(
     dims: str | tuple[str, ...], estimates: npt.ArrayLike, method: str, **attributes: Any
 ) -> Variable:
-    """A variable from estimates, which carries the largest of their errors.
+    """A variable from estimates of the shape of `dims`, which carries the largest of their errors.
 
-    Parameters
-    ----------
-    dims : str or tuple of str
-    estimates : array_like of Estimate, shape of the dimensions
-        Pairs of value and error.
-    method : str
-        How the errors were found.
-    **attributes
-        Further attributes, `long_name` for example.
-
-    Returns
-    -------
-    tuple
-        As xarray takes it: dimensions, values, attributes.
+    `method` says how the errors were found; `attributes` are further ones, `long_name` for example.
     """
     values, errors = np.moveaxis(np.array(estimates, dtype=float), -1, 0)
     return (
@@ -244,13 +190,7 @@ def estimated_variable(
 def variable_and_errors(
     name: str, dims: str | tuple[str, ...], estimates: npt.ArrayLike, method: str, meaning: str
 ) -> dict[str, Variable]:
-    """A variable from estimates, and beside it one of their errors; arguments as above.
-
-    Returns
-    -------
-    dict
-        Variables under `name` and `<name>_error`.
-    """
+    """Variables `name` and `<name>_error`, from estimates; arguments as above."""
     errors = np.array(estimates, dtype=float)[..., 1]
     return {
         name: estimated_variable(dims, estimates, method, long_name=meaning),
@@ -259,20 +199,7 @@ def variable_and_errors(
 
 
 def error_attributes(values: npt.ArrayLike, others: npt.ArrayLike, method: str) -> dict[str, Any]:
-    """Attributes that say how wrong a variable can be.
-
-    Parameters
-    ----------
-    values, others : array_like, same shape
-        Two computations.
-    method : str
-        How the second was made.
-
-    Returns
-    -------
-    dict
-        `error_estimate` and `error_method`.
-    """
+    """`error_estimate` and `error_method` of a variable that was computed twice."""
     return {"error_estimate": largest_difference(values, others), "error_method": method}
 
 

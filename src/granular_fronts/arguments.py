@@ -78,12 +78,7 @@ def count(
     most: int | None = None,
     advice: str = "give such a number",
 ) -> int:
-    """A whole number; parameters and errors as of `scalar`.
-
-    Returns
-    -------
-    int
-    """
+    """A whole number; arguments and errors as of `scalar`."""
     number = _real(value)
     if number.is_integer() and _lies_within(number, None, least, None, most):
         return int(number)
@@ -101,22 +96,9 @@ def array(
     most: Limit = None,
     advice: str = "give such numbers",
 ) -> np.ndarray:
-    """Finite real numbers within limits, in an array of any shape.
+    """Finite real numbers within limits, in an array of any shape; arguments as of `scalar`.
 
-    Parameters
-    ----------
-    values : array_like
-    name, above, least, below, most, advice
-        As of `scalar`.
-
-    Returns
-    -------
-    ndarray of float
-
-    Raises
-    ------
-    InputError
-        If it is none; the sentence shows the first number that is wrong.
+    The sentence of the InputError shows the first number that is wrong.
     """
     import numpy as np
 
@@ -137,10 +119,7 @@ def array(
 
 
 def sequence(name: str, values: object, **limits: Any) -> np.ndarray:
-    """One number or more in a row, as an array of one dimension; a number alone is a row of one.
-
-    Parameters, result and errors as of `array`.
-    """
+    """One number or more in a row, of one dimension; a number alone is a row of one."""
     import numpy as np
 
     found = np.atleast_1d(array(name, values, **limits))
@@ -152,18 +131,7 @@ def sequence(name: str, values: object, **limits: Any) -> np.ndarray:
 
 
 def choice(name: str, value: object, choices: Collection[str]) -> str:
-    """One of several names.
-
-    Parameters
-    ----------
-    name : str
-    value : object
-    choices : collection of str
-
-    Returns
-    -------
-    str
-    """
+    """One of several names."""
     if isinstance(value, str) and value in choices:
         return value
     raise InputError(
@@ -172,38 +140,15 @@ def choice(name: str, value: object, choices: Collection[str]) -> str:
 
 
 def instance(name: str, value: object, kind: type[Kind], advice: str) -> Kind:
-    """An object of a kind.
-
-    Parameters
-    ----------
-    name : str
-    value : object
-    kind : type
-    advice : str
-        Where to get one.
-
-    Returns
-    -------
-    object of that kind
-    """
+    """An object of a kind; the advice says where to get one."""
     if isinstance(value, kind):
         return value
-    wanted = with_article(kind.__name__)
+    wanted = _with_article(kind.__name__)
     raise InputError(f"{name} is {shown(value)}, but must be {wanted}: {advice}.")
 
 
 def path(name: str, value: object) -> Path:
-    """The path of a file, which need not exist.
-
-    Parameters
-    ----------
-    name : str
-    value : object
-
-    Returns
-    -------
-    Path
-    """
+    """The path of a file, which need not exist."""
     if isinstance(value, (str, Path)) and str(value) and "\0" not in str(value):
         return Path(value)
     raise InputError(f"{name} is {shown(value)}, but must be a path: give the name of a file.")
@@ -219,17 +164,9 @@ def new_file(name: str, value: object) -> Path:
 
 @contextlib.contextmanager
 def double_precision(what: str, advice: str) -> Iterator[None]:
-    """A context in which results that overflow end in a sentence.
+    """A context in which overflow ends in a sentence that begins with `what`.
 
-    Parameters
-    ----------
-    what, advice : str
-        Beginning and end of the sentence.
-
-    Raises
-    ------
-    InputError
-        Where arithmetic overflows, or divides by what has underflowed.
+    So does a division by what has underflowed.
     """
     try:
         yield
@@ -271,7 +208,7 @@ def _limits_in_words(above: Limit, least: Limit, below: Limit, most: Limit) -> s
     return f", {' and '.join(limits)}" if limits else ""
 
 
-def with_article(noun: str) -> str:
+def _with_article(noun: str) -> str:
     """A noun behind "a" or "an", by its first letter."""
     return f"{'an' if noun[0] in 'AEIOUaeiou' else 'a'} {noun}"
 

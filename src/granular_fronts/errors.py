@@ -41,13 +41,7 @@ def end_with_reader() -> None:
 
 @contextmanager
 def exit_on_error(heading: str) -> Iterator[None]:
-    """End the program with a heading and the sentences of an InputError, if one is raised.
-
-    Parameters
-    ----------
-    heading : str
-        A sentence, for example ``The configuration cannot be computed.``
-    """
+    """End the program with a heading and the sentences of an InputError, if one is raised."""
     try:
         yield
     except InputError as error:

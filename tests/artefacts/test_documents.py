@@ -11,7 +11,7 @@ from test_tables import read_table
 from granular_fronts.scenes.yaml_files import read_yaml
 from questions import questions
 
-UPDATE = "call workflow/scripts/update_documents.py, as make readme does"
+UPDATE = "call workflow/scripts/report/update_documents.py, as make readme does"
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 

@@ -4,7 +4,6 @@ Snakemake itself takes any file that is younger than its inputs for the one that
 """
 
 import os
-from pathlib import Path
 from typing import Any
 
 from snakemake.persistence import ParamsChange
@@ -20,8 +19,7 @@ def make_altered_files_again() -> None:
 
     def changed(self: Any, job: Any, file: Any = None) -> Any:
         altered = {path for path in job.output if is_altered(path, self.metadata(path))}
-        altered |= {path for path in job.output if is_without_requests(path)}
-        if job.benchmark and is_empty(job.benchmark):
+        if job.benchmark and _is_empty(job.benchmark):
             altered.add(job.benchmark)
         found = params_changed(self, job, file)
         return found | ParamsChange(only_new=altered, files=altered) if altered else found
@@ -36,21 +34,6 @@ def is_altered(path: str, record: Any) -> bool:
     return abs(os.stat(path).st_mtime - record.endtime) > MARGIN
 
 
-def is_without_requests(path: str) -> bool:
-    """Whether this is the plan of a campaign that has lost requests of chunks, or is damaged."""
-    if os.path.basename(path) != "plan.json" or not os.path.exists(path):
-        return False
-    # Who asks for no campaign does not wait for what these need.
-    from granular_fronts.campaign.chunks import is_request
-    from granular_fronts.campaign.plan import read_plan
-
-    try:
-        names = read_plan(path).chunks
-    except (TypeError, ValueError):
-        return True
-    return not all(is_request(Path(path).with_name(f"{name}.json")) for name in names)
-
-
-def is_empty(path: str) -> bool:
+def _is_empty(path: str) -> bool:
     """Whether there is a file with nothing in it."""
     return os.path.exists(path) and os.path.getsize(path) == 0

@@ -4,30 +4,20 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-STEP = Fraction(1, 10**6)
-"""Ends of chunks are multiples of this."""
+STEP = Fraction(1, 10**6)  # ends of chunks are multiples of this
 
 
 def proof_chunks(family: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """Cut a family of fronts into chunks that meet at their ends.
+    """Cut a family under ``proofs.intervals`` of the configuration into chunks that meet.
 
-    Parameters
-    ----------
-    family : mapping
-        `alpha`, `from` (a γ) and `parts`, as under ``proofs.intervals`` of the configuration.
-
-    Yields
-    ------
-    dict
-        `alpha`, `low` and `high` as decimals in text, and what else the part says of the proof.
+    Yields the arguments of `prove_interval` but the folder; ends are decimals in text.
     """
     low = _on_grid(Fraction(str(family["from"])))
     for part in family["parts"]:
-        high, count = Fraction(str(part["to"])), part["chunks"]
-        start = low
+        start, high, count = low, Fraction(str(part["to"])), part["chunks"]
+        options = {name: part[name] for name in ("cells", "fine", "drift") if name in part}
         for k in range(1, count + 1):
             end = _on_grid(start + (high - start) * k / count)
-            options = {name: part[name] for name in ("cells", "fine", "drift") if name in part}
             yield {"alpha": family["alpha"], "low": _decimal(low), "high": _decimal(end)} | options
             low = end
 

@@ -18,19 +18,7 @@ FAMILIES = {
 
 
 def questions(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """All datasets that the configuration asks for, by the names of their files.
-
-    Parameters
-    ----------
-    configuration : mapping
-        The merged configuration.
-
-    Returns
-    -------
-    dict of str to object
-        For each ``folder/name`` under ``results/data`` the part of the configuration that the
-        dataset answers, as it stands in the dataset itself.
-    """
+    """Each dataset that a merged configuration asks for, and the part of it that it answers."""
     asked = {
         f"{folder}/{name}": scene
         for folder, family in FAMILIES.items()

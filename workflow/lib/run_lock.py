@@ -15,23 +15,7 @@ class FolderInUseError(Exception):
 
 
 def lock_folder(folder: Path) -> TextIO:
-    """Lock a results folder until the process ends or the returned file is closed.
-
-    Parameters
-    ----------
-    folder : Path
-        Made if it is missing; it receives a file ``.lock``.
-
-    Returns
-    -------
-    file
-        Holds the lock as long as it is open.
-
-    Raises
-    ------
-    FolderInUseError
-        If another process holds the lock.
-    """
+    """Lock a results folder until the process ends or the returned file is closed."""
     folder.mkdir(parents=True, exist_ok=True)
     lock = (folder / ".lock").open("w", encoding="utf-8")
     try:

@@ -16,13 +16,10 @@ rule animate_front:
         "<logs>/animate_front.log",
     benchmark:
         "<benchmarks>/animate_front.tsv"
-    threads: 1
     message:
         "Drawing a front in motion."
-    conda:
-        environment
     script:
-        "../scripts/animate_front.py"
+        "../scripts/figures/animate_front.py"
 
 
 rule animation:

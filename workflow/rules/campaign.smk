@@ -1,56 +1,26 @@
 """Grids of parameter points: snakemake -c2 campaign --config campaign=smoke."""
 
 
-include: "campaign_plan.smk"
-
-
-checkpoint plan_campaign:
-    input:
-        kernels=campaign_kernels,
-    output:
-        plan="<results>/data/campaigns/{campaign}/plan.json",
-    params:
-        code=campaign_code("plan_campaign"),
-        campaign=lambda wildcards: campaign_of(wildcards.campaign).given,
-        name="{campaign}",
-        chunk_seconds=config["chunk_seconds"],
-    log:
-        "<logs>/plan_campaign/{campaign}.log",
-    benchmark:
-        "<benchmarks>/plan_campaign/{campaign}.tsv"
-    threads: 1
-    message:
-        "Planning campaign {wildcards.campaign}."
-    conda:
-        environment
-    wildcard_constraints:
-        campaign=CAMPAIGN_NAME,
-    script:
-        "../scripts/plan_campaign.py"
-
-
 rule solve_chunk:
     input:
-        # A request has no rule: planning writes those that are not there, and none anew.
-        request="<results>/data/campaigns/{campaign}/{chunk}.json",
+        # Kernels that are compiled again solve no chunk again.
+        kernels=ancient(campaign_kernels),
     output:
         dataset="<results>/data/campaigns/{campaign}/{chunk}.nc",
     params:
         code=campaign_code("solve_chunk"),
+        request=request_of,
     log:
         "<logs>/solve_chunk/{campaign}/{chunk}.log",
     benchmark:
         "<benchmarks>/solve_chunk/{campaign}/{chunk}.tsv"
-    threads: 1
     message:
         "Solving chunk {wildcards.chunk} of campaign {wildcards.campaign}."
-    conda:
-        environment
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
         chunk="[0-9a-f]{16}",
     script:
-        "../scripts/solve_chunk.py"
+        "../scripts/campaign/solve_chunk.py"
 
 
 rule merge_campaign:
@@ -66,16 +36,13 @@ rule merge_campaign:
         "<logs>/merge_campaign/{campaign}.log",
     benchmark:
         "<benchmarks>/merge_campaign/{campaign}.tsv"
-    threads: 1
     message:
         "Merging the chunks of campaign {wildcards.campaign}."
-    conda:
-        environment
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
     localrule: True
     script:
-        "../scripts/merge_campaign.py"
+        "../scripts/campaign/merge_campaign.py"
 
 
 rule summarise_campaign:
@@ -90,16 +57,13 @@ rule summarise_campaign:
         "<logs>/summarise_campaign/{campaign}.log",
     benchmark:
         "<benchmarks>/summarise_campaign/{campaign}.tsv"
-    threads: 1
     message:
         "Summing up campaign {wildcards.campaign}."
-    conda:
-        environment
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
     localrule: True
     script:
-        "../scripts/summarise_campaign.py"
+        "../scripts/campaign/summarise_campaign.py"
 
 
 # The chunks stand beside what is made of them: one that a failed or killed job has lost is then

@@ -4,6 +4,7 @@
 rule check_results:
     input:
         tests=sorted(glob(project("tests", "artefacts", "*.py"))),
+        samples=project("tests", "support", "figure_samples.py"),
         pages=[
             project("README.md"),
             project("docs", "performance.md"),
@@ -22,10 +23,7 @@ rule check_results:
         "<logs>/check_results.log",
     benchmark:
         "<benchmarks>/check_results.tsv"
-    threads: 1
     message:
         "Testing the finished files."
-    conda:
-        environment
     script:
-        "../scripts/check_results.py"
+        "../scripts/tables/check_results.py"

@@ -12,11 +12,15 @@ from pathlib import Path
 PROJECT = os.path.abspath(os.path.join(workflow.current_basedir, "..", ".."))
 SOURCE = os.path.join(PROJECT, "src")
 LIBRARY = os.path.join(PROJECT, "workflow", "lib")
+SCRIPTS = os.path.join(PROJECT, "workflow", "scripts")
+DRAWING = os.path.join(SCRIPTS, "figures")
 
 # The package and its compiled kernels are found without an installation, here and by the jobs.
 sys.path[:0] = [SOURCE, LIBRARY]
 os.environ.update(
-    PYTHONPATH=os.pathsep.join(filter(None, [SOURCE, LIBRARY, os.environ.get("PYTHONPATH")])),
+    PYTHONPATH=os.pathsep.join(
+        filter(None, [SOURCE, LIBRARY, DRAWING, os.environ.get("PYTHONPATH")])
+    ),
     NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
 )
 
@@ -31,7 +35,9 @@ from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
 from run_lock import FolderInUseError, lock_folder
 
-MODULES = module_files(Path(SOURCE), Path(LIBRARY), Path(PROJECT, "workflow", "scripts"))
+MODULES = module_files(
+    *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", "")))])
+)
 # It hands a script what the rule names, and has no part in what comes out.
 del MODULES["step"]
 
@@ -39,6 +45,16 @@ del MODULES["step"]
 def project(*path):
     """Return the path of a file of the project from the working directory."""
     return os.path.relpath(os.path.join(PROJECT, *path))
+
+
+def script_file(name):
+    """Return the path of a script from this folder, for a rule that a loop makes."""
+    return os.path.relpath(MODULES[name], os.path.join(PROJECT, "workflow", "rules"))
+
+
+def is_ours(rule):
+    """Say whether a rule is of this workflow, and not of one that uses it as a module."""
+    return os.path.abspath(str(rule.snakefile)).startswith(os.path.join(PROJECT, ""))
 
 
 def environment(wildcards):
@@ -76,10 +92,6 @@ def hold_results_folder():
 
 # Of a timing, which must run alone: Snakemake cuts it down to the cores of the call.
 ALL_CORES = os.cpu_count()
-
-
-wildcard_constraints:
-    scene="[a-z][a-z0-9_]*",
 
 
 @cache

@@ -17,19 +17,16 @@ rule write_crate:
         scripts=lambda wildcards: {
             one.name: os.path.normpath(os.path.join("workflow/rules", one.script))
             for one in workflow.rules
-            if one.script
+            if one.script and is_ours(one)
         },
     log:
         "<logs>/write_crate.log",
     benchmark:
         "<benchmarks>/write_crate.tsv"
-    threads: 1
     message:
         "Writing the record of the run."
-    conda:
-        environment
     script:
-        "../scripts/write_crate.py"
+        "../scripts/report/write_crate.py"
 
 
 rule crate:

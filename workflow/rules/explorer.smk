@@ -10,27 +10,6 @@ EXPLORED = [
 EXPLORED_FRONTS = ["fronts/collection", "fronts/critical_damping"]
 
 
-rule collect_fronts:
-    input:
-        kernels=rules.compile_front_kernels.output.stamp,
-    output:
-        dataset="<results>/data/fronts/collection.nc",
-    params:
-        code=code("collect_fronts"),
-        plane=config["explorer"],
-    log:
-        "<logs>/collect_fronts.log",
-    benchmark:
-        "<benchmarks>/collect_fronts.tsv"
-    threads: 1
-    message:
-        "Solving exact fronts with their tails and multipliers for the explorer."
-    conda:
-        environment
-    script:
-        "../scripts/collect_fronts.py"
-
-
 rule write_explorer:
     input:
         template=project("workflow/report/explorer/page.html.j2"),
@@ -39,8 +18,8 @@ rule write_explorer:
             script=["shared", "motions", "fronts"],
         ),
         motions=[data_file(motion) for motion in EXPLORED],
-        collection=rules.collect_fronts.output.dataset,
-        plane=rules.map_critical_damping.output.dataset,
+        collection=rules.study_collection.output.dataset,
+        plane=rules.study_critical_damping.output.dataset,
     output:
         page="<results>/explore.html",
         record="<results>/explore.json",
@@ -52,13 +31,10 @@ rule write_explorer:
         "<logs>/write_explorer.log",
     benchmark:
         "<benchmarks>/write_explorer.tsv"
-    threads: 1
     message:
         "Writing the page to explore motions and fronts."
-    conda:
-        environment
     script:
-        "../scripts/write_explorer.py"
+        "../scripts/report/write_explorer.py"
 
 
 rule explore:

@@ -22,8 +22,8 @@ for figure in FIGURES:
             caption=f"<results>/{stem_of(figure)}.rst",
             record=f"<results>/{stem_of(figure)}.json",
         params:
-            code=code("figure_step", f"plot_{figure}"),
-            script=f"plot_{figure}",
+            code=code("figure_step", script_of(figure)),
+            script=script_of(figure),
             title=verbatim(FIGURES[figure]["title"]),
             alt=verbatim(FIGURES[figure]["alt"]),
             reference=reference(*datasets_of(figure)),
@@ -32,14 +32,11 @@ for figure in FIGURES:
             f"<logs>/plot_{figure}.log",
         benchmark:
             f"<benchmarks>/plot_{figure}.tsv"
-        threads: 1
         message:
             f"Drawing figure {number_of(figure)}: {FIGURES[figure]['title']}."
-        conda:
-            environment
         localrule: True
         script:
-            "../scripts/figure_step.py"
+            "../lib/figure_step.py"
 
     rule:
         name:

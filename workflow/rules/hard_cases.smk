@@ -13,13 +13,10 @@ rule measure_hard_cases:
         "<logs>/measure_hard_cases.log",
     benchmark:
         "<benchmarks>/measure_hard_cases.tsv"
-    threads: 1
     message:
         "Solving the hard cases."
-    conda:
-        environment
     script:
-        "../scripts/measure_hard_cases.py"
+        "../scripts/precision/measure_hard_cases.py"
 
 
 rule tabulate_hard_cases:
@@ -36,13 +33,10 @@ rule tabulate_hard_cases:
         "<logs>/tabulate_hard_cases.log",
     benchmark:
         "<benchmarks>/tabulate_hard_cases.tsv"
-    threads: 1
     message:
         "Tabulating the hard cases."
-    conda:
-        environment
     script:
-        "../scripts/tabulate_hard_cases.py"
+        "../scripts/precision/tabulate_hard_cases.py"
 
 
 rule hard_cases:

@@ -14,15 +14,12 @@ rule measure_honesty:
         "<logs>/measure_honesty/{wing}.log",
     benchmark:
         "<benchmarks>/measure_honesty/{wing}.tsv"
-    threads: 1
     message:
         "Comparing stated errors with true ones: random {wildcards.wing}."
-    conda:
-        environment
     wildcard_constraints:
         wing="|".join(config["honesty"]),
     script:
-        "../scripts/measure_honesty.py"
+        "../scripts/precision/measure_honesty.py"
 
 
 rule honesty:

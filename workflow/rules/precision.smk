@@ -15,7 +15,7 @@ rule measure_precision:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
         reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
-        scilab=project("workflow", "scripts", "peers", "scilab.sce"),
+        scilab=project("workflow", "scripts", "precision", "peers", "scilab.sce"),
     output:
         dataset="<results>/data/precision/{family}.nc",
     params:
@@ -29,12 +29,10 @@ rule measure_precision:
     threads: ALL_CORES
     message:
         "Measuring speed against error: {wildcards.family}."
-    conda:
-        environment
     wildcard_constraints:
         family="|".join(PRECISION_REFERENCES),
     script:
-        "../scripts/measure_precision.py"
+        "../scripts/precision/measure_precision.py"
 
 
 rule merge_precision:
@@ -48,13 +46,10 @@ rule merge_precision:
         "<logs>/merge_precision.log",
     benchmark:
         "<benchmarks>/merge_precision.tsv"
-    threads: 1
     message:
         "Joining the measurements of all families of problems."
-    conda:
-        environment
     script:
-        "../scripts/merge_precision.py"
+        "../scripts/precision/merge_precision.py"
 
 
 rule tabulate_speed_error:
@@ -74,13 +69,10 @@ rule tabulate_speed_error:
         "<logs>/tabulate_speed_error.log",
     benchmark:
         "<benchmarks>/tabulate_speed_error.tsv"
-    threads: 1
     message:
         "Comparing the methods at equal error."
-    conda:
-        environment
     script:
-        "../scripts/tabulate_speed_error.py"
+        "../scripts/precision/tabulate_speed_error.py"
 
 
 rule measure_log_burgers:
@@ -99,39 +91,14 @@ rule measure_log_burgers:
     threads: ALL_CORES
     message:
         "Measuring speed against error of the solvers of the logarithmic Burgers equation."
-    conda:
-        environment
     script:
-        "../scripts/measure_log_burgers.py"
-
-
-rule tabulate_log_burgers:
-    input:
-        dataset=rules.measure_log_burgers.output.dataset,
-    output:
-        csv="<results>/tables/log_burgers_solvers.csv",
-        markdown="<results>/tables/log_burgers_solvers.md",
-        record="<results>/tables/log_burgers_solvers.json",
-    params:
-        code=code("tabulate_log_burgers"),
-        asked=asked("precision/log_burgers"),
-    log:
-        "<logs>/tabulate_log_burgers.log",
-    benchmark:
-        "<benchmarks>/tabulate_log_burgers.tsv"
-    threads: 1
-    message:
-        "Comparing the solvers of the logarithmic Burgers equation."
-    conda:
-        environment
-    script:
-        "../scripts/tabulate_log_burgers.py"
+        "../scripts/precision/measure_log_burgers.py"
 
 
 rule precision:
     input:
         rules.tabulate_speed_error.output,
         rules.fig14.input,
-        rules.tabulate_log_burgers.output,
+        rules.tabulate_log_burgers_solvers.output,
     message:
         "Speed against error is measured; the next report shows it: {input}."

@@ -49,6 +49,11 @@ def stem_of(figure):
     return f"figures/{figure}_{FIGURES[figure]['name']}"
 
 
+def script_of(figure):
+    """Return the name of the script that draws a figure."""
+    return FIGURES[figure].get("script", f"plot_{figure}")
+
+
 def number_of(figure):
     """Return how a text names a figure: 7b for fig07b."""
     return figure.removeprefix("fig").lstrip("0")
@@ -73,6 +78,35 @@ def campaign_chunks_behind(figure):
 def table_files(table):
     """Return the table in two formats, and the record of what it was made from."""
     return [f"<results>/tables/{table}.{ending}" for ending in ("csv", "md", "json")]
+
+
+# Statements name functions of these modules.
+MEASURES = [name for name in MODULES if name.endswith("measures")]
+
+
+def tabulated_from(table):
+    """Return the datasets behind a table: those that it names, or all that a plain call makes."""
+    return TABLES[table].get("data", list(questions(config)))
+
+
+def table_inputs(table):
+    """Return the files behind a table, for each argument of its script."""
+    files = [data_file(dataset) for dataset in tabulated_from(table)]
+    if statements := TABLES[table].get("statements"):
+        return {"statements": project("config", statements), "datasets": files}
+    return {"dataset": files[0]}
+
+
+def table_params(table):
+    """Return what a table depends on beside its files: code, and what is asked of its data."""
+    script, datasets = TABLES[table]["script"], tabulated_from(table)
+    if "statements" not in TABLES[table]:
+        return {"code": code(script), "asked": asked(*datasets)}
+    return {
+        "code": code(script, *MEASURES),
+        "reference": reference(*datasets),
+        "asked": asked(*datasets),
+    }
 
 
 DRAWN_FILES = [file for figure in DRAWN for file in figure_files(figure)]

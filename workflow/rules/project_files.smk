@@ -17,9 +17,9 @@ PROJECT_FILES = [
     "profiles/default/config.yaml",
     "pyproject.toml",
     "src/**/*",
-    "tests/*.py",
-    "tests/artefacts/*.py",
-    "tests/test_proof_data/*",
+    "tests/**/*.py",
+    "tests/proofs/test_proof_data/*",
+    "tools/**/*.py",
     "workflow/**/*",
 ]
 

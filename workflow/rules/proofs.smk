@@ -27,13 +27,10 @@ rule prove_fronts:
         "<logs>/prove_fronts.log",
     benchmark:
         "<benchmarks>/prove_fronts.tsv"
-    threads: 1
     message:
         "Proving single fronts."
-    conda:
-        environment
     script:
-        "../scripts/prove_fronts.py"
+        "../scripts/proofs/prove_fronts.py"
 
 
 rule prove_chunk:
@@ -51,16 +48,13 @@ rule prove_chunk:
         "<logs>/prove_chunk/{family}/{chunk}.log",
     benchmark:
         "<benchmarks>/prove_chunk/{family}/{chunk}.tsv"
-    threads: 1
     message:
         "Proving fronts of family {wildcards.family} for γ in {wildcards.chunk}."
-    conda:
-        environment
     wildcard_constraints:
         family="|".join(CHUNKS),
         chunk=r"\d+\.\d{6}-\d+\.\d{6}",
     script:
-        "../scripts/prove_chunk.py"
+        "../scripts/proofs/prove_chunk.py"
 
 
 rule join_intervals:
@@ -79,13 +73,10 @@ rule join_intervals:
         "<logs>/join_intervals.log",
     benchmark:
         "<benchmarks>/join_intervals.tsv"
-    threads: 1
     message:
         "Joining the chunks of proved intervals."
-    conda:
-        environment
     script:
-        "../scripts/join_intervals.py"
+        "../scripts/proofs/join_intervals.py"
 
 
 rule enclose_front:
@@ -101,13 +92,10 @@ rule enclose_front:
         "<logs>/enclose_front.log",
     benchmark:
         "<benchmarks>/enclose_front.tsv"
-    threads: 1
     message:
         "Evaluating the enclosure of a front that is proved."
-    conda:
-        environment
     script:
-        "../scripts/enclose_front.py"
+        "../scripts/proofs/enclose_front.py"
 
 
 rule tabulate_proofs:
@@ -128,13 +116,10 @@ rule tabulate_proofs:
         "<logs>/tabulate_proofs.log",
     benchmark:
         "<benchmarks>/tabulate_proofs.tsv"
-    threads: 1
     message:
         "Tabulating what is proved."
-    conda:
-        environment
     script:
-        "../scripts/tabulate_proofs.py"
+        "../scripts/proofs/tabulate_proofs.py"
 
 
 rule proofs:

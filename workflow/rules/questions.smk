@@ -58,8 +58,7 @@ def asked(*datasets):
 @cache
 def paper_questions():
     """Return what the paper asks, by the name of the scene."""
-    configuration = load_yaml("config", "default.yaml")
-    every = questions(configuration) | questions_on_demand(configuration)
+    every = questions(DEFAULTS) | questions_on_demand(DEFAULTS)
     return {dataset.rpartition("/")[2]: part for dataset, part in every.items()}
 
 

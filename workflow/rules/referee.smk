@@ -1,7 +1,6 @@
 """Problems with accurate answers for discrete-element codes, see docs/practitioners.md."""
 
-from granular_fronts.referee.problems import load_problems
-from granular_fronts.referee.settings import read_settings
+from granular_fronts.referee.problems import load_problems, read_settings
 
 with exit_on_error("The problems of the referee cannot be stated."):
     REFEREE = read_settings(project("config", "referee.yaml"))
@@ -25,13 +24,10 @@ rule write_referee:
         "<logs>/write_referee.log",
     benchmark:
         "<benchmarks>/write_referee.tsv"
-    threads: 1
     message:
         "Solving the problems for discrete-element codes."
-    conda:
-        environment
     script:
-        "../scripts/write_referee.py"
+        "../scripts/referee/write_referee.py"
 
 
 rule referee:

@@ -15,24 +15,12 @@ rule write_report:
             rules.compile_front_kernels.benchmark,
             expand(rules.initiate_front.benchmark, scene=config["scenes"]["chain"]),
             expand(rules.compute_heteroclinic.benchmark, scene=config["scenes"]["heteroclinic"]),
-            rules.evaluate_fronts.benchmark,
             expand(rules.compare_periodic_chain.benchmark, scene=config["scenes"]["periodic"]),
             expand(rules.shoot_front.benchmark, scene=config["scenes"]["front"]),
-            rules.survey_fronts.benchmark,
-            rules.map_critical_damping.benchmark,
-            rules.compute_multipliers.benchmark,
-            rules.follow_trends.benchmark,
+            STUDY_BENCHMARKS,
             rules.tabulate_fronts.benchmark,
             rules.tabulate_critical_damping.benchmark,
             [f"<benchmarks>/plot_{figure}.tsv" for figure in DRAWN],
-            rules.evaluate_materials.benchmark,
-            rules.evaluate_damping_regimes.benchmark,
-            rules.measure_numerical_damping.benchmark,
-            rules.measure_half_step_damping.benchmark,
-            rules.measure_pistons.benchmark,
-            rules.compare_variables.benchmark,
-            rules.measure_limiting_cases.benchmark,
-            rules.check_jump_conditions.benchmark,
             rules.tabulate_materials.benchmark,
             rules.tabulate_jump_conditions.benchmark,
             rules.tabulate_paper_numbers.benchmark,
@@ -54,13 +42,10 @@ rule write_report:
         "<logs>/write_report.log",
     benchmark:
         "<benchmarks>/write_report.tsv"
-    threads: 1
     message:
         "Writing the report."
-    conda:
-        environment
     script:
-        "../scripts/write_report.py"
+        "../scripts/report/write_report.py"
 
 
 rule report:

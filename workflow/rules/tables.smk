@@ -1,85 +1,54 @@
 """Tables: numbers read from the data, set beside those the paper prints.
 
-They are listed with their titles and captions in workflow/tables.yaml.
+They are listed with their titles and captions in workflow/tables.yaml; a script that writes several
+has a rule of its own here.
 """
 
-# Statements name functions of these modules.
-MEASURES = [name for name in MODULES if name.endswith("measures")]
+for table in [name for name, described in TABLES.items() if "script" in described]:
+
+    rule:
+        name:
+            f"tabulate_{table}"
+        input:
+            **table_inputs(table),
+        output:
+            csv=f"<results>/tables/{table}.csv",
+            markdown=f"<results>/tables/{table}.md",
+            record=f"<results>/tables/{table}.json",
+        params:
+            **table_params(table),
+            script=script_file(TABLES[table]["script"]),
+        log:
+            f"<logs>/tabulate_{table}.log",
+        benchmark:
+            f"<benchmarks>/tabulate_{table}.tsv"
+        message:
+            f"Writing the table: {TABLES[table]['title']}."
+        script:
+            "{params.script}"
 
 
-rule tabulate_paper_numbers:
+rule tabulate_fronts:
     input:
-        statements=project("config", "paper_numbers.yaml"),
-        datasets=DATASETS,
+        survey=rules.study_survey.output.dataset,
     output:
-        csv="<results>/tables/paper_numbers.csv",
-        markdown="<results>/tables/paper_numbers.md",
-        record="<results>/tables/paper_numbers.json",
+        properties_csv="<results>/tables/front_properties.csv",
+        properties_markdown="<results>/tables/front_properties.md",
+        errors_csv="<results>/tables/front_errors.csv",
+        errors_markdown="<results>/tables/front_errors.md",
+        properties_record="<results>/tables/front_properties.json",
+        errors_record="<results>/tables/front_errors.json",
     params:
-        code=code("tabulate_statements", *MEASURES),
-        reference=reference(*questions(config)),
-        asked=asked(*questions(config)),
+        code=code("tabulate_fronts"),
+        asked=asked("fronts/survey"),
     log:
-        "<logs>/tabulate_paper_numbers.log",
+        "<logs>/tabulate_fronts.log",
     benchmark:
-        "<benchmarks>/tabulate_paper_numbers.tsv"
-    threads: 1
+        "<benchmarks>/tabulate_fronts.tsv"
     message:
-        "Comparing the numbers and words of the paper with ours."
-    conda:
-        environment
+        "Tabulating the properties of exact fronts and the errors of continuum fronts."
     script:
-        "../scripts/tabulate_statements.py"
-
-
-rule tabulate_findings:
-    input:
-        statements=project("config", "findings.yaml"),
-        datasets=DATASETS,
-    output:
-        csv="<results>/tables/findings.csv",
-        markdown="<results>/tables/findings.md",
-        record="<results>/tables/findings.json",
-    params:
-        code=code("tabulate_statements", *MEASURES),
-        reference=reference(*questions(config)),
-        asked=asked(*questions(config)),
-    log:
-        "<logs>/tabulate_findings.log",
-    benchmark:
-        "<benchmarks>/tabulate_findings.tsv"
-    threads: 1
-    message:
-        "Judging our own checks and findings."
-    conda:
-        environment
-    script:
-        "../scripts/tabulate_statements.py"
-
-
-rule tabulate_ring_limit:
-    input:
-        statements=project("config", "ring_limit.yaml"),
-        datasets=[data_file(campaign) for campaign in TABLES["ring_limit"]["data"]],
-    output:
-        csv="<results>/tables/ring_limit.csv",
-        markdown="<results>/tables/ring_limit.md",
-        record="<results>/tables/ring_limit.json",
-    params:
-        code=code("tabulate_statements", *MEASURES),
-        reference=reference(*TABLES["ring_limit"]["data"]),
-        asked=asked(*TABLES["ring_limit"]["data"]),
-    log:
-        "<logs>/tabulate_ring_limit.log",
-    benchmark:
-        "<benchmarks>/tabulate_ring_limit.tsv"
-    threads: 1
-    message:
-        "Judging the limit α → 1 on rings."
-    conda:
-        environment
-    script:
-        "../scripts/tabulate_statements.py"
+        "../scripts/fronts/tabulate_fronts.py"
 
 
 rule ring_limit:

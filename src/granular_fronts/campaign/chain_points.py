@@ -16,6 +16,8 @@ Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chun
 with two steps for each of the first run; see `chain.event_errors`.
 """
 
+import functools
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +25,7 @@ import numpy as np
 from granular_fronts.accuracy import largest_difference, refined_by, rounding_floor
 from granular_fronts.campaign.chain_scenes import normalised_scene, scene_of_law
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.campaign.one_by_one import solve_one_by_one
+from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import TIME, VALUE
 from granular_fronts.chain.recording import extremes_of_all, fitted_speed
@@ -36,34 +38,19 @@ ERROR_METHOD = f"difference to solving one point in {REFINED_EVERY} with each st
 
 
 def solve_chunk(points, settings, activity):
-    """Solve driven chains one after the other.
-
-    Parameters
-    ----------
-    points : dict of str to ndarray, shape (lines, fast)
-        Parameters of kind ``chain``.
-    settings : dict
-        `tolerance` (relative, per step), `scalars`, `profile` in bead numbers, and `law`, if any.
-    activity : str
-        What the progress bar says.
-
-    Returns
-    -------
-    Solved
-    """
-    profile, tolerance = settings["profile"], settings["tolerance"]
-    beads = None if profile is None else KINDS["chain"].profile_points(profile)
+    """Solve driven chains one after the other, to a tolerance per step; a profile is in beads."""
+    beads = KINDS["chain"].profile_points(settings["profile"])
     sizes = dict.fromkeys(settings["scalars"], ())
     if beads is not None:
         sizes["relative_displacement"] = (beads.size,)
+    shape = points["beads"].shape
 
-    def measure(point, number, count):
-        motion = _solve_point(point, settings.get("law"), tolerance)
-        if number % REFINED_EVERY and number < count - 1:
-            return {name: (value, np.nan) for name, value in _measures(motion, beads).items()}
-        return _with_errors(refined_by(_solve_in_halves, motion), beads)
+    def groups():
+        for number, (index, point) in enumerate(single_points(points)):
+            refined = number % REFINED_EVERY == 0 or number == math.prod(shape) - 1
+            yield index, functools.partial(_measure, point, settings, beads, refined)
 
-    return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
+    return solve_groups(shape, sizes, groups(), ERROR_METHOD, activity)
 
 
 class _Motion(NamedTuple):
@@ -76,14 +63,16 @@ class _Motion(NamedTuple):
     speed: float
 
 
-def _solve_point(point, law, tolerance):
-    """Follow one chain, a `_Motion`.
+def _measure(point, settings, beads, refined):
+    """Values of a point, and their errors where it is solved again."""
+    motion = _solve_point(point, settings.get("law"), settings["tolerance"])
+    if refined:
+        return _with_errors(refined_by(_solve_in_halves, motion), beads)
+    return {name: (value, np.nan) for name, value in _measures(motion, beads).items()}
 
-    Raises
-    ------
-    SolveError
-        If the motion cannot be followed.
-    """
+
+def _solve_point(point, law, tolerance):
+    """Follow one chain, a `_Motion`."""
     if law is None:
         scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
     else:
@@ -118,13 +107,7 @@ def _in_units(variables, motion):
 
 
 def _measures(motion, beads):
-    """Measures of one chain in units of δ and 1/c, and its final u at the given beads.
-
-    Raises
-    ------
-    SolveError
-        If the front does not reach the far end of the range its speed is fitted over.
-    """
+    """Measures of one chain in units of δ and 1/c, and its final u at the given beads."""
     recording, count = motion.run.recording, motion.scene["beads"]
     speed = fitted_speed(recording.arrival[TIME, 1 : count + 1])
     peak = recording.first_peak[VALUE, count // 2]

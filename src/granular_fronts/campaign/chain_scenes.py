@@ -5,9 +5,9 @@ import math
 from collections.abc import Iterator, Mapping
 
 from granular_fronts.campaign.laws import law_at
-from granular_fronts.scenes.laws import front_speed
-from granular_fronts.scenes.scales import energies_are_representable
-from granular_fronts.scenes.sizes import size_errors
+from granular_fronts.scenes.chain import size_of_chain
+from granular_fronts.scenes.laws import energies_are_representable, front_speed
+from granular_fronts.scenes.limits import part_errors
 from granular_fronts.scenes.validation import check_scene
 
 ARRIVAL_LEVEL = 0.5
@@ -15,20 +15,7 @@ ABSOLUTE_TO_RELATIVE = 0.01
 
 
 def time_errors(grid: Mapping[str, tuple], tolerance: float) -> Iterator[str]:
-    """Say of a chain at the ends of all axes that it takes too long.
-
-    Parameters
-    ----------
-    grid : mapping
-        Values of the parameters of kind ``chain``.
-    tolerance : float
-        Relative, per step.
-
-    Yields
-    ------
-    str
-        One sentence, if there is such a chain.
-    """
+    """Say of a chain at the ends of all axes that it takes too long."""
     for corner in itertools.product(*({values[0]: 0, values[-1]: 0} for values in grid.values())):
         point = dict(zip(grid, corner, strict=True))
         point["beta"] = point["beta"] or point["alpha"]
@@ -37,26 +24,13 @@ def time_errors(grid: Mapping[str, tuple], tolerance: float) -> Iterator[str]:
         except OverflowError:
             continue
         if not any(energies_are_representable(scene)):
-            for error in size_errors("scenes.chain.*", scene):
+            for error in part_errors(scene, [*size_of_chain(scene)]):
                 yield f"in units of δ and 1/c, {error}"
                 return
 
 
 def normalised_scene(point, tolerance):
-    """The scene of a point in units of δ and 1/c.
-
-    Parameters
-    ----------
-    point : mapping
-        Parameters of kind ``chain``.
-    tolerance : float
-        Relative, per step.
-
-    Returns
-    -------
-    dict
-        A chain scene.
-    """
+    """The scene of a point in units of δ and 1/c."""
     alpha, beta, delta = point["alpha"], point["beta"], point["delta"]
     beads = int(point["beads"])
     gamma = point["gamma"] * delta ** (beta - 0.5 * (alpha + 1.0))
@@ -72,24 +46,7 @@ def normalised_scene(point, tolerance):
 
 
 def scene_of_law(point, law, tolerance):
-    """The scene of a point with a law by the kinds of its potentials, and its units.
-
-    Parameters
-    ----------
-    point : mapping
-        Parameters of kind ``chain`` and the numbers of the law that vary.
-    law : mapping
-        Of the campaign.
-    tolerance : float
-        Relative, per step.
-
-    Returns
-    -------
-    scene : dict
-        A chain scene, checked.
-    delta, c : float
-        Units of length and speed.
-    """
+    """The scene of a point with the campaign's law, checked, and its units of length and speed."""
     law, delta, beads = law_at(law, point), float(point["delta"]), int(point["beads"])
     c = front_speed(law, math.log10(delta))
     scene = {

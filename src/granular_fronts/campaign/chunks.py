@@ -5,9 +5,10 @@ points, so that a job needs nothing else; it is named after a digest of them.  S
 recognised by the points they hold, wherever these stand in the grid now, so a campaign may grow
 along any axis, let an axis go, or turn a fixed parameter into one.
 
-Missing lines are grouped by which of their points are missing: all of a new line, or only the new
-values of the fast axis.  A group is cut into chunks of at most the wanted number of points, first
-across lines, and across the fast axis only where one line alone is longer than a chunk.
+The grid is divided into tiles of at most the wanted number of points, first across lines, and
+across the fast axis only where one line alone is longer than a tile.  The missing lines of a tile
+are grouped by which of their points are missing, and each group is a chunk.  So the other chunks
+stay the same while some are solved: a job on a cluster cuts the campaign anew and finds its own.
 """
 
 import hashlib
@@ -20,11 +21,8 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.campaign.definition import Campaign
-from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
-from granular_fronts.output.files import complete_file, read_json
-
-IDENTITY = "campaign.json"
+from granular_fronts.output.files import complete_file
 
 
 class Chunk(NamedTuple):
@@ -72,111 +70,63 @@ class Chunk(NamedTuple):
         return {name: np.broadcast_to(value, shape) for name, value in given.items()}
 
 
-def find_missing(campaign: Campaign, folder: Path) -> tuple[list[str], np.ndarray]:
-    """Lay the solved chunks of a folder over the grid; requests that are lost are written again.
+def chunks_of(campaign: Campaign, folder: Path, chunk_points: int) -> dict[str, Chunk]:
+    """The chunks that a campaign consists of, by name: solved in a folder, or still to be solved.
 
-    Parameters
-    ----------
-    campaign : Campaign
-    folder : Path
-        The campaign's folder of chunks.
+    Only new chunks have at most so many points.  Nothing is written.
+    """
+    solved, missing = find_missing(campaign, folder)
+    return {chunk.name: chunk for chunk in (*solved, *cut(campaign, missing, chunk_points))}
 
-    Returns
-    -------
-    solved : list of str
-        Names of the solved chunks that hold points of the grid.
-    missing : ndarray of bool
-        Of the shape of the grid, true where no solved chunk holds the point.
+
+def find_missing(campaign: Campaign, folder: Path) -> tuple[list[Chunk], np.ndarray]:
+    """Lay the solved chunks of a folder over the grid of a campaign.
+
+    Returns the solved chunks that hold points of the grid, and an array of the shape of the grid,
+    true where no solved chunk holds the point.
     """
     missing = np.ones(campaign.size, dtype=bool)
     solved = []
-    for chunk in solved_chunks(campaign, folder):
+    for chunk in _solved_chunks(campaign, folder):
         where = locate(chunk, campaign)
         where = where[where >= 0]
         if missing[where].any():
             missing[where] = False
-            solved.append(chunk.name)
-            write_request(chunk, folder)
+            solved.append(chunk)
     return solved, missing.reshape(campaign.shape)
 
 
-def claim_folder(campaign: Campaign, folder: Path) -> None:
-    """Mark a folder as a campaign's, or raise if it belongs to another.
-
-    Parameters
-    ----------
-    campaign : Campaign
-    folder : Path
-
-    Raises
-    ------
-    InputError
-        If it carries another name or kind.
-    """
-    identity = {"campaign": campaign.name, "kind": campaign.kind_name}
-    mark = folder / IDENTITY
-    if not mark.exists():
-        with complete_file(mark) as unfinished:
-            unfinished.write_text(json.dumps(identity) + "\n", encoding="utf-8")
-        return
-    found = read_json(mark)
-    if found != identity:
-        raise InputError(
-            f"Campaign {campaign.name}: {folder} holds the results of campaign "
-            f"{found['campaign']} of kind {found['kind']}, not of {campaign.name} of kind "
-            f"{campaign.kind_name}: name another results folder, or remove that one."
-        )
-
-
-def solved_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
+def _solved_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
     """Chunks in a folder that are solved with the campaign's settings, in the order of names."""
-    for file in sorted(folder.glob("*.nc")):
-        request = file.with_suffix(".json")
-        if is_request(request):
-            chunk = read_request(request)
-        else:
-            try:
-                chunk = Chunk(**configuration_of(read_dataset(file, scene_id=file.stem)))
-            except DatasetError:
-                continue  # It is solved again.
+    for file in sorted(folder.glob("[0-9a-f]*.nc")):
+        try:
+            chunk = find_request(file)
+        except DatasetError:
+            continue  # It is solved again.
         same_parameters = {*chunk.lines, *chunk.fast} == {*campaign.grid}
         same_settings = (chunk.kind, chunk.settings) == (campaign.kind_name, campaign.settings)
         if same_parameters and same_settings:
             yield chunk
 
 
-def read_request(path: Path) -> Chunk:
-    """Read the request of a chunk."""
-    return Chunk(**read_json(path))
-
-
-def is_request(path: Path) -> bool:
-    """Whether there is a whole request, by the digest that is its name."""
-    return path.exists() and hashlib.sha256(path.read_bytes()).hexdigest()[:16] == path.stem
+def find_request(file: Path) -> Chunk:
+    """The request that a file of solved points answers, from beside it or, if lost, from itself."""
+    request = file.with_suffix(".json")
+    if request.exists():
+        text = request.read_bytes()
+        if hashlib.sha256(text).hexdigest()[:16] == file.stem:
+            return Chunk(**json.loads(text))
+    return Chunk(**configuration_of(read_dataset(file, scene_id=file.stem)))
 
 
 def write_request(chunk: Chunk, folder: Path) -> None:
-    """Write the request of a chunk unless it is there: a newer date would solve it again."""
-    path = folder / f"{chunk.name}.json"
-    if not is_request(path):
-        with complete_file(path) as unfinished:
-            unfinished.write_text(chunk.as_json(), encoding="utf-8")
+    """Write the request of a chunk beside its data: it is read faster than these."""
+    with complete_file(folder / f"{chunk.name}.json") as unfinished:
+        unfinished.write_text(chunk.as_json(), encoding="utf-8")
 
 
 def locate(chunk: Chunk, campaign: Campaign) -> np.ndarray:
-    """Place the points of a chunk on the grid of a campaign.
-
-    Parameters
-    ----------
-    chunk : Chunk
-    campaign : Campaign
-        Of the same kind.
-
-    Returns
-    -------
-    ndarray of int, shape (lines, fast)
-        Flat index into the grid, −1 for points outside it.
-    """
+    """Flat index into the grid of a campaign of each point (lines, fast), −1 outside it."""
     [(fast, _)] = chunk.fast.items()
     index, outside = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1), dtype=bool)
     for name, values in campaign.grid.items():
@@ -194,45 +144,35 @@ def _positions(column: tuple, values: tuple) -> np.ndarray:
 
 
 def cut(campaign: Campaign, missing: np.ndarray, chunk_points: int) -> Iterator[Chunk]:
-    """Cut the missing points into chunks.
-
-    Parameters
-    ----------
-    campaign : Campaign
-    missing : ndarray of bool
-        Of the shape of the grid.
-    chunk_points : int
-        Most points of a chunk.
-
-    Yields
-    ------
-    Chunk
-    """
+    """Cut the missing points of a grid into chunks of at most so many points, tile by tile."""
     *slow, fast = campaign.grid
     rows = missing.reshape(-1, missing.shape[-1])
-    for pattern, members in _groups(rows):
-        wanted = [campaign.grid[fast][position] for position in np.flatnonzero(pattern)]
-        for block in _even_parts(wanted, chunk_points):
-            for part in _even_parts(members, max(1, chunk_points // len(block))):
+    for block in _even_parts(range(rows.shape[1]), chunk_points):
+        for lines in _even_parts(range(rows.shape[0]), max(1, chunk_points // len(block))):
+            tile = rows[lines.start : lines.stop, block.start : block.stop]
+            for pattern, members in _groups(tile):
+                values = campaign.grid[fast][block.start : block.stop]
+                wanted = [values[position] for position in np.flatnonzero(pattern)]
                 # A grid of one axis has a single line, without coordinates.
-                positions = np.unravel_index(np.array(part), campaign.shape[:-1]) if slow else ()
+                members += lines.start
+                places = np.unravel_index(members, campaign.shape[:-1]) if slow else ()
                 columns = {
                     name: [campaign.grid[name][position] for position in column]
-                    for name, column in zip(slow, positions, strict=True)
+                    for name, column in zip(slow, places, strict=True)
                 }
-                yield Chunk(campaign.kind_name, campaign.settings, columns, {fast: block})
+                yield Chunk(campaign.kind_name, campaign.settings, columns, {fast: wanted})
 
 
-def _groups(rows: np.ndarray) -> Iterator[tuple[np.ndarray, list[int]]]:
+def _groups(rows: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Patterns of missing points along a line, each with the lines that have it."""
     groups: dict[bytes, list[int]] = {}
     for number in np.flatnonzero(rows.any(axis=1)):
         groups.setdefault(rows[number].tobytes(), []).append(int(number))
     for members in groups.values():
-        yield rows[members[0]], members
+        yield rows[members[0]], np.array(members)
 
 
-def _even_parts(items: list, most: int) -> Iterator[list]:
+def _even_parts(items: range, most: int) -> Iterator[range]:
     """Consecutive parts of nearly equal length, none longer than `most`."""
     parts = -(-len(items) // most)
     ends = [round(len(items) * part / parts) for part in range(parts + 1)]

@@ -2,24 +2,28 @@
 
 The schema ``workflow/schemas/campaign.schema.yaml`` says which keys there are; what depends on the
 kind, or ties two keys together, is checked here.  Each error is a sentence, before any job.
+
+The values of an axis are a list, or evenly or logarithmically spaced from start to stop.  Spaced
+values are rounded to `DIGITS` significant digits, since a point is recognised by its values, and
+those of ``linspace: [0, 1, 11]`` must be found again, to the last bit, in ``[0, 1, 21]``.
 """
 
 import difflib
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
-from granular_fronts.campaign.axes import count_values, expand_axis, order_errors, spacing_errors
 from granular_fronts.campaign.chain_scenes import time_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.constraints import ranges_increase
-from granular_fronts.scenes.limits import Part, part_errors
+from granular_fronts.scenes.limits import NUMBERS_PER_BEAD, Part, part_errors
 from granular_fronts.scenes.schema import violations
-from granular_fronts.scenes.sizes import NUMBERS_PER_BEAD
+from granular_fronts.scenes.sections import ranges_increase
+from granular_fronts.scenes.validation import raise_if_any
 from granular_fronts.scenes.yaml_files import read_yaml
 
 NAME = re.compile(r"[a-z][a-z0-9_]{0,99}")
@@ -32,6 +36,7 @@ MOST_POINTS = 1_000_000
 """Points of a campaign that need not be asked for with ``allow_large: true``."""
 
 DEFAULT_TOLERANCE = 1.0e-9
+DIGITS = 12
 
 
 class Campaign(NamedTuple):
@@ -52,8 +57,7 @@ class Campaign(NamedTuple):
         `law` where the campaign gives one by the kinds of its potentials, `start` where it gives
         one.
     chunk_points : int or None
-        Most points of a chunk; None to choose it from the measured cost.
-    allow_large : bool
+        Most points of a chunk; None to choose it from what a point of the kind costs.
     """
 
     name: str
@@ -63,7 +67,6 @@ class Campaign(NamedTuple):
     axes: tuple[str, ...]
     settings: dict
     chunk_points: int | None
-    allow_large: bool
 
     @property
     def kind(self) -> Kind:
@@ -81,26 +84,14 @@ class Campaign(NamedTuple):
         """Number of points."""
         return math.prod(self.shape)
 
+    def points_per_chunk(self, chunk_seconds: float) -> int:
+        """Most points of a job that should take so much processor time."""
+        usual = max(1, round(chunk_seconds / self.kind.seconds_per_point))
+        return self.chunk_points or usual
+
 
 def load_campaign(folder: Path | str, name: str) -> Campaign:
-    """Read and check a campaign file.
-
-    Parameters
-    ----------
-    folder : Path or str
-        Folder of campaign files.
-    name : str
-        Name of the file without ``.yaml``.
-
-    Returns
-    -------
-    Campaign
-
-    Raises
-    ------
-    InputError
-        With a sentence for each thing that is wrong: the name, the file's YAML, its contents.
-    """
+    """Read and check the campaign file of a name in a folder; as `check_campaign` otherwise."""
     files = {path.stem: path for path in sorted(Path(folder).glob("*.yaml"))}
     if name not in files:
         raise InputError(
@@ -116,40 +107,25 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
 
 
 def check_campaign(given: Mapping, name: str) -> Campaign:
-    """Check a campaign and write its axes out.
+    """Check the contents of a campaign file and write its axes out.
 
-    Parameters
-    ----------
-    given : Mapping
-        The contents of a campaign file.
-    name : str
-        Its name.
-
-    Returns
-    -------
-    Campaign
-
-    Raises
-    ------
-    InputError
-        With a sentence for each thing that is wrong.
+    An InputError has a sentence for each thing that is wrong.
     """
-    raise_if_any(name, violations(given, schema="campaign"))
-    raise_if_any(name, _form_errors(given))
-    raise_if_any(name, _choice_errors(given))
-    raise_if_any(name, _start_errors(given))
+    _raise_if_any(name, violations(given, schema="campaign"))
+    for check in (_form_errors, _choice_errors, _start_errors):
+        _raise_if_any(name, check(given))
     law, fixed, record = given.get("law"), given.get("fixed", {}), given.get("record", {})
     axes = {name_of(axis) if law else axis: values for axis, values in given["axes"].items()}
     kind = KINDS[given["kind"]].of_start(given.get("start")).of_choice([*axes, *fixed])
     if law:
         kind = kind.of_law(varied_numbers(axes))
-    raise_if_any(name, _name_errors(given["kind"], kind, axes, fixed, record))
-    raise_if_any(name, ranges_increase(given))
+    _raise_if_any(name, _name_errors(given["kind"], kind, axes, fixed, record))
+    _raise_if_any(name, ranges_increase(given))
     if "profile" in record:
-        raise_if_any(name, _profile_errors(kind, **record["profile"]))
+        _raise_if_any(name, _profile_errors(kind, **record["profile"]))
     for axis, values in axes.items():
-        raise_if_any(name, spacing_errors(axis, values))
-    raise_if_any(name, _size_errors(kind, {**given, "axes": axes}))
+        _raise_if_any(name, _spacing_errors(axis, values))
+    _raise_if_any(name, _size_errors(kind, {**given, "axes": axes}))
     varied = {axis: tuple(expand_axis(values)) for axis, values in axes.items()}
     constant = {
         parameter: (fixed.get(parameter, described.default),)
@@ -157,11 +133,12 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
         if parameter not in varied
     }
     grid = constant | varied
-    raise_if_any(name, _value_errors(kind, grid, varied))
+    _raise_if_any(name, _count_errors(kind, grid, given))
+    _raise_if_any(name, _value_errors(kind, grid, varied))
     if law:
-        raise_if_any(name, errors_of_law(law, grid))
+        _raise_if_any(name, errors_of_law(law, grid))
     elif given["kind"] == "chain":
-        raise_if_any(name, time_errors(grid, given.get("tolerance", DEFAULT_TOLERANCE)))
+        _raise_if_any(name, time_errors(grid, given.get("tolerance", DEFAULT_TOLERANCE)))
     scalars = record.get("scalars", list(kind.scalars))
     return Campaign(
         name=name,
@@ -176,39 +153,74 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
         }
         | {key: given[key] for key in ("law", "start") if key in given},
         chunk_points=given.get("chunk_points"),
-        allow_large=given.get("allow_large", False),
     )
 
 
-def check_points(campaign: Campaign, seconds_per_point: float) -> None:
-    """Check that a campaign above `MOST_POINTS` says that it is meant.
+def _raise_if_any(name: str, sentences: Iterator[str]) -> None:
+    raise_if_any([f"Campaign {name}: {sentence}" for sentence in sentences])
 
-    Parameters
-    ----------
-    campaign : Campaign
-    seconds_per_point : float
-        Measured cost.
 
-    Raises
-    ------
-    InputError
-        The sentence says how large it is and how long it takes.
-    """
-    if campaign.size > MOST_POINTS and not campaign.allow_large:
-        hours = campaign.size * seconds_per_point / 3600.0
-        raise InputError(
-            f"Campaign {campaign.name}: its axes make {campaign.size:,} points, above "
-            f"{MOST_POINTS:,}, about {hours:,.1f} hours on one core at the "
-            f"{1e3 * seconds_per_point:.2g} ms measured for a point: shorten an axis, or write "
-            "allow_large: true."
+def expand_axis(given: Sequence[float] | Mapping) -> list[float]:
+    """Write out the values of an axis: a list, or a spacing with start, stop and count."""
+    if not isinstance(given, Mapping):
+        return [*given]
+    [(spacing, (start, stop, count))] = given.items()
+    fractions = [index / max(count - 1, 1) for index in range(count)]
+    if spacing == "linspace":
+        return [_round_value(start * (1.0 - f) + stop * f) for f in fractions]
+    return [_round_value(start * (stop / start) ** f) for f in fractions]
+
+
+def _round_value(value: float) -> float:
+    """The value with `DIGITS` significant digits; a whole number stays one."""
+    return value if isinstance(value, int) else float(f"{value:.{DIGITS}g}")
+
+
+def _count_values(given: Sequence[float] | Mapping) -> int:
+    if not isinstance(given, Mapping):
+        return len(given)
+    [(_, _, count)] = given.values()
+    return count
+
+
+def _spacing_errors(name: str, given: Sequence[float] | Mapping) -> Iterator[str]:
+    """Say why an axis cannot be written out."""
+    if not isinstance(given, Mapping):
+        return
+    [(spacing, (start, stop, count))] = given.items()
+    if not (isinstance(count, int) and count >= 1):
+        yield (
+            f"axes.{name}.{spacing} asks for {count} values, but needs a whole number of 1 or "
+            "more: write [start, stop, count]."
+        )
+    if spacing == "logspace" and min(start, stop) <= 0:
+        yield (
+            f"axes.{name}.logspace runs from {start} to {stop}, but a logarithmic axis needs "
+            "both above 0: raise them, or use linspace."
         )
 
 
-def raise_if_any(name: str, sentences: Iterator[str]) -> None:
-    """Raise an InputError of some sentences about a campaign, one a line, if any."""
-    errors = [f"Campaign {name}: {sentence}" for sentence in sentences]
-    if errors:
-        raise InputError("\n".join(errors))
+def _order_errors(name: str, values: Sequence[float]) -> Iterator[str]:
+    """Say where the values of an axis do not increase, for the first such place."""
+    for before, after in pairwise(values):
+        if after <= before:
+            yield (
+                f"axes.{name} has {after:g} after {before:g}, but its values must increase: "
+                "sort them and name each once."
+            )
+            return
+
+
+def _count_errors(kind: Kind, grid: Mapping[str, tuple], given: Mapping) -> Iterator[str]:
+    """Say that a campaign above `MOST_POINTS` does not say that it is meant."""
+    size = math.prod(map(len, grid.values()))
+    if size > MOST_POINTS and not given.get("allow_large", False):
+        hours = size * kind.seconds_per_point / 3600.0
+        yield (
+            f"its axes make {size:,} points, above {MOST_POINTS:,}, about {hours:,.1f} hours on "
+            f"one core at the {1e3 * kind.seconds_per_point:.2g} ms that a point of kind "
+            f"{given['kind']} usually takes: shorten an axis, or write allow_large: true."
+        )
 
 
 def _form_errors(given) -> Iterator[str]:
@@ -266,7 +278,7 @@ def _start_errors(given) -> Iterator[str]:
 def _size_errors(kind, given) -> Iterator[str]:
     """Say that the points, or the beads of one, do not fit into memory."""
     record, axes = given.get("record", {}), given["axes"]
-    counts = {f"axes.{axis}": count_values(values) for axis, values in axes.items()}
+    counts = {f"axes.{axis}": _count_values(values) for axis, values in axes.items()}
     kept = len(record.get("scalars", kind.scalars)) + record.get("profile", {}).get("count", 0)
     parts = [Part((axis,), (), NUMBERS_PER_VALUE * float(count)) for axis, count in counts.items()]
     parts.append(Part(tuple(counts), (), float(math.prod(counts.values())) * kept))
@@ -325,7 +337,7 @@ def _value_errors(kind, grid, varied) -> Iterator[str]:
         if values == (None,):
             continue
         place = f"{'axes' if name in varied else 'fixed'}.{name}"
-        yield from order_errors(name, values)
+        yield from _order_errors(name, values)
         parameter = kind.parameters[name]
         least = min(values)
         if least < parameter.least or (parameter.above and least == parameter.least):

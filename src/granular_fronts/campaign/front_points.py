@@ -7,122 +7,59 @@ where it is real.
 """
 
 import functools
-from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
-from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.laws import law_at
+from granular_fronts.campaign.points import REASON, groups_along, solve_groups
+from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.fronts.sweep import ERROR_METHOD, sweep_fronts
 from granular_fronts.model.laws import make_law
-from granular_fronts.output.progress import count_bar
 
 SWEPT_AS = {"profile_error": "error_estimate"}
 """Scalars that the sweep knows by another name."""
 
 EXACT_TO_ROUNDING = ("tail_rate", "tail_frequency")
+PROFILE = "relative_displacement"
 
 
 def solve_chunk(points, settings, activity):
-    """Solve fronts.
+    """Solve fronts to round-off, those of one law together; a profile is in ξ."""
+    damping = "damping" if "law" in settings else "gamma"
+    xi = KINDS["front"].profile_points(settings["profile"])
+    sizes = dict.fromkeys(settings["scalars"], ()) | ({} if xi is None else {PROFILE: (xi.size,)})
+    groups = (
+        (members, functools.partial(_measure, point, dampings, settings, xi))
+        for members, point, dampings in groups_along(points, damping)
+    )
+    return solve_groups(points[damping].shape, sizes, groups, ERROR_METHOD, activity)
 
-    Parameters
-    ----------
-    points : dict of str to ndarray, shape (lines, fast)
-        Parameters of kind ``front``.
-    settings : dict
-        `scalars`, `profile` in ξ, and `law`, if any; a front is always solved to round-off.
-    activity : str
-        What the progress bar says.
 
-    Returns
-    -------
-    Solved
-    """
-    groups = _groups_of_law(points, settings["law"]) if "law" in settings else _groups(points)
-    size = next(iter(points.values())).size
-    values = {name: np.full(size, np.nan) for name in settings["scalars"]}
-    reasons, errors = np.full(size, "", dtype=object), dict.fromkeys(values, np.nan)
-    if settings["profile"] is not None:
-        xi = KINDS["front"].profile_points(settings["profile"])
-        values["relative_displacement"] = np.full((size, xi.size), np.nan)
-        errors["relative_displacement"] = np.nan
-    with count_bar(activity, size, "point") as bar:
-        for group in groups:
-            sweep = group.sweep()
-            reasons[group.members] = sweep["reason"].values
-            for name in settings["scalars"]:
-                values[name][group.members] = sweep[SWEPT_AS.get(name, name)]
-                errors[name] = np.fmax(errors[name], _error(sweep, name))
-            if settings["profile"] is not None:
-                _add_profiles(group, xi, values, errors, reasons)
-            bar.update(group.members.size)
-    for value in values.values():
+def _measure(point, dampings, settings, xi):
+    """Values, errors and reasons of the fronts that differ in their damping."""
+    sweep, front = _fronts(point, dampings, settings.get("law"))
+    reasons = np.array(sweep["reason"].values, dtype=object)
+    measured = {
+        name: (np.array(sweep[SWEPT_AS.get(name, name)], dtype=float), _error(sweep, name))
+        for name in settings["scalars"]
+    }
+    if xi is not None:
+        measured[PROFILE] = _profiles(front, dampings, xi, reasons)
+    for value, _ in measured.values():
         value[reasons != ""] = np.nan
-    shape = next(iter(points.values())).shape
-    shaped = {name: value.reshape(*shape, *value.shape[1:]) for name, value in values.items()}
-    return Solved(shaped, reasons.reshape(shape), errors, ERROR_METHOD)
+    return measured | {REASON: reasons}
 
 
-class Group(NamedTuple):
-    """Points that differ in the damping only, and so are swept together.
-
-    Attributes
-    ----------
-    members : ndarray of int
-        Places of the points.
-    sweep : callable
-        Without arguments, the dataset of `sweep_fronts`.
-    front : callable
-        The dataset of `solve_front` for the damping of a point.
-    dampings : ndarray
-        γ, or the factor of the viscous potential.
-    """
-
-    members: np.ndarray
-    sweep: Callable
-    front: Callable
-    dampings: np.ndarray
-
-
-def _groups(points):
-    """The groups of fronts of two powers."""
-    alpha, beta, gamma = (points[name].ravel() for name in ("alpha", "beta", "gamma"))
-    for members, (first, second) in _equal_columns(alpha, beta):
-        yield Group(
-            members,
-            functools.partial(sweep_fronts, first, gamma[members], second),
-            functools.partial(solve_front, first, beta=second),
-            gamma[members],
-        )
-
-
-def _groups_of_law(points, law):
-    """The groups of fronts of a law between two states."""
-    damping = points["damping"].ravel()
-    others = {name: value.ravel() for name, value in points.items() if name != "damping"}
-    for members, column in _equal_columns(*others.values()):
-        point = dict(zip(others, column, strict=True))
-        made, states = make_law(law_at(law, point)), (point["behind"], point["ahead"])
-        yield Group(
-            members,
-            functools.partial(sweep_fronts, law=made, states=states, factors=damping[members]),
-            functools.partial(_front_of_law, made, states),
-            damping[members],
-        )
-
-
-def _front_of_law(law, states, factor):
-    return solve_front(law=law.with_damping(factor), states=states)
-
-
-def _equal_columns(*rows):
-    """For each different column of some rows: where it stands, and its numbers as floats."""
-    columns, column_of_point = np.unique(np.stack(rows), axis=1, return_inverse=True)
-    for number, column in enumerate(columns.T):
-        yield np.flatnonzero(column_of_point.ravel() == number), tuple(map(float, column))
+def _fronts(point, dampings, law):
+    """The sweep along the dampings, and a function that solves one front by itself."""
+    if law is None:
+        alpha, beta = point["alpha"], point["beta"]
+        return sweep_fronts(alpha, dampings, beta), functools.partial(solve_front, alpha, beta=beta)
+    made, states = make_law(law_at(law, point)), (point["behind"], point["ahead"])
+    sweep = sweep_fronts(law=made, states=states, factors=dampings)
+    return sweep, lambda factor: solve_front(law=made.with_damping(factor), states=states)
 
 
 def _error(sweep, name):
@@ -135,15 +72,21 @@ def _error(sweep, name):
     return np.max(solved, initial=0.0)
 
 
-def _add_profiles(group, xi, values, errors, reasons):
-    """Solve the fronts of a group once more, each by itself, for u at the wanted ξ."""
-    name = "relative_displacement"
-    for index, damping in zip(group.members, group.dampings, strict=True):
+def _profiles(front, dampings, xi, reasons):
+    """Profiles of fronts solved once more, each by itself, and their errors; adds to reasons."""
+    profiles = np.full((dampings.size, xi.size), np.nan)
+    errors = np.full(dampings.size, np.nan)
+    for index, damping in enumerate(dampings):
         if reasons[index]:
             continue
-        front = group.front(float(damping))
-        if front.attrs["converged"]:
-            values[name][index] = evaluate_front(front, xi)
-            errors[name] = np.fmax(errors[name], front.attrs["error_estimate"])
+        try:
+            found = front(float(damping))
+        except InputError as error:
+            reasons[index] = str(error)
+            continue
+        if found.attrs["converged"]:
+            profiles[index] = evaluate_front(found, xi)
+            errors[index] = found.attrs["error_estimate"]
         else:
-            reasons[index] = front.attrs["reason"]
+            reasons[index] = found.attrs["reason"]
+    return profiles, errors

@@ -4,11 +4,12 @@ Overshoot and width are taken from the orbit itself, traced once as usual and on
 another order; rates from its extrema.  See `continuum.log_kdv_burgers.heteroclinic`.
 """
 
+import functools
 import math
 
 from granular_fronts.accuracy import EPSILON
 from granular_fronts.campaign.kinds import KINDS
-from granular_fronts.campaign.one_by_one import solve_one_by_one
+from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import (
     heteroclinic,
     past_all_turns,
@@ -23,30 +24,16 @@ ERROR_METHOD = (
 
 
 def solve_chunk(points, settings, activity):
-    """Compute heteroclinic orbits one after the other.
-
-    Parameters
-    ----------
-    points : dict of str to ndarray, shape (lines, fast)
-        Parameter `mu`.
-    settings : dict
-        `scalars`, and `profile` in s; the orbit is always traced to round-off.
-    activity : str
-        What the progress bar says.
-
-    Returns
-    -------
-    Solved
-    """
-    profile, sizes = settings["profile"], dict.fromkeys(settings["scalars"], ())
-    s = None if profile is None else KINDS["heteroclinic"].profile_points(profile)
+    """Trace heteroclinic orbits one after the other, to round-off; a profile is in s."""
+    s = KINDS["heteroclinic"].profile_points(settings["profile"])
+    sizes = dict.fromkeys(settings["scalars"], ())
     if s is not None:
         sizes["rescaled_force"] = (s.size,)
-
-    def measure(point, _number, _count):
-        return _measure(float(point["mu"]), s)
-
-    return solve_one_by_one(points, sizes, measure, ERROR_METHOD, activity)
+    groups = (
+        (index, functools.partial(_measure, float(point["mu"]), s))
+        for index, point in single_points(points)
+    )
+    return solve_groups(points["mu"].shape, sizes, groups, ERROR_METHOD, activity)
 
 
 def _measure(mu, s):

@@ -1,9 +1,9 @@
 """The kinds of campaign: which parameters each has, what it records, and where it is solved.
 
 A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module.
-`points` holds an array of shape (lines, fast) for each parameter of the kind, `activity` heads the
-progress bar; the answer is a `Solved`.  This module imports nothing heavy, since every campaign is
-checked against it before any job.
+`points` holds an array of shape (lines, fast) for each parameter of the kind, `settings` are those
+of a `Campaign`, and `activity` heads the progress bar; the answer is a `Solved`.  This module
+imports nothing heavy, since every campaign is checked against it before any job.
 """
 
 import math
@@ -50,6 +50,8 @@ class Kind(NamedTuple):
     ----------
     module : str
         Module with `solve_chunk`.
+    seconds_per_point : float
+        Processor time of a usual point, by which a campaign is cut into jobs.
     parameters : mapping of str to Parameter
     scalars : mapping of str to str
         What may be recorded at each point, with its meaning.
@@ -69,6 +71,7 @@ class Kind(NamedTuple):
     """
 
     module: str
+    seconds_per_point: float
     parameters: Mapping[str, Parameter]
     scalars: Mapping[str, str]
     profile: tuple[str, str]
@@ -80,50 +83,20 @@ class Kind(NamedTuple):
     of_formula: tuple[str, ...] = ()
 
     def of_start(self, start) -> "Kind":
-        """The kind without the parameters that a given start does not have.
-
-        Parameters
-        ----------
-        start : mapping or None
-            Of a campaign.
-
-        Returns
-        -------
-        Kind
-        """
+        """The kind without the parameters that a given start does not have."""
         if not start or start["profile"] != "given":
             return self
         left = {key: value for key, value in self.parameters.items() if key not in self.of_formula}
         return self._replace(parameters=left)
 
     def of_choice(self, given) -> "Kind":
-        """The kind without the parameters in whose place others are given.
-
-        Parameters
-        ----------
-        given : iterable of str
-            Names of the parameters that a campaign gives.
-
-        Returns
-        -------
-        Kind
-        """
+        """The kind without the parameters in whose place others are given, by their names."""
         left_out = {name for group in self.one_of for name in group}.difference(given)
         kept = {name: value for name, value in self.parameters.items() if name not in left_out}
         return self._replace(parameters=kept)
 
     def of_law(self, varied) -> "Kind":
-        """The kind for any law, some of whose numbers vary.
-
-        Parameters
-        ----------
-        varied : iterable of str
-            Their names, such as ``elastic_rate`` for ``law.elastic.rate``.
-
-        Returns
-        -------
-        Kind
-        """
+        """The kind for any law of which named numbers vary, such as ``elastic_rate``."""
         kept = {
             name: parameter
             for name, parameter in self.parameters.items()
@@ -134,10 +107,12 @@ class Kind(NamedTuple):
         }
         return self._replace(parameters=numbers | self.beside_law | kept)
 
-    def profile_points(self, profile) -> "np.ndarray":
-        """Where a profile is recorded, evenly spaced from its start to its stop."""
+    def profile_points(self, profile) -> "np.ndarray | None":
+        """Where a profile is recorded, evenly spaced from its start to its stop, if one is."""
         import numpy as np
 
+        if profile is None:
+            return None
         points = np.linspace(profile["start"], profile["stop"], profile["count"])
         return points.round().astype(int) if self.profile_counts else points
 
@@ -195,6 +170,7 @@ ERRORS_OF_A_MODEL = {
 KINDS: dict[str, Kind] = {
     "chain": Kind(
         module="granular_fronts.campaign.chain_points",
+        seconds_per_point=0.05,
         parameters={
             "alpha": ALPHA,
             "beta": BETA,
@@ -226,6 +202,7 @@ KINDS: dict[str, Kind] = {
     ),
     "front": Kind(
         module="granular_fronts.campaign.front_points",
+        seconds_per_point=0.0025,
         parameters={
             "alpha": ALPHA,
             "beta": BETA,
@@ -251,6 +228,7 @@ KINDS: dict[str, Kind] = {
     ),
     "heteroclinic": Kind(
         module="granular_fronts.campaign.heteroclinic_points",
+        seconds_per_point=0.02,
         parameters={"mu": Parameter("damping of the logarithmic KdV-Burgers equation", 0.0)},
         scalars={
             "overshoot": "deviation y - 1 at the first maximum, 0 for a monotone front",
@@ -263,6 +241,7 @@ KINDS: dict[str, Kind] = {
     ),
     "ring": Kind(
         module="granular_fronts.campaign.ring_points",
+        seconds_per_point=1.0,
         parameters={
             "alpha": ALPHA._replace(most=10.0),
             "gamma": GAMMA._replace(above=True),

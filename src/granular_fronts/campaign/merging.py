@@ -24,20 +24,7 @@ SOLVED, FAILED = 0, 1
 
 
 def chunk_dataset(chunk: Chunk, solved: Solved, seconds: float) -> xr.Dataset:
-    """The dataset of a chunk's file.
-
-    Parameters
-    ----------
-    chunk : Chunk
-    solved : Solved
-        What its kind made of it.
-    seconds : float
-        Processor time it took.
-
-    Returns
-    -------
-    xarray.Dataset
-    """
+    """The dataset of a chunk's file, from what its kind made of it in so much processor time."""
     kind = KINDS[chunk.kind]
     coordinates = _profile_coordinate(kind, chunk.settings["profile"])
     dataset = xr.Dataset(coords=coordinates)
@@ -57,29 +44,19 @@ def chunk_dataset(chunk: Chunk, solved: Solved, seconds: float) -> xr.Dataset:
 
 
 def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
-    """Put the chunks of a campaign together on its grid.
+    """Put the files of chunks together on the grid of a campaign; points outside are left out.
 
-    Parameters
-    ----------
-    campaign : Campaign
-    files : list of Path
-        Files of chunks that cover the grid; points outside it are left out.
-
-    Returns
-    -------
-    xarray.Dataset
-        See the module.
-
-    Raises
-    ------
-    DatasetError
-        If a file is damaged or of another campaign, or points are missing.
+    A DatasetError says that a file is damaged or of another campaign, or that points are missing.
     """
     gathered = _gather(campaign, files)
     kind = campaign.kind
     coordinates = _profile_coordinate(kind, campaign.settings["profile"])
     sizes = [len(campaign.grid[axis]) for axis in campaign.axes]
-    merged = xr.Dataset(coords=coordinates | _axes_of(campaign))
+    axes = {
+        axis: (axis, list(campaign.grid[axis]), {"long_name": kind.parameters[axis].meaning})
+        for axis in campaign.axes
+    }
+    merged = xr.Dataset(coords=coordinates | axes)
     for name, value in gathered.values.items():
         profile_axes = list(coordinates) if name == kind.profile[0] else []
         attributes = {
@@ -98,9 +75,9 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
         "seconds": gathered.seconds,
         "seconds_per_point": gathered.seconds / gathered.points,
         **{
-            name: value
-            for name, (value, *_) in campaign.grid.items()
-            if _is_constant(campaign, name)
+            name: values[0]
+            for name, values in campaign.grid.items()
+            if name not in campaign.axes and values != (None,)
         },
     }
     return merged
@@ -175,19 +152,6 @@ def _add_status(merged, campaign, reasons, texts):
     numbered = {"long_name": "number of the sentence in reason_text"}
     merged["reason"] = (campaign.axes, reasons.astype(np.int32), numbered)
     merged["reason_text"] = ("sentence", texts, {"long_name": "why a point failed"})
-
-
-def _is_constant(campaign, name):
-    return name not in campaign.axes and campaign.grid[name] != (None,)
-
-
-def _axes_of(campaign):
-    """The varied parameters as coordinates."""
-    parameters = campaign.kind.parameters
-    return {
-        name: (name, list(campaign.grid[name]), {"long_name": parameters[name].meaning})
-        for name in campaign.axes
-    }
 
 
 def _profile_coordinate(kind, profile):

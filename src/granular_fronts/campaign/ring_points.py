@@ -9,13 +9,15 @@ The damping is given by one of γ, γc, ε, ε/γc and μ, and the length of a r
 ξ, for which the nearest p is taken.
 """
 
+import functools
+
 import numpy as np
 
-from granular_fronts.campaign.kinds import KINDS, Solved
+from granular_fronts.campaign.kinds import KINDS
+from granular_fronts.campaign.points import groups_along, solve_groups
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
-from granular_fronts.output.progress import count_bar
 from granular_fronts.studies.ring_limit import Ring, compare
 from granular_fronts.studies.ring_starts import scene_start
 
@@ -33,76 +35,30 @@ LENGTH_TOLERANCE = 0.05
 
 
 def solve_chunk(points, settings, activity):
-    """Solve rings one after the other, each at all of its slow times.
-
-    Parameters
-    ----------
-    points : dict of str to ndarray, shape (lines, fast)
-        Parameters of kind ``ring``.
-    settings : dict
-        `tolerance` per step, `scalars`, `profile` in ξ, and `start`.
-    activity : str
-        What the progress bar says.
-
-    Returns
-    -------
-    Solved
-    """
-    profile, shape = settings["profile"], points[SLOW_TIME].shape
-    xi = None if profile is None else KINDS["ring"].profile_points(profile)
+    """Solve rings to a tolerance per step, each at all of its slow times; a profile is in ξ."""
+    xi = KINDS["ring"].profile_points(settings["profile"])
     sizes = dict.fromkeys(settings["scalars"], ())
     if xi is not None:
         sizes["relative_displacement"] = (xi.size,)
-    values = {name: np.full((*shape, *size), np.nan) for name, size in sizes.items()}
-    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(sizes, np.nan)
-    rings = _rings(points)
-    with count_bar(activity, len(rings), "ring") as bar:
-        for ring, indices in rings.items():
-            members = tuple(np.array(indices).T)
-            times, place = np.unique(points[SLOW_TIME][members], return_inverse=True)
-            try:
-                made = make_ring(dict(ring), settings["start"])
-                measured = compare(made, times, settings["tolerance"], xi)
-            except (ValueError, ArithmeticError) as error:
-                reasons[members] = str(error)
-            else:
-                for name, value in values.items():
-                    found, differences = measured[name]
-                    value[members] = found[place]
-                    errors[name] = np.fmax(errors[name], np.fmax.reduce(differences, axis=None))
-            bar.update(1)
-    return Solved(values, reasons, errors, ERROR_METHOD)
+    groups = (
+        (members, functools.partial(_measure, ring, slow_times, settings, xi))
+        for members, ring, slow_times in groups_along(points, SLOW_TIME)
+    )
+    return solve_groups(points[SLOW_TIME].shape, sizes, groups, ERROR_METHOD, activity)
 
 
-def _rings(points):
-    """The points of each ring: its parameters, and the indices of its points."""
-    rings = {}
-    for index in np.ndindex(points[SLOW_TIME].shape):
-        ring = tuple(
-            (name, float(value[index])) for name, value in points.items() if name != SLOW_TIME
-        )
-        rings.setdefault(ring, []).append(index)
-    return rings
+def _measure(ring, slow_times, settings, xi):
+    """Values and errors of one ring at its slow times."""
+    times, place = np.unique(slow_times, return_inverse=True)
+    made = make_ring(ring, settings["start"])
+    measured = compare(made, times, settings["tolerance"], xi)
+    return {name: (found[place], error) for name, (found, error) in measured.items()}
 
 
 def make_ring(point, start):
-    """The ring of a point, in units of δ and 1/c.
+    """The `Ring` of a point and a campaign's start, in units of δ and 1/c.
 
-    Parameters
-    ----------
-    point : mapping
-        Parameters of kind ``ring``.
-    start : mapping
-        `profile`, and if given `velocity` and `rescaled_force`, of the campaign.
-
-    Returns
-    -------
-    studies.ring_limit.Ring
-
-    Raises
-    ------
-    InputError
-        If the wave does not fit into the ring, or is none.
+    An InputError says that the wave does not fit into the ring, or is none.
     """
     alpha, delta = point["alpha"], point["delta"]
     given = {name: point[name] for name in ("damping", "epsilon", "ratio", "mu") if name in point}

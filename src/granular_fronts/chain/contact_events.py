@@ -31,13 +31,15 @@ from granular_fronts.model.passes import call_row_map
 from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.runge_kutta import SLOT
 
+# Share of the way to an opening that a step goes, and how far one goes that may cross it.
 APPROACH = 0.75
 CROSSING = 1.5
+# A step cut at a closing leaves κ between this share of what is allowed and all of it.
 MOST_TRIALS, SMALLEST_SHARE = 8, 0.1
 
 
 @subroutine
-def passes_kink(table, kink, last):
+def _passes_kink(table, kink, last):
     """Whether any of the contacts 1 … last passes the kink between the ends of the step."""
     passages = 0
     for n in range(uint64(1), uint64(last + 1)):
@@ -50,12 +52,12 @@ def passes_any_kink(chain, table, last):
     """Whether any of the contacts 1 … last passes any kink of the law."""
     passages = 0
     for i in range(chain.law.kink_count):
-        passages += passes_kink(table, chain.law.kinks[i], last)
+        passages += _passes_kink(table, chain.law.kinks[i], last)
     return passages > 0
 
 
 @subroutine
-def forces_at(chain, table, u):
+def _forces_at(chain, table, u):
     """F and G of one compression."""
     law, probe = chain.law, chain.probe
     probe[0] = u
@@ -67,25 +69,25 @@ def forces_at(chain, table, u):
 
 
 @subroutine
-def contribution(chain, table, u, kink, h):
+def _contribution(chain, table, u, kink, h):
     """κ: the most that the force of this compression adds to u within a step h."""
-    force, damping = forces_at(chain, table, u)
-    force_at_kink, damping_at_kink = forces_at(chain, table, kink)
+    force, damping = _forces_at(chain, table, u)
+    force_at_kink, damping_at_kink = _forces_at(chain, table, kink)
     return h * abs(damping - damping_at_kink) + h * h * abs(force - force_at_kink)
 
 
 @subroutine
-def compression_allowed(chain, table, u, kink, h, allowed):
+def _compression_allowed(chain, table, u, kink, h, allowed):
     """A compression between u and the kink whose κ is at most `allowed`, and not much smaller.
 
     κ is taken for a power of the distance from the kink, with the exponent of the last two trials.
     """
-    distance, kappa, exponent = u - kink, contribution(chain, table, u, kink, h), 1.0
+    distance, kappa, exponent = u - kink, _contribution(chain, table, u, kink, h), 1.0
     for _ in range(MOST_TRIALS):
         if SMALLEST_SHARE * allowed <= kappa <= allowed or kappa == 0.0:
             break
         nearer = distance * (0.5 * allowed / kappa) ** (1.0 / exponent)
-        kappa_there = contribution(chain, table, kink + nearer, kink, h)
+        kappa_there = _contribution(chain, table, kink + nearer, kink, h)
         if kappa_there > 0.0 and kappa_there != kappa:
             exponent = math.log(kappa_there / kappa) / math.log(nearer / distance)
         distance, kappa = nearer, kappa_there
@@ -93,7 +95,7 @@ def compression_allowed(chain, table, u, kink, h, allowed):
 
 
 @subroutine
-def time_to_kink(u, rate, new_u, h):
+def _time_to_kink(u, rate, new_u, h):
     """First zero in (0, h) of the parabola with value u and slope `rate` at 0, value new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
     root = math.sqrt(max(rate * rate - 4.0 * curvature * u, 0.0))
@@ -108,35 +110,29 @@ def time_to_kink(u, rate, new_u, h):
 
 
 @subroutine
-def rate_of(chain, table, d_row, stage, n):
+def _rate_of(chain, table, d_row, stage, n):
     """Rate of change of u_n where d stands in a row and the slopes are those of a stage."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     return table[d_row, n] + chain.law.gamma * table[slopes + SLOT[stage], n]
 
 
 @subroutine
-def step_at_kink(chain, table, kink, h, last, allowed):
-    """Step to try instead of h because of the contacts 1 … last, or h if no passage does harm.
-
-    Parameters
-    ----------
-    allowed : float
-        Largest κ that may pass, the absolute tolerance on u.
-    """
+def _step_at_kink(chain, table, kink, h, last, allowed):
+    """Step to try instead of h because of the contacts 1 … last, or h if no passage does harm."""
     proposal = h
     for n in range(1, last + 1):
         u, new_u = table[U, n], table[NEW_U, n]
         if (u - kink) * (new_u - kink) >= 0.0:
             continue
-        before = contribution(chain, table, u, kink, h)
-        after = contribution(chain, table, new_u, kink, h)
+        before = _contribution(chain, table, u, kink, h)
+        after = _contribution(chain, table, new_u, kink, h)
         if max(before, after) <= allowed:
             continue
-        zero = time_to_kink(u - kink, rate_of(chain, table, D, int64(0), n), new_u - kink, h)
+        zero = _time_to_kink(u - kink, _rate_of(chain, table, D, int64(0), n), new_u - kink, h)
         if after >= before:
-            beyond = compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
+            beyond = _compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
             candidate = zero + beyond * (h - zero) / (new_u - kink)
-        elif contribution(chain, table, u, kink, CROSSING * zero) <= allowed:
+        elif _contribution(chain, table, u, kink, CROSSING * zero) <= allowed:
             candidate = CROSSING * zero
         else:
             candidate = APPROACH * zero
@@ -150,5 +146,5 @@ def step_at_contact(chain, table, h, last, allowed):
     proposal = h
     for i in range(chain.law.kink_count):
         kink = chain.law.kinks[i]
-        proposal = min(proposal, step_at_kink(chain, table, kink, h, last, allowed))
+        proposal = min(proposal, _step_at_kink(chain, table, kink, h, last, allowed))
     return proposal

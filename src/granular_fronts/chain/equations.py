@@ -59,27 +59,23 @@ bead 2, and :math:`a\,G(u_1)` is taken from it.
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
+
+from granular_fronts.model.laws import Law
+from granular_fronts.model.potentials import Potential
 
 
 class Piston(NamedTuple):
-    """Prescribed motion of bead 1.
-
-    Attributes
-    ----------
-    velocity : float
-        V at the end of the ramp and ever after.
-    ramp : float
-        Time over which the velocity rises linearly from 0; 0 for a constant velocity.
-    """
+    """Motion of bead 1, whose velocity rises linearly from 0 over the time `ramp`."""
 
     velocity: float
     ramp: float
 
-    def velocity_at(self, t):
+    def velocity_at(self, t: float) -> float:
         """V(t)."""
         return self.velocity * min(t / self.ramp, 1.0) if self.ramp else self.velocity
 
-    def acceleration_at(self, t):
+    def acceleration_at(self, t: npt.ArrayLike) -> npt.ArrayLike:
         """Acceleration up to the time t, elementwise; at the end of the ramp that of the ramp."""
         return self.velocity / self.ramp * (np.asarray(t) <= self.ramp) if self.ramp else 0.0
 
@@ -87,13 +83,7 @@ class Piston(NamedTuple):
 class Boundary(NamedTuple):
     """Held relative displacements at the ends, eq. (25), a ring, eq. (26), or a piston.
 
-    Attributes
-    ----------
-    ring : bool
-    left, right : float
-        δ and δ̃, the relative displacements held at the ends; 0 is a free end, unused on a ring.
-    piston : Piston, optional
-        Motion of bead 1, for which nothing is held at the left end.
+    An end where δ or δ̃ is 0 is free; with a piston nothing is held at the left end.
     """
 
     ring: bool
@@ -102,22 +92,18 @@ class Boundary(NamedTuple):
     piston: Piston | None = None
 
 
-def force(potential, u):
+def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
     """The force −V'(−u) of a potential at the compression u, elementwise."""
     return -potential.first(-np.asarray(u, dtype=float))
 
 
-def forces_on_both_sides(u, boundary, potential, shift=0.0):
-    """Forces of the contacts n − 1 and n of every bead, each of the shape of `u`.
+def forces_on_both_sides(
+    u: np.ndarray, boundary: Boundary, potential: Potential, shift: npt.ArrayLike = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
 
-    Parameters
-    ----------
-    u : ndarray, shape (..., N)
-        Relative displacements; with pressure at the ends u_N is the held value.
-    boundary : Boundary
-    potential : model.potentials.Potential
-    shift : float or ndarray, shape (...), optional
-        How much larger than the force ahead of a piston that behind it is.
+    With pressure at the ends u_N is the held value; behind a piston the force is larger by `shift`,
+    shape (...), than ahead of it.
     """
     ahead = force(potential, u)
     behind = np.roll(ahead, 1, axis=-1)
@@ -128,16 +114,12 @@ def forces_on_both_sides(u, boundary, potential, shift=0.0):
     return behind, ahead
 
 
-def velocity_correction(u, boundary, law, t=0.0):
-    """ẋ − w of every bead, eq. (31).
+def velocity_correction(
+    u: np.ndarray, boundary: Boundary, law: Law, t: npt.ArrayLike = 0.0
+) -> np.ndarray:
+    """ẋ − w of every bead, eq. (31), from u of shape (..., N).
 
-    Parameters
-    ----------
-    u : ndarray, shape (..., N)
-    boundary : Boundary
-    law : model.laws.Law
-    t : float or ndarray, shape (...), optional
-        Time, on which the convention for w of a piston depends (`strain`).
+    The convention for w of a piston depends on the time (`strain`).
     """
     shift = 0.0
     if boundary.piston:
@@ -146,7 +128,7 @@ def velocity_correction(u, boundary, law, t=0.0):
     return behind - ahead
 
 
-def strain_rates(velocity, u, boundary, law):
+def strain_rates(velocity: np.ndarray, u: np.ndarray, boundary: Boundary, law: Law) -> np.ndarray:
     """d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
     w = velocity - velocity_correction(u, boundary, law)
     ahead = np.roll(w, -1, axis=-1)
@@ -155,27 +137,25 @@ def strain_rates(velocity, u, boundary, law):
     return w - ahead
 
 
-def velocities(d, u, boundary, law, momentum=0.0, t=0.0):
-    """Velocities ẋ_n from the strain form.
-
-    Parameters
-    ----------
-    momentum : float
-        As in `generalised_velocities`.
-    t : float or ndarray, shape (...), optional
-        Time, which matters to a piston.
-    """
+def velocities(
+    d: np.ndarray,
+    u: np.ndarray,
+    boundary: Boundary,
+    law: Law,
+    momentum: npt.ArrayLike = 0.0,
+    t: npt.ArrayLike = 0.0,
+) -> np.ndarray:
+    """Velocities ẋ_n at the times t from the strain form; see `generalised_velocities`."""
     correction = velocity_correction(u, boundary, law, t)
     return generalised_velocities(d, boundary, momentum) + correction
 
 
-def generalised_velocities(d, boundary, momentum=0.0):
+def generalised_velocities(
+    d: np.ndarray, boundary: Boundary, momentum: npt.ArrayLike = 0.0
+) -> np.ndarray:
     """w_n from d_n: a suffix sum.
 
-    Parameters
-    ----------
-    momentum : float
-        Σẋ_n = Σw_n on a ring, where d leaves a common velocity free; not used otherwise.
+    On a ring d leaves a common velocity free, and the momentum Σẋ_n = Σw_n gives it.
     """
     if boundary.ring:
         # Rounding leaves a sum over one turn that grows with N; the exact sum is zero.
@@ -186,7 +166,9 @@ def generalised_velocities(d, boundary, momentum=0.0):
     return w
 
 
-def energy(u, velocity, boundary, potential):
+def energy(
+    u: np.ndarray, velocity: np.ndarray, boundary: Boundary, potential: Potential
+) -> np.ndarray:
     """H(v, u): kinetic energy of the velocities, ẋ or w, and elastic one of the moving contacts."""
     moving = u if boundary.ring else u[..., :-1]
     kinetic = 0.5 * np.sum(velocity**2, axis=-1)

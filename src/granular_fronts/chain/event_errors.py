@@ -47,20 +47,9 @@ class Samples(NamedTuple):
 
 
 def event_errors(scene, recording, refined, contacts):
-    """Errors of all variables that hold events.
+    """Absolute errors, by name, of all variables that hold events.
 
-    Parameters
-    ----------
-    scene : mapping
-    recording, refined : recorder.Recording
-        Of a run and of its refinement.
-    contacts : int
-        How many contacts move.
-
-    Returns
-    -------
-    dict of str to float
-        Absolute errors by the name of the variable.
+    `recording` is that of a run, `refined` that of its refinement, and `contacts` how many move.
     """
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
     runs, every = (recording, refined), np.s_[:, 1 : scene["beads"] + 1]
@@ -71,9 +60,9 @@ def event_errors(scene, recording, refined, contacts):
         (recording.profile_times[row], *(profile[row] for profile in profiles)) for row in rows
     ]
     rounding = 4.0 * np.spacing(np.abs(recording.profile_d[rows]).max(initial=0.0))
-    errors, samples = {}, take_samples(events, states, rounding)
+    errors, samples = {}, _take_samples(events, states, rounding)
     if not np.isnan(recording.level):
-        arrival = error_of_passage(samples, *events["arrival"])
+        arrival = _error_of_passage(samples, *events["arrival"])
         times = [one[TIME] for one in events["arrival"]]
         speeds, (speed, *_) = zip(*(speed_and_error(one, arrival) for one in times), strict=True)
         speed = np.fmax(speed, abs(speeds[0] - speeds[1]))
@@ -86,7 +75,9 @@ def event_errors(scene, recording, refined, contacts):
                 peak[TIME],
             )
         )
-        errors["first_peak_time"] = _largest(error_of_turn(samples, peak, other))
+        errors["first_peak_time"] = _largest(
+            _error_of_time(peak, other, samples.near_turns(peak[TIME], peak[STEEPNESS]))
+        )
     if recording.track_extremes:
         both = [extremes_of_all(one, contacts) for one in runs]
         rounding = rounding_of(recording, contacts)
@@ -101,18 +92,8 @@ def event_errors(scene, recording, refined, contacts):
     }
 
 
-def take_samples(events, states, rounding):
-    """The errors of u and u̇ that two runs show.
-
-    Parameters
-    ----------
-    events : dict of str to pair of ndarray
-        Rows of the events of both.
-    states : list of tuple
-        Times, and u of both.
-    rounding : float
-        Of rates.
-    """
+def _take_samples(events, states, rounding):
+    """The errors of u and u̇ that two runs show."""
     ends = [events[name][0][END] for name in ("largest", "smallest")]
     size = max(np.abs(u).max() for u in [*ends, *(own for _, own, _ in states)])
     none, rows = np.full(ends[0].size, np.nan), []
@@ -137,18 +118,15 @@ def take_samples(events, states, rounding):
     return Samples(time, np.maximum(of_u, np.spacing(size)), np.fmax(of_rate, rounding), size)
 
 
-def error_of_passage(samples, own, other):
+def _error_of_passage(samples, own, other):
     """Errors of the times at which contacts pass a level."""
-    moved = np.abs(own[TIME] - other[TIME])
-    through = _near(samples.time, samples.of_u, own[TIME]) / own[STEEPNESS]
-    return _of_several(moved, through, own[TIME])
+    return _error_of_time(own, other, _near(samples.time, samples.of_u, own[TIME]))
 
 
-def error_of_turn(samples, own, other):
-    """Errors of the times at which contacts turn."""
+def _error_of_time(own, other, error):
+    """Errors of the times of events, from errors of the quantity that locates them."""
     moved = np.abs(own[TIME] - other[TIME])
-    through = samples.near_turns(own[TIME], own[STEEPNESS]) / own[STEEPNESS]
-    return _of_several(moved, through, own[TIME])
+    return _of_several(moved, error / own[STEEPNESS], own[TIME])
 
 
 def _of_several(differences, through, time):
@@ -178,7 +156,7 @@ def _of_first_opening(samples, own, other, found, refined):
     if np.isnan(refined["first_gap_time"]):
         return dict.fromkeys(names, np.inf)
     first = int(found["first_gap_bead"]) - 1
-    error = error_of_passage(samples, own, other)[first]
+    error = _error_of_passage(samples, own, other)[first]
     rivals = np.flatnonzero(own[TIME] <= found["first_gap_time"] + 2.0 * error)
     return {
         name: max([least, abs(found[name] - refined[name]), *abs(values[rivals] - found[name])])

@@ -46,38 +46,20 @@ class GapError(SolveError):
 
 
 class Wave(NamedTuple):
-    """A wave on a ring at some times.
-
-    Attributes
-    ----------
-    relative_displacement, velocity : ndarray, shape (times, sites)
-        At equally spaced places along the ring, the first at n = 0.
-    smallest : float
-        Smallest relative displacement after any step.
-    """
+    """A wave at some times and equally spaced sites, shape (times, sites), the first at n = 0."""
 
     relative_displacement: np.ndarray
     velocity: np.ndarray
-    smallest: float
+    smallest: float  # Relative displacement after any step.
 
 
 class FourierRing(NamedTuple):
-    """A ring of period N in the bead number, with δ = c = 1.
-
-    Attributes
-    ----------
-    alpha, gamma : float
-        Exponent of both forces, and strength of the viscous one.
-    beads : int
-        N.
-    points : int
-        M, even; waves up to M/2 turns are kept.
-    """
+    """A ring of period N in the bead number, with δ = c = 1."""
 
     alpha: float
     gamma: float
-    beads: int
-    points: int
+    beads: int  # N.
+    points: int  # M, even; waves up to M/2 turns are kept.
 
     @property
     def wave_numbers(self):
@@ -104,40 +86,24 @@ class FourierRing(NamedTuple):
         return irfft(velocity, self.points)
 
 
-def solve_fourier_ring(ring, u, velocity, times, tolerance):
-    """Follow a smooth compressed wave on a ring.
+def solve_fourier_ring(
+    ring: FourierRing, u: np.ndarray, velocity: np.ndarray, times: np.ndarray, tolerance: float
+) -> Wave:
+    """Follow a smooth compressed wave on a ring; a contact that opens is a GapError.
 
-    Parameters
-    ----------
-    ring : FourierRing
-    u, velocity : ndarray, shape (sites,)
-        Start at equally spaced places, the first at n = 0; more of them than coefficients are kept
-        loses nothing of a smooth start.
-    times : ndarray
-        Increasing, in units of 1/c, the first at least 0.
-    tolerance : float
-        Relative error per step.
-
-    Returns
-    -------
-    Wave
-
-    Raises
-    ------
-    GapError
-        If a contact opens.
-    SolveError
-        If the step size collapses.
+    u and the velocity start at equally spaced sites, the first at n = 0; more of them than
+    coefficients are kept loses nothing of a smooth start.  Times increase from 0 or later, in units
+    of 1/c, and the tolerance is the relative error per step.
     """
-    first, speed = (resampled(row, ring.points) for row in (u, velocity))
+    first, speed = (_resampled(row, ring.points) for row in (u, velocity))
     if not first.min() > 0.0:
         raise GapError(OPEN.format(time=0.0))
     start = np.concatenate([first, ring.strain_rates(first, speed)])
     states, smallest = _integrate(ring, start, times, tolerance)
     pairs = [np.split(state, 2) for state in states]
     return Wave(
-        np.array([resampled(u_then, u.size) for u_then, _ in pairs]),
-        np.array([resampled(ring.velocities(*pair, speed.mean()), u.size) for pair in pairs]),
+        np.array([_resampled(u_then, u.size) for u_then, _ in pairs]),
+        np.array([_resampled(ring.velocities(*pair, speed.mean()), u.size) for pair in pairs]),
         smallest,
     )
 
@@ -174,7 +140,7 @@ def _integrate(ring, start, times, tolerance):
     return states, float(smallest)
 
 
-def resampled(values, points):
+def _resampled(values, points):
     """The same wave at another number of places, the waves that both resolve."""
     kept = (min(values.size, points) + 1) // 2
     coefficients = np.zeros(points // 2 + 1, dtype=complex)

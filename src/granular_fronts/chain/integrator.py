@@ -1,7 +1,7 @@
 r"""Adaptive integration of a chain in strain form, with output and reductions on the way.
 
 Step control: the eighth-order pair of `numerics.runge_kutta` with error per step, in the maximum
-norm over beads (`new_state`), and steps that respect contact events (`contact_events`).  A
+norm over beads (`strain`), and steps that respect contact events (`contact_events`).  A
 step size is rounded to the difference of two representable times, so that the clock carries no
 error.
 
@@ -15,7 +15,6 @@ import numpy as np
 from numba import int64
 
 from granular_fronts.chain.contact_events import passes_any_kink, step_at_contact
-from granular_fronts.chain.new_state import error_norm
 from granular_fronts.chain.recorder import (
     next_output,
     next_passage,
@@ -27,6 +26,7 @@ from granular_fronts.chain.state import NEW_U, U
 from granular_fronts.chain.strain import (
     accept,
     end_of_window,
+    error_norm,
     forget_slopes,
     take_slopes,
     try_step,
@@ -40,7 +40,6 @@ RUNNING, FINISHED, COLLAPSED, NOT_FINITE, OPENED = range(5)
 # Steps shorter than this many spacings of representable times mean that the solve has collapsed.
 SHORTEST_STEP_IN_SPACINGS = 8.0
 
-
 # A step is cut at a contact only if it becomes shorter by more than rounding.
 LONGEST_CUT = 0.999
 
@@ -53,7 +52,7 @@ def begin(chain, table):
 
 
 @subroutine
-def growth_of(error):
+def _growth_of(error):
     """Change of step size after an accepted step."""
     if error == 0.0:
         return rk.LARGEST_FACTOR
@@ -62,7 +61,7 @@ def growth_of(error):
 
 
 @subroutine
-def reduction_of(error):
+def _reduction_of(error):
     """Change of step size after a rejected step."""
     if math.isnan(error):
         return 0.1
@@ -70,7 +69,7 @@ def reduction_of(error):
 
 
 @subroutine(forceinline=True)
-def complete(chain, table, recording, h, t_new, energy):
+def _complete(chain, table, recording, h, t_new, energy):
     """Record a step that counts, and make its end the start of the next one."""
     clock, next_, reach = chain.clock, recording.next, chain.clock.reach
     last = min(reach, chain.contacts)
@@ -100,12 +99,8 @@ def complete(chain, table, recording, h, t_new, energy):
 def advance(chain, table, recording, relative, absolute, ends):
     """Integrate until the last stop, or until so many further steps are accepted as `ends` holds.
 
-    The ends of these steps are written into `ends`.
-
-    Returns
-    -------
-    int
-        RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE, OPENED.
+    The ends of these steps are written into `ends`.  The result is RUNNING, FINISHED, or why it
+    stopped: COLLAPSED, NOT_FINITE, OPENED.
     """
     law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
     after_rejection = False
@@ -130,7 +125,7 @@ def advance(chain, table, recording, relative, absolute, ends):
                 forget_slopes(chain, table)
                 if h < 1e3 * shortest:
                     return NOT_FINITE
-            clock.h = h * reduction_of(error)
+            clock.h = h * _reduction_of(error)
             continue
         if passes_any_kink(chain, table, last):
             if law.has_stiff_kinks:
@@ -141,12 +136,12 @@ def advance(chain, table, recording, relative, absolute, ends):
                 clock.cut += 1
                 clock.h = at_contact
                 continue
-        complete(chain, table, recording, h, t_new, energy)
+        _complete(chain, table, recording, h, t_new, energy)
         ends[steps] = t_new
         steps += 1
         if landing:
             clock.h = max(clock.h, h)
-        growth = growth_of(error)
+        growth = _growth_of(error)
         if not landing or growth < 1.0:
             clock.h = h * (min(1.0, growth) if after_rejection else growth)
         after_rejection = False
@@ -157,10 +152,7 @@ def advance(chain, table, recording, relative, absolute, ends):
 def follow(chain, table, recording, ends, most_steps):
     """Integrate until the last stop, or take `most_steps` steps, which end at given times.
 
-    Returns
-    -------
-    int
-        RUNNING, FINISHED, or NOT_FINITE.
+    The result is RUNNING, FINISHED, or NOT_FINITE.
     """
     clock, next_ = chain.clock, recording.next
     for _ in range(most_steps):
@@ -174,5 +166,5 @@ def follow(chain, table, recording, ends, most_steps):
         clock.right_hand_sides += rk.STAGES
         if not math.isfinite(largest.state):
             return NOT_FINITE
-        complete(chain, table, recording, h, t_new, energy)
+        _complete(chain, table, recording, h, t_new, energy)
     return RUNNING

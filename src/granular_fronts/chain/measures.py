@@ -21,14 +21,14 @@ def scene_of(dataset):
     return json.loads(dataset.attrs["config"])
 
 
-def applied_displacement(dataset):
+def _applied_displacement(dataset):
     """δ of eq. (25)."""
     return scene_of(dataset)["boundary"]["left"]
 
 
 def predicted_speed(dataset):
     """Speed of a front into an uncompressed chain, James (2021), eq. (21), with k = m = 1."""
-    speed = applied_displacement(dataset) ** ((scene_of(dataset)["law"]["alpha"] - 1.0) / 2.0)
+    speed = _applied_displacement(dataset) ** ((scene_of(dataset)["law"]["alpha"] - 1.0) / 2.0)
     return rounded(speed)
 
 
@@ -41,15 +41,15 @@ def force_overshoot(dataset):
     """Largest elastic force of the passing front, in the middle of the chain, over the pressure."""
     alpha = scene_of(dataset)["law"]["alpha"]
     peaks = dataset["first_peak"]
-    peak = float(peaks.sel(bead=dataset.sizes["bead"] // 2)) / applied_displacement(dataset)
+    peak = float(peaks.sel(bead=dataset.sizes["bead"] // 2)) / _applied_displacement(dataset)
     error = alpha * peak ** (alpha - 1.0) * peaks.attrs["error_estimate"]
-    return Estimate(peak**alpha, error / applied_displacement(dataset))
+    return Estimate(peak**alpha, error / _applied_displacement(dataset))
 
 
 def displacement_overshoot(dataset):
     """Largest relative displacement of the whole motion over δ, minus 1."""
     largest = recorded(dataset["largest_relative_displacement"])
-    return largest / applied_displacement(dataset) - 1.0
+    return largest / _applied_displacement(dataset) - 1.0
 
 
 def first_gap_time(dataset):
@@ -69,7 +69,7 @@ def smallest_relative_displacement_time(dataset):
 
 def mean_compression(dataset):
     """Average of (x_1 − x_N)/N over the first full period, between its maxima, over δ."""
-    mean = dataset["mean_relative_displacement"] / applied_displacement(dataset)
+    mean = dataset["mean_relative_displacement"] / _applied_displacement(dataset)
     peaks = _maxima(mean)
     if peaks.size < 2:
         return Estimate(math.nan, math.nan)
@@ -89,7 +89,7 @@ def _maxima(mean):
 
 def middle_compression(dataset):
     """Midway between the extremes of (x_1 − x_N)/N after its first maximum, over δ."""
-    mean = dataset["mean_relative_displacement"] / applied_displacement(dataset)
+    mean = dataset["mean_relative_displacement"] / _applied_displacement(dataset)
     peaks = _maxima(mean)
     if peaks.size == 0:
         return Estimate(math.nan, math.nan)
@@ -112,7 +112,7 @@ def smallest_velocity_behind(dataset):
     """
     velocity = dataset["velocity_grid"]
     passed = velocity.where(velocity["t_grid"] >= dataset["arrival_time"])
-    scale = applied_displacement(dataset) * predicted_speed(dataset).value
+    scale = _applied_displacement(dataset) * predicted_speed(dataset).value
     smallest = estimate(passed.min(), passed.isel(t_grid=slice(None, None, 2)).min())
     return (smallest + Estimate(0.0, velocity.attrs["error_estimate"])) / scale
 
@@ -121,7 +121,7 @@ def momentum_growth(dataset):
     """Σẋ_n at the end of the run over δ^α t, the law quoted in section 3.3."""
     total = dataset["total_velocity"].isel(t_grid=-1)
     alpha = scene_of(dataset)["law"]["alpha"]
-    exact = applied_displacement(dataset) ** alpha * float(total["t_grid"])
+    exact = _applied_displacement(dataset) ** alpha * float(total["t_grid"])
     return recorded(total) / exact
 
 
@@ -131,7 +131,7 @@ def velocity_front(dataset):
     The error is the change that leaving out every other bead makes.
     """
     velocity = dataset["velocity"].isel(t=0)
-    scale = applied_displacement(dataset) * predicted_speed(dataset).value
+    scale = _applied_displacement(dataset) * predicted_speed(dataset).value
     profile, beads = velocity.values / scale, velocity["bead"].values
     return estimate(last_fall(profile, beads, 0.5), last_fall(profile[::2], beads[::2], 0.5))
 
@@ -140,7 +140,7 @@ def peak_spread(dataset, beads):
     """Largest less smallest first peak of u/δ at some beads."""
     peaks = dataset["first_peak"].sel(bead=beads)
     largest, smallest = peaks.max(keep_attrs=True), peaks.min(keep_attrs=True)
-    return (recorded(largest) - recorded(smallest)) / applied_displacement(dataset)
+    return (recorded(largest) - recorded(smallest)) / _applied_displacement(dataset)
 
 
 def spacing_defect(dataset, beads):
@@ -154,7 +154,7 @@ def spacing_defect(dataset, beads):
 def crossings(dataset, bead):
     """Number of times that u of a bead of the steady regime passes through δ."""
     u = dataset["relative_displacement_steady"].sel(bead_steady=bead)
-    sides = np.sign(u.values - applied_displacement(dataset))
+    sides = np.sign(u.values - _applied_displacement(dataset))
     return Estimate(float(np.count_nonzero(np.diff(sides))), 0.0)
 
 
@@ -229,28 +229,15 @@ def _width_ratio(dataset, late, early):
 
 def _width(grid, dataset, t):
     """Distance in beads over which u falls from 0.9 δ to 0.1 δ at the grid time nearest to t."""
-    profile = grid.sel(t_grid=t, method="nearest").values / applied_displacement(dataset)
+    profile = grid.sel(t_grid=t, method="nearest").values / _applied_displacement(dataset)
     ends = (last_fall(profile, grid["bead"].values, level) for level in (0.1, 0.9))
     return next(ends) - next(ends)
 
 
-def last_fall(profile, places, level):
-    """Last place at which a profile falls through a level, by linear interpolation.
+def last_fall(profile: np.ndarray, places: np.ndarray, level: float) -> float:
+    """Last of the rising places at which a profile falls through a level, by linear interpolation.
 
-    Parameters
-    ----------
-    profile, places : ndarray, shape (n,)
-        Values, and where they are, rising.
-    level : float
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    IndexError
-        If the profile does not fall through the level.
+    An IndexError says that it does not.
     """
     i = np.flatnonzero((profile[:-1] >= level) & (profile[1:] < level))[-1]
     share = (profile[i] - level) / (profile[i] - profile[i + 1])

@@ -2,7 +2,18 @@ r"""What is recorded of a step: states at given times, and five events of every 
 
 Events: u passes a level for the first time; its first maximum after that; it turns negative for the
 first time, the contact opens; its largest and its smallest value of all times, t = 0 included.
-Everything is located on the continuous extension (`dense_output`).
+Everything is located on the continuous extension of the step, of order 7.
+
+Continuous extension.  With weights :math:`b_j(\theta)` of the sixteen slopes,
+
+.. math::
+
+    u(\theta) = u + \theta h\,d + \sum_j \Bigl( h\, b_j g_j
+        + h^2 \sum_l b_l a_{lj}\, k_j \Bigr), \qquad d(\theta) = d + h\sum_j b_j k_j .
+
+Three of the slopes belong to stages that nothing else uses.  A slope depends on the neighbouring
+contacts alone, so that the polynomial of contact n needs the first of the three stages on the
+contacts n ± 3, the second on n ± 2 and the third on n ± 1; only these are computed.
 
 Most steps hold nothing of note, which loops over whole rows without a branch find out:
 `next_passage` looks at the contacts that wait for their arrival, `next_turn` at all.  Between the
@@ -16,20 +27,23 @@ from typing import NamedTuple
 import numpy as np
 from numba import int64, uint64
 
-from granular_fronts.chain.dense_output import contact_polynomial, take_output_stages, write_state
 from granular_fronts.chain.state import (
+    DAMPING,
     ELASTIC_SLOPES,
+    FORCE,
     NEW_D,
     NEW_U,
     VISCOUS_SLOPES,
     D,
     U,
-    record_type,
 )
-from granular_fronts.model.passes import NEGLIGIBLE
+from granular_fronts.chain.state import VALUE as STAGE_VALUE
+from granular_fronts.chain.strain import laplacian
+from granular_fronts.model.passes import NEGLIGIBLE, call_row_map
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.polynomials import crossing, derivative, polynomial
+from granular_fronts.numerics.records import record_type
 
 NEXT = record_type(*[(name, np.int64) for name in ("stop", "profile", "sample", "arrival")])
 """Index of the next stop, profile and sample, and first contact that waits for its arrival."""
@@ -41,58 +55,133 @@ An extreme of all times is the best turn of u within steps, or the best end of a
 for both, and for the second best turn, which another solution may take for the best.
 """
 
+_CONTRACT = {"contract"}
+
 # A turn that is second to one of its contact counts if it comes as close to the extreme of all.
 CLOSE = 1.0e-3
 
 
 class Recording(NamedTuple):
-    """What to record, and the arrays to record it in.
+    """What to record, and the arrays to record it in."""
 
-    Attributes
-    ----------
-    stops : ndarray
-        Increasing times on which a step must end; the last one is the end of the run.
-    profile_times, profile_u, profile_d : ndarray, shape (times,) and (times, columns)
-        Whole states.
-    sample_times, sample_beads, samples : ndarray, shape (samples,)
-        Relative displacements of single contacts, ordered by time.
-    next : record
-        Of type `NEXT`.
-    level : float
-        Level whose first passage is timed at each contact, NaN for none.
-    side : ndarray, shape (columns,)
-        1 if u rises through the level, −1 if it falls.
-    arrival, first_peak, opening : ndarray, shape (3, columns)
-        Passage of the level, first maximum after it, first passage of 0 from above; NaN where there
-        is none.
-    largest, smallest : ndarray, shape (7, columns)
-        Extremes of each contact; the values of turns are infinite where there is none.
-    extremes : ndarray, shape (2,)
-        Largest and smallest turn of all contacts so far, infinite if there is none.
-    coefficients : ndarray, shape (8,)
-        Work space, of the polynomial of a contact.
-    track_extremes, track_energy : bool
-    """
-
+    # Increasing times on which a step must end; the last one is the end of the run.
     stops: np.ndarray
+    # Whole states, shape (times, columns).
     profile_times: np.ndarray
     profile_u: np.ndarray
     profile_d: np.ndarray
+    # Relative displacements of single contacts, ordered by time.
     sample_times: np.ndarray
     sample_beads: np.ndarray
     samples: np.ndarray
+    # A record of type `NEXT`.
     next: np.record
+    # Level whose first passage is timed at each contact, NaN for none, and for each contact 1 if u
+    # rises through it, −1 if it falls.
     level: float
     side: np.ndarray
+    # Passage of the level, first maximum after it, first passage of 0 from above, shape
+    # (3, columns); NaN where there is none.
     arrival: np.ndarray
     first_peak: np.ndarray
     opening: np.ndarray
+    # Extremes of each contact, shape (7, columns); infinite where it has not turned.
     largest: np.ndarray
     smallest: np.ndarray
+    # Largest and smallest turn of all contacts so far, infinite if there is none.
     extremes: np.ndarray
+    # Work space, of the polynomial of a contact.
     coefficients: np.ndarray
     track_extremes: bool
     track_energy: bool
+
+
+@subroutine(forceinline=True)
+def _take_output_stages(chain, table, h, first, last):
+    """The three stages that only dense output uses, as far as the contacts first … last need them.
+
+    The rows `VALUE`, `FORCE` and `DAMPING` are left as the last stage needs them.
+    """
+    if chain.contacts == chain.beads:
+        first, last = 1, chain.beads
+    law, clock = chain.law, chain.clock
+    for row in range(rk.NEW_SLOPE + 1, rk.SLOPES):
+        distance = rk.SLOPES - row
+        low, high = max(1, first - distance), min(clock.reach, last + distance)
+        contacts = min(high, chain.contacts)
+        _sum_all_slots(chain, table, row, h, low, contacts)
+        call_row_map(
+            law.elastic, table[STAGE_VALUE], table[FORCE], low, contacts, law.elastic_parameters
+        )
+        slot = rk.SLOT[row]
+        laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, clock.acceleration, low, high)
+        if not law.single:
+            call_row_map(
+                law.viscous,
+                table[STAGE_VALUE],
+                table[DAMPING],
+                low,
+                contacts,
+                law.viscous_parameters,
+            )
+            laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, low, high)
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _sum_all_slots(chain, table, row, h, low, high):
+    """U of an output stage on the contacts low … high."""
+    single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
+    for n in range(uint64(low), uint64(high + 1)):
+        table[STAGE_VALUE, n] = table[U, n] + h * rk.C[row] * table[D, n]
+    for slot in range(rk.SLOPES - 1):
+        on_g, on_k = h_gamma * rk.A_SLOTS[row, slot], h_squared * rk.A_SQUARED_SLOTS[row, slot]
+        if single:
+            on_k += on_g
+        for n in range(uint64(low), uint64(high + 1)):
+            table[STAGE_VALUE, n] += on_k * table[ELASTIC_SLOPES + slot, n]
+        if not single:
+            for n in range(uint64(low), uint64(high + 1)):
+                table[STAGE_VALUE, n] += on_g * table[VISCOUS_SLOPES + slot, n]
+
+
+@subroutine
+def _contact_polynomial(chain, table, h, n, coefficients):
+    """Coefficients of u_n(θ) in powers of θ, constant term first."""
+    viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+    h_gamma, h_squared = h * chain.law.gamma, h * h
+    coefficients[:] = 0.0
+    for slot in range(rk.SLOPES):
+        on_g = h_gamma * table[viscous + slot, n]
+        on_k = h_squared * table[ELASTIC_SLOPES + slot, n]
+        for power in range(uint64(rk.DEGREE + 1)):
+            coefficients[power] += rk.CONTINUOUS_OF_SLOT[slot, power] * on_g
+            coefficients[power] += rk.CONTINUOUS_A_OF_SLOT[slot, power] * on_k
+    coefficients[0] += table[U, n]
+    coefficients[1] += h * table[D, n]
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _write_state(chain, table, h, theta, row_u, row_d):
+    """u(θ) and d(θ) of all beads of the active window; at θ = 1 the new state itself."""
+    reach = chain.clock.reach
+    if theta == 1.0:
+        for n in range(1, reach + 1):
+            row_u[n] = table[NEW_U, n]
+            row_d[n] = table[NEW_D, n]
+        return
+    for n in range(1, reach + 1):
+        row_u[n] = table[U, n] + theta * h * table[D, n]
+        row_d[n] = table[D, n]
+    viscous = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+    powers = theta ** np.arange(rk.DEGREE + 1)
+    for slot in range(rk.SLOPES):
+        b = np.sum(rk.CONTINUOUS_OF_SLOT[slot] * powers)
+        on_g = h * chain.law.gamma * b
+        on_k = h * h * np.sum(rk.CONTINUOUS_A_OF_SLOT[slot] * powers)
+        for n in range(uint64(1), uint64(reach + 1)):
+            k = table[ELASTIC_SLOPES + slot, n]
+            row_u[n] += on_g * table[viscous + slot, n] + on_k * k
+            row_d[n] += h * b * k
 
 
 @subroutine
@@ -108,7 +197,7 @@ def next_output(recording):
 
 
 @subroutine(forceinline=True)
-def write_output(chain, table, h, t_new, recording):
+def _write_output(chain, table, h, t_new, recording):
     """Profiles and samples that fall into (t, t_new]."""
     t, next_ = chain.clock.t, recording.next
     while (
@@ -117,21 +206,21 @@ def write_output(chain, table, h, t_new, recording):
     ):
         row = next_.profile
         theta = (recording.profile_times[row] - t) / h
-        write_state(chain, table, h, theta, recording.profile_u[row], recording.profile_d[row])
+        _write_state(chain, table, h, theta, recording.profile_u[row], recording.profile_d[row])
         next_.profile += 1
     coefficients = recording.coefficients
     while (
         next_.sample < recording.sample_times.size and recording.sample_times[next_.sample] <= t_new
     ):
         index = next_.sample
-        contact_polynomial(chain, table, h, recording.sample_beads[index], coefficients)
+        _contact_polynomial(chain, table, h, recording.sample_beads[index], coefficients)
         theta = (recording.sample_times[index] - t) / h
         recording.samples[index] = polynomial(coefficients, theta)
         next_.sample += 1
 
 
 @subroutine(forceinline=True)
-def rate_rows(chain):
+def _rate_rows(chain):
     """The factor γ, and the rows of its slopes at the start and at the end of the step."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     return chain.law.gamma, slopes + rk.SLOT[0], slopes + rk.SLOT[rk.NEW_SLOPE]
@@ -139,13 +228,13 @@ def rate_rows(chain):
 
 @subroutine(forceinline=True)
 def rates(table, rows, n):
-    """Rate of change of u_n at the start and at the end of the step, from its `rate_rows`."""
+    """Rate of change of u_n at the start and at the end of the step, from its `_rate_rows`."""
     factor, start, end = rows
     return table[D, n] + factor * table[start, n], table[NEW_D, n] + factor * table[end, n]
 
 
 @subroutine(forceinline=True)
-def cubic_slope(u, new_u, rate, new_rate, h):
+def _cubic_slope(u, new_u, rate, new_rate, h):
     """Coefficients a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
     mean = (new_u - u) / h
     return 3.0 * (rate + new_rate - 2.0 * mean), 6.0 * mean - 4.0 * rate - 2.0 * new_rate
@@ -155,7 +244,7 @@ def cubic_slope(u, new_u, rate, new_rate, h):
 def next_passage(chain, table, h, recording, first, last):
     """First of the contacts first … last that may arrive at the level; beyond `last` if none."""
     side, level, arrival = recording.side, recording.level, recording.arrival
-    rows = rate_rows(chain)
+    rows = _rate_rows(chain)
     none = found = last + 1
     for n in range(uint64(first), uint64(last + 1)):
         rate, new_rate = rates(table, rows, n)
@@ -169,28 +258,28 @@ def next_passage(chain, table, h, recording, first, last):
 
 
 @subroutine(forceinline=True)
-def write_arrivals(chain, table, h, last, have_polynomials, recording):
+def _write_arrivals(chain, table, h, last, have_polynomials, recording):
     """First passages of the level within the step."""
     next_, arrival = recording.next, recording.arrival
     n = next_passage(chain, table, h, recording, next_.arrival, last)
     while n <= last:
         if not have_polynomials:
-            take_output_stages(chain, table, h, n, n)
-        contact_polynomial(chain, table, h, n, recording.coefficients)
-        write_passage(chain, table, h, n, recording.level, recording.side[n], recording, arrival)
+            _take_output_stages(chain, table, h, n, n)
+        _contact_polynomial(chain, table, h, n, recording.coefficients)
+        _write_passage(chain, table, h, n, recording.level, recording.side[n], recording, arrival)
         n = next_passage(chain, table, h, recording, n + 1, last)
     while next_.arrival < chain.contacts and not math.isnan(arrival[TIME, next_.arrival]):
         next_.arrival += 1
 
 
 @subroutine
-def write_passage(chain, table, h, n, level, side, recording, event):
+def _write_passage(chain, table, h, n, level, side, recording, event):
     """First passage of a level, upwards if side is 1, before a turn of u or before the end."""
     coefficients = recording.coefficients
     if not side * table[U, n] < side * level:
         return
     end, new_u = 1.0, table[NEW_U, n]
-    rate, new_rate = rates(table, rate_rows(chain), n)
+    rate, new_rate = rates(table, _rate_rows(chain), n)
     if side * new_u < side * level and side * rate > 0.0 >= side * new_rate:
         end = crossing(derivative(coefficients), 0.0)
         new_u = polynomial(coefficients, end)
@@ -216,7 +305,7 @@ def next_turn(chain, table, h, recording, first, last):
     """First of the contacts first … last that may turn or open; beyond `last` if none."""
     arrival, first_peak = recording.arrival, recording.first_peak
     largest, smallest = recording.largest, recording.smallest
-    rows, (upper, lower) = rate_rows(chain), (recording.extremes[0], recording.extremes[1])
+    rows, (upper, lower) = _rate_rows(chain), (recording.extremes[0], recording.extremes[1])
     upper, lower = upper - CLOSE * abs(upper), lower + CLOSE * abs(lower)
     none = found = last + 1
     for n in range(uint64(first), uint64(last + 1)):
@@ -236,7 +325,7 @@ def next_turn(chain, table, h, recording, first, last):
             )
         )
         falls = (rate < 0.0) & (new_rate >= 0.0)
-        bend, change = cubic_slope(u, new_u, rate, new_rate, h)
+        bend, change = _cubic_slope(u, new_u, rate, new_rate, h)
         twice = (bend * rate > 0.0) & (change * rate < 0.0) & (abs(change) < 2.0 * abs(bend))
         twice &= change * change > 4.0 * bend * rate
         turns = ((rate > 0.0) & (new_rate <= 0.0)) | falls | twice
@@ -247,35 +336,35 @@ def next_turn(chain, table, h, recording, first, last):
 
 
 @subroutine(forceinline=True)
-def write_turns(chain, table, h, last, have_polynomials, recording):
+def _write_turns(chain, table, h, last, have_polynomials, recording):
     """Turns of u at an extreme within the step, and first openings."""
     n = next_turn(chain, table, h, recording, int64(1), last)
     while n <= last:
         if not have_polynomials:
-            take_output_stages(chain, table, h, n, n)
-        contact_polynomial(chain, table, h, n, recording.coefficients)
+            _take_output_stages(chain, table, h, n, n)
+        _contact_polynomial(chain, table, h, n, recording.coefficients)
         if table[U, n] > NEGLIGIBLE and math.isnan(recording.opening[TIME, n]):
-            write_passage(chain, table, h, n, -NEGLIGIBLE, -1.0, recording, recording.opening)
-        write_turn(chain, table, h, n, recording)
+            _write_passage(chain, table, h, n, -NEGLIGIBLE, -1.0, recording, recording.opening)
+        _write_turn(chain, table, h, n, recording)
         n = next_turn(chain, table, h, recording, n + 1, last)
 
 
 @subroutine
-def write_turn(chain, table, h, n, recording):
+def _write_turn(chain, table, h, n, recording):
     """The turns of contact n within the step that count: one, or two if the cubic has as many."""
     slope = derivative(recording.coefficients)
-    rate, new_rate = rates(table, rate_rows(chain), n)
-    bend, change = cubic_slope(table[U, n], table[NEW_U, n], rate, new_rate, h)
+    rate, new_rate = rates(table, _rate_rows(chain), n)
+    bend, change = _cubic_slope(table[U, n], table[NEW_U, n], rate, new_rate, h)
     turns_twice = rate * new_rate > 0.0 and 0.0 < -change * rate < 2.0 * bend * rate
     middle = -0.5 * change / bend if turns_twice else 1.0
     inner_rate = polynomial(slope, middle) if middle < 1.0 else new_rate
-    write_turn_between(chain, h, n, recording, slope, (0.0, middle), (rate, inner_rate))
+    _write_turn_between(chain, h, n, recording, slope, (0.0, middle), (rate, inner_rate))
     if middle < 1.0:
-        write_turn_between(chain, h, n, recording, slope, (middle, 1.0), (inner_rate, new_rate))
+        _write_turn_between(chain, h, n, recording, slope, (middle, 1.0), (inner_rate, new_rate))
 
 
 @subroutine
-def write_turn_between(chain, h, n, recording, slope, ends, rates_there):
+def _write_turn_between(chain, h, n, recording, slope, ends, rates_there):
     """The turn of contact n between two θ, if there is one and it counts."""
     first_peak = recording.first_peak
     rises = rates_there[0] > 0.0 >= rates_there[1]
@@ -304,11 +393,11 @@ def record_step(chain, table, h, t_new, recording):
     """Record what an accepted step holds, before its end becomes the start of the next one."""
     due = next_output(recording) <= t_new
     if due:
-        take_output_stages(chain, table, h, int64(1), chain.clock.reach)
+        _take_output_stages(chain, table, h, int64(1), chain.clock.reach)
         chain.clock.right_hand_sides += rk.SLOPES - rk.NEW_SLOPE - 1
-        write_output(chain, table, h, t_new, recording)
+        _write_output(chain, table, h, t_new, recording)
     last = min(chain.clock.reach, chain.contacts)
     if not math.isnan(recording.level):
-        write_arrivals(chain, table, h, last, due, recording)
+        _write_arrivals(chain, table, h, last, due, recording)
     if recording.track_extremes:
-        write_turns(chain, table, h, last, due, recording)
+        _write_turns(chain, table, h, last, due, recording)

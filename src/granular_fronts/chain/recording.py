@@ -36,6 +36,7 @@ from granular_fronts.chain.recorder import (
 )
 from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
+from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import DEGREE
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
@@ -46,7 +47,7 @@ SPEED_RANGE = (0.5, 0.9)
 MONITORS = np.arange(11, -1, -1)
 
 
-def grid_times(scene):
+def _grid_times(scene):
     """Times of the space-time grid, empty if the scene records none."""
     if "grid" not in scene["record"]:
         return np.empty(0)
@@ -59,7 +60,7 @@ def monitor_times(scene):
     return np.ldexp(float(scene["end_time"]), -MONITORS) if events else np.empty(0)
 
 
-def probe_samples(scene):
+def _probe_samples(scene):
     """All samples of all probe sets: times and beads, each flat, set after set."""
     times, beads = [np.empty(0)], [np.empty(0, dtype=np.int64)]
     for probe in scene["record"].get("probes", {}).values():
@@ -72,23 +73,15 @@ def probe_samples(scene):
 def make_recording(scene, ahead, u):
     """Arrays for everything the scene asks for; what is located on the way is NaN until it is.
 
-    Parameters
-    ----------
-    scene : mapping
-        A checked chain scene.
-    ahead : float
-        Compression ahead of the active window.
-    u : ndarray, shape (columns,)
-        Compressions at t = 0, a row of the engine.
+    `ahead` is the compression ahead of the active window, and `u`, shape (columns,), the row of
+    compressions at t = 0.
     """
     columns = u.size
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
-    profile_times = np.unique(np.concatenate([snapshots, grid_times(scene), monitor_times(scene)]))
-    times, beads = probe_samples(scene)
+    profile_times = np.unique(np.concatenate([snapshots, _grid_times(scene), monitor_times(scene)]))
+    times, beads = _probe_samples(scene)
     order = np.argsort(times, kind="stable")
-    next_ = np.zeros(1, NEXT)[0]
-    next_.arrival = 1
     passage = np.full((STEEPNESS + 1, columns), np.nan)
     largest, smallest = np.full((2, END_TIME + 1, columns), np.nan)
     for event, none in ((largest, -np.inf), (smallest, np.inf)):
@@ -102,7 +95,7 @@ def make_recording(scene, ahead, u):
         sample_times=times[order],
         sample_beads=beads[order],
         samples=np.full(times.size, np.nan),
-        next=next_,
+        next=make_record(NEXT, arrival=1),
         level=level,
         side=np.where(u < level, 1.0, -1.0),
         arrival=passage,
@@ -125,17 +118,7 @@ def _stops(scene, snapshots):
 
 
 def collect(scene, run):
-    """The dataset of everything that a run of a scene has recorded.
-
-    Parameters
-    ----------
-    scene : mapping
-    run : chain.run.Run
-
-    Returns
-    -------
-    xarray.Dataset
-    """
+    """The dataset of everything that a run of a scene has recorded."""
     recording, next_ = run.recording, run.recording.next
     if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
@@ -167,7 +150,7 @@ def _profiles(scene, run):
         "velocity": (("t", "bead"), velocity[rows]),
     }
     coordinates = {"t": snapshots}
-    grid = grid_times(scene)
+    grid = _grid_times(scene)
     if grid.size:
         rows = np.searchsorted(recording.profile_times, grid)
         moving = u if boundary.ring else u[:, :-1]
@@ -182,7 +165,7 @@ def _profiles(scene, run):
 
 
 def _probes(scene, run):
-    times, beads = probe_samples(scene)
+    times, beads = _probe_samples(scene)
     samples = np.empty(times.size)
     samples[np.argsort(times, kind="stable")] = run.recording.samples
     if not run.boundary.ring:
@@ -201,26 +184,17 @@ def _probes(scene, run):
     return dataset
 
 
-def fitted_speed(arrival):
+def fitted_speed(arrival: np.ndarray) -> float:
     """Slope of bead number over arrival time in the middle of the chain; see `speed_and_error`."""
     return speed_and_error(arrival, np.zeros_like(arrival))[0]
 
 
-def speed_and_error(arrival, errors):
+def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, float]:
     """Slope of bead number over arrival time in the middle of the chain, and its error.
 
-    NaN if fewer than two beads were passed there, or if neither end was passed first, as on a ring
-    with two waves.
-
-    Parameters
-    ----------
-    arrival, errors : ndarray, shape (N,)
-        NaN where the front has not arrived.
-
-    Returns
-    -------
-    speed, error : float
-        The error in the worst case of those of the times.
+    Both arguments have the shape (N,), with NaN where the front has not arrived; errors of times
+    count in the worst case.  The slope is NaN if fewer than two beads were passed there, or if
+    neither end was passed first, as on a ring with two waves.
     """
     first, last = (int(fraction * arrival.size) for fraction in SPEED_RANGE)
     passed = np.arange(first, last)[np.isfinite(arrival[first:last])]

@@ -7,19 +7,24 @@ A piston that rises to its velocity is integrated in two parts, since its accele
 end of the ramp: a step lands there, and w_1 takes up the jump (see `strain`).
 """
 
-from typing import NamedTuple
+import functools
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from granular_fronts.chain import equations, integrator
-from granular_fronts.chain.contact_law import compile_law, is_at_rest_without_stiffness
 from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
+from granular_fronts.chain.stage_passes import stage_pass
 from granular_fronts.chain.state import (
     CHAIN,
     DAMPING,
     FORCE,
+    LAW,
+    MOST_KINKS,
+    MOST_PARAMETERS,
     NEW_U,
     ROWS_OF_PAIR,
     ROWS_OF_SINGLE,
@@ -28,10 +33,11 @@ from granular_fronts.chain.state import (
     make_table,
 )
 from granular_fronts.chain.strain import end_of_window
-from granular_fronts.errors import SolveError
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
-from granular_fronts.model.passes import NEGLIGIBLE
+from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
+from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
 
 FIRST_STEP = 1.0e-6
@@ -41,30 +47,19 @@ MARGIN_WITHOUT_STIFFNESS = 4
 STEPS_PER_BLOCK = 2000
 # How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
 CLOSE_TO_AN_END = 1.0e-6
+# An extension at which a law that acts in extension exerts a force.
+SMALL_EXTENSION = 1.0e-3
 
 
 class Run(NamedTuple):
-    """Everything that one integration works on.
-
-    Attributes
-    ----------
-    law : model.laws.Law
-    boundary : equations.Boundary
-    chain : record
-        Of type `state.CHAIN`.
-    table : ndarray, shape (rows, columns)
-        Rows of the chain, see `state`.
-    recording : recorder.Recording
-    momentum : float
-        Σẋ_n at t = 0.
-    """
+    """Everything that one integration works on."""
 
     law: Law
     boundary: Boundary
-    chain: np.record
-    table: np.ndarray
+    chain: np.record  # Of type `state.CHAIN`.
+    table: np.ndarray  # Rows of the chain, see `state`.
     recording: Recording
-    momentum: float
+    momentum: float  # Σẋ_n at t = 0.
 
     @property
     def clock(self):
@@ -76,13 +71,10 @@ class Run(NamedTuple):
         return self.table[row, 1 : self.chain.beads + 1]
 
 
-def prepare(scene):
+def prepare(scene: Mapping[str, Any]) -> Run:
     """The run of a checked scene, ready at t = 0.
 
-    Raises
-    ------
-    SolveError
-        If the forces of the start or the boundary overflow.
+    Forces of the start or the boundary that overflow are a SolveError.
     """
     law = make_law(scene["law"])
     boundary = make_boundary(scene)
@@ -96,11 +88,11 @@ def prepare(scene):
             "start down, eq. (27)."
         )
     recording = make_recording(scene, chain.ahead, table[U])
-    note_openings_at_start(recording, chain.contacts, u, velocity)
+    _note_openings_at_start(recording, chain.contacts, u, velocity)
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
-def note_openings_at_start(recording, contacts, u, velocity):
+def _note_openings_at_start(recording, contacts, u, velocity):
     """Contacts that just touch at t = 0 and are pulled apart open there."""
     rate = (velocity - np.roll(velocity, -1))[:contacts]
     opens = 1 + np.flatnonzero((np.abs(u[:contacts]) <= NEGLIGIBLE) & (rate < 0.0))
@@ -108,26 +100,16 @@ def note_openings_at_start(recording, contacts, u, velocity):
     recording.opening[STEEPNESS, opens] = -rate[opens - 1]
 
 
-def integrate(run, tolerance, after_block=lambda run: None):
-    """Advance a run to its end.
+def integrate(
+    run: Run, tolerance: Mapping[str, float], after_block: Callable[[Run], None] = lambda run: None
+) -> np.ndarray:
+    """Advance a run to its end; returns the times at which steps ended.
 
-    Parameters
-    ----------
-    run : Run
-    tolerance : mapping
-        `relative` and `absolute`, per step, in the maximum norm over beads.
-    after_block : callable, optional
-        Called with the run after every `STEPS_PER_BLOCK` steps and at the end.
+    The tolerance is `relative` and `absolute`, per step, in the maximum norm over beads;
+    `after_block` is called with the run after every `STEPS_PER_BLOCK` steps and at the end.
 
-    Returns
-    -------
-    ndarray, shape (steps,)
-        The times at which the steps ended.
-
-    Raises
-    ------
-    SolveError
-        If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
+    A SolveError says that the step size collapsed, that the state is no longer finite, or that for
+    α < 1 a contact opened.
     """
     relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
     blocks = []
@@ -142,29 +124,14 @@ def integrate(run, tolerance, after_block=lambda run: None):
     return np.concatenate(blocks)
 
 
-def integrate_in_halves(run, ends, after_block=lambda run: None):
+def integrate_in_halves(
+    run: Run, ends: np.ndarray, after_block: Callable[[Run], None] = lambda run: None
+) -> np.ndarray:
     """Advance a run to its end by two steps for each of another run of the same scene.
 
-    Where the error is one of truncation it is smaller by 2⁸, whatever limited the steps: accuracy,
+    `ends` are the times at which the steps of that run ended; returns those of the halves.  Where
+    the error is one of truncation it is smaller by 2⁸, whatever limited the steps: accuracy,
     stability, outputs or contacts.
-
-    Parameters
-    ----------
-    run : Run
-    ends : ndarray, shape (steps,)
-        Times at which the steps of the other run ended.
-    after_block : callable, optional
-        As of `integrate`.
-
-    Returns
-    -------
-    ndarray
-        The times at which the halves ended.
-
-    Raises
-    ------
-    SolveError
-        If the state is no longer finite.
     """
     halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
     halves = halves[halves > 0.0]
@@ -176,7 +143,7 @@ def integrate_in_halves(run, ends, after_block=lambda run: None):
     return halves
 
 
-def end_ramp(run):
+def end_ramp(run: Run) -> None:
     """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
     run.table[D, 1] += (run.law.proportional or 0.0) * run.clock.acceleration
     run.clock.acceleration = 0.0
@@ -204,7 +171,7 @@ def _advance(run, advance, after_block):
         raise SolveError(_cause(status, run))
 
 
-def make_boundary(scene):
+def make_boundary(scene: Mapping[str, Any]) -> Boundary:
     """Boundary conditions (25) or (26) of a scene, or its piston."""
     boundary = scene["boundary"]
     if boundary["kind"] == "ring":
@@ -215,7 +182,7 @@ def make_boundary(scene):
     return Boundary(ring=False, left=float(boundary["left"]), right=float(boundary["right"]))
 
 
-def initial_state(scene, boundary):
+def initial_state(scene: Mapping[str, Any], boundary: Boundary) -> tuple[np.ndarray, np.ndarray]:
     """Relative displacements and velocities at t = 0, both of shape (N,)."""
     beads, start = scene["beads"], scene["start"]
     u, velocity = np.zeros(beads), np.zeros(beads)
@@ -230,29 +197,22 @@ def initial_state(scene, boundary):
     return u, velocity
 
 
-def make_chain(law, boundary, u, velocity):
-    """A chain in memory at t = 0, with the forces of held contacts in place.
+def make_chain(
+    law: Law, boundary: Boundary, u: np.ndarray, velocity: np.ndarray
+) -> tuple[np.record, np.ndarray]:
+    """A record `state.CHAIN` at t = 0 and its table, with the forces of held contacts in place.
 
-    Parameters
-    ----------
-    law : model.laws.Law
-    boundary : equations.Boundary
-    u, velocity : ndarray, shape (N,)
-        Relative displacements and velocities; with an end on the right u_N is the held value.
-
-    Returns
-    -------
-    chain : record
-        Of type `state.CHAIN`.
-    table : ndarray
-        Its rows.
+    u and velocity have the shape (N,); with an end on the right u_N is the held value.
     """
-    beads, chain = u.size, np.zeros(1, CHAIN)[0]
-    chain["law"] = compile_law(law)
-    chain.beads, chain.contacts = beads, beads if boundary.ring else beads - 1
-    chain.ahead = boundary.right
-    has_slack = is_at_rest_without_stiffness(law, boundary.right)
-    chain.margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
+    beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
+    chain = make_record(
+        CHAIN,
+        law=compile_law(law),
+        beads=beads,
+        contacts=beads if boundary.ring else beads - 1,
+        ahead=boundary.right,
+        margin=MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1,
+    )
     chain.clock.h = FIRST_STEP
     if boundary.piston:
         chain.piston = True
@@ -271,7 +231,58 @@ def make_chain(law, boundary, u, velocity):
     return chain, table
 
 
-def work_done(clock):
+def compile_law(law: Law) -> np.record:
+    """What the kernels know of a law, a record of type `state.LAW`.
+
+    It is an InputError if the law has more kinks or parameters than the record has room for, or if
+    a user's function cannot be compiled or has changed since.
+    """
+    record = make_record(LAW)
+    ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
+    record.single = ratio is not None
+    record.gamma = ratio if record.single else 1.0
+    record.elastic = row_map(law.elastic, 1)
+    record.stage_pass = stage_pass(law.elastic) if record.single else 0
+    _fill_parameters(record.elastic_parameters, law.elastic)
+    if not record.single:
+        record.viscous = row_map(law.viscous, 1)
+        _fill_parameters(record.viscous_parameters, law.viscous)
+    if kinks.size > MOST_KINKS:
+        raise InputError(
+            f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
+            f"chain has room for {MOST_KINKS}: declare those alone that its contacts pass."
+        )
+    record.kink_count = kinks.size
+    record.kinks[: kinks.size] = kinks
+    record.has_stiff_kinks = any(np.isinf(law.elastic.second(kink)) for kink in law.kinks)
+    record.attraction = _acts_in_extension(law)
+    return record
+
+
+def _fill_parameters(room, potential):
+    """Write the parameters of the force of a potential."""
+    parameters = row_parameters(potential, 1)
+    if parameters.size > MOST_PARAMETERS:
+        raise InputError(
+            f"{potential.name} has {parameters.size} parameters with its factor, but a chain has "
+            f"room for {MOST_PARAMETERS}: make some of them constants of its kind."
+        )
+    room[: parameters.size] = parameters
+
+
+def _acts_in_extension(law):
+    """Whether an extended contact exerts a force."""
+    extension = min(SMALL_EXTENSION, 0.5 * law.domain[1])
+    return extension > 0.0 and law.elastic.first(extension) != 0.0
+
+
+@functools.lru_cache(maxsize=256)
+def _is_at_rest_without_stiffness(law, u):
+    """Whether small disturbances of the compression u exert no force to first order."""
+    return law.elastic.second(-u) == 0.0 and law.viscous.second(-u) == 0.0
+
+
+def work_done(clock: np.record) -> dict[str, int]:
     """Steps and right-hand sides so far, as a dict."""
     return {
         "steps_accepted": int(clock.accepted),

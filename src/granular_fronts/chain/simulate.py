@@ -27,8 +27,8 @@ from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, w
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
+from granular_fronts.scenes.chain import size_of_chain
 from granular_fronts.scenes.limits import show_time
-from granular_fronts.scenes.sizes import size_of_chain
 from granular_fronts.scenes.validation import check_scene
 
 LONG = 60.0
@@ -44,27 +44,13 @@ TERMS = {
 
 
 class Solution(NamedTuple):
-    """One integration of a scene.
-
-    Attributes
-    ----------
-    dataset : xarray.Dataset
-        Everything recorded.
-    counts : dict
-        Work: steps accepted, rejected, cut at contacts; right-hand sides.
-    drifts : dict
-        Largest relative drift of the balance laws.
-    recording : chain.recorder.Recording
-        As the integrator left it.
-    ends : ndarray, shape (steps,)
-        Times at which the steps ended.
-    """
+    """One integration of a scene."""
 
     dataset: xr.Dataset
-    counts: dict
-    drifts: dict
-    recording: Recording
-    ends: np.ndarray
+    counts: dict  # Steps accepted, rejected, cut at contacts; right-hand sides.
+    drifts: dict  # Largest relative drift of the balance laws.
+    recording: Recording  # As the integrator left it.
+    ends: np.ndarray  # Times at which the steps ended.
 
 
 def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
@@ -102,29 +88,15 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
 
 
 def simulate_once(scene, name="given"):
-    """Integrate one chain scene at its tolerance, for measures with error estimates of their own.
-
-    Parameters, result and errors are those of `simulate_chain`, but that no variable carries an
-    error estimate.
-    """
+    """Integrate like `simulate_chain`, but once, for measures with error estimates of their own."""
     scene = check_scene("chain", scene, name)
     return solve(scene, scene["tolerance"], f"scene {name}, solving").dataset
 
 
 def solve(scene, tolerance, activity="solving"):
-    """Integrate a checked scene once, at the given tolerance.
+    """Integrate a checked scene once, at a `relative` and `absolute` tolerance per step.
 
-    Parameters
-    ----------
-    scene : mapping
-    tolerance : mapping
-        `relative` and `absolute`, per step, in the maximum norm over beads.
-    activity : str
-        What the progress line and a failure are headed with.
-
-    Returns
-    -------
-    Solution
+    The activity heads the progress line and the sentence of a failure.
     """
     return _follow(scene, activity, integrate, tolerance)
 

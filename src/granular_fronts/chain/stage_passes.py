@@ -36,19 +36,19 @@ STAGE_PASS = types.void(DOUBLES, *[types.int64] * 4, types.float64, DOUBLES, DOU
 
 
 @subroutine(forceinline=True)
-def first_five(w):
+def _first_five(w):
     """The first five weights as numbers, which a store into a row cannot change."""
     return w[0], w[1], w[2], w[3], w[4]
 
 
 @subroutine(forceinline=True)
-def all_ten(w):
+def _all_ten(w):
     """All ten weights."""
     return w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7], w[8], w[9]
 
 
 @subroutine(fastmath=CONTRACT, forceinline=True)
-def weighted_sum(table, source, other, factor, first, weights, n):
+def _weighted_sum(table, source, other, factor, first, weights, n):
     """The sum of one contact, in two chains that need not wait for each other."""
     value, rest = table[source, n], factor * table[other, n]
     for j in range(0, len(weights) - 1, 2):
@@ -68,33 +68,26 @@ def sum_rows(table, target, source, other, factor, window, weights, last):
     """
     first, terms = uint64(window[0]), window[1]
     if terms == SHORT:
-        five = first_five(weights)
+        five = _first_five(weights)
         for n in range(uint64(1), uint64(last + 1)):
-            table[target, n] = weighted_sum(table, source, other, factor, first, five, n)
+            table[target, n] = _weighted_sum(table, source, other, factor, first, five, n)
         return
-    ten = all_ten(weights)
+    ten = _all_ten(weights)
     for n in range(uint64(1), uint64(last + 1)):
-        table[target, n] = weighted_sum(table, source, other, factor, first, ten, n)
+        table[target, n] = _weighted_sum(table, source, other, factor, first, ten, n)
 
 
 def stage_pass(potential):
     """Address of the loop that sums rows and takes the force of the sum; 0 if there is none.
 
-    Parameters
-    ----------
-    potential : model.potentials.Potential
-
-    Returns
-    -------
-    int
-        Valid as long as the process; `call_stage_pass` calls it, with the potential's
-        `row_parameters`.
+    It is valid as long as the process; `call_stage_pass` calls it, with the potential's
+    `row_parameters`.
     """
     if potential.kind == GIVEN:
         return 0
     shape = potential.shape
     if shape is kinds.hertz:
-        shape = root_slope if potential.parameters == (1.5,) else power_slope
+        shape = _root_slope if potential.parameters == (1.5,) else _power_slope
     return _pass_of_shape(shape, len(potential.parameters)).address
 
 
@@ -105,13 +98,13 @@ def _pass_of_shape(shape, count):
     return callback(STAGE_PASS, error_model="numpy", fastmath=CONTRACT)(_loop(shape, 1 + count))
 
 
-def root_slope(r, order, p):
+def _root_slope(r, order, p):
     """(−r)₊^{3/2}, Hertz's own power, in the form of a shape."""
     compression = -r if -r > NEGLIGIBLE else 0.0
     return compression * math.sqrt(compression)
 
 
-def power_slope(r, order, p):
+def _power_slope(r, order, p):
     """(−r)₊^α, p = (α,), in the form of a shape."""
     # Taken of every number, so that there is no branch and the loop is vectorised.
     whole = power(-r, p[0])
@@ -128,14 +121,14 @@ def _loop(shape, size):
         table = carray(rows, (ROWS_OF_SINGLE, columns))
         numbers = to_fixed_tuple(carray(parameters, size), size)
         if terms == SHORT:
-            five = first_five(carray(weights, LONG))
+            five = _first_five(carray(weights, LONG))
             for n in range(uint64(1), uint64(last + 1)):
-                value = weighted_sum(table, U, D, factor, uint64(first), five, n)
+                value = _weighted_sum(table, U, D, factor, uint64(first), five, n)
                 table[FORCE, n] = numbers[0] * shape(-value, 1, numbers[1:])
             return
-        ten = all_ten(carray(weights, LONG))
+        ten = _all_ten(carray(weights, LONG))
         for n in range(uint64(1), uint64(last + 1)):
-            value = weighted_sum(table, U, D, factor, uint64(first), ten, n)
+            value = _weighted_sum(table, U, D, factor, uint64(first), ten, n)
             table[FORCE, n] = numbers[0] * shape(-value, 1, numbers[1:])
 
     return sum_and_take_force

@@ -25,6 +25,7 @@ import math
 
 import numpy as np
 
+from granular_fronts.numerics.records import record_type
 from granular_fronts.numerics.runge_kutta import LONG, SLOPES, STAGES
 
 # As numpy integers, so that kernels are compiled once and not for each row.
@@ -34,11 +35,6 @@ VISCOUS_SLOPES = ELASTIC_SLOPES + SLOPES
 ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 
 MOST_PARAMETERS, MOST_KINKS = 8, 8
-
-
-def record_type(*fields):
-    """A type of records whose fields are attributes, in Python as in kernels."""
-    return np.dtype((np.record, np.dtype(list(fields), align=True)))
 
 
 LAW = record_type(
@@ -82,8 +78,6 @@ CHAIN = record_type(
 is a piston; compression ahead of the active window, and how many beads the window reaches beyond
 the last one that moves; weights of the slopes in every stage of the present step; room for the law
 at a single compression.
-
-A record is passed to kernels by its address: unlike a tuple of arrays it costs nothing to hand on.
 """
 
 

@@ -36,11 +36,23 @@ Active window.  Ahead of bead `reach` every contact is at rest, compressed by th
 is not visited.
 
 Slopes.  A single law (`state`) stores :math:`\Delta_d F` alone; other laws :math:`\Delta_d G` too.
+
+End of a step.  With the weights b of the pair, those of its error estimates e, and the slopes k and
+g of the elastic and viscous forces (`numerics.runge_kutta`),
+
+.. math:: d^+ = d + h\, b\cdot k, \qquad u^+ = u + h\,d + h\, b\cdot g + h^2\, bA\cdot k .
+
+Error of a step.  Its estimates in d are :math:`h\,e\cdot k`; in u they are, where
+:math:`G = \gamma F`, γ times as large, with another sum of the slopes k that is about h times as
+large.  One sum, measured against the smaller of scale_d and scale_u/(γ + h), serves both.  Where G
+has slopes g of its own, :math:`h\,e\cdot g` is measured against scale_u beside it, and γ is 0.
 """
+
+import math
+from typing import NamedTuple
 
 from numba import int64, uint64
 
-from granular_fronts.chain.new_state import finish
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import (
     DAMPING,
@@ -56,6 +68,7 @@ from granular_fronts.chain.state import (
 )
 from granular_fronts.model.passes import NEGLIGIBLE, call_row_map
 from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.bits import bits_of, double_of
 from granular_fronts.numerics.compiled import kernel, subroutine
 
 # Loops run over whole vector registers; a remainder costs as much as a block.
@@ -70,7 +83,7 @@ _A, _A_SQUARED = rk.A_WINDOWS.ravel(), rk.A_SQUARED_WINDOWS.ravel()
 
 
 @subroutine
-def set_weights(chain, h):
+def _set_weights(chain, h):
     """Weights of the slopes in the stages of a step h."""
     single, h_gamma, h_squared = chain.law.single, h * chain.law.gamma, h * h
     elastic, viscous = chain.elastic_weights.ravel(), chain.viscous_weights.ravel()
@@ -102,7 +115,7 @@ def laplacian(chain, table, source, target, shift, first, last):
 
 
 @subroutine(fastmath=_REDUCE, forceinline=True)
-def laplacian_and_squares(chain, table, source, target, shift, reach):
+def _laplacian_and_squares(chain, table, source, target, shift, reach):
     """Do the same for the beads 1 … reach, and return the sum of the squares (f_{n-1} − f_n)²."""
     close(chain, table, source, shift)
     total = 0.0
@@ -115,7 +128,7 @@ def laplacian_and_squares(chain, table, source, target, shift, reach):
 
 
 @subroutine(fastmath=_REDUCE, forceinline=True)
-def sum_of_products(table, reach):
+def _sum_of_products(table, reach):
     """Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads 1 … reach."""
     total = 0.0
     for n in range(uint64(1), uint64(reach + 1)):
@@ -125,7 +138,7 @@ def sum_of_products(table, reach):
 
 
 @subroutine(forceinline=True)
-def difference_forces(chain, table, slot, reach, with_power):
+def _difference_forces(chain, table, slot, reach, with_power):
     """Slopes of the present forces into a slot; returns the power dissipated, if asked for it.
 
     It is the sum over beads in the energy balance of `equations`: with a piston it begins with bead
@@ -137,7 +150,7 @@ def difference_forces(chain, table, slot, reach, with_power):
         if not with_power:
             laplacian(chain, table, FORCE, target, acceleration, int64(1), reach)
             return 0.0
-        squares = laplacian_and_squares(chain, table, FORCE, target, acceleration, reach)
+        squares = _laplacian_and_squares(chain, table, FORCE, target, acceleration, reach)
         if chain.piston:
             squares -= acceleration * (acceleration + table[FORCE, 1])
         return gamma * squares
@@ -145,7 +158,7 @@ def difference_forces(chain, table, slot, reach, with_power):
     laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, int64(1), reach)
     if not with_power:
         return 0.0
-    return sum_of_products(table, reach) - acceleration * table[DAMPING, 1]
+    return _sum_of_products(table, reach) - acceleration * table[DAMPING, 1]
 
 
 @subroutine(forceinline=True)
@@ -155,11 +168,11 @@ def take_slopes(chain, table, source, slot, reach, with_power):
     call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
     if not law.single:
         call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
-    return difference_forces(chain, table, slot, reach, with_power)
+    return _difference_forces(chain, table, slot, reach, with_power)
 
 
 @subroutine(forceinline=True)
-def take_stage(chain, table, row, h, reach, with_power):
+def _take_stage(chain, table, row, h, reach, with_power):
     """Slopes of stage `row` from those of the stages before it; returns the power, if asked for."""
     law, last = chain.law, min(reach, chain.contacts)
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
@@ -168,7 +181,7 @@ def take_stage(chain, table, row, h, reach, with_power):
         call_stage_pass(
             law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
         )
-        return difference_forces(chain, table, rk.SLOT[row], reach, with_power)
+        return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
     if law.single:
         sum_rows(table, VALUE, U, D, factor, elastic, weights, last)
     else:
@@ -176,6 +189,117 @@ def take_stage(chain, table, row, h, reach, with_power):
         viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
         sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
     return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
+
+
+class Largest(NamedTuple):
+    """Maxima over beads, from one step."""
+
+    # Of the error estimates of order 5 and 3 from the elastic slopes, and from the viscous slopes,
+    # which are 0 for a single law.
+    fifth: float
+    third: float
+    fifth_viscous: float
+    third_viscous: float
+    # Of u and |d| at the start of the step; of |u| if the law acts in extension too.
+    compression: float
+    rate: float
+    # Of |u| + |d| at its end; NaN or infinite if any bead is.
+    state: float
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _final_sum(table, slopes, weights, n):
+    """Weighted sum of the slopes of bead n over the final stages."""
+    total = 0.0
+    for j in range(len(weights)):
+        total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
+    return total
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _add_elastic(chain, table, h, first, last):
+    """New state from the elastic slopes, and `Largest`, for the beads first … last.
+
+    Non-negative doubles are ordered like their bits read as integers, with NaN above all: integer
+    maxima vectorise, and no NaN is lost in them.
+    """
+    slopes = uint64(ELASTIC_SLOPES)
+    h_gamma, h_squared = (h * chain.law.gamma if chain.law.single else 0.0), h * h
+    attraction = chain.law.attraction
+    fifth = third = compression = rate = total = int64(0)
+    for n in range(uint64(first), uint64(last + 1)):
+        b, b_a = (
+            _final_sum(table, slopes, rk.FINAL_B, n),
+            _final_sum(table, slopes, rk.FINAL_B_A, n),
+        )
+        u, d = table[U, n], table[D, n]
+        new_u, new_d = u + (h * d + (h_gamma * b + h_squared * b_a)), d + h * b
+        table[NEW_U, n], table[NEW_D, n] = new_u, new_d
+        fifth = max(fifth, bits_of(abs(_final_sum(table, slopes, rk.FINAL_5, n))))
+        third = max(third, bits_of(abs(_final_sum(table, slopes, rk.FINAL_3, n))))
+        compression = max(compression, bits_of(max(u, -attraction * u)))
+        rate = max(rate, bits_of(abs(d)))
+        total = max(total, bits_of(abs(new_u) + abs(new_d)))
+    return Largest(
+        h * double_of(fifth),
+        h * double_of(third),
+        0.0,
+        0.0,
+        double_of(compression),
+        double_of(rate),
+        double_of(total),
+    )
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _add_viscous(chain, table, h, first, last):
+    """Add the viscous slopes to the new u; the largest estimates of order 5 and 3."""
+    slopes = uint64(VISCOUS_SLOPES)
+    fifth = third = int64(0)
+    for n in range(uint64(first), uint64(last + 1)):
+        table[NEW_U, n] += h * _final_sum(table, slopes, rk.FINAL_B, n)
+        fifth = max(fifth, bits_of(abs(_final_sum(table, slopes, rk.FINAL_5, n))))
+        third = max(third, bits_of(abs(_final_sum(table, slopes, rk.FINAL_3, n))))
+    return h * double_of(fifth), h * double_of(third)
+
+
+@subroutine(forceinline=True)
+def finish(chain, table, h, first, last):
+    """New state of the beads first … last, and their `Largest`."""
+    largest = _add_elastic(chain, table, h, first, last)
+    if chain.law.single:
+        return largest
+    fifth, third = _add_viscous(chain, table, h, first, last)
+    return Largest(
+        largest.fifth,
+        largest.third,
+        fifth,
+        third,
+        largest.compression,
+        largest.rate,
+        # NaN where the viscous slopes are.
+        largest.state + 0.0 * fifth,
+    )
+
+
+@subroutine
+def error_norm(law, largest, h, relative, absolute):
+    """Error of the step in units of the tolerance, in the maximum norm over beads.
+
+    u and d are each measured against absolute + relative × (largest u, largest |d|), and the
+    estimates of order 5 and 3 are combined as in DOP853.  NaN if the new state is not finite.
+    """
+    if not math.isfinite(largest.state):
+        return math.nan
+    scale_u = absolute + relative * largest.compression
+    scale_d = absolute + relative * largest.rate
+    scale = min(scale_d, scale_u / (h + (law.gamma if law.single else 0.0)))
+    fifth = max(largest.fifth / scale, largest.fifth_viscous / scale_u)
+    third = max(largest.third / scale, largest.third_viscous / scale_u)
+    if fifth == 0.0:
+        return 0.0
+    ratio = 0.1 * third / fifth
+    return fifth / math.sqrt(1.0 + ratio * ratio)
 
 
 @subroutine(forceinline=True)
@@ -187,11 +311,11 @@ def try_step(chain, table, h, reach, with_energy):
     pressure at the ends entry N holds the last bead; it drives nothing but itself, so that it stays
     outside the error norm.
     """
-    set_weights(chain, h)
+    _set_weights(chain, h)
     energy = rk.B[0] * chain.clock.power
     for row in range(1, rk.STAGES):
         with_power = with_energy and rk.B[row] != 0.0
-        energy += rk.B[row] * take_stage(chain, table, row, h, reach, with_power)
+        energy += rk.B[row] * _take_stage(chain, table, row, h, reach, with_power)
     last = min(reach, chain.contacts)
     if reach > last:
         finish(chain, table, h, reach, reach)

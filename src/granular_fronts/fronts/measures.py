@@ -8,8 +8,7 @@ import numpy as np
 
 from granular_fronts.accuracy import Estimate, estimate, recorded
 
-FEW_DIGITS = 1.0e-14
-"""Relative error of critical damping, a few units of the last digit."""
+FEW_DIGITS = 1.0e-14  # relative error of critical damping, a few units of the last digit
 
 
 def force_overshoot(front):
@@ -55,12 +54,7 @@ def _vertex(values, sign):
 def distance(front, field, limit):
     """Largest difference of a continuum front to the exact one, over the jump of the field.
 
-    Parameters
-    ----------
-    front : xarray.Dataset
-    field : {"relative_displacement", "velocity"}
-    limit : {"logarithmic", "unlimited", "heteroclinic"}
-        (45) with (48), (46) with (44), or the front of section 5.
+    The limit is logarithmic, (45) with (48), unlimited, (46) with (44), or heteroclinic, section 5.
     """
     value = front[f"{field}_{limit}"]
     errors = value.attrs["error_estimate"] + front[field].attrs["error_estimate"]
@@ -103,9 +97,7 @@ def width_power(trends):
     The error is the change from the next pair.
     """
     closest = trends["width_of_exponent"].sortby("exponent")[:3]
-    alpha = closest["exponent"].values
-    logarithms = np.log(1.0 - 1.0 / alpha), np.log(closest.values)
-    return estimate(*np.diff(logarithms[1]) / np.diff(logarithms[0]))
+    return estimate(*_powers(1.0 - 1.0 / closest["exponent"].values, closest.values))
 
 
 def narrowing(trends):
@@ -145,6 +137,10 @@ def strong_damping_power(survey, alpha):
     The error is the change from the pair before.
     """
     distance = survey["distance_unlimited"].sel(alpha=alpha)[-3:]
-    logarithms = np.log(distance["gamma"].values), np.log(distance.values)
-    before, last = np.diff(logarithms[1]) / np.diff(logarithms[0])
+    before, last = _powers(distance["gamma"].values, distance.values)
     return estimate(last, before)
+
+
+def _powers(x, y):
+    """Powers of x that y follows between neighbours."""
+    return np.diff(np.log(y)) / np.diff(np.log(x))

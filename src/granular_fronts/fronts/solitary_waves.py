@@ -20,47 +20,21 @@ import numpy as np
 from granular_fronts.errors import SolveError
 
 POINTS_PER_BEAD = 16
-HALF_PERIOD = 12.0
-"""Half the period, in units of s, where the Gaussian is 1e-16."""
-
-SETTLED = 1.0e-14
+HALF_PERIOD = 12.0  # in units of s, where the Gaussian is 1e-16
+SETTLED = 1.0e-14  # largest change of u
 ITERATIONS = 100_000
 
 
 class SolitaryWave(NamedTuple):
-    """A wave on its grid, even in ξ; relative displacements over those of c = 1.
-
-    Attributes
-    ----------
-    xi, u : ndarray, shape (points,)
-    residual : float
-        Largest |u − K * u^α|.
-    """
+    """A wave on its grid, even in ξ; relative displacements over those of c = 1."""
 
     xi: np.ndarray
     u: np.ndarray
-    residual: float
+    residual: float  # largest |u − K * u^α|
 
 
 def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
-    """Solve for the solitary wave of speed 1.
-
-    Parameters
-    ----------
-    alpha : float
-        Exponent of the elastic force, above 1.
-    points_per_bead : int, optional
-        A refined grid checks the result.
-
-    Returns
-    -------
-    SolitaryWave
-
-    Raises
-    ------
-    SolveError
-        If the iteration does not settle.
-    """
+    """The solitary wave of speed 1; a refined grid checks it."""
     rate = 2.0 * np.sqrt(3.0 * (1.0 - 1.0 / alpha))
     half = np.ceil(max(HALF_PERIOD / rate, 4.0))
     points = int(2 * half * points_per_bead)
@@ -85,13 +59,5 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
 
 
 def gaussian(alpha, xi):
-    """Relative displacement u = y^(1/α) of the Gaussian of Remark 8.
-
-    Parameters
-    ----------
-    alpha : float
-        Above 1.
-    xi : ndarray
-        Distance from the peak in beads.
-    """
+    """Relative displacement u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
     return np.exp((0.5 - 3.0 * (1.0 - 1.0 / alpha) * xi**2) / alpha)

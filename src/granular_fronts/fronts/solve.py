@@ -18,16 +18,10 @@ import xarray as xr
 from granular_fronts.accuracy import EPSILON, refined_by
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
-from granular_fronts.fronts.profile.equation import (
-    FrontProblem,
-    front_problem,
-    normalise,
-    power_speed,
-)
+from granular_fronts.fronts.profile.equation import FrontProblem, front_problem, power_problem
 from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
 from granular_fronts.fronts.properties import MEASURES, errors_of_measures, measure, velocity
 from granular_fronts.fronts.shooting import solve as shooting
-from granular_fronts.fronts.shooting.sampling import sample_front
 from granular_fronts.fronts.validation import (
     check_front,
     check_given_law,
@@ -43,8 +37,7 @@ from granular_fronts.output.datasets import name_variables
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-ACCEPTED_ERROR = 1e-12
-"""Error of the strain, relative to the larger state, up to which a front is called converged."""
+ACCEPTED_ERROR = 1e-12  # of the strain of a converged front, relative to the larger state
 
 ERROR_METHODS = {
     "profile": f"largest difference to a solution with {REFINED_ORDER} instead of {ORDER} points "
@@ -66,25 +59,14 @@ class Question(NamedTuple):
 
 
 class Solution(NamedTuple):
-    """A front by either method.
-
-    Attributes
-    ----------
-    problem : equation.FrontProblem
-    spacing : float
-    xi, s, velocity : ndarray, shape (points,)
-        On a uniform grid; the velocity ẋ in the units of the law.
-    residuals : ndarray
-        Largest residual before each step and after the last.
-    speed_defect : float
-    """
+    """A front by either method, on a uniform grid."""
 
     problem: FrontProblem
     spacing: float
     xi: np.ndarray
     s: np.ndarray
-    velocity: np.ndarray
-    residuals: np.ndarray
+    velocity: np.ndarray  # ẋ in the units of the law
+    residuals: np.ndarray  # the largest before each step and after the last
     speed_defect: float
 
 
@@ -158,17 +140,14 @@ def solve_front(
             )
         question = Question(given, behind, ahead, front_problem(given, behind, ahead))
     else:
-        question = _question_of_powers(check_law(alpha, gamma, beta), right_state)
+        alpha, gamma, beta = check_law(alpha, gamma, beta)
+        given = make_law(alpha=alpha, beta=beta, gamma=gamma)
+        problem = power_problem(alpha, gamma, beta, right_state)
+        question = Question(given, -1.0, 0.0 - right_state, problem)
     try:
         return _describe(method, question, *METHODS[method](question))
     except NoFrontError as failure:
         return _describe_failure(method, question, str(failure))
-
-
-def _question_of_powers(powers, right_state):
-    alpha, gamma, beta = powers
-    law, ahead = make_law(alpha=alpha, beta=beta, gamma=gamma), 0.0 - right_state
-    return Question(law, -1.0, ahead, normalise(law, -1.0, ahead, power_speed(alpha, right_state)))
 
 
 def evaluate_front(
@@ -204,7 +183,7 @@ def evaluate_front(
     return interpolate_all(values, positions, values[0], values[-1], middle).reshape(xi.shape)
 
 
-def by_profile(question):
+def _by_profile(question):
     """A front and its refinement by the profile equation."""
     profiles = refined_by(
         lambda found: _settled(refine(found)), _settled(solve_profile(question.problem))
@@ -229,7 +208,7 @@ def _settled(profile):
     return profile
 
 
-def by_shooting(question):
+def _by_shooting(question):
     """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
     law = question.law
     if not (law.is_power and question.behind == -1.0):
@@ -252,7 +231,7 @@ def by_shooting(question):
         Solution(
             question.problem,
             1.0 / points,
-            *sample_front(found, points),
+            *shooting.sample_front(found, points),
             found.residuals,
             0.0,
         )
@@ -266,7 +245,7 @@ def _converged(shot):
     return shot
 
 
-METHODS = {"profile": by_profile, "shooting": by_shooting}
+METHODS = {"profile": _by_profile, "shooting": _by_shooting}
 
 
 def _describe(method, question, solution, refined):

@@ -12,13 +12,19 @@ from granular_fronts.arguments import instance, scalar, sequence
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import make_law
 
-SAME = 1e-9
-"""By how much an untouched front may be off, over its spacing or its larger state."""
+SAME = 1e-9  # by how much an untouched front may be off, over its spacing or its larger state
 
 
 def check_law(alpha, gamma, beta=None):
     """The law of a front as three floats, beta = alpha by default."""
-    return check_alpha(alpha), check_gamma(gamma), check_beta(alpha, beta)
+    alpha = check_alpha(alpha)
+    gamma = scalar(
+        "gamma",
+        gamma,
+        above=0.0,
+        advice="a conservative chain whose V''' keeps one sign has no fronts, so give a damping",
+    )
+    return alpha, gamma, check_beta(alpha, beta)
 
 
 def check_alpha(alpha):
@@ -29,16 +35,6 @@ def check_alpha(alpha):
         above=1.0,
         advice="a linear chain (alpha = 1) has no fronts, eq. (18), and for alpha < 1 the front "
         "runs the other way, eq. (21)",
-    )
-
-
-def check_gamma(gamma):
-    """The damping gamma as a float above 0."""
-    return scalar(
-        "gamma",
-        gamma,
-        above=0.0,
-        advice="a conservative chain whose V''' keeps one sign has no fronts, so give a damping",
     )
 
 
@@ -65,18 +61,7 @@ def check_right_state(right_state):
 
 
 def is_given_by_law(powers, parts):
-    """Whether a front is given by a law and its states, not by the numbers of two powers.
-
-    Parameters
-    ----------
-    powers, parts : dict
-        Arguments of either form by name; None where one is not given.
-
-    Raises
-    ------
-    InputError
-        If both forms are mixed.
-    """
+    """Whether a front is given by a law with its states; if not, by numbers of two powers."""
     powers, parts = (
         [name for name, value in form.items() if value is not None] for form in (powers, parts)
     )

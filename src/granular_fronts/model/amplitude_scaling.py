@@ -32,19 +32,12 @@ from typing import NamedTuple
 
 from granular_fronts.arguments import scalar
 
+SMALLEST_DAMPING = 1.0e-280
+"""Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits."""
+
 
 class SlowScales(NamedTuple):
-    """Scales between the chain and its amplitude equations; all dimensionless.
-
-    Attributes
-    ----------
-    alpha : float
-        Exponent of the contact law, above 1.
-    gamma : float
-        Strength of the viscous force, above 0.
-    delta : float
-        Reference relative displacement δ, above 0.
-    """
+    """Scales for α above 1, γ above 0 and the reference relative displacement δ above 0."""
 
     alpha: float
     gamma: float
@@ -98,37 +91,21 @@ class SlowScales(NamedTuple):
         return self.velocity_scale * y
 
     def corrected_velocity(self, y, slope, flux):
-        """Velocity ẋ_n to first order, up to a constant.
+        """Velocity ẋ_n to first order, up to a constant, from y, ∂y/∂ξ and the flux y ln y of (41).
 
-        Parameters
-        ----------
-        y, slope, flux : float or ndarray
-            Rescaled force, ∂y/∂ξ, and y ln y, the flux of (41).  With `flux` equal to `slope`, as
-            in a stationary wave, this is (43).
+        With `flux` equal to `slope`, as in a stationary wave, this is (43).
         """
         damped = self.gamma * self.speed * (slope + flux)
         return self.velocity_scale * (y - 0.5 * self.epsilon * (slope + damped))
 
     def front_velocity(self, u):
-        """Velocity ẋ_n of a stationary front, (44) and (48).
-
-        Parameters
-        ----------
-        u : float or ndarray
-            y^(1/α), from 0 to 1.
-        """
+        """Velocity ẋ_n of a stationary front, (44) and (48), from u = y^(1/α)."""
         correction = (u**self.alpha - u) / (2.0 * self.gamma * self.speed)
         return self.velocity_scale * (u - correction)
 
 
 def make_slow_scales(alpha, gamma, delta):
-    """Scales of section 4, for possible parameters only.
-
-    Raises
-    ------
-    InputError
-        Unless α > 1, γ > 0 and δ > 0.
-    """
+    """Scales of section 4; an InputError unless α > 1, γ > 0 and δ > 0."""
     return SlowScales(
         scalar(
             "alpha",
@@ -152,7 +129,7 @@ def scaling_of(scene):
 
 
 def gamma_for(alpha, delta, *, damping=None, epsilon=None, ratio=None, mu=None):
-    r"""Strength γ of the viscous force that gives one dimensionless number of section 4 or 5.
+    r"""Strength γ of the viscous force that gives one of γc, ε, ε/γc and μ, for α and δ.
 
     Since :math:`\varepsilon\gamma c = \kappa = 1 - 1/\alpha` and
     :math:`\mu = 2\sqrt3\,\gamma c\,\kappa^{-1/2}` (55), each of them fixes γc:
@@ -162,17 +139,6 @@ def gamma_for(alpha, delta, *, damping=None, epsilon=None, ratio=None, mu=None):
         = \frac{\mu\,\kappa^{1/2}}{2\sqrt3} .
 
     The last two are one: :math:`\varepsilon/\gamma c = 12/\mu^2`.
-
-    Parameters
-    ----------
-    alpha, delta : float
-        Exponent, above 1, and reference relative displacement, above 0.
-    damping, epsilon, ratio, mu : float
-        One of γc, ε, ε/γc and μ, above 0.
-
-    Returns
-    -------
-    float
     """
     kappa = 1.0 - 1.0 / alpha
     if epsilon is not None:

@@ -14,6 +14,8 @@ from granular_fronts.arguments import instance, sequence
 from granular_fronts.errors import InputError
 
 CHECKED_POINTS = 12
+"""Gauss nodes at which functions are compared with each other."""
+
 DIFFERENCE_STEP = 1.0e-4
 """Step of the finite differences, relative to the interval."""
 
@@ -22,7 +24,7 @@ DIFFERENCE_TOLERANCE = 1.0e-6
 
 
 def check_interval(interval):
-    """Both ends of an interval, in their order."""
+    """Both ends of an interval in order, as floats."""
     ends = sequence("interval", interval)
     if ends.size != 2 or not ends[0] < ends[1]:
         raise InputError(f"interval is {interval}, but its ends must increase: give them in order.")
@@ -53,7 +55,7 @@ def check_functions(functions, low, high, name):
 
 
 def _check_values(function, nodes, symbol, name):
-    """Raise if a function is not vectorised, or has no finite value at a node."""
+    """Raise unless a function is vectorised, with finite real values at the nodes."""
     try:
         with np.errstate(all="ignore"):
             found = np.asarray(function(nodes))

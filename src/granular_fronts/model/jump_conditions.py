@@ -48,10 +48,9 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.model.potentials import Potential
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # exact for polynomials of degree 47
 SPLIT = 0.4
 """Where the interval is cut in two; off the middle, since symmetry hides a kink there."""
-
 
 CLOSE_ENOUGH = 1.0e-13
 """Relative error at which the first of several ways is good enough."""
@@ -161,7 +160,6 @@ def jump_conditions(
 
 
 def _conditions(potential, R_minus, R_plus, mass, dissipation):
-    """The jump conditions of valid arguments."""
     stiffnesses = _stiffnesses(potential, R_minus, R_plus)
     _check_curvature(potential, stiffnesses)
     square = _squared_speed(potential, R_minus, R_plus)
@@ -188,12 +186,7 @@ def _conditions(potential, R_minus, R_plus, mass, dissipation):
 
 
 def signed_area(potential, R_minus, R_plus):
-    """S of eq. (17), the signed area (19) between the force and its chord.
-
-    Returns
-    -------
-    Estimate
-    """
+    """S of eq. (17), the signed area (19) between the force and its chord, an `Estimate`."""
     jump = R_plus - R_minus
 
     def from_third_derivative():
@@ -343,6 +336,7 @@ def _check_states(*potentials, **states):
 
 def _check_curvature(potential, stiffnesses):
     spread = stiffnesses.max() - stiffnesses.min()
+    # A few roundings of V'' are no curvature.
     if spread <= 8.0 * EPSILON * np.abs(stiffnesses).max():
         raise InputError(
             f"{potential.name} is quadratic between the states (V'' is {stiffnesses[0]:.6g} "

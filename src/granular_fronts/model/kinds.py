@@ -20,12 +20,12 @@ import numpy as np
 
 
 def exponential(x):
-    """e^x; `model.passes` compiles vector code for it."""
+    """e^x, for which `model.passes` compiles vector code."""
     return np.exp(x)
 
 
 def exponential_less_one(x):
-    """e^x − 1, where nothing cancels; `model.passes` compiles vector code for it."""
+    """e^x − 1 without cancellation, for which `model.passes` compiles vector code."""
     return np.expm1(x)
 
 
@@ -115,16 +115,9 @@ def lennard_jones(r, order, p):
 
 
 class Parameter(NamedTuple):
-    """A number that a kind has.
+    """A number that a kind has: its meaning for messages, and its limits, if any.
 
-    Attributes
-    ----------
-    meaning : str
-        In words, for messages.
-    default : float or None
-        None for one that must be given.
-    above, least : float or None
-        Limits, if any.
+    Without a default it must be given.
     """
 
     meaning: str
@@ -136,20 +129,10 @@ class Parameter(NamedTuple):
 class Kind(NamedTuple):
     """A potential by name, factor × shape.
 
-    Attributes
-    ----------
-    title : str
-        For messages.
-    shape : callable
-        ``shape(r, order, p)``.
-    parameters : mapping of str to Parameter
-        Those of the shape in the order of p, and the factor.
-    factor : str or None
-        The parameter that multiplies the shape; None for the factor 1.
-    kinks : tuple of float
-        Strains at which the shape is not smooth; chains locate their passages.
-    domain : callable
-        The open interval of r in which the shape holds, from p.
+    `title` is for messages; `shape` is a function ``shape(r, order, p)``; `parameters` are those of
+    the shape in the order of p, and `factor`, the one that multiplies it (None for the factor 1);
+    `kinks` are the strains at which the shape is not smooth, whose passages chains locate; `domain`
+    makes of p the open interval of r in which the shape holds.
     """
 
     title: str

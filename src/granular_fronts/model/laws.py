@@ -18,14 +18,19 @@ is :math:`\beta = \alpha`; and simon_hunt_crossley, :math:`\beta = \alpha + 1`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
-from granular_fronts.arguments import instance, scalar
+from granular_fronts.arguments import instance
 from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
-from granular_fronts.model.potentials import Potential, look_up, make_potential
+from granular_fronts.model.potentials import (
+    Potential,
+    checked_parameters,
+    look_up,
+    make_potential,
+)
 
 SHORT_FORM = ("alpha", "beta", "gamma")
 TWO_POTENTIALS = ("elastic", "viscous")
@@ -109,7 +114,6 @@ class Law:
         return self.viscous.describe()
 
     def _power_law(self):
-        """The law itself, if it has exponents."""
         if not self.is_power:
             raise InputError(
                 f"The law of {self.elastic.name} and {self.viscous.name} has no alpha, beta and "
@@ -182,23 +186,17 @@ def _make_long(elastic=None, viscous=None):
             "The law has no elastic potential: give elastic, with its kind, or alpha, beta, gamma."
         )
     elastic = _make_part("elastic", elastic, kinds.ELASTIC)
-    viscous = {"kind": "none"} if viscous is None else viscous
+    if viscous is None:
+        viscous = {"kind": "none"}
     if isinstance(viscous, Mapping) and viscous.get("kind") in DEPENDENT:
-        make, *wanted = DEPENDENT[viscous["kind"]]
+        kind = DEPENDENT[viscous["kind"]]
         given = {name: value for name, value in viscous.items() if name != "kind"}
-        for name in given:
-            look_up(name, f"parameter of {viscous['kind']}", dict.fromkeys(wanted))
-        for name in wanted:
-            if name not in given:
-                raise InputError(
-                    f"{viscous['kind']} has no {name}, {kinds.DAMPING.meaning}: give one."
-                )
-        return Law(elastic, make(elastic, **given))
+        values = checked_parameters(viscous["kind"], kind.parameters, given)
+        return Law(elastic, kind.make(elastic, **values))
     return Law(elastic, _make_part("viscous", viscous, kinds.KINDS | DEPENDENT))
 
 
 def _make_part(part, given, known):
-    """A potential from a mapping, or a user's own."""
     if isinstance(given, Potential):
         return given
     given = instance(part, given, Mapping, WAY_TO_A_POTENTIAL)
@@ -206,43 +204,37 @@ def _make_part(part, given, known):
     return make_potential(**given)
 
 
-# Viscous kinds that depend on the elastic potential, each with its parameters.
+class Dependent(NamedTuple):
+    """A viscous kind that depends on the elastic potential, of which `make` makes it."""
+
+    make: Callable[..., Potential]
+    parameters: Mapping[str, kinds.Parameter]
 
 
-def _none(elastic):
-    return make_potential("linear", gamma=0.0)
+def _of_hertz(kind, make):
+    """A dependent kind that belongs to Hertz potentials alone; it is made of α too."""
+
+    def make_of(elastic, gamma):
+        if elastic.shape is not kinds.hertz:
+            raise InputError(
+                f"The viscous potential is of kind {kind}, which belongs to the elastic kind "
+                f"hertz, but the elastic one is {elastic.name}: take kind proportional, or hertz."
+            )
+        return make(elastic, *elastic.parameters, gamma)
+
+    return Dependent(make_of, GAMMA)
 
 
-def _proportional(elastic, gamma):
-    return elastic.scaled(_damping(gamma))
-
-
-def _kuwabara_kono(elastic, gamma):
-    _exponent_of(elastic, "kuwabara_kono")
-    return elastic.scaled(_damping(gamma))
-
-
-def _simon_hunt_crossley(elastic, gamma):
-    beta = _exponent_of(elastic, "simon_hunt_crossley") + 1.0
-    return make_potential("power", beta=beta, gamma=_damping(gamma))
-
-
+GAMMA = {"gamma": kinds.DAMPING}
 DEPENDENT = {
-    "none": (_none,),
-    "proportional": (_proportional, "gamma"),
-    "kuwabara_kono": (_kuwabara_kono, "gamma"),
-    "simon_hunt_crossley": (_simon_hunt_crossley, "gamma"),
+    "none": Dependent(lambda elastic: make_potential("linear", gamma=0.0), {}),
+    "proportional": Dependent(lambda elastic, gamma: elastic.scaled(gamma), GAMMA),
+    "kuwabara_kono": _of_hertz(
+        "kuwabara_kono", lambda elastic, alpha, gamma: elastic.scaled(gamma)
+    ),
+    "simon_hunt_crossley": _of_hertz(
+        "simon_hunt_crossley",
+        lambda elastic, alpha, gamma: make_potential("power", beta=alpha + 1.0, gamma=gamma),
+    ),
 }
-
-
-def _damping(gamma):
-    return scalar("gamma", gamma, least=0.0, advice="give a damping")
-
-
-def _exponent_of(elastic, kind):
-    if elastic.shape is not kinds.hertz:
-        raise InputError(
-            f"The viscous potential is of kind {kind}, which belongs to the elastic kind hertz, "
-            f"but the elastic one is {elastic.name}: take kind proportional, or hertz."
-        )
-    return elastic.parameters[0]
+"""A further viscous kind that depends on V needs an entry here, and nothing elsewhere."""

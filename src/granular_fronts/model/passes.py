@@ -70,23 +70,11 @@ as many units of the last place as its exponent."""
 
 
 def row_map(potential, order):
-    """Address of the row map of a derivative of a potential.
+    """Address of the row map of a derivative of a potential, valid as long as the process.
 
-    Parameters
-    ----------
-    potential : granular_fronts.model.potentials.Potential
-    order : int
-        0 to 3: energy, force, its slope and the slope of that.
-
-    Returns
-    -------
-    int
-        Valid as long as the process; `call_row_map` calls it, with `row_parameters`.
-
-    Raises
-    ------
-    InputError
-        If numba cannot compile a user's function, or the compiled one gives other numbers.
+    The order is 0 to 3: energy, force, its slope and the slope of that; `call_row_map` calls it,
+    with `row_parameters`. An InputError says that numba cannot compile a user's function, or that
+    the compiled one gives other numbers.
     """
     if potential.kind != GIVEN:
         return _map_of_shape(potential.shape, order, len(potential.parameters)).address
@@ -107,18 +95,10 @@ def row_parameters(potential, order):
 
 @intrinsic
 def call_row_map(typing_context, address, u, result, first, last, parameters):
-    """Call a row map from a kernel.
+    """Call a row map from a kernel, for the contacts first … last, both included.
 
-    Parameters
-    ----------
-    address : int
-        From `row_map`.
-    u, result : ndarray, contiguous, or pointers
-        Compressions, and what the map makes of them: two rows that do not overlap.
-    first, last : int
-        First and last contact, both included.
-    parameters : ndarray
-        From `row_parameters`.
+    `u` and `result` are two contiguous rows that do not overlap, or pointers; `address` comes from
+    `row_map`, `parameters` from `row_parameters`.
     """
 
     def generate(context, builder, signature, arguments):

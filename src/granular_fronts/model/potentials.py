@@ -30,7 +30,7 @@ import numpy as np
 from granular_fronts.arguments import instance, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.model.given_functions import check_functions, check_interval, check_kinks
-from granular_fronts.model.kinds import KINDS
+from granular_fronts.model.kinds import KINDS, Parameter
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -146,7 +146,7 @@ class Potential:
 
     @classmethod
     def _of(cls, **attributes):
-        """A potential with these attributes, which are not checked."""
+        """A potential with these attributes, unchecked."""
         potential = object.__new__(cls)
         potential.__dict__.update(attributes)
         return potential
@@ -299,36 +299,15 @@ class Potential:
 
 
 def make_potential(kind: str, **parameters: float) -> Potential:
-    """A potential of a named kind.
+    """A potential of a named kind, with its parameters; those that have a default may be left out.
 
-    Parameters
-    ----------
-    kind : str
-        A name in `model.kinds.KINDS`.
-    **parameters : float
-        Of that kind; those that have a default may be left out.
+    An InputError says that there is no such kind or parameter, or that a value is out of range.
 
-    Returns
-    -------
-    Potential
-
-    Raises
-    ------
-    InputError
-        If there is no such kind or parameter, or if a value is out of range.
-
-    Examples
-    --------
     >>> float(make_potential("hertz", alpha=1.5).first(-4.0))
     -8.0
     """
     described = look_up(kind, "kind", KINDS)
-    for name in parameters:
-        look_up(name, f"parameter of {kind}", described.parameters)
-    values = {
-        name: _number(kind, name, parameter, parameters)
-        for name, parameter in described.parameters.items()
-    }
+    values = checked_parameters(kind, described.parameters, parameters)
     factor = values.pop(described.factor, 1.0)
     shape_parameters = tuple(values.values())
     return Potential._of(
@@ -345,20 +324,7 @@ def make_potential(kind: str, **parameters: float) -> Potential:
 
 
 def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
-    """The entry of a name, or a sentence with the nearest name.
-
-    Parameters
-    ----------
-    name : object
-    meaning : str
-        What it names, for the sentence.
-    known : mapping of str
-
-    Raises
-    ------
-    InputError
-        If there is none.
-    """
+    """The entry of a name, or a sentence that says what it is not, with the nearest name."""
     if isinstance(name, str) and name in known:
         return known[name]
     near = difflib.get_close_matches(str(name), known, n=1)
@@ -366,17 +332,25 @@ def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
     raise InputError(f"{name!r} is no {meaning}: {advice}")
 
 
-def _number(kind, name, parameter, given):
-    """The value of a parameter, checked."""
-    if name not in given and parameter.default is None:
-        raise InputError(f"{kind} has no {name}, {parameter.meaning}: give one.")
-    return scalar(
-        name,
-        given.get(name, parameter.default),
-        above=parameter.above,
-        least=parameter.least,
-        advice=f"give {kind} such a number",
-    )
+def checked_parameters(
+    kind: str, known: Mapping[str, Parameter], given: Mapping[str, Any]
+) -> dict[str, float]:
+    """The parameters of a kind by name, checked; those left out have their defaults."""
+    for name in given:
+        look_up(name, f"parameter of {kind}", known)
+    missing = [name for name in known if name not in given and known[name].default is None]
+    if missing:
+        raise InputError(f"{kind} has no {missing[0]}, {known[missing[0]].meaning}: give one.")
+    return {
+        name: scalar(
+            name,
+            given.get(name, parameter.default),
+            above=parameter.above,
+            least=parameter.least,
+            advice=f"give {kind} such a number",
+        )
+        for name, parameter in known.items()
+    }
 
 
 def _hashable(function):

@@ -151,18 +151,7 @@ class Scaling:
         return math.copysign(1.0 / self.time, self.alpha - 1.0)
 
     def to_physical(self, value: Value, quantity: str) -> Value:
-        """A dimensionless value in SI units.
-
-        Parameters
-        ----------
-        value : float or ndarray
-        quantity : str
-            "displacement", "velocity", "time", "force" or "energy".
-
-        Returns
-        -------
-        float or ndarray
-        """
+        """A dimensionless displacement, velocity, time, force or energy in SI units."""
         return value * self._scale(quantity)
 
     def to_dimensionless(self, value: Value, quantity: str) -> Value:
@@ -184,15 +173,7 @@ class Scaling:
 
 
 def sphere_mass(radius: float, density: float) -> float:
-    """Mass of a sphere in kg.
-
-    Parameters
-    ----------
-    radius : float
-        In metres.
-    density : float
-        In kg/m³.
-    """
+    """Mass in kg of a sphere with a radius in metres and a density in kg/m³."""
     radius, density = _positive(radius=radius, density=density).values()
     return 4.0 / 3.0 * math.pi * radius**3 * density
 
@@ -200,19 +181,7 @@ def sphere_mass(radius: float, density: float) -> float:
 def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float) -> float:
     """Stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
 
-    Parameters
-    ----------
-    radius : float
-        In metres.
-    youngs_modulus : float
-        E in pascals.
-    poisson_ratio : float
-        ν, between −1 and 1/2.
-
-    Raises
-    ------
-    InputError
-        If a value is impossible.
+    The radius is in metres, Young's modulus in pascals; Poisson's ratio lies between −1 and 1/2.
     """
     radius, modulus = _positive(radius=radius, youngs_modulus=youngs_modulus).values()
     poisson_ratio = scalar(
@@ -228,13 +197,7 @@ def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float)
 def velocity_of_compression(
     delta: float, mass: float, stiffness: float, alpha: float = 1.5
 ) -> float:
-    """v₀ in m/s that makes the length scale the compression δ in metres (Remark 5), |v_p| of (22).
-
-    Parameters
-    ----------
-    delta, mass, stiffness, alpha : float
-        δ, m, k and α, all above 0.
-    """
+    """v₀ in m/s that makes the length scale the compression δ in metres, |v_p| of (22)."""
     given = _positive(delta=delta, mass=mass, stiffness=stiffness, alpha=alpha)
     delta, mass, stiffness, alpha = given.values()
     return math.sqrt(stiffness / mass) * delta ** ((alpha + 1.0) / 2.0)
@@ -254,21 +217,9 @@ def damping_from_restitution(
     alpha: float = 1.5,
     beta: float | None = None,
 ) -> float:
-    """γ₀ from the restitution of two equal beads.
+    """γ₀ in s m^(α − β) from the restitution e of two equal beads, 0 < e ≤ 1.
 
-    Parameters
-    ----------
-    e : float
-        Coefficient of restitution, above 0 and at most 1.
-    impact_velocity : float
-        Relative velocity of the impact in m/s.
-    mass, stiffness, alpha, beta : float
-        As in `Scaling`.
-
-    Returns
-    -------
-    float
-        γ₀ in s m^(α − β).
+    They meet with the relative velocity `impact_velocity` in m/s.
     """
     beta = alpha if beta is None else beta
     gamma = damping_for_restitution(e, alpha, beta)

@@ -22,15 +22,15 @@ from granular_fronts.numerics.compiled import kernel, subroutine
 def factorise(band, lower, prefix):
     """Replace a matrix by its factors, L below the diagonal and U above, with 1/U on it."""
     rows = band.shape[0]
-    eliminate(band, lower, int64(0), prefix)
+    _eliminate(band, lower, int64(0), prefix)
     for i in range(prefix, min(prefix + lower, rows)):
         for place in range(lower - (i - prefix)):
             subtract(band, lower, prefix - 1, i, place)
-    eliminate(band, lower, prefix, rows)
+    _eliminate(band, lower, prefix, rows)
 
 
 @subroutine(fastmath=True, error_model="numpy")
-def eliminate(band, lower, first, end):
+def _eliminate(band, lower, first, end):
     """Factors of the rows first … end − 1, from which those above are subtracted already."""
     for j in range(first, end):
         band[j, lower] = 1.0 / band[j, lower]

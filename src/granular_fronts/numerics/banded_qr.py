@@ -23,22 +23,10 @@ def band_storage(rows, lower, upper):
 
 @kernel(fastmath={"contract", "reassoc", "nsz"})
 def solve_least_squares(rows, lower, columns, right):
-    """Minimise |A x − b|; the matrix and b are overwritten.
+    """Minimise |A x − b|; the matrix in band storage and b, shape (m,), are overwritten.
 
-    Parameters
-    ----------
-    rows : ndarray, shape (m, 2 lower + upper + 1)
-        Matrix in band storage.
-    lower : int
-        Number p of diagonals below the main one.
-    columns : int
-        Number n of unknowns, at most m.
-    right : ndarray, shape (m,)
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        The solution; not finite where the matrix has not full rank.
+    `lower` is the number p of diagonals below the main one, `columns` the number n of unknowns.
+    The solution, shape (n,), is not finite where the matrix has not full rank.
     """
     width = rows.shape[1] - lower
     vector, products = np.zeros(lower + 1), np.zeros(width)

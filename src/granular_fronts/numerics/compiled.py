@@ -13,7 +13,8 @@ integration, say).  The key of a folder is the digest of the code and the versio
 llvmlite and NumPy: kernels contain NumPy's functions as numba writes them for its version, and
 hold tables that NumPy computed as constants.  Numba itself adds the processor, its features, and
 the versions of numba and of Python to the key of each entry.  What does not fit, or is damaged, is
-compiled anew and never used.
+compiled anew and never used: each file ends with a digest of its contents, since numba itself
+takes whatever lies there for machine code.
 
 Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
 while.  Numba itself reports each compilation, so that the line comes when there is one and not
@@ -21,19 +22,21 @@ otherwise.
 """
 
 import functools
+import hashlib
 import os
+import pickle
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 import llvmlite
 import numba
 import numpy as np
-from numba.core import event
+from numba.core import caching, event
 from numba.core.registry import CPUDispatcher
 
 from granular_fronts.errors import InputError
 from granular_fronts.numerics.imports import import_closure, module_files
-from granular_fronts.numerics.kernel_files import check_kernel_files
 from granular_fronts.numerics.source_code import cache_root, code_digest
 
 if numba.config.DISABLE_JIT:
@@ -54,6 +57,43 @@ WINGS_IN_WORDS = {
 
 _wing_of_kernel = {}
 """The wing of each function that `kernel` compiles; a user's functions are not among them."""
+
+
+DIGEST_SIZE = hashlib.sha256().digest_size
+
+
+class CheckedFiles(caching.IndexDataCacheFile):
+    """The index and the data files of a kernel; what follows the pickled object is its digest."""
+
+    def _dump(self, obj):
+        content = super()._dump(obj)
+        return content + hashlib.sha256(content).digest()
+
+    def _load_index(self):
+        return super()._load_index() if self._is_whole(self._index_path) else {}
+
+    def _load_data(self, name):
+        if not self._is_whole(self._data_path(name)):
+            raise OSError(f"{name} is damaged")  # Numba then compiles.
+        return super()._load_data(name)
+
+    def _is_whole(self, path):
+        try:
+            content = Path(path).read_bytes()
+        except FileNotFoundError:
+            return False
+        # In an index the version of numba stands before what is dumped.
+        content = content.removeprefix(pickle.dumps(self._version, protocol=-1))
+        return hashlib.sha256(content[:-DIGEST_SIZE]).digest() == content[-DIGEST_SIZE:]
+
+    @contextmanager
+    def _open_for_write(self, filepath):
+        try:
+            with super()._open_for_write(filepath) as file:
+                yield file
+        except OSError as error:
+            error.filename = filepath  # A write to a full disk names no file.
+            raise
 
 
 class CompilationNotice(event.Listener):
@@ -82,28 +122,18 @@ class CompilationNotice(event.Listener):
 
 
 event.register("numba:compile", CompilationNotice())
-check_kernel_files()
+caching.IndexDataCacheFile = CheckedFiles
 
 
 def kernel(function=None, /, **options):
     """Compile a function with numba, cached until its module or one that this imports changes.
 
-    Parameters
-    ----------
-    function : callable, optional
-        None where options are given: ``@kernel`` and ``@kernel(fastmath=True)`` both decorate.
-    **options
-        Options of `numba.njit`.
-
-    Returns
-    -------
-    callable
-        The compiled function, or the decorator that makes it.
+    Options are those of `numba.njit`: ``@kernel`` and ``@kernel(fastmath=True)`` both decorate.
     """
 
     def compile_cached(function):
         numba.config.CACHE_DIR = str(cache_folder(file_of(function)))
-        _wing_of_kernel[function] = wing_of(function)
+        _wing_of_kernel[function] = _wing_of(function)
         return numba.njit(cache=True, **options)(function)
 
     return compile_cached(function) if function else compile_cached
@@ -117,16 +147,6 @@ def subroutine(function=None, /, **options):
     What fuses multiply and add, and whatever calls it up to a kernel, asks for `forceinline`: each
     kernel that calls a function carries a copy of it, which may fuse otherwise, and of several
     copies in a process any may run.
-
-    Parameters
-    ----------
-    function, **options
-        As of `kernel`.
-
-    Returns
-    -------
-    callable
-        For kernels and callbacks; called from Python it raises a TypeError.
     """
 
     def compile_without_wrappers(function):
@@ -151,25 +171,16 @@ def file_of(function):
     return Path(function.__code__.co_filename)
 
 
-def wing_of(function):
+def _wing_of(function):
     """The folder of the package that a function stands in, or the folder of its file elsewhere."""
     file = file_of(function)
     return file.relative_to(SOURCES).parts[0] if SOURCES in file.parents else file.parent.name
 
 
 def callback(signature, **options):
-    """Compile a function that kernels call by its address, cached like a kernel.
+    """Compile a function that kernels call by its `address`, cached like a kernel.
 
-    Parameters
-    ----------
-    signature : numba signature
-    **options
-        Options of `numba.cfunc`.
-
-    Returns
-    -------
-    callable
-        The decorator that makes the compiled function, with an attribute `address`.
+    The signature is numba's, and options are those of `numba.cfunc`.
     """
 
     def compile_cached(function):

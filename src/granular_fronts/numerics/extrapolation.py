@@ -18,7 +18,7 @@ from granular_fronts.numerics.compiled import kernel, subroutine
 
 REMEMBERED = 4
 LARGEST_WEIGHT = 20.0
-UNTOUCHED = 1e-17
+UNTOUCHED = 1e-17  # Distance from the state ahead below which a front has not begun.
 
 
 @kernel
@@ -32,25 +32,10 @@ def remember(u, first, ahead, row):
 
 @kernel
 def predict(past, known, places, place, first, margin):
-    """The start at a place.
+    """The start at a place ln γ, below the decreasing `places` of the fronts so far.
 
-    Parameters
-    ----------
-    past : ndarray, shape (REMEMBERED, columns)
-    known : int
-        Number of fronts so far, at least 1.
-    places : ndarray, shape (known,)
-        Their ln γ, decreasing.
-    place : float
-        Of the start, below them.
-    first : int
-        Column of its first point.
-    margin : int
-        Columns kept ahead of where the last front ends.
-
-    Returns
-    -------
-    ndarray
+    `past` has the shape (REMEMBERED, columns), and `known` ≥ 1 fronts were written into it.  The
+    start begins at column `first`, and ends `margin` columns ahead of where the last front ends.
     """
     rows, columns = past.shape
     last = past[(known - 1) % rows]
@@ -71,7 +56,7 @@ def predict(past, known, places, place, first, margin):
 def extrapolation_weights(places, place):
     """Weights of the last fronts, of as many as do not magnify errors too much."""
     for used in range(places.size, 1, -1):
-        weights = lagrange_weights(places[places.size - used :], place)
+        weights = _lagrange_weights(places[places.size - used :], place)
         magnification = 0.0
         for weight in weights:
             magnification += abs(weight)
@@ -81,7 +66,7 @@ def extrapolation_weights(places, place):
 
 
 @subroutine
-def lagrange_weights(places, place):
+def _lagrange_weights(places, place):
     """Values at `place` of the polynomials that are 1 at one of the places and 0 at the others."""
     weights = np.ones(places.size)
     for i in range(places.size):

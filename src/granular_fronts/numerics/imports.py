@@ -19,17 +19,7 @@ IMPORT = re.compile(r"^ *(?:from ([\w.]+) )?import (\([^)]*\)|.*)", re.MULTILINE
 
 
 def module_files(*folders: Path) -> dict[str, Path]:
-    """All modules below some folders, in which imports are looked for.
-
-    Parameters
-    ----------
-    *folders : Path
-
-    Returns
-    -------
-    dict of str to Path
-        The file of each module by its dotted name; of a package, its ``__init__``.
-    """
+    """The file of each module below some folders by its dotted name."""
     return {
         ".".join(file.relative_to(folder).with_suffix("").parts).removesuffix(".__init__"): file
         for folder in folders
@@ -38,28 +28,14 @@ def module_files(*folders: Path) -> dict[str, Path]:
 
 
 def import_closure(names: Iterable[str], files: Mapping[str, Path]) -> set[str]:
-    """The modules that some modules stand on.
+    """The modules that some modules stand on, these and the packages above them included.
 
-    Parameters
-    ----------
-    names : iterable of str
-        Dotted names of a script and of what it imports by a string.
-    files : mapping of str to Path
-        As `module_files` gives; only these are followed.
-
-    Returns
-    -------
-    set of str
-        Dotted names, the given ones and the packages above them included.
-
-    Raises
-    ------
-    ValueError
-        If a given module has no file.
+    `names` are those of a script and of what it imports by a string.  Only `files`, as
+    `module_files` gives them, are followed; a given module without a file is a ValueError.
     """
     if missing := sorted(set(names) - set(files)):
         raise ValueError(f"There is no module {missing[0]}: correct the rule that names it.")
-    found, waiting = set(), {above for name in names for above in packages_and(name)}
+    found, waiting = set(), {above for name in names for above in _packages_and(name)}
     while waiting:
         found |= waiting
         named = set().union(*(named_in(files[name]) for name in waiting))
@@ -77,10 +53,10 @@ def named_in(file: Path) -> set[str]:
     for module, names in IMPORT.findall(file.read_text(encoding="utf-8")):
         for name in re.findall(r"[\w.]+", names):
             dotted = f"{module}.{name}" if module else name
-            named.update(packages_and(dotted))
+            named.update(_packages_and(dotted))
     return named
 
 
-def packages_and(name: str) -> Iterable[str]:
+def _packages_and(name: str) -> Iterable[str]:
     """A dotted name after the packages above it, which Python imports before."""
     return accumulate(name.split("."), "{}.{}".format)

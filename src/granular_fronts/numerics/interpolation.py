@@ -26,23 +26,8 @@ DIFFERENCES = np.array(
 
 
 @subroutine
-def interpolate(values, position, behind, ahead, origin):
-    """The local polynomial at one position.
-
-    Parameters
-    ----------
-    values : ndarray, shape (points,)
-        On a uniform grid.
-    position : float
-        In units of the spacing, 0 at the point `origin`; far from it, digits are lost.
-    behind, ahead : float
-        Values beyond the first and the last point.
-    origin : int
-
-    Returns
-    -------
-    float
-    """
+def _interpolate(values, position, behind, ahead, origin):
+    """The local polynomial at one position."""
     if position < -NODES - origin:
         return behind
     if position > values.size + NODES - origin:
@@ -68,7 +53,7 @@ def interpolate_all(values, positions, behind, ahead, origin=0):
     """The local polynomials at many positions, shape of `positions` (1-D)."""
     result = np.empty(positions.size)
     for k in range(positions.size):
-        result[k] = interpolate(values, positions[k], behind, ahead, origin)
+        result[k] = _interpolate(values, positions[k], behind, ahead, origin)
     return result
 
 
@@ -86,20 +71,16 @@ def derivative(values, behind, ahead):
 
 @subroutine
 def find_level(values, level, behind, ahead):
-    """The last position where decreasing values pass a level, by bisection.
+    """Where decreasing values pass a level for the last time, k + fraction, by bisection.
 
-    Returns
-    -------
-    k : int
-    fraction : float
-        The position is k + fraction; NaN if there is none.
+    The fraction is NaN if there is no such place.
     """
     for k in range(values.size - 2, -1, -1):
         if values[k] >= level > values[k + 1]:
             left, right = 0.0, 1.0
             for _ in range(53):
                 middle = 0.5 * (left + right)
-                if interpolate(values, middle, behind, ahead, k) >= level:
+                if _interpolate(values, middle, behind, ahead, k) >= level:
                     left = middle
                 else:
                     right = middle
@@ -122,20 +103,20 @@ def largest(values, behind, ahead):
         rise = values[k] - min(values[k - 1], values[k + 1])
         crest = values[k] >= values[k - 1] and values[k] >= values[k + 1]
         if crest and rise > NOISE * abs(top) and values[k] + rise > top:
-            highest = max(highest, crest_value(values, k, behind, ahead))
+            highest = max(highest, _crest_value(values, k, behind, ahead))
     return highest
 
 
 @subroutine
-def crest_value(values, k, behind, ahead):
+def _crest_value(values, k, behind, ahead):
     """The maximum of the interpolant next to a point, by ternary search."""
     left, right = -1.0, 1.0
     # The value is flat at the crest, so that half the digits of its place suffice.
     for _ in range(45):
         third = (right - left) / 3.0
         a, b = left + third, right - third
-        if interpolate(values, a, behind, ahead, k) < interpolate(values, b, behind, ahead, k):
+        if _interpolate(values, a, behind, ahead, k) < _interpolate(values, b, behind, ahead, k):
             left = a
         else:
             right = b
-    return interpolate(values, 0.5 * (left + right), behind, ahead, k)
+    return _interpolate(values, 0.5 * (left + right), behind, ahead, k)

@@ -24,13 +24,7 @@ import numpy as np
 
 
 class Weights(NamedTuple):
-    """Weights of the values at ξ − wh … ξ + wh.
-
-    Attributes
-    ----------
-    hat, jump, site : ndarray, shape (2w + 1,)
-        Of the three integrals, in this order.
-    """
+    """Weights of the values at ξ − wh … ξ + wh, of the three integrals in their order."""
 
     hat: np.ndarray
     jump: np.ndarray
@@ -38,19 +32,10 @@ class Weights(NamedTuple):
 
 
 @functools.cache
-def kernel_weights(spacing, order):
-    """Weights on a grid.
+def kernel_weights(spacing: Fraction, order: int) -> Weights:
+    """Weights on a grid of spacing h, in sites.
 
-    Parameters
-    ----------
-    spacing : Fraction
-        Distance h of neighbouring points, in sites.
-    order : int
-        Number of points of the local polynomial, even.
-
-    Returns
-    -------
-    Weights
+    The order is the number of points of the local polynomial, even.
     """
     ahead, ramp = _one_sided(spacing, order)
     behind = ahead[::-1]
@@ -81,15 +66,9 @@ def _one_sided(spacing, order):
 
 
 class Moments(NamedTuple):
-    """Integrals of all cardinal polynomials over a part of a cell, over one denominator.
+    """Integrals of all cardinal polynomials over a part of a cell, over one denominator."""
 
-    Attributes
-    ----------
-    numerators : ndarray of int, shape (2, order)
-        Of ∫_0^end L(t) dt and of ∫_0^end t L(t) dt.
-    denominator : int
-    """
-
+    # Of ∫_0^end L(t) dt and of ∫_0^end t L(t) dt, shape (2, order).
     numerators: np.ndarray
     denominator: int
 
@@ -106,15 +85,7 @@ def _moments(order, end):
 
 @functools.cache
 def _cardinals(order):
-    """Polynomials that are 1 at one of the nodes 1 − p/2 … p/2 and 0 at the others.
-
-    Returns
-    -------
-    coefficients : ndarray of int, shape (order, order)
-        A polynomial in each row.
-    denominator : int
-        Of all of them.
-    """
+    """Polynomials that are 1 at one of the nodes 1 − p/2 … p/2 and 0 at the others."""
     nodes = range(1 - order // 2, order // 2 + 1)
     products = [math.prod(node - other for other in nodes if other != node) for node in nodes]
     denominator = math.lcm(*products)

@@ -9,7 +9,7 @@ import numpy as np
 
 def record_type(*fields):
     """A type of records from pairs of name and type, or of name, type and shape."""
-    return np.dtype((np.record, list(fields)))
+    return np.dtype((np.record, np.dtype(list(fields), align=True)))
 
 
 def make_record(kind, **values):

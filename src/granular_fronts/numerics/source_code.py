@@ -24,18 +24,9 @@ def cache_root() -> Path:
 
 
 def code_digest(files: Iterable[Path], root: Path) -> str:
-    """Digest of some files, 16 hexadecimals.
+    """Digest of Python files in any order, 16 hexadecimals.
 
-    Parameters
-    ----------
-    files : iterable of Path
-        Python files, in any order.
-    root : Path
-        Folder above them; what lies between counts as their names.
-
-    Returns
-    -------
-    str
+    What lies between `root`, a folder above them, and the files counts as their names.
     """
     digests = {file.relative_to(root).as_posix(): file_digest(file) for file in files}
     lines = "\n".join(f"{name} {digests[name]}" for name in sorted(digests))

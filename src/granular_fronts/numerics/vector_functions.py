@@ -61,7 +61,7 @@ _CONTRACT = {"contract"}
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
-def remainder_of_logarithm(s):
+def _remainder_of_logarithm(s):
     """R(s²)."""
     z = s * s
     w = z * z
@@ -69,7 +69,7 @@ def remainder_of_logarithm(s):
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
-def small_exponential_less_one(r):
+def _small_exponential_less_one(r):
     """e^r − 1 for |r| ≤ ½ ln 2."""
     tail = TAYLOR[12]
     for j in range(11, 0, -1):
@@ -81,27 +81,20 @@ def small_exponential_less_one(r):
 def logarithm(x):
     """Natural logarithm for a loop that is to be vectorised: no branch, no call.
 
-    Parameters
-    ----------
-    x : float
-        Positive and normal, that is, at least 2.3e-308; not checked.
-
-    Returns
-    -------
-    float
-        Within one unit of the last place.
+    x is normal, at least 2.3e-308, which is not checked.  The error is below one unit of the last
+    place.
     """
     shifted = bits_of(x) + (ONE - ROOT_HALF)
     k = double_of((shifted >> FRACTION_BITS) - BIAS + ROUNDER_BITS) - ROUNDER
     f = double_of((shifted & FRACTION) + ROOT_HALF) - 1.0
     s = f / (2.0 + f)
     half_square = 0.5 * f * f
-    small = s * (half_square + remainder_of_logarithm(s)) + k * LN2_LOW
+    small = s * (half_square + _remainder_of_logarithm(s)) + k * LN2_LOW
     return k * LN2_HIGH - ((half_square - small) - f)
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
-def reduced_argument(x):
+def _reduced_argument(x):
     """Both r and 2^k of x = k ln 2 + r; k stays within the range of a double."""
     rounded = min(max(x * (1.0 / LN2), LOWEST_EXPONENT), INFINITE_EXPONENT) + ROUNDER
     k = rounded - ROUNDER
@@ -112,44 +105,27 @@ def reduced_argument(x):
 def exponential(x):
     """e^x for a loop that is to be vectorised: no branch, no call.
 
-    Parameters
-    ----------
-    x : float
-        Above −1e20, not checked; the result is infinite above 1023.5 ln 2, 709.4, and about 0
-        below −708.
-
-    Returns
-    -------
-    float
-        Within two units of the last place.
+    The error is below two units of the last place.  x is above −1e20, which is not checked; the
+    result is infinite above 1023.5 ln 2, 709.4, and about 0 below −708.
     """
-    r, scale = reduced_argument(x)
-    return scale * (1.0 + small_exponential_less_one(r))
+    r, scale = _reduced_argument(x)
+    return scale * (1.0 + _small_exponential_less_one(r))
 
 
 @kernel(fastmath=_CONTRACT, forceinline=True)
 def exponential_less_one(x):
     """e^x − 1, the same way; nothing cancels where x is small."""
-    r, scale = reduced_argument(x)
-    return scale * small_exponential_less_one(r) + (scale - 1.0)
+    r, scale = _reduced_argument(x)
+    return scale * _small_exponential_less_one(r) + (scale - 1.0)
 
 
 @kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
 def power(x, exponent):
     """x^exponent for a loop that is to be vectorised: no branch, no call.
 
-    Parameters
-    ----------
-    x : float
-        Positive and normal, not checked; any other number gives a number without meaning.
-    exponent : float
-        Below 2⁵⁰ in absolute value, not checked.
-
-    Returns
-    -------
-    float
-        Within two units of the last place; infinite from :math:`2^{1023.5}` on, and no less than
-        about :math:`2^{-1022}`.
+    The error is below two units of the last place.  x is normal and the exponent below 2⁵⁰ in size,
+    which is not checked: any other gives a number without meaning.  The result is infinite from
+    :math:`2^{1023.5}` on, and no less than about :math:`2^{-1022}`.
     """
     shifted = bits_of(x) + (ONE - ROOT_HALF)
     k = double_of((shifted >> FRACTION_BITS) - BIAS + ROUNDER_BITS) - ROUNDER
@@ -161,7 +137,7 @@ def power(x, exponent):
     division_left = multiply_add(-s, denominator, f) - s * rounding_of_denominator
     logarithm = k * LN2_HIGH + 2.0 * s
     small = (2.0 * s - (logarithm - k * LN2_HIGH)) + (
-        2.0 * division_left * reciprocal + s * remainder_of_logarithm(s) + k * LN2_LOW
+        2.0 * division_left * reciprocal + s * _remainder_of_logarithm(s) + k * LN2_LOW
     )
     y = exponent * logarithm
     small = multiply_add(exponent, logarithm, -y) + exponent * small
@@ -169,4 +145,4 @@ def power(x, exponent):
     n = rounded - ROUNDER
     r = ((y - n * LN2_HIGH) - n * LN2_LOW) + small
     scale = double_of((bits_of(rounded) << FRACTION_BITS) + ONE)
-    return scale * (1.0 + small_exponential_less_one(r))
+    return scale * (1.0 + _small_exponential_less_one(r))

@@ -68,13 +68,7 @@ def complete_file(path: Path | str) -> Iterator[Path]:
 
 
 def read_json(path: Path | str) -> Any:
-    """What a JSON file of the workflow holds.
-
-    Raises
-    ------
-    InputError
-        If it is damaged.
-    """
+    """What a JSON file of the workflow holds; InputError if it is damaged."""
     try:
         return json.loads(Path(path).read_text(encoding="utf-8"))
     except ValueError as error:
@@ -89,14 +83,7 @@ def is_full(error: BaseException) -> TypeGuard[OSError]:
 
 
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
-    """Remove the unfinished files of processes of this machine that have ended.
-
-    Parameters
-    ----------
-    folder : Path
-    name : str, optional
-        Final name of the files; all names by default.
-    """
+    """Remove the unfinished files, of one final name or of all, whose process has ended."""
     written = ".+" if name is None else re.escape(name)
     pattern = re.compile(rf"unfinished-{re.escape(HOST)}-(\d+)-{written}")
     with os.scandir(folder) as entries:

@@ -136,21 +136,11 @@ class Movie:
 
 
 def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[Artist]]]:
-    """A figure of a chain, and what shows a time in it.
+    """A figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
-    Parameters
-    ----------
-    motion : xarray.Dataset
-        With a space-time grid.
-
-    Returns
-    -------
-    figure : matplotlib.figure.Figure
-        Relative displacements above, velocities below, both against the bead number.  Contacts that
-        are open are marked at the lower edge, where the law lets them open.
-    show : callable
-        Given a row of the grid, it puts the fields of that time into the figure, and returns what
-        it has changed.
+    Relative displacements are above, velocities below, both against the bead number; contacts that
+    are open are marked at the lower edge, where the law lets them open.  What shows a row returns
+    the artists that it has changed.
     """
     fields = moving_parts(motion, "_grid")
     opens = contacts_open(motion)

@@ -7,13 +7,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import Colormap
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from granular_fronts.accuracy import certain_sign
 from granular_fronts.output.datasets import configuration_of
-from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_COLOUR, new_figure
+from granular_fronts.output.style import (
+    ALARM_COLOUR,
+    CHAIN_COLOUR,
+    EQUATION_COLOUR,
+    compression_map,
+    new_figure,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -50,32 +57,22 @@ def label_peaks(axes: Axes) -> None:
 def draw_spacetime(
     axes: Axes,
     values: xr.DataArray,
-    *,
-    colour_map: Colormap,
-    limits: tuple[float | None, float | None],
-    extend: str,
     label: str,
+    colour_map: Colormap | None = None,
+    limits: tuple[float | None, float | None] = (None, None),
+    extend: str = "neither",
 ) -> None:
-    """Colour the (n, t) plane, bead number across and time upwards.
+    """Colour the (n, t) plane by values on (t_grid, bead), bead number across and time upwards.
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-    values : xarray.DataArray
-        On (t_grid, bead).
-    colour_map : matplotlib.colors.Colormap
-    limits : tuple of float
-        Ends of the colour scale; None for the extreme of the data.
-    extend : str
-        Ends of the colour bar that go on beyond the scale, as in matplotlib.
-    label : str
-        Of the colour bar.
+    Colours are those of compressions unless others are given.  Of the `limits` of their scale None
+    is the extreme of the data; `extend` says where the colour bar goes on beyond them, as in
+    matplotlib.
     """
     image = axes.pcolormesh(
         values["bead"],
         values["t_grid"],
         values,
-        cmap=colour_map,
+        cmap=colour_map or compression_map(),
         vmin=limits[0],
         vmax=limits[1],
         shading="nearest",
@@ -85,6 +82,22 @@ def draw_spacetime(
     axes.figure.colorbar(image, ax=axes, location="top", extend=extend, label=label, aspect=30)
 
 
+def draw_plane(
+    axes: Axes, values: xr.DataArray, colour_map: Colormap, norm: Normalize, shift: float = 0.0
+) -> QuadMesh:
+    """Colour the plane of exponent, less a shift, and damping by values on (alpha, gamma)."""
+    plane = values.transpose("gamma", "alpha")
+    return axes.pcolormesh(
+        plane["alpha"] - shift,
+        plane["gamma"],
+        np.ma.masked_invalid(plane.values),
+        cmap=colour_map,
+        norm=norm,
+        shading="nearest",
+        rasterized=True,
+    )
+
+
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
     """u(ξ) of an exact front; `look` is that of the line, as in `matplotlib.axes.Axes.plot`."""
     axes.plot(front["xi"], front["relative_displacement"], "-", **look)
@@ -92,22 +105,7 @@ def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
 
 
 def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> Line2D:
-    """A field of all beads at one time, a dot for each bead on a thin line.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-    values : xarray.DataArray
-        On (bead).
-    field : str
-        A key of `FIELD_LABELS`.
-    **look
-        Of the line, as in `matplotlib.axes.Axes.plot`.
-
-    Returns
-    -------
-    matplotlib.lines.Line2D
-    """
+    """A field on (bead) at one time, a dot for each bead on a thin line of some look."""
     [line] = axes.plot(values["bead"], values, ".-", markersize=2.5, linewidth=0.6, **look)
     axes.set(xlabel="$n$", ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
     return line
@@ -119,19 +117,7 @@ def contacts_open(motion: xr.Dataset) -> bool:
 
 
 def moving_parts(motion: xr.Dataset, suffix: str = "") -> dict[str, xr.DataArray]:
-    """The fields of a motion without the held end, which is no contact.
-
-    Parameters
-    ----------
-    motion : xarray.Dataset
-    suffix : str, optional
-        Of the recording, as in `granular_fronts.output.datasets`.
-
-    Returns
-    -------
-    dict of xarray.DataArray
-        By the keys of `FIELD_LABELS`.
-    """
+    """The fields of a motion by their names, displacements without the held end, no contact."""
     fields = {field: motion[f"{field}{suffix}"] for field in FIELD_LABELS}
     contacts = slice(motion.attrs.get("contacts"))
     fields["relative_displacement"] = fields["relative_displacement"].isel(bead=contacts)
@@ -146,22 +132,7 @@ def open_contacts(u: xr.DataArray) -> np.ndarray:
 def draw_open_contacts(
     axes: Axes, u: xr.DataArray, height: float = MARK_HEIGHT, **look: Any
 ) -> Line2D:
-    """Mark contacts that are open at the lower edge of a panel.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-    u : xarray.DataArray
-        Relative displacements on (bead).
-    height : float, optional
-        Of the marks, 0 at the lower edge and 1 at the upper.
-    **look
-        Of the marks, as in `matplotlib.axes.Axes.plot`; red by default.
-
-    Returns
-    -------
-    matplotlib.lines.Line2D
-    """
+    """Mark contacts that are open at a share of the height of a panel, red by default."""
     beads = open_contacts(u)
     [marks] = axes.plot(
         beads,
@@ -181,13 +152,6 @@ def fix_ordinate(axes: Axes, values: xr.DataArray, *, opens: bool) -> None:
     """Let a panel show a field of all times, from as far below zero as above where contacts open.
 
     Gaps may be wider than compressions by any factor.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-    values : xarray.DataArray
-    opens : bool
-        Whether these are relative displacements of contacts that may open.
     """
     low, high = float(values.min()), float(values.max())
     low = max(low, -high) if opens else low
@@ -196,34 +160,14 @@ def fix_ordinate(axes: Axes, values: xr.DataArray, *, opens: bool) -> None:
 
 
 def draw_chain_dots(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
-    """A field of all beads, one dot each.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-    snapshot : xarray.Dataset
-        One time of a comparison.
-    field : str
-        A key of `FIELD_LABELS`.
-    """
+    """A field of all beads at one time, one dot each."""
     beads = snapshot[field]
     axes.plot(beads["bead"], beads, ".", color=CHAIN_COLOUR, markersize=2.5, label="chain")
     axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
 
 
 def draw_comparison(data: xr.Dataset) -> Figure:
-    """Figure of chain and logarithmic Burgers equation at every snapshot after the start.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        A comparison.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        A row for each snapshot, a column for each field.
-    """
+    """Figure of chain and logarithmic Burgers equation, a row for each snapshot after the start."""
     rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
     figure, panels = new_figure(1.7 * len(rows) + 0.2, rows)
     for row, names in enumerate(rows, start=1):
@@ -240,21 +184,9 @@ def draw_comparison(data: xr.Dataset) -> Figure:
 def draw_rings(
     height: float, rings: Sequence[xr.Dataset], draw: Callable[[Axes, xr.Dataset, str, str], None]
 ) -> tuple[Figure, list[list[Axes]]]:
-    """Figure with a row for each ring and a column for each field.
+    """Figure with a row for each ring and a column for each field, and the axes by rows.
 
-    Parameters
-    ----------
-    height : float
-        In inches.
-    rings : sequence of xarray.Dataset
-        Comparisons.
-    draw : callable
-        Draws one panel, given its axes, the ring's dataset, the field, and the exponent in words.
-
-    Returns
-    -------
-    figure : matplotlib.figure.Figure
-    rows : list of list of matplotlib.axes.Axes
+    Each panel is drawn by `draw(axes, ring, field, exponent in words)`.
     """
     names = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(len(rings))]
     figure, panels = new_figure(height, names)

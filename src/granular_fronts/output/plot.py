@@ -35,7 +35,6 @@ from granular_fronts.output.panels import (
 )
 from granular_fronts.output.style import (
     PROBE_COLOURS,
-    compression_map,
     looks_of_figures,
     new_figure,
     velocity_map,
@@ -226,19 +225,11 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
         draw_spacetime(
             panels["u"],
             u,
-            colour_map=compression_map(),
+            "$u_n(t)$",
             limits=(-largest, largest) if clipped else (None, None),
             extend="min" if clipped else "neither",
-            label="$u_n(t)$",
         )
-        draw_spacetime(
-            panels["velocity"],
-            velocity,
-            colour_map=velocity_map(),
-            limits=(None, None),
-            extend="neither",
-            label=r"$\dot x_n(t)$",
-        )
+        draw_spacetime(panels["velocity"], velocity, r"$\dot x_n(t)$", velocity_map())
     return panels["u"], panels["velocity"]
 
 
@@ -311,30 +302,7 @@ def _holding(
     source: str,
     record: str = "",
 ) -> xr.Dataset:
-    """A dataset with some variables on some dimensions.
-
-    Parameters
-    ----------
-    name : str
-        What the sentence calls it.
-    dataset : object
-        What was given.
-    variables, dims : tuple of str
-        What must be there, not empty.
-    source : str
-        The public function that returns such datasets.
-    record : str, optional
-        The entry of the scene's record without which the variables are left out.
-
-    Returns
-    -------
-    xarray.Dataset
-
-    Raises
-    ------
-    InputError
-        If it is none, or lacks a variable.
-    """
+    """A dataset with some variables on some dimensions."""
     way = f"give what gf.{source} returns" + (f" with {record} in its record" if record else "")
     found = instance(name, dataset, xr.Dataset, way)
     for variable in variables:

@@ -24,38 +24,12 @@ SIGNIFICANT_DIGITS = 3
 
 
 def count_bar(description: str, total: int, unit: str) -> tqdm:
-    """A bar over a number of things, a context that has a method ``update(count)``.
-
-    Parameters
-    ----------
-    description : str
-        What is done, and for which scene.
-    total : int
-        How many there are.
-    unit : str
-        What one of them is called.
-
-    Returns
-    -------
-    tqdm.tqdm
-    """
+    """A bar over a number of things, a context that has a method ``update(count)``."""
     return _bar(total=total, desc=description, unit=unit)
 
 
 def counted(items: Iterable, description: str, unit: str) -> Iterator:
-    """Pass items through and count them on a bar.
-
-    Parameters
-    ----------
-    items : iterable
-    description, unit : str
-        As in `count_bar`.
-
-    Yields
-    ------
-    object
-        The items.
-    """
+    """Pass items through and count them on a bar."""
     items = list(items)
     with count_bar(description, len(items), unit) as bar:
         for item in items:
@@ -65,19 +39,9 @@ def counted(items: Iterable, description: str, unit: str) -> Iterator:
 
 @contextmanager
 def time_bar(description: str, end_time: float) -> Iterator[Callable[[float], None]]:
-    """A bar over the time of a motion, rounded to a few digits of the end time.
+    """A bar over the time of a motion, rounded to a few digits of the end time, above 0.
 
-    Parameters
-    ----------
-    description : str
-        What is done, and for which scene.
-    end_time : float
-        Above 0.
-
-    Yields
-    ------
-    callable
-        To be called with the time that is passed.
+    It gives a function to be called with the time that is passed.
     """
     # An end time in [100, 1000) and above is shown without decimals, one in [1, 10) with two.
     decimals = max(0, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(end_time)))

@@ -37,17 +37,7 @@ def digest(content: bytes) -> str:
 
 
 def question_digest(configuration: Any) -> str:
-    """Digest of a part of the configuration.
-
-    Parameters
-    ----------
-    configuration : mapping or list
-        Whatever JSON can hold; the order of keys does not count.
-
-    Returns
-    -------
-    str
-    """
+    """Digest of a part of the configuration; the order of keys does not count."""
     return digest(json.dumps(configuration, sort_keys=True).encode())
 
 
@@ -58,17 +48,7 @@ def code_version() -> str:
 
 
 def data_digest(dataset: Any) -> str:
-    """Digest of the values that a dataset holds.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-
-    Returns
-    -------
-    str
-        The same for equal values under equal names, whatever the attributes.
-    """
+    """Digest of all values of an xarray.Dataset with their names; attributes do not count."""
     found = hashlib.sha256()
     for name in sorted(dataset.variables):
         values = dataset.variables[name].values
@@ -86,18 +66,7 @@ def data_digest(dataset: Any) -> str:
 
 
 def origin(attributes: Mapping[str, Any]) -> dict[str, str]:
-    """What identifies a dataset among all that ever had its name.
-
-    Parameters
-    ----------
-    attributes : mapping
-        Attributes of a dataset that `datasets.write_dataset` wrote.
-
-    Returns
-    -------
-    dict of str to str
-        `scene`, and the digests `question` and `data`.
-    """
+    """What identifies a dataset, by its attributes, among all that ever had its name."""
     return {
         "scene": str(attributes["scene"]),
         "question": str(attributes["config_digest"]),
@@ -110,16 +79,8 @@ def write_record(
 ) -> None:
     """Write the record of a figure or a table, after its files.
 
-    Parameters
-    ----------
-    path : Path
-        The JSON file to write.
-    files : iterable of Path
-        What was made.
-    origins : iterable of mapping
-        As `origin` gives, of every dataset it was made from.
-    **facts
-        What else is worth keeping, for example a title.
+    `origins` are those of every dataset that it was made from; `facts` is what else is worth
+    keeping, for example a title.
     """
     record = {
         "files": {file.name: digest(file.read_bytes()) for file in files},
@@ -143,19 +104,8 @@ def disagreements(
 ) -> Iterator[str]:
     """Compare what lies in a results folder with itself and with what is asked now.
 
-    Parameters
-    ----------
-    records : iterable of Path
-        Records of figures and tables; their files lie beside them.
-    origins : mapping of str to mapping
-        Origin of each dataset that lies there now, by the name of its file.
-    asked : mapping of str to object
-        Part of the configuration that each dataset must answer, by the same names.
-
-    Yields
-    ------
-    str
-        A sentence for each disagreement; none where all is of one piece.
+    `origins` are those of the datasets that lie there now, and `asked` the parts of the
+    configuration that they must answer, by the same names.  A sentence for each disagreement.
     """
     for name, configuration in asked.items():
         if name not in origins:

@@ -6,7 +6,7 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 - `kind`: `number`, `inequality` or `words` of the paper, or a `finding` of this project;
 - `printed`: the number, inequality or words that the paper prints; none for a finding;
 - `within`: half-width around a printed number, where it is not half a unit of its last digit;
-- `criterion`: what words and findings are judged by (see `granular_fronts.output.judgement`);
+- `criterion`: what words and findings are judged by, in one of the forms below;
 - `scene`: the scene, or a list of scenes, whose datasets are measured;
 - `measure`: `module.function`, a function of `granular_fronts.module` that takes these
   datasets and returns an `Estimate`;
@@ -18,19 +18,33 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 A statement of the paper holds for the paper's parameters.  Where a dataset belongs to other
 parameters than those of the reference configuration, its statement is measured but not judged;
 tolerances may differ.
+
+A statement allows a range of values: a printed number x, all that rounds to it; a printed
+inequality, one side of its limit; words, what a criterion says, in one of the forms ::
+
+    1 within 0.01        0.4 to 0.6        at least 0        above 0        at most 1        below 1
+
+An explanation may follow after a comma.  `above` and `below`, like the printed signs > and <, leave
+out the limit itself.
+
+The measured value v with the numerical error e stands for all numbers from v − e to v + e.  The
+statement is true if all of them are in the range, and false if none is.  It stays undecided if only
+some are, if e is negative or larger than half the width of the range, or if v or e is not a number:
+the error never counts in favour of either answer.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+import re
+from collections.abc import Callable, Iterable, Mapping
+from decimal import Decimal, InvalidOperation
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.errors import InputError
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
-from granular_fronts.output.judgement import half_unit, judge, range_of_criterion
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -49,6 +63,21 @@ ANSWERS = {
 
 UNMEASURED = Estimate(math.nan, math.nan)
 
+NUMBER = r"[-+]?[0-9.]+(?:e[-+]?[0-9]+)?"
+FORMS = re.compile(
+    rf"(?P<side>at least|above|at most|below|>=|>|<=|<) (?P<limit>{NUMBER})"
+    rf"|(?P<first>{NUMBER}) (?P<pair>within|to) (?P<second>{NUMBER})"
+)
+LOWER, STRICT = ("at least", "above", ">=", ">"), ("above", "below", ">", "<")
+
+
+class Range(NamedTuple):
+    """The values that a statement allows; `strict` leaves out the limits themselves."""
+
+    low: float
+    high: float
+    strict: bool = False
+
 
 def scenes_of(statement: Mapping[str, Any]) -> list[str]:
     """Names of the scenes that a statement is about, as a list."""
@@ -57,17 +86,7 @@ def scenes_of(statement: Mapping[str, Any]) -> list[str]:
 
 
 def criterion_of(statement: Mapping[str, Any]) -> str:
-    """What a statement is judged by, in words and numbers.
-
-    Parameters
-    ----------
-    statement : mapping
-
-    Returns
-    -------
-    str
-        Empty for a statement that is not judged.
-    """
+    """What a statement is judged by, in words and numbers; empty for one that is not judged."""
     if "not_judged" in statement:
         return ""
     for key in ("printed", "criterion"):
@@ -85,18 +104,7 @@ def criterion_of(statement: Mapping[str, Any]) -> str:
 
 
 def verdict_on(statement: Mapping[str, Any], measured: Estimate) -> str:
-    """Verdict on a statement about the paper's parameters.
-
-    Parameters
-    ----------
-    statement : mapping
-    measured : Estimate
-
-    Returns
-    -------
-    str
-        Reproduced or not, holds or does not hold, undecided, or not judged.
-    """
+    """Reproduced or not, holds or does not hold, undecided, or not judged."""
     if "not_judged" in statement:
         return NOT_JUDGED
     answer = judge(range_of_criterion(criterion_of(statement)), measured)
@@ -112,23 +120,9 @@ def evaluate(
     datasets: Mapping[str, xr.Dataset],
     references: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Measure a statement and judge it.
+    """Measure a statement and judge it: a row of a table, beside what the statement says.
 
-    Parameters
-    ----------
-    statement : mapping
-    function : callable
-        The measure that the statement names.
-    datasets : mapping
-        Of scene name to its dataset, which carries its configuration.
-    references : mapping
-        Of scene name to its reference configuration.
-
-    Returns
-    -------
-    dict
-        The row of a table: `quantity`, `criterion`, `computed`, `numerical_error`, `scene`,
-        `verdict`, `expected` and `remark`, beside what else the statement says.
+    Datasets, which carry their configuration, and reference configurations go by scene name.
     """
     names = scenes_of(statement)
     differences = [
@@ -137,11 +131,16 @@ def evaluate(
         for difference in physical_departures(configuration_of(datasets[name]), references[name])
     ]
     measured_on, arguments = [datasets[name] for name in names], statement.get("arguments", {})
+    try:
+        measured = function(*measured_on, **arguments)
+    except (LookupError, ValueError, ArithmeticError):
+        # Other parameters may leave out what is measured; those of the paper may not.
+        if not differences:
+            raise
+        measured = UNMEASURED
     if differences:
-        measured = measure_departed(function, measured_on, arguments)
         verdict, remark = OTHER_PARAMETERS, describe(differences)
     else:
-        measured = function(*measured_on, **arguments)
         verdict = verdict_on(statement, measured)
         remark = statement.get("not_judged", statement.get("remark", ""))
     return {
@@ -155,44 +154,64 @@ def evaluate(
     }
 
 
-def measure_departed(
-    function: Callable[..., Estimate], datasets: Sequence[xr.Dataset], arguments: Mapping[str, Any]
-) -> Estimate:
-    """Measure a statement on other parameters, which may leave out what it needs.
-
-    Parameters
-    ----------
-    function : callable
-    datasets : list of xarray.Dataset
-    arguments : mapping
-        Of names to values, for example a bead or a material.
-
-    Returns
-    -------
-    Estimate
-        Not a number where there is nothing to measure.
-    """
-    try:
-        return function(*datasets, **arguments)
-    except (LookupError, ValueError, ArithmeticError):
-        return UNMEASURED
-
-
 def unexpected_verdicts(rows: Iterable[Mapping[str, Any]]) -> list[str]:
-    """Find the verdicts that differ from the expected ones.
-
-    Parameters
-    ----------
-    rows : iterable of mapping
-        With `quantity`, `verdict`, `expected`.
-
-    Returns
-    -------
-    list of str
-        A sentence for each; none for other parameters, of which nothing is expected.
-    """
+    """A sentence for each verdict that differs from the expected one, other parameters left out."""
     return [
         f"{row['quantity']}: the verdict is {row['verdict']!r}, expected is {row['expected']!r}."
         for row in rows
         if row["verdict"] not in (row["expected"], OTHER_PARAMETERS)
     ]
+
+
+def range_of_criterion(criterion: str) -> Range:
+    """Read a criterion, "at most 0.05, a twentieth of the jump", or a printed inequality, "> 0"."""
+    form = FORMS.fullmatch(criterion.partition(",")[0])
+    if form is None:
+        raise ValueError(
+            f"The criterion {criterion!r} cannot be read: write it like one of 1 within 0.01, "
+            "0.4 to 0.6, at least 0, above 0, at most 1, below 1."
+        )
+    if form["pair"]:
+        first, second = float(form["first"]), float(form["second"])
+        limits = (first - second, first + second) if form["pair"] == "within" else (first, second)
+        if limits[0] > limits[1]:
+            raise ValueError(
+                f"The criterion {criterion!r} allows no number: write the smaller limit first, and "
+                "a half-width of at least 0."
+            )
+        return Range(*limits)
+    limit, strict = float(form["limit"]), form["side"] in STRICT
+    return (
+        Range(limit, math.inf, strict) if form["side"] in LOWER else Range(-math.inf, limit, strict)
+    )
+
+
+def half_unit(printed: str) -> str:
+    """Half a unit of the last digit of a printed number, as text: "0.005" of "0.56"."""
+    try:
+        exponent = Decimal(printed).as_tuple().exponent
+    except InvalidOperation:
+        exponent = "n"
+    if not isinstance(exponent, int):
+        raise ValueError(
+            f"The printed number is {printed}, which has no last digit: give its digits, or say "
+            "`within` what the number is reproduced."
+        )
+    return f"{float(Decimal(5).scaleb(exponent - 1)):g}"
+
+
+def judge(allowed: Range, measured: Estimate) -> bool | None:
+    """Whether a number lies in a range; None where its numerical error leaves that open."""
+    value, error = measured
+    half_width = 0.5 * (allowed.high - allowed.low)
+    # Also where one of them is not a number.
+    if not (math.isfinite(value) and 0.0 <= error <= half_width):
+        return None
+    lowest, highest = value - error, value + error
+    if allowed.strict:
+        inside = allowed.low < lowest and highest < allowed.high
+        outside = highest <= allowed.low or allowed.high <= lowest
+    else:
+        inside = allowed.low <= lowest and highest <= allowed.high
+        outside = highest < allowed.low or allowed.high < lowest
+    return inside if inside or outside else None

@@ -109,21 +109,9 @@ def new_figure(
     mosaic: list[Any],
     make: Callable[..., Figure] = figure_for_files,
 ) -> tuple[Figure, dict[str, Axes]]:
-    """A figure of text width with the panels of a mosaic.
+    """A figure of text width, with a height in inches, and the panels of a mosaic by their names.
 
-    Parameters
-    ----------
-    height : float
-        In inches.
-    mosaic : list of list of str
-        Names of the panels, as in `matplotlib.figure.Figure.subplot_mosaic`.
-    make : callable, optional
-        What makes it; `matplotlib.pyplot.figure` for one that a notebook shows.
-
-    Returns
-    -------
-    figure : matplotlib.figure.Figure
-    panels : dict of matplotlib.axes.Axes
+    It is made by `matplotlib.pyplot.figure` where a notebook shows it.
     """
     matplotlib.rcParams.update(_SETTINGS)
     figure = make(figsize=(TEXT_WIDTH, height))
@@ -150,13 +138,6 @@ def save_figure(figure: Figure, pdf: Path, png: Path, origins: Iterable[Mapping[
     """Save both formats, each appearing under its name only when complete.
 
     The PDF carries no date, so that equal data give equal files.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-    pdf, png : Path
-    origins : list of dict
-        What the figure was drawn from, as `provenance.origin` gives, kept in both files.
     """
     keywords = " ".join("{scene}:{question}:{data}".format(**origin) for origin in origins)
     # `savefig` would draw each format twice and arrange the panels anew for each.

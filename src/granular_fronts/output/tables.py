@@ -21,19 +21,9 @@ def write_table(
     markdown: Path,
     sources: Iterable[xr.Dataset],
 ) -> None:
-    """Write both files and their record, each appearing under its name only when it is complete.
+    """Write a table with all digits as CSV and rounded as Markdown, each when it is complete.
 
-    Parameters
-    ----------
-    table : pandas.DataFrame
-        With all digits.
-    rounded : pandas.DataFrame
-        What people read, its numbers as text.
-    csv, markdown : Path
-        Files to write. The record of what the table was made from, see `provenance`, is the JSON
-        file of the same stem.
-    sources : list of xarray.Dataset
-        The datasets whose numbers it holds.
+    The record of the datasets it was made from (`provenance`) is the JSON file of the same stem.
     """
     with complete_file(csv) as unfinished:
         table.to_csv(unfinished, index=False)

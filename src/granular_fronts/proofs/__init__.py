@@ -5,8 +5,8 @@ linearisation there; `certificate` makes it with floating-point arithmetic and a
 `checker` then proves, in balls and with nothing but python-flint and NumPy, that a front exists
 near P̄, and what it looks like.  What has to be believed is the mathematics of `existence`,
 `right_inverse`, `consequences`, `tail_roots` and `rear_expansion`, the code of `checker`, `arrays`,
-`balls`, `contraction`, `inequalities`, `consequences`, `tail_roots` and `rear_expansion`, and
-python-flint below it.  `dashpots` does the same for linear dashpots (β = 1).
+`balls`, `contraction`, `consequences`, `tail_roots` and `rear_expansion`, and python-flint below
+it.  `dashpots` does the same for linear dashpots (β = 1).
 """
 
 from importlib.util import find_spec

@@ -7,10 +7,8 @@ from flint import arb, fmpq
 
 from granular_fronts.proofs.balls import NotProvedError
 
-LONGEST = 1000
-
-LARGEST = 2**30
-"""Bytes of all arrays."""
+LONGEST = 1000  # of the sizes that a certificate names
+LARGEST = 2**30  # bytes of all its arrays
 
 
 def load(path):

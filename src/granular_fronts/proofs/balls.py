@@ -27,11 +27,27 @@ from flint import acb, arb, arb_poly, ctx, fmpq
 
 PRECISION, SERIES = 80, 12  # bits, and terms of the longest series
 UNIT = arb(0, 1)  # the interval from −1 to 1
-MATRIX_UNIT, INVERSE_UNIT = 2.0**-16, 2.0**-20
+MATRIX_UNIT, INVERSE_UNIT = 2.0**-16, 2.0**-20  # of H − 1 and of g as a certificate stores them
 
 
 class NotProvedError(Exception):
     """Names what is not certain, or which field is not what it must be."""
+
+
+class Inequalities:
+    """What is shown of something, in the order in which it is, with margins."""
+
+    def __init__(self):
+        self.inequalities = []
+
+    def require(self, name, left, right):
+        """Note left < right, or stop."""
+        if not left < right:
+            raise NotProvedError(f"{name}: {left} is not certainly below {right}")
+        left, right = above(left), -above(-right)
+        self.inequalities.append(
+            {"name": name, "left": left, "right": right, "margin": right - left}
+        )
 
 
 @contextmanager

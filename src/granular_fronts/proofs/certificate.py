@@ -11,33 +11,39 @@ import numpy as np
 from granular_fronts import arguments
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.linear.tails import tail_roots
-from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.output.files import complete_file
-from granular_fronts.proofs import right_inverse
-from granular_fronts.proofs.balls import MATRIX_UNIT
+from granular_fronts.fronts.solve import solve_front
+from granular_fronts.proofs import right_inverse, stored
 from granular_fronts.proofs.checker import EXPANSION, check_certificate
 from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.existence import approximate, chebyshev_nodes
-from granular_fronts.proofs.stored import (
-    beads,
-    differences,
-    fractions,
-    integers,
-    kernels,
-    require_size,
-)
 
-LOST, LOST_BEHIND = 1e-4, 0.01
-SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11
-NEAR_ONE, LOST_IN_CURVATURE = 1e-11, 1e-5
-DEGREE_IN_GAMMA = 4
-DRIFT = 6e-4
-FINE = 40
-COARSE = 20
-WIDEST = 1e-8
-START = 1.5e-5
-SMALL_OVERSHOOT = 1e-6
-PART, LARGEST_PART, SMALLEST_PART = 2.5e-4, 2e-4, 2e-5
+# What a user may choose, where nothing is chosen.
+CELLS = 20  # of the window per bead
+FINE = 40  # cells of the inverse behind per cell of the window
+DRIFT = 6e-4  # largest |a(u)/α − 1| behind the window
+
+# The approximate front.
+SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11  # P̄ is 0 ahead of all larger a(u)/α and u^α
+WIDEST = 1e-8  # width of an interval of γ on which P̄ need not depend on γ
+DEGREE_IN_GAMMA = 4  # of P̄ on a wider one
+LOST_IN_CURVATURE = 1e-5  # |u − 1| per squared half width: a wide interval has a larger Y₀ anyway
+
+# The expansion behind, Lemma 8.
+SMALL_OVERSHOOT = 1e-6  # fronts that overshoot by less may be monotone or oscillate behind
+START = 1.5e-5  # |u − 1| at x₀: small enough to be nearly linear, far above the errors of u
+LOST_BEHIND = 0.01  # ∫|g| cut off: these inverses enter bounds of Γ_w alone
+PART = 2.5e-4  # half width of a part of the interval of γ per distance of λ₁ and Re λ₂,
+SMALLEST_PART, LARGEST_PART = 2e-5, 2e-4  # but between these
+LEAST_RADIUS = 1e-9  # of the square in which a root is looked for
+WAYS = 3  # its radius in units of how far the root moves over the half width of a part
+
+# The choice of θ and η there.
+SLOW = np.linspace(0.84, 0.94, 6)  # candidates of θ in units of the slowest rate, below 1
+FAST = np.linspace(1.72, 1.96, 9)  # candidates of η in units of θ, below 2
+APART = 0.02  # least distance of η from all real parts, in units of η
+COARSE, LOST_COARSE = 20, 0.1  # cells per bead and ∫|g| cut off where candidates are ranked
+PLACE = 4  # beads behind x₀, where the remainder is to be small
+WEIGHT_OF_SLOW = 0.1  # of Γ_θ, which enters only the small c, beside Γ_η
 
 Rational = float | str | Fraction
 """A number as `rational` reads it."""
@@ -47,7 +53,7 @@ def prove_front(
     alpha: Rational | tuple[Rational, Rational],
     gamma: Rational | tuple[Rational, Rational],
     path: str | Path,
-    cells: int = 20,
+    cells: int = CELLS,
     fine: int = FINE,
     drift: float = DRIFT,
     beta: int | None = None,
@@ -105,8 +111,7 @@ def prove_front(
 
 
 def _write_and_check(path, fields):
-    with complete_file(path) as unfinished, unfinished.open("wb") as file:
-        np.savez_compressed(file, **fields)
+    stored.write(path, fields)
     return check_certificate(path)
 
 
@@ -116,28 +121,28 @@ def describe(front, alpha, interval, n, fine, drift):
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
     half = float(interval[1] - interval[0]) / 2
     nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
+    # The front at hand is that of the node in the middle.
     fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
-    behind = beads(-xi[abs(u - 1) > max(NEAR_ONE, LOST_IN_CURVATURE * half**2)][0])
-    ahead = beads(xi[(u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)][-1])
-    c = beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
-    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, LOST, half)
+    near_one = max(stored.NEAR_ONE, LOST_IN_CURVATURE * half**2)
+    behind = stored.beads(-xi[abs(u - 1) > near_one][0])
+    pressed = (u ** (exponent - 1) > SMALL_STIFFNESS) | (u**exponent > SMALL_FORCE)
+    ahead = stored.beads(xi[pressed][-1])
+    c = stored.beads(-xi[abs(u ** (exponent - 1) - 1) > drift][0])
+    g, p, q = right_inverse.rear_inverse(exponent, gamma, 0.0, n * fine, stored.LOST, half)
 
-    roots = sorted(tail_roots(exponent, gamma), key=lambda root: root.real)
-    longer = beads(6.5 / roots[0].real) * n
-    first, last = -(c + q + 2) - longer // n, ahead + 1
-    require_size((last - first) * n)
-    middles = (np.arange((last - first) * n) + 0.5) / n + first
-    strain = np.maximum(evaluate_front(front, middles), 0.0)
-    stiffness = exponent * strain ** (exponent - 1)
-    correction = right_inverse.window_correction(stiffness, gamma, n, -first * n, longer)
+    slowest = min(tail_roots(exponent, gamma).real)
+    longer = stored.beads(stored.DECAYS / slowest)
+    first = -(c + q + 2) - longer
+    stiffness = stored.window_stiffness(front, first, ahead + 1, n)
+    correction = right_inverse.window_correction(stiffness, gamma, n, -first * n, longer * n)
     fields = {
-        "alpha": fractions(alpha),
-        "gamma": fractions(interval),
-        "sizes": integers(behind, ahead, n, p, q, c, fine),
+        "alpha": stored.fractions(alpha),
+        "gamma": stored.fractions(interval),
+        "sizes": stored.integers(behind, ahead, n, p, q, c, fine),
         "profile": approximate(fronts, behind, ahead, n),
-        "inverse": kernels(g),
-        "correction": differences(correction, MATRIX_UNIT, np.int16),
-        "weights": np.array([round(0.9 * roots[0].real, 4)]),
+        "inverse": stored.kernels(g),
+        "correction": stored.matrix(correction),
+        "weights": np.round([stored.BELOW_SLOWEST * slowest], stored.DIGITS_OF_WEIGHTS),
     }
     if alpha[0] == alpha[1] and front.attrs["overshoot"] < SMALL_OVERSHOOT:
         fields |= _expansion(exponent, gamma, half, n * fine, xi, u)
@@ -149,7 +154,7 @@ def _expansion(alpha, gamma, half, n, xi, u):
 
     Nothing where there are more slow roots than a real one and a pair.
     """
-    roots, moved = (slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
+    roots, moved = (_slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
     slow, fast = _weights(alpha, gamma, roots)
     if not slow:
         return {}
@@ -157,41 +162,42 @@ def _expansion(alpha, gamma, half, n, xi, u):
     x0 = math.floor(xi[(abs(u - 1) > START) & (xi < 0)][0])
     lead = abs(roots.real[roots.imag > 0][0] - roots.real[0])
     parts = 1 + math.ceil(half / np.clip(PART * lead, SMALLEST_PART, LARGEST_PART))
-    radius = 1e-9 + 3 / parts * abs(roots - moved)
+    radius = LEAST_RADIUS + WAYS / parts * abs(roots - moved)
     found = [(root.real, root.imag, r) for root, r in zip(roots, radius, strict=True)]
     return {
         "weights": np.array([slow, fast]),
         "roots": np.array([row for row in found if row[0] < fast]),
-        "starts": integers(x0, *(-p * n for _, p, _ in g), parts),
-        "slow_inverse": kernels(g[0][0]),
-        "fast_inverse": kernels(g[1][0]),
+        "starts": stored.integers(x0, *(-p * n for _, p, _ in g), parts),
+        "slow_inverse": stored.kernels(g[0][0]),
+        "fast_inverse": stored.kernels(g[1][0]),
     }
 
 
-def slowest_first(roots):
+def _slowest_first(roots):
     """Real roots first, and the slowest first among those."""
     return np.array(sorted(roots, key=lambda root: (root.imag != 0, root.real)))
 
 
 def _weights(alpha, gamma, roots):
-    """θ and η of Lemma 8: the remainder, about Γ_η e^((η − λ₁)t), small four beads behind x₀."""
+    """θ and η of Lemma 8: the remainder, about Γ_η e^((η − λ₁)t), small at t = −PLACE."""
 
     def norm(w):
-        return abs(right_inverse.rear_inverse(alpha, gamma, w, COARSE, 0.1)[0]).sum() / COARSE
+        g = right_inverse.rear_inverse(alpha, gamma, w, COARSE, LOST_COARSE)[0]
+        return abs(g).sum() / COARSE
 
     def merit(weights):
         slow, fast = weights
-        return np.log(1 + norm(fast)) - 4 * fast + 0.1 * np.log(1 + norm(slow))
+        return np.log(1 + norm(fast)) - PLACE * fast + WEIGHT_OF_SLOW * np.log(1 + norm(slow))
 
     def fits(fast):
         below = roots[roots.real < fast]
         few = (below.imag == 0).sum() <= 1 and (below.imag > 0).sum() <= 1
-        return few and abs(roots.real - fast).min() > 0.02 * fast
+        return few and abs(roots.real - fast).min() > APART * fast
 
     choices = [
         (slow, fast)
-        for slow in np.round(roots.real.min() * np.linspace(0.84, 0.94, 6), 4)
-        for fast in np.round(slow * np.linspace(1.72, 1.96, 9), 4)
+        for slow in np.round(roots.real.min() * SLOW, stored.DIGITS_OF_WEIGHTS)
+        for fast in np.round(slow * FAST, stored.DIGITS_OF_WEIGHTS)
         if fits(fast)
     ]
     return min(choices, key=merit, default=(0.0, 0.0))

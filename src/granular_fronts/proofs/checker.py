@@ -13,7 +13,7 @@ import numpy as np
 from flint import arb, arb_poly, arb_series, fmpq
 
 from granular_fronts import arguments
-from granular_fronts.proofs.arrays import both_ends, load, require_arrays, require_lengths
+from granular_fronts.proofs.arrays import load, require_arrays, require_lengths
 from granular_fronts.proofs.balls import (
     MATRIX_UNIT,
     UNIT,
@@ -41,7 +41,9 @@ from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.rear_expansion import expand
 from granular_fronts.proofs.tail_roots import require_zeros
 
-TAYLOR_ORDER, MOST_POWERS, SMALL_STRAIN = 8, 8, 1e-7
+TAYLOR_ORDER = 8  # of the residual about the middle of a cell
+MOST_POWERS = 8  # of s in P̄ and in an inverse
+SMALL_STRAIN = 1e-7  # where ū may be below, no Taylor polynomial of ū^α is made
 EXPANSION = {  # kind of number and axes
     "roots": ("f8", 2),
     "starts": ("i8", 1),
@@ -110,12 +112,7 @@ class Front(Contraction):
     """
 
     def __init__(self, data):
-        super().__init__()
-        self.data = data
-        (least, most), (low, high) = both_ends(data, "alpha"), both_ends(data, "gamma")
-        self.law = self.alpha, self.gamma = least.union(most), low.union(high)
-        self.require("alpha > 1", arb(1), self.alpha)
-        self.require("gamma > 0", arb(0), self.gamma)
+        super().__init__(data)
         behind, ahead, n, self.p, q, self.c, self.fine = map(int, data["sizes"])
         self.n, self.h, self.left = n, arb(1) / n, max(behind + 1, self.c + q + 2)
         self.M = ahead + 1
@@ -128,7 +125,8 @@ class Front(Contraction):
         self.profile, first, second = (
             list(zip(*each, strict=True)) for each in zip(*known, strict=True)
         )
-        self.middle, self.half, zero = (low + high) / 2, (high - low) / 2, arb_poly([0])
+        self.middle, self.half = (self.low + self.high) / 2, (self.high - self.low) / 2
+        zero = arb_poly([0])
         self.strain = [
             [
                 g - self.middle * f - self.half * e

@@ -4,16 +4,20 @@ from functools import partial
 
 from flint import arb, fmpq
 
-from granular_fronts.proofs.balls import above, largest, power
-from granular_fronts.proofs.inequalities import Inequalities
+from granular_fronts.proofs.arrays import both_ends
+from granular_fronts.proofs.balls import Inequalities, above, largest, power
 
 
 class Contraction(Inequalities):
-    """Something with the exponent `alpha`, the bound `Z1` and a function `Z2` of the radius."""
+    """The α and γ of a certificate; a subclass has the bound `Z1` and a function `Z2` of r."""
 
-    def __init__(self):
+    def __init__(self, data):
         super().__init__()
-        self.numbers = {}
+        self.data, self.numbers = data, {}
+        (least, most), (self.low, self.high) = both_ends(data, "alpha"), both_ends(data, "gamma")
+        self.law = self.alpha, self.gamma = least.union(most), self.low.union(self.high)
+        self.require("alpha > 1", arb(1), self.alpha)
+        self.require("gamma > 0", arb(0), self.gamma)
 
     def a(self, u):
         """α u₊^(α − 1)."""
@@ -27,6 +31,7 @@ class Contraction(Inequalities):
     def contract(self, Y0):
         """The radius r of the theorem; a larger one, within which the solution is the only one."""
         self.require("Z1 < 1", self.Z1, arb(1))
+        # A little above the least radius; and all quarter powers of 2 down from 1.
         near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))
         r = next(filter(partial(self.contracts, Y0), near), Y0).upper()
         far = (arb(2) ** fmpq(-k, 4) for k in range(400))

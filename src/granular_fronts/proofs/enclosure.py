@@ -15,29 +15,15 @@ import xarray as xr
 from granular_fronts.proofs.balls import in_balls
 from granular_fronts.proofs.families import prove
 
-BEADS_AHEAD = 8
+BEADS_AHEAD = 8  # of the window, to which both bounds of the tail are continued
 
 
 def enclosure_dataset(path):
-    """Evaluate what a certificate proves of its front.
+    """What a certificate proves of its front; NotProvedError if that is nothing.
 
-    Parameters
-    ----------
-    path : str or path
-
-    Returns
-    -------
-    xarray.Dataset
-        In the middles of the cells, on `xi`: `approximation` ū, bounds of the `error` of u and of
-        the `residual`; on `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u,
-        the latter infinite where u has no bound from below.  Attributes: `error_bound`, `radius`,
-        and where they are proved `rate_low`, `rate_high`, `amplitude_low` and `amplitude_high` of
-        the tail behind.
-
-    Raises
-    ------
-    NotProvedError
-        If the certificate proves nothing.
+    In the middles of the cells, on `xi`: `approximation` ū, bounds of the `error` of u and of the
+    `residual`; on `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u, the latter
+    infinite where u has no bound from below.  Attributes: all numbers of the certificate.
     """
     front = prove(path)
     with in_balls():
@@ -79,7 +65,7 @@ def _tail_ahead(front, xi, low, high):
         known = len(xi) - start
         lows[:known] = np.log(np.maximum(low[start:], 0.0))
         highs[:known] = np.log(high[start:])
-    near = max(1, n // 10)
+    near = max(1, n // 10)  # κ in cells
     for j in range(n + 1, len(ahead)):
         highs[j] = min(highs[j], np.log(k) + alpha * highs[j - n])
         lows[j] = max(lows[j], np.log(c * near / n) + alpha * lows[j - n + near])

@@ -55,12 +55,17 @@ import numpy as np
 
 from granular_fronts.fronts.solve import evaluate_front
 
-DEGREE = 9
+DEGREE = 9  # of the approximate front on a cell, in t
 
 
 def chebyshev_nodes(count):
     """Where polynomials on (−1, 1) interpolate well."""
     return np.cos(np.pi * (np.arange(count) + 0.5) / count)
+
+
+def to_powers(count):
+    """The matrix that takes values at the Chebyshev nodes to coefficients of powers."""
+    return np.linalg.inv(np.vander(chebyshev_nodes(count), increasing=True))
 
 
 def cell_nodes(behind, ahead, n):
@@ -74,9 +79,6 @@ def approximate(fronts, behind, ahead, n):
 
     The fronts belong to the Chebyshev nodes in s; s and t are in (−1, 1).
     """
-    nodes, xi = chebyshev_nodes(DEGREE + 1), cell_nodes(behind, ahead, n)
+    xi = cell_nodes(behind, ahead, n)
     values = [np.maximum(evaluate_front(f, xi), 0.0) ** f.attrs["alpha"] for f in fronts]
-    to_powers, to_powers_of_s = (
-        np.linalg.inv(np.vander(x, increasing=True)) for x in (nodes, chebyshev_nodes(len(fronts)))
-    )
-    return np.einsum("ks,sct,mt->kcm", to_powers_of_s, values, to_powers)
+    return np.einsum("ks,sct,mt->kcm", to_powers(len(fronts)), values, to_powers(DEGREE + 1))

@@ -42,20 +42,8 @@ from granular_fronts.proofs.consequences import shape
 def prove_family(paths):
     """Prove that the fronts of certificates, in the order of γ, form one continuous family.
 
-    Parameters
-    ----------
-    paths : iterable of str or path
-
-    Yields
-    ------
-    dict
-        Of each certificate: see `record`; its inequalities are its own and those of its junction
-        with the one before.
-
-    Raises
-    ------
-    NotProvedError
-        At the first certificate that is not proved or not joined.
+    Yields the `record` of each, whose inequalities are its own and those of its junction with the
+    one before; NotProvedError at the first that is not proved or not joined.
     """
     last = None
     for path in paths:

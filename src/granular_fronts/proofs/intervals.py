@@ -4,21 +4,24 @@ import time
 from fractions import Fraction
 from pathlib import Path
 
-import numpy as np
-
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import solve_front
-from granular_fronts.output.files import complete_file
 from granular_fronts.proofs.balls import NotProvedError
-from granular_fronts.proofs.certificate import describe, interval_of, rational
+from granular_fronts.proofs.certificate import CELLS, DRIFT, FINE, describe, interval_of, rational
 from granular_fronts.proofs.families import ends, prove, record
+from granular_fronts.proofs.stored import write
 
-STEP, NARROWEST, NARROW = Fraction(1, 10**6), 4, 500
-FIRST_GROWTH, GROWTH, CAUTION, ROOM = Fraction(3, 2), Fraction(21, 20), Fraction(7, 10), 0.85
+STEP = Fraction(1, 10**6)  # ends of intervals are multiples of this
+NARROWEST = 4  # steps: what is not proved on such an interval is given up
+NARROW = 500  # steps of an interval that need not conclude whether its fronts are monotone
+FIRST_GROWTH = Fraction(3, 2)  # of the width after a proof, until one has failed
+GROWTH = Fraction(21, 20)  # from then on
+CAUTION = Fraction(7, 10)  # by which the width shrinks where nothing is proved
+ROOM = 0.85  # Z1 above which the width does not grow
 CONCLUSIONS = {"overshoot", "oscillates", "critical", "monotone"}
 
 
-def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, width="1/500"):
+def prove_interval(alpha, low, high, folder, cells=CELLS, fine=FINE, drift=DRIFT, width="1/500"):
     """Write certificates of neighbouring intervals of γ from `low` to `high`, each one proved.
 
     Each is proved from its file.  Certificates that the folder holds are proved again and kept; one
@@ -58,7 +61,7 @@ def prove_interval(alpha, low, high, folder, cells=20, fine=40, drift=6e-4, widt
         if not path.exists():
             interval = at, min(at + steps * STEP, high)
             front = solve_front(float(sum(alpha) / 2), float(sum(interval) / 2))
-            _write(path, describe(front, alpha, interval, cells, fine, drift))
+            write(path, describe(front, alpha, interval, cells, fine, drift))
         try:
             found = prove(path, last)
             _require_place(found, alpha, at, high)
@@ -89,8 +92,3 @@ def _require_conclusion(front):
     open_question = "roots" in front.data and not CONCLUSIONS & front.numbers.keys()
     if open_question and high - low > NARROW * STEP:
         raise NotProvedError("the interval is too wide to say whether its fronts are monotone")
-
-
-def _write(path, fields):
-    with complete_file(path) as unfinished, unfinished.open("wb") as file:
-        np.savez_compressed(file, **fields)

@@ -71,7 +71,8 @@ from granular_fronts.proofs.balls import (
 )
 from granular_fronts.proofs.tail_roots import Law, find_root, require_zeros, slope, speed
 
-TERMS, MOST_PARTS = 16, 1000
+TERMS = 16  # of the exponential on a cell
+MOST_PARTS = 1000  # of an interval of γ, so that every check ends
 KINDS = ("pair", "either", "real")
 """Which root leads, in the order of γ at critical damping."""
 

@@ -5,33 +5,18 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-BEHIND = "rate_low", "rate_high", "amplitude_low", "amplitude_high"
-"""Bounds of the leading term behind."""
-
-NUMBERS = "radius", *BEHIND, "monotone", "oscillates", "critical"
-"""Numbers of a record that are variables."""
-
-JOINED = "the front before is a translate"
-"""The last inequality of a junction."""
+BEHIND = "rate_low", "rate_high", "amplitude_low", "amplitude_high"  # of the leading term
+NUMBERS = "radius", *BEHIND, "monotone", "oscillates", "critical"  # that are variables
+JOINED = "the front before is a translate"  # the last inequality of a junction
 
 
 def records_dataset(records):
-    """What is proved, a row for each certificate.
+    """What is proved: a row for each record, NaN for numbers that are not proved.
 
-    Parameters
-    ----------
-    records : list of dict
-        As from `check_certificate` or `families.record`, with `path`, `name`, `alpha`, `beta`
-        (by default α) and `seconds`, the processor time.
-
-    Returns
-    -------
-    xarray.Dataset
-        On (certificate): `alpha`, `beta`, `gamma_low`, `gamma_high`, `error_bound` of u,
-        `overshoot_bound` (max u − 1 is above it) and the other numbers, NaN where they are not
-        proved, `joined` (1 where the fronts continue those of the row before),
-        `processor_seconds`, `bytes` and `statements`; on (certificate, inequality): both sides,
-        `left` < `right`.
+    A record is as from `check_certificate` or `families.record`, with `path`, `name`, `alpha`,
+    `beta` (by default α) and `seconds`, the processor time.  `overshoot_bound` is below max u − 1;
+    `joined` is 1 where the fronts continue those of the row before; on (certificate, inequality)
+    are both sides, `left` < `right`.
     """
     names = list(dict.fromkeys(one["name"] for row in records for one in row["inequalities"]))
     sides = np.full((2, len(records), len(names)), np.nan)

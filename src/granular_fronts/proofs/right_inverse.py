@@ -106,7 +106,10 @@ def trimmed(rows, n, lost):
 
 
 def periodic_inverse(middles, whole, n, span=200):
-    """G with δ + g inverse to δ − f, from f in the middles of cells and its integrals."""
+    """G with δ + g inverse to δ − f, from f in the middles of cells and its integrals.
+
+    Its period is 2 `span` beads, far beyond those on which it is kept.
+    """
     cells = 2 * span * n
     source, operator = np.zeros(cells), np.zeros(cells)
     source[np.arange(-n, n)], operator[np.arange(-n, n + 1)] = middles, whole

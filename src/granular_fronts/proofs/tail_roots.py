@@ -45,13 +45,13 @@ from itertools import pairwise
 
 from flint import acb, acb_series, arb, arb_series, fmpq
 
-from granular_fronts.proofs.balls import UNIT, NotProvedError, disc
-from granular_fronts.proofs.inequalities import Inequalities
+from granular_fronts.proofs.balls import UNIT, Inequalities, NotProvedError, disc
 
-NEWTON_STEPS, BEND_PARTS = 4, 1024
-STRIP, SHORTEST = arb(fmpq(1, 32)), arb(fmpq(1, 2**30))
-FARTHEST = arb(20)
-"""Real part of the lines that are followed, in time that grows as its exponential."""
+NEWTON_STEPS = 4  # from double precision to beyond that of the balls
+BEND_PARTS = 1024  # intervals of unit length are cut into in Lemma 10
+STRIP = arb(fmpq(1, 32))  # to both sides of a double root or of a crossing, free of other roots
+SHORTEST = arb(fmpq(1, 2**30))  # part of a line that is cut no further
+FARTHEST = arb(20)  # real part of a line that is followed, in time that grows as its exponential
 
 
 class Law(Inequalities):

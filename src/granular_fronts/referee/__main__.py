@@ -32,13 +32,13 @@ def main(arguments):
     options = parser.parse_args(arguments)
     with exit_on_error("The results cannot be judged."):
         scalar("--error", options.error, above=0.0, advice="give an error that would do")
-        make_folder(options.figures)
-        known = known_problems(options.answers)
-        for name, results in by_problem(options.files, known).items():
+        _make_folder(options.figures)
+        known = _known_problems(options.answers)
+        for name, results in _by_problem(options.files, known).items():
             judge(known[name], results, options)
 
 
-def make_folder(figures):
+def _make_folder(figures):
     """Make the folder for the figures, if some are wanted."""
     try:
         if figures:
@@ -49,7 +49,7 @@ def make_folder(figures):
         ) from None
 
 
-def known_problems(folder):
+def _known_problems(folder):
     """Files of the answers by problem, those of the table; an earlier run may have left others."""
     table = folder / "answers.csv"
     if not table.is_file():
@@ -60,7 +60,7 @@ def known_problems(folder):
     return {name: folder / f"{name}.nc" for name in problems_of(table.read_text(encoding="utf-8"))}
 
 
-def by_problem(files, known):
+def _by_problem(files, known):
     """Results of each problem, the largest step first."""
     found = defaultdict(list)
     for result in (read_result(file, known) for file in files):
@@ -74,7 +74,7 @@ def by_problem(files, known):
     }
 
 
-def read_answer(path):
+def _read_answer(path):
     """The accurate answer of a file."""
     try:
         return read_dataset(path, scene_id=path.stem)
@@ -84,7 +84,7 @@ def read_answer(path):
 
 def judge(path, results, options):
     """One problem."""
-    answer = read_answer(path)
+    answer = _read_answer(path)
     problem = Problem(**configuration_of(answer))
     findings = [find(problem, answer, result) for result in results]
     print("\n".join(report(problem, findings, options.error)))

@@ -9,6 +9,7 @@ import csv
 import io
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from granular_fronts.chain.simulate import simulate_chain
@@ -19,21 +20,14 @@ LAST_BEADS = 3
 
 
 def solve(problem):
-    """The accurate answer.
+    """The accurate answer to a problem.
 
-    Parameters
-    ----------
-    problem : Problem
-
-    Returns
-    -------
-    xarray.Dataset
-        `relative_displacement` on (t, contact) and `velocity` on (t, bead); `reading` on (factor,),
-        dampings over γ; `value` and `value_error` on (quantity,).
+    `relative_displacement` is on (t, contact), `velocity` on (t, bead), `reading` on (factor,),
+    dampings over γ; `value` and `value_error` are on (quantity,).
     """
     motion = simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)
-    readings = [read_at(problem, factor) for factor in problem.factors]
+    readings = [_read_at(problem, factor) for factor in problem.factors]
     names, values, errors = zip(*quantities(motion), strict=True)
     field = {
         name: {key: motion[f"{name}_grid"].attrs[key] for key in ("error_estimate", "error_method")}
@@ -70,7 +64,7 @@ def states(motion):
     return motion["t_grid"].values, u, motion["velocity_grid"].values
 
 
-def read_at(problem, factor):
+def _read_at(problem, factor):
     """The reading of the damping, of the same motion at another damping."""
     law = problem.scene["law"]
     scene = problem.scene | {"law": law | {"gamma": factor * law["gamma"]}}
@@ -94,28 +88,15 @@ def quantities(motion):
 
 
 def table_of(answers):
-    """All single numbers of some answers as CSV.
-
-    Parameters
-    ----------
-    answers : mapping of str to xarray.Dataset
-
-    Returns
-    -------
-    str
-    """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["problem", "quantity", "value", "error"])
-    for name, answer in answers.items():
-        for row in zip(
-            answer["quantity"].values,
-            answer["value"].values,
-            answer["value_error"].values,
-            strict=True,
-        ):
-            writer.writerow([name, row[0], repr(float(row[1])), f"{row[2]:.1e}"])
-    return text.getvalue()
+    """All single numbers of some answers, a mapping by names of problems, as CSV."""
+    rows = [
+        {"problem": name, "quantity": quantity, "value": float(value), "error": f"{error:.1e}"}
+        for name, answer in answers.items()
+        for quantity, value, error in zip(
+            *(answer[key].values for key in ("quantity", "value", "value_error")), strict=True
+        )
+    ]
+    return pd.DataFrame(rows).to_csv(index=False)
 
 
 def problems_of(table):
@@ -125,16 +106,17 @@ def problems_of(table):
 
 def states_of(answer):
     """The states half-way and at the end as CSV: t, bead, u of its right contact, v, error."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["t", "bead", "u", "v", "error"])
     fields = answer["relative_displacement"], answer["velocity"]
     error = max(field.attrs["error_estimate"] for field in fields)
-    for row in (answer.sizes["t"] // 2, -1):
-        state = answer.isel(t=row)
-        u = [*state["relative_displacement"].values, 0.0]
-        for bead, left, v in zip(answer["bead"].values, u, state["velocity"].values, strict=True):
-            writer.writerow(
-                [float(state["t"]), int(bead), repr(float(left)), repr(float(v)), f"{error:.1e}"]
-            )
-    return text.getvalue()
+    states = (answer.isel(t=row) for row in (answer.sizes["t"] // 2, -1))
+    columns = [
+        {
+            "t": float(state["t"]),
+            "bead": state["bead"].values,
+            "u": [*state["relative_displacement"].values, 0.0],
+            "v": state["velocity"].values,
+            "error": f"{error:.1e}",
+        }
+        for state in states
+    ]
+    return pd.concat(map(pd.DataFrame, columns)).to_csv(index=False)

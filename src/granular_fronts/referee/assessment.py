@@ -16,7 +16,6 @@ NO_ORDER = 0.3
 SAME_TIME = 1.0e-6
 """Distance of two times that count as one, over the interval between states."""
 
-
 SAME_START = 1.0e-6
 """Distance of two first states that count as one, over δ or over the velocity of a front."""
 
@@ -24,13 +23,8 @@ SAME_START = 1.0e-6
 class Finding(NamedTuple):
     """What one result shows.
 
-    Attributes
-    ----------
-    step : float
-    error : float
-        The larger of the errors of u over δ and of the velocities over δ^(5/4), of all states.
-    reading, excess : float
-        See `readings`; NaN where there is none.
+    `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
+    states; `reading` and `excess` are those of `readings`, NaN where there is none.
     """
 
     step: float
@@ -40,26 +34,10 @@ class Finding(NamedTuple):
 
 
 def find(problem, answer, result):
-    """Compare a result with the answer.
-
-    Parameters
-    ----------
-    problem : Problem
-    answer : xarray.Dataset
-    result : results_files.Result
-
-    Returns
-    -------
-    Finding
-
-    Raises
-    ------
-    InputError
-        If beads, times or the first state differ.
-    """
-    rows = matching_rows(problem, answer, result)
+    """Compare a result with the answer; an InputError names beads, times or a start that differ."""
+    rows = _matching_rows(problem, answer, result)
     u, v = -np.diff(result.x[rows], axis=1), result.v[rows]
-    check_start(problem, result.step, u[0], v[0])
+    _check_start(problem, result.step, u[0], v[0])
     distances = (
         np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
         np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
@@ -70,7 +48,7 @@ def find(problem, answer, result):
     return Finding(result.step, float(max(distances)), reading, excess)
 
 
-def matching_rows(problem, answer, result):
+def _matching_rows(problem, answer, result):
     """Rows of a result at the times of the answer."""
     name = f"{problem.name} with step {result.step:g}"
     beads = problem.scene["beads"]
@@ -90,7 +68,7 @@ def matching_rows(problem, answer, result):
     return rows
 
 
-def check_start(problem, step, u, v):
+def _check_start(problem, step, u, v):
     """Check that a motion starts as the problem: beads touch and have its velocities.
 
     Codes that keep velocities of half steps start with that of half a step before or after.
@@ -112,7 +90,7 @@ def check_start(problem, step, u, v):
 
 
 class Order(NamedTuple):
-    """Slope of log error over log step at the two smallest steps, and its scatter.
+    """Slope of log error over log step at the two smallest steps.
 
     `scatter` is its distance from the slope of the pair before; NaN for two steps.
     """
@@ -132,21 +110,12 @@ def observed_order(findings):
 def report(problem, findings, wanted):
     """Sentences on all results of one problem.
 
-    Parameters
-    ----------
-    problem : Problem
-    findings : list of Finding
-        Of different steps, the largest first.
-    wanted : float
-        Error that would do, of the size of `Finding.error`.
-
-    Yields
-    ------
-    str
+    `findings` are of different steps, the largest first; `wanted` is an error that would do.
     """
     yield problem.title
     for one in findings:
-        yield f"  step {one.step:g}: largest error {one.error:.1e}{damping_in_words(problem, one)}."
+        damping = _damping_in_words(problem, one)
+        yield f"  step {one.step:g}: largest error {one.error:.1e}{damping}."
     if len(findings) < 2:
         yield "  Give a second step, and the order is found."
         return
@@ -156,7 +125,7 @@ def report(problem, findings, wanted):
     yield from (f"  {line}" for line in advice(problem, findings[-1], order, wanted))
 
 
-def damping_in_words(problem, finding):
+def _damping_in_words(problem, finding):
     """What the reading says, as the end of a sentence."""
     if np.isnan(finding.excess):
         return ""

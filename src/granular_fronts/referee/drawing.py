@@ -10,29 +10,15 @@ START = 0.01
 
 
 def draw(problem, answer, results, findings):
-    """A contact in the middle against time, and errors against the step.
-
-    Parameters
-    ----------
-    problem : Problem
-    answer : xarray.Dataset
-    results : list of results_files.Result
-    findings : list of assessment.Finding
-        In the same order.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw a contact in the middle against time, and the errors against the step."""
     figure, panels = new_figure(3.2, [["motion", "error"]])
-    draw_motion(panels["motion"], problem, answer, results)
-    draw_errors(panels["error"], findings)
+    _draw_motion(panels["motion"], problem, answer, results)
+    _draw_errors(panels["error"], findings)
     figure.suptitle(problem.title, fontsize=9)
     return figure
 
 
-def draw_motion(axes, problem, answer, results):
-    """Draw u of the contact in the middle."""
+def _draw_motion(axes, problem, answer, results):
     contact = problem.scene["beads"] // 2
     u = answer["relative_displacement"].sel(contact=contact)
     axes.plot(answer["t"], u, "-", color=EQUATION_COLOUR, label="accurate")
@@ -47,7 +33,7 @@ def draw_motion(axes, problem, answer, results):
     axes.legend(fontsize=7)
 
 
-def draw_errors(axes, findings):
+def _draw_errors(axes, findings):
     """Largest errors, with a line of slope 1 through the smallest step."""
     steps, errors = [one.step for one in findings], [one.error for one in findings]
     axes.loglog(steps, errors, "o", color=CHAIN_COLOUR, markersize=4)

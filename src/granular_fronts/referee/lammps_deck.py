@@ -64,28 +64,11 @@ run ${{steps}}
 def write_deck(name, title, scene, interval):
     """The input file of a chain.
 
-    Parameters
-    ----------
-    name : str
-        Begins the name of the file that LAMMPS writes; the step ends it.
-    title : str
-        One line.
-    scene : mapping
-        A chain as `simulate_chain` takes it: α = 3/2, β of 3/2, 5/4 or 1, a free right end, beads
-        that just touch at t = 0.
-    interval : float
-        Between two states that LAMMPS writes; a multiple of the step.
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    InputError
-        If the law is none of LAMMPS's.
+    The scene has α = 3/2, β of 3/2, 5/4 or 1, a free right end, and beads that just touch at t = 0;
+    `name` begins the name of the file that LAMMPS writes, `interval` lies between two states in it.
+    An InputError says that LAMMPS has no such law.
     """
-    beads, velocities = scene["beads"], start_velocities(scene)
+    beads, velocities = scene["beads"], _start_velocities(scene)
     pressure = scene["boundary"]["left"] ** scene["law"]["alpha"]
     damping, coefficient = damping_model(scene["law"])
     atoms = "\n".join(f"create_atoms 1 single {n * DIAMETER!r} 0 0" for n in range(beads))
@@ -96,7 +79,7 @@ def write_deck(name, title, scene, interval):
         interval=float(interval),
         end_time=float(scene["end_time"]),
         low=-MARGIN,
-        high=beads * DIAMETER + MARGIN + farthest(scene),
+        high=beads * DIAMETER + MARGIN + _farthest(scene),
         atoms=atoms,
         velocities="".join(f"set atom {n} vx {v!r}\n" for n, v in moving),
         coefficient=coefficient,
@@ -106,13 +89,7 @@ def write_deck(name, title, scene, interval):
 
 
 def damping_model(law):
-    """LAMMPS's name of a viscous force, and its coefficient.
-
-    Raises
-    ------
-    InputError
-        If LAMMPS has no such force.
-    """
+    """LAMMPS's name of a viscous force and its coefficient; an InputError if it has none."""
     alpha, beta, gamma = (float(law[name]) for name in ("alpha", "beta", "gamma"))
     if alpha == 1.5 and beta == 1.5:
         return "viscoelastic", 6.0 * gamma
@@ -127,13 +104,13 @@ def damping_model(law):
     )
 
 
-def start_velocities(scene):
+def _start_velocities(scene):
     """Velocities at t = 0."""
     return scene["start"].get("velocity", [0.0] * scene["beads"])
 
 
-def farthest(scene):
+def _farthest(scene):
     """How far a bead moves at the most: at thrice the velocity of a front, or of the start."""
     law, left = scene["law"], scene["boundary"]["left"]
-    fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, start_velocities(scene)))
+    fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, _start_velocities(scene)))
     return 3.0 * fastest * scene["end_time"]

@@ -9,30 +9,10 @@ from granular_fronts.referee.results_files import read_result
 
 
 def run_lammps(command, name, deck, step, integrator="nve"):
-    """The motion that LAMMPS computes, and what it reports.
+    """The `Result` that LAMMPS computes from a deck, and what it prints, its version first.
 
-    Parameters
-    ----------
-    command : str
-        LAMMPS itself, usually ``lmp``.
-    name, deck : str
-        As `write_deck` took and gave them.
-    step : float
-        Time step, above 0.
-    integrator : {"nve", "mvv"}
-        ``fix nve`` or ``fix mvv/dpd``.
-
-    Returns
-    -------
-    result : Result
-        The states that the input file asks for.
-    report : str
-        What LAMMPS printed; its first line is its version.
-
-    Raises
-    ------
-    SolveError
-        If LAMMPS fails; the sentence quotes its errors.
+    The integrator is "nve" or "mvv", ``fix nve`` or ``fix mvv/dpd``; a SolveError quotes what
+    LAMMPS says if it fails.
     """
     options = {"step": repr(step), "integrator": integrator}
     variables = [word for key, value in options.items() for word in ("-var", key, value)]

@@ -6,12 +6,16 @@ has the velocity :math:`\delta^{5/4}` of the beads behind such a front.  A dampi
 units of the front (29): :math:`\gamma = \hat\gamma\,\delta^{5/4-\beta}`.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from itertools import pairwise
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
-from granular_fronts.referee.settings import check_settings
+from granular_fronts.scenes.limits import Part, part_errors
+from granular_fronts.scenes.schema import name_entry, violations
+from granular_fronts.scenes.yaml_files import read_yaml
 
 ALPHA = 1.5
 
@@ -19,6 +23,12 @@ PRESSED = "a constant force of {force!r} pushes bead 1 towards bead 2 from t = 0
 STRUCK = "bead 1 has the velocity {velocity!r} towards bead 2"
 MOTIONS = {"front": PRESSED, "contact_loss": PRESSED, "striker": STRUCK, "collision": STRUCK}
 """What moves the beads, in words."""
+
+SAME = 1.0e-9
+"""Relative distance of a quotient from a whole number that counts as none."""
+
+NUMBERS_OF_A_BEAD = 4
+"""Held of each state: relative displacement and velocity, of the solution and of its refinement."""
 
 WORDS = """\
 {title}
@@ -42,16 +52,9 @@ columns t, bead, x, v, where x is the displacement from the start. Or let LAMMPS
 class Problem(NamedTuple):
     """A motion to compute.
 
-    Attributes
-    ----------
-    name, motion : str
-        `motion` is one of `MOTIONS`.
-    scene : dict
-        As `simulate_chain` takes it.
-    displacement, interval : float
-        δ, and the time between two states that are compared.
-    factors : list of float
-        Dampings over γ at which a reading of the damping is made.
+    `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ,
+    `interval` the time between two states that are compared; `factors` are the dampings over γ at
+    which a reading of the damping is made.
     """
 
     name: str
@@ -69,31 +72,18 @@ class Problem(NamedTuple):
 
 
 def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
-    """State all problems of the section ``referee`` of config/referee.yaml.
+    """State all problems of the section ``referee`` of config/referee.yaml, by their names.
 
-    Parameters
-    ----------
-    settings : mapping
-        The section.
-
-    Returns
-    -------
-    dict of str to Problem
-        By their names.
-
-    Raises
-    ------
-    InputError
-        With a sentence for what is wrong, a law that LAMMPS does not have included.
+    An InputError says in a sentence what is wrong, such as a law that LAMMPS does not have.
     """
-    check_settings(settings)
+    _check_settings(settings)
     found: dict[str, Problem] = {}
     for motion, chain in settings["motions"].items():
         for damping in chain["dampings"]:
             for law, beta in settings["laws"].items():
                 name = f"{motion}_{damping}_{law}"
                 scene = scene_of(motion, chain, beta, settings["dampings"][damping], settings)
-                check_problem(name, scene, found)
+                _check_problem(name, scene, found)
                 found[name] = Problem(
                     name,
                     motion,
@@ -105,7 +95,7 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
     return found
 
 
-def check_problem(name: str, scene: Mapping[str, Any], others: Collection[str]) -> None:
+def _check_problem(name: str, scene: Mapping[str, Any], others: Collection[str]) -> None:
     """Check that LAMMPS has the law of a problem, and that its name is its own."""
     try:
         damping_model(scene["law"])
@@ -162,3 +152,65 @@ def in_words(problem: Problem) -> str:
         interval=problem.interval,
         twice=2.0 * problem.interval,
     )
+
+
+# What config/referee.yaml asks for. Its schema says which keys there are; what ties two keys
+# together is checked here.
+
+
+def read_settings(file: Path | str) -> dict[str, Any]:
+    """The section ``referee`` of a file, as `load_problems` takes it.
+
+    An InputError has a sentence for each thing that is wrong in its YAML, keys and values.
+    """
+    given = read_yaml(file)
+    _raise_if_any(violations(given, schema="referee"))
+    return given["referee"]
+
+
+def _check_settings(settings: Mapping[str, Any]) -> None:
+    """Raise an InputError with a sentence for each thing wrong in a section ``referee``."""
+    _raise_if_any(violations(settings, definition="settings", schema="referee"))
+    _raise_if_any([*_factor_errors(settings["factors"]), *_motion_errors(settings)])
+
+
+def _raise_if_any(sentences: Iterable[str]) -> None:
+    """Raise an InputError of some sentences about the settings, one a line, if there are any."""
+    errors = [f"config/referee.yaml: {sentence}" for sentence in sentences]
+    if errors:
+        raise InputError("\n".join(errors))
+
+
+def _factor_errors(factors: list[float]) -> Iterator[str]:
+    """A damping is read off a table that increases and holds the problem's own."""
+    for place, (before, factor) in enumerate(pairwise(factors), 1):
+        if factor <= before:
+            yield (
+                f"{name_entry('factors', place)} is {factor}, not above {before} before it: list "
+                "them in increasing order."
+            )
+    if 1 not in factors:
+        yield "factors does not hold 1, the damping of the problem itself: add 1."
+
+
+def _motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
+    """Motions have known dampings, end at a state, collide in pairs, and fit into memory."""
+    for motion, chain in settings["motions"].items():
+        for damping in chain["dampings"]:
+            if damping not in settings["dampings"]:
+                yield (
+                    f"motions.{motion}.dampings names {damping!r}, which is unknown: choose from "
+                    f"{', '.join(settings['dampings'])}."
+                )
+        intervals = chain["end_time"] / settings["interval"]
+        if abs(intervals - round(intervals)) > SAME * intervals:
+            yield (
+                f"motions.{motion}.end_time is {chain['end_time']}, no multiple of interval "
+                f"{settings['interval']}, so that no state is compared at the end: change one."
+            )
+        if motion == "collision" and chain["beads"] != 2:
+            yield f"motions.collision.beads is {chain['beads']}, but two beads collide: write 2."
+        states = NUMBERS_OF_A_BEAD * chain["beads"] * intervals
+        size = Part(("beads", "end_time"), ("interval",), numbers=states)
+        for sentence in part_errors({**chain, "interval": settings["interval"]}, [size]):
+            yield f"motions.{motion}: {sentence}"

@@ -43,20 +43,7 @@ def velocity_scale(problem):
 
 
 def read_motion(problem, t, u, v):
-    """The number that says the damping.
-
-    Parameters
-    ----------
-    problem : Problem
-    t : ndarray, shape (T,)
-    u, v : ndarray, shapes (T, N − 1) and (T, N)
-        Relative displacements and velocities.
-
-    Returns
-    -------
-    float
-        NaN if a peak is not passed.
-    """
+    """The number that says the damping, from u (T, N − 1) and v (T, N); NaN without a peak."""
     if problem.motion == "contact_loss":
         found = float(v[-1, -1])
     elif problem.motion == "collision":
@@ -70,11 +57,7 @@ def read_motion(problem, t, u, v):
 def excess_damping(reading, factors, table):
     """γ of the accurate motion with a reading, over γ, less 1; NaN where the reading says nothing.
 
-    Parameters
-    ----------
-    reading : float
-    factors, table : ndarray
-        Dampings over γ, and the accurate readings there.
+    `table` holds the accurate readings at the dampings `factors` times γ.
     """
     falls = np.diff(table).max() < -LEAST_FALL * abs(table[0])
     return float(excess_by_table(np.array(reading), factors, table)) if falls else np.nan

@@ -19,18 +19,7 @@ COLUMNS = ("t", "bead", "x", "v")
 
 
 class Result(NamedTuple):
-    """A motion as somebody's code computed it.
-
-    Attributes
-    ----------
-    problem : str
-    step : float
-        h, above 0.
-    t : ndarray, shape (T,)
-        Times of the states, increasing.
-    x, v : ndarray, shape (T, N)
-        Displacements and velocities.
-    """
+    """A motion as somebody's code computed it: step h, t (T,), displacements x and v (T, N)."""
 
     problem: str
     step: float
@@ -40,34 +29,21 @@ class Result(NamedTuple):
 
 
 def read_result(path, problems):
-    """Read a file, whose name says problem and step.
+    """Read a file, whose name says step and problem, one of `problems`.
 
-    Parameters
-    ----------
-    path : Path
-    problems : collection of str
-        Known names.
-
-    Returns
-    -------
-    Result
-
-    Raises
-    ------
-    InputError
-        If there is no such file, it is about no known problem, or it cannot be read.
+    An InputError says that there is no such file or problem, or why the file cannot be read.
     """
     path = Path(path)
-    problem, step = read_name(path, problems)
+    problem, step = _read_name(path, problems)
     if not path.is_file():
         raise InputError(f"There is no file {path}: name one that exists.")
-    rows = lammps_rows(path) if path.suffix == ".dump" else table_rows(path)
-    t, x, v = by_time_and_bead(path, rows)
-    check_last_line(path)
+    rows = _lammps_rows(path) if path.suffix == ".dump" else _table_rows(path)
+    t, x, v = _by_time_and_bead(path, rows)
+    _check_last_line(path)
     return Result(problem, step, t, displacements(x), v)
 
 
-def check_last_line(path):
+def _check_last_line(path):
     """A file that was cut inside its last number still ends with a number, but not with a line."""
     if not path.read_bytes().endswith((b"\n", b"\r")):
         raise InputError(
@@ -76,8 +52,7 @@ def check_last_line(path):
         )
 
 
-def read_name(path, problems):
-    """Problem and step in the name of a file."""
+def _read_name(path, problems):
     problem, _, step = path.stem.rpartition("_")
     try:
         h = float(step)
@@ -96,7 +71,7 @@ def read_name(path, problems):
     return problem, h
 
 
-def lammps_rows(path):
+def _lammps_rows(path):
     """Rows (t, bead, x, v) of a dump with ``dump_modify time yes``."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     rows, time, at = [], None, 0
@@ -123,7 +98,7 @@ def lammps_rows(path):
     return rows
 
 
-def table_rows(path):
+def _table_rows(path):
     """Rows (t, bead, x, v) of a table; lines that begin with # are comments."""
     with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
         lines = (line for line in file if not line.startswith("#"))
@@ -161,7 +136,7 @@ def number(path, text=""):
     return found
 
 
-def by_time_and_bead(path, rows):
+def _by_time_and_bead(path, rows):
     """Times, and x and v on (time, bead)."""
     if not rows:
         raise InputError(f"{path} holds no states: write some.")

@@ -22,7 +22,8 @@ below rounding, the logarithm is frozen.
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import fft
@@ -59,21 +60,10 @@ class Step(NamedTuple):
     derivative: np.ndarray
 
 
-def evolve_fourier(scene, points, longest_step):
-    """Solve (50) for a checked periodic scene up to its end.
+def evolve_fourier(scene: Mapping[str, Any], points: int, longest_step: float) -> FourierRun:
+    """Solve (50) for a checked periodic scene up to its end, on M points there, M even.
 
-    Parameters
-    ----------
-    scene : mapping
-        One entry of `scenes.periodic` of the configuration.
-    points : int
-        M, even, at the end.
-    longest_step : float
-        Δτ.
-
-    Returns
-    -------
-    FourierRun
+    No step is longer than `longest_step`, in τ.
     """
     scaling, start = scaling_of(scene), make_start(scene["start"])
     half_length = scaling.half_length(scene["half_beads"])
@@ -81,23 +71,23 @@ def evolve_fourier(scene, points, longest_step):
     now = START_REFINEMENT * points
     amplitudes = start_amplitudes(start, half_length, now)
     tau, steps, floor = 0.0, 0, max(start.floor, SMALLEST_ARGUMENT)
-    first = smoothing_time(half_length, now) / 2**FIRST_DOUBLINGS
+    first = _smoothing_time(half_length, now) / 2**FIRST_DOUBLINGS
     while tau < end:
         stop = min(end, max(2.0 * tau, first))
-        while now > points and stop > 2.0 * smoothing_time(half_length, now // 2):
+        while now > points and stop > 2.0 * _smoothing_time(half_length, now // 2):
             now //= 2
         count = max(STEPS_PER_DOUBLING, math.ceil((stop - tau) / longest_step))
         coefficients = make_step(half_length, now, (stop - tau) / count)
         amplitudes = amplitudes[: now // 2 + 1]
         for _ in range(count):
-            amplitudes = take_step(coefficients, amplitudes, now, floor)
+            amplitudes = _take_step(coefficients, amplitudes, now, floor)
         tau, steps = stop, steps + count
     xi = half_length * (2.0 * np.arange(points) / points - 1.0)
     values = fft.irfft(amplitudes[: points // 2 + 1], points, norm="forward")
     return FourierRun(xi, values, steps)
 
 
-def smoothing_time(half_length, points):
+def _smoothing_time(half_length, points):
     """τ at which diffusion has extinguished the shortest wave on that many points."""
     return EXTINCTION / (0.5 * np.pi * points / half_length) ** 2
 
@@ -118,7 +108,7 @@ def make_step(half_length, points, step):
     return Step(np.exp(z), np.exp(0.5 * z), *means, -1j * step * wave_numbers)
 
 
-def take_step(step, amplitudes, points, floor):
+def _take_step(step, amplitudes, points, floor):
     """Amplitudes after one step."""
 
     def rates(waves):

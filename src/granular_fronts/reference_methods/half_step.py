@@ -32,9 +32,11 @@ chain has multipliers z, :math:`z^2 - (2 - 4h^2s - 4hg)z + 1 - 4hg = 0`, of modu
 and only if :math:`h^2 s + 2hg \le 1`.
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from granular_fronts.arguments import array, count, scalar
 from granular_fronts.numerics.compiled import kernel
@@ -52,42 +54,26 @@ class Chain(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """Positions and velocities, (time, bead), after 0, 1, 2 … steps.
-
-    Attributes
-    ----------
-    t : ndarray, shape (steps + 1,)
-    x, v : ndarray, shape (steps + 1, beads followed)
-    """
+    """Positions and velocities of the beads followed, (time, bead), after 0, 1, 2 … steps."""
 
     t: np.ndarray
     x: np.ndarray
     v: np.ndarray
 
 
-def integrate(chain, x, v, step, steps, follow=None):
-    """Advance a chain by equal steps.
+def integrate(
+    chain: Chain,
+    x: npt.ArrayLike,
+    v: npt.ArrayLike,
+    step: float,
+    steps: int,
+    follow: Sequence[int] | None = None,
+) -> Motion:
+    """Advance a chain by equal steps h > 0; an InputError names an argument out of range.
 
-    Parameters
-    ----------
-    chain : Chain
-        α above 0, β of 1 or more, γ, δ and δ̃ of 0 or more.
-    x, v : array_like, shape (N,)
-        Displacements, zero where beads just touch, and velocities at t = 0.
-    step : float
-        h, above 0.
-    steps : int
-    follow : sequence of int, optional
-        Indices of the beads whose motion is returned; all by default.
-
-    Returns
-    -------
-    Motion
-
-    Raises
-    ------
-    InputError
-        If an argument is out of range.
+    α is above 0, β 1 or more, and γ, δ and δ̃ are 0 or more.  At t = 0 the beads have displacements
+    x, zero where they just touch, and velocities v, both of shape (N,).  `follow` holds the indices
+    of the beads whose motion is returned; all by default.
     """
     alpha = scalar("alpha", chain.alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", chain.beta, least=1.0, advice="give an exponent")
@@ -113,7 +99,7 @@ def advance(x, v, law, ends, step, follow, followed_x, followed_v):
             for n in range(x.size):
                 v[n] += 0.5 * step * a[n]
                 x[n] += step * v[n]
-        accelerate(x, v, law, ends, a)
+        _accelerate(x, v, law, ends, a)
         if i > 0:
             for n in range(x.size):
                 v[n] += 0.5 * step * a[n]
@@ -123,7 +109,7 @@ def advance(x, v, law, ends, step, follow, followed_x, followed_v):
 
 
 @kernel
-def accelerate(x, v, law, ends, a):
+def _accelerate(x, v, law, ends, a):
     """Right-hand side of (28), with the forces `ends` at the ends."""
     alpha, beta, gamma = law
     before = ends[0]

@@ -29,31 +29,20 @@ _B, _E5, _E3 = (weights[: rk.STAGES].copy() for weights in (rk.B, rk.ERROR_5, rk
 
 
 class Contacts(NamedTuple):
-    """What the kernels know of a system.
+    """What the kernels know of a system."""
 
-    Attributes
-    ----------
-    form : int
-        XW or XV.
-    ring : bool
-    left, right : float
-        Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of
-        all relative displacements over one turn, and `left` is unused.
-    elastic, viscous : int
-        Addresses of the row maps F, and G (XW) or G' (XV).
-    elastic_parameters, viscous_parameters : ndarray
-    u, rate, force, damping : ndarray, shape (N + 1,)
-        Work space: contacts 0 … N, their rates, F, and G or G'.
-    """
-
-    form: int
+    form: int  # XW or XV.
     ring: bool
+    # Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of all
+    # relative displacements over one turn, and `left` is unused.
     left: float
     right: float
+    # Addresses of the row maps F, and G (XW) or G' (XV), and what they take.
     elastic: int
     viscous: int
     elastic_parameters: np.ndarray
     viscous_parameters: np.ndarray
+    # Work space: contacts 0 … N, their rates, F, and G or G'.
     u: np.ndarray
     rate: np.ndarray
     force: np.ndarray
@@ -61,17 +50,7 @@ class Contacts(NamedTuple):
 
 
 class System(NamedTuple):
-    """A chain in positions.
-
-    Attributes
-    ----------
-    form : int
-        XW for (x, w), XV for (x, ẋ).
-    law : model.laws.Law
-    boundary : chain.equations.Boundary
-        Pressure at the ends or a ring.
-    contacts : Contacts
-    """
+    """A chain in positions, its boundary no piston."""
 
     form: int
     law: Law
@@ -79,23 +58,8 @@ class System(NamedTuple):
     contacts: Contacts
 
 
-def make_system(form, law, boundary, beads, turn=0.0):
-    """A chain in positions.
-
-    Parameters
-    ----------
-    form : int
-        XW or XV.
-    law : model.laws.Law
-    boundary : chain.equations.Boundary
-    beads : int
-    turn : float, optional
-        On a ring, the sum of all relative displacements.
-
-    Returns
-    -------
-    System
-    """
+def make_system(form: int, law: Law, boundary: Boundary, beads: int, turn: float = 0.0) -> System:
+    """A chain in positions; on a ring `turn` is the sum of all relative displacements."""
     order = 1 if form == XW else 2
     contacts = Contacts(
         form,
@@ -111,22 +75,12 @@ def make_system(form, law, boundary, beads, turn=0.0):
     return System(form, law, boundary, contacts)
 
 
-def pack(form, law, boundary, u, velocity):
-    """A system and its state vector, from relative displacements and velocities.
+def pack(
+    form: int, law: Law, boundary: Boundary, u: np.ndarray, velocity: np.ndarray
+) -> tuple[System, np.ndarray]:
+    """A system and its state vector, shape (2 N,), from relative displacements and velocities.
 
-    Parameters
-    ----------
-    form : int
-        XW or XV.
-    law : model.laws.Law
-    boundary : chain.equations.Boundary
-    u, velocity : ndarray, shape (N,)
-        With pressure at the ends u_N is the held value.
-
-    Returns
-    -------
-    System
-    y : ndarray, shape (2 N,)
+    Both have the shape (N,); with pressure at the ends u_N is the held value.
     """
     x = np.zeros(u.size)
     x[:-1] = np.flip(np.cumsum(np.flip(u[:-1])))
@@ -151,7 +105,7 @@ def unpack(system, y):
 def right_hand_side(system, y):
     """Time derivative of a state vector."""
     result = np.empty_like(y)
-    derivative(system.contacts, y, result)
+    _derivative(system.contacts, y, result)
     return result
 
 
@@ -178,7 +132,7 @@ def integrate_adaptive(system, y, h, end_time, relative, absolute):
 
 
 @kernel
-def derivative(contacts, y, result):
+def _derivative(contacts, y, result):
     """Time derivative of y = (x, w) or (x, ẋ)."""
     u, u_rate, force, damping = contacts.u, contacts.rate, contacts.force, contacts.damping
     beads = y.size // 2
@@ -204,16 +158,16 @@ def derivative(contacts, y, result):
 
 
 @subroutine
-def step(contacts, y, slopes, h, relative, absolute):
+def _step(contacts, y, slopes, h, relative, absolute):
     """One step of the pair; returns the new state and the error in units of the tolerance."""
     stage = np.empty_like(y)
-    derivative(contacts, y, slopes[0])
+    _derivative(contacts, y, slopes[0])
     for row in range(1, rk.STAGES):
         stage[:] = y
         for j in range(row):
             if _A[row, j] != 0.0:
                 stage += h * _A[row, j] * slopes[j]
-        derivative(contacts, stage, slopes[row])
+        _derivative(contacts, stage, slopes[row])
     increment, fifth, third = np.zeros_like(y), np.zeros_like(y), np.zeros_like(y)
     for j in range(rk.STAGES):
         increment += h * _B[j] * slopes[j]
@@ -235,7 +189,7 @@ def step(contacts, y, slopes, h, relative, absolute):
 def _integrate_fixed(contacts, y, h, steps):
     slopes = np.empty((rk.STAGES, y.size))
     for _ in range(steps):
-        y, _error = step(contacts, y, slopes, h, 1.0, 1.0)
+        y, _error = _step(contacts, y, slopes, h, 1.0, 1.0)
     return y
 
 
@@ -245,7 +199,7 @@ def _integrate_by_stages(contacts, y, h, steps, nodes, weights):
     for _ in range(steps):
         increment = np.zeros_like(y)
         for stage in range(nodes.size):
-            derivative(contacts, y + h * nodes[stage] * slope, slope)
+            _derivative(contacts, y + h * nodes[stage] * slope, slope)
             increment += weights[stage] * slope
         y = y + h * increment
     return y
@@ -259,7 +213,7 @@ def _integrate_adaptive(contacts, y, h, end_time, relative, absolute):
         t_new = min(t + h, end_time)
         if t_new <= t:
             return np.full_like(y, np.nan), accepted
-        trial, error = step(contacts, y, slopes, t_new - t, relative, absolute)
+        trial, error = _step(contacts, y, slopes, t_new - t, relative, absolute)
         factor = rk.LARGEST_FACTOR
         if error > 0.0:
             factor = max(rk.SMALLEST_FACTOR, rk.SAFETY * error**rk.ERROR_EXPONENT)

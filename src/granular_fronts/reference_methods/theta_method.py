@@ -42,51 +42,21 @@ NEWTON_TOLERANCE = 1.0e-14
 
 
 class ThetaMotion(NamedTuple):
-    """State of the chain after the last step.
-
-    Attributes
-    ----------
-    u : ndarray, shape (N − 1,)
-        Relative displacements.
-    d : ndarray, shape (N − 1,)
-        Differences v_n − v_(n+1) of the velocities of the method.
-    converged : bool
-        False if Newton's method failed in a step; u and d are then worth nothing.
-    iterations : int
-        Of Newton's method, in all steps.
-    """
+    """Relative displacements and differences of velocities, shape (N − 1,), after the last step."""
 
     u: np.ndarray
     d: np.ndarray
-    converged: bool
-    iterations: int
+    converged: bool  # False if Newton's method failed in a step; u and d are then worth nothing.
+    iterations: int  # Of Newton's method, in all steps.
 
 
-def integrate_from_rest(alpha, beads, left, right, theta, step, steps):
+def integrate_from_rest(
+    alpha: float, beads: int, left: float, right: float, theta: float, step: float, steps: int
+) -> ThetaMotion:
     """Integrate a conservative chain at rest, pressed at its ends (25) from t = 0 on.
 
-    Parameters
-    ----------
-    alpha : float
-        Exponent of the elastic force, 1 or more.
-    beads : int
-        N.
-    left, right : float
-        δ and δ̃, 0 or more.
-    theta : float
-        θ, from 1/2 to 1.
-    step : float
-        h.
-    steps : int
-
-    Returns
-    -------
-    ThetaMotion
-
-    Raises
-    ------
-    InputError
-        If θ or the exponent lies outside its range.
+    `left` and `right` are δ and δ̃, 0 or more; an α below 1, or a θ outside [1/2, 1], is an
+    InputError.
     """
     if not 0.5 <= theta <= 1.0:
         raise InputError(
@@ -115,7 +85,7 @@ def advance(u, d, alpha, theta, step, steps):
     implicit = (step * theta) ** 2
     scale = np.abs(u).max()
     iterations = 0
-    evaluate_force(u, alpha, force, stiffness)
+    _evaluate_force(u, alpha, force, stiffness)
     for _ in range(steps):
         if interrupted():
             break
@@ -125,8 +95,8 @@ def advance(u, d, alpha, theta, step, steps):
             target[n] = u[n] + explicit
             u[n] += step * d[n]
         for attempt in range(NEWTON_LIMIT):
-            evaluate_force(u, alpha, force, stiffness)
-            newton_correction(u, target, force, stiffness, implicit, correction, factor)
+            _evaluate_force(u, alpha, force, stiffness)
+            _newton_correction(u, target, force, stiffness, implicit, correction, factor)
             largest = 0.0
             for n in range(1, size - 1):
                 u[n] += correction[n]
@@ -140,7 +110,7 @@ def advance(u, d, alpha, theta, step, steps):
         # A maximum does not see NaN; a sum does.
         if not math.isfinite(u.sum()):
             return -iterations
-        evaluate_force(u, alpha, force, stiffness)
+        _evaluate_force(u, alpha, force, stiffness)
         for n in range(1, size - 1):
             new_slope = force[n - 1] - 2.0 * force[n] + force[n + 1]
             d[n] += step * ((1.0 - theta) * slope[n] + theta * new_slope)
@@ -148,7 +118,7 @@ def advance(u, d, alpha, theta, step, steps):
 
 
 @subroutine
-def evaluate_force(u, alpha, force, stiffness):
+def _evaluate_force(u, alpha, force, stiffness):
     """u₊^α and its derivative, at every contact."""
     for n in range(u.size):
         compression = max(u[n], 0.0)
@@ -157,7 +127,7 @@ def evaluate_force(u, alpha, force, stiffness):
 
 
 @subroutine
-def newton_correction(u, target, force, stiffness, implicit, correction, factor):
+def _newton_correction(u, target, force, stiffness, implicit, correction, factor):
     """Solve (1 − κΔ stiffness) correction = target − u + κΔ force by elimination, κ = implicit."""
     last = u.size - 2
     stiffness[0], stiffness[last + 1] = 0.0, 0.0

@@ -19,6 +19,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from granular_fronts.errors import InputError
 from granular_fronts.numerics.compiled import kernel, subroutine
@@ -47,29 +48,14 @@ def largest_step(spacing, fastest):
     return spacing**2 / (2.0 + fastest * spacing)
 
 
-def evolve_upwind(values, half_length, end, step=None):
-    """Solve (50) with the paper's scheme.
+def evolve_upwind(
+    values: npt.ArrayLike, half_length: float, end: float, step: float | None = None
+) -> UpwindRun:
+    """Solve (50) with the paper's scheme from values at ξ̃_j = −ℓ + 2ℓ j/M up to τ = `end`.
 
-    Parameters
-    ----------
-    values : ndarray, shape (M,)
-        Y at ξ̃_j = −ℓ + 2ℓ j/M at τ = 0, positive.
-    half_length : float
-        ℓ.
-    end : float
-        τ at the end.
-    step : float, optional
-        Δτ; the paper's 4/5 of the limit of stability if none is given. It is shortened so that the
-        steps end at `end`.
-
-    Returns
-    -------
-    UpwindRun
-
-    Raises
-    ------
-    InputError
-        If a value is not positive, or the step exceeds the limit of stability.
+    The step Δτ, the paper's 4/5 of the limit of stability if none is given, is shortened so that
+    the steps end at `end`.  A value that is not positive, or a step above the limit, is an
+    InputError.
     """
     values = np.array(values, dtype=float)
     if not values.min() > 0.0:
@@ -86,12 +72,12 @@ def evolve_upwind(values, half_length, end, step=None):
             f"scheme for {values.size} points, and would blow up: take a step below the limit."
         )
     steps = max(1, math.ceil(end / step - 1.0e-9))
-    march(values, spacing, end / steps, steps)
+    _march(values, spacing, end / steps, steps)
     return UpwindRun(grid(half_length, values.size), values, steps, end / steps)
 
 
 @kernel
-def march(values, spacing, step, steps):
+def _march(values, spacing, step, steps):
     """Advance `values`, in place, by a number of equal steps."""
     n, advection, diffusion = values.size, step / spacing, step / spacing**2
     old, new = np.empty(n + 2), np.empty(n + 2)
@@ -101,14 +87,14 @@ def march(values, spacing, step, steps):
         if interrupted():
             break
         old[0], old[n + 1] = old[n], old[1]
-        step_once(old, new, advection, diffusion)
+        _step_once(old, new, advection, diffusion)
         old, new = new, old
     for i in range(n):
         values[i] = old[i + 1]
 
 
 @subroutine(error_model="numpy")
-def step_once(old, new, advection, diffusion):
+def _step_once(old, new, advection, diffusion):
     """One step of all points; `old` and `new` have one more on either side."""
     left, centre, right, stepped = old[:-2], old[1:-1], old[2:], new[1:-1]
     for i in range(centre.size):

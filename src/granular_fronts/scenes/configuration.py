@@ -1,20 +1,29 @@
 """Validate a whole configuration, as the workflow does at each start.
 
-Beside its scenes and sections one by one (`granular_fronts.scenes.validation`), a configuration
-must not give two results one name, must record what the figures draw, must name a folder that can
-receive the results, and must be written so that no key is ignored.
+Beside its scenes and sections one by one, a configuration must not give two results one name, must
+record what the figures draw, must name a folder that can receive the results, and must be written
+so that no key is ignored.
 """
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from granular_fronts.scenes.constraints import CONSTRAINTS
-from granular_fronts.scenes.dataset_names import name_errors
-from granular_fronts.scenes.figure_needs import need_errors
+from granular_fronts.scenes.law import LAWS
+from granular_fronts.scenes.proof import PROOFS
 from granular_fronts.scenes.schema import LONGEST_SHOWN, violations
-from granular_fronts.scenes.validation import raise_if_any, section_errors, section_label
+from granular_fronts.scenes.sections import Section, need_errors, section_label
+from granular_fronts.scenes.study import STUDIES
+from granular_fronts.scenes.validation import SCENES, raise_if_any
 from granular_fronts.scenes.yaml_files import yaml_errors
+
+SECTIONS: dict[str, Section] = {
+    **{f"scenes.{family}.*": scene for family, scene in SCENES.items()},
+    **{f"laws.{name}": section for name, section in LAWS.items()},
+    **STUDIES,
+    "proofs": PROOFS,
+}
+"""All sections by their path in the configuration; ``*`` stands for any name."""
 
 UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 """Parts of a folder's name that Snakemake, a shell or a reader takes for something else."""
@@ -50,41 +59,12 @@ def validate_configuration(
 
 
 def check_configuration(configuration: Mapping) -> None:
-    """Validate the contents of a configuration.
-
-    Parameters
-    ----------
-    configuration : Mapping
-        The merged configuration.
-
-    Raises
-    ------
-    InputError
-        With one sentence for each thing that is wrong.
-    """
-    raise_if_any(
-        [*violations(configuration)]
-        or [
-            *(error for path in CONSTRAINTS for error in _errors_at(path, configuration)),
-            *name_errors(configuration),
-            *need_errors(configuration),
-        ]
-    )
+    """Validate the contents of a merged configuration; as `validate_configuration` otherwise."""
+    raise_if_any([*violations(configuration)] or [*_section_errors(configuration)])
 
 
 def argument_errors(arguments: Mapping) -> Iterator[str]:
-    """Find mappings and lists after ``--config``, whose values all arrive as text.
-
-    Parameters
-    ----------
-    arguments : Mapping
-        What Snakemake read after ``--config``.
-
-    Yields
-    ------
-    str
-        A sentence for each.
-    """
+    """Find mappings and lists after ``--config``, whose values all arrive as text."""
     for key, value in arguments.items():
         if isinstance(value, Mapping | list):
             yield (
@@ -94,20 +74,7 @@ def argument_errors(arguments: Mapping) -> Iterator[str]:
 
 
 def folder_errors(results: str, writes: bool = True) -> Iterator[str]:
-    """Find out whether a folder can receive results; nothing is written.
-
-    Parameters
-    ----------
-    results : str
-        The folder, relative to the working directory.
-    writes : bool, optional
-        Whether anything will be written there.
-
-    Yields
-    ------
-    str
-        One sentence if it cannot.
-    """
+    """Find out whether a folder, relative to the working one, can receive results."""
     found = "".join(part for part in UNUSABLE if part in results)
     if results.startswith("~"):
         yield (
@@ -136,12 +103,46 @@ def folder_errors(results: str, writes: bool = True) -> Iterator[str]:
             )
 
 
-def _errors_at(path: str, configuration: Mapping) -> Iterator[str]:
-    """Say what is wrong with the sections at a path of `CONSTRAINTS`."""
+def _section_errors(configuration: Mapping) -> Iterator[str]:
+    """Say what is wrong with the sections of a configuration that obeys the schema."""
+    for path, section in SECTIONS.items():
+        for place, given in _places(path, configuration):
+            if isinstance(given, Mapping):
+                label = section_label(place)
+                yield from (label + error for error in section.errors(given))
+    yield from _name_errors(configuration)
+    for path, section in SECTIONS.items():
+        yield from need_errors(configuration, path, section.needs)
+
+
+def _places(path: str, configuration: Mapping) -> Iterator[tuple[str, object]]:
+    """Path and contents of each section at a path of `SECTIONS`."""
     *parents, last = path.split(".")
     node = configuration
     for parent in parents:
         node = node[parent]
     for name, section in node.items() if last == "*" else [(last, node[last])]:
-        label = section_label(".".join([*parents, name]))
-        yield from (label + error for error in section_errors(path, section))
+        yield ".".join([*parents, name]), section
+
+
+def _name_errors(configuration: Mapping) -> Iterator[str]:
+    """Find scenes that share a name with another or with a dataset, and entries of no scene.
+
+    Scenes and datasets are found by one name, for example in the list of printed numbers.
+    """
+    owners = dict(section.dataset for section in SECTIONS.values() if section.dataset)
+    for family, scenes in configuration["scenes"].items():
+        for name in scenes:
+            if name in owners:
+                yield (
+                    f"scenes.{family}.{name} has the name of {owners[name]}, but a name belongs to "
+                    "one result only: rename a scene."
+                )
+            owners.setdefault(name, f"scenes.{family}.{name}")
+    rings = configuration["scenes"]["periodic"]
+    for name in configuration["precision"]["log_burgers"]:
+        if name not in rings:
+            yield (
+                f"precision.log_burgers.{name} names no periodic scene: choose one of "
+                f"{', '.join(rings)}."
+            )

@@ -3,6 +3,9 @@
 The short form of a law, by its exponents, needs no more than arithmetic.  The long form, by the
 kinds of its potentials, and a `Law` from Python are evaluated: only then are `model.laws` and with
 it numpy imported, since the workflow checks its configuration at each start.
+
+A scene is driven by relative displacements of about δ, with energies of about δ^(α + 1).  Sizes are
+decimal logarithms, −∞ for none.
 """
 
 import functools
@@ -13,6 +16,19 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from granular_fronts.errors import InputError
+
+MOST_DECADES = 140
+"""Decades on either side of 1 within which the square of a number is a double too."""
+
+ABSOLUTE_TOLERANCE_FLOOR = 1.0e-20
+"""Smallest absolute tolerance over the largest relative displacement: far below its round-off.
+
+From rest the integrator's first steps shrink with it: at 1e-25 some laws take minutes, and none is
+more exact.
+"""
+
+ABSOLUTE_TOLERANCE_CEILING = 0.1
+"""Largest absolute tolerance over the largest relative displacement."""
 
 DECADES_PER_UNIT = 8
 """Compressions for each factor of 10 among which the one of an energy is looked up."""
@@ -35,13 +51,7 @@ def law_errors(section: Mapping) -> Iterator[str]:
 
 
 def made_law(law: Any) -> Any:
-    """The `model.laws.Law` of a long form, or of one that is made already.
-
-    Raises
-    ------
-    InputError
-        If the law is impossible.
-    """
+    """The `model.laws.Law` of a long form, or one that is made already; else an InputError."""
     if is_of_potentials(law):
         from granular_fronts.model.laws import make_law
 
@@ -77,22 +87,10 @@ def domain_of(law: Any) -> tuple[float, float]:
 
 
 def decades_of_impact(law: Any, velocity: float, most: int) -> float:
-    """Decimal logarithm of the strain that a velocity makes of contacts at rest.
+    """Size of the strain that a velocity makes of contacts at rest, within 10^±most.
 
     A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
     the law (28), or stretches them as far where that takes less.
-
-    Parameters
-    ----------
-    law : Mapping or Law
-    velocity : float
-    most : int
-        Decades on either side of 1 among which it is sought.
-
-    Returns
-    -------
-    float
-        −∞ for no velocity.
     """
     if velocity == 0.0:
         return -math.inf
@@ -128,7 +126,7 @@ def damping_rate(law: Any, size: float) -> float:
 
 
 def decades_of_energy(law: Any, size: float) -> dict[str, float]:
-    """Decimal logarithms of V and W at a compression of 10^size, by key of the law."""
+    """Sizes of V and W at a compression of 10^size, by key of the law."""
     if is_short(law):
         return {key: (law[key] + 1.0) * size for key in ("alpha", "beta") if key in law}
     made = made_law(law)
@@ -146,3 +144,62 @@ def _decades_of_energy(potential: Any, size: float) -> float:
     at_rest = potential.value(0.0) if low < 0.0 < high else 0.0
     energy = abs(float(potential.value(-(10.0**size)) - at_rest))
     return math.log10(min(energy, sys.float_info.max)) if energy else -math.inf
+
+
+def decades(value: float) -> float:
+    """Decimal logarithm of a size."""
+    return math.log10(abs(value)) if value else -math.inf
+
+
+def decades_of_displacement(scene: Mapping) -> float:
+    """Size of the largest relative displacement that drives a scene with a law."""
+    if "displacement" in scene:
+        return decades(scene["displacement"])
+    boundary, start = scene["boundary"], scene["start"]
+    displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
+    displacements += start.get("relative_displacement", [])
+    velocities = [boundary.get("velocity", 0.0), *start.get("velocity", [])]
+    fastest = max(map(abs, velocities))
+    return max(
+        max(map(decades, displacements)), decades_of_impact(scene["law"], fastest, MOST_DECADES)
+    )
+
+
+def energies_are_representable(scene: Mapping) -> Iterator[str]:
+    """Energies δ^(α + 1) of a scene with a law, and the damping, neither overflow nor vanish."""
+    if "law" not in scene:
+        return
+    law, size = scene["law"], decades_of_displacement(scene)
+    if math.isfinite(size):
+        for name, found in decades_of_energy(law, size).items():
+            if abs(found) > MOST_DECADES:
+                key = f"law.{name} is {law[name]}, which" if is_short(law) else f"law.{name}"
+                yield (
+                    f"{key} with relative displacements of about 1e{size:+.0f} makes energies of "
+                    f"about 1e{found:+.0f}, beyond the 1e±{MOST_DECADES} that double precision can "
+                    "square: bring both nearer to 1."
+                )
+    if not is_short(law):
+        return
+    found = decades(law["gamma"])
+    if math.isfinite(found) and abs(found) > MOST_DECADES:
+        yield (
+            f"law.gamma is {law['gamma']}, beyond the 1e±{MOST_DECADES} that double precision can "
+            "square: bring it nearer to 1, or give 0 for no damping."
+        )
+
+
+def absolute_tolerance_errors(absolute: float, size: float) -> Iterator[str]:
+    """Say that an absolute tolerance drowns in the rounding of a motion, or lets all pass."""
+    above = math.log10(absolute) - size
+    if above < math.log10(ABSOLUTE_TOLERANCE_FLOOR):
+        limit, side, advice = ABSOLUTE_TOLERANCE_FLOOR, "below", "more"
+    elif math.isfinite(above) and above > math.log10(ABSOLUTE_TOLERANCE_CEILING):
+        limit, side, advice = ABSOLUTE_TOLERANCE_CEILING, "above", "less"
+    else:
+        return
+    largest = 10.0**size
+    yield (
+        f"tolerance.absolute is {absolute}, {side} {limit:g} of the largest relative displacement, "
+        f"which is about {largest:.3g}: give {limit * largest:.1e} or {advice}."
+    )

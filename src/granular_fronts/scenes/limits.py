@@ -1,21 +1,30 @@
-"""Limits of what one job may take, and the sentence for a section that asks for more."""
+"""Limits of what one job may take, and the sentence for a section that asks for more.
 
+The estimates of memory and time are lower bounds, mostly by orders of magnitude, since they decide
+only what is refused: what ends within half a day is not refused, and what takes days is, before it
+starts.
+"""
+
+import functools
+import operator
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-MOST_MEMORY = 16 * 2**30
-"""Bytes that one job may hold."""
-
-LONGEST_TIME = 86400.0
-"""Seconds on one core that one job may take."""
+MOST_MEMORY = 16 * 2**30  # bytes that one job may hold
+LONGEST_TIME = 86400.0  # seconds on one core that one job may take
 
 MOST_VALUES = 1_000_000
 """Values of a configuration, a campaign or a scene: to check so many takes half a minute."""
 
 BYTES_PER_NUMBER = 8
+LARGEST = 1.0e300  # stands for what overflows
 
-LARGEST = 1.0e300
-"""Stands for what overflows."""
+NUMBERS_PER_BEAD = 64  # state and stages of the integrator, and what is followed at each bead
+COLUMNS_PER_ROW = 4  # numbers kept for each bead and time: two fields and what they are made from
+SECONDS_PER_POINT = 5.0e-9  # of a grid, for each step in time or each evaluation
+
+SECONDS_PER_CROSSING = 5.0e-8
+"""A front of height δ runs through a bead in the time 1/c, c = δ^((α − 1)/2): one crossing."""
 
 
 class Part(NamedTuple):
@@ -43,24 +52,38 @@ class Part(NamedTuple):
         return min(BYTES_PER_NUMBER * self.numbers, LARGEST)
 
 
+def grid_part(large: tuple[str, ...], small: tuple[str, ...], numbers: float) -> Part:
+    """The part of a grid of so many numbers, each of which takes its time."""
+    return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
+
+
+def points_of(axis: Mapping) -> float:
+    """How many points a range has, from its start to its stop."""
+    return (axis["stop"] - axis["start"]) / axis["step"]
+
+
 def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
-    """Compare the sum of some parts with the limits; see `sizes.size_errors`."""
+    """Say that some parts together are too large: the keys that contribute most, and the size."""
     memory = sum(part.memory for part in parts)
     seconds = min(sum(part.seconds for part in parts), LARGEST)
     if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
         return
     most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
-    keys = [f"{key} = {_look_up(section, key)}" for key in (*most.large, *most.small)]
+    keys = [
+        f"{key} = {functools.reduce(operator.getitem, key.split('.'), section)}"
+        for key in (*most.large, *most.small)
+    ]
     remedies = [f"lower {' or '.join(most.large)}"] if most.large else []
     remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
     yield (
         f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
-        f"{show_memory(memory)} of memory and {show_time(seconds)} on one core, above the limit of "
-        f"{show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: {', or '.join(remedies)}."
+        f"{_show_memory(memory)} of memory and {show_time(seconds)} on one core, above the "
+        f"limit of {_show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: "
+        f"{', or '.join(remedies)}."
     )
 
 
-def show_memory(memory: float) -> str:
+def _show_memory(memory: float) -> str:
     """Bytes in words, for example ``16 GiB``."""
     for unit in ("bytes", "KiB", "MiB"):
         if memory < 1000.0:
@@ -79,9 +102,3 @@ def show_time(seconds: float) -> str:
 
 def _show_number(value: float) -> str:
     return f"{value:,.0f}" if value < 1e6 else f"{value:.0e}"
-
-
-def _look_up(section: Any, key: str) -> Any:
-    for name in key.split("."):
-        section = section[name]
-    return section

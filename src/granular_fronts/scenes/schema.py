@@ -1,7 +1,7 @@
 """The strict schema of the configuration, and a sentence for each of its violations.
 
 A sentence names the scene, the key, its value, the limit and the way out. What a schema cannot
-express, because it ties two keys together, stands in ``granular_fronts.scenes.constraints``.
+express, because it ties two keys together, is a check of a `sections.Section`.
 """
 
 import difflib
@@ -31,10 +31,17 @@ _KIND = {
     "string": "text",
 }
 
+_LIMITS = {
+    "minimum": "below its limit {limit}: give {limit} or more",
+    "maximum": "above its limit {limit}: give {limit} or less",
+    "exclusiveMinimum": "but must be above {limit}: give a number above {limit}",
+    "exclusiveMaximum": "but must be below {limit}: give a number below {limit}",
+    "multipleOf": "no multiple of {limit}: give a multiple of {limit}",
+}
+"""What a sentence says of a number beyond a limit."""
 
 LARGEST_WHOLE = 2**63 - 1
 """Largest whole number that an array can hold."""
-
 
 LONGEST_SHOWN = 60
 """Letters of a value that a sentence quotes."""
@@ -74,23 +81,10 @@ def violations(
     place: Sequence[str] = (),
     schema: str = "config",
 ) -> Iterator[str]:
-    """Check a value against the schema.
+    """Say how a configuration, or a part of it, violates a schema.
 
-    Parameters
-    ----------
-    instance : object
-        The configuration or a part of it.
-    definition : str, optional
-        Name of the part in the schema's ``$defs``; none for a whole configuration.
-    place : sequence of str, optional
-        Keys that lead to the part in a whole configuration.
-    schema : str, optional
-        Which schema: ``config``, ``campaign`` or ``referee``.
-
-    Yields
-    ------
-    str
-        A sentence for each violation.
+    A part is given with the name of its `definition` in ``$defs``, and the keys to its `place` in a
+    whole configuration.  The schema is ``config``, ``campaign`` or ``referee``.
     """
     if (found := _count_values(instance)) > MOST_VALUES:
         where = "".join(_locate([*place])).removesuffix(": ") or "The file"
@@ -108,20 +102,7 @@ def violations(
 
 
 def name_entry(key: str, index: int) -> str:
-    """Name an entry of a list as people count.
-
-    Parameters
-    ----------
-    key : str
-        Dotted key of the list.
-    index : int
-        Index of the entry, from 0.
-
-    Returns
-    -------
-    str
-        For example ``record.snapshots (entry 1)``.
-    """
+    """Name an entry of a list as people count, for example ``record.snapshots (entry 1)``."""
     return f"{key} (entry {index + 1})"
 
 
@@ -167,18 +148,10 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
     if error.validator == "type":
         return _wrong_type(error, key)
     value, limit = _show(error.instance), error.validator_value
-    if error.validator == "minimum":
-        return f"{key} is {value}, below its limit {limit}: give {limit} or more."
-    if error.validator == "maximum":
-        return f"{key} is {value}, above its limit {limit}: give {limit} or less."
-    if error.validator == "exclusiveMinimum":
-        return f"{key} is {value}, but must be above {limit}: give a number above {limit}."
-    if error.validator == "exclusiveMaximum":
-        return f"{key} is {value}, but must be below {limit}: give a number below {limit}."
+    if error.validator in _LIMITS:
+        return f"{key} is {value}, {_LIMITS[error.validator].format(limit=limit)}."
     if error.validator == "enum":
         return f"{key} is {value}, which is unknown: {_choice(error)}"
-    if error.validator == "multipleOf":
-        return f"{key} is {value}, no multiple of {limit}: give a multiple of {limit}."
     if error.validator == "uniqueItems":
         return _repeated_entry(error, key)
     if error.validator == "minLength":

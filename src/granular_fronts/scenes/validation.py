@@ -1,22 +1,24 @@
-"""Validate one scene, or any section of a configuration, before anything is computed.
+"""Validate one scene before anything is computed.
 
 Five levels of checks each rely on those before: the schema in ``workflow/schemas`` says which keys
 exist, what each means and in which range it lies; the law must be one that can be made; energies
-must be numbers that a computer can hold; constraints tie keys together; and the whole must fit into
+must be numbers that a computer can hold; checks tie keys together; and the whole must fit into
 memory and a day.
-
-This module imports neither numpy nor numba: the workflow checks its configuration at each start.
 """
 
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.constraints import CONSTRAINTS, ranges_increase, steps_fit_ranges
+from granular_fronts.scenes.chain import CHAIN
+from granular_fronts.scenes.front import FRONT
 from granular_fronts.scenes.laws import is_of_potentials, law_errors, made_law
-from granular_fronts.scenes.scales import energies_are_representable
+from granular_fronts.scenes.orbit import ORBIT
+from granular_fronts.scenes.ring import RING
 from granular_fronts.scenes.schema import violations
-from granular_fronts.scenes.sizes import size_errors
+
+SCENES = {"chain": CHAIN, "heteroclinic": ORBIT, "periodic": RING, "front": FRONT}
+"""What is asked of a scene, by its family."""
 
 ANY_LAW = {"alpha": 1, "beta": 1, "gamma": 0}
 
@@ -54,48 +56,9 @@ def check_scene(family: str, scene: Mapping[str, Any], name: str) -> dict[str, A
     as_written = plain | {"law": ANY_LAW} if has_law else plain
     raise_if_any(
         [*violations(as_written, definition=f"{family}_scene", place=place)]
-        or [f"Scene {name}: {error}" for error in section_errors(f"scenes.{family}.*", plain)]
+        or [f"Scene {name}: {error}" for error in SCENES[family].errors(plain)]
     )
     return plain
-
-
-def section_errors(path: str, section: Mapping) -> list[str]:
-    """Say what is wrong with a section that obeys the schema.
-
-    Parameters
-    ----------
-    path : str
-        Of the section in the configuration, with ``*`` for a name, as in `CONSTRAINTS`.
-    section : Mapping
-        The section in plain Python values.
-
-    Returns
-    -------
-    list of str
-        Sentences that begin with a key inside the section.
-    """
-    return (
-        [*law_errors(section)]
-        or [*energies_are_representable(section)]
-        or [
-            error
-            for constraint in (ranges_increase, steps_fit_ranges, *CONSTRAINTS[path])
-            for error in constraint(section)
-        ]
-        or [*size_errors(path, section)]
-    )
-
-
-def section_label(path: str) -> str:
-    """What stands before a key of a section in a sentence, for example ``Scene weak: ``.
-
-    Parameters
-    ----------
-    path : str
-        Of the section in the configuration.
-    """
-    names = path.split(".")
-    return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
 
 
 def raise_if_any(sentences: Sequence[str]) -> None:

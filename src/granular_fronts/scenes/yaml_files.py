@@ -51,24 +51,7 @@ class _Loader(SafeLoader):
 
 
 def read_yaml(file: Path | str) -> Any:
-    """Read a YAML file.
-
-    Parameters
-    ----------
-    file : Path or str
-        A file in UTF-8.
-
-    Returns
-    -------
-    object
-        What it holds; None for an empty file.
-
-    Raises
-    ------
-    InputError
-        If the file is missing, too large or no YAML, has a key twice in one mapping, or a number
-        to another base: file, line, column and what to do.
-    """
+    """What a YAML file holds, or an InputError that names file, line, column and what to do."""
     try:
         with Path(file).open("rb") as stream:
             content = stream.read(LONGEST_FILE + 1)
@@ -99,18 +82,7 @@ def parse_yaml(text: str, file: Path | str) -> Any:
 
 
 def yaml_errors(files: Sequence[Path | str]) -> Iterator[str]:
-    """Read files for their errors only.
-
-    Parameters
-    ----------
-    files : sequence of Path or str
-        Configuration files.
-
-    Yields
-    ------
-    str
-        The sentences of `read_yaml`, and one for each file that does not hold a mapping.
-    """
+    """Read configuration files for their errors only; each must hold a mapping."""
     for file in files:
         try:
             value = read_yaml(file)
@@ -130,23 +102,7 @@ def yaml_errors(files: Sequence[Path | str]) -> Iterator[str]:
 
 
 def load_configuration(*files: Path | str) -> dict:
-    """Read YAML files and lay each over the ones before it.
-
-    Parameters
-    ----------
-    *files : Path or str
-        The first holds the defaults, each later one overrides single keys.
-
-    Returns
-    -------
-    dict
-        The merged configuration, not yet checked.
-
-    Raises
-    ------
-    InputError
-        If a file cannot be read as a mapping.
-    """
+    """Read YAML files and lay each over the ones before it; the result is not yet checked."""
     errors = [*yaml_errors(files)]
     if errors:
         raise InputError("\n".join(errors))
@@ -154,18 +110,9 @@ def load_configuration(*files: Path | str) -> dict:
 
 
 def merge(below: Mapping, above: Mapping) -> dict:
-    """Lay one mapping over another, key by key at any depth.
+    """Lay one mapping over another, key by key at any depth, as Snakemake merges its files.
 
-    Parameters
-    ----------
-    below, above : Mapping
-        Where both hold a mapping under a key, the two are merged; otherwise `above` wins. A list
-        is replaced as a whole. This is how Snakemake merges its configuration files.
-
-    Returns
-    -------
-    dict
-        The merged mapping; the arguments are left alone.
+    Where both hold a mapping under a key, the two are merged; otherwise `above` wins, lists too.
     """
     merged = dict(below)
     for key, value in above.items():

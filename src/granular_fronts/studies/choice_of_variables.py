@@ -31,6 +31,8 @@ from granular_fronts.reference_methods.position_forms import (
     make_system,
     right_hand_side,
 )
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
+from granular_fronts.studies.orders import power_of
 
 FORMS = {"positions_and_velocities": XV, "positions_and_w": XW}
 SCHEMES = {
@@ -52,23 +54,11 @@ BEADS, COMPRESSED, FAR, END_TIME = 200, 150, 10, 16.0
 
 
 def compare_variables(alpha, betas, gamma):
-    """Smoothness, order and conservation in both sets of variables.
+    """Smoothness, order and conservation in both sets of variables, for α > 1, 1 ≤ β ≤ 2 and γ > 0.
 
-    Parameters
-    ----------
-    alpha : float
-        Exponent of the elastic force, above 1.
-    betas : sequence of float
-        Exponents of the viscous force, from 1 to 2.
-    gamma : float
-        Damping, above 0.
-
-    Returns
-    -------
-    xarray.Dataset
-        `quotient_power` on (variables, beta); `observed_order` on (variables, scheme) and
-        `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
-        both for β = α.
+    `quotient_power` on (variables, beta); `observed_order` on (variables, scheme) and
+    `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
+    both for β = α.
     """
     powers = [
         [quotient_power(form, make_law(alpha=alpha, beta=beta, gamma=gamma)) for beta in betas]
@@ -113,11 +103,9 @@ def compare_variables(alpha, betas, gamma):
 
 def slope(x, y):
     """Slope of a line through the logarithms, and how much it differs between two halves."""
-    x, y = np.log(x), np.log(y)
     middle = x.size // 2
     whole, first, second = (
-        float(np.polyfit(x[part], y[part], 1)[0])
-        for part in (slice(None), slice(middle + 1), slice(middle, None))
+        power_of(x[part], y[part]) for part in (slice(None), slice(middle + 1), slice(middle, None))
     )
     return Estimate(whole, abs(first - second))
 
@@ -137,11 +125,11 @@ def observed_order(form, law, scheme):
     """Order of the velocity after a collision, and how far two halves of the steps disagree."""
     parting = -restitution(law.gamma, law.alpha, law.beta)
     system = make_system(form, law, FREE, 2 * GAPS.size)
-    errors = [np.median(np.abs(part_pairs(system, scheme, n) - parting)) for n in STEP_COUNTS]
+    errors = [np.median(np.abs(_part_pairs(system, scheme, n) - parting)) for n in STEP_COUNTS]
     return -slope(np.array(STEP_COUNTS, dtype=float), np.array(errors))
 
 
-def part_pairs(system, scheme, steps):
+def _part_pairs(system, scheme, steps):
     """Relative velocities ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
 
     The pairs stand in one chain, too far apart to meet.
@@ -160,23 +148,15 @@ def part_pairs(system, scheme, steps):
 def conserved_velocity_drift(alpha, gamma):
     """Largest |w_n − v_p| far behind a front, at all times, and the error of the chain."""
     compressed = np.arange(BEADS) < COMPRESSED
-    start = {
-        "kind": "given",
-        "relative_displacement": compressed[:-1].astype(float),
-        "velocity": compressed.astype(float),
-    }
-    motion = simulate_chain(
-        {
-            "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
-            "beads": BEADS,
-            "boundary": {"kind": "pressure", "left": 1.0, "right": 0.0},
-            "start": start,
-            "end_time": END_TIME,
-            "tolerance": {"relative": 1.0e-13, "absolute": 1.0e-15},
-            "record": {"snapshots": list(np.linspace(0.0, END_TIME, 9))},
-        },
-        "choice of variables",
+    scene = pressed_chain(
+        kuwabara_kono(alpha, gamma),
+        BEADS,
+        END_TIME,
+        (1.0e-13, 1.0e-15),
+        {"snapshots": list(np.linspace(0.0, END_TIME, 9))},
+        start=(compressed[:-1], compressed),
     )
+    motion = simulate_chain(scene, "choice of variables")
     boundary = Boundary(ring=False, left=1.0, right=0.0)
     law = make_law(alpha=alpha, gamma=gamma)
     w = [

@@ -28,27 +28,10 @@ LOGARITHMIC, UNLIMITED, HETEROCLINIC = "logarithmic", "unlimited", "heteroclinic
 
 
 def continuum_fronts(alpha, gamma, xi):
-    """Evaluate the continuum fronts.
+    """Relative displacement and velocity at ξ = n − t of each continuum front with δ = c = 1.
 
-    Parameters
-    ----------
-    alpha : float
-        Exponent of both forces, above 1.
-    gamma : float
-        Strength of the viscous force in the frame δ = c = 1, above 0.
-    xi : ndarray
-        ξ = n − t.
-
-    Returns
-    -------
-    dict
-        For `LOGARITHMIC`, `UNLIMITED` and `HETEROCLINIC` a pair of arrays of the shape of `xi`:
-        relative displacement and velocity.
-
-    Raises
-    ------
-    ValueError
-        Unless α > 1 and γ > 0.
+    A pair for each of `LOGARITHMIC`, `UNLIMITED` and `HETEROCLINIC`; an InputError unless α > 1
+    and γ > 0.
     """
     scales = make_slow_scales(alpha, gamma, 1.0)
     logarithmic = log_burgers_front(scales.epsilon * xi)
@@ -56,20 +39,12 @@ def continuum_fronts(alpha, gamma, xi):
     return {
         LOGARITHMIC: (logarithmic, scales.front_velocity(logarithmic)),
         UNLIMITED: (unlimited, scales.front_velocity(unlimited)),
-        HETEROCLINIC: heteroclinic_front(alpha, gamma, xi),
+        HETEROCLINIC: _heteroclinic_front(alpha, gamma, xi),
     }
 
 
-def heteroclinic_front(alpha, gamma, xi):
-    """Relative displacement and velocity of the heteroclinic front, with u(0) = 1/2.
-
-    Parameters and errors as in `continuum_fronts`.
-
-    Returns
-    -------
-    relative_displacement, velocity : ndarray
-        Shape of `xi`; zero where y is below the smallest double.
-    """
+def _heteroclinic_front(alpha, gamma, xi):
+    """Relative displacement and velocity of the heteroclinic front, with u(0) = 1/2."""
     amplitude = amplitude_of_chain(alpha, gamma)
     mu, stretch = amplitude.mu, amplitude.s_per_bead
     # The phase lies ahead of s = 0, so that the orbit's tail alone fixes it.

@@ -18,20 +18,10 @@ DEFINITIONS = ("tail", "double-root", "long-wave", "overshoot")
 def map_critical_damping(exponents, dampings, cut):
     """Overshoot over the plane, and every definition of critical damping over the exponent.
 
-    Parameters
-    ----------
-    exponents, dampings : ndarray
-        α > 1 and γ > 0, increasing.
-    cut : float
-        Overshoot above which a front counts as oscillating to the eye.
-
-    Returns
-    -------
-    xarray.Dataset
-        `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not
-        found, and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not
-        apply; attributes `overshoot_cut` and `exchange_exponent`, the α* where the meaning of
-        "tail" changes.
+    `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not
+    found, and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not
+    apply; attributes `overshoot_cut`, above which a front counts as oscillating to the eye, and
+    `exchange_exponent`, the α* where the meaning of "tail" changes.
     """
     sweeps = [sweep_fronts(alpha, dampings) for alpha in exponents]
     dataset = xr.concat(sweeps, dim=xr.DataArray(exponents, dims="alpha", name="alpha"))
@@ -49,3 +39,8 @@ def map_critical_damping(exponents, dampings, cut):
         ]
         dataset[f"critical_damping_{definition.replace('-', '_')}"] = ("alpha", curve)
     return dataset.assign_attrs(overshoot_cut=cut, exchange_exponent=last)
+
+
+def map_plane(alpha, gamma, overshoot_cut):
+    """Map over exponents in equal steps and dampings in equal ratios, as numpy takes them."""
+    return map_critical_damping(np.linspace(**alpha), np.geomspace(**gamma), overshoot_cut)

@@ -18,23 +18,10 @@ COLLISION_ERROR = 1.0e-12
 
 
 def evaluate_regimes(alpha, betas, decades, points):
-    """γ and e against velocity for several exponents of the viscous force.
+    """γ and e against velocity for several exponents β of the viscous force.
 
-    Parameters
-    ----------
-    alpha : float
-        Above 1.
-    betas : sequence of float
-        1 or more.
-    decades : float
-        The velocities reach this many decades to both sides of v_c.
-    points : int
-        Number of velocities.
-
-    Returns
-    -------
-    xarray.Dataset
-        `gamma` and `restitution` on (beta, velocity_ratio), `critical_gamma` on (beta,).
+    `gamma` and `restitution` on (beta, velocity_ratio), so many decades to both sides of v_c;
+    `critical_gamma` on (beta,).
     """
     ratios = np.logspace(-decades, decades, points)
     powers = 2.0 * np.asarray(betas) / (alpha + 1.0) - 1.0

@@ -60,32 +60,24 @@ DIGITS = 4.0
 
 
 def collect_fronts(exponents, dampings):
-    """Solve a front at each exponent and damping and keep its curves.
+    """Solve a front with δ = c = 1 at each exponent α > 1 and damping γ > 0 and keep its curves.
 
-    Parameters
-    ----------
-    exponents, dampings : sequence of float
-        α > 1 and γ > 0 for δ = c = 1.
-
-    Returns
-    -------
-    xarray.Dataset
-        On (alpha, gamma, place): `xi`, `relative_displacement` of the exact front and with a suffix
-        that of each continuum front.  On (alpha, gamma, root): `tail_root_real` and `_imaginary`.
-        On (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, that of translation
-        first, then by decreasing modulus, NaN beyond the last.  On (alpha, gamma): `beads_behind`,
-        `translation_defect`, `spectral_radius_without_translation`, `verdict` in words, and what
-        `survey_fronts` keeps; also `converged` and `reason`, as there.
-
-    Raises
-    ------
-    NoFrontError
-        If none is found.
+    On (alpha, gamma, place): `xi`, `relative_displacement` of the exact front and with a suffix
+    that of each continuum front.  On (alpha, gamma, root): `tail_root_real` and
+    `_imaginary`.  On (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, that of
+    translation first, then by decreasing modulus, NaN beyond the last.  On (alpha, gamma):
+    `beads_behind`, `translation_defect`, `spectral_radius_without_translation`, `verdict` in
+    words, and what `survey_fronts` keeps.
     """
-    return with_errors(over_plane(exponents, dampings, collect_front, "collection of fronts"))
+    return _with_errors(over_plane(exponents, dampings, _collect_front, "collection of fronts"))
 
 
-def collect_front(alpha, gamma):
+def collect_plane(alpha, gamma):
+    """Collection over exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    return collect_fronts(alpha, np.geomspace(**gamma))
+
+
+def _collect_front(alpha, gamma):
     """One front, as a mapping of names to dimensions and values."""
     front = solve_converged(alpha, gamma)
     roots = tail_roots(alpha, gamma, count=ROOTS)
@@ -116,19 +108,7 @@ def largest_multipliers(front):
 
 
 def window(front, root):
-    """Places ξ that show a front whose tail is governed by a root.
-
-    Parameters
-    ----------
-    front : xarray.Dataset
-        Of `solve_front`.
-    root : complex
-        The slowest of its tail.
-
-    Returns
-    -------
-    ndarray, shape (PLACES,)
-    """
+    """Places ξ, shape (PLACES,), that show a front whose tail is governed by a root."""
     xi, u = front["xi"].values, front["relative_displacement"].values
     first, last = xi[np.abs(u - 1.0) > SHOWN][0], xi[u > SHOWN][-1]
     if root.imag > 0.0:
@@ -145,7 +125,7 @@ def parts(name, dimension, values):
     }
 
 
-def with_errors(collection):
+def _with_errors(collection):
     """The collection with error estimates at its curves."""
     front = {
         "error_estimate": float(collection["error"].max()),

@@ -33,48 +33,27 @@ REST = 40.0
 
 
 def survey_fronts(exponents, dampings):
-    """Solve a front at each exponent and damping.
+    """Solve a front with δ = c = 1 at each exponent α > 1 and damping γ > 0.
 
-    Parameters
-    ----------
-    exponents, dampings : sequence of float
-        α > 1 and γ > 0 for δ = c = 1.
-
-    Returns
-    -------
-    xarray.Dataset
-        On (alpha, gamma): `overshoot`, `width_10_90`, `slope`, `dissipated_power`, `speed_defect`,
-        `residual`, `error`, `converged` (0 or 1) and `reason`, the leading tail root (`tail_rate`,
-        `tail_frequency`),
-        `mu_heteroclinic` and `distance_<front>`; on (alpha): `critical_damping`.
+    On (alpha, gamma): what `properties_of` keeps, `converged` (0 or 1) and `reason`; on
+    (alpha): `critical_damping`.
     """
-    survey = over_plane(exponents, dampings, survey_front, "survey of fronts")
+    survey = over_plane(exponents, dampings, _survey_front, "survey of fronts")
     survey["critical_damping"] = ("alpha", [critical_damping(alpha) for alpha in exponents])
     return survey
 
 
+def survey_plane(alpha, gamma):
+    """Survey of exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    return survey_fronts(alpha, np.geomspace(**gamma))
+
+
 def over_plane(exponents, dampings, solve, what):
-    """Collect what is known of a front at each exponent and damping.
+    """Collect what is known of a front at each exponent and damping, with a progress bar named so.
 
-    Parameters
-    ----------
-    exponents, dampings : sequence of float
-        As of `survey_fronts`.
-    solve : callable
-        Takes α and γ, and returns a mapping of names to dimensions and values.
-    what : str
-        Name of the progress bar.
-
-    Returns
-    -------
-    xarray.Dataset
-        Each variable on (alpha, gamma) and its own dimensions, and `converged`; where that is 0,
-        `reason` says why, and the rest is NaN or empty.
-
-    Raises
-    ------
-    NoFrontError
-        If none is found.
+    `solve` takes α and γ, and returns a mapping of names to dimensions and values, which come
+    on (alpha, gamma) and their own dimensions.  Where `converged` is 0, `reason` says why, and
+    the rest is NaN or empty; a NoFrontError if none is found.
     """
     plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
     points, reasons = [], []
@@ -105,7 +84,7 @@ def over_plane(exponents, dampings, solve, what):
     return found
 
 
-def survey_front(alpha, gamma):
+def _survey_front(alpha, gamma):
     """One point of the survey, as a mapping of names to dimensions and values."""
     return without_dimensions(properties_of(solve_converged(alpha, gamma)))
 
@@ -140,18 +119,7 @@ def properties_of(front):
 
 
 def distances(front):
-    """Largest difference of each continuum front to an exact one.
-
-    Parameters
-    ----------
-    front : xarray.Dataset
-        Of `solve_front`, with β = α.
-
-    Returns
-    -------
-    dict of float
-        Under `distance_<front>`.
-    """
+    """Largest difference of each continuum front to an exact one, as `distance_<front>`."""
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     # (45) is the continuum front that comes to rest last.
     last = math.log(REST / math.log(2.0)) * alpha * gamma / (alpha - 1.0)

@@ -27,48 +27,28 @@ from granular_fronts.fronts.solitary_waves import (
     gaussian,
     solitary_wave,
 )
-from granular_fronts.fronts.solve import NoFrontError, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.potentials import make_potential
+from granular_fronts.studies.front_survey import solve_converged
 
 BISECTIONS = 45
 ROOTS = {"error_estimate": 1.0e-14, "error_method": "a few units of the last digit"}
 FRONT_METHOD = "difference of the front to a refined one"
 WAVE_METHOD = "change on a grid of twice the points"
+WIDTH = "width of a front in beads"
+PEAK = "largest compression of a solitary wave"
+DISTANCE = "distance of a solitary wave to the Gaussian, over the peak"
+EXPONENT = "exponent of both forces"
 BISECTION = {"error_estimate": 1.0e-11, "error_method": "width of the last interval"}
 
 
 def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponents, mu):
     """Tails, critical dampings, widths and solitary waves along families of fronts.
 
-    Parameters
-    ----------
-    alpha : float
-        Exponent of the elastic force where it is fixed, above 1.
-    betas : sequence of float
-        Exponents of the viscous force, 1 or more, for `tail_frequency`.
-    piston_velocities : sequence of float
-        v_p over that at which damping is critical.
-    displacements : sequence of float
-        δ behind fronts with β = α, for `critical_gamma` and `width_of_displacement`.
-    gamma : float
-        Damping of the fronts whose width is followed to small δ.
-    exponents : sequence of float
-        Exponents α towards 1, for `width_of_exponent` and the solitary waves.
-    mu : float
-        Their μ.
-
-    Returns
-    -------
-    xarray.Dataset
-        `tail_frequency` on (beta, piston_velocity), 0 for a monotone tail; `critical_gamma` and
-        `width_of_displacement` on (displacement,); `width_of_exponent`, `solitary_peak`, the
-        largest u, and `gaussian_distance`, over the peak, on (exponent,).
-
-    Raises
-    ------
-    NoFrontError
-        If a front is not found.
+    `tail_frequency` on (beta, piston_velocity), velocities over that of critical damping, is 0
+    for a monotone tail.  `critical_gamma` and `width_of_displacement`, for β = α and a fixed γ,
+    are on (displacement,); `width_of_exponent` at a fixed μ, `solitary_peak`, the largest u,
+    and `gaussian_distance`, over the peak, on (exponent,).  Raises NoFrontError.
     """
     frequencies = [
         [tail_frequency(alpha, beta, velocity) for velocity in piston_velocities] for beta in betas
@@ -78,35 +58,25 @@ def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponen
     thin = [front_width(alpha, damping) for damping in normalised]
     wide = [front_width(a, mu * np.sqrt((1.0 - 1.0 / a) / 12.0)) for a in exponents]
     peaks, distances = zip(*(solitary_shape(a) for a in exponents), strict=True)
+    variables = {
+        "tail_frequency": (("beta", "piston_velocity"), frequencies, ROOTS),
+        "critical_gamma": ("displacement", critical, BISECTION),
+    }
+    for name, axis, estimates, method, meaning in (
+        ("width_of_displacement", "displacement", thin, FRONT_METHOD, WIDTH),
+        ("width_of_exponent", "exponent", wide, FRONT_METHOD, WIDTH),
+        ("solitary_peak", "exponent", peaks, WAVE_METHOD, PEAK),
+        ("gaussian_distance", "exponent", distances, WAVE_METHOD, DISTANCE),
+    ):
+        variables[name] = estimated_variable(axis, estimates, method, long_name=meaning)
+    behind, power = ({"long_name": what} for what in ("compression behind the front", EXPONENT))
     return xr.Dataset(
-        {
-            "tail_frequency": (("beta", "piston_velocity"), frequencies, ROOTS),
-            "critical_gamma": ("displacement", critical, BISECTION),
-            "width_of_displacement": estimated_variable(
-                "displacement", thin, FRONT_METHOD, long_name="width of a front in beads"
-            ),
-            "width_of_exponent": estimated_variable(
-                "exponent", wide, FRONT_METHOD, long_name="width of a front in beads"
-            ),
-            "solitary_peak": estimated_variable(
-                "exponent", peaks, WAVE_METHOD, long_name="largest compression of a solitary wave"
-            ),
-            "gaussian_distance": estimated_variable(
-                "exponent",
-                distances,
-                WAVE_METHOD,
-                long_name="distance of a solitary wave to the Gaussian, over the peak",
-            ),
-        },
+        variables,
         {
             "beta": list(betas),
             "piston_velocity": list(piston_velocities),
-            "displacement": (
-                "displacement",
-                list(displacements),
-                {"long_name": "compression behind the front"},
-            ),
-            "exponent": ("exponent", list(exponents), {"long_name": "exponent of both forces"}),
+            "displacement": ("displacement", list(displacements), behind),
+            "exponent": ("exponent", list(exponents), power),
         },
     )
 
@@ -139,11 +109,7 @@ def critical_gamma(alpha, displacement):
 
 def front_width(alpha, gamma):
     """Distance from 90 to 10 per cent of an exact front, in beads, and its error."""
-    front = solve_front(alpha, gamma)
-    if not front.attrs["converged"]:
-        raise NoFrontError(
-            f"No front for alpha = {alpha}, gamma = {gamma:.6g}: {front.attrs['reason']}."
-        )
+    front = solve_converged(alpha, gamma)
     return Estimate(front.attrs["width_10_90"], front.attrs["width_10_90_error"])
 
 

@@ -5,6 +5,10 @@ Everything is shown in the frame δ = c = 1 with the phase u(0) = 1/2, where u i
 method gives the reference on a regular grid of ξ; each other method is compared with it where
 it is known: shooting on a grid of its own, the chain at its beads, the continuum fronts on ξ.
 
+The driven chain is semi-infinite, at rest, and pressed on by δ = 1.  After many beads its front no
+longer feels the sudden start; what is left of the transient decays only algebraically.  In units of
+δ = c = 1 the strength of the viscous force is the γc of (30).
+
 Each variable of another method carries its `distance` to the exact front, the largest absolute
 difference over the window.  There is no freedom to shift in it, since all have the same phase.
 """
@@ -12,13 +16,19 @@ difference over the window.  There is no freedom to shift in it, since all have 
 import numpy as np
 import xarray as xr
 
+from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.scenes.validation import check_scene
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.continuum_fronts import continuum_fronts
-from granular_fronts.studies.driven_front import drive_front
+
+BEADS_AHEAD = 60
+"""Beads between the one looked at and the free end, which the front has not reached by then."""
+
+TOLERANCE = 1e-12, 1e-14
 
 FIELDS = ("relative_displacement", "velocity")
 CONTINUUM_METHOD = "a formula, or an orbit solved to a few units of the last digit"
@@ -78,6 +88,19 @@ def compare_front(scene, name="given"):
         history = solution["residual_history"].rename(iteration=f"iteration_{method}")
         dataset[f"residual_history_{method}"] = history
     return dataset
+
+
+def drive_front(alpha, gamma, bead, name="driven"):
+    """Press on a chain at rest and look at the front when it has come to a bead n₀; γ is γc.
+
+    `relative_displacement` and `velocity` on `xi` = n − n₀, with u = 1/2 at ξ = 0.
+    """
+    law, record = kuwabara_kono(alpha, gamma), {"snapshots": [], "arrival_level": 0.5}
+    scene = pressed_chain(law, bead + BEADS_AHEAD, 1.1 * bead, TOLERANCE, record)
+    moment = float(simulate_once(scene, name)["arrival_time"].sel(bead=bead))
+    scene |= {"end_time": moment, "record": {"snapshots": [moment]}}
+    snapshot = simulate_chain(scene, name).isel(t=0, drop=True)
+    return snapshot.assign_coords(bead=snapshot["bead"] - bead).rename(bead="xi")
 
 
 def normalised_damping(scene):

@@ -22,6 +22,14 @@ peak by an amount of order hγ, as the damping itself does by one of order γ; t
 of the size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail
 says less: for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency;
 decay changes only at order hγ².
+
+Beside both stand the checks that discrete-element codes are given, as relative errors:
+
+- *restitution*: 1 − e of a collision of two beads that meet at the velocity 1, mean over the phase
+  of the first contact within a step;
+- *momentum*: Σv over the impulse δ^α t of the pressure;
+- *energy*: with what the forces of the scheme dissipate, less the work of the pressure;
+- *speed* of the front, from the times at which u passes ½ at a quarter and in the middle.
 """
 
 import cmath
@@ -33,7 +41,8 @@ from scipy.interpolate import KroghInterpolator
 from scipy.optimize import brentq
 
 from granular_fronts.fronts.linear.tails import tail_roots
-from granular_fronts.studies.half_step_checks import measure_checks
+from granular_fronts.model.collision import restitution
+from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.studies.half_step_motions import (
     CHAIN_METHOD,
     Case,
@@ -43,59 +52,42 @@ from granular_fronts.studies.half_step_motions import (
     half_step_chain,
     read_motion,
 )
+from granular_fronts.studies.orders import ORDER_METHOD, observed_orders
 
 FACTORS = (0.97, 1.0, 1.07, 1.17, 1.3)
 """Dampings over γ at which the peak of the accurate chain is known; between, a polynomial."""
+
+PHASES = 16
+"""Of the first contact of a collision, within a step."""
 
 CONTINUATION = 20
 """Parts of a step along which a root is followed."""
 
 TAIL_ERROR = 1.0e-12
 
-ORDER_METHOD = "change from the last pair of steps but one to the last"
 READING_METHOD = "change of the reading that leaving out one tabulated damping makes"
 
 
 class Excess(NamedTuple):
-    """What the scheme does to one chain, at some steps.
+    """What the scheme does to one chain, at some steps."""
 
-    Attributes
-    ----------
-    error, peak : ndarray, shape (steps,)
-        Largest error of u at the end; first peak in the middle.
-    overshoot, tail : ndarray, shape (steps,)
-        Excess damping over γ, by either observable; NaN beyond the table.
-    exact_peak, order : float
-        Of the accurate chain; observed at the last two steps.
-    chain_error, reading_error, order_change : float
-        Error estimates of the accurate chain, of `overshoot` and of `order`.
-    """
-
-    error: np.ndarray
-    peak: np.ndarray
-    overshoot: np.ndarray
-    tail: np.ndarray
-    exact_peak: float
-    order: float
-    chain_error: float
-    reading_error: float
-    order_change: float
+    error: np.ndarray  # largest one of u at the end, shape (steps,), as the next three
+    peak: np.ndarray  # the first one of u in the middle
+    overshoot: np.ndarray  # excess damping over γ by that peak; NaN beyond the table
+    tail: np.ndarray  # excess damping over γ by the tail
+    exact_peak: float  # of the accurate chain
+    order: float  # observed at the last two steps
+    chain_error: float  # error estimate of the accurate chain
+    reading_error: float  # of `overshoot`
+    order_change: float  # of `order`
 
 
-def measure_half_step_damping(scene):
+def measure_half_step_damping(**scene):
     """Compare the scheme with accurate chains, over law, damping and step.
 
-    Parameters
-    ----------
-    scene : mapping
-        `laws.half_step_damping` of the configuration; steps and end in collision times.
-
-    Returns
-    -------
-    xarray.Dataset
-        On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
-        `excess_tail`; on (beta, gamma): `peak_exact`, `order`, `order_error`; for the chain that is
-        shown the checks of `measure_checks` and the motion of `compare_motion`.
+    On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
+    `excess_tail`; on (beta, gamma): `peak_exact`, `order`, `order_error`; for the chain that is
+    shown the checks of `measure_checks` and the motion of `compare_motion`.
     """
     unit, shown = collision_time(scene["alpha"]), scene["shown"]
     steps = unit / np.sort(scene["steps_per_collision"])
@@ -142,25 +134,13 @@ def collect(found):
 
 
 def measure_excess(case, steps):
-    """Error, peak and excess damping of the scheme at some steps.
-
-    Parameters
-    ----------
-    case : Case
-        Its end is a multiple of every step.
-    steps : ndarray
-        Three or more h, falling.
-
-    Returns
-    -------
-    Excess
-    """
+    """Error, peak and excess damping at three or more falling steps, which meet the end."""
     chains = [accurate_chain(case._replace(gamma=factor * case.gamma)) for factor in FACTORS]
     table = [reading.peak for reading, _ in chains]
     exact, estimate = chains[FACTORS.index(1.0)]
     found = [read_motion(case, half_step_chain(case, step)) for step in steps]
     error = np.array([np.abs(one.u - exact.u).max() for one in found])
-    orders = np.log(error[:-1] / error[1:]) / np.log(steps[:-1] / steps[1:])
+    orders = observed_orders(error, steps)
     peak = np.array([one.peak for one in found])
     overshoot = excess_by_table(peak, FACTORS, table)
     coarse = excess_by_table(peak, FACTORS[:2] + FACTORS[3:], table[:2] + table[3:])
@@ -178,18 +158,7 @@ def measure_excess(case, steps):
 
 
 def excess_by_table(peaks, factors, table):
-    """γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table.
-
-    Parameters
-    ----------
-    peaks : ndarray
-    factors, table : sequence of float
-        Dampings over γ, and the peaks of the accurate chain there.
-
-    Returns
-    -------
-    ndarray, of the shape of `peaks`
-    """
+    """γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table."""
     inside = (peaks <= max(table)) & (peaks >= min(table))
     # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
     logarithm = KroghInterpolator(table, np.log(factors))
@@ -208,14 +177,7 @@ def excess_of_tail(case, step):
 
 
 def tail_root(case, step):
-    """The root of the scheme's dispersion relation that the slowest one for h = 0 becomes.
-
-    Parameters
-    ----------
-    case : Case
-    step : float
-        h.
-    """
+    """The root of the scheme's dispersion relation that the slowest one for h = 0 becomes."""
     root = complex(tail_roots(case.alpha, case.gamma, case.beta, count=1)[0])
     damping = case.beta * case.gamma
     for h in np.linspace(0.0, step, CONTINUATION + 1)[1:]:
@@ -226,3 +188,48 @@ def tail_root(case, step):
             slope = 2.0 * cmath.sinh(root * h) / h - 2.0 * cmath.sinh(root) * lag
             root -= excess / (slope + bell * damping * cmath.exp(root * h))
     return root
+
+
+def measure_checks(case, steps):
+    """The four checks on (step,), each as a relative error under `<name>_defect`."""
+    exact, estimate = accurate_chain(case)
+    loss = 1.0 - restitution(case.gamma, case.alpha, case.beta)
+    found = {name: [] for name in ("restitution", "momentum", "energy", "speed")}
+    for step in steps:
+        motion = half_step_chain(case, step)
+        found["restitution"].append(abs(collision_loss(case, step) / loss - 1.0))
+        found["momentum"].append(abs(motion.v[-1].sum() / case.end_time - 1.0))
+        found["energy"].append(energy_defect(case, motion))
+        passed = np.diff(read_motion(case, motion).arrivals)
+        found["speed"].append(abs(float(np.diff(exact.arrivals)[0] / passed[0]) - 1.0))
+    attributes = {"error_estimate": estimate, "error_method": CHAIN_METHOD}
+    return xr.Dataset(
+        {f"{name}_defect": ("step", values, attributes) for name, values in found.items()}
+    )
+
+
+def collision_loss(case, step):
+    """1 − e of two beads that meet at the velocity 1, by the scheme; mean over the phases."""
+    chain = Chain(case.alpha, case.beta, case.gamma)
+    steps = round(4.0 * collision_time(case.alpha) / step)
+    apart = []
+    for phase in (np.arange(PHASES) + 0.5) / PHASES:
+        motion = integrate(chain, [-phase * step, 0.0], [1.0, 0.0], step, steps)
+        apart.append(motion.v[-1, 1] - motion.v[-1, 0])
+    return 1.0 - float(np.mean(apart))
+
+
+def energy_defect(case, motion):
+    """Energy, and what the forces of the scheme dissipate, less the work; over the work."""
+    step = motion.t[1]
+    u = np.maximum(-np.diff(motion.x, axis=1), 0.0)
+    rate = -np.diff(motion.v, axis=1)
+    half_rate = np.diff(-np.diff(motion.x, axis=1), axis=0) / step
+    half_rate = np.vstack([np.zeros_like(u[:1]), half_rate])
+    damping = np.where(u > 0.0, case.gamma * case.beta * u ** (case.beta - 1.0), 0.0)
+    power = (damping * half_rate * rate).sum(axis=1)
+    dissipated = step * (power.sum() - 0.5 * (power[0] + power[-1]))
+    elastic = (u[-1] ** (case.alpha + 1.0)).sum() / (case.alpha + 1.0)
+    energy = 0.5 * (motion.v[-1] ** 2).sum() + elastic
+    work = motion.x[-1, 0]
+    return abs(energy + dissipated - work) / work

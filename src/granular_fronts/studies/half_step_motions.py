@@ -18,9 +18,12 @@ from scipy.interpolate import CubicHermiteSpline
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.reference_methods.half_step import Chain, integrate
+from granular_fronts.studies.chain_scenes import pressed_chain
 
 LEVEL = 0.5
 """u at which a front arrives."""
+
+TOLERANCE = 1.0e-11, 1.0e-13
 
 CHAIN_METHOD = "error estimate of the accurate chain"
 
@@ -61,7 +64,7 @@ def accurate_chain(case):
     """The same of the accurate chain, and the largest error estimate of what is read."""
     middle = case.beads // 2
     record = {"snapshots": [case.end_time], "arrival_level": LEVEL, "extremes": True}
-    motion = solve_accurately(case, record)
+    motion = _solve_accurately(case, record)
     read = {name: motion[name] for name in ("first_peak", "arrival_time", "relative_displacement")}
     reading = Reading(
         float(read["first_peak"].sel(bead=middle)),
@@ -71,20 +74,11 @@ def accurate_chain(case):
     return reading, max(float(values.attrs["error_estimate"]) for values in read.values())
 
 
-def solve_accurately(case, record):
+def _solve_accurately(case, record):
     """The chain by the package's own solver."""
-    return simulate_chain(
-        {
-            "law": {"alpha": case.alpha, "beta": case.beta, "gamma": case.gamma},
-            "beads": case.beads,
-            "boundary": {"kind": "pressure", "left": 1.0, "right": 0.0},
-            "start": {"kind": "rest"},
-            "end_time": case.end_time,
-            "tolerance": {"relative": 1.0e-11, "absolute": 1.0e-13},
-            "record": record,
-        },
-        f"chain with beta {case.beta:g} and gamma {case.gamma:g}",
-    )
+    law = {"alpha": case.alpha, "beta": case.beta, "gamma": case.gamma}
+    scene = pressed_chain(law, case.beads, case.end_time, TOLERANCE, record)
+    return simulate_chain(scene, f"chain with beta {case.beta:g} and gamma {case.gamma:g}")
 
 
 def read_motion(case, motion):
@@ -98,11 +92,6 @@ def passing(motion, contact, event):
     """Time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
 
     Between two steps u is that of `cubic_between`.
-
-    Raises
-    ------
-    SolveError
-        If the motion ends before.
     """
     u = motion.x[:, contact - 1] - motion.x[:, contact]
     rate = motion.v[:, contact - 1] - motion.v[:, contact]
@@ -126,18 +115,12 @@ def cubic_between(t, u, rate, state):
 
 
 def compare_motion(case, step):
-    """Compare u of the contact in the middle, by the scheme and accurately.
-
-    Returns
-    -------
-    xarray.Dataset
-        `relative_displacement_method` and `relative_displacement_accurate` on (t,), a step apart.
-    """
+    """Compare u of the contact in the middle by the scheme and accurately, a step apart."""
     middle = case.beads // 2
     motion = half_step_chain(case, step)
     probe = {"beads": [middle], "start": 0.0, "stop": case.end_time, "step": step}
     record = {"snapshots": [], "probes": {"middle": probe}}
-    accurate = solve_accurately(case, record)["relative_displacement_middle"].isel(bead_middle=0)
+    accurate = _solve_accurately(case, record)["relative_displacement_middle"].isel(bead_middle=0)
     estimate = {name: accurate.attrs[name] for name in ("error_estimate", "error_method")}
     u = motion.x[:, middle - 1] - motion.x[:, middle]
     return xr.Dataset(

@@ -40,6 +40,7 @@ from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.laws import make_law
+from granular_fronts.studies.chain_scenes import pressed_chain
 
 EPSILON = float(np.finfo(float).eps)
 ROOM_BEHIND = 60
@@ -61,31 +62,14 @@ ERROR_METHODS = {
 
 
 def measure_jumps(cases, beads, tolerance):
-    """Measure the fronts of several lattices.
+    """Measure the fronts of several lattices; driven ones run over `beads`.
 
-    Parameters
-    ----------
-    cases : mapping
-        For each name `elastic` and `dissipation`, kinds of potentials with their parameters
-        (`model.kinds`), and `states`, R₋ and R₊.
-    beads : int
-        How far driven fronts run.
-    tolerance : float
-        Largest error per step of the driven chains.
-
-    Returns
-    -------
-    xarray.Dataset
-        On (law,): `state_minus`, `state_plus`, `direction`, and `speed_…`, `velocity_jump_…` and
-        `power_…` with the endings `expected`, `exact`, `travelling` and `driven` as far as they
-        are measured, each with its `…_error`; on (law, xi) the `profile` of the exact front.
-
-    Raises
-    ------
-    InputError
-        If a front does not exist.
-    NoFrontError
-        If it is not found.
+    Each case has `elastic` and `dissipation`, kinds of potentials with their parameters
+    (`model.kinds`), and `states`, R₋ and R₊.  On (law,): `state_minus`, `state_plus`,
+    `direction`, and `speed_…`, `velocity_jump_…` and `power_…` with the endings `expected`,
+    `exact`, `travelling` and `driven` as far as they are measured, each with its `…_error`; on
+    (law, xi) the `profile` of the exact front.  Raises InputError or NoFrontError where there
+    is none.
     """
     rows = [_measure(name, case, beads, tolerance) for name, case in cases.items()]
     variables = {}
@@ -122,7 +106,7 @@ def _measure(name, case, beads, tolerance):
         "state_plus": (states[1], 0.0),
         "direction": (sign, 0.0),
         "speed_expected": (theory.speed, theory.speed_error),
-        "speed_exact": _signed(sign, exact_speed(front)),
+        "speed_exact": _signed(sign, _exact_speed(front)),
         "speed_travelling": _signed(sign, travelling_speed(law, front)),
         "speed_driven": _signed(sign, driven["speed"]),
         "velocity_jump_expected": (
@@ -140,18 +124,8 @@ def _measure(name, case, beads, tolerance):
     return row, (evaluate_front(front, PROFILE_XI, "strain") - ahead) / (behind - ahead)
 
 
-def exact_speed(front):
-    """Speed at which the profile equation has the front.
-
-    Parameters
-    ----------
-    front : xarray.Dataset
-        From `fronts.solve.solve_front`.
-
-    Returns
-    -------
-    Estimate
-    """
+def _exact_speed(front):
+    """Speed at which the profile equation has the front."""
     speed = front.attrs["speed"]
     return _rounded(
         speed * (1.0 + front.attrs["speed_defect"]), speed * front.attrs["speed_defect_error"]
@@ -167,18 +141,7 @@ def _signed(sign, estimate):
 
 
 def travelling_speed(law, front):
-    """Speed of an exact front in a chain.
-
-    Parameters
-    ----------
-    law : granular_fronts.model.laws.Law
-    front : xarray.Dataset
-        Of this law, from `fronts.solve.solve_front`.
-
-    Returns
-    -------
-    Estimate
-    """
+    """Speed of an exact front of a law in a chain."""
     xi, speed = front["xi"].values, front.attrs["speed"]
     first = math.floor(xi[0])
     sites = np.arange(first, TRAVEL + math.ceil(xi[-1]) + 1.0)
@@ -200,22 +163,9 @@ def travelling_speed(law, front):
 
 
 def drive_front(law, front, beads, tolerance):
-    """Start a chain from a ramp between the states and measure the front that forms.
+    """Estimates of `speed`, `velocity_jump` (ahead less behind) and `power` of a front from a ramp.
 
-    Parameters
-    ----------
-    law : granular_fronts.model.laws.Law
-    front : xarray.Dataset
-        The exact front, for states, speed and lengths.
-    beads : int
-        How far the front runs.
-    tolerance : float
-        Largest error per step, relative and in units of the jump.
-
-    Returns
-    -------
-    dict
-        `speed`, `velocity_jump` (ahead less behind) and `power`, each an `Estimate`.
+    The exact front gives states, speed and lengths; the tolerance is in units of the jump.
     """
     behind, ahead, c = (front.attrs[name] for name in ("state_behind", "state_ahead", "speed"))
     window_behind, window_ahead = np.abs(front["xi"].values[[0, -1]])
@@ -250,22 +200,16 @@ def drive_front(law, front, beads, tolerance):
 def _scene(law, front, u, velocity, tolerance, snapshots):
     """A chain between the states of a front, from relative displacements and velocities given."""
     behind, ahead = front.attrs["state_behind"], front.attrs["state_ahead"]
-    return {
-        "law": law,
-        "beads": velocity.size,
-        "boundary": {"kind": "pressure", "left": -behind, "right": -ahead},
-        "start": {
-            "kind": "given",
-            "relative_displacement": u[:-1].tolist(),
-            "velocity": velocity.tolist(),
-        },
-        "end_time": float(snapshots[-1]),
-        "tolerance": {"relative": tolerance, "absolute": tolerance * abs(behind - ahead)},
-        "record": {
-            "snapshots": list(map(float, snapshots)),
-            "arrival_level": -0.5 * (behind + ahead),
-        },
-    }
+    return pressed_chain(
+        law,
+        velocity.size,
+        float(snapshots[-1]),
+        (tolerance, tolerance * abs(behind - ahead)),
+        {"snapshots": list(map(float, snapshots)), "arrival_level": -0.5 * (behind + ahead)},
+        left=-behind,
+        right=-ahead,
+        start=(u[:-1], velocity),
+    )
 
 
 def _settling(early, halfway, late):

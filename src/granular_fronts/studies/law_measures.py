@@ -192,15 +192,7 @@ def worst_agreement(dataset, quantity):
 
 
 def largest_relative_distance(dataset, quantity, way):
-    """Largest distance of a quantity to theory, over it, of all laws.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-    quantity : {"speed", "velocity_jump", "power"}
-    way : {"exact", "travelling", "driven"}
-        How it was measured.
-    """
+    """Largest distance of a quantity to theory, over it, of all laws, measured in one `way`."""
     expected = dataset[f"{quantity}_expected"]
     distance = abs(dataset[f"{quantity}_{way}"] / expected - 1.0)
     errors = dataset[f"{quantity}_{way}_error"] / abs(expected)

@@ -31,43 +31,27 @@ from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.model.amplitude_scaling import make_slow_scales
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.potentials import make_potential
-from granular_fronts.scenes.law_constraints import pressed_chains_hold_waves
+from granular_fronts.scenes.law import pressed_chains_hold_waves
 from granular_fronts.scenes.validation import raise_if_any
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.ring_against_equations import compare_with_logarithmic
 
-TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
+TOLERANCE = 1.0e-13, 1.0e-15
 BEHIND = slice(0.5, 0.8)
 """Part of the way of the wave over which the range of u is taken."""
 
 ERROR_METHOD = "of the chain, or the change that leaving out every other bead makes"
 
 
-def measure_limiting_cases(section):
+def measure_limiting_cases(**section):
     """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
-    Parameters
-    ----------
-    section : mapping
-        As under `laws: limiting_cases:` of the configuration: `alpha` above 1, exponent of both
-        forces of fronts and collisions; `weak_gamma` and `strong_gamma`, the damping of a front
-        that oscillates and of waves whose width is compared; `beads` and `end_time` of the pressed
-        chains, which are longer than the waves run, and are also seen at a quarter of the time;
-        `softening`, an exponent below 1, and `strains_ahead`, the compressions −R₊ above 0 ahead of
-        its front; `impact_velocities` v₀ of the collisions; `rings` with `exponents`, `gamma`,
-        which is γc, and `half_length`, `half_width` and `slow_time` in units of ξ and τ.
-
-    Returns
-    -------
-    xarray.Dataset
-        `oscillation` on (gamma, t) and `width` on (alpha, t), in units of the compression and in
-        beads; `softening_speed` on (strain_ahead,); `contact_time` and `indentation` on
-        (impact_velocity,); `ring_distance` on (exponent,), the root mean square of the distance
-        of u/δ to the equation.
-
-    Raises
-    ------
-    InputError
-        If the pressed chains are too short for their waves, or the time is.
+    `section` stands under `laws: limiting_cases:` of the configuration; its pressed chains must be
+    longer than the waves run, and are also seen at a quarter of the time.  `oscillation` on
+    (gamma, t) and `width` on (alpha, t) are in units of the compression and in beads;
+    `softening_speed` is on (strain_ahead,), `contact_time` and `indentation` on
+    (impact_velocity,), and `ring_distance` on (exponent,), the root mean square of the distance of
+    u/δ to the equation.
     """
     raise_if_any([*pressed_chains_hold_waves(section)])
     alpha, rings = section["alpha"], section["rings"]
@@ -109,18 +93,9 @@ def measure_limiting_cases(section):
 
 def press_chain(alpha, gamma, beads, times):
     """Relative displacements, shape (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
-    motion = simulate_once(
-        {
-            "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
-            "beads": beads,
-            "boundary": {"kind": "pressure", "left": 1.0, "right": 0.0},
-            "start": {"kind": "rest"},
-            "end_time": times[-1],
-            "tolerance": TOLERANCE,
-            "record": {"snapshots": times},
-        },
-        f"pressed chain with alpha {alpha:g} and gamma {gamma:g}",
-    )
+    law = kuwabara_kono(alpha, gamma)
+    scene = pressed_chain(law, beads, times[-1], TOLERANCE, {"snapshots": times})
+    motion = simulate_once(scene, f"pressed chain with alpha {alpha:g} and gamma {gamma:g}")
     return motion["relative_displacement"].values[:, :-1]
 
 
@@ -130,7 +105,7 @@ def oscillation_behind(profile):
     part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
     found = estimate(np.ptp(part), np.ptp(part[::2]))
     # A range of u is no better known than u itself, which is about the tolerance of the chain.
-    return Estimate(found.value, found.error + TOLERANCE["relative"] * float(np.abs(part).max()))
+    return Estimate(found.value, found.error + TOLERANCE[0] * float(np.abs(part).max()))
 
 
 def wave_width(profile):
@@ -147,33 +122,23 @@ def wave_width(profile):
 
 def collide(alpha, velocity):
     """Time of contact and largest compression of two beads that meet elastically, with errors."""
-    motion = simulate_chain(
-        {
-            "law": {"alpha": alpha, "beta": alpha, "gamma": 0.0},
-            "beads": 2,
-            "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-            "start": {"kind": "given", "relative_displacement": [0.0], "velocity": [velocity, 0.0]},
-            "end_time": 10.0 * velocity ** ((1.0 - alpha) / (1.0 + alpha)),
-            "tolerance": TOLERANCE,
-            "record": {"snapshots": [], "extremes": True},
-        },
-        f"collision with velocity {velocity:g}",
+    scene = pressed_chain(
+        kuwabara_kono(alpha, 0.0),
+        2,
+        10.0 * velocity ** ((1.0 - alpha) / (1.0 + alpha)),
+        TOLERANCE,
+        {"snapshots": [], "extremes": True},
+        left=0.0,
+        start=([0.0], [velocity, 0.0]),
     )
+    motion = simulate_chain(scene, f"collision with velocity {velocity:g}")
     return tuple(
         recorded(motion[name]) for name in ("first_gap_time", "largest_relative_displacement")
     )
 
 
 def ring_distance(alpha, rings):
-    """Root mean square of u/δ of a ring less that of equation (41) at the slow time, and its error.
-
-    Parameters
-    ----------
-    alpha : float
-        Exponent of both forces, above 1.
-    rings : mapping
-        As in `measure_limiting_cases`.
-    """
+    """Root mean square of u/δ of a ring less that of (41) at the slow time, and its error."""
     scales = make_slow_scales(alpha, rings["gamma"], 1.0)
     end = rings["slow_time"] / scales.slow_rate
     solver = {"cells": 512, "tolerance": 1.0e-6}

@@ -35,27 +35,13 @@ ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equa
 
 
 def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
-    """Restitution, damping and fronts of beads of several materials.
+    """Restitution, damping and fronts of beads of several materials, all in SI units.
 
-    Parameters
-    ----------
-    beads : mapping
-        For each material `gamma` as printed, and `mass`, `radius`, `youngs_modulus`,
-        `poisson_ratio` in SI units.
-    impact_velocity : float
-        v₀ of the printed γ, m/s.
-    piston_velocities : sequence of float
-        v_p of fronts, m/s.
-    forces : sequence of float
-        Forces that press other fronts, N.
-
-    Returns
-    -------
-    xarray.Dataset
-        On (material,) `gamma_printed`, `restitution` by the linear rule, `gamma` of the exact
-        collision, `restitution_exact` of the printed γ, `contact_damping` γ₀ and `stiffness` k; on
-        (material, piston_velocity) and (material, force) `gamma_front_…` and `mu_front_…`; the
-        damping `critical_gamma` below which these fronts oscillate.
+    Each has `gamma` as printed for impacts at v₀, `mass`, `radius`, `youngs_modulus` and
+    `poisson_ratio`.  On (material,) `gamma_printed`, `restitution` by the linear rule, `gamma`
+    of the exact collision, `restitution_exact` of the printed γ, `contact_damping` γ₀ and
+    `stiffness` k; on (material, piston_velocity) and (material, force) `gamma_front_…` and
+    `mu_front_…`; the damping `critical_gamma` below which these fronts oscillate.
     """
     rows = [_evaluate(bead, impact_velocity, piston_velocities, forces) for bead in beads.values()]
     dims = {"piston": "piston_velocity", "force": "force"}

@@ -36,9 +36,10 @@ from granular_fronts.reference_methods.position_forms import (
     unpack,
 )
 from granular_fronts.reference_methods.theta_method import NEWTON_TOLERANCE, integrate_from_rest
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
+from granular_fronts.studies.orders import ORDER_METHOD, observed_orders
 
 ERROR_METHOD = "error of the damped chain, and Newton's tolerance times the number of steps"
-ORDER_METHOD = "change from the last pair of steps but one to the last"
 
 
 class Case(NamedTuple):
@@ -50,22 +51,41 @@ class Case(NamedTuple):
     end_time: float
 
 
-def measure_order(case, thetas, steps):
-    """Distances of the θ-method to damped chains and to the conservative one.
+def measure_numerical_damping(alpha, displacement, order, profile):
+    """Compare the θ-method with chains of the damping it stands for.
 
     Parameters
     ----------
-    case : Case
-        Its end is a multiple of every step.
-    thetas, steps : sequence of float
-        θ above 1/2, and three or more h, falling.
+    alpha, displacement : float
+        Exponent of the chain, and how far its first bead is displaced.
+    order : mapping
+        `beads` and `end_time` of the chain, `thetas` and `steps` of `measure_order`.
+    profile : mapping
+        `beads` and `end_time` of the chain, `theta` and `step` of `compare_profiles`.
 
     Returns
     -------
     xarray.Dataset
-        `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step);
-        on (theta,) the observed `order` of the first distance at the last two steps, and
-        `order_two_stages` of the explicit scheme of two stages.
+    """
+    distances = measure_order(
+        Case(alpha, displacement, order["beads"], order["end_time"]),
+        order["thetas"],
+        order["steps"],
+    )
+    profiles = compare_profiles(
+        Case(alpha, displacement, profile["beads"], profile["end_time"]),
+        profile["theta"],
+        profile["step"],
+    )
+    return distances.merge(profiles)
+
+
+def measure_order(case, thetas, steps):
+    """Distances of the θ-method, θ > 1/2, to damped chains and to the conservative one.
+
+    `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step); on
+    (theta,) the observed `order` of the first distance at the last two of three or more falling
+    steps, and `order_two_stages` of the explicit scheme of two stages.
     """
     conservative, rounding = damped_chain(case, 0.0)
     shape = (len(thetas), len(steps))
@@ -79,7 +99,7 @@ def measure_order(case, thetas, steps):
             to_conservative[row, column] = np.abs(method - conservative).max() / case.displacement
             errors.append(error + newton_error)
             if column >= len(steps) - 3:
-                stages = two_stage_chain(case, theta, step)
+                stages = _two_stage_chain(case, theta, step)
                 explicit[row, column] = np.abs(stages - damped).max() / case.displacement
     distance = {"error_estimate": max(errors) / case.displacement, "error_method": ERROR_METHOD}
     return xr.Dataset(
@@ -100,21 +120,13 @@ def measure_order(case, thetas, steps):
 
 def _last_orders(distances, steps):
     """Observed orders at the last two steps, on (theta,)."""
-    orders = np.log(distances[:, -3:-1] / distances[:, -2:])
-    orders /= np.log(np.divide(steps[-3:-1], steps[-2:]))
+    orders = observed_orders(distances[:, -3:], steps[-3:])
     change = float(np.abs(orders[:, 1] - orders[:, 0]).max())
     return "theta", orders[:, 1], {"error_estimate": change, "error_method": ORDER_METHOD}
 
 
 def compare_profiles(case, theta, step):
-    """Relative displacements of the θ-method and of the chains with and without damping.
-
-    Returns
-    -------
-    xarray.Dataset
-        `relative_displacement_method`, `relative_displacement_damped` and
-        `relative_displacement_conservative` on (bead,).
-    """
+    """Relative displacements on (bead,) of the θ-method and of chains with and without damping."""
     method, newton_error = theta_chain(case, theta, step)
     damped, error = damped_chain(case, (2.0 * theta - 1.0) * step)
     conservative, conservative_error = damped_chain(case, 0.0)
@@ -137,15 +149,7 @@ def compare_profiles(case, theta, step):
 
 
 def theta_chain(case, theta, step):
-    """Relative displacements of the θ-method at the end, and the error of its implicit solves.
-
-    Raises
-    ------
-    InputError
-        If the steps miss the end.
-    SolveError
-        If Newton's method fails.
-    """
+    """Relative displacements of the θ-method at the end, and the error of its implicit solves."""
     count = round(case.end_time / step)
     if abs(count * step - case.end_time) > 1.0e-9 * case.end_time:
         raise InputError(
@@ -160,7 +164,7 @@ def theta_chain(case, theta, step):
     return motion.u, NEWTON_TOLERANCE * count * case.displacement
 
 
-def two_stage_chain(case, theta, step):
+def _two_stage_chain(case, theta, step):
     """Relative displacements at the end by the explicit scheme of two stages."""
     law = make_law(alpha=case.alpha, gamma=0.0)
     boundary = Boundary(ring=False, left=case.displacement, right=0.0)
@@ -174,23 +178,17 @@ def two_stage_chain(case, theta, step):
 
 def damped_chain(case, gamma):
     """Relative displacements of the Kuwabara-Kono chain at the end, and their error."""
-    beads = case.beads
-    push = 0.5 * gamma * case.displacement**case.alpha
-    motion = simulate_chain(
-        {
-            "law": {"alpha": case.alpha, "beta": case.alpha, "gamma": gamma},
-            "beads": beads,
-            "boundary": {"kind": "pressure", "left": case.displacement, "right": 0.0},
-            "start": {
-                "kind": "given",
-                "relative_displacement": [0.0] * (beads - 1),
-                "velocity": [push] + [0.0] * (beads - 1),
-            },
-            "end_time": case.end_time,
-            "tolerance": {"relative": 1.0e-12, "absolute": 1.0e-14},
-            "record": {"snapshots": [case.end_time]},
-        },
-        f"damped chain with gamma {gamma:g}",
+    velocity = np.zeros(case.beads)
+    velocity[0] = 0.5 * gamma * case.displacement**case.alpha
+    scene = pressed_chain(
+        kuwabara_kono(case.alpha, gamma),
+        case.beads,
+        case.end_time,
+        (1.0e-12, 1.0e-14),
+        {"snapshots": [case.end_time]},
+        left=case.displacement,
+        start=(np.zeros(case.beads - 1), velocity),
     )
+    motion = simulate_chain(scene, f"damped chain with gamma {gamma:g}")
     u = motion["relative_displacement"].isel(t=0)
-    return u.values[: beads - 1], float(u.attrs["error_estimate"])
+    return u.values[:-1], float(u.attrs["error_estimate"])

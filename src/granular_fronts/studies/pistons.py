@@ -83,28 +83,16 @@ SCALES = 2.0 ** -np.linspace(0.0, 1.0, 9)
 
 
 class DrivenFront(NamedTuple):
-    """Front ahead of a piston, its limits far from the piston, and what theory says.
+    """Front ahead of a piston, its limits far from the piston, and what theory says."""
 
-    Attributes
-    ----------
-    speed : Estimate
-        c in beads per unit of time.
-    compression : Estimate
-        δ behind the front.
-    velocity : Estimate
-        v_p of the beads behind the front.
-    expected_speed, expected_compression, expected_velocity : float
-        By (23) and (22), through `granular_fronts.model.jump_conditions`.
-    velocity_drift : float
-        Largest change of the piston's own velocity from what is prescribed, relative.
-    """
-
-    speed: Estimate
-    compression: Estimate
-    velocity: Estimate
+    speed: Estimate  # c in beads per unit of time
+    compression: Estimate  # δ behind the front
+    velocity: Estimate  # v_p of the beads behind the front
+    # By (23) and (22), through `granular_fronts.model.jump_conditions`.
     expected_speed: float
     expected_compression: float
     expected_velocity: float
+    # Largest change of the piston's own velocity from what is prescribed, relative.
     velocity_drift: float
 
 
@@ -120,24 +108,9 @@ def limit(far, near, alpha):
 
 
 def push_chain(law, velocity, ramp, beads, tolerance):
-    """Drive a front with a piston and measure it.
+    """Drive a front with a piston of velocity V > 0 into some hundreds of beads, and measure it.
 
-    Parameters
-    ----------
-    law : mapping
-        `alpha`, above 1, `beta` and `gamma`.
-    velocity : float
-        V of the piston, above 0.
-    ramp : float
-        Time over which the piston rises to V; 0 for a constant velocity.
-    beads : int
-        N, the beads ahead of the piston; some hundreds or more.
-    tolerance : mapping
-        `relative` and `absolute`, of the integration.
-
-    Returns
-    -------
-    DrivenFront
+    The piston rises to V over the time `ramp`.
     """
     alpha = law["alpha"]
     delta = velocity ** (2.0 / (alpha + 1.0))
@@ -214,20 +187,8 @@ def _last(limits, shifted, error):
 def measure_pistons(cases, velocity, ramps, beads, tolerance):
     """Fronts of several laws, each driven with several ramps.
 
-    Parameters
-    ----------
-    cases : mapping
-        Laws by name.
-    ramps : sequence of float
-        Times over which the piston rises to its velocity; 0 for a constant velocity.
-    velocity, beads, tolerance
-        As in `push_chain`.
-
-    Returns
-    -------
-    xarray.Dataset
-        `front_speed`, `compression_behind` and `velocity_behind` on (law, ramp), each with its
-        `…_error` and `…_expected`, and `velocity_drift`.
+    `front_speed`, `compression_behind` and `velocity_behind` on (law, ramp), each with its
+    `…_error` and `…_expected`, and `velocity_drift`.
     """
     fronts = [
         [push_chain(law, velocity, ramp, beads, tolerance) for ramp in ramps]

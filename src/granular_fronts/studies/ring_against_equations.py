@@ -27,11 +27,10 @@ import xarray as xr
 
 from granular_fronts.accuracy import error_attributes
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.continuum.log_burgers.evolution import (
+from granular_fronts.continuum.evolution import (
     ERROR_METHOD,
     LOGARITHMIC,
     UNLIMITED,
-    describe,
     solve_refined,
 )
 from granular_fronts.continuum.log_burgers.starts import make_start
@@ -140,7 +139,7 @@ def _solve_equation(scene, equation, chain):
         distances = _distances(chain[f"{field}_grid"], *at_beads.map(convert), scale)
         for kind, distance in distances.items():
             dataset[f"{field}_{kind}_{equation}"] = distance
-    facts = describe(solutions.usual)
+    facts = solutions.usual.facts()
     return dataset.assign_attrs({f"{equation}_{key}": value for key, value in facts.items()})
 
 

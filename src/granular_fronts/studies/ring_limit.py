@@ -13,8 +13,13 @@ Errors at a slow time τ, each against the chain at its beads, or at those place
 
 - `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities of
   the equation to first order; `leading` is the sup of the velocities (51);
-- `height`, of the largest u; `place`, in ξ, of where u falls through the middle of its range;
-  `decay`, relative, of the loss of height since the start.
+- `height`, of the largest u, at the vertex of the parabola through the three highest places;
+- `place`, in ξ, of where u falls for the last time, within half a turn of the equation's highest
+  point, through the middle between the extremes of the equation;
+- `decay`, relative, of the loss of height since the start.
+
+Heights and places are interpolated alike in the two waves that are compared, so that what
+interpolation adds all but cancels.
 
 From velocities to first order the mean difference is taken off: a constant is momentum of the whole
 ring, which no formula in y knows.  The formulas are measured too, without any equation and all
@@ -23,11 +28,11 @@ without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier
 first order (`model.amplitude_scaling`).
 
 A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ,
-by linear interpolation between the times of `loss_times`.
+by linear interpolation between the times of `_loss_times`.
 
 Accuracy.  Chain and equation are solved a second time with more coefficients or cells and a tenth
 of the tolerance, and everything is measured again, at fewer places and on every other of
-`loss_times`, so that what interpolation adds is part of the difference, the error estimate.
+`_loss_times`, so that what interpolation adds is part of the difference, the error estimate.
 """
 
 import math
@@ -40,12 +45,13 @@ from scipy.special import xlogy
 
 from granular_fronts.accuracy import Refined, refined_by, with_refinement
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
+from granular_fronts.chain.measures import last_fall
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.continuum import evolution
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
 from granular_fronts.model.amplitude_scaling import SlowScales
-from granular_fronts.studies import ring_errors
 from granular_fronts.studies.ring_starts import slope_of, start_fields
 
 LOSSES = (0.01, 0.05, 0.1)
@@ -53,29 +59,22 @@ LOSS_RATIO = 2.0**0.25
 """Ratio of the slow times between which losses are interpolated, powers of which they are."""
 FIRST_LOSS_TIME = 2.0**-4
 
+MODELS = {
+    evolution.LOGARITHMIC: log_burgers.START_LEVELS,
+    evolution.UNLIMITED: log_burgers.START_LEVELS,
+    evolution.DISPERSIVE: log_kdv_burgers.START_LEVELS,
+}
+"""Equations (41), (40) and (55), and how often the cells of each are halved for kinks."""
+
 
 class Ring(NamedTuple):
-    """A wave on a ring, in units δ = c = 1.
+    """A wave on a ring, in units δ = c = 1."""
 
-    Attributes
-    ----------
-    alpha : float
-        Exponent of both forces, above 1.
-    damping : float
-        γc, above 0.
-    half_beads : int
-        p; the ring has 2p − 1 beads.
-    start : mapping
-        Of a periodic scene.
-    velocity : str
-        ``leading`` or ``slow``, see `ring_starts`.
-    """
-
-    alpha: float
-    damping: float
-    half_beads: int
-    start: dict
-    velocity: str
+    alpha: float  # exponent of both forces, above 1
+    damping: float  # γc, above 0
+    half_beads: int  # p; the ring has 2p − 1 beads
+    start: dict  # as in a periodic scene
+    velocity: str  # ``leading`` or ``slow``, see `ring_starts`
 
     @property
     def scaling(self):
@@ -108,24 +107,12 @@ class Ring(NamedTuple):
 
 
 class Resolution(NamedTuple):
-    """How accurately a ring is solved.
+    """How accurately a ring is solved."""
 
-    Attributes
-    ----------
-    wave_number : float
-        Largest one in ξ that is kept of a smooth chain.
-    places : int
-        For each point of the Fourier series, places at which a smooth chain is compared.
-    cell : float
-        Width of the cells of the equations in ξ.
-    chain_tolerance, equation_tolerance : float
-        Per step.
-    """
-
-    wave_number: float
-    places: int
-    cell: float
-    chain_tolerance: float
+    wave_number: float  # largest one in ξ that is kept of a smooth chain
+    places: int  # for each point of the Fourier series, places at which a smooth chain is compared
+    cell: float  # width of the cells of the equations in ξ
+    chain_tolerance: float  # per step, as the next
     equation_tolerance: float
 
     def points(self, half_length):
@@ -153,36 +140,18 @@ class Motion(NamedTuple):
     gap_time: float
 
 
-def loss_times(last):
+def _loss_times(last):
     """Slow times, up to and including the last of all, between which losses are interpolated."""
     count = math.floor(math.log(last / FIRST_LOSS_TIME) / math.log(LOSS_RATIO) + 1e-9)
     return FIRST_LOSS_TIME * LOSS_RATIO ** np.arange(count + 1)
 
 
 def compare(ring, slow_times, tolerance, xi=None):
-    """Errors of every equation at some slow times.
+    """Values and error estimates at slow times above 0, by the names of `campaign.kinds`.
 
-    Parameters
-    ----------
-    ring : Ring
-    slow_times : ndarray
-        Above 0.
-    tolerance : float
-        Of the solvers, per step.
-    xi : ndarray, optional
-        Places ξ̃ of the moving frame at which u/δ of the chain is wanted too.
-
-    Returns
-    -------
-    dict of str to (ndarray, ndarray)
-        Values and error estimates at the slow times, by the names of `campaign.kinds`.
-
-    Raises
-    ------
-    SolveError
-        If a solver stops.
+    `xi` are places ξ̃ of the moving frame at which u/δ of the chain is wanted too.
     """
-    passages = loss_times(float(np.max(slow_times)))
+    passages = _loss_times(float(np.max(slow_times)))
     every = np.union1d(slow_times, passages)
     times, (usual, finer) = every / ring.scaling.slow_rate, resolutions(tolerance)
     motions = follow(ring, times, usual, finer)
@@ -190,12 +159,13 @@ def compare(ring, slow_times, tolerance, xi=None):
     measured = _facts(ring, motions, slow_times)
     residuals = motions.map(lambda motion: velocity_residuals(ring, motion, asked))
     for key, value in residuals.usual.items():
-        measured[key] = value, error_of(Refined(value, residuals.finer[key]))
+        measured[key] = value, _error_of(Refined(value, residuals.finer[key]))
     if xi is not None:
         profiles = motions.map(lambda motion: _profiles(ring, motion, times, asked, xi))
-        measured["relative_displacement"] = profiles.usual, error_of(profiles)
-    for name, solve in MODELS.items():
-        solutions = refined_by(partial(solve, ring, times, finer), solve(ring, times, usual))
+        measured["relative_displacement"] = profiles.usual, _error_of(profiles)
+    for name in MODELS:
+        solve = partial(_solve, ring, name, times)
+        solutions = refined_by(partial(solve, finer), solve(usual))
         both = [
             _errors(ring, motion, solution, asked)
             | _losses(ring, motion, solution, slow_times, rows)
@@ -204,7 +174,7 @@ def compare(ring, slow_times, tolerance, xi=None):
             )
         ]
         for key, value in both[0].items():
-            measured[f"{key}_{name}"] = value, error_of(Refined(value, both[1][key]))
+            measured[f"{key}_{name}"] = value, _error_of(Refined(value, both[1][key]))
     return measured
 
 
@@ -274,7 +244,7 @@ def _facts(ring, motions, slow_times):
         "first_gap_time": motions.map(lambda motion: rate * motion.gap_time),
     }
     return {
-        name: (np.full(slow_times.size, both.usual), np.full(slow_times.size, error_of(both)))
+        name: (np.full(slow_times.size, both.usual), np.full(slow_times.size, _error_of(both)))
         for name, both in facts.items()
     }
 
@@ -290,34 +260,23 @@ def _profiles(ring, motion, times, asked, xi):
     return np.array(rows)
 
 
-def error_of(both):
+def _error_of(both):
     """Difference of numbers that were computed twice, at least their rounding."""
     with np.errstate(invalid="ignore"):
         return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
 
 
-def _logarithmic(ring, times, resolution, _coarser=None):
-    return _log_burgers(ring, 1.0, times, resolution)
-
-
-def _unlimited(ring, times, resolution, _coarser=None):
-    return _log_burgers(ring, ring.alpha, times, resolution)
-
-
-def _log_burgers(ring, alpha, times, resolution):
-    levels = log_burgers.START_LEVELS if ring.has_kinks else 0
-    cells, tolerance = resolution.cells(ring.half_length), resolution.equation_tolerance
-    return log_burgers.solve(ring.scene, alpha, times, cells, tolerance, levels=levels)
-
-
-def _dispersive(ring, times, resolution, coarser=None):
-    levels = log_kdv_burgers.START_LEVELS if ring.has_kinks else 0
-    points, tolerance = resolution.cells(ring.half_length), resolution.equation_tolerance
-    return log_kdv_burgers.solve(ring.scene, times, points, tolerance, levels, coarser)
-
-
-MODELS = {"logarithmic": _logarithmic, "unlimited": _unlimited, "dispersive": _dispersive}
-"""Equations (41), (40) and (55), by the names of their errors."""
+def _solve(ring, equation, times, resolution, coarser=None):
+    """One equation on the ring; without kinks the start needs no finer cells."""
+    return evolution.solve(
+        ring.scene,
+        equation,
+        times,
+        resolution.cells(ring.half_length),
+        resolution.equation_tolerance,
+        MODELS[equation] if ring.has_kinks else 0,
+        coarser,
+    )
 
 
 def velocity_residuals(ring, motion, rows):
@@ -355,18 +314,12 @@ def _compressions(ring, motion, force, rows):
 
 
 def _losses(ring, motion, solution, slow_times, rows):
-    """Slow times at which one solution of an equation has lost so much, NaN if after `slow_times`.
-
-    Parameters
-    ----------
-    rows : ndarray of int
-        Of the times between which losses are interpolated.
-    """
+    """Slow times at which an equation has lost so much, NaN if after `slow_times`."""
     times, sup = ring.scaling.slow_rate * solution.times[rows], np.array([])
     if rows.size:
         _, force = _force(ring, motion, solution, rows)
-        sup = ring_errors.largest(*_compressions(ring, motion, force, rows))
-    passages = {part: ring_errors.first_passage(times, sup, part) for part in LOSSES}
+        sup = largest(*_compressions(ring, motion, force, rows))
+    passages = {part: first_passage(times, sup, part) for part in LOSSES}
     return {
         f"lost_{100 * part:g}": np.where(time <= slow_times, time, math.nan)
         for part, time in passages.items()
@@ -389,12 +342,73 @@ def _errors(ring, motion, solution, rows):
     velocity = motion.velocity[rows]
     corrected = _centred(velocity - scaling.corrected_velocity(force, slopes, flux))
     return {
-        "displacement_sup": ring_errors.largest(chain, u),
-        "displacement_rms": ring_errors.root_mean_square(chain, u),
-        "height": ring_errors.heights(u) - ring_errors.heights(chain),
-        "place": scaling.epsilon * ring_errors.lead(u, chain, ring.beads / motion.site.size),
-        "decay": ring_errors.relative_decay(u, chain, start),
-        "velocity_sup": ring_errors.largest(corrected, 0.0),
-        "velocity_rms": ring_errors.root_mean_square(corrected, 0.0),
-        "leading_velocity_sup": ring_errors.largest(velocity, scaling.velocity(force)),
+        "displacement_sup": largest(chain, u),
+        "displacement_rms": root_mean_square(chain, u),
+        "height": heights(u) - heights(chain),
+        "place": scaling.epsilon * lead(u, chain, ring.beads / motion.site.size),
+        "decay": relative_decay(u, chain, start),
+        "velocity_sup": largest(corrected, 0.0),
+        "velocity_rms": root_mean_square(corrected, 0.0),
+        "leading_velocity_sup": largest(velocity, scaling.velocity(force)),
     }
+
+
+# Distances between two waves at equally spaced places, a row for each time.
+
+
+def largest(chain, model):
+    """Largest difference at each time."""
+    return np.abs(chain - model).max(axis=1)
+
+
+def root_mean_square(chain, model):
+    """Root mean square of the difference at each time."""
+    return np.sqrt(((chain - model) ** 2).mean(axis=1))
+
+
+def heights(rows):
+    """Largest value at each time."""
+    return np.array([_height(row) for row in np.atleast_2d(rows)])
+
+
+def _height(row):
+    i = int(np.argmax(row))
+    left, top, right = (row[(i + k) % row.size] for k in (-1, 0, 1))
+    curvature = left - 2.0 * top + right
+    return top - (left - right) ** 2 / (8.0 * curvature) if curvature < 0.0 else top
+
+
+def relative_decay(model, chain, start):
+    """Loss of height since the start, of the model over that of the chain, minus 1."""
+    [first] = heights(start)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return (first - heights(model)) / (first - heights(chain)) - 1.0
+
+
+def lead(model, chain, spacing):
+    """By how much the model is ahead of the chain at each time; NaN where there is no such fall."""
+    return np.array([_lead(*rows) * spacing for rows in zip(model, chain, strict=True)])
+
+
+def _lead(model, chain):
+    half = model.size // 2
+    turn, level = half - int(np.argmax(model)), 0.5 * (model.max() + model.min())
+    return _last_fall(np.roll(model, turn), level) - _last_fall(np.roll(chain, turn), level)
+
+
+def _last_fall(row, level):
+    """Index, interpolated, of the last fall of a row through a level; NaN without one."""
+    try:
+        return last_fall(row, np.arange(row.size), level)
+    except IndexError:
+        return math.nan
+
+
+def first_passage(times, errors, level):
+    """First time at which an error that is 0 at time 0 exceeds a level; NaN if it does not."""
+    above = np.flatnonzero(errors > level)
+    if not above.size:
+        return np.nan
+    t, e = np.append(0.0, times), np.append(0.0, errors)
+    row = above[0] + 1
+    return float(t[row - 1] + (t[row] - t[row - 1]) * (level - e[row - 1]) / (e[row] - e[row - 1]))

@@ -103,13 +103,15 @@ def shock_speed_ratio(dataset):
 
 def shock_lead(dataset):
     """Beads by which the chain's shock is ahead of the equation's at the last snapshot."""
-    chain, equation = (shock_place(dataset, dataset[name].isel(t=-1)) for name in (CHAIN, EQUATION))
+    chain, equation = (
+        _shock_place(dataset, dataset[name].isel(t=-1)) for name in (CHAIN, EQUATION)
+    )
     return chain - equation
 
 
 def shock_travel(dataset):
     """Beads over which the chain's shock has run at the last snapshot."""
-    first, last = (shock_place(dataset, dataset[CHAIN].isel(t=row)) for row in (0, -1))
+    first, last = (_shock_place(dataset, dataset[CHAIN].isel(t=row)) for row in (0, -1))
     return last - first
 
 
@@ -144,11 +146,11 @@ def profile_correlation(dataset):
 
 
 def _speed(dataset, name):
-    first, last = (shock_place(dataset, dataset[name].isel(t=row)) for row in (-2, -1))
+    first, last = (_shock_place(dataset, dataset[name].isel(t=row)) for row in (-2, -1))
     return (last - first) / float(dataset["t"][-1] - dataset["t"][-2])
 
 
-def shock_place(dataset, profile):
+def _shock_place(dataset, profile):
     """Position of the shock of a profile of u at one time, in beads, on the ring cut open."""
     return estimate(
         *(last_fall(*reversed(_cut_open(dataset, profile, stride)), 0.5) for stride in (1, 2))
@@ -188,14 +190,14 @@ def plateau_ratio(first, second):
     return rounded(lengths[1] / lengths[0])
 
 
-def final_peak(dataset):
+def _final_peak(dataset):
     """Largest u/δ of the chain at the last snapshot."""
     return recorded(dataset[CHAIN].isel(t=-1).max(keep_attrs=True)) / scales(dataset).delta
 
 
 def peak_ratio(first, second):
     """Largest u/δ at the last snapshot of the second scene over that of the first."""
-    return final_peak(second) / final_peak(first)
+    return _final_peak(second) / _final_peak(first)
 
 
 def bump_of_equation(dataset):
@@ -221,7 +223,7 @@ def bump_birthplace(dataset):
     u = dataset["relative_displacement_grid"]
     level = (1.0 + NOTICEABLE) * scales(dataset).delta
     profile = u.isel(t_grid=int(np.argmax(u.max("bead").values > level)))
-    shock = shock_place(dataset, profile)
+    shock = _shock_place(dataset, profile)
     # The bump is seen at whole beads, the vertex lies within half a bead.
     return shock - Estimate(_vertex(profile.values), 0.5)
 

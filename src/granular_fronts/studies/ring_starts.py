@@ -56,20 +56,8 @@ PROFILES = {"pulse": pulse, "front": front}
 def scene_start(profile, half_width, base, half_length):
     """A start as a periodic scene gives it.
 
-    Parameters
-    ----------
-    profile : str
-        ``plateau``, ``pulse`` or ``front``.
-    half_width : float
-        w, in ξ.
-    base : float
-        Smallest rescaled force, b or the floor of (49).
-    half_length : float
-        ℓ.
-
-    Returns
-    -------
-    dict
+    `profile` is ``plateau``, ``pulse`` or ``front``, `half_width` w in ξ, `base` the smallest
+    rescaled force, b or the floor of (49).
     """
     if profile == "plateau":
         return {"kind": "plateau", "half_width": half_width, "floor": base}
@@ -80,22 +68,9 @@ def scene_start(profile, half_width, base, half_length):
 
 
 def start_fields(start, scaling, half_length, xi, velocity):
-    """Relative displacements and velocities of a start.
+    """Relative displacements and velocities of a start at the points `xi`.
 
-    Parameters
-    ----------
-    start : mapping
-        Of a periodic scene.
-    scaling : model.amplitude_scaling.SlowScales
-    half_length : float
-        ℓ.
-    xi : ndarray
-    velocity : str
-        ``leading`` for (51) or ``slow`` for the slow manifold.
-
-    Returns
-    -------
-    relative_displacement, velocity : ndarray
+    `velocity` is ``leading`` for (51) or ``slow`` for the slow manifold.
     """
     force = make_start(start)
     y = force.values(xi, half_length)

@@ -5,7 +5,7 @@ const MARGIN = 0.05
 
 const byId = name => document.getElementById(name)
 
-// A row of an array as workflow/scripts/explorer/encoding.py encodes it.
+// A row of an array as workflow/scripts/report/explorer/encoding.py encodes it.
 function decodeRow(encoded, row) {
   const codes = encoded.codes, step = encoded.steps[row]
   const columns = codes.shape[1], values = new Float64Array(columns)

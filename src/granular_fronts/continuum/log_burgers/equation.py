@@ -49,22 +49,7 @@ if TYPE_CHECKING:
 def flux(y: npt.ArrayLike, alpha: float) -> np.ndarray:
     """Flux f_α(y) of James (2021), eq. (40), accurate however close α is to 1.
 
-    Parameters
-    ----------
-    y : array_like
-        Rescaled force, at least 0.
-    alpha : float
-        Above 1.
-
-    Returns
-    -------
-    ndarray
-        Shape of `y`.
-
-    Raises
-    ------
-    InputError
-        If α ≤ 1 or some y < 0.
+    An InputError if α ≤ 1 or some y < 0.
     """
     alpha = _check_alpha(alpha)
     exponent = 1.0 - 1.0 / alpha

@@ -53,24 +53,12 @@ DIFFUSION_RADIUS = 272.0 / 45.0
 
 
 class Equation(NamedTuple):
-    """What is solved, and on which cells.
+    """What is solved, and on which cells."""
 
-    Attributes
-    ----------
-    alpha : float
-        Exponent of (40), above 1; exactly 1 stands for its limit (41).
-    floor : float
-        Where logarithm and power are frozen; positive.
-    bound : float
-        Lower bound of v, at least 0.
-    width : float
-        Of a cell.
-    """
-
-    alpha: float
-    floor: float
-    bound: float
-    width: float
+    alpha: float  # exponent of (40), above 1; exactly 1 stands for its limit (41)
+    floor: float  # where logarithm and power are frozen; positive
+    bound: float  # lower bound of v, at least 0
+    width: float  # of a cell
 
 
 class Work(NamedTuple):
@@ -89,10 +77,8 @@ def make_work(cells):
 def symbols(angle):
     """What the differences of this scheme make of a wave of a given angle per cell.
 
-    Returns
-    -------
-    diffusion, advection : ndarray
-        Shape of `angle`: −Δ² times the discrete second derivative, and Δ/i times the first.
+    −Δ² times the discrete second derivative, and Δ/i times the first, each of the shape of
+    `angle`.
     """
     odd = np.multiply.outer(np.asarray(angle), np.arange(GHOSTS) + 0.5)
     over_cell = 4.0 * np.sin(0.5 * np.asarray(angle))
@@ -100,7 +86,7 @@ def symbols(angle):
 
 
 @subroutine
-def reconstruct(width, averages, work):
+def _reconstruct(width, averages, work):
     """Values and derivatives of v at the edges, into `work`; edge i lies left of cell i."""
     n = averages.size
     for i in range(n):
@@ -121,15 +107,8 @@ def reconstruct(width, averages, work):
 
 @subroutine
 def evaluate_rates(equation, averages, work, rates):
-    """Time derivative of the cell averages.
-
-    Parameters
-    ----------
-    equation : Equation
-    averages, rates : ndarray, shape (N,)
-    work : Work
-    """
-    reconstruct(equation.width, averages, work)
+    """Time derivative of the cell averages, into `rates`."""
+    _reconstruct(equation.width, averages, work)
     value, gradient, flux = work.value, work.gradient, work.value
     if equation.alpha == 1.0:
         for i in range(value.size):
@@ -167,10 +146,7 @@ def advection_and_diffusion(equation, smallest, largest):
 def lift(averages, bound):
     """Raise every average to the bound at the expense of the nearest that can spare it.
 
-    Returns
-    -------
-    float
-        Largest shortfall met.
+    Returns the largest shortfall met.
     """
     n, worst = averages.size, 0.0
     for i in range(n):
@@ -191,13 +167,7 @@ def lift(averages, bound):
 
 @functools.cache
 def _polynomial_weights():
-    """Monomial coefficients, on |s| ≤ 1/2 of a cell, from the averages of it and its neighbours.
-
-    Returns
-    -------
-    ndarray, shape (7, 7)
-        Row k holds the weights of averages −3 … 3 in the coefficient of s^k.
-    """
+    """Monomial coefficients, on |s| ≤ 1/2 of a cell, from the averages of it and its neighbours."""
     cells = np.arange(-GHOSTS, GHOSTS + 1)
     powers = np.arange(1, cells.size + 1)
     left, right = cells[:, None] - 0.5, cells[:, None] + 0.5
@@ -206,24 +176,10 @@ def _polynomial_weights():
 
 
 def point_values(averages, half_length, xi, floor):
-    """Values of v at any points, of seventh order in the cell width.
+    """Values of v at any points, taken modulo 2ℓ, of seventh order in the cell width.
 
-    Parameters
-    ----------
-    averages : ndarray, shape (N,)
-        Over equal cells from −ℓ to ℓ of a ring.
-    half_length : float
-        ℓ.
-    xi : ndarray, shape (M,)
-        Points, taken modulo 2ℓ.
-    floor : float
-        Lower bound of v.
-
-    Returns
-    -------
-    ndarray, shape (M,)
-        From the polynomial of degree 6 that has the averages of the nearest seven cells, raised to
-        the floor where it is below.
+    The polynomial of degree 6 has the averages of the nearest seven cells, and is raised to the
+    floor where it is below.
     """
     place = np.mod((np.asarray(xi) + half_length) / (2.0 * half_length), 1.0) * averages.size
     cell = np.minimum(place.astype(int), averages.size - 1)

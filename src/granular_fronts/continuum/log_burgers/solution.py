@@ -43,34 +43,16 @@ SOLVER = "sixth-order finite volumes, strong-stability-preserving Runge-Kutta st
 
 
 class Evolution(NamedTuple):
-    """Cell averages of v = y^(1/α) at some times; α = 1 for the logarithmic equation.
-
-    Attributes
-    ----------
-    start : starts.Plateau or starts.Given
-    times : ndarray, shape (times,)
-        Times t of the chain.
-    averages : list of ndarray
-        One for each time, over as many cells as the run had then.
-    half_length : float
-        ℓ.
-    alpha : float
-        Exponent of the equation.
-    counts : dict
-        Steps and right-hand sides.
-    mean_drift : float
-        Largest change of the mean.
-    largest_shortfall : float
-        How far an average had to be lifted to the smallest value of the start.
-    """
+    """Cell averages of v = y^(1/α) at some times; α = 1 for the logarithmic equation."""
 
     start: Plateau | Given
-    times: np.ndarray
-    averages: list
-    half_length: float
-    alpha: float
-    counts: dict
-    mean_drift: float
+    times: np.ndarray  # times t of the chain, shape (times,)
+    averages: list  # one for each time, over as many cells as the run had then
+    half_length: float  # ℓ
+    alpha: float  # exponent of the equation
+    counts: dict  # steps and right-hand sides
+    mean_drift: float  # largest change of the mean
+    # How far an average had to be lifted to the smallest value of the start.
     largest_shortfall: float
 
     def rescaled_force(self, row, xi):
@@ -86,6 +68,15 @@ class Evolution(NamedTuple):
             self.averages[row], self.half_length, points.ravel(), floor
         )
         return values.reshape(points.shape) ** self.alpha
+
+    def facts(self):
+        """Attributes that say how the equation was solved."""
+        return {
+            "solver": f"{SOLVER}, {2 ** start_levels(self.alpha)} times finer cells at the start",
+            **self.counts,
+            "mean_drift": self.mean_drift,
+            "largest_shortfall": self.largest_shortfall,
+        }
 
 
 def solve(scene, alpha, times, cells, tolerance, levels=None, smooth_cells=SMOOTH_CELLS):
@@ -125,9 +116,9 @@ def solve(scene, alpha, times, cells, tolerance, levels=None, smooth_cells=SMOOT
     mean, clock = averages.mean(), time_steps.make_clock(FIRST_STEP)
     ahead, kept = list(np.argsort(times, kind="stable")), [None] * times.size
     while ahead:
-        equation = make_equation(alpha, averages, start.floor, 2.0 * half_length / averages.size)
+        equation = _make_equation(alpha, averages, start.floor, 2.0 * half_length / averages.size)
         state = time_steps.make_state(averages)
-        joins = np.inf if averages.size == cells else smoothing_time(equation, smooth_cells)
+        joins = np.inf if averages.size == cells else _smoothing_time(equation, smooth_cells)
         while ahead and slow_times[ahead[0]] <= joins:
             row = ahead.pop(0)
             _advance(equation, state, clock, tolerance, slow_times[row])
@@ -145,7 +136,7 @@ def start_levels(alpha):
     return START_LEVELS if alpha == 1.0 else LEVELS_WITH_FOOT
 
 
-def make_equation(alpha, averages, lowest, width):
+def _make_equation(alpha, averages, lowest, width):
     """The equation of the kernels; y ≥ `lowest` bounds averages from below, wherever cells lie."""
     smallest = float(averages.min())
     if smallest < 0.0:
@@ -159,7 +150,7 @@ def make_equation(alpha, averages, lowest, width):
     return finite_volumes.Equation(alpha, floor, bound, width)
 
 
-def smoothing_time(equation, smooth_cells):
+def _smoothing_time(equation, smooth_cells):
     """Slow time at which the least diffusivity has smoothed a kink over a number of cells."""
     least_diffusivity = equation.alpha * equation.floor ** (equation.alpha - 1.0)
     return (smooth_cells * equation.width) ** 2 / least_diffusivity

@@ -74,26 +74,13 @@ PARABOLA = np.array([_largest_parabola(b) for b in DIFFUSION_NUMBERS])
 
 
 class State(NamedTuple):
-    """State and stages of one integration, each of shape (N,), and the work space.
+    """State and stages of one integration, each of shape (N,), and the work space."""
 
-    Attributes
-    ----------
-    averages : ndarray
-        Cell averages at the present time.
-    trial, slope : ndarray
-        A stage and its rates; in the end the averages after the step.
-    half_way : ndarray
-        What the last average needs of the first five stages.
-    estimate : ndarray
-        Difference of both formulas, over the step.
-    work : finite_volumes.Work
-    """
-
-    averages: np.ndarray
-    trial: np.ndarray
-    slope: np.ndarray
-    half_way: np.ndarray
-    estimate: np.ndarray
+    averages: np.ndarray  # cell averages at the present time
+    trial: np.ndarray  # a stage; in the end the averages after the step
+    slope: np.ndarray  # the rates of a stage
+    half_way: np.ndarray  # what the last average needs of the first five stages
+    estimate: np.ndarray  # difference of both formulas, over the step
     work: finite_volumes.Work
 
 
@@ -118,25 +105,13 @@ def make_clock(first_step):
 
 @kernel
 def advance(equation, state, clock, tolerance, stop):
-    """Step to the time `stop`, which is met exactly.
+    """Step to the time `stop`, which is met exactly, with an error per step in the maximum norm.
 
-    Parameters
-    ----------
-    equation : finite_volumes.Equation
-    state : State
-    clock : record of CLOCK
-    tolerance : float
-        Error per step in the maximum norm over cells.
-    stop : float
-
-    Returns
-    -------
-    int
-        FINISHED, or COLLAPSED if the step size fell below `RESOLUTION` of it.
+    Returns FINISHED, or COLLAPSED if the step size fell below `RESOLUTION` of the stop.
     """
     while clock.t < stop and not interrupted():
         remaining = stop - clock.t
-        h = min(clock.h, largest_stable_step(equation, state.averages))
+        h = min(clock.h, _largest_stable_step(equation, state.averages))
         lands = h >= remaining
         if lands:
             h = remaining
@@ -171,7 +146,7 @@ def copy(values, target):
 
 
 @subroutine
-def largest_stable_step(equation, averages):
+def _largest_stable_step(equation, averages):
     """Largest step for which diffusion and advection are both stable."""
     smallest = largest = averages[0]
     for average in averages:

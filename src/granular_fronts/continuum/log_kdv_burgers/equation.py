@@ -45,53 +45,25 @@ import numpy as np
 
 from granular_fronts.arguments import scalar
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.constraints import SMALLEST_DAMPING
+from granular_fronts.model.amplitude_scaling import SMALLEST_DAMPING
 
 CRITICAL_DAMPING = 2.0
 """Value of μ at which the focus (1, 0) becomes a node."""
 
 
 class Amplitude(NamedTuple):
-    """What ties the amplitude equation to a chain.
+    """What ties the amplitude equation to a chain."""
 
-    Attributes
-    ----------
-    mu : float
-        Damping μ of (54).
-    speed : float
-        Speed c of the front, in beads per unit of time.
-    s_per_bead : float
-        2√3 ε: the change of s from bead to bead.
-    tau_per_time : float
-        √3 ε³ c: the change of τ per unit of time.
-    """
-
-    mu: float
-    speed: float
-    s_per_bead: float
-    tau_per_time: float
+    mu: float  # damping μ of (54)
+    speed: float  # speed c of the front, in beads per unit of time
+    s_per_bead: float  # 2√3 ε: the change of s from bead to bead
+    tau_per_time: float  # √3 ε³ c: the change of τ per unit of time
 
 
 def amplitude_of_chain(alpha, gamma, delta=1.0):
     """Parameter and scales of the amplitude equation for a chain, James (2021), (52)–(54).
 
-    Parameters
-    ----------
-    alpha : float
-        Exponent of the contact law, α = β > 1.
-    gamma : float
-        Strength of the viscous force, γ ≥ 0.
-    delta : float, optional
-        Compression behind the front, δ > 0.
-
-    Returns
-    -------
-    Amplitude
-
-    Raises
-    ------
-    InputError
-        If a value is outside its range.
+    An InputError unless α = β > 1, γ ≥ 0 and δ > 0.
     """
     alpha = scalar("alpha", alpha, above=1.0, advice="fronts are compressive there")
     gamma = scalar("gamma", gamma, least=0.0)
@@ -106,45 +78,8 @@ def amplitude_of_chain(alpha, gamma, delta=1.0):
     )
 
 
-def damping_of_mu(mu, alpha, delta=1.0):
-    """γ of the chain whose amplitude equation has the parameter μ: (54) read backwards.
-
-    Parameters
-    ----------
-    mu : float
-        Damping, μ ≥ 0; 2 gives the critical damping γ c = ((1 − 1/α)/3)^(1/2).
-    alpha, delta : float
-        As in `amplitude_of_chain`.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError
-        If a value is outside its range.
-    """
-    return check_mu(mu) / amplitude_of_chain(alpha, 1.0, delta).mu
-
-
 def check_mu(mu):
-    """The damping μ as a float, once it is possible.
-
-    Parameters
-    ----------
-    mu : float
-        Finite, 0 or at least `SMALLEST_DAMPING`.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError
-        If it is none.
-    """
+    """The damping μ as a float; an InputError unless it is 0 or at least `SMALLEST_DAMPING`."""
     mu = scalar("mu", mu, least=0.0, advice="contacts dissipate")
     if 0.0 < mu < SMALLEST_DAMPING:
         raise InputError(
@@ -155,37 +90,14 @@ def check_mu(mu):
 
 
 def potential(y):
-    """Double-well potential W(y) = (y²/2)(ln|y| − ½) of (56), zero at the origin.
-
-    Parameters
-    ----------
-    y : array_like
-
-    Returns
-    -------
-    ndarray, same shape
-    """
+    """Double-well potential W(y) = (y²/2)(ln|y| − ½) of (56), zero at the origin."""
     y = np.asarray(y, dtype=float)
     safe = np.where(y == 0.0, 1.0, np.abs(y))
     return 0.5 * y**2 * (np.log(safe) - 0.5)
 
 
 def planar_system(s, state, mu):
-    """Right-hand side of (57), for orbits of any sign.
-
-    Parameters
-    ----------
-    s : float
-        Not used: the system is autonomous.
-    state : ndarray, shape (2, ...)
-        y and z = y'.
-    mu : float
-
-    Returns
-    -------
-    ndarray, shape (2, ...)
-        y' and z'.
-    """
+    """Right-hand side of (57), y' and z' of a state (y, z), for orbits of any sign."""
     y, z = state
     safe = np.where(y == 0.0, 1.0, np.abs(y))
     return np.array([z, mu * z - y * np.log(safe)])
@@ -194,15 +106,8 @@ def planar_system(s, state, mu):
 def linear_rates(mu):
     """Both roots λ of λ² − μλ + 1 = 0, the growth rates at (1, 0), free of cancellation.
 
-    Parameters
-    ----------
-    mu : float
-        Damping, μ ≥ 0.
-
-    Returns
-    -------
-    slow, fast : complex
-        Real and in this order for μ ≥ 2; otherwise a conjugate pair, negative imaginary part first.
+    The slow and the fast one for μ ≥ 2; otherwise a conjugate pair, negative imaginary part
+    first.
     """
     mu = check_mu(mu)
     if mu < CRITICAL_DAMPING:

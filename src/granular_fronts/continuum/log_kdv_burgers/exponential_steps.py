@@ -73,7 +73,7 @@ class Weights(NamedTuple):
     step: tuple
 
 
-def weights_of_step(equation, points, h):
+def _weights_of_step(equation, points, h):
     """Weights for a step of length h; those of fluxes contain −iκh."""
     kappa = wave_numbers(equation, points)
     z, derivative = h * linear_rates(equation, kappa), -1j * h * kappa
@@ -135,13 +135,7 @@ class Motion:
         self.set_amplitudes(self.amplitudes[: points // 2 + 1], points)
 
     def advance(self, stop):
-        """Step to the slow time `stop`, which is met exactly.
-
-        Raises
-        ------
-        SolveError
-            If the step size collapses.
-        """
+        """Step to the slow time `stop`, which is met exactly."""
         while self.tau < stop:
             remaining = stop - self.tau
             # Two equal steps to the stop rather than a long and a short one.
@@ -172,14 +166,7 @@ class Motion:
         return 0.5 * (self.coarser[end] - self.coarser[end - 1])
 
     def try_step(self, h):
-        """Take one step if its error allows.
-
-        Returns
-        -------
-        factor : float
-            By which the next step should be longer.
-        accepted : bool
-        """
+        """Take one step if its error allows; the factor for the next one, and whether it did."""
         new, last_flux = self.stages(h)
         flux = self.flux_of(new)
         difference = self.weights.step[2] * (flux - last_flux)
@@ -196,7 +183,7 @@ class Motion:
     def stages(self, h):
         """Amplitudes u⁺ after a step, and the flux N₄ of its last stage."""
         if h != self.weights_are_for:
-            self.weights, self.weights_are_for = weights_of_step(self.equation, self.points, h), h
+            self.weights, self.weights_are_for = _weights_of_step(self.equation, self.points, h), h
         w, u, flux_1 = self.weights, self.amplitudes, self.flux
         half_way, whole_way = w.half * u, w.whole * u
         flux_2 = self.flux_of(half_way + w.second * flux_1)

@@ -34,24 +34,12 @@ BLOCK = 16
 
 
 class Equation(NamedTuple):
-    """What is solved.
+    """What is solved."""
 
-    Attributes
-    ----------
-    half_length : float
-        ℓ of the ring.
-    diffusion : float
-        ν, at least 0.
-    dispersion : float
-        D of the third derivative, at least 0.
-    floor : float
-        η, below which the logarithm is cut off; positive.
-    """
-
-    half_length: float
-    diffusion: float
-    dispersion: float
-    floor: float
+    half_length: float  # ℓ of the ring
+    diffusion: float  # ν, at least 0
+    dispersion: float  # D of the third derivative, at least 0
+    floor: float  # η, below which the logarithm is cut off; positive
 
 
 def wave_numbers(equation, points):
@@ -76,19 +64,7 @@ def values_on_points(amplitudes, points):
 
 
 def values_at(amplitudes, half_length, xi):
-    """Values at any points, the sum of all waves.
-
-    Parameters
-    ----------
-    amplitudes : ndarray, shape (waves,)
-    half_length : float
-    xi : ndarray, shape (M,)
-        Taken modulo 2ℓ.
-
-    Returns
-    -------
-    ndarray, shape (M,)
-    """
+    """Values at any points, taken modulo 2ℓ: the sum of all waves."""
     blocks = -(-amplitudes.size // BLOCK)
     weights = np.zeros((blocks, BLOCK), complex)
     weights.flat[: amplitudes.size] = 2.0 * amplitudes
@@ -100,18 +76,7 @@ def values_at(amplitudes, half_length, xi):
 
 
 def start_amplitudes(start, half_length, points):
-    """Amplitudes of a start from its exact averages.
-
-    Parameters
-    ----------
-    start : starts.Plateau or starts.Given
-    half_length : float
-    points : int
-
-    Returns
-    -------
-    ndarray, shape (points//2 + 1,)
-    """
+    """Amplitudes of a start from its exact averages, shape (points//2 + 1,)."""
     cells = OVERSAMPLING * points
     waves = np.arange(points // 2 + 1)
     amplitudes = np.fft.rfft(start.averages(cells, half_length, 1.0), norm="forward")[: waves.size]

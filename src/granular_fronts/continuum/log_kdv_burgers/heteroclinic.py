@@ -137,23 +137,10 @@ _TURNS = ("turning_point", "overshoot")
 
 
 def turning_points(mu):
-    """All extrema of the front that double precision resolves.
+    """The s and y − 1 of all extrema of the front that double precision resolves, s decreasing.
 
-    Parameters
-    ----------
-    mu : float
-        Damping, μ = 0 or μ ≥ 0.001; the number of turns grows like 23/μ.
-
-    Returns
-    -------
-    s, overshoot : ndarray, shape (turns,)
-        Where they are, decreasing, and y − 1 there, with relative accuracy; the first is the
-        largest maximum.  Empty for μ ≥ 2; one maximum, e^(1/2) − 1, for μ = 0.
-
-    Raises
-    ------
-    InputError
-        If mu is below 0 or not finite, or so small that the turns are too many to follow.
+    None for μ ≥ 2, one maximum for μ = 0; their number grows like 23/μ, and for μ below 0.001
+    there are too many to follow, which is an InputError.
     """
     mu = check_mu(mu)
     first = past_all_turns(mu)
@@ -166,30 +153,14 @@ def past_all_turns(mu):
 
 
 def refined_orbit(mu, first):
-    """The orbit, and the same by another order; parameters and errors as of `compute_orbit`.
-
-    Returns
-    -------
-    accuracy.Refined of orbits
-    """
+    """The orbit, and the same by another order."""
     return with_refinement(lambda resolution: compute_orbit(mu, first, resolution), USUAL, FINER)
 
 
 def compute_orbit(mu, first, resolution=USUAL):
-    """The orbit by the method that suits μ.
+    """The orbit by the method that suits μ, from an s of at most 0 on, `first`.
 
-    Parameters
-    ----------
-    mu : float
-        Damping, μ ≥ 0.
-    first : float
-        Smallest s that will be asked for, at most 0.
-    resolution : Resolution, optional
-
-    Returns
-    -------
-    TracedOrbit or SlowOrbit
-        Both evaluate p and v at given s, and know their tail and turning points.
+    Either method evaluates p and v at given s, and knows its tail and turning points.
     """
     # A whole number would have every kernel compiled again.
     mu = float(mu)
@@ -201,22 +172,8 @@ def compute_orbit(mu, first, resolution=USUAL):
 def squared_slope_at_one(mu):
     """q(1): the square of y' where y first reaches 1, the front seen from its foot; see (59).
 
-    For μ < 2 it is positive, though it falls below every double as μ → 2.  For μ ≥ 2 the orbit does
-    not reach 1, and q is taken where 1 − y is 1e-20, far below the last digit of y.
-
-    Parameters
-    ----------
-    mu : float
-        Damping, μ ≥ 0.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError
-        If mu is below 0 or not finite.
+    For μ < 2 it is positive, though it falls below every double as μ → 2.  For μ ≥ 2 the orbit
+    does not reach 1, and q is taken where 1 − y is 1e-20, far below the last digit of y.
     """
     mu = check_mu(mu)
     if mu >= STIFF_DAMPING:

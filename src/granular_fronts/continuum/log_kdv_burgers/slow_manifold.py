@@ -60,19 +60,7 @@ SMALLEST_V = 1e-300
 
 @kernel
 def expand(mu, terms):
-    """Coefficients of H in powers of r max(μ, 1).
-
-    Parameters
-    ----------
-    mu : float
-    terms : int
-        Number of coefficients.
-
-    Returns
-    -------
-    ndarray, shape (terms,)
-        Constant term first.
-    """
+    """Coefficients of H in powers of r max(μ, 1), constant term first, shape (terms,)."""
     scale = max(mu, 1.0)
     h, square = np.zeros(terms), np.zeros(terms)
     h[0] = square[0] = 1.0
@@ -88,20 +76,9 @@ def expand(mu, terms):
 
 @kernel
 def state_on_manifold(mu, h, v):
-    """Both p and e of the point of the manifold with the given v.
+    """Both p and e of the point of the manifold with the given v ≥ 0, from the coefficients h of H.
 
-    Parameters
-    ----------
-    mu : float
-    h : ndarray
-        Coefficients of `expand`.
-    v : float
-        v ≥ 0, where the expansion holds.
-
-    Returns
-    -------
-    p, e : float
-        Each with relative accuracy; e also as μ → 0.
+    Each has relative accuracy; e also as μ → 0.
     """
     r = 1.0 / (2.0 * v + mu)
     x = r * max(mu, 1.0)
@@ -111,38 +88,28 @@ def state_on_manifold(mu, h, v):
 
 
 class SlowOrbit(NamedTuple):
-    """The orbit for μ ≥ `STIFF_DAMPING`, in closed form.
-
-    Attributes
-    ----------
-    mu, slow, fast : float
-        Damping and the linear rates at (1, 0).
-    h, time : ndarray, shape (terms,)
-        Coefficients of H, and of the last sum in s, in powers of μ r.
-    v_half : float
-        v at s = 0, where y = ½.
-    """
+    """The orbit for μ ≥ `STIFF_DAMPING`, in closed form."""
 
     mu: float
-    slow: float
+    slow: float  # linear rates at (1, 0)
     fast: float
-    h: np.ndarray
-    time: np.ndarray
-    v_half: float
+    h: np.ndarray  # coefficients of H in powers of μ r, shape (terms,)
+    time: np.ndarray  # coefficients of the last sum in s, likewise
+    v_half: float  # v at s = 0, where y = ½
 
     def evaluate(self, s):
-        """Both p and v at each s; see `evaluate_slow`."""
+        """Both p and v at each s; see `_evaluate_slow`."""
         p, v = np.empty(s.size), np.empty(s.size)
         # In blocks, so that Ctrl-C is answered in between.
         for first in range(0, s.size, BLOCK):
             block = slice(first, first + BLOCK)
-            evaluate_slow(self, s[block], p[block], v[block])
+            _evaluate_slow(self, s[block], p[block], v[block])
         return p, v
 
     def s_at(self, p):
         """The s at which −ln y is p > 0."""
-        v = v_at(self.mu, self.h, p)
-        return s_between(self, self.v_half, v)
+        v = _v_at(self.mu, self.h, p)
+        return _s_between(self, self.v_half, v)
 
     def turning_points(self):
         """None: the orbit is monotone."""
@@ -154,26 +121,16 @@ class SlowOrbit(NamedTuple):
 
 
 def slow_orbit(mu, terms=TERMS):
-    """The orbit for strong damping.
-
-    Parameters
-    ----------
-    mu : float
-        Damping, μ ≥ `STIFF_DAMPING`.
-    terms : int, optional
-        Number of coefficients of the expansion.
-
-    Returns
-    -------
-    SlowOrbit
-    """
+    """The orbit for strong damping, μ ≥ `STIFF_DAMPING`."""
     slow, fast = (rate.real for rate in linear_rates(mu))
     h = expand(mu, terms)
-    return SlowOrbit(mu, slow, fast, h, time_coefficients(mu, slow, h), v_at(mu, h, math.log(2.0)))
+    return SlowOrbit(
+        mu, slow, fast, h, _time_coefficients(mu, slow, h), _v_at(mu, h, math.log(2.0))
+    )
 
 
 @kernel
-def time_coefficients(mu, slow, h):
+def _time_coefficients(mu, slow, h):
     """Coefficients of Σ Q_j r^(j−1)/(j − 1) in powers of μ r, for μ ≥ 1."""
     terms = h.size
     inverse, quotient, time = np.zeros(terms), np.zeros(terms), np.zeros(terms)
@@ -189,7 +146,7 @@ def time_coefficients(mu, slow, h):
 
 
 @kernel
-def v_at(mu, h, p):
+def _v_at(mu, h, p):
     """Find the v ≥ 0 at which the manifold has the given p > 0, by Newton's method in v."""
     v = p / (0.5 * mu + math.sqrt(0.25 * mu * mu + p))
     for _ in range(NEWTON_STEPS):
@@ -204,7 +161,7 @@ def v_at(mu, h, p):
 
 
 @kernel
-def s_between(orbit, v_from, v_to):
+def _s_between(orbit, v_from, v_to):
     """Change of s from one v to another, by the closed form."""
     x_from, x_to = orbit.mu / (2.0 * v_from + orbit.mu), orbit.mu / (2.0 * v_to + orbit.mu)
     return (
@@ -216,17 +173,10 @@ def s_between(orbit, v_from, v_to):
 
 
 @kernel
-def evaluate_slow(orbit, s, p, v):
+def _evaluate_slow(orbit, s, p, v):
     """Both p and v at each s, by Newton's method in ln v.
 
     They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
-
-    Parameters
-    ----------
-    orbit : SlowOrbit
-    s : ndarray, shape (points,)
-    p, v : ndarray, shape (points,)
-        Filled.
     """
     mu, h, v_half = orbit.mu, orbit.h, orbit.v_half
     rate_half = polynomial(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
@@ -239,7 +189,7 @@ def evaluate_slow(orbit, s, p, v):
             current = v_half * math.exp(min(orbit.slow * s[i], math.log1p(0.5 * s[i] / v_half)))
         for _ in range(NEWTON_STEPS):
             r = 1.0 / (2.0 * current + mu)
-            distance = s[i] - s_between(orbit, v_half, current)
+            distance = s[i] - _s_between(orbit, v_half, current)
             change = distance * r * polynomial(h, r * mu)
             current = max(current * math.exp(change), SMALLEST_V)
             if abs(change) < CONVERGED_CHANGE:

@@ -1,7 +1,47 @@
-r"""Solving the logarithmic KdV–Burgers equation of a periodic scene, kinks and all.
+r"""The logarithmic KdV–Burgers equation in time, on a ring.
 
-The equation of `evolution` is solved by the Fourier method of `fourier_waves` with the steps of
-`exponential_steps`.
+Section 5 of James (2021) takes the slow variables :math:`s = 2\sqrt3\,\varepsilon_5(n - ct)` and
+:math:`\tau_5 = \sqrt3\,\varepsilon_5^3 ct` with :math:`\varepsilon_5 = (1 - 1/\alpha)^{1/2}`.
+Those of section 4 are shorter by one factor, :math:`s = \mu\xi` and :math:`\tau_5 = \mu\tau` with
+the μ of (54), so that (55) is the logarithmic Burgers equation (41) with a third derivative,
+
+.. math::
+
+    \partial_\tau y + \partial_\xi(y\ln y) + \mu^{-2}\,\partial_\xi^3 y = \partial_\xi^2 y, \qquad
+    \mu^{-2} = \frac{1 - 1/\alpha}{12\,(\gamma c)^2} .
+
+It is solved on the same rings and from the same starts as (41).  A scene is that of the logarithmic
+Burgers equation; its key `equations: dispersive:` gives cells and tolerance.  Steps are longest in
+ξ, where fronts rest.  Results are in the frame :math:`\tilde\xi = \xi - \tau` of (50), where Y
+stands for y, so that (51) leads to the chain.
+
+Change of sign.  The paper defines (55) for :math:`y \ge 0`.  Dispersion does not keep y above 0: of
+a start that rises from (almost) nothing it makes waves below 0 on the rear side.  There the flux is
+continued as the odd function :math:`y\ln|y|`, as the paper does in (57).  A chain has gaps where
+y < 0, and this continuation is no model of them: there (51) reads u = 0.  `smallest_value` says how
+deep y went.
+
+Well-posedness.  About a constant y, small waves of wave number κ move with the speed
+:math:`\ln|y| + 1 - \mu^{-2}\kappa^2` and decay with the rate :math:`\kappa^2`, whatever y is: no
+height is unstable, but the speed has no bound where y tends to 0.  Nor is there a linear theory
+about 0, since with y(ξ, τ) also
+
+.. math:: \lambda\, y(\xi - \tau\ln\lambda,\; \tau), \qquad \lambda > 0,
+
+is a solution: waves of any height are alike in a frame of their own.  The flux is continuous but
+not Lipschitz at 0, and where y vanishes we know no proof of uniqueness: without damping Carles and
+Pelinovsky, *Nonlinearity* 27 (2014) 3185-3202, construct weak solutions and leave it open.  Here
+the logarithm is cut off below the tolerance, and in the refined run below a tenth of that, so that
+the error estimate contains what this changes.
+
+Balances.  The mean of y is conserved.  Multiplied by y, flux and dispersion integrate to zero over
+the ring, and
+
+.. math::
+
+    \frac{d}{d\tau}\int \tfrac12 y^2\,d\xi = -\int (\partial_\xi y)^2\,d\xi .
+
+Method.  The Fourier method of `fourier_waves`, with the steps of `exponential_steps`.
 
 Kinks of the start.  Its amplitudes are exact, but those of waves that N points do not resolve are
 missing, and at first a kink makes them matter.  Diffusion extinguishes them soon.  A run therefore
@@ -32,38 +72,18 @@ SOLVER = (
 
 
 class Evolution(NamedTuple):
-    """Amplitudes of y at some times.
-
-    Attributes
-    ----------
-    start : starts.Plateau or starts.Given
-    times : ndarray, shape (times,)
-        Times t of the chain.
-    slow_times : ndarray, shape (times,)
-        Slow times τ.
-    amplitudes : list of ndarray
-        One for each time, of as many waves as the run had then.
-    half_length : float
-        ℓ.
-    counts : dict
-        Steps.
-    step_ends : list of float
-        Slow times at which they ended.
-    mean_drift : float
-        Largest change of the mean.
-    smallest_value : float
-        Smallest value of y after the start at the times, on the points; the equation is the model
-        of a chain where y ≥ 0, see `evolution`.
-    """
+    """Amplitudes of y at some times."""
 
     start: Plateau | Given
-    times: np.ndarray
-    slow_times: np.ndarray
-    amplitudes: list
-    half_length: float
-    counts: dict
-    step_ends: list
-    mean_drift: float
+    times: np.ndarray  # times t of the chain, shape (times,)
+    slow_times: np.ndarray  # slow times τ, shape (times,)
+    amplitudes: list  # one for each time, of as many waves as the run had then
+    half_length: float  # ℓ
+    counts: dict  # steps
+    step_ends: list  # slow times at which they ended
+    mean_drift: float  # largest change of the mean
+    # Smallest value of y after the start at the times, on the points; the equation is the model of
+    # a chain where y ≥ 0, see above.
     smallest_value: float
 
     def rescaled_force(self, row, moving_xi):
@@ -79,8 +99,17 @@ class Evolution(NamedTuple):
         values = values_at(self.amplitudes[row], self.half_length, xi)
         return values.reshape(points.shape)
 
+    def facts(self):
+        """Attributes that say how the equation was solved."""
+        return {
+            "solver": SOLVER,
+            **self.counts,
+            "mean_drift": self.mean_drift,
+            "smallest_value": self.smallest_value,
+        }
 
-def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
+
+def solve(scene, times, cells, tolerance, levels=None, coarser=None):
     """Solve the logarithmic KdV–Burgers equation of a periodic scene once.
 
     Parameters
@@ -94,7 +123,7 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
     tolerance : float
         Error per step, in y; the logarithm is cut off below it.
     levels : int, optional
-        L: the run begins on 2^L times as many points.
+        L: the run begins on 2^L times as many points; `START_LEVELS` if none is given.
     coarser : Evolution, optional
         A run whose steps are all halved here.
 
@@ -108,6 +137,7 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
         If the step size collapses.
     """
     times = np.asarray(times, dtype=float)
+    levels = START_LEVELS if levels is None else levels
     scaling, start = scaling_of(scene), make_start(scene["start"])
     half_length, slow_times = scaling.half_length(scene["half_beads"]), scaling.slow_rate * times
     equation = Equation(half_length, 1.0, scaling.dispersion, tolerance)
@@ -132,24 +162,7 @@ def solve(scene, times, cells, tolerance, levels=START_LEVELS, coarser=None):
 
 
 def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, coarser=None):
-    """Amplitudes of a start at some slow times.
-
-    Parameters
-    ----------
-    equation : fourier_waves.Equation
-    start : starts.Plateau or starts.Given
-    slow_times : ndarray, shape (times,)
-        In any order, at least 0.
-    cells, tolerance, levels, coarser
-        As in `solve`.
-
-    Returns
-    -------
-    kept : list of ndarray
-        Amplitudes at each time.
-    motion : exponential_steps.Motion
-        At the last time.
-    """
+    """Amplitudes of a start at slow times, in any order, and the motion at the last of them."""
     points = cells * 2**levels
     amplitudes = start_amplitudes(start, equation.half_length, points)
     motion = Motion(equation, amplitudes, points, tolerance, coarser)
@@ -158,7 +171,7 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, c
     share = 4 if coarser else 2
     while ahead:
         is_smooth = motion.points == cells
-        drops = np.inf if is_smooth else extinction_time(equation, motion.points // share)
+        drops = np.inf if is_smooth else _extinction_time(equation, motion.points // share)
         while ahead and slow_times[ahead[0]] <= drops:
             row = ahead.pop(0)
             motion.advance(slow_times[row])
@@ -169,6 +182,6 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, c
     return kept, motion
 
 
-def extinction_time(equation, points):
+def _extinction_time(equation, points):
     """Slow time at which diffusion has extinguished the waves that these points do not resolve."""
     return EXTINCTION / (equation.diffusion * wave_numbers(equation, points)[-1] ** 2)

@@ -48,48 +48,20 @@ PORTRAIT_REFINEMENT = 100.0
 
 
 def survey_heteroclinic(scene, name="given"):
-    """Fronts, their approach to (1, 0), and what figure 8 shows beside them.
-
-    Parameters
-    ----------
-    scene : mapping
-        `mu`, `profile`, and optionally `well` and `portrait`.
-    name : str, optional
-        What error messages call the scene.
-
-    Returns
-    -------
-    xarray.Dataset
-        See the module; every variable says how wrong it can be.
-
-    Raises
-    ------
-    InputError
-        If the scene is impossible, or s reaches beyond the underflow of y.
-    """
+    """Fronts, their approach to (1, 0), and what figure 8 shows beside them; see the module."""
     scene = check_scene("heteroclinic", scene, name)
     parts = [survey_fronts(scene["mu"], regular_points(**scene["profile"]))]
     if "well" in scene:
-        parts.append(sample_potential(**scene["well"]))
+        parts.append(_sample_potential(**scene["well"]))
     if "portrait" in scene:
-        parts.append(draw_portrait(**scene["portrait"]))
+        parts.append(_draw_portrait(**scene["portrait"]))
     survey = xr.merge(parts, combine_attrs="drop_conflicts")
     survey.attrs["converged"] = min(part.attrs.get("converged", 1) for part in parts)
     return survey
 
 
 def survey_fronts(dampings, s):
-    """Fronts for a list of dampings, and how each approaches (1, 0).
-
-    Parameters
-    ----------
-    dampings : sequence of float
-    s : ndarray, shape (points,)
-
-    Returns
-    -------
-    xarray.Dataset
-    """
+    """Fronts for a list of dampings, and how each approaches (1, 0)."""
     fronts = [heteroclinic(mu, s) for mu in dampings]
     mu = xr.DataArray(np.asarray(dampings, dtype=float), dims="mu", name="mu")
     survey = xr.concat(fronts, dim=mu, join="outer", combine_attrs="drop")
@@ -113,19 +85,12 @@ _RATES = ("growth_rate", "growth_rate_error", "angular_frequency", "angular_freq
 
 
 def measure_rates(mu):
-    """Growth rate and frequency at which the front leaves (1, 0), read off the orbit.
+    """Growth rate and frequency at which the front leaves (1, 0), each followed by its error.
 
-    Parameters
-    ----------
-    mu : float
-        Damping, μ ≥ 0.
-
-    Returns
-    -------
-    rate, rate_error, frequency, frequency_error : float
-        From the last extrema of an oscillating front, or from v/p of a monotone one; the errors are
-        the changes since the small extrema, or the deviation, before.  NaN where neither is to be
-        had: for μ below `SMALLEST_MEASURED_MU`, and next to 2 with fewer than four small extrema.
+    They are read off the last extrema of an oscillating front, or off v/p of a monotone one;
+    errors are the changes since the extrema, or the deviation, before.  NaN where neither is to
+    be had: for μ below `SMALLEST_MEASURED_MU`, and next to 2 with fewer than four small
+    extrema.
     """
     nothing = (math.nan,) * 4
     if mu >= CRITICAL_DAMPING:
@@ -150,48 +115,22 @@ def measure_rates(mu):
     )
 
 
-def sample_potential(limit, step):
-    """W on −limit ≤ y ≤ limit.
-
-    Parameters
-    ----------
-    limit, step : float
-
-    Returns
-    -------
-    xarray.Dataset
-    """
+def _sample_potential(limit, step):
+    """W on −limit ≤ y ≤ limit."""
     y = regular_points(-limit, limit, step)
     values = potential(y)
     attributes = error_attributes(values, values, "one unit of the last digit")
     return xr.Dataset({"potential": ("y", values, attributes)}, coords={"y": y})
 
 
-def draw_portrait(mu, starts, span, step, limit):
-    """Trajectories of (57) through given points, forwards and backwards in s.
-
-    Parameters
-    ----------
-    mu : float
-    starts : sequence of pair of float
-        y and z of each.
-    span : float
-        Length of s on either side.
-    step : float
-        Distance of the points kept.
-    limit : float
-        |y| and |z| beyond which a trajectory is dropped.
-
-    Returns
-    -------
-    xarray.Dataset
-    """
+def _draw_portrait(mu, starts, span, step, limit):
+    """Trajectories of (57) through given points, forwards and backwards in s."""
     after = regular_points(0.0, span, step)
     s = np.concatenate([-after[:0:-1], after])
 
     def follow(tolerance):
         halves = [
-            [follow_trajectory(mu, start, sign * after, limit, tolerance) for start in starts]
+            [_follow_trajectory(mu, start, sign * after, limit, tolerance) for start in starts]
             for sign in (-1.0, 1.0)
         ]
         return np.concatenate([np.asarray(halves[0])[:, :, :0:-1], np.asarray(halves[1])], axis=2)
@@ -212,22 +151,8 @@ def draw_portrait(mu, starts, span, step, limit):
     )
 
 
-def follow_trajectory(mu, start, s, limit, tolerance):
-    """One trajectory of (57) from s = 0 on, until it leaves the window.
-
-    Parameters
-    ----------
-    mu : float
-    start : pair of float
-    s : ndarray, shape (points,)
-        Beginning with 0, in one direction.
-    limit, tolerance : float
-
-    Returns
-    -------
-    ndarray, shape (2, points)
-        y and z, NaN beyond the window.
-    """
+def _follow_trajectory(mu, start, s, limit, tolerance):
+    """One trajectory of (57) from s = 0 on, until it leaves the window."""
 
     def leaves(_s, state, _mu):
         return np.abs(state).max() - limit

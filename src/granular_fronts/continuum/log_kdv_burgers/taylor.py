@@ -46,20 +46,11 @@ NEAR = 0.25
 
 
 class Accuracy(NamedTuple):
-    """How a trace chooses its steps.
+    """How a trace chooses its steps."""
 
-    Attributes
-    ----------
-    order : int
-        Of the Taylor series.
-    tolerance : float
-        Size of the last terms relative to the solution.
-    contraction : float
-        Largest product of a step and the rate at which the orbit attracts, for stability.
-    """
-
-    order: int
-    tolerance: float
+    order: int  # of the Taylor series
+    tolerance: float  # size of the last terms relative to the solution
+    # Largest product of a step and the rate at which the orbit attracts, for stability.
     contraction: float
 
 
@@ -73,7 +64,7 @@ def make_point(s, v, e, p):
 
 
 @subroutine
-def energy_series(mu, v, e, p):
+def _energy_series(mu, v, e, p):
     """Fill the series of v, e and p from v[0] and e[0]."""
     order = p.size - 1
     w = np.empty(order)
@@ -91,7 +82,7 @@ def energy_series(mu, v, e, p):
 
 
 @subroutine
-def position_series(mu, v, p):
+def _position_series(mu, v, p):
     """Fill the series of v and p from v[0] and p[0]."""
     for k in range(p.size - 1):
         product = 0.0
@@ -111,7 +102,7 @@ def series_slope(series, x):
 
 
 @subroutine
-def step_of_series(series, scale, tolerance):
+def _step_of_series(series, scale, tolerance):
     """Length at which each of the last two terms is at most tolerance × scale."""
     length = LONGEST_STEP
     for k in range(series.size - 2, series.size):
@@ -122,27 +113,11 @@ def step_of_series(series, scale, tolerance):
 
 @kernel
 def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
-    """Follow a solution towards smaller s, step by step, until there is no room left.
+    """Follow a solution towards smaller s, until s ≤ s_stop, p ≤ p_stop, or there is no room left.
 
-    Parameters
-    ----------
-    mu : float
-    accuracy : Accuracy
-    point : record of POINT
-        Updated in place.
-    s_stop, p_stop : float
-        The solution has arrived when s ≤ s_stop or p ≤ p_stop.
-    starts : ndarray, shape (steps,)
-        Receives the s at the start of each step.
-    jets : ndarray, shape (steps, order + 1)
-        Receives the series of p in powers of s − start.
-    energies : ndarray, shape (order + 1,)
-        Receives the series of e of the last step, if e was its unknown.
-
-    Returns
-    -------
-    steps, status : int
-        Steps taken; RUNNING when all room is used, ARRIVED, or AT_REST within `REST` of (1, 0).
+    Fills the s at the start of each step, the series of p in powers of s − start, shape (steps,
+    order + 1), and the last series of e.  Moves `point`; returns the number of steps and a
+    status.
     """
     v = np.empty(jets.shape[1])
     for step in range(starts.size):
@@ -156,15 +131,15 @@ def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
         near = abs(point.v) < NEAR and abs(point.p) < NEAR
         if near:
             p[0] = point.p
-            position_series(mu, v, p)
-            length = step_of_series(v, abs(v[0]) + abs(p[0]), accuracy.tolerance)
+            _position_series(mu, v, p)
+            length = _step_of_series(v, abs(v[0]) + abs(p[0]), accuracy.tolerance)
         else:
             energies[0] = point.e
-            energy_series(mu, v, energies, p)
+            _energy_series(mu, v, energies, p)
             energy_scale = abs(energies[0]) + mu * (1.0 + abs(v[0]))
             length = min(
-                step_of_series(v, 1.0 + abs(v[0]), accuracy.tolerance),
-                step_of_series(energies, energy_scale, accuracy.tolerance),
+                _step_of_series(v, 1.0 + abs(v[0]), accuracy.tolerance),
+                _step_of_series(energies, energy_scale, accuracy.tolerance),
             )
         length = min(length, accuracy.contraction / max(abs(2.0 * v[0] + mu), 1.0))
         s_new = point.s - length
@@ -182,17 +157,7 @@ def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
 
 @kernel
 def evaluate_steps(starts, jets, end, s, p, v):
-    """Fill p and v at each s from the stored series; (1, 0) beyond the end.
-
-    Parameters
-    ----------
-    starts : ndarray, shape (steps,)
-        Decreasing.
-    jets : ndarray, shape (steps, order + 1)
-    end : float
-        Where the last step ends.
-    s, p, v : ndarray, shape (points,)
-    """
+    """Fill p and v at each s from the series stored at decreasing starts; (1, 0) beyond the end."""
     for i in range(s.size):
         if s[i] < end:
             p[i] = v[i] = 0.0
@@ -230,20 +195,7 @@ def locate(series, level, end):
 
 @kernel
 def locate_turns(starts, jets, end, s, p):
-    """Zeros of v: s and p of each, in the order of the steps.
-
-    Parameters
-    ----------
-    starts, jets, end
-        As in `evaluate_steps`.
-    s, p : ndarray, shape (steps,)
-        Filled from the front.
-
-    Returns
-    -------
-    int
-        How many there are.
-    """
+    """Fill s and p of the zeros of v, in the order of the steps; returns how many there are."""
     count = 0
     derivative = np.empty(jets.shape[1] - 1)
     for step in range(starts.size):

@@ -40,38 +40,20 @@ FINER_STEPS = Accuracy(order=26, tolerance=1e-20, contraction=5.0)
 
 
 class Steps(NamedTuple):
-    """Stored Taylor steps towards smaller s.
+    """Stored Taylor steps towards smaller s."""
 
-    Attributes
-    ----------
-    starts : ndarray, shape (steps,)
-        s at the start of each step, decreasing.
-    jets : ndarray, shape (steps, order + 1)
-        Series of p in powers of s − start.
-    end : float
-        s at the end of the last step.
-    """
-
-    starts: np.ndarray
-    jets: np.ndarray
-    end: float
+    starts: np.ndarray  # s at the start of each step, decreasing, shape (steps,)
+    jets: np.ndarray  # series of p in powers of s − start, shape (steps, order + 1)
+    end: float  # s at the end of the last step
 
 
 class TracedOrbit(NamedTuple):
-    """The orbit for μ < `slow_manifold.STIFF_DAMPING`, from its tail to the smallest s asked for.
-
-    Attributes
-    ----------
-    mu : float
-    tail, front : Steps
-        The part in s ≥ 0, where y ≤ ½, and the part in s ≤ 0.
-    at_rest : bool
-        Whether the orbit has come within `taylor.REST` of (1, 0), where the front then ends.
-    """
+    """The orbit for μ < `slow_manifold.STIFF_DAMPING`, from its tail to the last s asked for."""
 
     mu: float
-    tail: Steps
-    front: Steps
+    tail: Steps  # the part in s ≥ 0, where y ≤ ½
+    front: Steps  # the part in s ≤ 0
+    # Whether the orbit has come within `taylor.REST` of (1, 0), where the front then ends.
     at_rest: bool
 
     def evaluate(self, s):
@@ -108,24 +90,9 @@ class TracedOrbit(NamedTuple):
 
 
 def trace_orbit(mu, s_stop, accuracy=USUAL_STEPS):
-    """Trace the orbit from the far end of its tail.
+    """Trace the orbit for μ ≥ 0 from the far end of its tail to `s_stop`; −inf is all there is.
 
-    Parameters
-    ----------
-    mu : float
-        Damping, 0 ≤ μ, best below `slow_manifold.STIFF_DAMPING`.
-    s_stop : float
-        Smallest s that will be asked for; −inf for all that can be resolved.
-    accuracy : Accuracy, optional
-
-    Returns
-    -------
-    TracedOrbit
-
-    Raises
-    ------
-    InputError
-        If s_stop is more than `MOST_STEPS` steps away.
+    An s_stop that is more than `MOST_STEPS` steps away is an InputError.
     """
     v = math.sqrt(START_P + 0.5 + 0.25 * mu**2) - 0.5 * mu
     p, e = state_on_manifold(mu, expand(mu, START_TERMS), v)

@@ -51,14 +51,12 @@ from granular_fronts.fronts.validation import check_alpha, check_beta
 SMALLEST_CUT, LARGEST_CUT = 1e-8, 0.1
 RESOLUTION = 2.0**-52
 
-SERIES = np.arange(1, 26)
-"""Orders k of S(x) − 1 = Σ 2x^(2k)/(2k+2)!, enough for x ≤ 3."""
+SERIES = np.arange(1, 26)  # orders k of S(x) − 1 = Σ 2x^(2k)/(2k+2)!, enough for x ≤ 3
 
 COEFFICIENTS = np.array([2.0 / math.factorial(2 * k + 2) for k in SERIES])
 TIGHT = {"xtol": 1e-300, "rtol": 4.0 * np.finfo(float).eps, "maxiter": 1000}
 
-LARGEST_ALPHA = 1e50
-"""Up to it the products of the equations of the crossing do not underflow."""
+LARGEST_ALPHA = 1e50  # up to it the products of the equations of the crossing do not underflow
 
 
 def critical_damping(
@@ -105,12 +103,7 @@ def critical_damping(
 
 
 def meaning_changes_at() -> float:
-    """α* ≈ 1.1877, up to which critical damping is a double root of the tail.
-
-    Returns
-    -------
-    float
-    """
+    """The exponent α* ≈ 1.1877, up to which critical damping is a double root of the tail."""
     return 1.0 + _excess_alpha(_bend())
 
 

@@ -55,10 +55,11 @@ import xarray as xr
 
 from granular_fronts.arguments import count
 from granular_fronts.errors import InputError
-from granular_fronts.fronts.shooting import bead_flow, tail_closure
+from granular_fronts.fronts.shooting import bead_flow
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw
 from granular_fronts.fronts.shooting.initial_guess import Guess, fit
 from granular_fronts.fronts.shooting.solve import LARGEST_DECAY_PER_STEP
+from granular_fronts.fronts.shooting.window import slow_roots, tail_length
 from granular_fronts.fronts.validation import check_front_of_powers
 
 STEPS = 32
@@ -115,7 +116,7 @@ def front_multipliers(
         "advice": "give a number of beads, or leave it out",
     }
     if beads_behind is None:
-        needed = tail_closure.tail_length(tail_closure.slow_roots(alpha, gamma, beta))
+        needed = tail_length(slow_roots(alpha, gamma, beta))
         beads_behind = math.ceil(min(max(needed, FEWEST_BEHIND), MOST_BEHIND))
     if beads_ahead is None:
         ahead = sampled.relative_displacement[sampled.bead > 0]
@@ -142,18 +143,7 @@ def front_multipliers(
 
 
 def multipliers(u, d, alpha, gamma, beta):
-    """Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus.
-
-    Parameters
-    ----------
-    u, d : ndarray, shape (beads,)
-        A front on consecutive beads.
-    alpha, gamma, beta : float
-
-    Returns
-    -------
-    ndarray of complex, shape (2 beads,)
-    """
+    """Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus."""
     values = np.linalg.eigvals(monodromy_matrix(u, d, alpha, gamma, beta)).astype(complex)
     translation = np.argmin(np.abs(values - 1.0))
     others = np.delete(values, translation)
@@ -164,15 +154,7 @@ def multipliers(u, d, alpha, gamma, beta):
 def monodromy_matrix(u, d, alpha, gamma, beta):
     """Derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
 
-    Parameters
-    ----------
-    u, d : ndarray, shape (beads,)
-    alpha, gamma, beta : float
-
-    Returns
-    -------
-    ndarray, shape (2 beads, 2 beads)
-        Acts on (u_1, d_1, u_2, d_2, …).
+    It acts on (u_1, d_1, u_2, d_2, …) of consecutive beads.
     """
     law, beads = PowerLaw(alpha, beta, gamma), u.size
     _, stiffness = _flow(law, u, d)
@@ -188,17 +170,7 @@ def monodromy_matrix(u, d, alpha, gamma, beta):
 
 
 def flow_residual(u, d, alpha, gamma, beta):
-    """Largest change of a state by flow-then-shift: how far it is from a front.
-
-    Parameters
-    ----------
-    u, d : ndarray, shape (beads,)
-    alpha, gamma, beta : float
-
-    Returns
-    -------
-    float
-    """
+    """Largest change of a state by flow-then-shift: how far it is from a front."""
     change, _ = _flow(PowerLaw(alpha, beta, gamma), u, d)
     state = np.pad([u, d], [(0, 0), (0, 1)])
     return float(np.abs(np.diff(state, axis=1) + change[:, 2:-1]).max())
@@ -215,18 +187,7 @@ def _flow(law, u, d):
 
 
 def compressed_chain_multipliers(alpha, gamma, beta, q):
-    """Essential spectrum behind the front: both multipliers of every wavenumber.
-
-    Parameters
-    ----------
-    alpha, gamma, beta : float
-    q : array_like
-        Wavenumbers, −π … π.
-
-    Returns
-    -------
-    ndarray of complex, shape (2,) + shape of q
-    """
+    """Essential spectrum behind a front: both multipliers of each wavenumber, shape (2, …)."""
     q = np.asarray(q, dtype=float)
     kappa = 2.0 - 2.0 * np.cos(q)
     half = 0.5 * beta * gamma * kappa

@@ -57,8 +57,7 @@ from granular_fronts.fronts.validation import check_law
 from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
-BEND = 2.3469413041671690
-"""Where the bell 1/S(λ) changes its curvature and falls most steeply."""
+BEND = 2.3469413041671690  # where the bell 1/S(λ) changes its curvature and falls most steeply
 
 MOST_ROOTS, MOST_STRIPS = 1000, 100_000
 NEWTON_STEPS = 60
@@ -113,16 +112,9 @@ def tail_roots(alpha: float, gamma: float, beta: float | None = None, count: int
 
 
 def rate_of_tail_ahead(stiffness, viscosity, speed):
-    """The κ > 0 of an exponential tail e^(−κξ) ahead of a front.
+    """The κ of a tail e^(−κξ) ahead: c²κ² = (V'' + cW''κ)(2 cosh κ − 2), between 1e-12 and 512.
 
-    The root of c²κ² = (V'' + cW''κ)(2 cosh κ − 2), no less than 1e-12 and no more than 512.
-
-    Parameters
-    ----------
-    stiffness, viscosity : float
-        V'' and cW'' of the state ahead, not both 0; V'' below c².
-    speed : float
-        c.
+    `stiffness` and `viscosity` are V'' and cW'' ahead, not both 0, with V'' below c².
     """
 
     def excess(kappa):
@@ -141,16 +133,16 @@ def rate_of_tail_ahead(stiffness, viscosity, speed):
 def lowest_roots_of_all(alpha, damping, count):
     """The `count` roots with the smallest real parts, in that order; NaN for one not found."""
     roots = np.empty(3 + count, np.complex128)
-    found = lowest_strip(alpha, damping, roots)
+    found = _lowest_strip(alpha, damping, roots)
     strip = int64(2)
-    while found < count or not beyond(alpha, damping, strip, roots[count - 1].real):
+    while found < count or not _beyond(alpha, damping, strip, roots[count - 1].real):
         if found < roots.size:
             found += 1
-            roots[found - 1] = strip_root(alpha, damping, strip)
+            roots[found - 1] = _strip_root(alpha, damping, strip)
         else:
             # The last place holds the largest real part so far, which is not among the first.
-            roots[found - 1] = strip_root(alpha, damping, strip)
-        sort_by_real_part(roots[:found])
+            roots[found - 1] = _strip_root(alpha, damping, strip)
+        _sort_by_real_part(roots[:found])
         strip += 1
         if strip > MOST_STRIPS or interrupted():
             roots[:] = math.nan
@@ -159,7 +151,7 @@ def lowest_roots_of_all(alpha, damping, count):
 
 
 @subroutine
-def sort_by_real_part(roots):
+def _sort_by_real_part(roots):
     """Sort in place, NaN last, by insertion: all but the last few stand in order already."""
     for i in range(1, roots.size):
         root, k = roots[i], i
@@ -170,7 +162,7 @@ def sort_by_real_part(roots):
 
 
 @subroutine
-def beyond(alpha, damping, strip, real_part):
+def _beyond(alpha, damping, strip, real_part):
     """Whether all half-strips from this one on hold only roots with a larger real part."""
     height = 2.0 * math.pi * (strip - 1)
     smallest = height * height / (alpha * (1.0 + damping * height))
@@ -183,7 +175,7 @@ def beyond(alpha, damping, strip, real_part):
 
 
 @subroutine
-def excess(x):
+def _excess(x):
     """S(x) − 1 without cancellation, complex x."""
     if abs(x) >= 1.0:
         return 4.0 * (cmath.sinh(0.5 * x) / x) ** 2 - 1.0
@@ -196,7 +188,7 @@ def excess(x):
 
 
 @subroutine
-def log_slope(x):
+def _log_slope(x):
     """S'(x)/S(x) = coth(x/2) − 2/x, complex x."""
     if abs(x) < 0.05:
         return x * (1.0 / 6.0 - x * x * (1.0 / 360.0 - x * x / 15120.0))
@@ -204,7 +196,7 @@ def log_slope(x):
 
 
 @subroutine
-def newton(x, alpha, damping, known):
+def _newton(x, alpha, damping, known):
     """Newton's iteration for a root of α(1 − gλ)S(λ) − 1 other than the known one, from x.
 
     Beside a multiple root it never settles; the place where the function came down to rounding
@@ -214,13 +206,13 @@ def newton(x, alpha, damping, known):
     for _ in range(NEWTON_STEPS):
         if not abs(x.real) < FLAT:
             break
-        more, line = excess(x), 1.0 - damping * x
+        more, line = _excess(x), 1.0 - damping * x
         linear, curved = alpha * damping * x, alpha * line * more
         value = (alpha - 1.0) - linear + curved
         share = abs(value) / (alpha - 1.0 + abs(linear) + abs(curved))
         if share < smallest:
             nearest, smallest = x, share
-        slope = alpha * (1.0 + more) * (line * log_slope(x) - damping)
+        slope = alpha * (1.0 + more) * (line * _log_slope(x) - damping)
         deflated = slope * (x - known) - value
         if deflated == 0.0:
             break
@@ -233,7 +225,7 @@ def newton(x, alpha, damping, known):
 
 
 @subroutine
-def strip_root(alpha, damping, strip):
+def _strip_root(alpha, damping, strip):
     """The root with 2π(k − 1) < Im λ < 2πk, k ≥ 2.
 
     There the map λ ↦ arcosh(1 + λ²/(2α(1 − gλ))) + 2πik contracts, with the branch of arcosh that
@@ -245,34 +237,34 @@ def strip_root(alpha, damping, strip):
         z = 1.0 + x * x / (2.0 * alpha * (1.0 - damping * x))
         x = cmath.log(z + cmath.sqrt(z - 1.0) * cmath.sqrt(z + 1.0))
         x += turn if x.imag < 0.0 else turn - complex(0.0, 2.0 * math.pi)
-    x = newton(x, alpha, damping, complex(-1.0e300, 0.0))
+    x = _newton(x, alpha, damping, complex(-1.0e300, 0.0))
     inside = 2.0 * math.pi * (strip - 1) < x.imag < 2.0 * math.pi * strip
     return x if inside and x.real > 0.0 else complex(math.nan, math.nan)
 
 
 @subroutine
-def lowest_strip(alpha, damping, roots):
+def _lowest_strip(alpha, damping, roots):
     """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one beside a pair."""
-    low = where_bell_falls(alpha * damping, 0.0, BEND)
-    high = where_bell_falls(alpha * damping, FLAT, BEND)
+    low = _where_bell_falls(alpha * damping, 0.0, BEND)
+    high = _where_bell_falls(alpha * damping, FLAT, BEND)
     end = 1.0 / damping
-    if gap(low, alpha, damping) < 0.0 < gap(high, alpha, damping):
-        roots[0] = meeting(0.0, low, alpha, damping)
-        roots[1] = meeting(high, low, alpha, damping)
-        roots[2] = meeting(high, end, alpha, damping)
+    if _gap(low, alpha, damping) < 0.0 < _gap(high, alpha, damping):
+        roots[0] = _meeting(0.0, low, alpha, damping)
+        roots[1] = _meeting(high, low, alpha, damping)
+        roots[2] = _meeting(high, end, alpha, damping)
         return 3
     bent = low < high
-    start = high if bent and gap(low, alpha, damping) >= 0.0 else 0.0
-    stop = low if bent and gap(low, alpha, damping) < 0.0 else end
-    roots[0] = meeting(start, stop, alpha, damping)
-    roots[1] = complex_root(alpha, damping, roots[0])
+    start = high if bent and _gap(low, alpha, damping) >= 0.0 else 0.0
+    stop = low if bent and _gap(low, alpha, damping) < 0.0 else end
+    roots[0] = _meeting(start, stop, alpha, damping)
+    roots[1] = _complex_root(alpha, damping, roots[0])
     if roots[1].real < roots[0].real:
         roots[0], roots[1] = roots[1], roots[0]
     return 2
 
 
 @subroutine
-def complex_root(alpha, damping, known):
+def _complex_root(alpha, damping, known):
     """The root with 0 ≤ Im λ < 2π beside the known real one.
 
     It is first sought where it lies for long waves, then where it lies for large damping.  Of some
@@ -280,55 +272,55 @@ def complex_root(alpha, damping, known):
     root, none needs more.
     """
     discriminant = 36.0 * damping * damping - 12.0 * (1.0 - 1.0 / alpha)
-    x = newton(6.0 * damping + cmath.sqrt(complex(discriminant, 0.0)), alpha, damping, known)
-    if in_lowest_strip(x):
+    x = _newton(6.0 * damping + cmath.sqrt(complex(discriminant, 0.0)), alpha, damping, known)
+    if _in_lowest_strip(x):
         return complex(x.real, abs(x.imag))
     distance = math.sqrt(math.pi / (alpha * damping))
-    x = newton(complex(distance, 2.0 * math.pi - distance), alpha, damping, known)
-    if in_lowest_strip(x):
+    x = _newton(complex(distance, 2.0 * math.pi - distance), alpha, damping, known)
+    if _in_lowest_strip(x):
         return complex(x.real, abs(x.imag))
     return complex(math.nan, math.nan)
 
 
 @subroutine
-def in_lowest_strip(x):
+def _in_lowest_strip(x):
     """Whether Re x > 0 and |Im x| < 2π."""
     return x.real > 0.0 and abs(x.imag) < 2.0 * math.pi
 
 
 @subroutine
-def gap(x, alpha, damping):
+def _gap(x, alpha, damping):
     """α(1 − gx) − 1/S(x), real x ≥ 0, without cancellation."""
     if x == 0.0:
         return alpha - 1.0
     if x > FLAT:
         return alpha * (1.0 - damping * x)
-    more = excess(complex(x, 0.0)).real
+    more = _excess(complex(x, 0.0)).real
     return (alpha - 1.0) - alpha * damping * x + more / (1.0 + more)
 
 
 @subroutine
-def meeting(above, below, alpha, damping):
+def _meeting(above, below, alpha, damping):
     """The x between two points where the line α(1 − gx) crosses the bell 1/S(x), by bisection."""
     while True:
         x = 0.5 * (above + below)
         if x in (above, below):
             return complex(x, 0.0)
-        if gap(x, alpha, damping) > 0.0:
+        if _gap(x, alpha, damping) > 0.0:
             above = x
         else:
             below = x
 
 
 @subroutine
-def where_bell_falls(slope, flat, steep):
+def _where_bell_falls(slope, flat, steep):
     """The x between two points where 1/S(x) falls with a slope; `steep` if it never does."""
     while True:
         x = 0.5 * (flat + steep)
         if x in (flat, steep):
             return x
         z = complex(x, 0.0)
-        if log_slope(z).real / (1.0 + excess(z).real) > slope:
+        if _log_slope(z).real / (1.0 + _excess(z).real) > slope:
             steep = x
         else:
             flat = x

@@ -59,26 +59,14 @@ from granular_fronts.numerics.compiled import kernel, subroutine
 
 
 class Force(NamedTuple):
-    """One of the functions p and q in compiled code.
+    """One of the functions p and q in compiled code."""
 
-    Attributes
-    ----------
-    first, second : int
-        Addresses of the row maps of orders 1 and 2 of the potential: −V'(−u) and V''(−u).
-    first_parameters, second_parameters : ndarray
-        What they are given.
-    ahead : float
-        −V'(R_a).
-    scale : float
-        1/(c²(R_a − R_b)) for p, 1/(c(R_a − R_b)) for q.
-    """
-
-    first: int
-    second: int
+    first: int  # address of the row map −V'(−u)
+    second: int  # address of the row map V''(−u)
     first_parameters: np.ndarray
     second_parameters: np.ndarray
-    ahead: float
-    scale: float
+    ahead: float  # −V'(R_a)
+    scale: float  # 1/(c²(R_a − R_b)) for p, 1/(c(R_a − R_b)) for q
 
 
 class End(NamedTuple):
@@ -91,40 +79,20 @@ class End(NamedTuple):
 
 
 class FrontProblem(NamedTuple):
-    """A law and the states of a front, for compiled code.
+    """A law and the states of a front, for compiled code."""
 
-    Attributes
-    ----------
-    elastic, viscous : Force
-        p, and q for damping 1; p for both where W' = γV'.
-    proportional : bool
-        Whether W' = γV', so that q is a multiple of p.
-    damping : float
-        What W is multiplied by; γ included where W' = γV'.
-    start, jump : float
-        Compressions: −R_a, and R_a − R_b, so that u = start + jump s.
-    speed : float
-        c of the jump conditions, above 0.
-    behind, ahead : End
-        The states s = 1 and s = 0.
-    least, most : float
-        s at the ends of the law's domain.
-    magnification : float
-        By how much rounding of the strain is magnified in s, at least 1.
-    """
-
-    elastic: Force
-    viscous: Force
-    proportional: bool
-    damping: float
-    start: float
-    jump: float
-    speed: float
-    behind: End
-    ahead: End
-    least: float
+    elastic: Force  # p
+    viscous: Force  # q for damping 1; p where W' = γV'
+    proportional: bool  # whether W' = γV', so that q is a multiple of p
+    damping: float  # what W is multiplied by; γ included where W' = γV'
+    start: float  # −R_a, a compression
+    jump: float  # R_a − R_b, so that u = start + jump s
+    speed: float  # c of the jump conditions, above 0
+    behind: End  # s = 1
+    ahead: End  # s = 0
+    least: float  # s at the ends of the law's domain
     most: float
-    magnification: float
+    magnification: float  # of rounding of the strain in s, at least 1
 
     @property
     def size(self):
@@ -145,10 +113,10 @@ class FrontProblem(NamedTuple):
 def power_problem(alpha, gamma, beta, right_state=0.0):
     """The front of two powers from compression 1 to `right_state`."""
     law = make_law(alpha=alpha, beta=beta, gamma=gamma)
-    return normalise(law, -1.0, 0.0 - right_state, power_speed(alpha, right_state))
+    return _normalise(law, -1.0, 0.0 - right_state, _power_speed(alpha, right_state))
 
 
-def power_speed(alpha, right_state):
+def _power_speed(alpha, right_state):
     """Speed of the front of two powers from compression 1 to r, eq. (14)."""
     if right_state == 0.0:
         return 1.0
@@ -156,25 +124,7 @@ def power_speed(alpha, right_state):
 
 
 def front_problem(law, behind, ahead):
-    """The front of a law between two states, if it is one to be sought.
-
-    Parameters
-    ----------
-    law : granular_fronts.model.laws.Law
-    behind, ahead : float
-        Strains R_b and R_a.
-
-    Returns
-    -------
-    FrontProblem
-
-    Raises
-    ------
-    InputError
-        If the jump conditions exclude the front or let it run the other way, if a slope is infinite
-        at either state, if nothing is damped behind, or if sound is not slower than the front ahead
-        of it and faster behind.
-    """
+    """The front of a law between two strains, or an InputError where none is to be sought."""
     theory = jump_conditions(law.elastic, behind, ahead, dissipation=law.viscous)
     if theory.direction < 0:
         raise InputError(
@@ -182,12 +132,12 @@ def front_problem(law, behind, ahead):
             f"behind it, eq. (17): give ({ahead:g}, {behind:g})."
         )
     with np.errstate(all="ignore"):
-        problem = normalise(law, behind, ahead, theory.speed)
+        problem = _normalise(law, behind, ahead, theory.speed)
     _check_ends(problem, behind, ahead)
     return problem
 
 
-def normalise(law, behind, ahead, speed):
+def _normalise(law, behind, ahead, speed):
     """The problem of a law and two states with the speed that the jump conditions give."""
     jump, proportional = ahead - behind, law.proportional
     elastic, p_behind, p_ahead = _force(law.elastic, behind, ahead, speed**2)
@@ -218,7 +168,7 @@ def _force(potential, behind, ahead, speeds):
     first, second = (row_map(potential, order) for order in (1, 2))
     parameters = [row_parameters(potential, order) for order in (1, 2)]
     scale = 1.0 / (speeds * (ahead - behind))
-    force_behind, force_ahead = two_forces(first, parameters[0], -behind, -ahead)
+    force_behind, force_ahead = _two_forces(first, parameters[0], -behind, -ahead)
     # Where V'' jumps, as at the end of a contact, the slope is that of the compressed side.
     slopes = potential.second(np.array([behind, ahead])) / speeds
     force = Force(first, second, *parameters, force_ahead, scale)
@@ -249,7 +199,7 @@ def _check_ends(problem, behind, ahead):
 
 
 @kernel
-def two_forces(address, parameters, behind, ahead):
+def _two_forces(address, parameters, behind, ahead):
     """A row map of two compressions."""
     u, forces = np.array([behind, ahead]), np.empty(2)
     call_row_map(address, u, forces, 0, 1, parameters)
@@ -277,42 +227,36 @@ def with_damping(problem, damping):
 
 @kernel
 def evaluate(problem, s, p, q):
-    """Write p and q of every s.
-
-    Parameters
-    ----------
-    problem : FrontProblem
-    s, p, q : ndarray, shape (points,)
-    """
+    """Write p and q of every s; arrays of shape (points,)."""
     u = problem.start + problem.jump * s
-    write_force(problem.elastic, u, p)
+    _write_force(problem.elastic, u, p)
     if problem.proportional:
-        write_multiple(problem.damping * problem.speed, p, q)
+        _write_multiple(problem.damping * problem.speed, p, q)
     else:
-        write_force(problem.viscous, u, q)
-        write_multiple(problem.damping, q, q)
+        _write_force(problem.viscous, u, q)
+        _write_multiple(problem.damping, q, q)
 
 
 @subroutine
 def evaluate_slopes(problem, s, p_slope, q_slope):
     """Write p' and q' of every s; arrays as of `evaluate`."""
     u = problem.start + problem.jump * s
-    write_slope(problem.elastic, problem.jump, u, p_slope)
+    _write_slope(problem.elastic, problem.jump, u, p_slope)
     if problem.proportional:
-        write_multiple(problem.damping * problem.speed, p_slope, q_slope)
+        _write_multiple(problem.damping * problem.speed, p_slope, q_slope)
     else:
-        write_slope(problem.viscous, problem.damping * problem.jump, u, q_slope)
+        _write_slope(problem.viscous, problem.damping * problem.jump, u, q_slope)
 
 
 @subroutine
-def write_multiple(factor, values, result):
+def _write_multiple(factor, values, result):
     """Write a multiple of the values into another array, or into the same."""
     for k in range(uint64(values.size)):
         result[k] = factor * values[k]
 
 
 @subroutine
-def write_force(force, u, result):
+def _write_force(force, u, result):
     """Write p, or q for damping 1, at the compressions u."""
     call_row_map(force.first, u, result, 0, u.size - 1, force.first_parameters)
     for k in range(uint64(u.size)):
@@ -320,7 +264,7 @@ def write_force(force, u, result):
 
 
 @subroutine
-def write_slope(force, factor, u, result):
+def _write_slope(force, factor, u, result):
     """Write a multiple of scale·F'(u)."""
     call_row_map(force.second, u, result, 0, u.size - 1, force.second_parameters)
     for k in range(uint64(u.size)):

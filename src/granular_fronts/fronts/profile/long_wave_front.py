@@ -32,8 +32,7 @@ from granular_fronts.numerics.compiled import kernel
 # Up to 36, beyond which s is 1 to the last digit and the integrand has no value.
 X = np.linspace(-36.0, 36.0, 721)
 
-CLOSE = 1.0e-5
-"""Distance of s from an end below which a slope of p stands for a difference of p."""
+CLOSE = 1.0e-5  # distance of s from an end below which a slope of p stands for a difference of p
 
 
 class LongWaveFront(NamedTuple):
@@ -48,17 +47,7 @@ class LongWaveFront(NamedTuple):
 
 
 def long_wave_front(problem):
-    """The front of long waves of a problem.
-
-    Parameters
-    ----------
-    problem : equation.FrontProblem
-
-    Returns
-    -------
-    LongWaveFront
-        Infinite or falling ξ where p crosses its chord, and long waves have no front.
-    """
+    """The front of long waves; none, with ξ infinite or falling, where p crosses its chord."""
     return LongWaveFront(integrate(problem, X), X)
 
 

@@ -25,33 +25,16 @@ SETTLED, WANDERING, NOT_FINITE = range(3)
 
 
 class Grid(NamedTuple):
-    """A uniform grid and its quadrature.
+    """A uniform grid, and weights of the two convolutions of shape (2w + 1,)."""
 
-    Attributes
-    ----------
-    spacing : float
-        Distance of the points, in sites.
-    middle : int
-        Index of the point ξ = 0.
-    hat, jump : ndarray, shape (2w + 1,)
-        Weights of the two convolutions.
-    """
-
-    spacing: float
-    middle: int
+    spacing: float  # in sites
+    middle: int  # index of the point ξ = 0
     hat: np.ndarray
     jump: np.ndarray
 
 
 class Unknowns(NamedTuple):
-    """The unknowns.
-
-    Attributes
-    ----------
-    s : ndarray, shape (points,)
-    speed : ndarray, shape (1,)
-        σ.
-    """
+    """The unknowns s, shape (points,), and σ, shape (1,)."""
 
     s: np.ndarray
     speed: np.ndarray
@@ -79,22 +62,10 @@ ROUND_OFF = 1e-11
 
 @kernel(error_model="numpy")
 def iterate(problem, grid, tolerance, unknowns, history):
-    """Solve the equations by Newton's iteration from a start.
+    """Newton's iteration from the unknowns to the solution: the steps taken, and how it ended.
 
-    Parameters
-    ----------
-    problem : equation.FrontProblem
-    grid : Grid
-    tolerance : float
-        The iteration ends when the next change would be below it.
-    unknowns : Unknowns
-        Start, then solution.
-    history : ndarray, shape (steps + 1,)
-        Receives the largest residual before each step and after the last.
-
-    Returns
-    -------
-    steps, status : int
+    It settles when the next change would be below the tolerance.  The history, one longer than the
+    steps allowed, receives the largest residual before each step and after the last.
     """
     s, speed = unknowns
     points, width, middle = s.size, grid.hat.size // 2, grid.middle
@@ -118,13 +89,13 @@ def iterate(problem, grid, tolerance, unknowns, history):
         if step + 1 == history.size or interrupted():
             break
         if fresh:
-            steady = steady_points(s, middle, STEADY * min(1.0, last))
+            steady = _steady_points(s, middle, STEADY * min(1.0, last))
             prefix = width + int(SETTLING / grid.spacing)
             skipped = steady - prefix
             if skipped <= width:
                 prefix, skipped = points, 0
             band = np.empty((points - skipped, 2 * width + 2))
-            corner = assemble(problem, grid, unknowns, forces, prefix, band, border, z)
+            corner = _assemble(problem, grid, unknowns, forces, prefix, band, border, z)
             factorise(band, width, prefix)
             substitute(band, width, prefix, skipped, z)
             pivot = corner - product(border, z)
@@ -198,7 +169,7 @@ def largest_convolution(problem, grid, s):
 
 
 @subroutine(fastmath=True)
-def assemble(problem, grid, unknowns, forces, prefix, band, border, column):
+def _assemble(problem, grid, unknowns, forces, prefix, band, border, column):
     """Fill in the matrix, the border row of equation 0 and the column of σ; return the corner.
 
     After row ``prefix - 1`` of the band as many rows are left out as it is short of the points.
@@ -221,23 +192,23 @@ def assemble(problem, grid, unknowns, forces, prefix, band, border, column):
     band[middle - skipped, :] = 0.0
     band[middle - skipped, width] = 1.0
     for k in range(points):
-        column[k] = speed_slope(grid, unknowns, forces, k + 1 if k < middle else k)
+        column[k] = _speed_slope(grid, unknowns, forces, k + 1 if k < middle else k)
     column[middle] = 0.0
     for j in range(width, 2 * width + 1):
         border[j - width] = -(grid.hat[j] * slopes.p[j] + drag[j] * slopes.q[j])
     border[0] += speed * speed
-    return speed_slope(grid, unknowns, forces, int64(0))
+    return _speed_slope(grid, unknowns, forces, int64(0))
 
 
 @subroutine(fastmath=True)
-def speed_slope(grid, unknowns, forces, equation):
+def _speed_slope(grid, unknowns, forces, equation):
     """Derivative of one equation with respect to σ."""
     viscous = product(grid.jump, forces.q[equation:])
     return 2.0 * unknowns.speed[0] * unknowns.s[equation] - viscous
 
 
 @subroutine
-def steady_points(s, middle, tolerance):
+def _steady_points(s, middle, tolerance):
     """How many points at the left end have s = 1 within a tolerance."""
     for k in range(middle):
         if abs(s[k] - 1.0) > tolerance:

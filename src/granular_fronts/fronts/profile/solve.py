@@ -1,4 +1,4 @@
-"""The exact profile of a front, from nothing: windows, grids and starts.
+r"""The exact profile of a front, from nothing: windows, grids and starts.
 
 Discretisation.  s of `equation` is sought at the points of a uniform grid, 1 and 0 beyond the
 window, and the integrals are replaced by the rules of `numerics.quadrature` with local polynomials
@@ -13,6 +13,21 @@ A third grid, finer, with another order and a longer window, gives the error est
 
 Where the front of long waves does not lead to the front, one of stronger damping is solved first
 and followed back, by steps as long as Newton's iteration allows.
+
+Tails.  Near either state :math:`s \sim e^{\lambda\xi}` with
+
+.. math:: \lambda^2 = (p' - \lambda q')\,(2\cosh\lambda - 2),
+
+the dispersion relation of `fronts.linear.tails` with α = p' and αg = q'.  Behind, a window of
+`DECAY`/Re λ with the slowest root reaches down to round-off.  Ahead the tail is the exponential
+:math:`e^{-\kappa\xi}`; where p' and q' vanish s falls doubly exponentially after a stretch that the
+long-wave front describes.  These lengths are estimates: the solution itself shows whether its ends
+are at rest (`_needed_stretch`).
+
+Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α: there by a
+factor that grows like a tower, and the sharpest part needs some (6 + 4.3α) points per site for the
+last digits; a wide front with small α − 1 needs fewer.  A solution on a coarse grid shows it: the
+difference of its convolutions by rules of two orders falls with the spacing like a known power.
 """
 
 import functools
@@ -22,6 +37,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from granular_fronts.fronts.linear.tails import lowest_roots_of_all, rate_of_tail_ahead
 from granular_fronts.fronts.profile import newton
 from granular_fronts.fronts.profile.equation import FrontProblem
 from granular_fronts.fronts.profile.long_wave_front import (
@@ -29,66 +45,62 @@ from granular_fronts.fronts.profile.long_wave_front import (
     long_wave_front,
 )
 from granular_fronts.fronts.profile.newton import Grid, Unknowns
-from granular_fronts.fronts.profile.window import Window, choose_window, coarse_spacing, rational
 from granular_fronts.numerics.interpolation import interpolate_all
 from granular_fronts.numerics.quadrature import Weights, kernel_weights
 
-COARSE_ORDER, ORDER, OTHER_ORDER = 8, 20, 16
-REFINED_ORDER = 22
-STEPS = 60
+COARSE_ORDER, ORDER, REFINED_ORDER = 8, 20, 22  # points of the local polynomials
+OTHER_ORDER = 16  # compared with `ORDER`
+STEPS = 60  # of Newton's iteration
+TOLERANCE, COARSE_TOLERANCE = 1e-15, 1e-9  # of s, where rounding is not magnified
 
 # Where the direct start fails: by how much stronger damping is tried, and steps back from there.
 STRONGER = (2.0, 4.0, 8.0, 16.0, 32.0)
 LONGEST_RATIO, SHORTEST_RATIO = 2.0, 1.005
-TOLERANCE, COARSE_TOLERANCE = 1e-15, 1e-9
 
-# Largest difference of the two rules on the final grid, and the power of h it is taken to follow.
-DEFECT = 2e-13
-ASSUMED_POWER = 12
-AT_REST = 5e-14
+DECAY = 37.0  # natural logarithm of what is left of a tail at the end of the window
+COARSE_SHARE = 0.6  # of the window behind: a start need not show the end of its tail
+MOST_SITES = 1e6  # longest window in which fronts have been found
+ADJUSTMENTS = 8  # of window and spacing
 
-# A front on the coarse grid serves as a start only, and need not show the end of its tail.
-COARSE_SHARE = 0.6
-ADJUSTMENTS = 8
-
-# What is not resolved here is not smooth; and the longest grid.
-FINEST = Fraction(1, 128)
+POINTS_COARSE = 6000  # of the first grid, about, and of the longest grid
 MOST_POINTS = 800_000
+FINEST = Fraction(1, 128)  # what is not resolved with this spacing is not smooth
+DEFECT = 2e-13  # largest difference of the two rules on the final grid
+ASSUMED_POWER = 12  # of the spacing, which that difference is taken to follow
 
-# Longest window, in sites, in which fronts have been found.
-MOST_SITES = 1e6
-
-SPEED_TOLERANCE = 1e-12
+# What a front keeps to, where rounding is not magnified.
+AT_REST = 5e-14
 BELOW = 1e-12
+SPEED_TOLERANCE = 1e-12
 RESIDUAL_TOLERANCE = 1e-13
 
 
-class Profile(NamedTuple):
-    """A front on its grid.
+class Window(NamedTuple):
+    """Lengths behind and ahead of ξ = 0, in sites."""
 
-    Attributes
-    ----------
-    problem : equation.FrontProblem
-    spacing : Fraction
-        Distance of the points, in sites.
-    middle : int
-        Index of ξ = 0, where s = 1/2.
-    s : ndarray, shape (points,)
-    speed_defect : float
-        Relative deviation of the speed from that of the jump conditions.
-    residuals : ndarray
-        Largest residual before each Newton step and after the last, grid after grid.
-    reason : str
-        Why this is not a front; empty if it is one.
-    """
+    behind: float
+    ahead: float
+
+    @property
+    def length(self):
+        """Both lengths together."""
+        return self.behind + self.ahead
+
+    def longer(self, behind=1.0, ahead=1.0):
+        """The window stretched by two factors."""
+        return Window(self.behind * behind, self.ahead * ahead)
+
+
+class Profile(NamedTuple):
+    """A front on its grid."""
 
     problem: FrontProblem
-    spacing: Fraction
-    middle: int
-    s: np.ndarray
-    speed_defect: float
-    residuals: np.ndarray
-    reason: str = ""
+    spacing: Fraction  # in sites
+    middle: int  # index of ξ = 0, where s = 1/2
+    s: np.ndarray  # shape (points,)
+    speed_defect: float  # relative deviation of the speed from that of the jump conditions
+    residuals: np.ndarray  # the largest before each Newton step and after the last, on all grids
+    reason: str = ""  # why this is not a front
 
     @property
     def xi(self):
@@ -101,23 +113,13 @@ class Profile(NamedTuple):
 
 
 def solve_profile(problem):
-    """The front of a problem from nothing: a coarse grid, then a fine one.
-
-    Parameters
-    ----------
-    problem : equation.FrontProblem
-
-    Returns
-    -------
-    Profile
-        With a `reason` if it is not the front.
-    """
+    """The front of a problem from nothing; with a `reason` if it is not the front."""
     with np.errstate(all="ignore"):
         # A problem beyond double precision has no length.
         window = choose_window(problem)
     if not window.length <= MOST_SITES:
         taken = f"{window.length:.2g}" if np.isfinite(window.length) else "countless"
-        return no_profile(
+        return _no_profile(
             problem,
             f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
             f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and the force between the "
@@ -126,30 +128,30 @@ def solve_profile(problem):
     profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
         return profile
-    spacing = max(expected_spacing(profile), FINEST)
+    spacing = max(_expected_spacing(profile), FINEST)
     for _ in range(ADJUSTMENTS):
         before = profile.residuals
         profile = solve_on_grid(problem, window, spacing, ORDER, profile.evaluate)
         profile = profile._replace(residuals=np.concatenate([before, profile.residuals]))
         if profile.reason:
             return profile
-        defect, stretch = quadrature_defect(profile), needed_stretch(profile)
+        defect, stretch = quadrature_defect(profile), _needed_stretch(profile)
         sharp = defect > DEFECT * problem.magnification
         if (not sharp and stretch == (1.0, 1.0)) or (sharp and spacing == FINEST):
             break
         window = window.longer(*stretch)
         if sharp:
-            finer = min(expected_spacing(profile), rational(0.8 * float(spacing)))
+            finer = min(_expected_spacing(profile), rational(0.8 * float(spacing)))
             spacing = max(finer, FINEST)
     if sharp:
         return profile._replace(
             reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points "
             "per site: the front is too sharp for it, or its law has a kink between the states"
         )
-    return profile._replace(reason=reason_against(profile))
+    return profile._replace(reason=_reason_against(profile))
 
 
-def no_profile(problem, reason):
+def _no_profile(problem, reason):
     """A record without a front, which was not looked for."""
     return Profile(problem, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
 
@@ -203,33 +205,19 @@ def _from_long_wave(problem, window):
 
 
 def _solve_coarse_from(start, problem, window):
-    spacing = coarse_spacing(problem, window)
+    spacing = _coarse_spacing(problem, window)
     return solve_on_grid(problem, window, spacing, COARSE_ORDER, start, COARSE_TOLERANCE)
 
 
 def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
-    """The front on one grid.
+    """The front on one grid, from values of s that `start` gives for any ξ.
 
-    Parameters
-    ----------
-    problem : equation.FrontProblem
-    window : window.Window
-    spacing : Fraction
-    order : int
-        Points of the local polynomials.
-    start : callable
-        s at the given ξ, for Newton's iteration.
-    tolerance : float, optional
-        Change of the strain, relative to the larger state, at which the iteration ends.
-
-    Returns
-    -------
-    Profile
+    The iteration ends at changes of the strain below the tolerance, relative to the larger state.
     """
     middle = math.ceil(window.behind / spacing)
     points = middle + 1 + math.ceil(window.ahead / spacing)
     if points > MOST_POINTS:
-        return no_profile(
+        return _no_profile(
             problem, f"the window would need {points} points, more than {MOST_POINTS}"
         )
     profile = Profile(problem, spacing, middle, np.empty(points), math.nan, np.empty(0))
@@ -252,7 +240,7 @@ def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
     return profile._replace(reason=f"Newton's iteration {end}")
 
 
-def reason_against(profile):
+def _reason_against(profile):
     """Why a solution of the equations is not the front sought, in words; empty if it may be."""
     problem, s, residual = profile.problem, profile.s, profile.residuals[-1]
     rounding = problem.magnification
@@ -271,12 +259,12 @@ def reason_against(profile):
         return (
             f"the front overshoots by {s.max() - 1.0:.3g} of the jump, out of the domain of the law"
         )
-    if needed_stretch(profile) != (1.0, 1.0):
+    if _needed_stretch(profile) != (1.0, 1.0):
         return "the ends of the window are not at rest: the tail decays more slowly than expected"
     return ""
 
 
-def needed_stretch(profile):
+def _needed_stretch(profile):
     """Factors by which the window is too short behind and ahead, 1.0 where it is not."""
     at_rest = AT_REST * profile.problem.magnification
     behind = np.abs(profile.s[: 4 + profile.s.size // 200] - 1.0).max()
@@ -303,8 +291,41 @@ def make_grid(spacing, middle, weights):
     return Grid(float(spacing), middle, weights.hat, weights.jump)
 
 
-def expected_spacing(coarse):
+def _expected_spacing(coarse):
     """Spacing at which the defect is expected to be at round-off."""
     allowed = DEFECT * coarse.problem.magnification
     ratio = allowed / max(quadrature_defect(coarse), 1e-30)
     return rational(float(coarse.spacing) * min(max(ratio ** (1.0 / ASSUMED_POWER), 0.2), 2.0))
+
+
+def choose_window(problem):
+    """Window of a problem, from the tails of its front."""
+    root = lowest_roots_of_all(problem.behind.p_slope, problem.tail_damping, 1)[0]
+    return Window(DECAY / root.real, _length_ahead(problem))
+
+
+def _length_ahead(problem):
+    long_wave = long_wave_front(problem).xi[-1]
+    dispersive = 12.5 / math.sqrt(12.0 * (1.0 - 1.0 / problem.behind.p_slope))
+    return max(long_wave + dispersive, DECAY / rate_ahead(problem))
+
+
+def rate_ahead(problem):
+    """κ of the tail ahead, s ~ e^(−κξ); infinite where s falls faster, p'(0) = q'(0) = 0."""
+    stiffness, viscosity = problem.ahead.p_slope, problem.damping * problem.ahead.q_slope
+    if stiffness == viscosity == 0.0:
+        return math.inf
+    return rate_of_tail_ahead(stiffness, viscosity, 1.0)
+
+
+def _coarse_spacing(problem, window):
+    """Spacing of the first grid: a third of the points of a sharp front, and not too many."""
+    per_site = 2.0 + 1.6 * problem.behind.p_slope
+    return rational(max(1.0 / per_site, window.length / POINTS_COARSE))
+
+
+def rational(spacing):
+    """The spacing at or below this one that is a whole number of sites or divides a site."""
+    if spacing >= 1.0:
+        return Fraction(math.floor(spacing))
+    return Fraction(1, math.ceil(1.0 / spacing))

@@ -30,7 +30,7 @@ Tangent.  A perturbation (δu, δd) obeys the same formulae with
 .. math:: \delta k_j = \Delta_d \bigl( \alpha (U_j)_+^{\alpha-1}\, \delta U_j \bigr)
 
 and the like for g.  `flow` notes the stiffnesses :math:`\alpha U^{\alpha-1}` and
-:math:`\beta U^{\beta-1}` of every stage, and `push` moves a perturbation through them.
+:math:`\beta U^{\beta-1}` of every stage, and `_push` moves a perturbation through them.
 
 Band.  Contact j moves contact n after a time t by at most about
 :math:`(\sqrt{\alpha}\,t)^{2|n-j|}/(2|n-j|)! + (\alpha\gamma t)^{|n-j|}/|n-j|!`: faster than any
@@ -66,18 +66,11 @@ class PowerLaw(NamedTuple):
 
 
 class Weights(NamedTuple):
-    """Weights of the slopes for one step size; row 12 is the end of the step.
-
-    Attributes
-    ----------
-    h : float
-    on_k, on_g : ndarray, shape (13, 12)
-        What k and g add to U; for one nonlinearity all stands in `on_k`.
-    """
+    """Weights of the slopes for a step h, shape (13, 12); row 12 is the end of the step."""
 
     h: float
-    on_k: np.ndarray
-    on_g: np.ndarray
+    on_k: np.ndarray  # what k adds to U; all for one nonlinearity
+    on_g: np.ndarray  # what g adds
 
 
 class Stiffness(NamedTuple):
@@ -88,23 +81,16 @@ class Stiffness(NamedTuple):
 
 
 class Stages(NamedTuple):
-    """What a step computes with: slopes of all stages, one stage value, and its forces.
+    """What a step computes with: slopes of all stages, one stage value, and its forces."""
 
-    Attributes
-    ----------
-    k, g : ndarray, shape (12, M + 2)
-        Laplacians of the elastic and of the viscous force; one array where β = α.
-    value, force : ndarray, shape (M + 2,)
-    """
-
-    k: np.ndarray
-    g: np.ndarray
-    value: np.ndarray
+    k: np.ndarray  # Laplacians of the elastic force, shape (12, M + 2)
+    g: np.ndarray  # those of the viscous force; the same array where β = α
+    value: np.ndarray  # shape (M + 2,)
     force: np.ndarray
 
 
 @subroutine
-def make_stages(law, columns):
+def _make_stages(law, columns):
     """Slopes and forces of nothing, for M + 2 columns."""
     k = np.zeros((rk.STAGES, columns))
     g = np.zeros((rk.STAGES, columns)) if law.alpha != law.beta else k
@@ -133,7 +119,7 @@ def make_stiffness(law, steps, columns):
 
 
 @subroutine(fastmath=_CONTRACT)
-def gather(d, weights, row, c, stages):
+def _gather(d, weights, row, c, stages):
     """Write U − u of a stage, or of the end of the step, into the stage value."""
     value, last = stages.value, d.size - 1
     for n in range(1, last):
@@ -149,14 +135,14 @@ def gather(d, weights, row, c, stages):
 
 
 @subroutine(fastmath=_CONTRACT)
-def laplacian(force, slope):
+def _laplacian(force, slope):
     """Write f_{n-1} − 2 f_n + f_{n+1} of the contacts 1 … M into `slope`, as differences."""
     for n in range(1, force.size - 1):
         slope[n] = (force[n + 1] - force[n]) - (force[n] - force[n - 1])
 
 
 @subroutine(fastmath=_CONTRACT)
-def add_slopes(weights, k, change, d):
+def _add_slopes(weights, k, change, d):
     """Add the change of d over a step, for which `change` is room."""
     last = d.size - 1
     for n in range(1, last):
@@ -166,18 +152,18 @@ def add_slopes(weights, k, change, d):
         if b != 0.0:
             for n in range(1, last):
                 change[n] += b * k[j, n]
-    add(change, d)
+    _add(change, d)
 
 
 @subroutine(fastmath=_CONTRACT)
-def add(change, to):
+def _add(change, to):
     """Add to the contacts 1 … M."""
     for n in range(1, to.size - 1):
         to[n] += change[n]
 
 
 @subroutine(fastmath=_CONTRACT)
-def forces(exponent, u, force, stiffness):
+def _forces(exponent, u, force, stiffness):
     """Contact forces u₊^exponent and their derivatives."""
     for n in range(u.size - 1):
         compression = u[n] if u[n] > NEGLIGIBLE else 0.0
@@ -192,94 +178,70 @@ def forces(exponent, u, force, stiffness):
 
 @kernel(fastmath=_CONTRACT)
 def flow(law, weights, driver, u, d, stiffness):
-    """Change of a window in the time of all steps, and the stiffnesses on the way.
+    """Changes of u and d of a window in the time of all steps, shape (2, M + 2).
 
+    The driver holds u_0 at the times of all stages, shape (steps, 12); the stiffnesses are written.
     The change is summed apart from the state, so that it is not rounded to the last digit of 1 in
     every step.
-
-    Parameters
-    ----------
-    law : PowerLaw
-    weights : Weights
-    driver : ndarray, shape (steps, 12)
-        u_0 at the times of all stages.
-    u, d : ndarray, shape (M + 2,)
-        State at the start.
-    stiffness : Stiffness
-        Overwritten.
-
-    Returns
-    -------
-    ndarray, shape (2, M + 2)
-        Changes of u and d.
     """
     change, d_now = np.zeros((2, u.size)), d.copy()
-    stages = make_stages(law, u.size)
+    stages = _make_stages(law, u.size)
     value, force = stages.value, stages.force
     for step in range(driver.shape[0]):
         for row in range(rk.STAGES):
-            gather(d_now, weights, row, rk.C[row], stages)
+            _gather(d_now, weights, row, rk.C[row], stages)
             value[0] = driver[step, row]
-            add(change[0], value)
-            add(u, value)
-            forces(law.alpha, value, force, stiffness.elastic[step, row])
-            laplacian(force, stages.k[row])
+            _add(change[0], value)
+            _add(u, value)
+            _forces(law.alpha, value, force, stiffness.elastic[step, row])
+            _laplacian(force, stages.k[row])
             if law.alpha != law.beta:
-                forces(law.beta, value, force, stiffness.damping[step, row])
-                laplacian(force, stages.g[row])
-        gather(d_now, weights, int64(WHOLE_STEP), 1.0, stages)
-        add(value, change[0])
-        add_slopes(weights, stages.k, value, change[1])
+                _forces(law.beta, value, force, stiffness.damping[step, row])
+                _laplacian(force, stages.g[row])
+        _gather(d_now, weights, int64(WHOLE_STEP), 1.0, stages)
+        _add(value, change[0])
+        _add_slopes(weights, stages.k, value, change[1])
         for n in range(d.size):
             d_now[n] = d[n] + change[1, n]
     return change
 
 
 @subroutine(fastmath=_CONTRACT)
-def push(law, weights, driver, stiffness, u, d, stages):
+def _push(law, weights, driver, stiffness, u, d, stages):
     """Move a perturbation (u, d) of the window, and `driver` of its driven contact, in place."""
     value, force = stages.value, stages.force
     for step in range(driver.shape[0]):
         for row in range(rk.STAGES):
-            gather(d, weights, row, rk.C[row], stages)
-            add(u, value)
+            _gather(d, weights, row, rk.C[row], stages)
+            _add(u, value)
             value[0] = driver[step, row]
             for n in range(u.size - 1):
                 force[n] = stiffness.elastic[step, row, n] * value[n]
-            laplacian(force, stages.k[row])
+            _laplacian(force, stages.k[row])
             if law.alpha != law.beta:
                 for n in range(u.size - 1):
                     force[n] = stiffness.damping[step, row, n] * value[n]
-                laplacian(force, stages.g[row])
-        gather(d, weights, int64(WHOLE_STEP), 1.0, stages)
-        add(value, u)
-        add_slopes(weights, stages.k, value, d)
+                _laplacian(force, stages.g[row])
+        _gather(d, weights, int64(WHOLE_STEP), 1.0, stages)
+        _add(value, u)
+        _add_slopes(weights, stages.k, value, d)
 
 
 @kernel
 def derivative(law, weights, stiffness, spread):
-    """Derivative of the flow by the state at its start, as a band.
+    """Derivative of the flow by its start, as a band of shape (M + 2, 2 spread + 1, 2, 2).
 
-    Parameters
-    ----------
-    spread : int
-        Contacts further apart than this do not influence each other.
-
-    Returns
-    -------
-    ndarray, shape (M + 2, 2 spread + 1, 2, 2)
-        Entry [n, o, i, j] is the derivative of (u, d)[i] of contact n at the end by (u, d)[j] of
-        contact n + o − spread at the start.
+    Entry [n, o, i, j] is that of (u, d)[i] of contact n by (u, d)[j] of contact n + o − spread.
     """
     steps, _, columns = stiffness.elastic.shape
     stride, last = 2 * spread + 1, columns - 2
-    band, stages = np.zeros((columns, stride, 2, 2)), make_stages(law, columns)
+    band, stages = np.zeros((columns, stride, 2, 2)), _make_stages(law, columns)
     driver, moved = np.zeros((steps, rk.STAGES)), np.zeros((2, columns))
     for colour in range(min(stride, last)):
         for j in range(2):
             moved[:] = 0.0
             moved[j, 1 + colour : last + 1 : stride] = 1.0
-            push(law, weights, driver, stiffness, moved[0], moved[1], stages)
+            _push(law, weights, driver, stiffness, moved[0], moved[1], stages)
             for start in range(1 + colour, last + 1, stride):
                 for n in range(max(1, start - spread), min(last, start + spread) + 1):
                     band[n, start - n + spread, 0, j] = moved[0, n]
@@ -291,54 +253,36 @@ def derivative(law, weights, stiffness, spread):
 
 @kernel
 def derivative_by_driver(law, weights, driver, stiffness):
-    """Derivative of the flow by a change of the driver.
-
-    Parameters
-    ----------
-    driver : ndarray, shape (changes, steps, 12)
-
-    Returns
-    -------
-    ndarray, shape (changes, 2, M + 2)
-    """
+    """Derivative of (u, d) by changes of the driver, shape (changes, 2, M + 2)."""
     columns = stiffness.elastic.shape[2]
-    stages, moved = make_stages(law, columns), np.zeros((driver.shape[0], 2, columns))
+    stages, moved = _make_stages(law, columns), np.zeros((driver.shape[0], 2, columns))
     for i in range(driver.shape[0]):
-        push(law, weights, driver[i], stiffness, moved[i, 0], moved[i, 1], stages)
+        _push(law, weights, driver[i], stiffness, moved[i, 0], moved[i, 1], stages)
     return moved
 
 
 def spread_of(law, steps, compression):
-    """Number of contacts that a perturbation crosses in a bead-time of a compressed chain.
+    """How many contacts a perturbation crosses in a bead-time of a chain compressed by u.
 
-    Parameters
-    ----------
-    law : PowerLaw
-    steps : int
-    compression : float
-        Uniform u, at least the largest of the window in question.
-
-    Returns
-    -------
-    int
-        Contacts further away receive less than `FORGOTTEN` of the perturbation.
+    Contacts further away receive less than `FORGOTTEN` of it; u is at least the largest of the
+    window.
     """
     columns = 2 * WIDEST_SPREAD + 3
     stiffness = make_stiffness(law, steps, columns)
     stiffness.damping[:] = law.beta * compression ** (law.beta - 1.0)
     stiffness.elastic[:] = law.alpha * compression ** (law.alpha - 1.0)
     weights = make_weights(law, 1.0 / steps)
-    column = contact_column(law, weights, stiffness, WIDEST_SPREAD + 1)
+    column = _contact_column(law, weights, stiffness, WIDEST_SPREAD + 1)
     return max(2, WIDEST_SPREAD + 1 - int(np.argmax(np.any(column > FORGOTTEN, axis=0))))
 
 
 @kernel
-def contact_column(law, weights, stiffness, contact):
+def _contact_column(law, weights, stiffness, contact):
     """What one contact, moved in u and then in d, does to all: shape (4, M + 2), absolute."""
     steps, _, columns = stiffness.elastic.shape
-    stages = make_stages(law, columns)
+    stages = _make_stages(law, columns)
     driver, moved = np.zeros((steps, rk.STAGES)), np.zeros((4, columns))
     for j in range(2):
         moved[3 * j, contact] = 1.0
-        push(law, weights, driver, stiffness, moved[2 * j], moved[2 * j + 1], stages)
+        _push(law, weights, driver, stiffness, moved[2 * j], moved[2 * j + 1], stages)
     return np.abs(moved)

@@ -1,4 +1,4 @@
-r"""Where a shot starts from: continuum fronts, driven chains, and other fronts.
+r"""Where a shot starts from: continuum fronts, and other fronts.
 
 Overdamped.  To first order in slow variation a front of :math:`\delta = c = 1` obeys
 
@@ -25,40 +25,21 @@ import numpy as np
 
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import compute_orbit
 
-CRITICAL_MU = 2.0
-P_FIRST, P_LAST, P_POINTS = 1.0e-17, 45.0, 2000
-ORBIT_END = 600.0
+CRITICAL_MU = 2.0  # where the orbit of section 5 ceases to oscillate
+P_FIRST, P_LAST, P_POINTS = 1.0e-17, 45.0, 2000  # p, from rounding at u = 1 to u = 3e-20
+ORBIT_END = 600.0  # p up to which the orbit is evaluated
 
 
 class Guess(NamedTuple):
-    """A state of a chain near a front of δ = c = 1.
+    """A state of a chain near a front of δ = c = 1; arrays of shape (beads,)."""
 
-    Attributes
-    ----------
-    bead : ndarray of int, shape (beads,)
-        Consecutive bead numbers, 0 where u is near 1/2 for the first time from ahead.
-    relative_displacement, strain_rate : ndarray, shape (beads,)
-        u_n and d_n.
-    """
-
-    bead: np.ndarray
-    relative_displacement: np.ndarray
-    strain_rate: np.ndarray
+    bead: np.ndarray  # consecutive numbers, 0 where u is near 1/2 for the first time from ahead
+    relative_displacement: np.ndarray  # u_n
+    strain_rate: np.ndarray  # d_n
 
 
 def continuum_guess(alpha, gamma, beta, bead):
-    """The front of section 4 or 5 at the given consecutive beads.
-
-    Parameters
-    ----------
-    alpha, gamma, beta : float
-        Contact law, α > 1, γ > 0, β ≥ 1.
-    bead : ndarray of int, shape (beads,)
-
-    Returns
-    -------
-    Guess
-    """
+    """The front of section 4 or 5 at consecutive beads."""
     epsilon = math.sqrt(1.0 - 1.0 / alpha)
     mu = 2.0 * math.sqrt(3.0) * beta * gamma / (alpha * epsilon)
     around = np.arange(bead[0] - 1.0, bead[-1] + 2.0)
@@ -72,33 +53,6 @@ def continuum_guess(alpha, gamma, beta, bead):
 def overdamped_length(alpha, gamma, beta):
     """Distance from u = 1/2 to where the overdamped front is lost in rounding."""
     return float(_overdamped_xi(alpha, gamma, beta)[1][-1])
-
-
-def chain_guess(relative_displacement, velocity, delta, alpha, gamma, beta=None):
-    """The front in one snapshot of a driven chain.
-
-    Parameters
-    ----------
-    relative_displacement, velocity : array_like, shape (N,)
-        u_n and ẋ_n of beads 1 … N, the front running to larger n.
-    delta : float
-        Relative displacement behind the front.
-    alpha, gamma : float
-        Contact law of the chain; γ δ^(β − (α + 1)/2) is its γ in the frame δ = 1, eq. (29).
-    beta : float, optional
-        α by default.
-
-    Returns
-    -------
-    Guess
-    """
-    beta = alpha if beta is None else beta
-    gamma = gamma * delta ** (beta - 0.5 * (alpha + 1.0))
-    u = np.asarray(relative_displacement, dtype=float) / delta
-    velocity = np.asarray(velocity, dtype=float) / delta ** (0.5 * (alpha + 1.0))
-    w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)
-    front = int(np.flatnonzero(u > 0.5)[-1])
-    return Guess(np.arange(1, u.size - 1) - front, u[1:-1], -np.diff(w))
 
 
 def fit(guess, bead):

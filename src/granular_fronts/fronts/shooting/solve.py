@@ -3,9 +3,8 @@ r"""Exact fronts by shooting, James (2021), section 6.
 A front of δ = c = 1 solves the over-determined `equations`: the flow of a window over one
 bead-time, shifted back by one contact, returns the window.
 
-The system is solved by `gauss_newton` from an `initial_guess`, in a window chosen by `window_size`.
-That u is below `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is
-checked.
+They are solved from an `initial_guess`, in a `window` as long as the tails need.  That u is below
+`UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is checked.
 
 Accuracy.  The residual falls to a few units of the last digit.  For α near 1 one combination of the
 equations, the conserved sums over the window, hardly depends on u, and `bead_flow` takes care of
@@ -14,7 +13,15 @@ the rounding in it: the front is found to 1e-12 from α = 1.02 on.
 Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
 steps are doubled and the solve goes on.
 
-What the front is between the contacts and behind the window is given by `sampling`.
+Between.  While a window flows, contact n passes through all of the front between n and n − 1,
+:math:`u_n(t) = U(n - t)`, exact to the integrator.
+
+Behind.  The window ends where the tail is a sum of modes to round-off (`window`), with amplitudes
+that the shot has found.  A mode of u that goes like :math:`e^{\lambda\xi}` has the velocity
+
+.. math:: \dot x - 1 = \frac{\lambda}{e^{\lambda} - 1}\, e^{\lambda\xi},
+
+since :math:`\dot x(\xi) - \dot x(\xi + 1) = \dot u = -u'`.
 
 The rest of section 6 is not in our copy of the paper: closure, window and band are ours.
 """
@@ -25,58 +32,42 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import NoFrontError
-from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess, tail_closure
+from granular_fronts.fronts.shooting import bead_flow, equations, initial_guess
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw
-from granular_fronts.fronts.shooting.equations import Window, join, split
-from granular_fronts.fronts.shooting.gauss_newton import descend, largest
-from granular_fronts.fronts.shooting.window_size import check_window, choose_beads, missing_beads
+from granular_fronts.fronts.shooting.equations import Window, descend, join, largest, split
+from granular_fronts.fronts.shooting.window import (
+    check_window,
+    choose_beads,
+    missing_beads,
+    slow_roots,
+    tail_length,
+)
 from granular_fronts.fronts.validation import check_law
 
-TOLERANCE = 1.0e-13
-FEWEST_STEPS, MOST_STEPS = 16, 512
+TOLERANCE = 1.0e-13  # largest residual of any equation
+FEWEST_STEPS, MOST_STEPS = 16, 512  # per bead-time
 # An explicit method resolves what decays at the rate 4βγ only with short enough steps.
 LARGEST_DECAY_PER_STEP = 3.0
 # Below this γ a continuum front may be too far from the front of the lattice.
 WEAK_DAMPING, CONTINUATION = 0.03, 1.25
 FLOW_ERROR = 2.0e-14
-UNTOUCHED = 1.0e-15
-LONGER_BEHIND, LONGER_AHEAD = 1.25, 4
+UNTOUCHED = 1.0e-15  # u of the last bead
+LONGER_BEHIND, LONGER_AHEAD = 1.25, 4  # of a refined window: factor, and beads
 
 
 class Shot(NamedTuple):
-    """A front in the frame δ = c = 1, as a state of beads.
+    """A front in the frame δ = c = 1, as a state of beads; arrays of shape (beads,)."""
 
-    Attributes
-    ----------
-    bead : ndarray of int, shape (beads,)
-        Consecutive bead numbers; u = 1/2 at bead 0.
-    relative_displacement, strain_rate, velocity : ndarray, shape (beads,)
-        u_n, d_n and ẋ_n.
-    converged : bool
-    reason : str
-        Why, in words.
-    residuals : ndarray
-        Largest residual before every Gauss-Newton step and after the last.
-    step_sizes : ndarray
-        Largest change of an unknown in every step.
-    counts : dict
-        gauss_newton_steps, right_hand_sides (of the flow, tangents apart), steps_per_bead_time.
-    flow_error : float
-        Largest change of the flow over one bead-time when its steps are doubled.
-    window : equations.Window
-    unknowns : ndarray
-    """
-
-    bead: np.ndarray
-    relative_displacement: np.ndarray
-    strain_rate: np.ndarray
-    velocity: np.ndarray
+    bead: np.ndarray  # consecutive numbers; u = 1/2 at bead 0
+    relative_displacement: np.ndarray  # u_n
+    strain_rate: np.ndarray  # d_n
+    velocity: np.ndarray  # ẋ_n
     converged: bool
-    reason: str
-    residuals: np.ndarray
-    step_sizes: np.ndarray
-    counts: dict
-    flow_error: float
+    reason: str  # why or why not, in words
+    residuals: np.ndarray  # the largest before every Gauss-Newton step and after the last
+    step_sizes: np.ndarray  # the largest change of an unknown in every step
+    counts: dict  # right_hand_sides are those of the flow, tangents apart
+    flow_error: float  # largest change of the flow over a bead-time when its steps are doubled
     window: Window
     unknowns: np.ndarray
 
@@ -113,7 +104,7 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     law = PowerLaw(alpha, beta, gamma)
     _check_steps(law)
-    roots = tail_closure.slow_roots(law.alpha, law.gamma, law.beta)
+    roots = slow_roots(law.alpha, law.gamma, law.beta)
     behind, ahead = choose_beads(law, roots) if beads is None else check_window(roots, *beads)
     shot = _shoot_in_window(law, roots, np.arange(-behind, ahead + 1), guess, tolerance)
     missing = missing_beads(roots, shot.relative_displacement)
@@ -151,42 +142,11 @@ def _shoot_in_window(law, roots, bead, guess, tolerance):
 
 
 def refine(shot):
-    """The same front from a longer window and a finer flow, for an error estimate.
-
-    Parameters
-    ----------
-    shot : Shot
-
-    Returns
-    -------
-    Shot
-    """
+    """The same front from a longer window and a finer flow, for an error estimate."""
     window = shot.window
     behind, ahead = math.ceil(-LONGER_BEHIND * shot.bead[0]), shot.bead[-1] + LONGER_AHEAD
     bead = np.arange(-behind, ahead + 1)
     return _shoot(window.law, window.roots, bead, shot, 2 * window.steps, TOLERANCE)
-
-
-def error_estimate(shot):
-    """Largest difference of u and ẋ to the `refine`d front.
-
-    Parameters
-    ----------
-    shot : Shot
-
-    Returns
-    -------
-    float
-        NaN where either did not converge.
-    """
-    other = refine(shot)
-    if not (shot.converged and other.converged):
-        return math.nan
-    common = slice(shot.bead[0] - other.bead[0], shot.bead[-1] - other.bead[0] + 1)
-    return max(
-        float(np.abs(getattr(shot, name) - getattr(other, name)[common]).max())
-        for name in ("relative_displacement", "velocity")
-    )
 
 
 def _shoot(law, roots, bead, guess, steps, tolerance):
@@ -211,7 +171,7 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
     reason = descent.reason or _reason_against(bead, state, flow_error)
     # A state that has failed may be far beyond what a power of it can hold.
     with np.errstate(over="ignore", invalid="ignore"):
-        velocity = bead_velocities(window, amplitudes, state, 0.0)
+        velocity = _bead_velocities(window, amplitudes, state, 0.0)
     return Shot(
         bead=bead,
         relative_displacement=state[:, 0],
@@ -255,10 +215,60 @@ def _reason_against(bead, state, flow_error):
     return ""
 
 
-def bead_velocities(window, amplitudes, state, time):
+def _bead_velocities(window, amplitudes, state, time):
     """ẋ_n from the strain form: w_n is a sum over the beads ahead, eq. (31) gives ẋ_n."""
     law = window.law
     modes = equations.driver_modes(window, np.asarray(time))
     u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
     w = np.cumsum(state[::-1, 1])[::-1]
     return w - law.gamma * np.diff(np.maximum(u, 0.0) ** law.beta)
+
+
+class Sample(NamedTuple):
+    """A front on uniform ξ = n − t: u and ẋ, each of shape (points,)."""
+
+    xi: np.ndarray
+    relative_displacement: np.ndarray
+    velocity: np.ndarray
+
+
+def sample_front(shot, points_per_site):
+    """The front from where its tail is lost in rounding to its last bead."""
+    window = sample_window(shot, points_per_site)
+    length = math.ceil(tail_length(shot.window.roots))
+    count = length * points_per_site
+    xi = window.xi[0] - np.arange(count, 0, -1) / points_per_site
+    tail = _sample_tail(shot, xi)
+    return Sample(*(np.concatenate(pair) for pair in zip(tail, window, strict=True)))
+
+
+def sample_window(shot, points_per_site):
+    """The front from less than one site behind the first bead of a shot to its last."""
+    duration = 1.0 / points_per_site
+    window = shot.window
+    part = window._replace(steps=math.ceil(window.steps * duration))
+    amplitudes, state = split(window, shot.unknowns)
+    values = np.empty((2, shot.bead.size, points_per_site))
+    for j in range(points_per_site):
+        time = j * duration
+        values[:, :, -1 - j] = state[:, 0], _bead_velocities(window, amplitudes, state, time)
+        change, _ = equations.flow(part, join(amplitudes, state), duration, time)
+        state = state + change
+    fractions = (np.arange(points_per_site) + 1.0) * duration - 1.0
+    xi = (shot.bead[:, np.newaxis] + fractions).ravel()
+    return Sample(xi, *values.reshape(2, -1))
+
+
+def _sample_tail(shot, xi):
+    """The front behind the window, as the sum of its modes."""
+    amplitudes, _ = split(shot.window, shot.unknowns)
+    distance = xi - (shot.bead[0] - 1)
+    u, velocity, used = np.ones(xi.size), np.ones(xi.size), 0
+    for root in shot.window.roots:
+        real = amplitudes[used]
+        imaginary = amplitudes[used + 1] if root.imag else 0.0
+        used += 2 if root.imag else 1
+        mode = (real - 1j * imaginary) * np.exp(root * distance)
+        u += mode.real
+        velocity += (root / (np.exp(root) - 1.0) * mode).real
+    return Sample(xi, u, velocity)

@@ -7,7 +7,7 @@ nothing is assumed.
 
 from flint import arb, arb_poly, arb_series
 
-from granular_fronts.proofs.arrays import both_ends, require_arrays, require_lengths
+from granular_fronts.proofs.arrays import require_arrays, require_lengths
 from granular_fronts.proofs.balls import (
     UNIT,
     above,
@@ -22,7 +22,8 @@ from granular_fronts.proofs.contraction import Contraction
 from granular_fronts.proofs.dashpots.ahead import shape
 from granular_fronts.proofs.dashpots.row_norms import bound_inverse
 
-TAYLOR_ORDER, SMALL_STRAIN = 8, 1e-11
+TAYLOR_ORDER = 8  # of P̄ about the middle of a cell
+SMALL_STRAIN = 1e-11  # where ū may be below, P̄ is 0
 FIELDS = {  # kind of number and axes
     "alpha": ("i8", 1),
     "gamma": ("i8", 1),
@@ -40,14 +41,10 @@ class DashpotFront(Contraction):
     """The approximate front ū on the cells of [−left, right], and the bounds of the theorem."""
 
     def __init__(self, data):
-        super().__init__()
         require_arrays(data, FIELDS, len(SIZES))
-        self.data, sizes = data, dict(zip(SIZES, map(int, data["sizes"]), strict=True))
-        self.sizes, self.n = sizes, sizes["n"]
-        (least, most), (low, high) = both_ends(data, "alpha"), both_ends(data, "gamma")
-        self.law = self.alpha, self.gamma = least.union(most), low.union(high)
-        self.require("alpha > 1", arb(1), self.alpha)
-        self.require("gamma > 0", arb(0), self.gamma)
+        super().__init__(data)
+        self.sizes = sizes = dict(zip(SIZES, map(int, data["sizes"]), strict=True))
+        self.n = sizes["n"]
         self.b = sizes["c"] + sizes["q"] + 1
         self.left = max(sizes["behind"] + 1, self.b)
         self.right = max(sizes["ahead"] + 1, sizes["M"])

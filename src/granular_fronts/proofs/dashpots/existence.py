@@ -49,13 +49,10 @@ Z₂ is bounded as in `granular_fronts.proofs.existence`.  α and γ may be in i
 and the kernels g, g₊ and the matrix H of A do not depend: all bounds hold for each of them.
 """
 
-import numpy as np
-
 from granular_fronts.fronts.solve import evaluate_front
-from granular_fronts.proofs.existence import DEGREE, cell_nodes, chebyshev_nodes
+from granular_fronts.proofs.existence import DEGREE, cell_nodes, to_powers
 
 
 def approximate_strain(front, behind, ahead, n):
     """ū from a computed front: coefficients in t ∈ (−1, 1) on the cells of [−behind, ahead]."""
-    to_powers = np.linalg.inv(np.vander(chebyshev_nodes(DEGREE + 1), increasing=True))
-    return evaluate_front(front, cell_nodes(behind, ahead, n)) @ to_powers.T
+    return evaluate_front(front, cell_nodes(behind, ahead, n)) @ to_powers(DEGREE + 1).T

@@ -16,39 +16,19 @@ import functools
 import numpy as np
 
 from granular_fronts.chain.simulate import solve
-from granular_fronts.studies.hard_cases.extended import Motion, reference_state
-from granular_fronts.studies.hard_cases.record import HardCase
+from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
+from granular_fronts.studies.hard_cases import HardCase
+from granular_fronts.studies.hard_cases.extended import reference_state
 
-TOLERANCE = {"relative": 1.0e-13, "absolute": 1.0e-15}
+TOLERANCE = 1.0e-13, 1.0e-15
 BEADS, END_TIME = 40, 30.0
-AGAINST_EXTENDED = "distance of u and ẋ at the end from extrapolation in 80-bit arithmetic"
+AGAINST_EXTENDED = "distance of u and ẋ at the end from another method in 80-bit arithmetic"
 
 
-def make_scene(law, beads, end_time, left=1.0, right=0.0, start=None, **changes):
-    """A chain between two held displacements, recorded at its end.
-
-    Parameters
-    ----------
-    law : mapping
-        Exponents `alpha`, `beta` and damping `gamma`.
-    start : tuple of ndarray, optional
-        Relative displacements (N − 1,) and velocities (N,); rest if absent.
-    **changes
-        Further keys of the scene.
-    """
-    scene = {
-        "law": law,
-        "beads": beads,
-        "boundary": {"kind": "pressure", "left": left, "right": right},
-        "start": {"kind": "rest"},
-        "end_time": end_time,
-        "tolerance": TOLERANCE,
-        "record": {"snapshots": [end_time], "balances": True},
-    }
-    if start is not None:
-        u, velocity = (list(part) for part in start)
-        scene["start"] = {"kind": "given", "relative_displacement": u, "velocity": velocity}
-    return scene | changes
+def make_scene(law, beads, end_time, left=1.0, right=0.0, start=None, tolerance=None):
+    """A chain between two held displacements, as of `pressed_chain`, recorded at its end."""
+    record = {"snapshots": [end_time], "balances": True}
+    return pressed_chain(law, beads, end_time, tolerance or TOLERANCE, record, left, right, start)
 
 
 def final_state(scene):
@@ -56,11 +36,6 @@ def final_state(scene):
     solution = solve(scene, scene["tolerance"])
     final = solution.dataset.isel(t=-1)
     return final["relative_displacement"].values, final["velocity"].values, solution.drifts
-
-
-def kuwabara_kono(alpha, gamma):
-    """The law with β = α."""
-    return {"alpha": alpha, "beta": alpha, "gamma": gamma}
 
 
 def distance(u, velocity, reference):
@@ -72,23 +47,10 @@ def distance(u, velocity, reference):
 
 
 def initiation(law, expected, beads=BEADS, end_time=END_TIME, right=0.0, start=None, limit=1.0e-12):
-    """A chain driven from the left, against the extrapolation method.
-
-    Parameters
-    ----------
-    law : mapping
-    expected : str
-    right : float
-        Relative displacement held at the right end.
-    start : tuple of ndarray, optional
-        As in `make_scene`.
-    limit : float
-    """
+    """A chain driven from the left, against the extended precision."""
     scene = make_scene(law, beads, end_time, right=right, start=start)
     u, velocity, _ = final_state(scene)
-    rest = np.zeros(beads - 1), np.zeros(beads)
-    motion = Motion(law, 1.0, right, *(start or rest))
-    reference = reference_state(motion, end_time)
+    reference = reference_state(scene)
     alpha, beta, gamma = law["alpha"], law["beta"], law["gamma"]
     return HardCase(
         problem=f"initiation, α = {alpha:g}, β = {beta:g}, γ = {gamma:g}, δ = 1, N = {beads}, "
@@ -102,7 +64,7 @@ def initiation(law, expected, beads=BEADS, end_time=END_TIME, right=0.0, start=N
     )
 
 
-def without_damping():
+def _without_damping():
     """γ = 0: the conservative chain of beads."""
     return initiation(kuwabara_kono(1.5, 0.0), "a train of solitary waves, energy conserved")
 
@@ -117,7 +79,7 @@ def exponent(alpha):
     return initiation(kuwabara_kono(alpha, 0.1), "a front")
 
 
-def damping_exponent(beta):
+def _damping_exponent(beta):
     """Initiation with a viscous force of its own exponent, α = 3/2, γ = 0.3."""
     law = {"alpha": 1.5, "beta": beta, "gamma": 0.3}
     return initiation(law, "a front")
@@ -143,7 +105,7 @@ def scaling(delta):
         BEADS,
         END_TIME * time_scale,
         left=delta,
-        tolerance={"relative": TOLERANCE["relative"], "absolute": TOLERANCE["absolute"] * delta},
+        tolerance=(TOLERANCE[0], TOLERANCE[1] * delta),
     )
     u_scaled, velocity_scaled, _ = final_state(scaled)
     errors = u_scaled / delta - u, velocity_scaled * time_scale / delta - velocity
@@ -196,7 +158,7 @@ def many_beads(beads=100_000, period=25):
 
 
 CASES = {
-    "gamma_zero": without_damping,
+    "gamma_zero": _without_damping,
     "gamma_1e_6": functools.partial(damping, 1.0e-6),
     "gamma_1e_3": functools.partial(damping, 1.0e-3),
     "gamma_5": functools.partial(damping, 5.0),
@@ -206,8 +168,8 @@ CASES = {
     "alpha_3": functools.partial(exponent, 3.0),
     "alpha_5": functools.partial(exponent, 5.0),
     "alpha_10": functools.partial(exponent, 10.0),
-    "beta_1": functools.partial(damping_exponent, 1.0),
-    "beta_alpha_plus_1": functools.partial(damping_exponent, 2.5),
+    "beta_1": functools.partial(_damping_exponent, 1.0),
+    "beta_alpha_plus_1": functools.partial(_damping_exponent, 2.5),
     "delta_1e_8": functools.partial(scaling, 1.0e-8),
     "delta_1e8": functools.partial(scaling, 1.0e8),
     "precompression_1e_12": precompression,

@@ -24,21 +24,16 @@ import numpy as np
 
 from granular_fronts.accuracy import largest_difference, with_refinement
 from granular_fronts.chain.simulate import solve
-from granular_fronts.studies.hard_cases.chain_cases import final_state, kuwabara_kono, make_scene
-from granular_fronts.studies.hard_cases.record import HardCase
+from granular_fronts.studies.chain_scenes import kuwabara_kono
+from granular_fronts.studies.hard_cases import HardCase
+from granular_fronts.studies.hard_cases.chain_cases import final_state, make_scene
 
 FINER = {"relative": 1.0e-15, "absolute": 1.0e-17}
 NO_PRESSURE = {"left": 0.0, "right": 0.0}
 
 
 def solve_refined(scene):
-    """The scene at its tolerance, and the largest change of u and ẋ at a hundredth of it.
-
-    Returns
-    -------
-    solution : chain.simulate.Solution
-    difference : float
-    """
+    """The scene at its tolerance, and the largest change of u and ẋ at a hundredth of it."""
     solutions = with_refinement(
         lambda tolerance: solve(scene, tolerance), scene["tolerance"], FINER
     )
@@ -163,10 +158,9 @@ def dashpot_collision():
     )
 
 
-def collision(law, gap=1.0, **changes):
+def collision(law, gap=1.0):
     """Two free beads meet with a relative velocity of 1 after a time equal to their gap."""
-    start = np.array([-gap]), np.array([1.0, 0.0])
-    return make_scene(law, 2, 20.0, **NO_PRESSURE, start=start, **changes)
+    return make_scene(law, 2, 20.0, **NO_PRESSURE, start=([-gap], [1.0, 0.0]))
 
 
 CASES = {

@@ -15,9 +15,9 @@ import math
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from granular_fronts.continuum.log_burgers.evolution import evolve_log_burgers
+from granular_fronts.continuum.evolution import evolve_log_burgers
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
-from granular_fronts.studies.hard_cases.record import HardCase
+from granular_fronts.studies.hard_cases import HardCase
 
 BEHIND = np.linspace(-30.0, 0.0, 601)
 FAR_AHEAD = 200.0
@@ -40,7 +40,7 @@ RING = {
 SMALL_FLOOR = 1.0e-16
 
 
-def near_critical_damping(offset):
+def _near_critical_damping(offset):
     """Front of the logarithmic KdV-Burgers equation beside μ = 2."""
     mu = 2.0 + offset
     y = heteroclinic(mu, BEHIND)["rescaled_force"].values
@@ -51,12 +51,12 @@ def near_critical_damping(offset):
         criterion="distance of y from SciPy's DOP853 in other variables; y falls everywhere",
         quantity="1 − y at s = −30",
         measured=float(1.0 - y[0]),
-        error=float(np.abs(y - other_orbit(mu)).max()) if (np.diff(y) <= 0.0).all() else math.nan,
+        error=float(np.abs(y - _other_orbit(mu)).max()) if (np.diff(y) <= 0.0).all() else math.nan,
         limit=1.0e-12,
     )
 
 
-def other_orbit(mu):
+def _other_orbit(mu):
     """Rescaled force on `BEHIND`, by SciPy."""
     start = math.sqrt(FAR_AHEAD + 0.5 + 0.25 * mu**2) - 0.5 * mu
     ahead = solve_ivp(
@@ -72,7 +72,7 @@ def other_orbit(mu):
     return np.exp(-behind.y[0][::-1])
 
 
-def touching_zero(floor):
+def _touching_zero(floor):
     """The start (49) with a floor of almost, or truly, nothing."""
     solved, compared = (evolve_log_burgers(ring(value)) for value in (floor, SMALL_FLOOR))
     y = solved["rescaled_force"]
@@ -97,8 +97,8 @@ def ring(floor):
 
 
 CASES = {
-    "mu_below_2": functools.partial(near_critical_damping, -1.0e-8),
-    "mu_above_2": functools.partial(near_critical_damping, 1.0e-8),
-    "floor_1e_300": functools.partial(touching_zero, 1.0e-300),
-    "true_zeros": functools.partial(touching_zero, 0.0),
+    "mu_below_2": functools.partial(_near_critical_damping, -1.0e-8),
+    "mu_above_2": functools.partial(_near_critical_damping, 1.0e-8),
+    "floor_1e_300": functools.partial(_touching_zero, 1.0e-300),
+    "true_zeros": functools.partial(_touching_zero, 0.0),
 }

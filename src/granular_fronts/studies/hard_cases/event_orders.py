@@ -22,9 +22,10 @@ import numpy as np
 from granular_fronts.chain.run import prepare
 from granular_fronts.chain.simulate import solve
 from granular_fronts.reference_methods import position_forms
-from granular_fronts.studies.hard_cases.chain_cases import kuwabara_kono
+from granular_fronts.studies.chain_scenes import kuwabara_kono
 from granular_fronts.studies.hard_cases.contact_cases import collision
-from granular_fronts.studies.hard_cases.extended import Motion, reference_state
+from granular_fronts.studies.hard_cases.extended import reference_state
+from granular_fronts.studies.orders import power_of
 
 LAW = kuwabara_kono(1.5, 0.3)
 END_TIME = 20.0
@@ -36,28 +37,21 @@ FORMS = {"positions_and_w": position_forms.XW, "positions_and_velocities": posit
 
 
 def measure_orders():
-    """Median number of steps and median error, rung by rung.
-
-    Returns
-    -------
-    dict
-        Of (steps, errors), arrays of shape (rungs,), under the names of the methods.
-    """
-    parting = parting_velocity()
-    curves = {"strain_form": median_of(located, TOLERANCES, parting)}
+    """Median number of steps and median error, rung by rung, under the names of the methods."""
+    parting = _parting_velocity()
+    curves = {"strain_form": _median_of(located, TOLERANCES, parting)}
     for name, form in FORMS.items():
-        curves[name] = median_of(lambda *run, form=form: blind(form, *run), STEP_COUNTS, parting)
+        curves[name] = _median_of(lambda *run, form=form: blind(form, *run), STEP_COUNTS, parting)
     return curves
 
 
-def parting_velocity():
+def _parting_velocity():
     """Relative velocity after the collision, in extended precision; the gap plays no part."""
-    motion = Motion(LAW, 0.0, 0.0, np.zeros(1), np.array([1.0, 0.0]))
-    velocity = reference_state(motion, END_TIME / 2.0).velocity
+    velocity = reference_state(collision(LAW, gap=0.0) | {"end_time": END_TIME / 2.0}).velocity
     return float(velocity[1] - velocity[0])
 
 
-def median_of(method, rungs, parting):
+def _median_of(method, rungs, parting):
     """Medians over the gaps of the steps taken and of the errors made."""
     runs = np.array([[method(gap, rung) for gap in PHASES] for rung in rungs])
     steps, velocity = runs[..., 0], runs[..., 1]
@@ -85,4 +79,4 @@ def blind(form, gap, steps):
 def fitted_order(steps, errors, floor=1.0e-12):
     """Slope of the line through log error against log steps, over the errors above `floor`."""
     above = errors > floor
-    return -float(np.polyfit(np.log(steps[above]), np.log(errors[above]), 1)[0])
+    return -power_of(steps[above], errors[above])

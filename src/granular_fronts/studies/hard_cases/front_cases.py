@@ -13,26 +13,13 @@ import numpy as np
 
 from granular_fronts.fronts.linear.critical_damping import critical_damping, meaning_changes_at
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.studies.hard_cases.record import HardCase
+from granular_fronts.studies.hard_cases import HardCase
 
 LIMIT = 1.0e-12
 
 
-def exact_front(where, alpha, gamma, beta=None):
-    """One front by both methods.
-
-    Parameters
-    ----------
-    where : str
-        What is hard about it.
-    alpha, gamma : float
-    beta : float, optional
-        alpha by default.
-
-    Returns
-    -------
-    HardCase
-    """
+def _exact_front(where, alpha, gamma, beta=None):
+    """One front by both methods."""
     front, shot = (solve_front(alpha, gamma, beta, method) for method in ("profile", "shooting"))
     error = math.nan
     if front.attrs["converged"] and shot.attrs["converged"]:
@@ -50,23 +37,23 @@ def exact_front(where, alpha, gamma, beta=None):
     )
 
 
-def at_critical_damping(where, alpha):
+def _at_critical_damping(where, alpha):
     """The front whose tail changes from oscillating to monotone."""
-    return exact_front(where, alpha, critical_damping(alpha))
+    return _exact_front(where, alpha, critical_damping(alpha))
 
 
-def at_triple_root():
+def _at_triple_root():
     """The front at α*, where the three slowest roots are one."""
-    return at_critical_damping("at a triple root of the tail", meaning_changes_at())
+    return _at_critical_damping("at a triple root of the tail", meaning_changes_at())
 
 
 CASES = {
-    "front_double_root": functools.partial(at_critical_damping, "at a double root", 1.1),
-    "front_triple_root": at_triple_root,
-    "front_crossing": functools.partial(at_critical_damping, "where real parts cross", 1.5),
-    "front_gamma_0_01": functools.partial(exact_front, "weakly damped", 1.5, 0.01),
-    "front_gamma_20": functools.partial(exact_front, "strongly damped", 1.5, 20.0),
-    "front_alpha_1_02": functools.partial(exact_front, "near the linear chain", 1.02, 0.05),
-    "front_alpha_5": functools.partial(exact_front, "with a sharp foot", 5.0, 0.1),
-    "front_dashpot": functools.partial(exact_front, "with a dashpot", 1.5, 0.3, 1.0),
+    "front_double_root": functools.partial(_at_critical_damping, "at a double root", 1.1),
+    "front_triple_root": _at_triple_root,
+    "front_crossing": functools.partial(_at_critical_damping, "where real parts cross", 1.5),
+    "front_gamma_0_01": functools.partial(_exact_front, "weakly damped", 1.5, 0.01),
+    "front_gamma_20": functools.partial(_exact_front, "strongly damped", 1.5, 20.0),
+    "front_alpha_1_02": functools.partial(_exact_front, "near the linear chain", 1.02, 0.05),
+    "front_alpha_5": functools.partial(_exact_front, "with a sharp foot", 5.0, 0.1),
+    "front_dashpot": functools.partial(_exact_front, "with a dashpot", 1.5, 0.3, 1.0),
 }

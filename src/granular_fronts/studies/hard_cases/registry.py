@@ -10,31 +10,11 @@ from granular_fronts.studies.hard_cases import (
 )
 
 CASES = chain_cases.CASES | contact_cases.CASES | continuum_cases.CASES | front_cases.CASES
-"""Name of each case and the function that solves it and returns a `record.HardCase`."""
+"""Name of each case and the function that solves it and returns a `HardCase`."""
 
 
 def run_case(name):
-    """Solve a case.
-
-    Parameters
-    ----------
-    name : str
-        A key of `CASES`.
-
-    Returns
-    -------
-    case : record.HardCase or None
-        None if the solver refused.
-    seconds : float
-        Process time, the reference included.
-    refusal : str
-        What the solver said, empty if it finished.
-
-    Raises
-    ------
-    ValueError
-        If there is no such case.
-    """
+    """Solve a case: its record, None if the solver refused; process time; what the solver said."""
     if name not in CASES:
         raise ValueError(f"{name} is no hard case: choose one of {', '.join(CASES)}.")
     started = time.process_time()

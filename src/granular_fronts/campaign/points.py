@@ -1,0 +1,59 @@
+"""The points of a chunk solved group by group; a group that fails leaves a reason."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+
+import numpy as np
+
+from granular_fronts.campaign.kinds import Solved
+from granular_fronts.output.progress import count_bar
+
+REASON = "reason"
+
+
+def solve_groups(
+    shape: tuple[int, int],
+    sizes: Mapping[str, tuple[int, ...]],
+    groups: Iterable[tuple[tuple, Callable[[], dict]]],
+    error_method: str,
+    activity: str,
+) -> Solved:
+    """Solve the points of a chunk of some shape (lines, fast).
+
+    `sizes` names what is recorded, with its shape at one point.  A group is the index of its points
+    and a function without arguments, from which come values and errors (NaN where none is
+    estimated) of all that is recorded, and under ``reason`` why single points failed, if any did.
+    """
+    values = {name: np.full((*shape, *size), np.nan) for name, size in sizes.items()}
+    reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(sizes, np.nan)
+    with count_bar(activity, int(np.prod(shape)), "point") as bar:
+        for members, solve in groups:
+            try:
+                measured = solve()
+            except (ValueError, ArithmeticError) as error:
+                reasons[members] = str(error)
+            else:
+                reasons[members] = measured.get(REASON, "")
+                for name, value in values.items():
+                    value[members], found = measured[name]
+                    errors[name] = np.fmax(errors[name], np.fmax.reduce(np.ravel(found)))
+            bar.update(np.size(members[0]))
+    return Solved(values, reasons, errors, error_method)
+
+
+def single_points(points: Mapping[str, np.ndarray]) -> Iterator[tuple[tuple, dict]]:
+    """Index and parameters of each point of a chunk."""
+    for index in np.ndindex(next(iter(points.values())).shape):
+        yield index, {name: value[index] for name, value in points.items()}
+
+
+def groups_along(
+    points: Mapping[str, np.ndarray], along: str
+) -> Iterator[tuple[tuple, dict[str, float], np.ndarray]]:
+    """Points that differ in one parameter only: index, other parameters, values of that one."""
+    shape = points[along].shape
+    others = [name for name in points if name != along]
+    table = np.stack([points[name].ravel() for name in others])
+    columns, column_of_point = np.unique(table, axis=1, return_inverse=True)
+    for number, column in enumerate(columns.T):
+        members = np.unravel_index(np.flatnonzero(column_of_point.ravel() == number), shape)
+        yield members, dict(zip(others, map(float, column), strict=True)), points[along][members]

@@ -1,0 +1,266 @@
+"""Scenes of the family ``chain``: motions of a finite chain of beads, section 3.3."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from granular_fronts.scenes.laws import (
+    absolute_tolerance_errors,
+    damping_rate,
+    decades,
+    decades_of_displacement,
+    domain_of,
+    exponent_of,
+    front_speed,
+    is_short,
+)
+from granular_fronts.scenes.limits import (
+    COLUMNS_PER_ROW,
+    NUMBERS_PER_BEAD,
+    Part,
+    grid_part,
+    points_of,
+)
+from granular_fronts.scenes.schema import name_entry
+from granular_fronts.scenes.sections import TABLE, Need, Section
+
+RELATIVE_TOLERANCE_FLOOR = 1.0e-15
+"""Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
+
+LARGEST_OVERSHOOT = 10.0
+"""Compression that no chain at rest comes to, over the largest relative displacement driving it.
+
+Chains of 2 to 21 beads without damping, pressed or pushed from both ends, stay below 3.5 for α of 1
+to 1.5.
+"""
+
+HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set()}
+"""Ends at which each kind of boundary holds a relative displacement."""
+
+STEPS_PER_CROSSING, STEPS_PER_DAMPING_TIME = 1.0 / 3.0, 1.0 / 20.0
+"""A step resolves waves and damping: a time t takes at least t (c/3 + 4G'/20) of them.
+
+G' is the slope of the viscous force at δ.  Twenty scenes with γ from 0 to 1e6 and 10 to 420 beads
+took 0.6 to 180 times this estimate, which leaves out that fronts and contacts that open need short
+steps.
+"""
+
+SECONDS_PER_STEP, SECONDS_PER_BEAD = 5.0e-7, 1.0e-8  # and in addition of each bead that moves
+
+CROSSINGS_BEFORE_FLIGHT = 10.0
+"""A piston has thrown all beads off a free end after so many crossings of the chain."""
+
+
+def relative_tolerance_above_floor(section: Mapping) -> Iterator[str]:
+    """No solver in double precision honours less."""
+    relative = section["tolerance"]["relative"]
+    if relative < RELATIVE_TOLERANCE_FLOOR:
+        yield (
+            f"tolerance.relative is {relative}, under the solver's floor of "
+            f"{RELATIVE_TOLERANCE_FLOOR}, which double precision sets: "
+            "ask for the floor or more."
+        )
+
+
+def absolute_tolerance_resolves_motion(scene: Mapping) -> Iterator[str]:
+    """The absolute tolerance lies between rounding and the size of the motion."""
+    absolute = scene["tolerance"]["absolute"]
+    yield from absolute_tolerance_errors(absolute, decades_of_displacement(scene))
+
+
+def _ring_is_set_in_motion(scene: Mapping) -> Iterator[str]:
+    """A ring has a given start, since nothing pushes it."""
+    if scene["boundary"]["kind"] == "ring" and scene["start"]["kind"] != "given":
+        yield (
+            f"start.kind is {scene['start']['kind']}, but nothing sets a ring in motion: "
+            "use kind given, with relative_displacement and velocity."
+        )
+
+
+def _start_lists_every_bead(scene: Mapping) -> Iterator[str]:
+    """A given start lists a number for each bead and each contact."""
+    if scene["start"]["kind"] != "given":
+        return
+    beads = scene["beads"]
+    contacts = beads if scene["boundary"]["kind"] == "ring" else beads - 1
+    for key, expected in [("relative_displacement", contacts), ("velocity", beads)]:
+        found = len(scene["start"][key])
+        if found != expected:
+            yield (
+                f"start.{key} has {found} numbers, but {beads} beads with boundary "
+                f"{scene['boundary']['kind']} need {expected}: give one for each."
+            )
+
+
+def _start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
+    """The given velocity of bead 1 is the one its piston begins with."""
+    boundary, start = scene["boundary"], scene["start"]
+    if boundary["kind"] != "piston" or start["kind"] != "given":
+        return
+    begins = 0 if boundary.get("ramp") else boundary["velocity"]
+    found = start["velocity"][0] if start["velocity"] else begins
+    if found != begins:
+        yield (
+            f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
+            f"velocity {begins}: give {begins} first."
+        )
+
+
+def _ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
+    """No end or piston pulls, and no level of arrival is stretched, where contacts open."""
+    if exponent_of(scene["law"]) is None:
+        return
+    boundary = scene["boundary"]
+    for end in ("left", "right"):
+        if boundary.get(end, 0) < 0:
+            yield f"boundary.{end} is {boundary[end]}, below its limit 0: give 0 or more."
+    for key, value in [
+        ("boundary.velocity", boundary.get("velocity", 1)),
+        ("record.arrival_level", scene["record"].get("arrival_level", 1)),
+    ]:
+        if value <= 0:
+            yield f"{key} is {value}, but must be above 0: give a number above 0."
+
+
+def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
+    """The law holds for the contacts at the ends that are held, and at the start."""
+    low, high = domain_of(scene["law"])
+    boundary, start = scene["boundary"], scene["start"]
+    held = sorted(HELD_ENDS[boundary["kind"]])
+    found = {f"boundary.{end}": boundary.get(end, 0) for end in held}
+    if start["kind"] == "rest":
+        found["start.relative_displacement of a chain at rest"] = 0
+    found |= {
+        name_entry("start.relative_displacement", index): u
+        for index, u in enumerate(start.get("relative_displacement", []))
+    }
+    for key, u in found.items():
+        if not low < -u < high:
+            yield (
+                f"{key} is {u}, but the law holds for relative displacements between {-high:g} "
+                f"and {-low:g} only: give one between, or another law."
+            )
+
+
+def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
+    """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
+    alpha = exponent_of(scene["law"])
+    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
+    if alpha is not None and alpha < 1 and smallest <= 0:
+        yield (
+            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
+            f"infinite, and the smallest relative displacement at the start is {smallest}: "
+            "take alpha of 1 or more, or a start compressed everywhere."
+        )
+
+
+def _probes_are_on_chain(scene: Mapping) -> Iterator[str]:
+    """Every probe stands on a bead, under a name that no other record has."""
+    for name, probe in scene["record"].get("probes", {}).items():
+        if name == "grid":
+            yield (
+                "record.probes.grid has the name of the record of the space–time grid: give the "
+                "probe another name."
+            )
+        for bead in probe["beads"]:
+            if bead > scene["beads"]:
+                yield (
+                    f"record.probes.{name}.beads names bead {bead}, but the chain has "
+                    f"{scene['beads']} beads: choose one of 1 to {scene['beads']}."
+                )
+
+
+def _arrival_level_can_be_met(scene: Mapping) -> Iterator[str]:
+    """A chain at rest comes to the level at which a front has arrived."""
+    level, size = scene["record"].get("arrival_level", 0.0), decades_of_displacement(scene)
+    if scene["start"]["kind"] != "rest" or not math.isfinite(size):
+        return
+    if decades(level) > size + math.log10(LARGEST_OVERSHOOT):
+        driving = 10.0**size
+        yield (
+            f"record.arrival_level is {level}, but relative displacements stay below "
+            f"{LARGEST_OVERSHOOT * driving:.3g} where about {driving:.3g} drives them: give "
+            f"{0.5 * driving:.3g}, half of a front."
+        )
+
+
+def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
+    """Nothing is recorded after the motion."""
+    record, end_time = scene["record"], scene["end_time"]
+    times = {f"record.probes.{n}.stop": p["stop"] for n, p in record.get("probes", {}).items()}
+    times |= {name_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
+    if "grid" in record:
+        times["record.grid.step"] = record["grid"]["step"]
+    for key, time in times.items():
+        if time > end_time:
+            yield (
+                f"{key} is {time}, beyond the end of the motion at end_time {end_time}: "
+                f"give {end_time} or less, or raise end_time."
+            )
+
+
+def size_of_chain(scene: Mapping) -> Iterator[Part]:
+    """A motion of `beads` beads up to `end_time`, and its record."""
+    beads, end, record = float(scene["beads"]), scene["end_time"], scene["record"]
+    yield Part(("beads",), (), NUMBERS_PER_BEAD * beads)
+    damped = ("law.gamma",) if is_short(scene["law"]) and scene["law"]["gamma"] > 1.0 else ()
+    yield Part(("beads", "end_time", *damped), (), 0.0, _motion_time(scene, beads))
+    yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
+    for name, probe in record.get("probes", {}).items():
+        key, samples = f"record.probes.{name}", points_of(probe) * len(probe["beads"])
+        yield grid_part((f"{key}.stop",), (f"{key}.step",), COLUMNS_PER_ROW * samples)
+    if "grid" in record:
+        rows = end / record["grid"]["step"]
+        numbers = COLUMNS_PER_ROW * rows * beads
+        yield grid_part(("beads", "end_time"), ("record.grid.step",), numbers)
+
+
+def _motion_time(scene: Mapping, beads: float) -> float:
+    """Time that the steps of a motion take."""
+    size, boundary = decades_of_displacement(scene), scene["boundary"]
+    # Beads that nothing holds fly apart, and long steps follow them.
+    flies_apart = boundary["kind"] == "pressure" and not (boundary["left"] or boundary["right"])
+    thrown = boundary["kind"] == "piston" and not boundary.get("right", 0.0)
+    if flies_apart or not math.isfinite(size):
+        return 0.0
+    law, end = scene["law"], scene["end_time"]
+    speed, damping = front_speed(law, size), damping_rate(law, size)
+    if thrown and speed > 0.0:
+        end = min(end, CROSSINGS_BEFORE_FLIGHT * beads / speed)
+    steps = end * (STEPS_PER_CROSSING * speed + STEPS_PER_DAMPING_TIME * damping)
+    moving = min(beads, 0.5 * speed * end)
+    return steps * (SECONDS_PER_STEP + SECONDS_PER_BEAD * moving)
+
+
+CHAIN = Section(
+    checks=(
+        relative_tolerance_above_floor,
+        absolute_tolerance_resolves_motion,
+        _ring_is_set_in_motion,
+        _start_lists_every_bead,
+        _start_agrees_with_piston,
+        _ends_of_contacts_are_pressed,
+        _strains_lie_in_domain,
+        _softening_start_is_compressed,
+        _probes_are_on_chain,
+        _arrival_level_can_be_met,
+        record_ends_with_motion,
+    ),
+    size=size_of_chain,
+    needs=(
+        Need("initiation_underdamped.record.snapshots", "figure 1"),
+        Need("initiation_underdamped.record.probes.steady", "figure 1"),
+        Need("initiation_underdamped.record.probes.transient", "figure 1"),
+        Need("initiation_underdamped.record.grid", "figure 2"),
+        Need("initiation_overdamped.record.probes.transient", "figure 3"),
+        Need("initiation_overdamped.record.grid", "figure 3"),
+        *(
+            Need(f"{scene}.record.{key}", user)
+            for scene in ("initiation_underdamped", "initiation_overdamped")
+            for key, user in (
+                ("arrival_level", TABLE),
+                ("extremes", TABLE),
+                ("balances", "the check of its energy balance"),
+            )
+        ),
+    ),
+)

@@ -1,0 +1,164 @@
+"""A section of the configuration, a scene for example, as one object with all that is asked of it.
+
+The schema says which keys a section has.  A `Section` adds what ties two keys together, how much
+memory and time it takes, what its dataset is called, and what the figures draw from it.  A check is
+a function of a section that obeys the schema.  It yields a sentence for each violation, which
+begins with the key inside the section and names the value, the limit and the way out.
+
+Nothing of this imports numpy or numba: the workflow checks its configuration at each start.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from granular_fronts.scenes.laws import energies_are_representable, law_errors
+from granular_fronts.scenes.limits import Part, part_errors
+
+Check = Callable[[Mapping], Iterator[str]]
+
+TABLE = "the table of printed numbers"
+"""It judges the paper's parameters only: it needs records, but no values of parameters."""
+
+
+class Need(NamedTuple):
+    """A key that must be there and not be empty, since a figure or a table draws it.
+
+    Attributes
+    ----------
+    key : str
+        Dotted key inside the section; of a family of scenes the first word is the scene.
+    user : str
+        What draws or tabulates it.
+    values : tuple of float
+        Entries that the list must have.
+    entries : int
+        How many entries a list must have at the least.
+    """
+
+    key: str
+    user: str
+    values: tuple[float, ...] = ()
+    entries: int = 1
+
+
+class Section(NamedTuple):
+    """What is asked of a section beside its schema.
+
+    Attributes
+    ----------
+    checks : tuple of callable
+        Beside `ranges_increase`, `steps_fit_ranges` and the checks of a law, which bind all.
+    size : callable, optional
+        From a section to the `Part` of each key that decides on its memory and time.  None where
+        the schema limits all counts.
+    dataset : tuple of str, optional
+        Name of the dataset that the workflow makes of it, and what that is.
+    needs : tuple of Need
+    """
+
+    checks: tuple[Check, ...] = ()
+    size: Callable[[Mapping], Iterator[Part]] | None = None
+    dataset: tuple[str, str] | None = None
+    needs: tuple[Need, ...] = ()
+
+    def errors(self, given: Mapping) -> list[str]:
+        """Say what is wrong with a section that obeys the schema; each level relies on the last."""
+        checks = (ranges_increase, steps_fit_ranges, *self.checks)
+        return (
+            [*law_errors(given)]
+            or [*energies_are_representable(given)]
+            or [error for check in checks for error in check(given)]
+            or [*(part_errors(given, [*self.size(given)]) if self.size else [])]
+        )
+
+
+def ranges_increase(section: Mapping) -> Iterator[str]:
+    """Every range starts before it stops."""
+    for key, mapping in _mappings(section):
+        start: Any = mapping.get("start")
+        stop: Any = mapping.get("stop")
+        # A probe may be called start or stop.
+        if None not in (start, stop) and not isinstance(start, Mapping) and start >= stop:
+            yield (
+                f"{key}.start is {start}, but must come before its stop {stop}: lower start or "
+                "raise stop."
+            )
+
+
+def steps_fit_ranges(section: Mapping) -> Iterator[str]:
+    """No step is longer than the range that it divides."""
+    for key, mapping in _mappings(section):
+        # A probe may be called start or step.
+        own = {name: value for name, value in mapping.items() if not isinstance(value, Mapping)}
+        if {"start", "stop", "step"} <= own.keys():
+            length, limits = own["stop"] - own["start"], "from start to stop"
+        else:
+            limits = "span" if "span" in own else "limit"
+            length = own.get(limits, math.inf)
+        if 0 < length < own.get("step", 0.0):
+            yield (
+                f"{key}.step is {own['step']}, longer than the range of {length:g} that it "
+                f"divides ({limits}): give {length:g} or less."
+            )
+
+
+def section_label(path: str) -> str:
+    """What stands before a key of a section in a sentence, for example ``Scene weak: ``."""
+    names = path.split(".")
+    return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
+
+
+def need_errors(configuration: Mapping, path: str, needs: tuple[Need, ...]) -> Iterator[str]:
+    """Say what figures need and a section, or a scene of a family ``path.*``, lacks."""
+    missing = set()
+    for need in needs:
+        place, key = path, need.key
+        if path.endswith("*"):
+            scene, _, key = key.partition(".")
+            place = path.removesuffix("*") + scene
+        section = _look_up(configuration, place)
+        if section is not None:
+            yield from _errors_of_need(need, section_label(place) + key, _look_up(section, key))
+        elif place not in missing:
+            missing.add(place)
+            yield (
+                f"{place} is missing, but {need.user} needs it: give it as config/default.yaml "
+                "does."
+            )
+
+
+def _errors_of_need(need: Need, place: str, found: Any) -> Iterator[str]:
+    if not found:
+        yield (
+            f"{place} is {'missing' if found is None else 'empty or off'}, but {need.user} needs "
+            "it: give it as config/default.yaml does."
+        )
+        return
+    missing = [f"{value:g}" for value in need.values if value not in found]
+    if missing:
+        yield (
+            f"{place} is {found}, but {need.user} needs {', '.join(missing)} too: add "
+            f"{'it' if len(missing) == 1 else 'them'}."
+        )
+    if isinstance(found, list) and len(found) < need.entries:
+        yield (
+            f"{place} is {found}, but {need.user} needs {need.entries} entries or more: add one."
+        )
+
+
+def _look_up(section: Any, key: str) -> Any:
+    """The value at a dotted key, or None."""
+    for name in key.split("."):
+        if not isinstance(section, Mapping) or name not in section:
+            return None
+        section = section[name]
+    return section
+
+
+def _mappings(value: object, key: str = "") -> Iterator[tuple[str, Mapping]]:
+    """Every mapping inside a value, with its dotted key."""
+    if isinstance(value, Mapping):
+        yield key, value
+        for name, item in value.items():
+            yield from _mappings(item, f"{key}.{name}" if key else name)

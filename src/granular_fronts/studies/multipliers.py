@@ -1,0 +1,68 @@
+"""Floquet multipliers of exact fronts in windows of several lengths: they decide stability."""
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers, front_multipliers
+from granular_fronts.fronts.solve import solve_front
+
+WAVENUMBERS = 401
+SCALARS = (
+    "translation_defect",
+    "spectral_radius_without_translation",
+    "reflection_radius",
+    "flow_residual",
+    "beads_ahead",
+)
+
+
+def compute_multipliers(fronts, beads_behind):
+    """Spectrum of every front in every window.
+
+    Parameters
+    ----------
+    fronts : mapping of str to mapping
+        `alpha` and `gamma` of each front, by its name.
+    beads_behind : sequence of int
+        Lengths of the windows behind the front.
+
+    Returns
+    -------
+    xarray.Dataset
+        Real and imaginary parts on (scene, beads_behind, multiplier).
+
+    Raises
+    ------
+    ValueError
+        If a front is not solved.
+    """
+    return xr.concat(
+        [_spectra_of(law, beads_behind) for law in fronts.values()],
+        dim=xr.DataArray(list(fronts), dims="scene", name="scene"),
+        join="outer",
+    )
+
+
+def _spectra_of(law, windows):
+    """Multipliers of one front in every window, and those of the compressed chain behind it."""
+    front = solve_front(**law)
+    if not front.attrs["converged"]:
+        raise ValueError(f"The front of {law} is not solved: {front.attrs['reason']}.")
+    found = [front_multipliers(front, beads_behind=behind) for behind in windows]
+    spectra = xr.concat(
+        [_split(values) for values in found],
+        dim=xr.DataArray(windows, dims="beads_behind", name="beads_behind"),
+        join="outer",
+    )
+    q = np.linspace(-np.pi, np.pi, WAVENUMBERS)
+    essential = compressed_chain_multipliers(law["alpha"], law["gamma"], law["alpha"], q)
+    for name, part in (("real", essential.real), ("imaginary", essential.imag)):
+        spectra[f"essential_multiplier_{name}"] = (("branch", "wavenumber"), part)
+    return spectra.assign(law).assign_coords(wavenumber=q)
+
+
+def _split(values):
+    """Complex multipliers as real and imaginary parts, which netCDF can hold, and scalars."""
+    parts = {"multiplier_real": values.real, "multiplier_imaginary": values.imag}
+    scalars = {name: values.attrs[name] for name in SCALARS}
+    return xr.Dataset(parts | scalars).drop_attrs()

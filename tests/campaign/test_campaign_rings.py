@@ -1,0 +1,211 @@
+"""Campaigns of rings: their points, what a file may ask for, and the paper's two runs."""
+
+import re
+
+import numpy as np
+import pytest
+from campaigns import all_chunks, campaign, refusal, solve, solved_points
+from rings import scene_with
+
+from granular_fronts.campaign import merging
+from granular_fronts.campaign.kinds import ERRORS_OF_A_MODEL, KINDS, MODELS
+from granular_fronts.campaign.ring_points import make_ring
+from granular_fronts.errors import InputError
+from granular_fronts.studies import ring_limit
+from granular_fronts.studies.ring_against_equations import compare_with_chain
+from granular_fronts.studies.ring_limit import compare
+
+PULSE = {"half_length": 8.1, "half_width": 2, "base": 0.2}
+RINGS = {
+    "kind": "ring",
+    "start": {"profile": "pulse"},
+    "axes": {"alpha": [1.1, 1.2], "slow_time": [0.2, 0.5]},
+    "fixed": {"damping": 0.5, **PULSE},
+    "tolerance": 1.0e-6,
+}
+
+
+def solved(given=RINGS, **changes):
+    return solved_points(campaign(given, **changes))
+
+
+# Points.
+
+
+def test_points_are_the_rings_of_the_study():
+    found = solved()
+    assert not found.reasons.any()
+    errors = dict.fromkeys(found.values, np.nan)
+    for line, alpha in enumerate([1.1, 1.2]):
+        ring = make_ring({"alpha": alpha, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])
+        expected = compare(ring, np.array([0.2, 0.5]), 1e-6)
+        assert set(expected) == set(found.values)
+        for name, (value, error) in expected.items():
+            np.testing.assert_array_equal(found.values[name][line], value)
+            errors[name] = np.fmax(errors[name], np.fmax.reduce(error))
+    assert errors == pytest.approx(dict(found.errors), nan_ok=True)
+    assert all(found.errors[name] < 1e-4 for name in found.errors if name.startswith("disp"))
+
+
+def test_everything_recorded_is_what_the_kind_lists():
+    names = {f"{error}_{model}" for error in ERRORS_OF_A_MODEL for model in MODELS}
+    assert names < set(KINDS["ring"].scalars)
+    assert set(MODELS) == set(ring_limit.MODELS)
+
+
+def test_rings_are_the_same_whichever_axis_is_fast():
+    turned = dict(reversed(RINGS["axes"].items()))
+    one, other = solved(), solved(axes=turned)
+    for name, value in one.values.items():
+        np.testing.assert_array_equal(value, other.values[name].T)
+
+
+def test_a_ring_depends_on_alpha_and_damping_alone():
+    """γ at another δ with the same γc, James (2021), eq. (30), and every other way to say it."""
+    scaling = make_ring({"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])
+    numbers = {
+        "gamma": 0.5 / 4.0**0.1,
+        "epsilon": scaling.scaling.epsilon,
+        "ratio": scaling.scaling.ratio,
+        "mu": scaling.scaling.dispersion**-0.5,
+    }
+    axes = {"slow_time": [0.5]}
+    expected = solved(axes=axes, fixed={"alpha": 1.2, "damping": 0.5, **PULSE})
+    for name, value in numbers.items():
+        found = solved(axes=axes, fixed={"alpha": 1.2, "delta": 4.0, name: value, **PULSE})
+        for scalar, values in expected.values.items():
+            np.testing.assert_allclose(
+                found.values[scalar], values, rtol=1e-4, atol=1e-9, err_msg=f"{name} {scalar}"
+            )
+
+
+def test_merged_rings_keep_their_axes_and_profile(tmp_path):
+    record = {
+        "scalars": ["displacement_sup_logarithmic"],
+        "profile": {"start": -4, "stop": 4, "count": 9},
+    }
+    asked = campaign(RINGS, record=record)
+    merged = merging.merge_chunks(asked, [solve(c, tmp_path) for c in all_chunks(asked, 1)])
+    assert merged["displacement_sup_logarithmic"].dims == ("alpha", "slow_time")
+    assert merged.attrs["damping"] == 0.5
+    assert "gamma" not in merged.attrs
+    wave = merged["relative_displacement"].sel(alpha=1.1, slow_time=0.2)
+    assert float(wave.max()) == pytest.approx(0.93, abs=0.02)
+    assert abs(float(wave.idxmax("xi"))) <= 1.0
+
+
+def test_run_of_the_paper_agrees_with_its_scene():
+    """The plateau of section 4.3 at an early time, by the campaign in units of δ and 1/c."""
+    scene = scene_with("weak", end_time=10.0, half_beads=40, start__half_width=4)
+    scene["record"] = {"snapshots": [0, 10], "grid": {"step": 10}}
+    scene["tolerance"] = {"relative": 1e-10, "absolute": 1e-12}
+    data = compare_with_chain(scene)
+    given = {"gamma": 0.24, "delta": 5.0, "half_beads": 40, "half_width": 4, "base": 1e-7}
+    start = {"profile": "plateau", "velocity": "leading"}
+    ring = make_ring({"alpha": 1.1, **given}, start)
+    slow_time = np.array([10.0 * 5.0**0.05 * ring.scaling.slow_rate])
+    found = compare(ring, slow_time, 1e-8)
+    for name, field in (
+        ("displacement_sup", "relative_displacement_sup"),
+        ("displacement_rms", "relative_displacement_rms"),
+        ("leading_velocity_sup", "velocity_sup"),
+    ):
+        for model in ("logarithmic", "unlimited"):
+            expected = float(data[f"{field}_{model}"][-1])
+            assert found[f"{name}_{model}"][0][0] == pytest.approx(expected, abs=2e-5)
+    gap = float(data["first_gap_time"]) * 5.0**0.05 * ring.scaling.slow_rate
+    assert found["first_gap_time"][0][0] == pytest.approx(gap, rel=1e-4)
+
+
+def test_paper_does_not_keep_its_requirement():
+    """ε/γc of the two runs, equal to 12/μ²: near critical damping μ = 2."""
+    given = {"gamma": 0.24, "delta": 5.0, "half_beads": 80, "half_width": 10, "base": 1e-7}
+    for alpha, ratio, mu in ((1.1, 1.34, 2.99), (1.5, 2.59, 2.15)):
+        scaling = make_ring({"alpha": alpha, **given}, {"profile": "plateau"}).scaling
+        assert scaling.ratio == pytest.approx(ratio, abs=0.005)
+        assert scaling.dispersion**-0.5 == pytest.approx(mu, abs=0.005)
+
+
+def test_wave_that_does_not_fit_leaves_a_reason_and_the_others_are_solved():
+    fixed = {name: value for name, value in RINGS["fixed"].items() if name != "half_width"}
+    found = solved(
+        axes={"half_width": [2.0, 9.0], "slow_time": [0.1]}, fixed=fixed | {"alpha": 1.2}
+    )
+    assert found.reasons[0, 0] == ""
+    assert "half_width is 9, but half of the ring is" in found.reasons[1, 0]
+    assert np.isnan(found.values["displacement_sup_unlimited"][1, 0])
+    flat = solved(axes={"slow_time": [0.1]}, fixed=RINGS["fixed"] | {"alpha": 1.2, "base": 1.0})
+    assert "base is 1, the height of the wave" in flat.reasons[0, 0]
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads stand ε = 8.33 apart"),
+        ({"damping": 0.1}, "half_length is 8.1, but beads stand ε = 1.67 apart"),
+        ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
+        ({"damping": 1e-9}, "gamma c is 1e-09, but rings are followed for 0.001 to 1000"),
+    ],
+)
+def test_ring_of_too_few_beads_leaves_a_reason(changes, words):
+    start, given = RINGS["start"], {"alpha": 1.2, "delta": 1.0, **PULSE, **changes}
+    with pytest.raises(InputError, match=re.escape(words)):
+        make_ring(given, start)
+
+
+def test_given_profile_that_passes_below_zero_leaves_a_reason():
+    start = {"profile": "given", "rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}
+    point = {"alpha": 1.2, "delta": 1.0, "damping": 0.5, "half_length": 8.1}
+    with pytest.raises(InputError, match="between its values: give more of them"):
+        make_ring(point, start)
+
+
+def test_given_profile_may_be_any():
+    """A pulse listed by hand is the pulse."""
+    pulse = make_ring({"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])
+    start = {"profile": "given", "rescaled_force": pulse.start["rescaled_force"]}
+    axes, fixed = {"slow_time": [0.5]}, fixed_with(alpha=1.2)
+    bare = {name: fixed[name] for name in ("alpha", "damping", "half_length")}
+    listed, named = solved(start=start, axes=axes, fixed=bare), solved(axes=axes, fixed=fixed)
+    for name, value in named.values.items():
+        np.testing.assert_array_equal(listed.values[name], value)
+
+
+# What a file may ask for.
+
+
+def fixed_with(**changes):
+    return {**RINGS["fixed"], **changes}
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"fixed": fixed_with(mu=2)}, "damping and mu are given: keep one"),
+        ({"fixed": {**PULSE}}, "none is given: give one under axes"),
+        ({"fixed": fixed_with(half_beads=80)}, "half_beads and half_length are given: keep one"),
+        ({"axes": {"alpha": [1], "slow_time": [1]}}, "must be above 1: raise it"),
+        ({"axes": {"alpha": [1.1], "slow_time": [0]}}, "must be above 0: raise it"),
+        ({"fixed": fixed_with(damping=-0.5)}, "must be above 0: raise it"),
+        ({"start": {"profile": "given"}}, "rescaled_force"),
+        ({"start": {"profile": "pulse", "rescaled_force": [1, 1, 1, 1, 1]}}, "rescaled_force"),
+        ({"start": {"profile": "given", "rescaled_force": [1, 1, 2, 1, 3]}}, "the ring closes"),
+        (
+            {"start": {"profile": "given", "rescaled_force": [1, 2, 3, 2, 1]}},
+            "fixed.half_width is given, but kind ring has no parameter half_width",
+        ),
+        ({"start": {"profile": "given", "rescaled_force": [0, 0, 0, 0, 0]}}, "which is no wave"),
+        ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "must be 10 or less: lower it"),
+        ({"fixed": fixed_with(half_width=1e-6)}, "must be 0.01 or more: raise it"),
+        ({"record": {"scalars": ["displacement_max"]}}, "did you mean displacement_"),
+    ],
+)
+def test_impossible_campaigns_are_sentences(changes, words):
+    assert words in refusal(RINGS, **changes)
+
+
+def test_start_is_for_rings_alone_and_they_need_one():
+    without = {name: value for name, value in RINGS.items() if name != "start"}
+    assert "start is missing: kind ring starts from profile plateau, pulse" in refusal(without)
+    orbits = {"kind": "heteroclinic", "axes": {"mu": [1]}, "start": {"profile": "pulse"}}
+    assert "start is given, but kind heteroclinic has only one" in refusal(orbits)

@@ -1,0 +1,250 @@
+"""One engine for every law: against the chain in positions, through kinks, in vector code."""
+
+import time
+
+import numba
+import numpy as np
+import pytest
+from chains import TIGHT, driven_scene
+
+import granular_fronts as gf
+from granular_fronts.chain import run as chain_run
+from granular_fronts.chain.run import compile_law, integrate, make_boundary, make_chain, prepare
+from granular_fronts.chain.simulate import solve
+from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
+from granular_fronts.chain.state import ELASTIC_SLOPES, FORCE, ROWS_OF_PAIR, VALUE, D, U, make_table
+from granular_fronts.errors import InputError
+from granular_fronts.model.passes import row_parameters
+from granular_fronts.numerics.runge_kutta import LONG
+from granular_fronts.reference_methods import position_forms
+
+FASTEST_SCALAR_CODE = 3.0
+"""Over the time of a vectorised square root; a stage takes 1.0 to 1.7 times as long with a root,
+and two to three times as long in code for one number after the other."""
+
+TODA = {"kind": "toda", "strength": 0.7, "rate": 1.3}
+FPU = {"kind": "fpu", "quadratic": 1.0, "cubic": -0.3, "quartic": 0.2}
+LAWS = {
+    "hertz": {"alpha": 1.5, "beta": 1.5, "gamma": 0.06},
+    "two powers": {"alpha": 1.5, "beta": 1.0, "gamma": 0.2},
+    "toda": {"elastic": TODA},
+    "toda, proportional": {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": 0.3}},
+    "toda, linear": {"elastic": TODA, "viscous": {"kind": "linear", "gamma": 0.3}},
+    "fpu, toda": {"elastic": FPU, "viscous": TODA},
+    "morse": {
+        "elastic": {"kind": "morse", "depth": 1.0, "rate": 1.0},
+        "viscous": {"kind": "linear", "gamma": 0.1},
+    },
+}
+by_law = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+
+
+def pulse(law, beads=40, end_time=12.0, held=0.3, **changes):
+    """A compressed pulse with a moving end, precompressed on both sides."""
+    start = {
+        "kind": "given",
+        "relative_displacement": list(held + 0.4 * np.exp(-((np.arange(beads - 1) / 3.0) ** 2))),
+        "velocity": list(0.1 * np.cos(np.arange(beads))),
+    }
+    boundary = {"kind": "pressure", "left": held + 0.2, "right": held}
+    scene = driven_scene(beads=beads, end_time=end_time, start=start, boundary=boundary)
+    return scene | {"law": law} | changes
+
+
+def final(scene):
+    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    return np.concatenate([last["relative_displacement"], last["velocity"]])
+
+
+def in_positions(form, scene):
+    law, boundary = gf.make_law(scene["law"]), make_boundary(scene)
+    u, velocity = chain_run.initial_state(scene, boundary)
+    system, y = position_forms.pack(form, law, boundary, u, velocity)
+    y, _ = position_forms.integrate_adaptive(system, y, 1e-3, scene["end_time"], 1e-13, 1e-14)
+    return np.concatenate(position_forms.unpack(system, y))
+
+
+@pytest.mark.parametrize("form", [position_forms.XW, position_forms.XV])
+@by_law
+def test_strain_and_positions_agree(law, form):
+    scene = pulse(law)
+    np.testing.assert_allclose(final(scene), in_positions(form, scene), rtol=0, atol=2.0e-12)
+
+
+@by_law
+def test_balances_close(law):
+    scene = pulse(law, record={"snapshots": [12.0], "balances": True})
+    drifts = solve(scene, scene["tolerance"]).drifts
+    assert drifts["momentum_drift"] < 1.0e-13
+    assert drifts["energy_drift"] < 1.0e-12
+
+
+@pytest.mark.parametrize("right", [0.0, 0.2])
+@by_law
+def test_contacts_ahead_of_the_wave_need_no_visit(law, right, monkeypatch):
+    """The same steps, states and arrivals where the window is the whole chain."""
+    start = {"kind": "given", "relative_displacement": [right] * 119, "velocity": [0.0] * 120}
+    scene = driven_scene(beads=120, end_time=25.0, start=start) | {"law": law}
+    scene["boundary"] = {"kind": "pressure", "left": 0.6, "right": right}
+    scene["record"] = {"snapshots": [25.0], "arrival_level": 0.4}
+    scene["tolerance"] = {"relative": 1e-9, "absolute": 1e-11}
+    windowed = solve(scene, scene["tolerance"])
+    run = prepare(scene)
+    assert run.clock.reach < 40
+    monkeypatch.setattr(chain_run, "end_of_window", lambda chain, table, start: chain.beads)
+    whole = solve(scene, scene["tolerance"])
+    assert windowed.counts == whole.counts
+    for name in whole.dataset:
+        np.testing.assert_allclose(windowed.dataset[name], whole.dataset[name], rtol=0, atol=5e-16)
+
+
+def hardening(kinks):
+    """V'' jumps from 1 to 9 where a contact is compressed by 0.5."""
+    bend = -0.5
+
+    def first(r):
+        return r + 8.0 * np.minimum(r - bend, 0.0)
+
+    elastic = gf.Potential(
+        lambda r: 0.5 * r * r + 4.0 * np.minimum(r - bend, 0.0) ** 2,
+        first,
+        lambda r: np.where(r < bend, 9.0, 1.0),
+        interval=(-3.0, 3.0),
+        kinks=kinks,
+    )
+    return gf.make_law(elastic=elastic, viscous={"kind": "proportional", "gamma": 0.1})
+
+
+def test_declared_kinks_are_located():
+    """The error follows the tolerance; of steps that are blind to the kink it does not."""
+    worst, cuts = {}, {}
+    exact = final(pulse(hardening((-0.5,)), end_time=20.0, held=0.35))
+    for kinks in ((), (-0.5,)):
+        scene, ratios = pulse(hardening(kinks), end_time=20.0, held=0.35), []
+        for relative in (1e-7, 1e-8, 1e-9, 1e-10):
+            tolerance = {"relative": relative, "absolute": 1.0e-2 * relative}
+            ratios.append(np.abs(final(scene | {"tolerance": tolerance}) - exact).max() / relative)
+        worst[kinks] = max(ratios)
+        cuts[kinks] = solve(scene, TIGHT).counts["steps_cut_at_contacts"]
+    assert cuts[()] == 0
+    assert cuts[(-0.5,)] > 0
+    assert worst[(-0.5,)] < 0.3
+    assert worst[()] > 5.0 * worst[(-0.5,)]
+
+
+def test_arrivals_of_a_wave_that_releases_the_chain():
+    """Where u falls through the level, the passage counts that leads away from the state ahead."""
+    start = {"kind": "given", "relative_displacement": [1.0] * 59, "velocity": [0.0] * 60}
+    scene = driven_scene(beads=60, end_time=20.0, start=start) | {"law": LAWS["toda, linear"]}
+    scene["boundary"] = {"kind": "pressure", "left": 0.2, "right": 1.0}
+    scene["record"] = {"snapshots": [20.0], "arrival_level": 0.8}
+    arrival = solve(scene, TIGHT).dataset["arrival_time"].values
+    passed = arrival[np.isfinite(arrival)]
+    assert 10 < passed.size < 50
+    assert (np.diff(passed) > 0.0).all()
+
+
+def test_nothing_is_written_beyond_the_chain():
+    """The row ends behind entry N + 1."""
+    for beads in (37, 38):
+        scene = driven_scene(0.1, beads, 60.0, record={"snapshots": [60.0], "balances": True})
+        run = prepare(scene)
+        run.table[:, beads + 2 :] = 12345.0
+        integrate(run, {"relative": 1e-8, "absolute": 1e-10})
+        assert (run.table[:, beads + 2 :] == 12345.0).all()
+
+
+@numba.njit
+def roots(u, result, times):
+    for _ in range(times):
+        for n in range(numba.uint64(u.size)):
+            result[n] = u[n] * np.sqrt(u[n])
+
+
+@numba.njit
+def passes(address, table, terms, last, weights, parameters, times):
+    for _ in range(times):
+        call_stage_pass(address, table, (ELASTIC_SLOPES, terms), last, 0.1, weights, parameters)
+
+
+@numba.njit
+def sums(table, terms, last, weights, times):
+    for _ in range(times):
+        sum_rows(table, VALUE, U, D, 0.1, (ELASTIC_SLOPES, terms), weights, last)
+
+
+def time_per_bead(function, beads):
+    function(1)
+    times = []
+    for _ in range(7):
+        begun = time.process_time()
+        function(400)
+        times.append((time.process_time() - begun) / (400 * beads))
+    return min(times)
+
+
+def test_a_users_functions_are_as_good_as_a_name_and_no_run_mixes_two_laws():
+    """A constant of the functions is changed between two potentials and during the second."""
+    rate = 1.3
+
+    def toda():
+        return gf.Potential(
+            lambda r: 0.7 / rate * (np.exp(-rate * r) - 1.0 + rate * r),
+            lambda r: 0.7 * (1.0 - np.exp(-rate * r)),
+            lambda r: 0.7 * rate * np.exp(-rate * r),
+            interval=(-3.0, 3.0),
+        )
+
+    def final(elastic):
+        law = gf.make_law(elastic=elastic, viscous={"kind": "linear", "gamma": 0.3})
+        run = prepare(pulse(law))
+        integrate(run, TIGHT)
+        return run.row(U).copy()
+
+    for rate in (1.3, 2.6):
+        given = toda()
+        named = final({"kind": "toda", "strength": 0.7, "rate": rate})
+        np.testing.assert_allclose(final(given), named, rtol=0, atol=2e-13)
+    rate = 1.3
+    with pytest.raises(InputError, match="in compiled code"):
+        final(given)
+
+
+def test_a_record_has_room_for_eight_kinks_and_eight_parameters(monkeypatch):
+    def law(count):
+        kinks = tuple(np.linspace(-1, 1, count))
+        return gf.make_law(
+            elastic=gf.Potential(np.cosh, np.sinh, np.cosh, interval=(-3, 3), kinks=kinks)
+        )
+
+    assert compile_law(law(8)).kink_count == 8
+    with pytest.raises(InputError, match="has 9 kinks, but a chain has room for 8"):
+        compile_law(law(9))
+    monkeypatch.setattr(chain_run, "row_parameters", lambda *_: np.ones(9))
+    with pytest.raises(InputError, match=r"has 9 parameters .* room for 8"):
+        compile_law(law(0))
+
+
+@pytest.mark.timing
+@pytest.mark.parametrize("terms", [5, 10])
+def test_inner_loops_are_vector_code(terms):
+    beads, rng = 4000, np.random.default_rng(0)
+    table = make_table(ROWS_OF_PAIR, beads)
+    table[:] = rng.uniform(0.5, 1.0, table.shape)
+    u, result, weights = table[U].copy(), np.zeros_like(table[U]), rng.uniform(0, 1, LONG)
+    root = time_per_bead(lambda times: roots(u, result, times), u.size)
+    chain, _ = make_chain(gf.make_law(alpha=1.5), make_boundary(pulse({})), np.ones(3), np.ones(3))
+    assert chain.law.stage_pass != 0
+    parameters = row_parameters(gf.make_law(alpha=1.5).elastic, 1)
+    address = int(chain.law.stage_pass)
+    fused = time_per_bead(
+        lambda times: passes(address, table, terms, beads, weights, parameters, times), beads
+    )
+    summed = time_per_bead(lambda times: sums(table, terms, beads, weights, times), beads)
+    assert fused < FASTEST_SCALAR_CODE * root
+    assert summed < FASTEST_SCALAR_CODE * root
+    inside = slice(1, beads + 1)
+    slopes = table[ELASTIC_SLOPES : ELASTIC_SLOPES + terms, inside]
+    expected = table[U, inside] + 0.1 * table[D, inside] + weights[:terms] @ slopes
+    np.testing.assert_allclose(table[VALUE, inside], expected, rtol=1e-14)
+    np.testing.assert_allclose(table[FORCE, inside], expected**1.5, rtol=1e-14)

@@ -1,0 +1,290 @@
+"""Row maps: the numbers of the potentials themselves, in vector code, cached, for any function."""
+
+import math
+import os
+import subprocess
+import sys
+import time
+
+import numba
+import numpy as np
+import pytest
+from potentials import hertz, toda
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.model.kinds import KINDS
+from granular_fronts.model.passes import NEGLIGIBLE, call_row_map, row_map, row_parameters
+from granular_fronts.model.potentials import make_potential
+
+EPSILON = float(np.finfo(float).eps)
+PARAMETERS = {
+    "hertz": {"alpha": 1.5, "stiffness": 1.7},
+    "power": {"beta": 1.3, "gamma": 0.4},
+    "linear": {"gamma": 0.3},
+    "toda": {"strength": 0.7, "rate": 1.3},
+    "fpu": {"quadratic": 0.5, "cubic": -0.2, "quartic": 0.1},
+    "morse": {"depth": 2.0, "rate": 0.8},
+    "lennard_jones": {"depth": 0.5, "distance": 3.0},
+}
+FASTEST_SCALAR_CODE = 4.0
+"""Over the time of a square root by numpy; the maps take 0.2 to 3 times as long in vector code."""
+
+
+@numba.njit
+def call(address, u, result, first, last, parameters, times):
+    for _ in range(times):
+        call_row_map(address, u, result, first, last, parameters)
+
+
+def mapped(potential, order, u):
+    result = np.full(u.size, np.nan)
+    parameters = row_parameters(potential, order)
+    call(row_map(potential, order), u, result, 0, u.size - 1, parameters, 1)
+    return result
+
+
+def derivative(potential, order, r):
+    functions = (potential.value, potential.first, potential.second, potential.third)
+    return functions[order](r)
+
+
+@pytest.mark.parametrize("order", range(4))
+@pytest.mark.parametrize("kind", KINDS)
+def test_row_maps_are_the_derivatives(kind, order):
+    """The j-th derivative of V(−u) with respect to u, to a few units of the last place."""
+    potential = make_potential(kind, **PARAMETERS[kind])
+    u = np.linspace(-0.5, 2.0, 999)
+    expected = (-1.0) ** order * derivative(potential, order, -u)
+    scale = np.abs(expected).max(where=np.isfinite(expected), initial=0.0)
+    np.testing.assert_allclose(
+        mapped(potential, order, u), expected, rtol=8 * EPSILON, atol=2 * EPSILON * scale
+    )
+
+
+@pytest.mark.parametrize("alpha", [0.5, 1.0, 1.1, 1.5, 2.0, 2.5, 3.0, 7.3])
+def test_every_exponent_gives_its_power(alpha):
+    """With a special form or without; a gap gives nothing, nor does a negligible compression."""
+    u = np.concatenate([[-1.0, 0.0, 0.5 * NEGLIGIBLE], np.geomspace(1e-12, 1e3, 200)])
+    force = mapped(hertz(alpha, 0.3), 1, u)
+    np.testing.assert_allclose(force[3:], 0.3 * u[3:] ** alpha, rtol=4 * EPSILON)
+    np.testing.assert_array_equal(force[:3], 0.0)
+
+
+def test_only_the_contacts_asked_for_are_written():
+    u, result = np.linspace(0.0, 1.0, 9), np.full(9, np.nan)
+    law = toda()
+    call(row_map(law, 1), u, result, 2, 6, row_parameters(law, 1), 1)
+    np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
+    call(row_map(law, 1), u, result, 2, 1, row_parameters(law, 1), 1)
+    np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
+
+
+def test_lennard_jones_is_infinite_outside_its_domain():
+    potential = make_potential("lennard_jones")
+    np.testing.assert_array_equal(mapped(potential, 1, np.array([1.0, 1.5])), [np.inf, np.inf])
+
+
+def fastest(run, repeats=40):
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        run()
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+@pytest.mark.timing
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("kind", KINDS)
+def test_row_maps_are_vector_code(kind, order):
+    """Scalar code, with its calls of pow and exp, would take 10 to 50 times as long."""
+    potential = make_potential(kind, **PARAMETERS[kind])
+    u, result, repeats = np.linspace(0.1, 1.2, 4000), np.empty(4000), 50
+    arguments = row_map(potential, order), u, result, 0, u.size - 1
+    parameters = row_parameters(potential, order)
+    call(*arguments, parameters, 1)
+    mapping = fastest(lambda: call(*arguments, parameters, repeats))
+    root = fastest(lambda: [np.sqrt(u, out=result) for _ in range(repeats)])
+    assert mapping < FASTEST_SCALAR_CODE * root
+
+
+@pytest.mark.timing
+def test_scalar_code_would_be_found():
+    slow = gf.Potential(
+        lambda r: (-r) ** 2.3,
+        lambda r: -2.3 * (-r) ** 1.3,
+        lambda r: 2.99 * (-r) ** 0.3,
+        interval=(-2.0, -0.05),
+    )
+    u, result, repeats = np.linspace(0.1, 1.2, 4000), np.empty(4000), 50
+    arguments = row_map(slow, 1), u, result, 0, u.size - 1, row_parameters(slow, 1), repeats
+    root = fastest(lambda: [np.sqrt(u, out=result) for _ in range(repeats)])
+    assert fastest(lambda: call(*arguments)) > FASTEST_SCALAR_CODE * root
+
+
+COUNT_COMPILATIONS = """
+import sys
+from numba.core import ccallback
+compile_uncached, compiled = ccallback.CFunc._compile_uncached, []
+def count(self):
+    compiled.append(self)
+    return compile_uncached(self)
+ccallback.CFunc._compile_uncached = count
+from granular_fronts.model.passes import row_map
+from granular_fronts.model.potentials import make_potential
+for kind, parameters in [("hertz", {"alpha": 1.5}), ("toda", {}), ("morse", {"rate": 2.0})]:
+    for order in (1, 2):
+        row_map(make_potential(kind, **parameters), order)
+print(len(compiled))
+"""
+COUNT_STAGE_PASSES = COUNT_COMPILATIONS.replace(
+    """    for order in (1, 2):
+        row_map(make_potential(kind, **parameters), order)
+""",
+    """    stage_pass(make_potential(kind, **parameters))
+""",
+).replace(
+    "from granular_fronts.model.passes import row_map",
+    "from granular_fronts.chain.stage_passes import stage_pass",
+)
+
+
+def compilations_of_two_processes(program, folder):
+    """For each process what it compiles, and the files of the cache after it."""
+    environment, found = os.environ | {"NUMBA_CACHE_DIR": str(folder)}, []
+    for _ in range(2):
+        arguments = [sys.executable, "-c", program]
+        printed = subprocess.run(
+            arguments, env=environment, capture_output=True, text=True, check=True
+        ).stdout
+        files = {file for file in folder.rglob("*") if file.suffix in {".nbi", ".nbc"}}
+        found.append((int(printed), files))
+    return found
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("program", "count"), [(COUNT_COMPILATIONS, 5), (COUNT_STAGE_PASSES, 3)], ids=["rows", "stages"]
+)
+def test_named_kinds_are_compiled_once_for_all_processes(tmp_path, program, count):
+    (first, files), (second, later) = compilations_of_two_processes(program, tmp_path)
+    assert (first, second) == (count, 0)
+    assert later == files
+
+
+def by_expression():
+    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
+    r = sympy.Symbol("r")
+    return gf.Potential.from_expression(sympy.cosh(r) - 1, r, interval=(-3, 3))
+
+
+def by_pieces():
+    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
+    r = sympy.Symbol("r")
+    expression = sympy.Piecewise((r**4 / 4, r < 0), (0, True))
+    return gf.Potential.from_expression(expression, r, interval=(-3, 3), kinks=[0.0])
+
+
+USERS = {
+    "numpy": lambda: gf.Potential(
+        lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3, 3)
+    ),
+    "where": lambda: gf.Potential(
+        lambda r: np.where(r < 0.0, r**4 / 4.0, 0.0),
+        lambda r: np.where(r < 0.0, r**3, 0.0),
+        lambda r: np.where(r < 0.0, 3.0 * r**2, 0.0),
+        interval=(-3, 3),
+        kinks=[0.0],
+    ),
+    "expression": by_expression,
+    "pieces": by_pieces,
+}
+
+
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("case", USERS)
+def test_a_users_functions_are_compiled(case, order):
+    potential, u = USERS[case]().scaled(0.7), np.linspace(-2.0, 2.0, 101)
+    expected = (-1.0) ** order * derivative(potential, order, -u)
+    np.testing.assert_allclose(mapped(potential, order, u), expected, rtol=8 * EPSILON, atol=1e-15)
+
+
+def test_a_users_law_gives_no_number_outside_its_interval():
+    found = mapped(USERS["numpy"](), 1, np.array([-3.5, -2.5, 0.0, 2.5, 3.5]))
+    np.testing.assert_array_equal(np.isnan(found), [True, False, False, False, True])
+
+
+stiffness = 1.0
+
+
+def spring_value(r):
+    return 0.5 * stiffness * r * r
+
+
+def spring_force(r):
+    return stiffness * r
+
+
+def spring_slope(r):
+    return stiffness + 0.0 * r
+
+
+def spring():
+    return gf.Potential(spring_value, spring_force, spring_slope, interval=(-3, 3), name="a spring")
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_a_constant_that_changes_after_compilation_is_noticed(monkeypatch, order):
+    potential = spring()
+    address = row_map(potential, order)
+    assert row_map(potential.scaled(0.5), order) == address
+    monkeypatch.setattr(sys.modules[__name__], "stiffness", 1.0 + 1e-6)
+    with pytest.raises(InputError, match=r"of a spring is .* but .* in compiled code: numba freez"):
+        row_map(potential, order)
+    monkeypatch.undo()
+    assert row_map(potential, order) == address
+
+
+def test_a_constant_that_matters_between_two_kinks_alone_is_noticed():
+    depth = 1.0
+
+    def force(r):
+        return r + np.where((r > 0.0) & (r < 1e-3), depth * r * (1e-3 - r), 0.0)
+
+    def slope(r):
+        return 1.0 + np.where((r > 0.0) & (r < 1e-3), depth * (1e-3 - 2.0 * r), 0.0)
+
+    def value(r):
+        x = np.minimum(np.maximum(r, 0.0), 1e-3)
+        return 0.5 * r * r + depth * (5e-4 * x * x - x * x * x / 3.0)
+
+    potential = gf.Potential(value, force, slope, interval=(-1, 1), kinks=(0.0, 1e-3))
+    row_map(potential, 1)
+    depth = 2.0
+    with pytest.raises(InputError, match="in compiled code"):
+        row_map(potential, 1)
+
+
+def test_a_function_that_compiles_to_other_numbers_is_noticed():
+    """Integers of Python have no limit, those of compiled code have 64 bits."""
+    digits = 20
+    potential = gf.Potential(
+        np.cosh, np.sinh, lambda r: np.cosh(r) * (1e-20 * 10**digits), interval=(-1, 1)
+    )
+    assert row_map(potential, 1)
+    with pytest.raises(InputError, match=r"V'' of the potential is .* in compiled code"):
+        row_map(potential, 2)
+
+
+def test_a_function_that_numba_does_not_know_is_named():
+    potential = gf.Potential(
+        np.vectorize(lambda r: math.exp(r)),
+        np.vectorize(lambda r: math.exp(r)),
+        np.exp,
+        interval=(-1, 1),
+        name="mine",
+    )
+    with pytest.raises(InputError, match="V' of mine cannot be compiled for chains: write it of"):
+        row_map(potential, 1)
+    assert row_map(potential, 2)

@@ -1,0 +1,232 @@
+"""Output and reductions: what is located on the continuous extension, against brute force."""
+
+import numpy as np
+import pytest
+from chains import driven_scene
+
+from granular_fronts.chain.recording import collect, fitted_speed
+from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.chain.simulate import simulate_chain, solve
+from granular_fronts.errors import SolveError
+from granular_fronts.numerics.grids import regular_points
+
+FINE = 0.002
+
+
+@pytest.fixture(scope="module")
+def motion():
+    """A short chain through its first contact losses, sampled finely at every contact."""
+    beads = 24
+    record = {
+        "snapshots": [10.0, 33.0, 80.0],
+        "probes": {
+            "all": {"beads": list(range(1, beads)), "start": 0.0, "stop": 80.0, "step": FINE},
+            "few": {"beads": [7, 3], "start": 5.0, "stop": 33.0, "step": 1.0},
+        },
+        "grid": {"step": 1.0},
+        "arrival_level": 0.05,
+        "extremes": True,
+    }
+    scene = driven_scene(0.06, beads, 80.0, record=record)
+    return solve(scene, scene["tolerance"]).dataset
+
+
+def test_regular_points_end_at_a_stop_that_the_step_hits_up_to_rounding():
+    for count in range(1, 1001):
+        stop = round(0.1 * count, 1)
+        points = regular_points(0.0, stop, 0.1)
+        assert points.size == count + 1
+        assert points[-1] == stop
+        assert (np.diff(points) > 0.0).all()
+    assert regular_points(0.0, 1.0, 0.3)[-1] == 3 * 0.3
+
+
+HELD = {"kind": "pressure", "left": 0.1, "right": 0.02}
+
+
+@pytest.mark.parametrize("end", [0.7, 1.2, 12.6])
+def test_last_rows_of_grid_and_probes_are_the_state_at_the_end(end):
+    """126 steps of 0.1 end beyond 12.6, by rounding."""
+    probe = {"beads": [1, 8], "start": 0.0, "stop": end, "step": 0.1}
+    record = {"snapshots": [end], "grid": {"step": 0.1}, "probes": {"near": probe}}
+    data = simulate_chain(driven_scene(0.06, 8, end, boundary=HELD, record=record))
+    last = data["relative_displacement"].isel(t=0).values
+    np.testing.assert_allclose(data["relative_displacement_grid"][-1], last, rtol=1e-14)
+    np.testing.assert_allclose(data["relative_displacement_near"][-1], last[[0, 7]], rtol=1e-14)
+    assert last[7] == 0.02  # Held, and not the position of the last bead.
+    assert float(data["t_grid"][-1]) == float(data["t_near"][-1]) == end
+    momentum = (0.1**1.5 - 0.02**1.5) * end
+    assert float(data["total_velocity"][-1]) == pytest.approx(momentum, rel=1e-13)
+
+
+def test_a_run_that_ends_before_its_last_output_is_no_result():
+    scene = driven_scene(end_time=20.0, record={"snapshots": [10.0, 20.0]})
+    run = prepare(scene)
+    run.recording.stops[-1] = 15.0
+    integrate(run, scene["tolerance"])
+    with pytest.raises(SolveError, match="before its last output"):
+        collect(scene, run)
+
+
+TODA = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}
+
+
+def free(law, u, velocity, end, relative=1e-9):
+    """A chain with free ends, its extremes recorded."""
+    return {
+        "law": law,
+        "beads": len(velocity),
+        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
+        "start": {"kind": "given", "relative_displacement": u, "velocity": velocity},
+        "end_time": end,
+        "tolerance": {"relative": relative, "absolute": 1e-2 * relative},
+        "record": {"snapshots": [], "extremes": True},
+    }
+
+
+@pytest.mark.parametrize("relative", [1e-5, 1e-9, 1e-14])
+def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relative):
+    """Contact 2 opens at 0.179797, contact 1 at 0.197058, neither at a kink."""
+    data = simulate_chain(free(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative))
+    assert data["first_gap_bead"] == 2
+    assert float(data["first_gap_time"]) == pytest.approx(0.1797965101523, rel=10.0 * relative)
+
+
+def test_contacts_that_just_touch_and_are_pulled_apart_open_at_the_start():
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 1.0}
+    data = simulate_chain(free(law, [0.0, 0.0, 0.5], [-1.0, 0.0, 0.0, 0.0], 5.0))
+    assert (data["first_gap_time"], data["first_gap_bead"]) == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_extremes_count_from_the_start_on(sign):
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+    data = simulate_chain(free(law, [1.0], [-1000.0 * sign, 1000.0 * sign], 1e-3))
+    name = {1.0: "largest", -1.0: "smallest"}[sign]
+    assert data[f"{name}_relative_displacement"] == 1.0
+    assert data[f"{name}_relative_displacement_time"] == 0.0
+
+
+def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():
+    """An undamped contact oscillates for ever: any of its maxima may be the largest."""
+    data = simulate_chain(free(TODA, [0.0], [0.5, -0.5], 20.0))
+    period = 2.0 * np.pi / np.sqrt(2.0)
+    assert data["largest_relative_displacement_time"].attrs["error_estimate"] > period
+    assert data["largest_relative_displacement"].attrs["error_estimate"] < 1e-6
+
+
+@pytest.mark.parametrize("relative", [1e-2, 1e-4, 1e-6, 1e-9])
+def test_errors_of_early_and_short_motions_are_stated(relative):
+    """Where steps grow as fast as they may the tolerance has no say in them."""
+    record = {"snapshots": [0.5, 1.04], "grid": {"step": 0.26}, "arrival_level": 0.01}
+    scene = driven_scene(0.06, 8, 1.04, delta=0.5, record=record | {"extremes": True})
+    exact = simulate_chain(scene | {"tolerance": {"relative": 1e-14, "absolute": 1e-17}})
+    coarse = {"relative": relative, "absolute": 1e-2 * relative}
+    for name, variable in simulate_chain(scene | {"tolerance": coarse}).items():
+        error = float(np.abs(variable - exact[name]).max())
+        rounding = 4.0 * np.spacing(float(np.abs(variable).max()))
+        if np.isfinite(error):
+            # Rounding adds up over the many steps of the exact motion, which says so.
+            of_exact = min(exact[name].attrs["error_estimate"], 1e-15)
+            assert error <= 2.0 * variable.attrs["error_estimate"] + rounding + of_exact
+        if error > 1e-15:
+            assert variable.attrs["error_estimate"] <= 20.0 * error
+
+
+def test_probes_meet_snapshots_and_grid(motion):
+    fine = motion["relative_displacement_all"]
+    for t in motion["t"].values:
+        row = fine.sel(t_all=t, method="nearest").values
+        np.testing.assert_allclose(
+            row, motion["relative_displacement"].sel(t=t)[:-1], rtol=0, atol=1e-12
+        )
+    grid = motion["relative_displacement_grid"].isel(bead=slice(None, -1))
+    np.testing.assert_allclose(fine[:: round(1.0 / FINE)], grid, rtol=0, atol=1e-13)
+
+
+def test_probe_beads_keep_their_order(motion):
+    few = motion["relative_displacement_few"]
+    assert few["bead_few"].values.tolist() == [7, 3]
+    fine = motion["relative_displacement_all"]
+    for bead in (7, 3):
+        expected = fine.sel(bead_all=bead).sel(t_all=few["t_few"], method="nearest")
+        np.testing.assert_allclose(few.sel(bead_few=bead), expected, rtol=0, atol=1e-12)
+
+
+def test_velocities_are_rates_of_relative_displacements(motion):
+    """u̇_n = ẋ_n − ẋ_{n+1}, by central differences of the fine samples."""
+    fine = motion["relative_displacement_all"].values
+    rate = (fine[2:] - fine[:-2]) / (2.0 * FINE)
+    velocity = motion["velocity_grid"].values
+    rows = np.arange(1, 80) * round(1.0 / FINE) - 1
+    np.testing.assert_allclose(rate[rows], -np.diff(velocity[1:80], axis=1), rtol=0, atol=1e-6)
+
+
+def test_arrivals_are_level_crossings(motion):
+    fine, times = motion["relative_displacement_all"], motion["t_all"].values
+    for bead in range(1, 24):
+        u = fine.sel(bead_all=bead).values
+        first = np.argmax(u >= 0.05)
+        crossing = np.interp(0.05, u[first - 1 : first + 1], times[first - 1 : first + 1])
+        assert float(motion["arrival_time"].sel(bead=bead)) == pytest.approx(crossing, abs=1e-6)
+
+
+def test_extremes_bound_all_samples_and_are_nearly_met(motion):
+    fine = motion["relative_displacement_all"].values
+    largest = float(motion["largest_relative_displacement"])
+    smallest = float(motion["smallest_relative_displacement"])
+    assert fine.max() <= largest < fine.max() + 1e-6
+    assert smallest <= fine.min() < smallest + 1e-3 * abs(smallest)
+    row, column = np.unravel_index(fine.argmax(), fine.shape)
+    assert float(motion["largest_relative_displacement_bead"]) == column + 1
+    time = float(motion["largest_relative_displacement_time"])
+    assert time == pytest.approx(motion["t_all"].values[row], abs=FINE)
+
+
+def test_first_peak_is_the_first_maximum(motion):
+    fine = motion["relative_displacement_all"]
+    for bead in (1, 5, 12):
+        u = fine.sel(bead_all=bead).values
+        peaks = (u[1:-1] > u[:-2]) & (u[1:-1] >= u[2:]) & (u[1:-1] > 0.05)
+        first = np.argmax(peaks) + 1
+        assert float(motion["first_peak"].sel(bead=bead)) == pytest.approx(u[first], abs=1e-6)
+        time = float(motion["first_peak_time"].sel(bead=bead))
+        assert time == pytest.approx(motion["t_all"].values[first], abs=2 * FINE)
+
+
+def test_first_gap_is_the_first_change_of_sign(motion):
+    fine, times = motion["relative_displacement_all"].values, motion["t_all"].values
+    # Ahead of the wave the interpolated samples are rounding of either sign.
+    opens = (fine[:-1] > 1e-12) & (fine[1:] < -1e-12)
+    row, column = np.argwhere(opens)[0]
+    u = fine[row : row + 2, column]
+    crossing = times[row] + FINE * u[0] / (u[0] - u[1])
+    assert float(motion["first_gap_time"]) == pytest.approx(crossing, abs=1e-6)
+    assert float(motion["first_gap_bead"]) == column + 1
+
+
+def test_reductions_of_the_grid(motion):
+    u = motion["relative_displacement_grid"].isel(bead=slice(None, -1))
+    np.testing.assert_allclose(
+        motion["mean_relative_displacement"], u.sum("bead") / 24, rtol=0, atol=1e-16
+    )
+    exact = 0.1**1.5 * motion["t_grid"]
+    np.testing.assert_allclose(motion["total_velocity"], exact, rtol=1e-13, atol=1e-13)
+
+
+def test_front_speed_is_the_slope_of_the_arrivals(motion):
+    arrival = motion["arrival_time"].sel(bead=slice(12, 20)).values
+    assert float(motion["front_speed"]) == pytest.approx(1.0 / np.diff(arrival).mean(), rel=0.02)
+
+
+def test_nothing_is_recorded_that_was_not_asked_for():
+    scene = driven_scene(end_time=20.0)
+    dataset = solve(scene, scene["tolerance"]).dataset
+    assert set(dataset.data_vars) == {"relative_displacement", "velocity"}
+
+
+def test_speed_is_the_slope_of_the_middle_and_none_without_a_slope():
+    bead = np.arange(100.0)
+    assert fitted_speed(bead / 0.7) == pytest.approx(0.7, rel=1e-14)
+    assert np.isnan(fitted_speed(np.abs(bead - 69.5)))  # Two waves meet in the middle.
+    assert np.isnan(fitted_speed(np.where(bead == 60, 1.0, np.nan)))

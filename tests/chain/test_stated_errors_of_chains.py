@@ -1,0 +1,72 @@
+"""Stated errors of random chains against true ones, and the reference that gives the latter."""
+
+import numpy as np
+import pytest
+
+from granular_fronts.studies.hard_cases.extended import PI, REAL, Motion
+from truth import chains, hold
+
+
+def scene(law, u, velocity, end):
+    """A chain with free ends and a given start."""
+    start = {"kind": "given", "relative_displacement": u, "velocity": velocity}
+    boundary = {"kind": "pressure", "left": 0.0, "right": 0.0}
+    return {
+        "law": law,
+        "beads": len(velocity),
+        "boundary": boundary,
+        "start": start,
+        "end_time": end,
+    }
+
+
+def test_reference_exchanges_the_velocities_of_elastic_beads():
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+    _, velocity = Motion(scene(law, [-1.0], [1.0, 0.0], 20.0)).states([20.0])
+    assert np.abs(velocity - [0.0, 1.0]).max() < 1e-17
+
+
+def test_reference_of_a_damped_linear_contact_is_the_closed_form():
+    """Where it is closed, ü = −2 (u + γ u̇): it touches at t = 1 and opens half a period later."""
+    gamma = REAL(0.3)
+    law = {"alpha": 1.0, "beta": 1.0, "gamma": float(gamma)}
+    gamma = REAL(law["gamma"])
+    motion = Motion(scene(law, [-1.0], [1.0, 0.0], 8.0))
+    frequency = np.sqrt(2 - gamma**2)
+    touches, opens = motion.passages(0.0).time
+    assert abs(touches - 1) < 1e-17
+    assert abs(opens - 1 - PI / frequency) < 1e-17
+    _, velocity = motion.states([8.0])
+    assert abs(velocity[0] @ [1, -1] + np.exp(-gamma * PI / frequency)) < 1e-17
+    top = motion.passages()
+    later = np.arctan(frequency / gamma) / frequency
+    highest = np.exp(-gamma * later) * np.sin(frequency * later) / frequency
+    assert abs(top.u[0] - highest) < 1e-17
+    assert abs(top.time[0] - 1 - later) < 1e-16
+
+
+def test_reference_carries_the_soliton_of_toda():
+    n, kappa, end = np.arange(1, 31), REAL(2), 1.5
+    law = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"kind": "none"}}
+
+    def soliton(t):
+        phase = 2 * (kappa * (np.append(0, n) - 13) - np.sinh(kappa) * t)
+        share = 1 / (1 + np.exp(-phase))
+        heights = np.log1p((np.sinh(kappa) / np.cosh(phase[1:] / 2)) ** 2)
+        return heights[:-1], 2 * np.sinh(kappa) * np.diff(share)
+
+    start = soliton(REAL(0))
+    motion = Motion(scene(law, *start, end))
+    for found, exact in zip(motion.states([end]), soliton(REAL(end)), strict=True):
+        assert np.abs(found[0] - exact).max() < 1e-16
+
+
+def test_a_few_chains_state_honest_errors():
+    found = list(chains.cases(4, 6))
+    assert hold(found, 0.98)
+    assert not hold([(name, stated / 30.0, *rest) for name, stated, *rest in found], 0.98)
+
+
+@pytest.mark.slow
+def test_many_chains_state_honest_errors():
+    assert hold(chains.cases(2, 150), 0.995)

@@ -1,0 +1,208 @@
+"""The logarithmic Burgers equation in time: orders, balances, both solvers, and what is refused."""
+
+import functools
+
+import numpy as np
+import pytest
+from rings import at_end, coarsen, scene_with, slope_and_residual
+
+import granular_fronts as gf
+from granular_fronts.continuum.evolution import evolve_unlimited
+from granular_fronts.continuum.log_burgers.equation import log_burgers_front
+from granular_fronts.continuum.log_burgers.solution import START_LEVELS, solve
+from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.errors import InputError, SolveError
+from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.reference_methods import upwind
+
+
+@functools.cache
+def fine_ring(name, cells=4096):
+    """Cell averages at the end of a paper scene, which tests of coarser grids share."""
+    return at_end(scene_with(name), 1.0, cells, 1e-10)
+
+
+@pytest.mark.parametrize("name", ["weak", "hertz"])
+@pytest.mark.parametrize("floor", [1.0e-7, 1.0e-300, 0.0])
+def test_mean_is_kept_to_rounding_and_the_floor_holds(name, floor):
+    solution = solve(scene_with(name, start__floor=floor), 1.0, [45.0, 90.0], 512, 1.0e-5)
+    assert solution.mean_drift < 2.0e-15
+    assert min(row.min() for row in solution.averages) >= floor
+    assert max(row.max() for row in solution.averages) <= 1.0 + 1.0e-6
+
+
+def test_floor_of_zero_is_the_limit_of_small_floors():
+    ends = [
+        at_end(scene_with("hertz", start__floor=floor), 1.0, 512, 1e-6) for floor in (0.0, 1e-300)
+    ]
+    np.testing.assert_allclose(*ends, atol=1e-12)
+
+
+def test_order_away_from_kinks():
+    """From a smooth positive start the spatial order is six."""
+    half_beads = 10
+    x = np.pi * np.linspace(-1.0, 1.0, 65)
+    start = {"kind": "given", "rescaled_force": 1.0 + 0.5 * np.sin(x)}
+    start["rescaled_force"][-1] = start["rescaled_force"][0]
+    scene = scene_with(start=start, half_beads=half_beads, end_time=60.0)
+    reference = at_end(scene, 1.0, 768, 1e-12)
+    cells = [32, 48, 64, 96]
+    errors = [np.abs(at_end(scene, 1.0, n, 1e-12) - coarsen(reference, n)).max() for n in cells]
+    order, scatter = slope_and_residual(cells, errors)
+    assert order == pytest.approx(6.0, abs=0.3)
+    assert scatter < 0.05
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "cells"), [("weak", [256, 512, 1024]), ("hertz", [512, 1024])])
+def test_order_with_kinks_is_six_as_well(name, cells):
+    """The finer cells at the start leave nothing of the kinks of (49)."""
+    scene, reference = scene_with(name), fine_ring(name)
+    errors = [np.abs(at_end(scene, 1.0, n, 1e-9) - coarsen(reference, n)).max() for n in cells]
+    assert slope_and_residual(cells, errors)[0] == pytest.approx(5.8, abs=0.3)
+
+
+def test_steps_are_of_fourth_order():
+    """The error estimate goes like h⁴, so that the error is proportional to the tolerance."""
+    scene = scene_with("hertz")
+    reference = at_end(scene, 1.0, 512, 1e-12)
+    tolerances = np.array([1e-6, 1e-7, 1e-8])
+    errors = [np.abs(at_end(scene, 1.0, 512, t) - reference).max() for t in tolerances]
+    power, scatter = slope_and_residual(1.0 / tolerances, errors)
+    assert power == pytest.approx(1.0, abs=0.15)
+    assert scatter < 0.1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "error", "cells", "tolerance"),
+    [
+        ("weak", 1.0e-5, 256, 2e-6),
+        ("hertz", 1.0e-5, 640, 1e-5),
+        ("weak", 1.0e-8, 1024, 1e-7),
+        ("hertz", 1.0e-8, 2048, 1e-7),
+    ],
+)
+def test_accuracy_asked_for_is_reached(name, error, cells, tolerance):
+    reference = fine_ring(name, 2560 if cells == 640 else 4096)
+    found = at_end(scene_with(name), 1.0, cells, tolerance)
+    assert np.abs(found - coarsen(reference, cells)).max() < error
+
+
+def test_upwind_is_of_first_order_and_tends_to_the_finite_volumes():
+    scene = scene_with(end_time=20.0)
+    scaling, half_length = scaling_of(scene), scaling_of(scene).half_length(80)
+    accurate = solve(scene, 1.0, [20.0], 1024, 1e-7)
+    points, runs = [500, 1000, 2000], {}
+    for n in points:
+        values = make_start(scene["start"]).values(upwind.grid(half_length, n), half_length)
+        runs[n] = upwind.evolve_upwind(values, half_length, scaling.slow_rate * 20.0)
+    exact = accurate.rescaled_force(0, runs[500].xi)
+    errors = [np.abs(runs[n].values[:: n // 500] - exact).max() for n in points]
+    order, _ = slope_and_residual(points, errors)
+    assert order == pytest.approx(1.0, abs=0.2)
+    extrapolated = 2.0 * runs[2000].values[::4] - runs[1000].values[::2]
+    assert np.abs(extrapolated - exact).max() < 0.2 * errors[-1]
+
+
+def test_stationary_front_of_the_limit_stays_where_it_is():
+    """A wide plateau ends in the front; in the moving frame the front recedes by τ exactly."""
+    scene = scene_with("hertz", end_time=15.0)
+    scaling, half_length = scaling_of(scene), scaling_of(scene).half_length(80)
+    xi = half_length * np.linspace(-1.0, 1.0, 1025)
+    rise = 1.0 / (1.0 + np.exp(-1.5 * (xi + 40.0)))
+    force = np.maximum(log_burgers_front(xi - 20.0) * rise, 1e-12)
+    force[-1] = force[0]
+    scene = scene_with("hertz", start={"kind": "given", "rescaled_force": force}, end_time=15.0)
+    solution = solve(scene, 1.0, [15.0], 2048, 1e-9)
+    near = np.linspace(13.0, 25.0, 200)
+    found = solution.rescaled_force(0, near - scaling.slow_rate * 15.0)
+    np.testing.assert_allclose(found, log_burgers_front(near - 20.0), atol=2.0e-7)
+
+
+def test_unlimited_equation_tends_to_its_limit():
+    scene = scene_with(law__alpha=1.0001, law__gamma=0.00024 * 1.1, end_time=5.0e4)
+    ends = [at_end(scene, alpha, 512, 1e-7) for alpha in (1.0, 1.0001)]
+    np.testing.assert_allclose(*ends, atol=3.0e-4)
+
+
+@pytest.mark.slow
+def test_equation_40_is_solved_through_its_steep_start():
+    """At α = 3/2 the start meets its floor with infinite slope, and diffusion hardly smooths it."""
+    scene = scene_with("hertz", record__snapshots=[0.5, 3.33])
+    scene["equations"]["unlimited"] = {"cells": 512, "tolerance": 1.0e-6}
+    force = evolve_unlimited(scene)["rescaled_force"]
+    assert force.attrs["error_estimate"] < 5.0e-5
+    fine = solve(scene, 1.5, [0.5, 3.33], 1536, 1.0e-7, levels=START_LEVELS, smooth_cells=8.0)
+    exact = np.array([fine.rescaled_force(row, force["xi"].values) for row in range(2)])
+    assert np.abs(force.values - exact).max() < 2.0 * force.attrs["error_estimate"]
+
+
+def test_datasets_state_an_error_that_holds():
+    scene = scene_with(record__snapshots=[0, 26.78, 89.95])
+    dataset = gf.evolve_log_burgers(scene)
+    assert dataset["rescaled_force"].dims == ("t", "xi")
+    times = np.asarray(scene["record"]["snapshots"])
+    fine = solve(scene, 1.0, times, 4096, 1e-9)
+    exact = np.array([fine.rescaled_force(row, dataset["xi"]) for row in range(3)])
+    error = np.abs(dataset["rescaled_force"].values - exact).max()
+    estimate = dataset["rescaled_force"].attrs["error_estimate"]
+    assert error <= 2.0 * estimate
+    assert estimate < 1.0e-3
+    unlimited = evolve_unlimited(scene)
+    assert 1e-3 < np.abs(unlimited - dataset)["rescaled_force"].max() < 0.2
+
+
+# What is refused.
+
+
+REFUSED = [
+    ({"law__alpha": 1}, ["law.alpha is 1", "above 1"]),
+    ({"law__gamma": 0}, ["law.gamma is 0", "above 0"]),
+    ({"start__floor": 1.5}, ["start.floor is 1.5", "limit 1"]),
+    ({"start__half_width": 27.5}, ["half_width is 27.5", "27.7853"]),
+    ({"start": {"kind": "given", "rescaled_force": [0.0, -0.1, 0.0]}}, ["-0.1"]),
+    ({"start": {"kind": "given", "rescaled_force": [0.0, 1.0, 0.5]}}, ["ends with 0.5"]),
+    ({"equations__logarithmic__cells": 64}, ["logarithmic.cells is 64", "112"]),
+    ({"equations__dispersive__cells": 64}, ["dispersive.cells is 64", "112"]),
+    ({"equations__upwind__points": 64}, ["upwind.points is 64", "112"]),
+    ({"equations__unlimited__tolerance": 1e-16}, ["tolerance is 1e-16", "1e-13"]),
+    ({"record__snapshots": [90.5]}, ["record.snapshots (entry 1) is 90.5", "end_time 90"]),
+    ({"record__grid__step": 91}, ["record.grid.step is 91", "end_time 90"]),
+]
+
+
+@pytest.mark.parametrize("evolve", [gf.evolve_log_burgers, gf.evolve_log_kdv_burgers])
+@pytest.mark.parametrize(("changes", "words"), REFUSED, ids=[str(c)[:50] for c, _ in REFUSED])
+def test_impossible_scene_is_refused_in_a_sentence(evolve, changes, words):
+    with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
+        evolve(scene_with(**changes), "mine")
+    for word in words:
+        assert word in str(caught.value)
+
+
+def test_start_that_rings_below_zero_is_refused():
+    """Point values of a step make a trigonometric polynomial that undershoots."""
+    step = [0.0] * 20 + [1.0] * 25 + [0.0] * 20
+    scene = scene_with(start={"kind": "given", "rescaled_force": step})
+    with pytest.raises(SolveError, match=r"smallest cell average of the start is -.*smoother"):
+        gf.evolve_log_burgers(scene)
+
+
+@pytest.mark.parametrize("evolve", [gf.evolve_log_burgers, gf.evolve_log_kdv_burgers])
+def test_step_size_collapse_is_reported(evolve):
+    """A start of 1e100 cannot be followed with an absolute error of 1e-6."""
+    force = [1.0e100, 2.0e100] * 32 + [1.0e100]
+    scene = scene_with(start={"kind": "given", "rescaled_force": force})
+    with pytest.raises(SolveError, match="step size collapsed"):
+        evolve(scene)
+
+
+def test_explicit_step_that_would_blow_up_is_refused():
+    values = np.full(1000, 1.0e-7)
+    limit = upwind.largest_step(0.02, abs(np.log(1.0e-7)))
+    upwind.evolve_upwind(values, 10.0, 2 * limit, step=limit)
+    with pytest.raises(ValueError, match="would blow up: take a step below the limit"):
+        upwind.evolve_upwind(values, 10.0, 1.0, step=1.01 * limit)
+    with pytest.raises(ValueError, match="give positive values"):
+        upwind.evolve_upwind(np.zeros(1000), 10.0, 1.0)

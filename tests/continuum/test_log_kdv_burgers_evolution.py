@@ -1,0 +1,302 @@
+"""The logarithmic KdV–Burgers equation in time: solutions, balances, orders, methods."""
+
+import numpy as np
+import pytest
+from log_kdv_reference import evolve_differences
+from rings import SCENES, scene_with, slope_and_residual
+from scipy import fft
+from waves_on_rings import moved, points_of, smooth_wave
+
+import granular_fronts as gf
+from granular_fronts.continuum.log_burgers import solution as log_burgers
+from granular_fronts.continuum.log_burgers.starts import Given, Plateau
+from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
+from granular_fronts.continuum.log_kdv_burgers.exponential_steps import Motion, phi_functions
+from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
+    Equation,
+    flux_amplitudes,
+    linear_rates,
+    start_amplitudes,
+    values_at,
+    values_on_points,
+    wave_numbers,
+)
+from granular_fronts.continuum.log_kdv_burgers.solution import follow, solve
+from granular_fronts.model.amplitude_scaling import gamma_for, make_slow_scales, scaling_of
+from granular_fronts.studies.ring_against_equations import (
+    bead_numbers,
+    make_chain_scene,
+    start_positions,
+)
+
+CIRCLE = np.exp(2j * np.pi * (np.arange(64) + 0.5) / 64)
+
+
+# Parts.
+
+
+def test_phi_functions_are_the_means_over_circles():
+    z = -np.concatenate([[0.0], np.geomspace(1e-6, 30.0, 60)]) * np.exp(0.4j)
+    w = z[:, None] + CIRCLE
+    exponential = np.exp(w)
+    first = (exponential - 1.0) / w
+    second = (first - 1.0) / w
+    third = (second - 0.5) / w
+    for found, values in zip(phi_functions(z), (exponential, first, second, third), strict=True):
+        np.testing.assert_allclose(found, values.mean(axis=1), rtol=2e-13, atol=1e-15)
+
+
+def test_rates_are_those_of_the_equation():
+    """ŷ' of a smooth wave is −∂(y ln y) − D∂³y + ν∂²y."""
+    half_length, nu, d = 5.0, 0.7, 0.3
+    x = points_of(half_length, 64)
+    k = np.pi / half_length
+    y = 2.0 + np.sin(k * x)
+    first, second, third = k * np.cos(k * x), -(k**2) * np.sin(k * x), -(k**3) * np.cos(k * x)
+    equation = Equation(half_length, nu, d, 1e-16)
+    kappa = wave_numbers(equation, 64)
+    amplitudes = fft.rfft(y, norm="forward")
+    rates = linear_rates(equation, kappa) * amplitudes
+    rates += -1j * kappa * flux_amplitudes(equation, amplitudes, 64)
+    exact = -(np.log(y) + 1.0) * first - d * third + nu * second
+    np.testing.assert_allclose(values_on_points(rates, 64), exact, atol=1e-13)
+
+
+def test_values_between_points_are_the_sum_of_waves():
+    x, half_length = points_of(4.0, 50), 4.0
+    amplitudes = fft.rfft(np.exp(np.sin(np.pi * x / half_length)), norm="forward")
+    anywhere = np.linspace(-9.0, 9.0, 77)
+    exact = np.exp(np.sin(np.pi * anywhere / half_length))
+    np.testing.assert_allclose(values_at(amplitudes, half_length, anywhere), exact, atol=1e-14)
+
+
+def test_amplitudes_of_the_plateau_are_of_third_order():
+    start, half_length, points = Plateau(3.0, 1e-3), 7.0, np.array([32, 64, 128, 256])
+    exact = start_amplitudes(start, half_length, 2**15)[:17]
+    values = start.values(points_of(half_length, 2**18), half_length)
+    np.testing.assert_allclose(exact, fft.rfft(values, norm="forward")[:17], atol=2e-7)
+    errors = [np.abs(start_amplitudes(start, half_length, n)[:17] - exact).max() for n in points]
+    # How a kink lies in its cell moves the errors about the slope.
+    assert slope_and_residual(points, errors)[0] == pytest.approx(3.2, abs=0.4)
+
+
+def test_scales_of_sections_4_and_5_agree():
+    """s = μξ and τ₅ = μτ, so that the dispersion in ξ and τ is μ⁻²."""
+    for alpha, gamma, delta in ((1.1, 0.24, 5.0), (1.01, 0.02, 0.3)):
+        scales = make_slow_scales(alpha, gamma, delta)
+        amplitude = amplitude_of_chain(alpha, gamma, delta)
+        assert scales.dispersion == pytest.approx(amplitude.mu**-2, rel=1e-13)
+        assert amplitude.s_per_bead == pytest.approx(amplitude.mu * scales.epsilon, rel=1e-13)
+        assert amplitude.tau_per_time == pytest.approx(amplitude.mu * scales.slow_rate, rel=1e-13)
+
+
+# Balances.
+
+
+def test_mean_is_kept_exactly():
+    solution = solve(scene_with("hertz", law__gamma=0.1), [10.0, 45.0, 90.0], 512, 1e-5)
+    assert solution.mean_drift == 0.0
+
+
+@pytest.mark.parametrize("dispersion", [0.1, 1.0])
+def test_decay_of_the_square_is_the_dissipation(dispersion):
+    half_length, end, tolerance = 10.0, 3.0, 1e-9
+    equation = Equation(half_length, 1.0, dispersion, tolerance)
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    times = np.concatenate([[0.0, end], 0.5 * end * (nodes + 1.0)])
+    kept, _ = follow(equation, smooth_wave(half_length), times, 128, tolerance)
+    kappa = np.pi * np.arange(65) / half_length
+    squares = [2.0 * half_length * (abs(a[0]) ** 2 + 2.0 * np.sum(abs(a[1:]) ** 2)) for a in kept]
+    losses = [4.0 * half_length * np.sum((kappa[: a.size] * abs(a[:65])) ** 2) for a in kept[2:]]
+    decay = 0.5 * (squares[0] - squares[1])
+    assert decay == pytest.approx(0.5 * end * weights @ losses, abs=1e-7)
+    assert decay > 0.5
+
+
+# Orders.
+
+
+def test_steps_are_of_fourth_order():
+    start = fft.rfft(smooth_wave(10.0).values(points_of(10.0, 64), 10.0), norm="forward")
+    counts, ends = np.array([10, 20, 40, 80, 640]), []
+    for steps in counts:
+        motion = Motion(Equation(10.0, 1.0, 1.0, 1e-13), start, 64, 1.0)
+        for _ in range(steps):
+            motion.set_amplitudes(motion.stages(2.0 / steps)[0], 64)
+        ends.append(motion.amplitudes)
+    errors = [np.abs(values_on_points(end - ends[-1], 64)).max() for end in ends[:-1]]
+    order, scatter = slope_and_residual(counts[:-1], errors)
+    assert order == pytest.approx(4.0, abs=0.1)
+    assert scatter < 0.05
+
+
+def test_error_is_in_proportion_to_the_tolerance():
+    start = smooth_wave(10.0).values(points_of(10.0, 64), 10.0)
+    tolerances = np.array([1e-7, 1e-8, 1e-9, 1e-10, 1e-12])
+    ends = [moved(start, 10.0, tolerance, 5.0).amplitudes for tolerance in tolerances]
+    errors = [np.abs(values_on_points(end - ends[-1], 64)).max() for end in ends[:-1]]
+    assert slope_and_residual(1.0 / tolerances[:-1], errors)[0] == pytest.approx(1.0, abs=0.15)
+    assert (errors < tolerances[:-1]).all()
+
+
+def test_space_is_exact_to_all_orders_where_y_is_positive():
+    """The logarithm of the error falls in proportion to the number of points."""
+    half_length, points, ends = 10.0, np.array([12, 16, 20, 24, 28, 32]), []
+    for n in (*points, 128):
+        equation = Equation(half_length, 1.0, 0.5, 1e-13)
+        amplitudes = np.zeros(n // 2 + 1, complex)
+        amplitudes[:3] = start_amplitudes(smooth_wave(half_length), half_length, 128)[:3]
+        motion = Motion(equation, amplitudes, n, 1e-12)
+        motion.advance(2.0)
+        ends.append(values_at(motion.amplitudes, half_length, points_of(half_length, 100)))
+    logarithms = np.log([np.abs(end - ends[-1]).max() for end in ends[:-1]])
+    line = np.polynomial.Polynomial.fit(points, logarithms, 1).convert()
+    assert line.coef[1] < -0.5
+    assert np.abs(line(points) - logarithms).max() < 0.8
+
+
+def test_kinks_of_the_plateau_leave_nothing_where_y_is_positive():
+    """With finer points at the start the rest of a kink is below the error of the steps."""
+    equation, start, x = Equation(27.78, 1.0, 0.0, 1e-9), Plateau(10.0, 1e-7), points_of(27.78, 500)
+
+    def end(cells, levels):
+        return values_at(follow(equation, start, [3.0], cells, 1e-8, levels)[0][0], 27.78, x)
+
+    exact = end(1024, 2)
+    assert np.abs(end(256, 0) - exact).max() > 1e-7
+    assert np.abs(end(256, 2) - exact).max() < 3e-8
+
+
+def test_order_is_at_least_two_where_y_changes_sign():
+    equation, start, ends = Equation(27.78, 1.0, 1.0, 1e-9), Plateau(10.0, 1e-7), []
+    x, points = points_of(27.78, 500), np.array([192, 256, 384, 512, 1536])
+    for n in points:
+        ends.append(values_at(follow(equation, start, [2.0], n, 1e-7)[0][0], 27.78, x))
+    assert ends[-1].min() < -0.01
+    errors = [np.abs(end - ends[-1]).max() for end in ends[:-1]]
+    order, scatter = slope_and_residual(points[:-1], errors)
+    assert order == pytest.approx(2.4, abs=0.4)
+    assert scatter < 0.1
+
+
+# Other methods.
+
+
+def test_without_dispersion_it_is_the_logarithmic_burgers_equation():
+    """The same ring by sixth-order finite volumes."""
+    scene = scene_with("hertz", end_time=30.0)
+    scaling = scaling_of(scene)
+    half_length = scaling.half_length(scene["half_beads"])
+    start = Plateau(10.0, 1e-7)
+    slow_time = scaling.slow_rate * 30.0
+    kept, _ = follow(Equation(half_length, 1.0, 0.0, 1e-9), start, [slow_time], 512, 1e-7)
+    accurate = log_burgers.solve(scene, 1.0, [30.0], 1536, 1e-8)
+    x = points_of(half_length, 999)
+    found = values_at(kept[0], half_length, x)
+    np.testing.assert_allclose(found, accurate.rescaled_force(0, x - slow_time), atol=2e-7)
+
+
+def test_central_differences_and_implicit_steps_agree_on_a_positive_wave():
+    half_length, n = 10.0, 160
+    x = points_of(half_length, n)
+    start = smooth_wave(half_length).values(x, half_length)
+    motion = moved(start, half_length, 1e-9, 4.0, dispersion=0.8)
+    other = evolve_differences(start, half_length, 0.8, 4.0)
+    np.testing.assert_allclose(values_on_points(motion.amplitudes, n), other, atol=2e-7)
+    assert np.abs(other - start).max() > 0.3
+
+
+def test_central_differences_and_implicit_steps_agree_through_changes_of_sign():
+    """From the wave that dispersion has made of the plateau, which pulls behind it."""
+    half_length, dispersion, n = 20.0, 2.0, 640
+    equation = Equation(half_length, 1.0, dispersion, 1e-8)
+    kept, _ = follow(equation, Plateau(5.0, 1e-7), [0.3], n, 1e-7)
+    start = values_on_points(kept[0], n)
+    assert start.min() < -0.05
+    motion = moved(start, half_length, 1e-8, 2.0, dispersion=dispersion)
+    other = evolve_differences(start, half_length, dispersion, 2.0, 1e-7)
+    np.testing.assert_allclose(values_on_points(motion.amplitudes, n), other, atol=2e-5)
+
+
+# The chain.
+
+
+def bump_on_ring(alpha, mu):
+    """A smooth bump on a ring of length 20 in ξ, up to τ = 1, with c = 1."""
+    scales = make_slow_scales(alpha, gamma_for(alpha, 1.0, mu=mu), 1.0)
+    half_beads, end = round(10.0 / scales.epsilon + 0.5), 1.0 / scales.slow_rate
+    force = 0.35 + 0.65 * np.exp(-((np.linspace(-4.0, 4.0, 129)) ** 2))
+    return {
+        "law": {"alpha": alpha, "gamma": scales.gamma},
+        "displacement": 1.0,
+        "half_beads": half_beads,
+        "start": {"kind": "given", "rescaled_force": tuple(force)},
+        "end_time": end,
+        "tolerance": {"relative": 1e-9, "absolute": 1e-11},
+        "record": {"snapshots": [end], "grid": {"step": end}},
+    }
+
+
+def errors_of_equations(alpha, mu):
+    """Largest distance of the chain's y to that of (55), and to that of (41)."""
+    scene = bump_on_ring(alpha, mu)
+    scales, end = scaling_of(scene), scene["end_time"]
+    xi = start_positions(scene, bead_numbers(scene))
+    half_length = scales.half_length(scene["half_beads"])
+    start, h = Given(scene["start"]["rescaled_force"]), 1e-5
+    slope = (start.values(xi + h, half_length) - start.values(xi - h, half_length)) / (2.0 * h)
+    chain = make_chain_scene(scene)
+    y = start.values(xi, half_length)
+    chain["start"]["velocity"] = scales.corrected_velocity(y, slope, y * np.log(y))
+    found = gf.simulate_chain(chain)["relative_displacement"].values[0] ** alpha
+    moved_xi = xi - scales.epsilon * scales.frame_speed * end
+    solutions = solve(scene, [end], 256, 1e-6), log_burgers.solve(scene, 1.0, [end], 512, 1e-5)
+    return [np.abs(found - solution.rescaled_force(0, moved_xi)).max() for solution in solutions]
+
+
+@pytest.mark.parametrize("mu", [0.5, 2.0])
+def test_chain_tends_to_the_equation_as_alpha_tends_to_1(mu):
+    """At fixed μ the error is of first order in α − 1, and that of (41) stays."""
+    alphas = np.array([1.08, 1.04, 1.02, 1.01, 1.005])
+    dispersive, logarithmic = np.transpose([errors_of_equations(alpha, mu) for alpha in alphas])
+    order, scatter = slope_and_residual(1.0 / (alphas - 1.0), dispersive)
+    assert order == pytest.approx(1.0, abs=0.15)
+    assert scatter < 0.1
+    assert logarithmic.min() > 10.0 * dispersive[-1]
+
+
+# Scenes.
+
+
+def test_datasets_state_an_error_that_holds():
+    scene = scene_with("weak", law__gamma=0.12, record__snapshots=[0, 26.78, 89.95])
+    dataset = gf.evolve_log_kdv_burgers(scene)
+    force = dataset["rescaled_force"]
+    assert force.dims == ("t", "xi")
+    assert dataset.attrs["mu"] == pytest.approx(amplitude_of_chain(1.1, 0.12, 5.0).mu, rel=1e-13)
+    fine = solve(scene, dataset["t"].values, 2048, 1e-8)
+    exact = np.array([fine.rescaled_force(row, dataset["xi"]) for row in range(3)])
+    assert np.abs(force.values - exact).max() <= 2.0 * force.attrs["error_estimate"]
+    assert force.attrs["error_estimate"] < 1e-4
+    assert dataset.attrs["smallest_value"] == pytest.approx(exact.min(), abs=1e-3)
+
+
+@pytest.mark.parametrize("name", ["weak", "hertz"])
+def test_scenes_of_the_paper_are_solved(name):
+    force = gf.evolve_log_kdv_burgers(SCENES[name])["rescaled_force"]
+    assert force.attrs["error_estimate"] < 1e-5
+
+
+def test_cut_off_of_the_logarithm_changes_less_than_the_tolerance():
+    start, ends = Plateau(10.0, 0.0), []
+    for floor in (1e-6, 1e-12):
+        equation = Equation(27.78, 1.0, 0.5, floor)
+        ends.append(values_on_points(follow(equation, start, [2.0], 256, 1e-8)[0][0], 256))
+    assert np.abs(ends[0] - ends[1]).max() < 1e-6
+
+
+def test_rows_do_not_depend_on_the_order_of_times():
+    scene = scene_with("weak")
+    forward, backward = solve(scene, [5.0, 30.0], 256, 1e-5), solve(scene, [30.0, 5.0], 256, 1e-5)
+    xi = np.linspace(-20.0, 20.0, 30).reshape(5, 6)
+    np.testing.assert_array_equal(forward.rescaled_force(1, xi), backward.rescaled_force(0, xi))

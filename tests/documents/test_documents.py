@@ -1,0 +1,227 @@
+"""README and manual are true: commands run or can be planned, code runs, what is named exists."""
+
+import csv
+import importlib.util
+import re
+import shlex
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+from pages import (
+    EXTENDING,
+    README,
+    blocks,
+    commands,
+    commands_in_lines,
+    named_blocks,
+    run,
+)
+from projects import ROOT, copy_project, snakemake
+
+START, HOW_TO, PROOFS, PRACTITIONERS = (
+    ROOT / "docs" / f"{name}.md" for name in ("start", "how_to", "proofs", "practitioners")
+)
+MADE_BY_THE_BUILD = ("generated", "_build", "jupyter_execute")
+DOCUMENTS = [
+    *sorted(ROOT.glob("*.md")),
+    *(
+        page
+        for page in sorted((ROOT / "docs").rglob("*.md"))
+        if not set(page.parts) & set(MADE_BY_THE_BUILD)
+    ),
+]
+
+
+# Those of the page on extensions are run on a copy of the project, those of proofs as they are,
+# those for practitioners in the folder of the answers (test_practitioners.py).
+ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS)
+SHOWN = {line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)}
+NAMED = {
+    line for page in DOCUMENTS if page.name != "CHANGELOG.md" for line in commands_in_lines(page)
+}
+COMMANDS = sorted(SHOWN | NAMED)
+
+
+@pytest.fixture
+def mine(tmp_path):
+    """The small file that README lays over the configuration."""
+    [text] = blocks(README, "yaml")
+    file = tmp_path / "mine.yaml"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def words_of(command, mine):
+    return [str(mine) if word == "mine.yaml" else word for word in shlex.split(command)]
+
+
+@pytest.mark.parametrize("command", [c for c in COMMANDS if c.startswith("make")])
+def test_make_knows_its_targets(command):
+    outcome = run([*shlex.split(command), "--dry-run"])
+    assert outcome.returncode == 0, outcome.stderr
+
+
+# To lock, to list and to archive is Snakemake's own business.
+PLANNED = [c for c in COMMANDS if c.startswith("snakemake") and " --unlock" not in c]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", PLANNED)
+def test_workflow_can_plan_its_targets(command, mine):
+    program, *words = words_of(command, mine)
+    outcome = run([sys.executable, "-m", program, "--dry-run", "--nolock", *words])
+    assert outcome.returncode == 0, outcome.stderr
+
+
+STEPS = sorted(c for c in SHOWN if c.startswith("python workflow/scripts"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", STEPS)
+def test_script_runs_as_shown(command, tmp_path):
+    words = shlex.split(command)[1:]
+    words[-1] = str(tmp_path / words[-1])
+    outcome = run([sys.executable, *words])
+    assert outcome.returncode == 0, outcome.stderr
+    assert Path(words[-1]).exists()
+
+
+@pytest.mark.parametrize("command", sorted(c for c in SHOWN - {*STEPS} if c.startswith("python")))
+def test_module_runs_as_shown(command, mine):
+    outcome = run([sys.executable, *words_of(command, mine)[1:]])
+    assert outcome.returncode == 0, outcome.stderr
+
+
+@pytest.mark.parametrize(
+    "code", [code for page in (README, START) for code in blocks(page, "python")]
+)
+def test_python_example_runs(code, capsys):
+    exec(code, {})
+    assert "±" in capsys.readouterr().out
+
+
+def test_a_number_is_checked_as_shown(capsys, monkeypatch):
+    """That of the table; only where the workflow has run."""
+    if not (ROOT / "results" / "report.html").exists():
+        pytest.skip("the workflow has not run")
+    monkeypatch.chdir(ROOT)
+    [code] = blocks(HOW_TO, "python")
+    exec(code, {})
+    shown = float(capsys.readouterr().out.split()[0])
+    with (ROOT / "results/tables/paper_numbers.csv").open(newline="", encoding="utf-8") as lines:
+        rows = {row["quantity"]: row for row in csv.DictReader(lines)}
+    row = rows["largest elastic force of the front over the applied pressure, γ = 0.06"]
+    assert shown == pytest.approx(float(row["computed"]), rel=1e-12)
+
+
+def test_a_configuration_that_can_be_computed_is_said_so(mine):
+    check = [sys.executable, "-m", "granular_fronts.scenes", "config/default.yaml", str(mine)]
+    assert run(check).stdout == "The configuration can be computed.\n"
+
+
+@pytest.mark.slow
+def test_page_on_proofs_is_true(tmp_path, monkeypatch):
+    """Its command accepts the certificates kept, and its examples prove what they say."""
+    [command], [critical, code, dashpots] = commands(PROOFS), blocks(PROOFS, "python")
+    assert command.startswith("python -m granular_fronts.proofs ")
+    outcome = run([sys.executable, *shlex.split(command)[1:]])
+    assert outcome.returncode == 0, outcome.stderr
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(code, names)
+    assert names["record"]["proved"]
+    assert "monotone" in names["record"]["statements"][-1]
+    assert len(names["family"]) == len(names["records"]) == 2
+    assert [one["gamma"] for one in names["family"]] == [one["gamma"] for one in names["records"]]
+    exec(critical, names)
+    assert names["record"]["numbers"]["critical"] == 1
+    assert "is monotone" in names["record"]["statements"][-1]
+    exec(dashpots, names)
+    assert names["record"]["proved"]
+    assert names["record"]["numbers"]["overshoot"] > 1.0136
+
+
+def test_shown_campaign_is_possible():
+    from granular_fronts.campaign.definition import check_campaign
+
+    [text] = blocks(HOW_TO, "yaml")
+    assert check_campaign(yaml.safe_load(text), "shown").size > 10_000
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_named_files_and_links_exist(document):
+    text = document.read_text(encoding="utf-8")
+    named = re.findall(r"`((?:src|workflow|config|tests)/[\w./]+)`", text)
+    linked = re.findall(r"\]\((?!https?:)([^)#]+)", text)
+    for path in [*(ROOT / name for name in named), *(document.parent / name for name in linked)]:
+        # The build of the manual writes these, and finds a dead link to them.
+        if "generated" not in path.parts:
+            assert path.exists(), path
+
+
+# Pages that scripts write.
+
+
+def load_script(name):
+    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+ARCHITECTURE = load_script("architecture")
+
+
+def test_picture_of_the_architecture_is_that_of_the_code():
+    picture = ARCHITECTURE.PICTURE.read_text(encoding="utf-8")
+    assert picture == ARCHITECTURE.draw(ARCHITECTURE.read_wings()), (
+        "run python docs/architecture.py"
+    )
+    for _, place in ARCHITECTURE.FLOW:
+        if not place.startswith("results"):
+            assert any(ROOT.glob(place)), place
+
+
+INDEX = load_script("equations")
+
+
+def test_index_of_equations_is_that_of_the_docstrings():
+    page = (ROOT / "docs" / "equations.md").read_text(encoding="utf-8")
+    assert page == INDEX.make_page(*INDEX.find_equations()), "run python docs/equations.py"
+
+
+# The page on extensions, carried out; its law is in `test_a_further_law`.
+
+
+PLACES = named_blocks(EXTENDING)
+
+
+@pytest.mark.slow
+def test_a_figure_is_added_in_three_places(tmp_path):
+    project = copy_project(tmp_path)
+    places = {name: text for name, text in PLACES.items() if name.startswith("workflow/")}
+    assert len(places) == 3
+    for name, text in places.items():
+        with (project / name).open("a", encoding="utf-8") as file:
+            file.write(text)
+    [command] = [line for line in commands(EXTENDING) if "fig26" in line]
+    outcome = snakemake(*shlex.split(command)[2:], folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    drawn = {path.name for path in (project / "results" / "figures").iterdir()}
+    assert drawn == {f"fig26_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (project / "results/figures/fig26_flux_difference.rst").read_text(encoding="utf-8")
+    assert "α = 1.5, 1.1" in caption
+
+
+@pytest.mark.parametrize("missing", ["scripts/figures/plot_fig26.py", "report/fig26.rst"])
+def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
+    project = copy_project(tmp_path)
+    for name, text in PLACES.items():
+        if name.startswith("workflow/") and not name.endswith(missing):
+            with (project / name).open("a", encoding="utf-8") as file:
+                file.write(text)
+    outcome = snakemake("fig26", "--dry-run", folder=project)
+    assert outcome.returncode != 0
+    assert "fig26" in outcome.stdout + outcome.stderr

@@ -1,0 +1,209 @@
+"""Measured numbers of README and manual come from the tables of a run, and no other is typed."""
+
+import importlib.util
+import re
+import time
+
+import pandas as pd
+import pytest
+import yaml
+from campaigns import solved_points
+from projects import ROOT
+
+from granular_fronts.campaign.definition import check_campaign
+from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
+from granular_fronts.studies.ring_limit import resolutions
+
+
+def load_script():
+    spec = importlib.util.spec_from_file_location("measured", ROOT / "docs" / "measured.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+MEASURED = load_script()
+ENTRIES = yaml.safe_load(MEASURED.ENTRIES.read_text(encoding="utf-8"))
+TEXTS = {page: page.read_text(encoding="utf-8") for page in MEASURED.pages()}
+MARKED = [page for page, text in TEXTS.items() if MEASURED.names_in(text)]
+
+
+def test_every_mark_has_an_entry_and_every_entry_a_mark():
+    named = {name for text in TEXTS.values() for name in MEASURED.names_in(text)}
+    assert named == ENTRIES.keys()
+    assert sum(text.count("<!-- ") for text in TEXTS.values()) == sum(
+        len(MEASURED.names_in(text)) + 2 * text.count("<!-- end of ") for text in TEXTS.values()
+    )
+
+
+@pytest.mark.parametrize("page", MARKED, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_pages_hold_the_numbers_of_the_last_run(page):
+    if not (ROOT / "results" / "report.html").exists():
+        pytest.skip("the workflow has not run")
+    numbers = MEASURED.load_numbers(ROOT / "results")
+    assert MEASURED.fill(TEXTS[page], numbers) == TEXTS[page], "run python docs/measured.py"
+
+
+def statements(name):
+    return yaml.safe_load((ROOT / "config" / f"{name}.yaml").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", ["paper_numbers", "findings", "ring_limit"])
+def test_rows_are_those_of_the_statements(name):
+    """Also those of tables that were not made."""
+    quantities = [statement["quantity"] for statement in statements(name)]
+    for entry in ENTRIES.values():
+        if entry["table"] == name:
+            assert quantities.count(entry["row"]["quantity"]) == 1, entry
+
+
+NUMBER = re.compile(r"(?<![\w.·])[−+]?\d+\.\d+|\d+(?= %)|\d*·?10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+
+
+def leaves(value):
+    if isinstance(value, dict | list):
+        for below in value.values() if isinstance(value, dict) else value:
+            yield from leaves(below)
+    else:
+        yield str(value)
+
+
+def typed_numbers(text):
+    """Decimal numbers, per cents and powers of ten of a page that no mark follows."""
+    text = re.sub(r"```.*?```|`[^`]*`|\]\([^)]*\)", " ", text, flags=re.DOTALL)
+    text = MEASURED.MARKED.sub(" ", text)
+    return {re.sub("[−+]", "", found) for found in NUMBER.findall(text)}
+
+
+def test_findings_type_no_result():
+    """What is typed there are numbers of sections, values of the configuration, and the paper's."""
+    sections = {"4.1", "4.3", "5.2"}
+    configured = set(leaves(statements("default")))
+    printed = {str(statement.get("printed")) for statement in statements("paper_numbers")}
+    typed = typed_numbers(TEXTS[ROOT / "docs" / "findings.md"])
+    assert typed - sections - configured - printed == set()
+    assert typed_numbers("c = 0.56, 7 % and 2·10⁻³, not 0.1<!-- c --> % or `0.2`") == {
+        "0.56",
+        "7",
+        "2·10⁻³",
+    }
+
+
+def test_sizes_of_rings_are_those_of_figure_20():
+    """What the page on the limit says of places and beads."""
+    campaign = statements("campaigns/rings_damping")
+    half_length, tolerance = campaign["fixed"]["half_length"], campaign["tolerance"]
+    usual, _ = resolutions(tolerance)
+    points = usual.points(half_length)
+    alpha, damping = min(campaign["axes"]["alpha"]), max(campaign["axes"]["damping"])
+    # ℓ = (p − 1/2) ε and N = 2p − 1.
+    beads = 2.0 * half_length * damping / (1.0 - 1.0 / alpha)
+    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
+    found = re.search(
+        r"(\d+) values stand for up to ([\d ]+) beads .* compared at (\d+) places", text
+    )
+    assert [int(number.replace(" ", "")) for number in found.groups()] == [
+        points,
+        round(beads, -3),
+        points * usual.places,
+    ]
+
+
+RATES = re.compile(
+    r"more than (?P<front>\d+) exact fronts in a second of processor time, at α = 3/2 over "
+    r"0\.1 ≤ γ ≤ 1, or more than (?P<chain>\d+) chains of 200 beads at a tolerance of 10⁻⁹"
+)
+CAMPAIGNS = {
+    "front": {"axes": {"gamma": {"logspace": [0.1, 1, 400]}}, "fixed": {"alpha": 1.5}},
+    "chain": {
+        "axes": {"gamma": {"logspace": [0.05, 1, 40]}},
+        "fixed": {"alpha": 1.5, "delta": 0.1, "beads": 200},
+        "tolerance": 1e-9,
+    },
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", CAMPAIGNS)
+def test_campaigns_are_as_fast_as_the_page_says(kind):
+    text = " ".join(TEXTS[ROOT / "docs" / "performance.md"].split())
+    asked = check_campaign({"kind": kind, **CAMPAIGNS[kind]}, kind)
+    solved_points(asked)  # compiles, and fills caches
+    begun = time.process_time()
+    solved_points(asked)
+    assert asked.size / (time.process_time() - begun) > int(RATES.search(text)[kind])
+
+
+def test_slopes_are_fitted_over_the_rings_that_the_page_names():
+    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
+    named = re.search(r"over the seven rings with α from ([\d.]+) to ([\d.]+)\.", text).groups()
+    for name in ("rings_damping", "rings_gamma"):
+        fitted = [
+            alpha
+            for alpha in statements(f"campaigns/{name}")["axes"]["alpha"]
+            if alpha <= LARGEST_EXPONENT
+        ]
+        assert len(fitted) == 7
+        assert (min(fitted), max(fitted)) == tuple(map(float, named))
+    dampings = statements("campaigns/rings_damping")["axes"]["damping"]
+    assert len(EQUATION_ERRORS) * (len(dampings) + 1) == 12
+    assert "Of these twelve slopes" in text
+    assert "at γc = 0.3, 1 and 3" in text
+    assert dampings == [0.3, 1, 3]
+
+
+# The script itself.
+
+
+@pytest.mark.parametrize(
+    ("value", "form", "expected"),
+    [
+        (0.26325, ".3f", "0.263"),
+        (-1.62, ".1f", "−1.6"),
+        (2.23e-5, ".1e", "2.2·10⁻⁵"),
+        (1e-6, ".0e", "10⁻⁶"),
+        (-1e12, ".0e", "−10¹²"),
+    ],
+)
+def test_numbers_in_print(value, form, expected):
+    assert MEASURED.in_print(value, form) == expected
+
+
+@pytest.fixture
+def results(tmp_path):
+    (tmp_path / "tables").mkdir()
+    rows = pd.DataFrame(
+        {"quantity": ["a", "b"], "alpha": [1.5, 1.1], "computed": [0.25, 2e-7]}
+        | {"numerical error": [1e-9, 1e-7]}
+    )
+    rows.to_csv(tmp_path / "tables" / "known.csv", index=False)
+    return tmp_path
+
+
+def load(results, **entry):
+    (results / "measured.yaml").write_text(yaml.safe_dump({"one": {"table": "known", **entry}}))
+    return MEASURED.load_numbers(results, results / "measured.yaml")
+
+
+def test_a_number_is_taken_from_its_row(results):
+    assert load(results, row={"alpha": 1.5}, times=100, form=".0f") == {"one": "25"}
+    assert load(results, row={"quantity": "b"}, column="alpha", form=".2f") == {"one": "1.10"}
+    assert load(results, table="unknown", row={"quantity": "b"}, form=".2f") == {}
+
+
+def test_a_bound_is_kept_or_named(results):
+    assert load(results, row={"quantity": "b"}, bound=3.1e-7) == {"one": "3·10⁻⁷"}
+    with pytest.raises(SystemExit, match="reaches 3e-07, above the bound 2e-07"):
+        load(results, row={"quantity": "b"}, bound=2e-7)
+
+
+def test_a_row_that_is_not_one_is_named(results):
+    with pytest.raises(SystemExit, match="names 0 rows, but must name one"):
+        load(results, row={"quantity": "c"}, form=".2f")
+
+
+def test_only_known_marks_are_filled():
+    page = "(9.9<!-- one -->, −2·10⁻³<!-- two -->) and 3.0<!-- three -->."
+    filled = MEASURED.fill(page, {"one": "0.25", "two": "4·10⁻⁵"})
+    assert filled == "(0.25<!-- one -->, 4·10⁻⁵<!-- two -->) and 3.0<!-- three -->."
+    assert MEASURED.names_in(page) == ["one", "two", "three"]

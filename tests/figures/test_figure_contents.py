@@ -1,0 +1,141 @@
+"""Every curve, dot and colour of a figure is a number of its data, under the right name.
+
+What a figure draws of a sample is traced back to the variables of the sample and compared with
+`references/figures.yaml`; the rest of this file is what no line of that file says.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import yaml
+from figure_samples import SAMPLES, ring
+from pictures import LISTED, curves, draw, image, legend, picture
+from plot_fig05 import plot_fig05
+from traces import REFERENCE, Sample, describe
+
+from granular_fronts.output.style import ALARM_COLOUR, compression_map, velocity_map
+
+SHOWN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))
+
+
+def test_every_figure_is_drawn_from_a_sample_of_what_the_workflow_names():
+    assert SAMPLES.keys() == LISTED.keys() == SHOWN.keys()
+    for figure, sample in SAMPLES.items():
+        assert sample().keys() == LISTED[figure]["data"].keys()
+
+
+@pytest.mark.parametrize("figure", SAMPLES)
+def test_figure_shows_the_variables_of_its_data(figure):
+    assert describe(figure) == SHOWN[figure]
+
+
+def test_curve_of_other_numbers_has_another_name_and_one_out_of_place_has_none():
+    """The negative control of the test above."""
+    data, shown = picture("fig11")
+    sample, line = Sample({"data": data}), curves(shown["1.1"])[0]
+    name = sample.curve(line)
+    x, y = (np.array(values) for values in line.get_data())
+    line.set_ydata(data["distance_unlimited"].sel(alpha=1.1))
+    assert sample.curve(line) == name.replace("distance_logarithmic", "distance_unlimited")
+    line.set_ydata(1.01 * y)
+    assert "distance" not in sample.curve(line)
+    line.set_data(x[::-1], y)
+    assert "over gamma" not in sample.curve(line)
+    line.set_data(x, y)
+
+
+def test_figure_1_names_each_bead_above_its_largest_compression():
+    data, shown = picture("fig01")
+    probes = data["relative_displacement_steady"]
+    for text, bead in zip(shown["steady"].texts, data["bead_steady"], strict=True):
+        curve = probes.sel(bead_steady=bead)
+        assert text.xy == (curve.idxmax(), curve.max())
+
+
+def test_figure_2_shows_wide_gaps_in_red():
+    _, shown = picture("fig02")
+    plane = image(shown["displacement"])
+    assert plane.colorbar.extend == "min"
+    assert plane.cmap(plane.norm(-0.2)) == plt.matplotlib.colors.to_rgba(ALARM_COLOUR)
+
+
+def test_figure_5_shows_no_other_time_than_the_start():
+    with pytest.raises(KeyError, match="'t'"):
+        plot_fig05(ring(1.1, [15.0]), ring(1.5, [15.0]))
+
+
+def test_figure_8_has_arrows_to_the_saddle_and_towards_larger_s():
+    data, shown = picture("fig08")
+    [arrow] = shown["well"].texts
+    assert arrow.xyann[0] == 1.0
+    assert arrow.xy[0] < 0.1
+    *_, last = shown["portrait"].texts
+    assert len(shown["portrait"].texts) == 3
+    front = data.sel(mu=0.3)
+    assert last.xyann == tuple(front[name].sel(s=0.0) for name in ("rescaled_force", "slope"))
+    assert last.xy == tuple(front[name].sel(s=2.0) for name in ("rescaled_force", "slope"))
+
+
+def test_figure_12_leaves_fronts_that_do_not_overshoot_white():
+    data, shown = picture("fig12")
+    hidden = (data["overshoot"] <= 1e-8).transpose("gamma", "alpha")
+    assert hidden.sum() == 1
+    np.testing.assert_array_equal(np.ma.getmaskarray(image(shown["plane"]).get_array()), hidden)
+
+
+def test_figure_15_lists_only_what_occurs():
+    given = SAMPLES["fig15"]()
+    given["data"]["error"][2] = given["data"]["error"][0]
+    given["data"]["passed"][:] = 1
+    assert legend(draw("fig15", given).axes[0]) == ["limit", "passed"]
+
+
+def test_figure_16_tells_three_regimes_and_what_is_not_solved():
+    data, _, _, shown = picture("fig16")
+    regime = np.ma.filled(image(shown["regime"]).get_array(), np.nan)
+    # Columns are α = 1.1, monotone, 1.3, swinging unseen, and 1.5, visibly, with one not solved.
+    np.testing.assert_array_equal(regime, [[0.0, 1.0, 2.0], [0.0, 1.0, np.nan]])
+    # A logarithmic scale shows a front that does not overshoot as the smallest of all.
+    overshoot = np.ma.filled(image(shown["overshoot"]).get_array(), np.nan)
+    expected = data["overshoot"].transpose("gamma", "alpha").clip(min=1e-7)
+    np.testing.assert_array_equal(overshoot, expected)
+
+
+def test_figure_17_shows_distances_over_the_sum_of_both_errors():
+    data, shown = picture("fig17")
+    measured = "speed_exact power_exact speed_travelling speed_driven velocity_jump_driven"
+    names = [*measured.split(), "power_driven"]
+    ratios, errors = curves(shown["ratio"]), curves(shown["error"])
+    for ratio, error, name in zip(ratios, errors, names, strict=True):
+        theory = name.rpartition("_")[0] + "_expected"
+        stated = data[f"{name}_error"] + data[f"{theory}_error"]
+        np.testing.assert_array_equal(ratio.get_xdata(), (data[name] - data[theory]) / stated)
+        np.testing.assert_array_equal(error.get_xdata(), data[f"{name}_error"] / data[theory])
+    # Theory holds between −1 and 1.
+    [band] = shown["ratio"].patches
+    assert (band.get_x(), band.get_width()) == (-1.0, 2.0)
+    extremes = np.abs([line.get_xdata() for line in ratios]).max()
+    assert extremes < shown["ratio"].get_xlim()[1]
+
+
+def test_figure_18_dashes_where_fronts_oscillate():
+    data, shown = picture("fig18")
+    drawn = iter(curves(shown["gamma"]))
+    for full, dashed, beta in zip(drawn, drawn, data["beta"], strict=True):
+        law = data.sel(beta=beta)
+        oscillating = (law["gamma"] < law["critical_gamma"]).values
+        np.testing.assert_array_equal(np.isfinite(dashed.get_ydata()), oscillating)
+        np.testing.assert_array_equal(np.isfinite(full.get_ydata()), ~oscillating)
+        assert 0 < oscillating.sum() < oscillating.size
+
+
+def test_figure_22_shows_the_motion_about_the_arrival_of_the_front():
+    data, shown = picture("fig22")
+    arrival = float(data["t"][data["relative_displacement_accurate"] > 0.5][0])
+    assert shown["motion"].get_xlim() == (arrival - 4.0, arrival + 12.0)
+
+
+def test_colour_maps_keep_their_order_in_grey():
+    weights = [0.2126, 0.7152, 0.0722, 0.0]
+    for colour_map in (compression_map(), velocity_map()):
+        assert np.all(np.diff(colour_map(np.linspace(0.0, 1.0, 33)) @ weights) < 0.0)

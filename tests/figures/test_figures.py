@@ -1,0 +1,109 @@
+"""Files of a figure: reproducible, with a filled caption and a record of their data.
+
+What each figure shows is checked in `test_figure_contents`.
+"""
+
+import importlib
+
+import jinja2
+import matplotlib.pyplot as plt
+import pytest
+from chains import driven_scene
+
+from figure_step import make_step
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
+from granular_fronts.output.provenance import read_record
+
+BEADS = 24
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    record = {
+        "snapshots": [20.0],
+        "probes": {
+            "steady": {"beads": [6, 9, 12], "start": 5.0, "stop": 30.0, "step": 0.5},
+            "transient": {"beads": [1, 3], "start": 0.0, "stop": 10.0, "step": 0.5},
+        },
+        "grid": {"step": 2.0},
+        "extremes": True,
+    }
+    scene = driven_scene(0.06, BEADS, 80.0, record=record)
+    path = tmp_path_factory.mktemp("data") / "scene.nc"
+    write_dataset(simulate_chain(scene), path, scene_id="scene", config=scene)
+    return path
+
+
+ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst", "record": "json"}
+
+
+def make_files(path, stem, caption, reference=None):
+    """Run the step of figure 3, with a caption and a title of the test's."""
+    template = stem.with_suffix(".template")
+    template.write_text(caption, encoding="utf-8")
+    make_step(importlib.import_module("plot_fig03").plot_fig03)(
+        data=path,
+        template=template,
+        title="Damping {{ data.law.gamma }}",
+        alt="{{ data.beads }} beads",
+        reference=reference or {},
+        **{name: stem.with_suffix(f".{ending}") for name, ending in ENDINGS.items()},
+    )
+
+
+def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path):
+    (tmp_path / "one").mkdir()
+    (tmp_path / "two").mkdir()
+    for name in ("one", "two"):
+        plt.rcParams.update({"text.usetex": True, "figure.facecolor": "red"})
+        make_files(path, tmp_path / name / "fig", "A caption.")
+    for ending in ENDINGS.values():
+        one, two = (tmp_path / name / f"fig.{ending}" for name in ("one", "two"))
+        assert one.read_bytes() == two.read_bytes()
+    assert len(list((tmp_path / "one").iterdir())) == 5
+
+
+def test_texts_are_filled_with_what_was_computed(path, tmp_path):
+    scene = configuration_of(read_dataset(path))
+    make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", {"scene": scene})
+    assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
+    record = read_record(tmp_path / "fig.json")
+    assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
+
+
+def test_values_in_a_caption_are_no_markup(path, tmp_path):
+    caption = "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', ' }}y"
+    make_files(path, tmp_path / "fig", caption)
+    words = r".. raw:: html \*x\_\*, y"
+    assert (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()[0] == words
+
+
+def test_caption_that_names_what_no_dataset_has_is_an_error(path, tmp_path):
+    with pytest.raises(jinja2.UndefinedError, match="strength"):
+        make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")
+
+
+def test_caption_says_where_the_scene_is_not_the_papers(path, tmp_path):
+    scene = configuration_of(read_dataset(path))
+    paper = scene | {"law": scene["law"] | {"gamma": 0.21}}
+    make_files(path, tmp_path / "fig", "A caption.", {"scene": paper})
+    caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
+    assert "law.gamma is 0.06 instead of 0.21." in caption
+    make_files(path, tmp_path / "fig", "A caption.", {})
+    caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
+    assert "Scene scene is not one of the paper's." in caption
+
+
+def test_both_pictures_and_the_record_name_the_data(path, tmp_path):
+    make_files(path, tmp_path / "fig", "A caption.")
+    [made_from] = read_record(tmp_path / "fig.json")["made_from"]
+    attributes = read_dataset(path).attrs
+    assert made_from == {
+        "scene": "scene",
+        "question": attributes["config_digest"],
+        "data": attributes["data_digest"],
+    }
+    for ending in ("pdf", "png"):
+        keyword = ":".join(made_from.values()).encode()
+        assert keyword in (tmp_path / f"fig.{ending}").read_bytes()

@@ -1,0 +1,245 @@
+"""Floquet multipliers of fronts: translation, sound waves, and fronts of the chain itself."""
+
+import functools
+
+import numpy as np
+import pytest
+from chains import driven_scene
+
+import granular_fronts as gf
+from granular_fronts.chain.simulate import solve
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.linear.floquet import (
+    compressed_chain_multipliers,
+    front_multipliers,
+    monodromy_matrix,
+    multipliers,
+    reflection_radius,
+)
+from granular_fronts.fronts.shooting.solve import shoot_front
+
+WEAK, STRONG = (1.5, 0.06 * 0.1**0.25), (1.5, 0.65 * 0.1**0.25)
+LAWS = [(*WEAK, 1.5), (*STRONG, 1.5), (1.1, 0.24, 1.1), (3.0, 2.0, 3.0), (1.5, 0.3, 1.0)]
+by_law = pytest.mark.parametrize(("alpha", "gamma", "beta"), LAWS)
+
+
+@functools.cache
+def shot(alpha, gamma, beta, lengthening=1):
+    """A front with so many times the usual beads behind."""
+    front = shoot_front(alpha, gamma, beta)
+    if lengthening > 1:
+        beads = -lengthening * int(front.bead[0]), int(front.bead[-1])
+        front = shoot_front(alpha, gamma, beta, beads=beads, guess=front)
+    assert front.converged, front.reason
+    return front
+
+
+solved = functools.cache(gf.solve_front)
+solved_multipliers = functools.cache(lambda *law: front_multipliers(solved(*law)))
+
+
+def translation_mode(front):
+    """−U' and −D' at the beads, from the equations of motion; u = 1 behind and 0 ahead."""
+    law, u = front.window.law, np.maximum(front.relative_displacement, 0.0)
+    elastic, damping = (np.concatenate([[1.0], u**e, [0.0]]) for e in (law.alpha, law.beta))
+    rate = front.strain_rate + law.gamma * np.diff(damping, 2)
+    return np.column_stack([rate, np.diff(elastic, 2)]).ravel()
+
+
+@by_law
+def test_translation_is_an_eigenvector_at_one(alpha, gamma, beta):
+    front = shot(alpha, gamma, beta, 2)
+    state = front.relative_displacement, front.strain_rate
+    mode = translation_mode(front)
+    defect = monodromy_matrix(*state, alpha, gamma, beta) @ mode - mode
+    assert np.abs(defect).max() < 1.0e-9 * np.abs(mode).max()
+
+
+@by_law
+def test_monodromy_matrix_is_the_derivative_of_flow_then_shift(alpha, gamma, beta):
+    """Differences of the nonlinear flow, by the chain engine itself with pressure behind."""
+    front = shot(alpha, gamma, beta)
+    beads = front.bead.size
+    kick = 1.0e-6 * np.random.default_rng(2).normal(size=(2, beads))
+    # Only contacts that stay closed have a derivative that differences can see.
+    kick[:, front.relative_displacement < 1.0e-3] = 0.0
+    after = [one_bead_time(front, sign * kick) for sign in (1.0, -1.0)]
+    difference = 0.5 * (after[0] - after[1])[:, 1 : beads + 1]
+    matrix = monodromy_matrix(front.relative_displacement, front.strain_rate, alpha, gamma, beta)
+    product = (matrix @ kick.T.ravel()).reshape(-1, 2).T
+    np.testing.assert_allclose(difference, product, atol=1.0e-11)
+
+
+def one_bead_time(front, kick):
+    """u and d of the kicked front after one bead-time, in the chain with pressure 1 behind."""
+    law, beads = front.window.law, front.bead.size + 3
+    u, d = np.pad(
+        np.array([front.relative_displacement, front.strain_rate]) + kick, [(0, 0), (0, 3)]
+    )
+    damping = law.gamma * np.diff(np.concatenate([[1.0], np.maximum(u, 0.0) ** law.beta]))
+    velocity = np.cumsum(d[::-1])[::-1] - damping
+    scene = travelling_scene(law, u, velocity, end_time=1.0)
+    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    u, velocity = last["relative_displacement"].values, last["velocity"].values
+    w = velocity + law.gamma * np.diff(np.concatenate([[1.0], np.maximum(u, 0.0) ** law.beta]))
+    assert u.size == beads
+    return np.array([u[:-1], -np.diff(w)])
+
+
+def travelling_scene(law, u, velocity, end_time):
+    """A chain that starts in a state with u = 1 behind, held by the pressure 1."""
+    return driven_scene(
+        law.gamma,
+        beads=u.size,
+        end_time=end_time,
+        alpha=law.alpha,
+        beta=law.beta,
+        delta=1.0,
+        start={
+            "kind": "given",
+            "relative_displacement": list(u[:-1]),
+            "velocity": list(velocity),
+        },
+    )
+
+
+@by_law
+def test_front_is_stable(alpha, gamma, beta):
+    result = solved_multipliers(alpha, gamma, beta)
+    assert result.attrs["translation_defect"] < 1.0e-8
+    assert result.attrs["flow_residual"] < 1.0e-7
+    assert result.attrs["translation_defect"] == abs(result.values[0] - 1.0)
+    radius = result.attrs["spectral_radius_without_translation"]
+    assert radius == np.abs(result.values[1:]).max() < 1.0
+    assert result.attrs["verdict"].startswith("stable")
+    assert np.all(np.diff(np.abs(result.values[1:])) <= 1.0e-12)
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG, (3.0, 0.1)])
+def test_translation_defect_falls_with_the_window(alpha, gamma):
+    front = solved(alpha, gamma, alpha)
+    length = -int(shot(alpha, gamma, alpha).bead[0])
+    defects = [
+        front_multipliers(front, beads_behind=b).attrs["translation_defect"]
+        for b in (length // 2, length, 2 * length - 2)
+    ]
+    assert defects[1] < 1.0e-3 * defects[0]
+    assert defects[2] < 1.0e-10
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG, (3.0, 0.1)])
+def test_largest_multiplier_is_that_of_reflected_sound(alpha, gamma):
+    """B (1 − z) tends to the law of long waves, with an error that falls like 1/B."""
+    errors = []
+    for beads in (100, 200):
+        result = front_multipliers(solved(alpha, gamma, alpha), beads_behind=beads)
+        assert result.values[1].imag == 0.0
+        expected = result.attrs["reflection_radius"]
+        errors.append(abs(np.log(result.values[1].real) / np.log(expected) - 1.0))
+    assert errors[1] < 0.05
+    assert errors[1] < 0.65 * errors[0]
+
+
+@by_law
+def test_beads_ahead_do_not_matter(alpha, gamma, beta):
+    front = solved(alpha, gamma, beta)
+    usual = solved_multipliers(alpha, gamma, beta)
+    ahead = usual.attrs["beads_ahead"]
+    more = front_multipliers(front, beads_ahead=ahead + 6)
+    np.testing.assert_allclose(more.values[:12], usual.values[:12], atol=1.0e-9)
+
+
+def test_untouched_chain_is_nilpotent():
+    """Shift and Jordan block: with nothing entering from ahead no power of T survives."""
+    beads = 20
+    matrix = monodromy_matrix(np.zeros(beads), np.zeros(beads), 1.5, 0.3, 1.5)
+    shift_and_block = np.kron(np.eye(beads, k=1), [[1.0, 1.0], [0.0, 1.0]])
+    ahead = slice(2 * 16, None)
+    np.testing.assert_allclose(matrix[ahead], shift_and_block[ahead], atol=3.0e-15)
+    assert not np.any(np.linalg.matrix_power(shift_and_block, beads))
+
+
+@by_law
+def test_momentum_is_conserved_seen_from_the_front(alpha, gamma, beta):
+    """Σ (n d_n + u_n) from the left, for kicks that do not reach an end; no front needed."""
+    front = shot(alpha, gamma, beta, 2)
+    n = np.arange(1.0, front.bead.size + 1.0)
+    weights = np.column_stack([np.ones(n.size), n]).ravel()
+    for steeper in (1.0, 2.0):
+        u, d = front.relative_displacement**steeper, front.strain_rate
+        defect = weights @ monodromy_matrix(np.abs(u), d, alpha, gamma, beta) - weights
+        from_ends = 2 * (front.window.spread + 5)
+        assert np.abs(defect[from_ends:-from_ends]).max() < 1.0e-13 * n.size
+
+
+def test_compressed_chain_touches_the_circle_at_one_only():
+    q = np.linspace(-np.pi, np.pi, 401)
+    z = compressed_chain_multipliers(1.5, 0.3, 1.5, q)
+    away = np.abs(q) > 1.0e-12
+    assert np.abs(z[:, away]).max() < 1.0
+    np.testing.assert_allclose(z[:, ~away], 1.0, atol=1.0e-15)
+
+
+def test_compressed_chain_is_that_of_the_monodromy_matrix():
+    """In the middle of a long compressed window a plane wave is multiplied by z."""
+    alpha, gamma, q, beads = 1.5, 0.1, 0.7, 60
+    matrix = monodromy_matrix(np.ones(beads), np.zeros(beads), alpha, gamma, alpha)
+    kappa = 2.0 - 2.0 * np.cos(q)
+    z = compressed_chain_multipliers(alpha, gamma, alpha, q)[0]
+    sigma = np.log(z * np.exp(-1j * q))
+    wave = np.exp(1j * q * np.arange(beads))[:, np.newaxis] * [1.0, sigma + alpha * gamma * kappa]
+    moved = (matrix @ wave.ravel()).reshape(-1, 2)
+    middle = slice(20, 40)
+    np.testing.assert_allclose(moved[middle], z * wave[middle], atol=1.0e-13)
+
+
+def test_what_is_no_front_is_reported():
+    front = solved(*STRONG, 1.5).copy()
+    front["relative_displacement"] = front["relative_displacement"] ** 2
+    result = front_multipliers(front)
+    assert result.attrs["translation_defect"] < 1.0e-6
+    assert result.attrs["verdict"].startswith("undecided: flow and shift change the state by")
+
+
+def test_unstable_state_shows_outside_the_circle():
+    """A stretch of negative damping makes kicks grow."""
+    u, d = np.ones(40), np.zeros(40)
+    values = multipliers(u, d, 1.5, -0.05, 1.5)
+    assert np.abs(values).max() > 1.01
+
+
+def test_coordinates_without_the_integers_are_refused():
+    front = solved(*STRONG, 1.5).copy()
+    shifted = front.assign_coords(xi=front["xi"] + 0.1)
+    with pytest.raises(InputError, match="whole number of points"):
+        front_multipliers(shifted)
+
+
+def test_reflection_radius_is_the_sound_round_trip():
+    """z^(round trip) = (−1)·(reflection of the jump conditions)."""
+    speed, beads = np.sqrt(1.5), 50
+    round_trip = beads / (speed - 1.0) + beads / (speed + 1.0)
+    reflected = ((speed - 1.0) / (speed + 1.0)) ** 2
+    assert reflection_radius(1.5, beads) ** round_trip == pytest.approx(reflected, rel=1.0e-13)
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [WEAK, STRONG])
+def test_front_travels_unchanged_through_the_chain(alpha, gamma):
+    """A thousand bead-times in the chain engine, with steps and boundaries of its own.
+
+    Behind the front changes below the last digit of u = 1 are lost in every step, and the front
+    slows down by some 1e-14 in a thousand bead-times: its place, by some 1e-12.
+    """
+    bead_times = 1000
+    front = shot(alpha, gamma, alpha, 2)
+    u, velocity = (
+        np.pad(values, (0, bead_times + 20))
+        for values in (front.relative_displacement, front.velocity)
+    )
+    scene = travelling_scene(front.window.law, u, velocity, float(bead_times))
+    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    moved = slice(bead_times, bead_times + front.bead.size)
+    for name in ("relative_displacement", "velocity"):
+        error = np.abs(last[name].values[moved] - getattr(front, name)).max()
+        assert error < 1.0e-11
+    assert np.abs(last["relative_displacement"].values[:bead_times] - 1.0).max() < 1.0e-11

@@ -1,0 +1,164 @@
+"""Fronts by shooting: the equations they solve, the laws they obey, and where they come from."""
+
+import functools
+import itertools
+
+import numpy as np
+import pytest
+from chains import driven_scene
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.shooting import equations
+from granular_fronts.fronts.shooting.initial_guess import Guess
+from granular_fronts.fronts.shooting.solve import refine, sample_window, shoot_front
+
+DRIVEN = [0.06 * 0.1**0.25, 0.65 * 0.1**0.25]
+LAWS = [
+    (1.5, DRIVEN[0], 1.5),
+    (1.5, DRIVEN[1], 1.5),
+    (1.02, 0.1, 1.02),
+    (1.1, 0.24, 1.1),
+    (2.0, 0.1, 2.0),
+    (3.0, 0.03, 3.0),
+    (3.0, 2.0, 3.0),
+    (1.5, 0.3, 1.0),
+    (1.5, 0.1, 2.5),
+]
+by_law = pytest.mark.parametrize(("alpha", "gamma", "beta"), LAWS)
+
+
+@functools.cache
+def shot(alpha, gamma, beta):
+    result = shoot_front(alpha, gamma, beta)
+    assert result.converged, result.reason
+    return result
+
+
+def distance_to_refined(front):
+    """Largest difference of u and ẋ to the front of a longer window and a finer flow."""
+    other = refine(front)
+    assert other.converged, other.reason
+    common = slice(front.bead[0] - other.bead[0], front.bead[-1] - other.bead[0] + 1)
+    return max(
+        np.abs(getattr(front, name) - getattr(other, name)[common]).max()
+        for name in ("relative_displacement", "velocity")
+    )
+
+
+@by_law
+def test_flow_returns_the_front_shifted(alpha, gamma, beta):
+    """With three times the steps of the solve, so that the flow's own error counts too."""
+    front = shot(alpha, gamma, beta)
+    window = front.window._replace(steps=3 * front.window.steps)
+    rows, _ = equations.residual(window, front.unknowns)
+    assert np.abs(rows).max() <= 1.0e-13
+
+
+@by_law
+def test_longer_window_and_finer_flow_give_the_same_front(alpha, gamma, beta):
+    assert distance_to_refined(shot(alpha, gamma, beta)) <= 1.0e-12
+
+
+@by_law
+def test_shooting_and_the_profile_equation_find_one_front(alpha, gamma, beta):
+    """Two methods that share no code differ by no more than both say that they err."""
+    shooting, profile = (
+        gf.solve_front(alpha, gamma, beta, method=method) for method in ("shooting", "profile")
+    )
+    for name in ("relative_displacement", "velocity"):
+        other = gf.evaluate_front(profile, shooting["xi"].values, name)
+        error = shooting[name].attrs["error_estimate"] + profile[name].attrs["error_estimate"]
+        assert np.abs(shooting[name].values - other).max() <= 2.0 * error < 4.0e-13
+    power = (alpha - 1.0) / (2.0 * (alpha + 1.0))
+    assert shooting.attrs["dissipated_power"] == pytest.approx(power, abs=3.0e-14)
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.5, 1.0), (3.0, 0.03)])
+def test_gauss_newton_converges_quadratically(alpha, gamma):
+    """A residual linear in the steps that are left over would betray an inexact derivative."""
+    steps = shoot_front(alpha, gamma).step_sizes
+    late = [(a, b) for a, b in itertools.pairwise(steps) if 1.0e-7 < a < 2.0e-2]
+    assert late
+    for before, after in late:
+        assert after < 30.0 * before**2 + 1.0e-12
+
+
+@pytest.mark.parametrize("gamma", [0.06, 0.65])
+def test_driven_chain_and_continuum_lead_to_one_front(gamma):
+    """A chain at rest pushed with δ = 0.1, its front cut out at t = 300."""
+    scene = driven_scene(gamma, beads=300, end_time=300.0)
+    last = gf.simulate_chain(scene).isel(t=-1)
+    # In the frame δ = 1, eqs. (29) and (31).
+    gamma_of_front = gamma * 0.1**0.25
+    u, velocity = last["relative_displacement"].values / 0.1, last["velocity"].values / 0.1**1.25
+    w = velocity[1:] + gamma_of_front * np.diff(np.maximum(u, 0.0) ** 1.5)
+    bead = np.arange(1, u.size - 1) - np.flatnonzero(u > 0.5)[-1]
+    guess = Guess(bead, u[1:-1], -np.diff(w))
+    driven = shoot_front(1.5, gamma_of_front, guess=guess)
+    assert driven.converged, driven.reason
+    assert driven.residuals[0] > 1.0e-4
+    front = shot(1.5, gamma_of_front, 1.5)
+    for name in ("relative_displacement", "strain_rate", "velocity"):
+        np.testing.assert_allclose(getattr(driven, name), getattr(front, name), atol=3.0e-13)
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.02, 0.3655), (2.0, 1.0)])
+def test_front_of_another_damping_is_a_guess(alpha, gamma):
+    guess = shoot_front(alpha, 1.05 * gamma)
+    continued = shoot_front(alpha, gamma, guess=guess)
+    assert continued.converged, continued.reason
+    cold = shot(alpha, gamma, alpha).relative_displacement
+    np.testing.assert_allclose(continued.relative_displacement, cold, atol=1.0e-12)
+
+
+def test_sampling_is_consistent():
+    front = shot(1.5, DRIVEN[0], 1.5)
+    coarse, fine = sample_window(front, 3), sample_window(front, 12)
+    assert fine.xi[-1] == front.bead[-1]
+    np.testing.assert_allclose(fine.xi[3::4], coarse.xi, atol=1.0e-14 * coarse.xi.size)
+    for name in ("relative_displacement", "velocity"):
+        at_beads = getattr(coarse, name)[2::3]
+        np.testing.assert_array_equal(at_beads, getattr(front, name))
+        np.testing.assert_allclose(getattr(fine, name)[3::4], getattr(coarse, name), atol=1.0e-13)
+
+
+def test_a_short_window_is_refused_or_no_front():
+    with pytest.raises(InputError, match=r"beads behind is 10, .* at least 34"):
+        shoot_front(1.5, 0.1, beads=(10, 15))
+    result = shoot_front(1.5, 0.3, beads=(30, 3))
+    assert not result.converged
+    assert result.reason
+
+
+def test_failed_solve_is_a_record():
+    """A guess far from any front, and a tolerance that rounding forbids."""
+    bead = np.arange(-30, 10)
+    noise = np.random.default_rng(5).uniform(-3.0, 3.0, size=(2, bead.size))
+    wild = shoot_front(1.5, 0.3, guess=Guess(bead, *noise))
+    strict = shoot_front(1.5, 0.3, tolerance=1.0e-18)
+    assert not strict.converged
+    assert "residual" in strict.reason or "settled" in strict.reason
+    overflowing = shoot_front(1.5, 0.3, guess=Guess(bead, *(1.0e250 * noise)))
+    assert not overflowing.converged
+    assert not wild.converged
+    assert wild.residuals[-1] > 1.0e-13
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, 0.003), (3.0, 0.004)])
+@pytest.mark.slow
+def test_weak_damping_is_reached_from_stronger(alpha, gamma):
+    """Continuum fronts are too far away there; windows of a thousand beads."""
+    front = shoot_front(alpha, gamma)
+    assert front.converged, front.reason
+    assert front.residuals[-1] <= 1.0e-13
+    assert distance_to_refined(front) < 1.0e-11
+
+
+@pytest.mark.parametrize("alpha", [1.02, 1.1, 1.2, 1.5, 2.0, 3.0])
+@pytest.mark.parametrize("gamma", [0.03, 0.06 * 0.1**0.25, 0.1, 0.24, 0.65 * 0.1**0.25, 1.0, 2.0])
+@pytest.mark.slow
+def test_range_of_laws(alpha, gamma):
+    front = shoot_front(alpha, gamma)
+    assert front.converged, front.reason
+    assert distance_to_refined(front) <= 1.0e-12

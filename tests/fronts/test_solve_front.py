@@ -1,0 +1,203 @@
+"""Exact fronts: identities, limits, tails, and the chain itself as the judge."""
+
+import math
+import re
+import time
+
+import numpy as np
+import pytest
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+
+
+def test_velocity_differences_are_the_rate_of_compression():
+    """v(ξ) − v(ξ+1) = −c u'(ξ), with u' by differences of the evaluated front."""
+    for beta in (1.5, 1.0):
+        front = gf.solve_front(1.5, 0.2, beta)
+        xi, h = np.linspace(-6.0, 3.0, 37), 1e-3
+        weights = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
+        rate = sum(
+            w * (gf.evaluate_front(front, xi - k * h) - gf.evaluate_front(front, xi + k * h)) / h
+            for k, w in weights.items()
+        )
+        np.testing.assert_allclose(
+            -np.diff([gf.evaluate_front(front, xi + k, "velocity") for k in (0, 1)], axis=0)[0],
+            rate,
+            atol=5e-11,
+        )
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.1, 0.1), (1.5, 0.1), (1.5, 1.0), (3.0, 0.3)])
+def test_tail_behind_follows_the_slowest_roots(alpha, gamma):
+    """Far behind, u − 1 is in the span of the slowest root, or pair, fitted at other points."""
+    root = gf.tail_roots(alpha, gamma, count=1)[0]
+    front = gf.solve_front(alpha, gamma)
+    xi = -math.log(1e6) / root.real + np.linspace(-1.5, 0.0, 24)
+    mode = np.exp(root * (xi - xi[-1]))
+    modes = np.stack([mode.real, mode.imag] if root.imag else [mode.real], axis=1)
+    tail = gf.evaluate_front(front, xi) - 1.0
+    amplitudes, *_ = np.linalg.lstsq(modes[::2], tail[::2], rcond=None)
+    scale = np.abs(tail).max()
+    assert 1e-9 < scale < 1e-3
+    np.testing.assert_allclose(modes @ amplitudes, tail, atol=2e-4 * scale)
+
+
+def test_tail_ahead_is_doubly_exponential():
+    """With p = −ln u, p(ξ) = α p(ξ−1) − ln(γ/q + 1/q²) + o(1), q = α p'(ξ−1): rate ln α."""
+    alpha, gamma = 1.5, 0.5
+    front = gf.solve_front(alpha, gamma)
+    xi, h = np.array([2.5, 3.0, 3.5]), 1e-3
+
+    def p(x):
+        return -np.log(gf.evaluate_front(front, x))
+
+    q = alpha * (p(xi - 1.0 + h) - p(xi - 1.0 - h)) / (2.0 * h)
+    rest = p(xi) - alpha * p(xi - 1.0) + np.log(gamma / q + 1.0 / q**2)
+    assert np.abs(rest[-1]) < 0.15
+    assert (np.diff(np.abs(rest)) < 0.0).all()
+
+
+def test_linear_dashpot_has_an_exponential_tail_ahead():
+    gamma = 1.0
+    front = gf.solve_front(1.5, gamma, beta=1.0)
+    rate = math.log(np.divide(*gf.evaluate_front(front, np.array([21.0, 22.0]))))
+    assert rate == pytest.approx(4.0 * gamma * math.sinh(0.5 * rate) ** 2, rel=1e-3)
+
+
+def test_strong_damping_leads_to_the_front_of_equation_46():
+    errors = []
+    for gamma in (2.0, 8.0):
+        front = gf.solve_front(1.5, gamma)
+        xi = np.linspace(-60.0, 20.0, 801)
+        y = gf.log_burgers_front(xi / (3.0 * gamma), 1.5)
+        errors.append(np.abs(gf.evaluate_front(front, xi) - y ** (2.0 / 3.0)).max())
+    assert errors[1] < 0.3 * errors[0] < 0.03
+
+
+def test_strong_linear_damping_leads_to_its_closed_form():
+    errors = []
+    for gamma in (2.0, 8.0):
+        front = gf.solve_front(1.5, gamma, beta=1.0)
+        xi = np.linspace(-60.0, 60.0, 801)
+        closed = (1.0 + (2.0**0.5 - 1.0) * np.exp(0.5 * xi / gamma)) ** -2.0
+        errors.append(np.abs(gf.evaluate_front(front, xi) - closed).max())
+    assert errors[1] < 0.3 * errors[0] < 0.03
+
+
+def test_weak_damping_leads_to_the_solitary_wave_of_the_conservative_chain():
+    """The first peak tends to 1.487 for α = 3/2; it falls short by a first power of γ."""
+    gammas = np.array([0.01, 0.02, 0.04])
+    peaks = [1.0 + gf.solve_front(1.5, gamma).attrs["overshoot"] for gamma in gammas]
+    limit = np.polynomial.Polynomial.fit(gammas, peaks, 2).convert().coef[0]
+    assert limit == pytest.approx(1.487, abs=2e-3)
+
+
+def test_overshoot_definition_of_critical_damping_meets_its_cut():
+    gamma = gf.critical_damping(1.5, definition="overshoot", cut=1e-3)
+    assert gf.solve_front(1.5, gamma).attrs["overshoot"] == pytest.approx(1e-3, rel=1e-10)
+    assert gamma < gf.critical_damping(1.5)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        lambda front: front.isel(xi=slice(None, None, 2)),
+        lambda front: front.isel(xi=slice(100, None)),
+        lambda front: front.isel(xi=slice(None, -40)),
+        lambda front: front.isel(xi=[0]),
+        lambda front: front.drop_sel(xi=-1.0),
+        lambda front: front.assign_coords(xi=front["xi"] + 1.0),
+        lambda front: front.assign_coords(xi=0.5 * front["xi"]),
+    ],
+    ids=["thinned", "behind", "ahead", "point", "hole", "shifted", "scaled"],
+)
+def test_a_front_on_another_grid_is_refused(changed):
+    """Local polynomials would go through points that are not where they seem to be."""
+    front = gf.solve_front(1.5, 0.3)
+    assert gf.evaluate_front(front.copy(), -1.0) == front["relative_displacement"].sel(xi=-1.0)
+    with pytest.raises(InputError, match="thin, crop or shift the values"):
+        gf.evaluate_front(changed(front), -1.0)
+
+
+def test_multipliers_are_known_for_two_powers_from_rest_only():
+    for front in (gf.solve_front(**TODA), gf.solve_front(1.5, 0.3, right_state=0.2)):
+        with pytest.raises(InputError, match="known for two powers from compression 1"):
+            gf.front_multipliers(front)
+
+
+def law_of(kind, viscous, states, **parameters):
+    elastic = {"kind": kind, **parameters}
+    return {"law": {"elastic": elastic, "viscous": viscous}, "states": states}
+
+
+def linear(gamma):
+    return {"kind": "linear", "gamma": gamma}
+
+
+def power(beta, gamma=1.0):
+    return {"kind": "power", "beta": beta, "gamma": gamma}
+
+
+POWERS, TODA = {"alpha": 1.5, "gamma": 0.2}, law_of("toda", linear(0.3), (-2.0, 0.0))
+IMPOSSIBLE = [
+    ({}, "alpha is None"),
+    (POWERS | {"alpha": 1.0}, "linear chain"),
+    (POWERS | {"alpha": 0.5}, "runs the other way"),
+    (POWERS | {"gamma": 0.0}, "conservative chain"),
+    (POWERS | {"beta": 0.9}, "at least 1"),
+    (POWERS | {"right_state": 1.0}, r"right_state is 1\.0.*at least 0 and below 1"),
+    (POWERS | {"right_state": 0.2, "method": "shooting"}, "right_state is 0.2"),
+    (POWERS | {"method": "guess"}, "method is 'guess'"),
+    ({"law": TODA["law"]}, "states is missing"),
+    ({"states": (-1, 0)}, "law is missing"),
+    (TODA | {"states": (-1, 0, 1)}, "states holds 3 numbers"),
+    (TODA | {"alpha": 1.5}, "alpha and law are given together"),
+    (TODA | {"right_state": 0.1}, "right_state is 0.1 beside a law"),
+    (TODA | {"method": "shooting"}, r"shooting takes the law \(28\)"),
+    (TODA | {"law": 1.5}, "law is 1.5"),
+    # Between these states there is no front, or none that is sought.
+    (TODA | {"states": (0.0, -2.0)}, r"leaves R = -2 behind it, eq\. \(17\): give \(-2, 0\)"),
+    (TODA | {"states": (-1.0, -1.0)}, "both -1"),
+    (law_of("toda", {"kind": "none"}, (-2.0, 0.0)), "Nothing dissipates"),
+    (law_of("fpu", linear(0.3), (-1.0, 0.0)), "Remark 3"),
+    (law_of("lennard_jones", linear(0.3), (-1.5, 0.0)), "at least -1"),
+    (law_of("fpu", linear(1.0), (-1.0, 0.9), quartic=1.0), "V''' has one sign"),
+    (law_of("hertz", linear(1.0), (0.0, -1.0), alpha=0.5), "V'' is inf, W'' is 1"),
+    (law_of("toda", power(0.5), (-1.0, 0.0)), "R = 0, the state ahead of the front .*W'' is inf"),
+    (law_of("fpu", power(1.5), (1.0, -0.1), cubic=1.0), "W'' is 0 at R = 1, the state behind"),
+]
+NOT_FOUND = [
+    ({"alpha": 5.0, "gamma": 1e-3}, "."),
+    (POWERS | {"gamma": 1e8}, r"1.1e\+10 sites"),
+    (POWERS | {"gamma": 1e300}, "sites"),
+    (POWERS | {"gamma": 1e-300}, "sites"),
+    (POWERS | {"alpha": 1.0 + 1e-12}, "sites"),
+    (POWERS | {"right_state": 1.0 - 1e-16}, "sites"),
+    (POWERS | {"gamma": 1e8, "beta": 1.0}, "sites"),
+    (POWERS | {"gamma": 1e8, "method": "shooting"}, "explicit steps"),
+    (POWERS | {"gamma": 1e-5, "method": "shooting"}, "beads"),
+    (law_of("hertz", linear(0.3), (-1.0, 0.0), alpha=300.0), "."),
+    (law_of("toda", linear(1e7), (-2.0, 0.0)), "sites"),
+    (TODA | {"states": (-1.0, -1.0 + 1e-9)}, "sites"),
+    (law_of("toda", power(1.0, 0.3), (-1.0, 0.5)), "128 points per site: .* kink between"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "words"), IMPOSSIBLE)
+def test_fronts_that_do_not_exist_are_refused(arguments, words):
+    with pytest.raises(InputError, match=words):
+        gf.solve_front(**arguments)
+
+
+@pytest.mark.parametrize(("arguments", "words"), NOT_FOUND)
+def test_what_cannot_be_found_is_a_record_at_once(arguments, words):
+    begun = time.monotonic()
+    front = gf.solve_front(**arguments)
+    assert time.monotonic() - begun < 5.0
+    assert front.attrs["converged"] == 0
+    assert re.search(words, front.attrs["reason"])
+    assert math.isnan(front.attrs["overshoot"])
+    assert np.isnan(front["strain"].values).all()
+    with pytest.raises(InputError, match="has not converged"):
+        gf.evaluate_front(front, 0.0)

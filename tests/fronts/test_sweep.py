@@ -1,0 +1,148 @@
+"""Sweeps of exact fronts along the damping."""
+
+import json
+
+import numpy as np
+import pytest
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.fronts import sweep as sweeps
+from granular_fronts.numerics.extrapolation import (
+    LARGEST_WEIGHT,
+    REMEMBERED,
+    extrapolation_weights,
+    predict,
+    remember,
+)
+
+HERTZ = gf.make_law(
+    elastic={"kind": "hertz", "alpha": 1.5, "stiffness": 2.0},
+    viscous={"kind": "power", "beta": 1.25, "gamma": 0.4},
+)
+COSH = gf.Potential(
+    lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3.0, 3.0), name="cosh"
+)
+TODA, LINEAR = {"kind": "toda"}, {"kind": "linear", "gamma": 0.3}
+CASES = {
+    "hertz": {"alpha": 1.5},
+    "dashpot": {"alpha": 1.5, "beta": 1.0},
+    "two powers": {"alpha": 3.0, "beta": 4.0},
+    "compressed": {"law": HERTZ, "states": (-0.5, -0.1)},
+    "toda": {"law": gf.make_law(elastic=TODA, viscous=LINEAR), "states": (-2.0, 0.0)},
+    "cosh": {"law": gf.make_law(elastic=COSH, viscous=LINEAR), "states": (-2.0, -0.5)},
+    "proportional": {
+        "law": gf.make_law(elastic=TODA, viscous={"kind": "proportional", "gamma": 0.2}),
+        "states": (-1.5, 0.5),
+    },
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_sweep_agrees_with_single_fronts_in_any_order(name):
+    case = CASES[name]
+    by_law = "law" in case
+    dampings = np.geomspace(0.5, 4.0, 12) if by_law else np.geomspace(0.08, 1.2, 25)
+    shuffled = np.random.default_rng(3).permutation(dampings)
+    axis = "factor" if by_law else "gamma"
+    sweep = gf.sweep_fronts(**case, **{f"{axis}s": shuffled})
+    np.testing.assert_array_equal(sweep[axis], shuffled)
+    assert (sweep["converged"] == 1).all()
+    if by_law:
+        power = gf.jump_conditions(case["law"], *case["states"]).dissipated_power
+        np.testing.assert_allclose(sweep["dissipated_power"], power, rtol=1e-12)
+        assert json.loads(sweep.attrs["law"]) == case["law"].describe()
+    else:
+        power = (case["alpha"] - 1.0) / (2.0 * (case["alpha"] + 1.0))
+        np.testing.assert_allclose(sweep["dissipated_power"], power, atol=1e-14)
+        assert np.abs(sweep["speed_defect"]).max() <= 1e-14
+        assert sweep["error_estimate"].max() <= 1e-12
+    assert min(sweep[f"{name}_error"].min() for name in ("width_10_90", "slope")) > 0.0
+    for damping in shuffled[::5]:
+        point = sweep.sel({axis: damping})
+        if by_law:
+            law = case["law"].with_damping(damping)
+            front = gf.solve_front(law=law, states=case["states"])
+        else:
+            front = gf.solve_front(**case, gamma=damping)
+            root = gf.tail_roots(**case, gamma=damping, count=1)[0]
+            assert (point["tail_rate"], point["tail_frequency"]) == (root.real, root.imag)
+        for measure in ("overshoot", "width_10_90", "slope", "dissipated_power"):
+            allowed = 2.0 * (point[f"{measure}_error"] + front.attrs[f"{measure}_error"])
+            allowed += 1e-14 * (1.0 + by_law * abs(front.attrs[measure]))
+            assert abs(point[measure] - front.attrs[measure]) <= allowed
+
+
+def test_repeated_dampings_have_one_front():
+    once, twice = (gf.sweep_fronts(1.5, gammas) for gammas in ([0.3, 0.2], [0.3, 0.2, 0.3]))
+    np.testing.assert_array_equal(twice["gamma"], [0.3, 0.2, 0.3])
+    np.testing.assert_array_equal(twice["overshoot"], once["overshoot"].values[[0, 1, 0]])
+
+
+@pytest.mark.parametrize("known", range(1, 8))
+def test_prediction_is_exact_for_polynomials_of_the_place(known):
+    """Cubic in ln γ from four fronts on, of windows whose middles move; rows are reused."""
+    center, columns, degree = 30, 50, min(known, REMEMBERED) - 1
+    places = np.linspace(0.0, -1.0, 11)
+    xi = np.arange(columns) - center
+    past = np.full((REMEMBERED, columns), np.nan)
+
+    def front(place):
+        return 0.5 - 0.01 * xi * (1.0 + 0.3 * place) ** degree
+
+    for k in range(known):
+        first = 3 + k % 3
+        remember(front(places[k])[first:], first, 0.0, past[k % REMEMBERED])
+    start = predict(past, known, places[:known], places[known], 6, 2)
+    np.testing.assert_allclose(start, front(places[known])[6:], atol=1.0e-13)
+
+
+def test_prediction_takes_fewer_fronts_for_a_long_step():
+    places = np.array([0.0, -0.1, -0.2, -0.3])
+    sizes = [extrapolation_weights(places, -0.3 - step).size for step in (0.1, 0.2, 0.5, 10.0)]
+    assert sizes == [4, 3, 2, 1]
+    for step in (0.1, 0.2, 0.5, 10.0):
+        weights = extrapolation_weights(places, -0.3 - step)
+        assert weights.sum() == pytest.approx(1.0, abs=1.0e-14)
+        assert np.abs(weights).sum() <= LARGEST_WEIGHT
+
+
+def test_a_point_that_fails_is_named_and_the_sweep_goes_on():
+    sweep = gf.sweep_fronts(5.0, [0.5, 1e-3, 0.1])
+    np.testing.assert_array_equal(sweep["converged"], [1, 0, 1])
+    assert sweep["reason"].values[1]
+    assert np.isnan(sweep["overshoot"].values[1])
+    assert 0.0 < sweep["overshoot"].values[0] < sweep["overshoot"].values[2]
+
+
+@pytest.mark.parametrize(
+    ("found", "reason"),
+    [(0, "fails a check on the grid of the sweep"), (1, "error of the front cannot be estimated")],
+)
+def test_a_front_without_values_has_not_converged(monkeypatch, found, reason):
+    nothing = np.full((found, len(sweeps.COLUMNS)), np.nan)
+    monkeypatch.setattr(sweeps, "follow", lambda *_: nothing)
+    fronts = gf.sweep_fronts(1.5, [0.5])
+    assert fronts["converged"].values.tolist() == [0]
+    assert reason in str(fronts["reason"].values[0])
+    assert np.isnan(fronts["width_10_90"]).all()
+
+
+def test_overshoot_falls_and_width_grows_with_damping():
+    sweep = gf.sweep_fronts(1.5, np.geomspace(0.05, 0.2, 40))
+    assert (np.diff(sweep["overshoot"]) < 0.0).all()
+    assert (np.diff(sweep["width_10_90"]) > 0.0).all()
+
+
+def test_impossible_sweeps_are_refused():
+    with pytest.raises(InputError, match="gammas holds 0"):
+        gf.sweep_fronts(1.5, [0.1, 0.0])
+    with pytest.raises(InputError, match="must be a list"):
+        gf.sweep_fronts(1.5, [])
+
+
+def test_extreme_dampings_leave_the_others_alone():
+    """A window of 1e300 sites was allocated for all fronts of a sweep together."""
+    fronts = gf.sweep_fronts(1.5, [1e300, 0.3, 1e-300])
+    assert fronts["converged"].values.tolist() == [0, 1, 0]
+    assert "sites" in str(fronts["reason"].values[0])

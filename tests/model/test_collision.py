@@ -1,0 +1,218 @@
+"""Restitution of two beads: closed forms, an independent integration, its inverse and limits."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import granular_fronts as gf
+from granular_fronts.model.collision import (
+    LARGEST_STEP,
+    damping_for_restitution,
+    log_restitution,
+    reduced_exponent,
+    slow_strength,
+    weak_damping_slope,
+)
+
+ACCURACY = 1.0e-12
+EXPONENTS = [(1.5, 1.5), (1.5, 1.0), (1.5, 2.5), (1.1, 1.1), (3.0, 2.0), (0.5, 1.0), (2.0, 5.0)]
+
+
+def collide(force, damping, velocity=1.0):
+    """Integrate u̇ = p − 2G(u), ṗ = −2F(u) as they stand, and locate the end of the contact."""
+
+    def slopes(_, state):
+        u, p = max(state[0], 0.0), state[1]
+        return [p - 2.0 * damping(u), -2.0 * force(u)]
+
+    def end(_, state):
+        return state[0]
+
+    end.terminal, end.direction = True, -1
+    precise = {"rtol": 1.0e-13, "atol": 1.0e-15, "max_step": 0.02}
+    motion = solve_ivp(slopes, (0.0, 1e3), [0.0, velocity], "DOP853", events=end, **precise)
+    return -float(motion.y_events[0][0, 1]) / velocity
+
+
+@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
+@pytest.mark.parametrize("gamma", [0.01, 0.2, 0.5])
+def test_agrees_with_the_equation_of_motion(alpha, beta, gamma):
+    expected = collide(lambda u: u**alpha, lambda u: gamma * u**beta)
+    assert gf.restitution(gamma, alpha, beta) == pytest.approx(expected, abs=1e-11)
+
+
+@pytest.mark.parametrize("gamma", [1.0e-3, 0.3, 1.0, 5.0, 200.0])
+def test_simon_hunt_crossley_has_a_closed_form(gamma):
+    """For β = α + 1 the reduced equation is linear: 1/G − e = (1 + 1/G) exp(−G(1 + e))."""
+    alpha = 1.5
+    with mp.workdps(50):
+        G = mp.mpf(gamma) * (alpha + 1)
+        w = -mp.lambertw(-(G + 1) * mp.exp(-(G + 1)))
+        exact = (1 - w) / G
+        assert abs(gf.restitution(gamma, alpha, alpha + 1.0) / exact - 1) < ACCURACY
+
+
+@pytest.mark.parametrize("beta", [1.0, 1.25, 2.0])
+@pytest.mark.parametrize("ratio", [1.0e-6, 0.1, 0.6, 0.99])
+def test_degenerate_exponent_is_a_damped_oscillator(beta, ratio):
+    alpha = 2.0 * beta - 1.0
+    gamma = ratio / math.sqrt((alpha + 1.0) / 4.0)
+    exact = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
+    assert gf.restitution(gamma, alpha, beta) == pytest.approx(exact, rel=2e-12)
+    # The general method comes to the same from both sides.
+    for nu in (0.5 - 1.0e-15, 0.5 + 1.0e-15):
+        assert log_restitution(nu, 4.0 * ratio) == pytest.approx(math.log(exact), rel=1e-11)
+    assert gf.restitution(1.001 * gamma / ratio, alpha, beta) == 0.0
+
+
+@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
+@pytest.mark.parametrize("gamma", [1.0e-8, 0.05, 0.6, 3.0, 100.0])
+def test_smaller_steps_change_nothing(alpha, beta, gamma):
+    nu = reduced_exponent(alpha, beta)
+    strength = 4.0 * gamma * ((alpha + 1.0) / 4.0) ** nu
+    one, two = (log_restitution(nu, strength, step) for step in (LARGEST_STEP, LARGEST_STEP / 3.0))
+    assert one == two or abs(one - two) < 5e-13 * max(1.0, abs(one))
+
+
+@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
+@pytest.mark.parametrize("e", [1.0 - 1.0e-9, 0.99, 0.7, 0.3, 1.0e-3, 1.0e-9])
+def test_inverse_returns(alpha, beta, e):
+    gamma = damping_for_restitution(e, alpha, beta)
+    # Just below a finite γ at which e vanishes, γ alone does not determine a small e.
+    tolerance = ACCURACY if beta > (alpha + 1.0) / 2.0 else 1.0e-9
+    assert gf.restitution(gamma, alpha, beta) == pytest.approx(e, rel=tolerance)
+
+
+@pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
+def test_weak_damping_is_linear(alpha, beta):
+    slope = weak_damping_slope(alpha, beta)
+    defects = []
+    for gamma in (1.0e-3, 1.0e-4):
+        e = gf.restitution(gamma, alpha, beta)
+        defects.append(abs(slope * (1.0 - e) / gamma - 1.0))
+    assert defects[1] < 3.0e-4
+    assert math.log10(defects[0] / defects[1]) == pytest.approx(1.0, abs=0.01)
+
+
+def test_constant_of_remark_6():
+    """The paper prints 0.438; to fifty digits the constant is a quotient of Gamma functions."""
+    with mp.workdps(50):
+        nu = mp.mpf(3) / 5
+        exact = 1 / (2 * (mp.mpf(5) / 8) ** nu * mp.beta(nu + 1, mp.mpf(1) / 2))
+        assert mp.nstr(exact, 10) == "0.4380244967"
+        assert weak_damping_slope() == pytest.approx(float(exact), rel=1e-14)
+
+
+@pytest.mark.parametrize("nu", [0.505, 0.52, 0.6, 0.8, 1.0, 2.0])
+def test_strong_damping_is_a_power_law(nu, monkeypatch):
+    """Beyond the strength where it is assumed, the integration itself confirms it."""
+    power = 1.0 / (2.0 * nu - 1.0)
+    slow = slow_strength(nu)
+    taken = log_restitution(nu, 1.3 * slow)
+    monkeypatch.setattr("granular_fronts.model.collision.slow_strength", lambda nu: 2.0 * slow)
+    integrated = log_restitution(nu, 1.3 * slow)
+    assert taken == pytest.approx(integrated, abs=1e-11 * power)
+
+
+def test_linear_dashpot_holds_the_beads_together():
+    """For β < (α + 1)/2 and a large γ the beads creep apart, and their contact never ends."""
+    assert gf.restitution(0.7, 1.5, 1.0) > 0.0
+    assert gf.restitution(1.0, 1.5, 1.0) == 0.0
+    assert gf.restitution(1.0e3, 1.5, 1.0) == 0.0
+    threshold = damping_for_restitution(1.0e-12, 1.5, 1.0)
+    assert gf.restitution(1.01 * threshold, 1.5, 1.0) == 0.0
+
+
+def test_restitution_falls_with_damping():
+    values = [gf.restitution(gamma) for gamma in np.geomspace(1.0e-4, 1.0e3, 30)]
+    assert np.all(np.diff(values) < 0.0)
+    assert gf.restitution(0.0) == 1.0
+    assert damping_for_restitution(1.0) == 0.0
+
+
+SPRING = gf.Potential(lambda r: r**2 / 2, lambda r: r, np.ones_like, interval=(-1, 1))
+
+
+def linear_law(ratio):
+    """A harmonic contact with a linear dashpot of a damping ratio."""
+    dashpot = {"kind": "linear", "gamma": math.sqrt(2.0) * ratio}
+    return gf.make_law(elastic={"kind": "fpu"}, viscous=dashpot)
+
+
+@pytest.mark.parametrize("ratio", [0.01, 0.3, 0.9])
+@pytest.mark.parametrize("velocity", [1e-3, 1.0, 1e3])
+def test_linear_law_is_a_damped_oscillator_at_any_velocity(ratio, velocity):
+    found = gf.collide(linear_law(ratio), velocity)
+    exact = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
+    assert abs(found.restitution - exact) <= found.error < 1e-9
+
+
+def test_overdamped_oscillator_holds_the_beads_together():
+    assert gf.collide(linear_law(1.5)).restitution == 0.0
+
+
+@pytest.mark.parametrize(("gamma", "beta"), [(0.3, 1.5), (0.2, 1.0), (0.5, 2.5)])
+def test_powers_by_any_way_have_one_restitution(gamma, beta):
+    """By exponents; by an equal law of a user, which is integrated; and in other units."""
+    exact = gf.restitution(gamma, 1.5, beta)
+    assert gf.collide({"alpha": 1.5, "beta": beta, "gamma": gamma}).restitution == exact
+    mine = gf.Potential(
+        lambda r: np.maximum(-r, 0.0) ** 2.5 / 2.5,
+        lambda r: -(np.maximum(-r, 0.0) ** 1.5),
+        lambda r: 1.5 * np.sqrt(np.maximum(-r, 0.0)),
+        interval=(-3.0, 1e-9),
+    )
+    viscous = {"kind": "power", "beta": beta, "gamma": gamma}
+    found = gf.collide(gf.make_law(elastic=mine, viscous=viscous))
+    assert abs(found.restitution - exact) <= found.error < 1e-8
+    # Units in which lengths are twice and times three times as large.
+    velocity, stiffness, strength = 2.0 / 3.0, 2.0**-0.5 / 9.0, gamma / 3.0 * 2.0 ** (1.0 - beta)
+    scaled = gf.make_law(
+        elastic={"kind": "hertz", "alpha": 1.5, "stiffness": stiffness},
+        viscous=viscous | {"gamma": strength},
+    )
+    assert gf.collide(scaled, velocity).restitution == pytest.approx(exact, rel=1e-12)
+
+
+def test_collision_of_toda_contacts_agrees_with_the_equation_of_motion():
+    law = gf.make_law(elastic={"kind": "toda"}, viscous={"kind": "proportional", "gamma": 0.3})
+    found = gf.collide(law, 3.0)
+    exact = collide(math.expm1, lambda u: 0.3 * math.expm1(u), 3.0)
+    assert abs(found.restitution - exact) <= found.error < 1e-9
+    # A faster impact meets a stiffer contact and a stronger damping.
+    assert gf.collide(law, 6.0).restitution < exact - 0.01
+
+
+def test_elastic_collision_of_any_law_loses_nothing():
+    assert gf.collide({"elastic": {"kind": "toda"}}, 2.0).restitution == 1.0
+    assert gf.collide({"alpha": 1.3}, 2.0).restitution == 1.0
+
+
+@pytest.mark.parametrize(
+    ("law", "velocity", "sentence"),
+    [
+        ({"elastic": {"kind": "fpu", "quadratic": -1.0}}, 1.0, "does not repel everywhere"),
+        ({"elastic": {"kind": "fpu", "cubic": 3.0}}, 1.0, "does not repel everywhere"),
+        ({"elastic": SPRING}, 3.0, "stops the beads at no strain above -1"),
+        ({"alpha": 1.5}, 0.0, "velocity is 0.0, but must be a finite number, above 0"),
+    ],
+)
+def test_impossible_collision_of_any_law_is_named(law, velocity, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        gf.collide(law, velocity)
+
+
+@pytest.mark.parametrize("e", [0.0, 1.0001, math.nan])
+def test_impossible_restitution_is_refused(e):
+    """Impossible arguments of `restitution` are in `test_arguments`."""
+    with pytest.raises(ValueError, match=f"e is {e}, .* above 0 and at most 1"):
+        damping_for_restitution(e)
+
+
+def test_damping_that_stops_the_motion_at_once_leaves_nothing():
+    """For ν < 1/2 no trial step takes a power of a negative sine, and none overflows."""
+    for gamma in (1.0, 100.0, 1e10, 1e300):
+        assert gf.restitution(gamma, 100.0, 1.0) == 0.0

@@ -1,0 +1,196 @@
+"""Jump conditions against closed forms, 60 digits, an exact front's balance, and the theorems."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from potentials import NO_DISSIPATION, fpu, hertz, lennard_jones, morse, toda
+
+import granular_fronts as gf
+from granular_fronts.model.jump_conditions import jump_conditions, signed_area
+
+DIGITS = 60
+DASHPOT = {"kind": "linear", "gamma": 0.3}
+
+
+@pytest.mark.parametrize("alpha", [0.1, 0.5, 0.9, 1.1, 1.5, 3.0])
+@pytest.mark.parametrize(("k", "m", "delta"), [(1.0, 1.0, 0.1), (1.4e10, 0.08, 2.0e-6)])
+def test_hertz_gives_equations_21_to_23(alpha, k, m, delta):
+    front = jump_conditions(hertz(alpha, k), -delta, 0.0, mass=m)
+    sign = 1 if alpha > 1 else -1
+    speed = sign * math.sqrt(k / m) * delta ** ((alpha - 1) / 2)
+    particle = sign * math.sqrt(k / m) * delta ** ((alpha + 1) / 2)
+    from_particle = (k / m) ** (1 / (alpha + 1)) * abs(particle) ** ((alpha - 1) / (alpha + 1))
+    assert front.direction == sign
+    assert front.speed == pytest.approx(speed, rel=1e-15)
+    assert front.velocity_minus == pytest.approx(particle, rel=1e-15)
+    assert front.speed == pytest.approx(sign * from_particle, rel=1e-14)
+    assert front.velocity_jump == pytest.approx(-particle, rel=1e-15)
+    lost = k * delta ** (alpha + 1) * abs(alpha - 1) / (2 * (alpha + 1))
+    # Rounding of the exponent, times ln δ, limits what the closed formula is worth.
+    assert front.energy_per_bead == pytest.approx(lost, rel=1e-13)
+    assert front.energy_error < 1e-13 * lost
+    assert front.dissipated_power == pytest.approx(abs(speed) * lost, rel=1e-13)
+    behind = front.velocity_minus if alpha > 1 else 0.0
+    assert front.velocity_behind == behind
+    assert front.velocity_ahead == front.velocity_minus + front.velocity_plus - behind
+
+
+FORCES = {
+    "toda": (toda(), lambda r: mp.exp(-r) + r - 1, lambda r: 1 - mp.exp(-r)),
+    "morse": (
+        morse(),
+        lambda r: (1 - mp.exp(-r)) ** 2,
+        lambda r: 2 * mp.exp(-r) * (1 - mp.exp(-r)),
+    ),
+    "lennard-jones": (
+        lennard_jones(),
+        lambda r: ((1 + r) ** -6 - 1) ** 2,
+        lambda r: -12 * ((1 + r) ** -13 - (1 + r) ** -7),
+    ),
+    "hertz": (
+        hertz(1.5),
+        lambda r: (-r) ** 2.5 / 2.5 if r < 0 else mp.mpf(0),
+        lambda r: -((-r) ** 1.5) if r < 0 else mp.mpf(0),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", FORCES)
+@pytest.mark.parametrize("ahead", [-0.1, -1.0e-3, 0.0, 0.05])
+@pytest.mark.parametrize("jump", [0.05, 1.0e-3, 1.0e-6, 1.0e-9, 1.0e-12])
+def test_close_states_keep_their_digits(case, ahead, jump):
+    potential, energy, force = FORCES[case]
+    if case == "hertz" and ahead > 0.0:
+        ahead = 0.25 * jump
+    behind = ahead - jump
+    front = jump_conditions(potential, behind, ahead)
+    with mp.workdps(DIGITS):
+        states = mp.mpf(behind), mp.mpf(ahead)
+        difference = states[1] - states[0]
+        speed = mp.sqrt((force(states[1]) - force(states[0])) / difference)
+        lost = energy(states[1]) - energy(states[0])
+        lost -= difference * (force(states[0]) + force(states[1])) / 2
+        assert abs(front.speed - speed) <= front.speed_error < 2e-15 * speed
+        assert abs(front.energy_per_bead - lost) <= front.energy_error < 1e-14 * lost
+    assert front.sound_plus <= front.speed <= front.sound_minus
+
+
+def test_random_states_obey_the_theorems():
+    """Eqs. (12)–(17), Remark 1 and what follows (20), for a potential with V''' of one sign."""
+    generator = np.random.default_rng(20210301)
+    for rate, strength, R_minus, R_plus, m in generator.uniform(
+        [0.2, 0.2, -2.0, -2.0, 0.2], [2.0, 2.0, 1.0, 1.0, 2.0], (200, 5)
+    ):
+        potential = toda(strength, rate)
+        front = jump_conditions(potential, R_minus, R_plus, mass=m)
+        force = potential.first(np.array([R_minus, R_plus]))
+        assert m * front.speed**2 * (R_plus - R_minus) == pytest.approx(force[1] - force[0], 1e-11)
+        assert front.direction == math.copysign(1, R_plus - R_minus)
+        slow, fast = sorted([front.sound_minus, front.sound_plus])
+        assert slow < abs(front.speed) < fast
+        from_fast_side = front.sound_minus > front.sound_plus
+        assert from_fast_side == (front.direction > 0)
+        mirrored = jump_conditions(potential, R_plus, R_minus, mass=m)
+        assert mirrored.speed == pytest.approx(-front.speed, rel=1e-14)
+        assert mirrored.energy_per_bead == pytest.approx(front.energy_per_bead, rel=1e-13)
+
+
+def test_kink_in_the_middle_is_not_overlooked():
+    """V'' of a linear contact jumps at r = 0, where V''' = 0 on both sides says nothing."""
+    contact = hertz(1.0)
+    assert signed_area(contact, -1.0, 1.0).value == pytest.approx(0.5, rel=1e-14)
+    front = jump_conditions(contact, -1.0, 1.0)
+    assert front.speed == pytest.approx(math.sqrt(0.5), rel=1e-15)
+
+
+def test_third_derivative_is_not_needed_for_states_far_apart():
+    exact = toda()
+    bare = gf.Potential(exact.value, exact.first, exact.second, interval=(-2.0, 1.0))
+    with_third = jump_conditions(exact, -1.0, 0.0)
+    without = jump_conditions(bare, -1.0, 0.0)
+    assert without.speed == with_third.speed
+    assert without.energy_per_bead == pytest.approx(with_third.energy_per_bead, rel=1e-14)
+
+
+def test_speed_does_not_depend_on_the_dissipation():
+    elastic = hertz(1.5)
+    free = jump_conditions(elastic, -0.1, 0.0)
+    for beta in (1.0, 1.25, 1.5, 2.5):
+        assert jump_conditions(elastic, -0.1, 0.0, dissipation=hertz(beta, 0.3)) == free
+
+
+@pytest.mark.parametrize(
+    "law", [{"alpha": 1.5, "gamma": 0.3}, {"elastic": {"kind": "toda"}, "viscous": DASHPOT}]
+)
+def test_a_law_has_the_conditions_of_its_potentials(law):
+    made = gf.make_law(law)
+    front = gf.jump_conditions(made.elastic, -0.5, 0.0, dissipation=made.viscous)
+    assert gf.jump_conditions(made, -0.5, 0.0) == gf.jump_conditions(law, -0.5, 0.0) == front
+    with pytest.raises(ValueError, match=r"Remark 4"):
+        gf.jump_conditions(made.with_damping(0.0), -0.5, 0.0)
+    with pytest.raises(ValueError, match=r"dissipation is .* leave dissipation out"):
+        gf.jump_conditions(law, -0.5, 0.0, dissipation=made.viscous)
+
+
+def test_spinodal_state_has_no_sound():
+    assert math.isnan(jump_conditions(morse(), 2.0, 0.0).sound_minus)
+
+
+@pytest.mark.parametrize(
+    ("potential", "R_minus", "R_plus", "dissipation", "sentence"),
+    [
+        (fpu(), -1.0, 0.0, None, "quadratic between the states .* Remark 3"),
+        (fpu(-1.0, 0.0, -1.0), 0.0, 1.0, None, "strictly concave .* Remark 1"),
+        (morse(), 0.6, 3.0, None, r"is the square of a speed .*eq\. 13"),
+        (fpu(1.0, 0.0, 1.0), -1.0, 1.0, None, r"vanishes between -1 and 1 .*eq\. 18"),
+        (toda(), -1.0, 0.0, NO_DISSIPATION, r"eq\. \(20\) is 0\.14\d* where .* Remark 4"),
+        (fpu(1.0, 0.0, 1.0), -1.0, 1.0, NO_DISSIPATION, r"speed 1\.41421 .* Remark 4"),
+        (toda(), -1.0, 0.0, fpu(-1.0), r"W'' of FPU potential is -1 .*convex"),
+        (toda(), -0.1, -0.1, None, "both -0.1, but a front joins two different states"),
+        (lennard_jones(), -2.0, 0.0, None, "R_minus is -2.0, .* defined from -1 to inf"),
+        (lennard_jones(), -1.0, 0.0, None, "V of Lennard-Jones potential is inf at r = -1"),
+    ],
+)
+def test_impossible_front_is_refused_with_its_theorem(
+    potential, R_minus, R_plus, dissipation, sentence
+):
+    with pytest.raises(ValueError, match=sentence):
+        jump_conditions(potential, R_minus, R_plus, dissipation=dissipation)
+
+
+def test_what_is_no_potential_is_refused_with_the_way_to_one():
+    with pytest.raises(ValueError, match=r"law is r\*\*4, but must be a Mapping: .* make_law"):
+        jump_conditions(sympy.Symbol("r") ** 4, -1.0, 0.0)
+
+
+def test_nan_between_the_states_is_named():
+    exact = toda()
+
+    def second(r):
+        return np.where(abs(r + 0.53) < 0.01, np.nan, exact.second(r))
+
+    broken = gf.Potential(exact.value, exact.first, second, interval=(-1.0, 0.1), name="mine")
+    with pytest.raises(ValueError, match=r"V'' of mine is nan at r = -0\.[45]"):
+        jump_conditions(broken, -1.0, 0.0)
+
+
+def test_states_lie_where_the_viscous_potential_holds():
+    narrow = gf.Potential(
+        lambda r: r**2,
+        lambda r: 2.0 * r,
+        np.vectorize(lambda r: 2.0),
+        interval=(-0.5, 0.5),
+        name="W",
+    )
+    law = gf.make_law(elastic={"kind": "toda"}, viscous=narrow)
+    assert gf.jump_conditions(law, -0.4, 0.0).direction == 1
+    for refused in (
+        lambda: gf.jump_conditions(law, -1.0, 0.0),
+        lambda: gf.jump_conditions(law.elastic, -1.0, 0.0, dissipation=narrow),
+        lambda: gf.solve_front(law=law, states=(-1.0, 0.0)),
+    ):
+        with pytest.raises(ValueError, match=r"is -1\.0, but .*W is defined from -0.5 to 0.5"):
+            refused()

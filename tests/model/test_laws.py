@@ -1,0 +1,131 @@
+"""Laws: both forms of the configuration, what they know of themselves, and wrong ones."""
+
+import numpy as np
+import pytest
+from potentials import cosh
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.model.laws import make_law
+
+TODA = {"kind": "toda", "rate": 2.0}
+HERTZ = {"kind": "hertz", "alpha": 1.5}
+COSH = cosh()
+MAPPINGS = [
+    {"alpha": 1.5, "gamma": 0.1},
+    {"alpha": 1.5, "beta": 1.0, "gamma": 0.1},
+    {"alpha": 1.1},
+    {"elastic": TODA},
+    {"elastic": TODA, "viscous": {"kind": "linear", "gamma": 0.3}},
+    {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": 0.3}},
+    {"elastic": {"kind": "lennard_jones", "distance": 2.0}, "viscous": {"kind": "none"}},
+    {"elastic": HERTZ | {"stiffness": 2.0}, "viscous": {"kind": "kuwabara_kono", "gamma": 0.3}},
+    {"elastic": HERTZ, "viscous": {"kind": "simon_hunt_crossley", "gamma": 0.3}},
+    {"elastic": {"kind": "fpu", "cubic": -1.0}, "viscous": {"kind": "toda", "strength": 0.2}},
+]
+
+
+@pytest.mark.parametrize("mapping", MAPPINGS, ids=str)
+def test_law_is_described_as_it_is_made(mapping):
+    law = gf.make_law(**mapping)
+    assert make_law(mapping) == law == make_law(law.describe())
+    assert hash(make_law(law.describe())) == hash(law)
+    assert make_law(law) is law
+    assert make_law(elastic=law.elastic, viscous=law.viscous) == law
+
+
+def test_both_forms_of_the_law_28_are_one():
+    short = make_law(alpha=1.5, beta=2.5, gamma=0.3)
+    long = make_law(elastic=HERTZ, viscous={"kind": "simon_hunt_crossley", "gamma": 0.3})
+    assert short == long
+    assert (short.alpha, short.beta, short.gamma) == (1.5, 2.5, 0.3)
+    bare = make_law(elastic=HERTZ)
+    assert (bare.alpha, bare.beta, bare.gamma) == (1.5, 1.5, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("mapping", "expected"),
+    [
+        ({"alpha": 1.5, "gamma": 0.1}, 0.1),
+        ({"alpha": 1.5, "beta": 1.0, "gamma": 0.1}, None),
+        ({"alpha": 1.5, "beta": 1.0}, 0.0),
+        ({"elastic": TODA}, 0.0),
+        ({"elastic": TODA, "viscous": {"kind": "proportional", "gamma": 0.3}}, 0.3),
+        ({"elastic": TODA, "viscous": TODA | {"strength": 0.3}}, 0.3),
+        ({"elastic": TODA, "viscous": {"kind": "linear", "gamma": 0.3}}, None),
+        ({"elastic": COSH, "viscous": {"kind": "proportional", "gamma": 0.3}}, 0.3),
+    ],
+)
+def test_proportional_damping_is_recognised(mapping, expected):
+    law = make_law(mapping)
+    assert law.proportional == expected
+    r = np.linspace(-0.5, 0.5, 7)
+    if expected is not None:
+        np.testing.assert_allclose(law.viscous.first(r), expected * law.elastic.first(r))
+
+
+def test_damping_is_changed_by_a_factor():
+    law = make_law(elastic=TODA, viscous={"kind": "linear", "gamma": 0.3})
+    r = np.linspace(-0.5, 0.5, 7)
+    half = law.with_damping(0.5)
+    np.testing.assert_array_equal(half.viscous.first(r), 0.5 * law.viscous.first(r))
+    assert half.elastic == law.elastic
+    assert law.with_damping(0.0).proportional == 0.0
+
+
+def test_law_joins_domains_and_kinks():
+    law = make_law(
+        elastic={"kind": "lennard_jones"}, viscous={"kind": "power", "beta": 1.0, "gamma": 0.1}
+    )
+    assert law.domain == (-1.0, np.inf)
+    assert law.kinks == (0.0,)
+    mine = make_law(elastic={"kind": "lennard_jones"}, viscous=COSH)
+    assert mine.domain == (-1.0, 3.0)
+    assert mine.kinks == ()
+
+
+def test_a_users_law_says_that_a_file_cannot_hold_it():
+    described = make_law(elastic=COSH, viscous={"kind": "proportional", "gamma": 0.2}).describe()
+    assert described["elastic"]["name"] == "cosh"
+    assert "cannot make again" in described["elastic"]["note"]
+    assert described["viscous"] == {"kind": "proportional", "gamma": 0.2}
+
+
+@pytest.mark.parametrize(
+    ("mapping", "sentence"),
+    [
+        ({}, "no elastic potential: give elastic"),
+        ({"beta": 1.5}, "no alpha, the exponent of its elastic force: give one"),
+        ({"alfa": 1.5}, "'alfa' is no part of a law: did you mean alpha?"),
+        ({"alpha": 1.5, "elastic": TODA}, "alpha besides elastic, .*: leave one of them out"),
+        ({"alpha": 1.5, "gamma": -0.1}, "gamma is -0.1, but must be a finite number, at least 0"),
+        ({"elastic": "toda"}, "elastic is 'toda', but must be a Mapping: give a mapping"),
+        ({"elastic": {"kind": "tode"}}, "'tode' is no kind of elastic potential: did you mean"),
+        ({"elastic": {"kind": "toda", "rat": 1}}, "'rat' is no parameter of toda: did you mean"),
+        ({"elastic": TODA, "viscous": {"kind": "dashpot"}}, "no kind of viscous potential"),
+        ({"elastic": TODA, "viscous": {"kind": "proportional"}}, "proportional has no gamma"),
+        (
+            {"elastic": TODA, "viscous": {"kind": "none", "gamma": 1.0}},
+            "'gamma' is no parameter of none",
+        ),
+        (
+            {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": -1.0}},
+            "gamma is -1.0, but must be a finite number, at least 0",
+        ),
+        (
+            {"elastic": TODA, "viscous": {"kind": "simon_hunt_crossley", "gamma": 1.0}},
+            "belongs to the elastic kind hertz, but the elastic one is Toda potential",
+        ),
+    ],
+)
+def test_wrong_law_is_named(mapping, sentence):
+    with pytest.raises(InputError, match=sentence):
+        make_law(mapping)
+
+
+def test_a_law_that_is_no_power_has_no_exponents():
+    law = make_law(elastic=TODA)
+    assert not law.is_power
+    assert not make_law(elastic=HERTZ | {"stiffness": 2.0}).is_power
+    with pytest.raises(InputError, match=r"Toda potential .* has no alpha, beta and gamma"):
+        _ = law.alpha

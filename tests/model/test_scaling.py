@@ -1,0 +1,168 @@
+"""Physical scales: the equations of section 3.1, round trips, and a chain solved in SI units."""
+
+import math
+
+import numpy as np
+import pytest
+from potentials import hertz
+from scipy.integrate import solve_ivp
+
+import granular_fronts as gf
+from granular_fronts.model.collision import damping_for_restitution
+from granular_fronts.model.scaling import (
+    damping_from_restitution,
+    sphere_mass,
+    sphere_stiffness,
+    velocity_of_compression,
+    velocity_of_force,
+)
+
+STEEL = {"mass": 0.147, "stiffness": 1.4e10, "damping": 1.0e-6, "velocity": 0.5}
+QUANTITIES = ["displacement", "velocity", "time", "force", "energy"]
+
+
+def random_scalings(count):
+    generator = np.random.default_rng(29)
+    for mass, stiffness, damping, velocity in 10.0 ** generator.uniform(
+        [-6.0, 2.0, -9.0, -3.0], [1.0, 11.0, -2.0, 2.0], (count, 4)
+    ):
+        alpha, beta = generator.uniform([0.3, 1.0], [4.0, 5.0])
+        yield gf.Scaling(mass, stiffness, damping, velocity, alpha, beta)
+
+
+def test_scales_are_those_of_equation_27():
+    for scaling in random_scalings(50):
+        a, ratio = scaling.alpha + 1.0, scaling.mass / scaling.stiffness
+        length = ratio ** (1.0 / a) * scaling.velocity ** (2.0 / a)
+        assert scaling.length == pytest.approx(length, rel=1e-14)
+        assert scaling.force == pytest.approx(scaling.stiffness * length**scaling.alpha, rel=1e-12)
+        energy = scaling.to_physical(1.0, "energy")
+        assert energy == pytest.approx(scaling.force * length, rel=1e-14)
+
+
+def test_units_go_there_and_back():
+    values = np.array([-3.0, 1.0e-9, 0.7, 1.0e12])
+    for scaling in random_scalings(50):
+        for quantity in QUANTITIES:
+            there = scaling.to_physical(values, quantity)
+            np.testing.assert_allclose(
+                scaling.to_dimensionless(there, quantity), values, rtol=2.3e-16
+            )
+
+
+def test_parameters_come_back_from_the_scales():
+    """k, γ₀ and v_c follow from m, T₀, δ₀ and γ."""
+    for scaling in random_scalings(50):
+        a, b, m = scaling.alpha, scaling.beta, scaling.mass
+        stiffness = m * scaling.length ** (1.0 - a) / scaling.time**2
+        assert stiffness == pytest.approx(scaling.stiffness, rel=1e-12)
+        # A force γ₀k d(u^β)/dt is γF₀ in the scales.
+        damping = scaling.gamma * scaling.force * scaling.time / (stiffness * scaling.length**b)
+        assert damping == pytest.approx(scaling.damping, rel=1e-12)
+        moved = gf.Scaling(m, scaling.stiffness, scaling.damping, scaling.critical_velocity, a, b)
+        # A small exponent in (29) makes v_c large or small, and multiplies its rounding.
+        assert moved.gamma == pytest.approx(1.0, rel=1e-12)
+
+
+def test_motion_in_si_units_is_the_dimensionless_one():
+    """Three beads, the first struck, solved as (24) and as (28) with β ≠ α."""
+    scaling = gf.Scaling(0.02, 5.0e8, 3.0e-3, 0.3, 1.5, 2.0)
+    law = (scaling.stiffness, scaling.mass, scaling.damping)
+    end = scaling.to_physical(4.0, "time")
+    physical = struck_chain(*law, scaling.velocity, scaling.length, end)
+    plain = struck_chain(1.0, 1.0, scaling.gamma, 1.0, 1.0, 4.0)
+    np.testing.assert_allclose(
+        scaling.to_dimensionless(physical[:3], "displacement"), plain[:3], atol=1e-9
+    )
+    np.testing.assert_allclose(
+        scaling.to_dimensionless(physical[3:], "velocity"), plain[3:], atol=1e-9
+    )
+
+
+def struck_chain(k, m, gamma_0, velocity, length, end, alpha=1.5, beta=2.0):
+    """Positions and velocities at the end."""
+
+    def slopes(_, state):
+        x, v = state[:3], state[3:]
+        u, rate = np.maximum(x[:-1] - x[1:], 0.0), v[:-1] - v[1:]
+        forces = k * u**alpha + beta * gamma_0 * k * u ** (beta - 1.0) * rate
+        pushed = np.concatenate([[0.0], forces]) - np.concatenate([forces, [0.0]])
+        return np.concatenate([v, pushed / m])
+
+    start = [0.0, 0.0, 0.0, velocity, 0.0, 0.0]
+    scale = np.array([length] * 3 + [velocity] * 3)
+    motion = solve_ivp(slopes, (0.0, end), start, method="DOP853", rtol=1e-11, atol=1e-13 * scale)
+    return motion.y[:, -1]
+
+
+def test_front_has_unit_scales():
+    """With v₀ = v_p the scales are those of the front, eqs. (22), (23) and (30)."""
+    m, k, delta, damping = 0.05, 2.0e9, 3.0e-6, 1.0e-6
+    front = gf.jump_conditions(hertz(1.5, k), -delta, 0.0, mass=m)
+    v_p = velocity_of_compression(delta, m, k)
+    assert v_p == pytest.approx(front.velocity_behind, rel=1e-13)
+    assert velocity_of_force(k * delta**1.5, m, k) == pytest.approx(v_p, rel=1e-13)
+    scaling = gf.Scaling(m, k, damping, v_p)
+    assert scaling.length == pytest.approx(delta, rel=1e-13)
+    assert scaling.front_speed == pytest.approx(front.speed, rel=1e-13)
+    assert scaling.gamma == pytest.approx(damping * front.speed, rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("alpha", "beta", "where"),
+    [
+        (1.5, 1.5, "small velocities"),
+        (1.5, 2.5, "small velocities"),
+        (1.5, 1.0, "large velocities"),
+        (1.5, 1.25, "no velocity"),
+        (3.0, 2.0, "no velocity"),
+    ],
+)
+def test_weak_damping_is_where_section_3_1_says(alpha, beta, where):
+    slow, fast = (
+        gf.Scaling(**STEEL | {"velocity": v}, alpha=alpha, beta=beta) for v in (1e-3, 1e3)
+    )
+    assert slow.weak_damping == where
+    if where == "no velocity":
+        assert slow.gamma == fast.gamma
+        with pytest.raises(ValueError, match=r"there is no velocity v_c"):
+            _ = slow.critical_velocity
+    else:
+        assert (slow.gamma < fast.gamma) == (where == "small velocities")
+        assert slow.critical_velocity == pytest.approx(fast.critical_velocity, rel=1e-9)
+
+
+def test_damping_follows_from_restitution():
+    mass, stiffness = sphere_mass(0.0165, 7800.0), sphere_stiffness(0.0165, 2.0e11, 0.3)
+    damping = damping_from_restitution(0.9, 0.5, mass, stiffness)
+    gamma = gf.Scaling(mass, stiffness, damping, 0.5).gamma
+    assert gamma == pytest.approx(damping_for_restitution(0.9), rel=1e-14)
+    assert gf.restitution(gamma) == pytest.approx(0.9, rel=1e-12)
+
+
+def test_sphere_agrees_with_hertz_in_two_steps():
+    """Effective modulus E/(2(1 − ν²)) and radius R/2 in k = (4/3) E* R*^(1/2)."""
+    radius, modulus, poisson = 0.0196, 7.0e10, 0.22
+    effective = modulus / (2.0 * (1.0 - poisson**2))
+    expected = 4.0 / 3.0 * effective * math.sqrt(radius / 2.0)
+    assert sphere_stiffness(radius, modulus, poisson) == pytest.approx(expected, rel=1e-15)
+    # A cube that holds the sphere has 6/π times its mass.
+    assert sphere_mass(radius, 2500.0) == pytest.approx(math.pi / 6 * 2500 * (2 * radius) ** 3)
+
+
+@pytest.mark.parametrize(
+    ("make_it", "sentence"),
+    [
+        (lambda: sphere_stiffness(0.01, -1.0, 0.3), "modulus is -1.0, .* above 0"),
+        (lambda: sphere_stiffness(0.01, 1.0e9, 0.5), "poisson_ratio is 0.5, .* solid"),
+        (lambda: sphere_mass(0.01, math.nan), "density is nan"),
+        (lambda: damping_from_restitution(1.2, 0.5, 0.1, 1e9), "e is 1.2, .* restitution"),
+        (lambda: velocity_of_compression(-1e-6, 0.1, 1e9), "delta is -1e-06"),
+        (lambda: velocity_of_force(0.0, 0.1, 1e9), "force is 0.0"),
+        (lambda: gf.Scaling(**STEEL).to_physical(1.0, "mass"), "quantity is 'mass'"),
+    ],
+)
+def test_impossible_beads_are_refused(make_it, sentence):
+    """Those of `Scaling` itself are in `test_arguments`."""
+    with pytest.raises(ValueError, match=sentence):
+        make_it()

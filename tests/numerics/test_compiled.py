@@ -1,0 +1,180 @@
+"""Compiled code: a kernel's cache must notice a change in every function the kernel calls."""
+
+import importlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import llvmlite
+import numba
+import numpy as np
+import pytest
+from numba.core.registry import CPUDispatcher
+from projects import ROOT
+
+from granular_fronts.numerics.compiled import SOURCES, CheckedFiles, cache_folder, file_of, kernel
+from granular_fronts.numerics.source_code import file_digest
+
+READ = Path.read_bytes
+WINGS = sorted({file.parent.name for file in SOURCES.glob("*/__init__.py")})
+
+
+def kernels_in(wing):
+    """Names and kernels of all modules of a wing, imported ones among them."""
+    for file in sorted((SOURCES / wing).rglob("*.py")):
+        dotted = ".".join(file.relative_to(SOURCES).with_suffix("").parts)
+        module = importlib.import_module(f"granular_fronts.{dotted}")
+        for name, value in vars(module).items():
+            if isinstance(value, CPUDispatcher):
+                yield f"{module.__name__}.{name}", value
+
+
+@pytest.mark.parametrize("wing", WINGS)
+def test_every_kernel_is_cached_under_the_digest_of_its_module(wing):
+    for name, function in kernels_in(wing):
+        folder = cache_folder(file_of(function.py_func))
+        assert Path(function.stats.cache_path).parent == folder, name
+
+
+def test_a_kernel_depends_on_the_modules_that_it_stands_on_and_on_no_other(monkeypatch):
+    """A change of `band` concerns the profile equation's Newton steps and not the chain's."""
+    newton, integrator = (SOURCES / "fronts/profile/newton.py", SOURCES / "chain/integrator.py")
+    before = [cache_folder.__wrapped__(file) for file in (newton, integrator)]
+
+    def changed(path):
+        return READ(path) + (b"\nCHANGED = 1\n" if path == SOURCES / "numerics/band.py" else b"")
+
+    monkeypatch.setattr(Path, "read_bytes", changed)
+    file_digest.cache_clear()
+    after = [cache_folder.__wrapped__(file) for file in (newton, integrator)]
+    assert before[0] != after[0]
+    assert before[1] == after[1]
+    file_digest.cache_clear()
+
+
+def test_a_kernel_depends_on_the_versions_of_its_compiler_and_of_numpy(monkeypatch):
+    file = SOURCES / "chain/integrator.py"
+    for package in (numba, llvmlite, np):
+        with monkeypatch.context() as patched:
+            patched.setattr(package, "__version__", "0.0")
+            assert cache_folder.__wrapped__(file) != cache_folder(file), package.__name__
+
+
+@pytest.mark.parametrize("name", ["kernel.nbi", "kernel.1.nbc"])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda content: b"",
+        lambda content: content[:-1],
+        lambda content: content[:9] + bytes([content[9] ^ 1]) + content[10:],
+    ],
+)
+def test_damaged_file_of_a_kernel_is_dropped_and_made_again(tmp_path, name, damage):
+    files = CheckedFiles(str(tmp_path), "kernel", "stamp")
+    for _ in range(2):
+        files.save("signature", ("machine code", 1))
+        assert files.load("signature") == ("machine code", 1)
+        (tmp_path / name).write_bytes(damage((tmp_path / name).read_bytes()))
+        assert files.load("signature") is None
+
+
+def test_kernels_are_kept_in_files_that_are_checked():
+    assert isinstance(kernel(abs_of)._cache._cache_file, CheckedFiles)
+
+
+def abs_of(x):
+    """Something to compile."""
+    return abs(x)
+
+
+STEP_ON_A_GRID = """
+from granular_fronts.reference_methods import upwind
+for _ in range(2):
+    upwind.evolve_upwind([0.5] * 8, 1.0, 1.0e-3)
+"""
+NOTICE = (
+    "Compiling the kernels of the reference methods; this happens once and takes up to a minute.\n"
+)
+
+
+def test_one_line_says_that_kernels_are_compiled_and_none_where_they_are_cached(tmp_path):
+    environment = {
+        **os.environ,
+        "NUMBA_CACHE_DIR": str(tmp_path),
+        "PYTHONPATH": str(SOURCES.parent),
+    }
+    command = [sys.executable, "-c", STEP_ON_A_GRID]
+    for expected in (NOTICE, ""):
+        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        assert run.stderr == expected
+        assert run.stdout == ""
+
+
+def test_compiling_what_is_no_kernel_is_not_announced(capsys):
+    @numba.njit
+    def user_law(r):
+        return r * r
+
+    assert user_law(2.0) == 4.0
+    assert capsys.readouterr().err == ""
+
+
+COUNT_AFTER_COMPILATION = """
+import sys
+sys.path[:0] = {tests!r}
+from test_compiled import WINGS, kernels_in
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.chain import compilation as chain
+from granular_fronts.continuum import compilation as continuum
+from granular_fronts.fronts import compilation as fronts
+from granular_fronts.reference_methods import compilation as reference_methods
+from granular_fronts.studies.ring_against_equations import compare_with_chain
+from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
+from granular_fronts.studies.fronts_compared import compare_front
+
+def count():
+    return {{name: len(f.signatures) for wing in WINGS for name, f in kernels_in(wing)}}
+
+for wing in (chain, continuum, fronts, reference_methods):
+    wing.compile_kernels()
+before = count()
+scenes = load_configuration({default!r}, {smoke!r})["scenes"]
+for scene in scenes["chain"].values():
+    simulate_chain(scene)
+for scene in scenes["periodic"].values():
+    compare_with_chain(scene)
+for scene in scenes["heteroclinic"].values():
+    survey_heteroclinic(scene)
+for scene in scenes["front"].values():
+    compare_front(scene)
+print([name for name, found in count().items() if found > before[name]])
+"""
+
+
+@pytest.mark.slow
+def test_compilation_covers_all_that_the_scenes_need():
+    """A fresh process, since other tests compile kernels for other arguments."""
+    root = Path(__file__).parents[2]
+    files = {name: str(root / f"config/{name}.yaml") for name in ("default", "smoke")}
+    folders = [str(root / "tests" / name) for name in ("support", "numerics")]
+    code = COUNT_AFTER_COMPILATION.format(tests=folders, **files)
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert run.stdout.strip() == "[]", run.stderr
+
+
+@pytest.mark.slow
+def test_kernels_compiled_now_and_loaded_give_the_same_bits(tmp_path):
+    environment = os.environ | {
+        "NUMBA_CACHE_DIR": str(tmp_path / "kernels"),
+        "PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in ("src", "tests/support")),
+    }
+    files = [tmp_path / f"{when}.npz" for when in ("compiled", "loaded")]
+    for file in files:
+        command = [sys.executable, "-c", f"from kernel_cases import save; save({str(file)!r})"]
+        subprocess.run(command, env=environment, capture_output=True, check=True)
+    compiled, loaded = (dict(np.load(file)) for file in files)
+    assert compiled.keys() == loaded.keys()
+    differing = [name for name in compiled if compiled[name].tobytes() != loaded[name].tobytes()]
+    assert differing == []

@@ -1,0 +1,84 @@
+"""Ctrl-C ends what runs long, compiled loops too, and nobody sees what was unfinished."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+SOURCES = Path(__file__).parents[2] / "src"
+
+LONG = {
+    "front": ("gf.solve_front(1.5, 0.3)", "gf.solve_front(1.001, 1e-5)"),
+    "shooting": (
+        "gf.solve_front(1.5, 0.3, method='shooting')",
+        "gf.solve_front(1.5, 60.0, method='shooting')",
+    ),
+    "sweep": (
+        "gf.sweep_fronts(1.5, np.geomspace(0.1, 1.0, 5))",
+        "gf.sweep_fronts(1.5, np.geomspace(0.02, 2.0, 200_000))",
+    ),
+    "chain": (
+        "gf.simulate_chain(chain(20, 0.1, 10.0))",
+        "gf.simulate_chain(chain(100_000, 0.1, 1e5))",
+    ),
+    "orbit": (
+        "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30))",
+        "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30_000_000))",
+    ),
+    "amplitude": (
+        "solve(RING, 1.5, [1.0], 1024, 1e-6)",
+        "solve(RING, 1.5, [1e6], 1024, 1e-10)",
+    ),
+}
+"""For each solver a call that compiles what it needs, and one that takes long."""
+
+SCRIPT = """
+import sys
+import numpy as np
+import granular_fronts as gf
+from granular_fronts.continuum.log_burgers.solution import solve
+from granular_fronts.continuum.compilation import RING
+
+def chain(beads, gamma, end_time):
+    return {{
+        "law": {{"alpha": 1.5, "beta": 1.5, "gamma": gamma}},
+        "beads": beads,
+        "boundary": {{"kind": "pressure", "left": 0.5, "right": 0.5}},
+        "start": {{"kind": "rest"}},
+        "end_time": end_time,
+        "tolerance": {{"relative": 1.0e-10, "absolute": 1.0e-12}},
+        "record": {{"snapshots": [end_time], "balances": True}},
+    }}
+
+{short}
+print("begins", flush=True)
+while True:
+    {long}
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("short", "long"), LONG.values(), ids=LONG)
+def test_interrupt_is_answered_within_two_seconds(short, long):
+    run = subprocess.Popen(
+        [sys.executable, "-c", SCRIPT.format(short=short, long=long)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"PYTHONPATH": str(SOURCES)},
+        # A process in the background of a shell would ignore the interrupt.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    assert run.stdout.readline() == "begins\n"
+    time.sleep(3.0)
+    assert run.poll() is None
+    run.send_signal(signal.SIGINT)
+    sent = time.monotonic()
+    output, errors = run.communicate(timeout=60.0)
+    assert time.monotonic() - sent < 2.0
+    assert output == ""
+    assert errors.rstrip().endswith("KeyboardInterrupt")

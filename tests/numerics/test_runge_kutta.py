@@ -1,0 +1,106 @@
+"""Algebraic identities of the pair and of its continuous extension."""
+
+import numpy as np
+import pytest
+
+from granular_fronts.numerics import runge_kutta as rk
+
+A, B, C = rk.A[: rk.STAGES, : rk.STAGES], rk.B[: rk.STAGES], rk.C[: rk.STAGES]
+ROUNDING = 5.0e-15
+
+
+def test_row_sums_are_the_nodes():
+    np.testing.assert_allclose(rk.A.sum(axis=1), rk.C, rtol=0, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("k", range(1, 9))
+def test_quadrature_order_is_eight(k):
+    assert B @ C ** (k - 1) == pytest.approx(1.0 / k, abs=ROUNDING)
+
+
+def test_quadrature_order_is_not_nine():
+    assert abs(B @ C**8 - 1.0 / 9.0) > 1.0e-6
+
+
+@pytest.mark.parametrize(("k", "m"), [(k, m) for k in range(1, 8) for m in range(1, 9 - k)])
+def test_order_conditions_of_nested_quadratures(k, m):
+    """Σ b_i c_i^{k-1} a_ij c_j^{m-1} = 1/(m (k + m)), all with k + m ≤ 8."""
+    assert (B * C ** (k - 1)) @ (A @ C ** (m - 1)) == pytest.approx(
+        1.0 / (m * (k + m)), abs=ROUNDING
+    )
+
+
+@pytest.mark.parametrize("m", range(1, 7))
+def test_order_conditions_of_the_squared_matrix(m):
+    """Σ b_i (A²)_ij c_j^{m-1} = 1/(m (m + 1) (m + 2)): the weights that the strain form uses."""
+    squared = rk.A_SQUARED[: rk.STAGES, : rk.STAGES]
+    exact = 1.0 / (m * (m + 1) * (m + 2))
+    assert B @ (squared @ C ** (m - 1)) == pytest.approx(exact, abs=ROUNDING)
+
+
+@pytest.mark.parametrize(("weights", "order"), [(rk.ERROR_5, 5), (rk.ERROR_3, 3)])
+def test_error_weights_vanish_up_to_their_order(weights, order):
+    moments = [abs(weights[: rk.STAGES] @ C**k) for k in range(order + 1)]
+    assert max(moments[:order]) < ROUNDING
+    assert moments[order] > 1.0e-8
+
+
+@pytest.mark.parametrize("row", range(1, rk.STAGES))
+def test_windows_hold_the_rows_of_the_matrix_and_of_its_square(row):
+    """All the slopes that a stage uses lie in its window, and the others have weight 0."""
+    first, terms = rk.FIRST_SLOT[row], rk.TERMS[row]
+    for windows, matrix in ((rk.A_WINDOWS, rk.A), (rk.A_SQUARED_WINDOWS, rk.A @ rk.A)):
+        slots = np.zeros(rk.SLOPES)
+        slots[first : first + terms] = windows[row, :terms]
+        np.testing.assert_allclose(slots[rk.SLOT], matrix[row], rtol=0, atol=ROUNDING)
+        assert not windows[row, terms:].any()
+
+
+def test_slots_hold_every_row():
+    np.testing.assert_array_equal(rk.A_SLOTS[:, rk.SLOT], rk.A)
+    np.testing.assert_allclose(rk.A_SQUARED_SLOTS[:, rk.SLOT], rk.A @ rk.A, rtol=0, atol=ROUNDING)
+    np.testing.assert_array_equal(rk.CONTINUOUS_OF_SLOT[rk.SLOT].T, rk.CONTINUOUS)
+    assert sorted(rk.SLOT) == list(range(rk.SLOPES))
+
+
+@pytest.mark.parametrize(
+    ("final", "weights"),
+    [
+        (rk.FINAL_B, rk.B),
+        (rk.FINAL_B_A, rk.B @ rk.A),
+        (rk.FINAL_5, rk.ERROR_5),
+        (rk.FINAL_3, rk.ERROR_3),
+    ],
+)
+def test_final_stages_hold_all_that_the_new_state_needs(final, weights):
+    full = np.zeros(rk.SLOPES)
+    full[list(rk.FINAL_STAGES)] = final
+    np.testing.assert_allclose(full, weights, rtol=0, atol=ROUNDING)
+
+
+def continuous(theta):
+    return theta ** np.arange(rk.DEGREE + 1) @ rk.CONTINUOUS
+
+
+def continuous_rate(theta):
+    powers = np.arange(1, rk.DEGREE + 1)
+    return (powers * theta ** (powers - 1)) @ rk.CONTINUOUS[1:]
+
+
+def test_continuous_extension_starts_and_ends_on_the_step():
+    np.testing.assert_allclose(continuous(0.0), 0.0, rtol=0, atol=0.0)
+    np.testing.assert_allclose(continuous(1.0), rk.B, rtol=0, atol=1.0e-13)
+
+
+def test_continuous_extension_has_the_slopes_of_the_ends():
+    np.testing.assert_allclose(continuous_rate(0.0), np.eye(rk.SLOPES)[0], rtol=0, atol=1.0e-13)
+    np.testing.assert_allclose(
+        continuous_rate(1.0), np.eye(rk.SLOPES)[rk.NEW_SLOPE], rtol=0, atol=1.0e-12
+    )
+
+
+@pytest.mark.parametrize("theta", [0.13, 0.5, 0.86])
+@pytest.mark.parametrize("k", range(1, 8))
+def test_continuous_extension_has_order_seven(theta, k):
+    moment = continuous(theta) @ rk.C ** (k - 1)
+    assert moment == pytest.approx(theta**k / k, abs=1.0e-13)

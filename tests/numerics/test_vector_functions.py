@@ -1,0 +1,96 @@
+"""Power and exponential of the kernels, against many digits."""
+
+import mpmath
+import numba
+import numpy as np
+import pytest
+
+from granular_fronts.model.passes import NEGLIGIBLE, call_row_map, row_map, row_parameters
+from granular_fronts.model.potentials import make_potential
+from granular_fronts.numerics.vector_functions import (
+    exponential,
+    exponential_less_one,
+    logarithm,
+    power,
+)
+
+DIGITS = 50
+RANGES = [(1.0e-3, 10.0), (0.99, 1.01), (NEGLIGIBLE, 1.0e-3), (10.0, 1.0e20)]
+
+
+@numba.njit
+def call(address, u, force, parameters):
+    call_row_map(address, u, force, 0, u.size - 1, parameters)
+
+
+def compiled_powers(x, exponent):
+    """The force of a Hertz potential."""
+    potential, force = make_potential("hertz", alpha=exponent), np.zeros(x.size)
+    call(row_map(potential, 1), x, force, row_parameters(potential, 1))
+    return force
+
+
+@pytest.mark.parametrize("exponent", [1.0 / 3.0, 0.7, 1.0, 1.01, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0])
+@pytest.mark.parametrize(("smallest", "largest"), RANGES)
+def test_power_is_right_to_the_last_places(exponent, smallest, largest):
+    draw = np.random.default_rng(0).uniform(np.log(smallest), np.log(largest), 500)
+    x = np.maximum(np.exp(draw), np.nextafter(smallest, np.inf))
+    with mpmath.workdps(DIGITS):
+        exact = [mpmath.mpf(float(value)) ** mpmath.mpf(exponent) for value in x]
+        errors = [
+            abs(float((mpmath.mpf(float(computed)) - wanted) / np.spacing(float(wanted))))
+            for computed, wanted in zip(compiled_powers(x, exponent), exact, strict=True)
+        ]
+    assert max(errors) < 1.5
+
+
+@pytest.mark.parametrize("exponent", [0.7, 1.2, 1.5, 3.0])
+def test_open_and_negligible_contacts_exert_no_force(exponent):
+    x = np.array([-1.0, -NEGLIGIBLE, -0.0, 0.0, 1.0e-310, NEGLIGIBLE, np.nan])
+    np.testing.assert_array_equal(compiled_powers(x, exponent), 0.0)
+
+
+@pytest.mark.parametrize("exponent", [1.2, 3.0])
+def test_power_rises_across_the_edges_of_the_reduction(exponent):
+    """Where the power of two split off x, or off the result, changes."""
+    edges = [2.0**k * root for k in range(-6, 7) for root in (1.0, 0.5**0.5)]
+    edges += [2.0 ** ((k + 0.5) / exponent) for k in range(-6, 7)]
+    for edge in edges:
+        around = edge * (1.0 + 1.0e-15 * np.arange(-20, 21))
+        relative = compiled_powers(around, exponent) / around**exponent - 1.0
+        assert np.abs(relative).max() < 4.0e-16
+
+
+def test_power_that_no_double_holds_is_infinite():
+    assert power(1.0e200, 2.5) == np.inf
+    assert power(1.0e100, 2.5) == pytest.approx(1.0e250, rel=1.0e-15)
+
+
+@pytest.mark.parametrize(
+    ("least", "largest"),
+    [(-40, 40), (-1e-3, 1e-3), (-1e-12, 1e-12), (-1e-300, 1e-300), (-700, 700)],
+)
+@pytest.mark.parametrize(
+    ("computed", "exact"), [(exponential, mpmath.exp), (exponential_less_one, mpmath.expm1)]
+)
+def test_exponential_is_right_to_the_last_places(computed, exact, least, largest):
+    for x in np.random.default_rng(1).uniform(least, largest, 500):
+        with mpmath.workdps(DIGITS):
+            wanted = exact(mpmath.mpf(x))
+            error = abs(float((mpmath.mpf(computed(x)) - wanted) / np.spacing(abs(float(wanted)))))
+        assert error < 2.0
+
+
+def test_logarithm_is_that_of_the_library():
+    x = np.concatenate([np.geomspace(3e-308, 1e300, 4001), np.linspace(0.7, 1.42, 4001)])
+    result = np.array([logarithm(number) for number in x])
+    exact = np.log(x)
+    assert np.all(np.abs(result - exact) <= np.spacing(np.abs(exact)) + 1e-320)
+
+
+def test_exponential_beyond_double_precision():
+    assert (exponential(800.0), exponential_less_one(800.0)) == (np.inf, np.inf)
+    assert exponential(-1e10) == pytest.approx(0.0, abs=1e-100)
+    assert exponential_less_one(-1e10) == -1.0
+    assert exponential_less_one(0.0) == 0.0
+    assert np.isnan([exponential(np.nan), exponential_less_one(np.nan)]).all()

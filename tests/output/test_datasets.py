@@ -1,0 +1,169 @@
+"""Files are whole, described, and refused with a sentence when they are not ours."""
+
+import json
+from html import escape
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+from chains import driven_scene
+
+import granular_fronts as gf
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.output.datasets import (
+    DatasetError,
+    long_name,
+    read_dataset,
+    read_origins,
+    write_dataset,
+)
+
+EVERYTHING = {
+    "snapshots": [5.0, 20.0],
+    "probes": {"start": {"beads": [1, 2], "start": 0.0, "stop": 20.0, "step": 0.5}},
+    "grid": {"step": 2.0},
+    "arrival_level": 0.05,
+    "extremes": True,
+    "balances": True,
+}
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return driven_scene(end_time=20.0, record=EVERYTHING)
+
+
+@pytest.fixture(scope="module")
+def dataset(scene):
+    return simulate_chain(scene)
+
+
+@pytest.fixture
+def path(dataset, scene, tmp_path):
+    write_dataset(dataset, tmp_path / "deep" / "scene.nc", scene_id="short", config=scene)
+    return tmp_path / "deep" / "scene.nc"
+
+
+def test_values_survive_the_file(dataset, path):
+    xr.testing.assert_equal(read_dataset(path, "short"), dataset)
+
+
+def test_every_variable_is_described(path):
+    stored = read_dataset(path)
+    for name, variable in stored.variables.items():
+        assert variable.attrs["units"] == "1"
+        assert variable.attrs["long_name"] == long_name(name)
+    for variable in stored.data_vars.values():
+        assert variable.attrs["error_estimate"] >= 0.0 or np.isnan(variable).all()
+        assert variable.attrs["error_method"]
+
+
+def test_the_file_says_where_it_comes_from(path, scene):
+    attributes = read_dataset(path).attrs
+    assert json.loads(attributes["config"]) == scene
+    assert attributes["Conventions"] == "CF-1.11"
+    assert "numpy" in attributes["software"]
+    for name in ("steps_accepted", "right_hand_sides", "momentum_drift", "energy_drift"):
+        assert attributes[name] >= 0
+    assert attributes["relative_tolerance"] == scene["tolerance"]["relative"]
+
+
+def test_suffixes_enter_the_long_names():
+    assert long_name("relative_displacement_grid").endswith("(grid)")
+    assert long_name("t_steady") == "time (steady)"
+    assert "smallest" in long_name("smallest_relative_displacement_time")
+    with pytest.raises(KeyError, match=r"long_names\.yaml"):
+        long_name("unheard_of")
+
+
+def test_missing_file_is_refused(tmp_path):
+    with pytest.raises(DatasetError, match=r"absent\.nc does not exist: run the workflow"):
+        read_dataset(tmp_path / "absent.nc")
+
+
+def test_truncated_file_is_refused(path):
+    path.write_bytes(path.read_bytes()[:500])
+    with pytest.raises(DatasetError, match=r"not a readable netCDF file.*delete it"):
+        read_dataset(path)
+
+
+def add_one(dataset):
+    dataset["velocity"][0, 0] += 1.0
+
+
+def turn_the_smallest_bit(dataset):
+    name = "total_velocity"
+    dataset[name][-1] = np.nextafter(dataset[name][-1], np.inf)
+
+
+def claim_other_damping(dataset):
+    dataset.config = dataset.config.replace("0.06", "0.07")
+
+
+@pytest.mark.parametrize("alter", [add_one, turn_the_smallest_bit, claim_other_damping])
+def test_altered_file_is_refused_by_every_reader(path, alter):
+    with netCDF4.Dataset(path, "a") as dataset:
+        alter(dataset)
+    with pytest.raises(DatasetError, match=r"scene\.nc was altered after .*: delete it and run"):
+        read_dataset(path)
+    with pytest.raises(DatasetError, match=r"scene\.nc was altered"):
+        read_origins(path.parent, ["scene"])
+
+
+def test_dataset_that_is_written_again_has_a_digest_of_its_own(path, scene):
+    write_dataset(read_dataset(path) * 2.0, path, scene_id="short", config=scene)
+    read_dataset(path)
+
+
+def test_foreign_file_is_refused(tmp_path):
+    foreign = tmp_path / "foreign.nc"
+    netCDF4.Dataset(foreign, "w").close()
+    with pytest.raises(DatasetError, match="was not written by this project"):
+        read_dataset(foreign)
+
+
+def test_file_of_another_scene_is_refused(path):
+    with pytest.raises(DatasetError, match="holds scene short, but long is expected"):
+        read_dataset(path, "long")
+
+
+RING = {
+    "law": {"alpha": 1.5, "gamma": 0.24},
+    "displacement": 5.0,
+    "half_beads": 40,
+    "start": {"kind": "plateau", "half_width": 6, "floor": 1.0e-7},
+    "end_time": 5.0,
+    "tolerance": {"relative": 1.0e-8, "absolute": 1.0e-10},
+    "equations": {
+        "logarithmic": {"cells": 160, "tolerance": 1.0e-5},
+        "unlimited": {"cells": 160, "tolerance": 1.0e-5},
+        "dispersive": {"cells": 160, "tolerance": 1.0e-5},
+        "upwind": {"points": 200},
+    },
+    "record": {"snapshots": [0.0, 5.0], "grid": {"step": 1.0}},
+}
+SOLVED = {
+    "chain": lambda: gf.simulate_chain(driven_scene(end_time=20.0, record=EVERYTHING)),
+    "front": lambda: gf.solve_front(alpha=1.5, gamma=0.1),
+    "no front": lambda: gf.solve_front(alpha=1.5, gamma=1e-9),
+    "sweep": lambda: gf.sweep_fronts(alpha=1.5, gammas=[0.1, 0.2]),
+    "orbit": lambda: gf.heteroclinic(0.3),
+    "logarithmic Burgers": lambda: gf.evolve_log_burgers(RING),
+    "logarithmic KdV-Burgers": lambda: gf.evolve_log_kdv_burgers(RING),
+}
+
+
+@pytest.mark.parametrize("solved", SOLVED)
+def test_what_a_solver_returns_prints_well(solved):
+    """Each variable has a name and a unit, and no attribute is longer than a few lines."""
+    dataset = SOLVED[solved]()
+    for variable in dataset.variables.values():
+        assert variable.attrs["long_name"]
+        assert variable.attrs["units"] == "1"
+    for described in (dataset, *dataset.variables.values()):
+        assert all(len(str(value)) < 250 for value in described.attrs.values())
+    assert "config" not in dataset.attrs
+    page = dataset._repr_html_()
+    for variable in dataset.variables.values():
+        assert escape(variable.attrs["long_name"]) in page

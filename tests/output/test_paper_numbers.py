@@ -1,0 +1,289 @@
+"""Verdicts on statements of the paper and on findings of this project, and the lists of them."""
+
+import json
+import math
+from itertools import chain
+from pathlib import Path
+
+import pytest
+import xarray as xr
+from compare_periodic_chain import compare_periodic_chain
+from compute_heteroclinic import compute_heteroclinic
+from initiate_front import initiate_front
+from study import study
+from tabulate_statements import find_measure
+
+from granular_fronts.accuracy import Estimate
+from granular_fronts.errors import InputError
+from granular_fronts.output.departures import departures
+from granular_fronts.output.statements import (
+    ANSWERS,
+    DOES_NOT_HOLD,
+    HOLDS,
+    NOT_JUDGED,
+    NOT_REPRODUCED,
+    OTHER_PARAMETERS,
+    REPRODUCED,
+    UNDECIDED,
+    Range,
+    criterion_of,
+    evaluate,
+    half_unit,
+    range_of_criterion,
+    scenes_of,
+    unexpected_verdicts,
+    verdict_on,
+)
+from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
+from questions import questions
+
+CONFIG = Path(__file__).parents[2] / "config"
+LISTS = {
+    name: read_yaml(CONFIG / f"{name}.yaml") for name in ("paper_numbers", "findings", "ring_limit")
+}
+CAMPAIGNS = {path.stem for path in (CONFIG / "campaigns").glob("*.yaml")}
+STATEMENTS = list(chain(*LISTS.values()))
+DEFAULTS = read_yaml(CONFIG / "default.yaml")
+
+
+@pytest.mark.parametrize(
+    ("criterion", "allowed"),
+    [
+        ("1 within 0.01", Range(0.99, 1.01)),
+        ("-0.2 within 1e-12", Range(-0.2 - 1e-12, -0.2 + 1e-12)),
+        ("0.4 to 0.6, a tenth of δ", Range(0.4, 0.6)),
+        ("at least 0", Range(0.0, math.inf)),
+        (">= 0", Range(0.0, math.inf)),
+        ("above 0, in beads", Range(0.0, math.inf, strict=True)),
+        ("> 0", Range(0.0, math.inf, strict=True)),
+        ("at most -1.5e-3", Range(-math.inf, -1.5e-3)),
+        ("< 1", Range(-math.inf, 1.0, strict=True)),
+    ],
+)
+def test_criteria_are_read(criterion, allowed):
+    assert range_of_criterion(criterion) == allowed
+
+
+@pytest.mark.parametrize(
+    ("criterion", "words"),
+    [
+        *(
+            (text, "cannot be read")
+            for text in ("", "small", "1", "about 1", "1 within", "above one")
+        ),
+        *((text, "allows no number") for text in ("0.6 to 0.4", "1 within -0.01")),
+    ],
+)
+def test_a_criterion_without_numbers_is_an_error(criterion, words):
+    with pytest.raises(ValueError, match=words):
+        range_of_criterion(criterion)
+
+
+@pytest.mark.parametrize(
+    ("printed", "half"), [("0.56", 0.005), ("2326", 0.5), ("-9.83", 0.005), ("5.5e-3", 5e-5)]
+)
+def test_half_a_unit_of_the_last_digit(printed, half):
+    assert float(half_unit(printed)) == pytest.approx(half, rel=1e-12)
+
+
+@pytest.mark.parametrize("printed", ["nan", "inf", "-Infinity", "abc", 0.10])
+def test_a_number_without_last_digit_is_refused(printed):
+    statement = {"quantity": "width", "kind": "number", "printed": printed}
+    with pytest.raises((InputError, ValueError), match=f"{printed}.*(last digit|quotation marks)"):
+        criterion_of(statement)
+
+
+NUMBER, POSITIVE = {"kind": "number", "printed": "0.56"}, {"kind": "inequality", "printed": "> 0"}
+TENS = {"kind": "number", "printed": "750", "within": 5}
+SMALL = {"kind": "words", "printed": "very small", "criterion": "at most 0.01"}
+
+
+@pytest.mark.parametrize(
+    ("statement", "value", "error", "verdict"),
+    [
+        # Half a unit of the last digit decides, unless another half-width is given.
+        (NUMBER, 0.5649, 1e-9, REPRODUCED),
+        (NUMBER, 0.5651, 1e-9, NOT_REPRODUCED),
+        (NUMBER | {"printed": "-9.83"}, -9.8325, 1e-9, REPRODUCED),
+        (NUMBER | {"printed": "2326"}, 2326.6, 1e-9, NOT_REPRODUCED),
+        (NUMBER | {"printed": "1.6"}, 1.66, 1e-9, NOT_REPRODUCED),
+        (TENS, 746.0, 0.1, REPRODUCED),
+        (TENS, 744.0, 0.1, NOT_REPRODUCED),
+        # Words are judged by their criterion alone.
+        (SMALL, 0.001, 0.0, HOLDS),
+        (SMALL, 0.1, 0.0, DOES_NOT_HOLD),
+        (NUMBER | {"not_judged": "circular"}, 0.56, 0.0, NOT_JUDGED),
+        # An error never counts in favour, neither just outside nor just inside.
+        (NUMBER, 0.567, 0.003, UNDECIDED),
+        (NUMBER, 0.563, 0.003, UNDECIDED),
+        (POSITIVE | {"printed": "> 1"}, 0.9, 0.2, UNDECIDED),
+        # One above half a unit decides nothing.
+        *((NUMBER, value, 0.006, UNDECIDED) for value in (0.56, 0.57, 100.0)),
+        # Nor does what is negative or not a number.
+        *((statement, 0.56, -1e-9, UNDECIDED) for statement in (NUMBER, POSITIVE, SMALL)),
+        *((statement, 0.56, math.nan, UNDECIDED) for statement in (NUMBER, POSITIVE, SMALL)),
+        *((statement, math.nan, 0.0, UNDECIDED) for statement in (NUMBER, POSITIVE, SMALL)),
+        (NUMBER, 0.56, 0.0, REPRODUCED),
+        # A strict inequality leaves out its limit.
+        (POSITIVE, 0.0, 0.0, NOT_REPRODUCED),
+        (POSITIVE | {"printed": ">= 0"}, 0.0, 0.0, REPRODUCED),
+        (POSITIVE | {"printed": "< 0"}, 0.0, 0.0, NOT_REPRODUCED),
+        (POSITIVE | {"printed": "<= 0"}, 0.0, 0.0, REPRODUCED),
+        (POSITIVE, 1e-300, 0.0, REPRODUCED),
+        (POSITIVE | {"printed": "< 0"}, 1.0, 0.0, NOT_REPRODUCED),
+        *(
+            (POSITIVE | {"printed": printed}, value, 2e-3, UNDECIDED)
+            for printed in ("> 0", ">= 0", "< 0", "<= 0")
+            for value in (-1e-3, 0.0, 1e-3)
+        ),
+    ],
+)
+def test_verdict_on_a_number_and_its_error(statement, value, error, verdict):
+    assert verdict_on(statement, Estimate(value, error)) == verdict
+
+
+def test_what_is_not_judged_has_no_criterion():
+    assert criterion_of(SMALL) == "at most 0.01"
+    assert criterion_of(NUMBER | {"not_judged": "circular"}) == ""
+
+
+REFERENCE = {"boundary": {"left": 0.1}, "law": {"alpha": 1.5}, "tolerance": {"relative": 1e-13}}
+SPEED = {
+    "quantity": "front speed",
+    "kind": "number",
+    "printed": "0.56",
+    "scene": "chain",
+    "measure": "chain.measures.predicted_speed",
+    "expected": REPRODUCED,
+    "remark": "a remark",
+}
+
+
+def by_scene(configuration):
+    """What each dataset answers, by the name of its scene."""
+    return {name.rpartition("/")[2]: part for name, part in questions(configuration).items()}
+
+
+def row_of(statement, **changes):
+    dataset = xr.Dataset(attrs={"config": json.dumps(REFERENCE | changes)})
+    measure = find_measure(statement["measure"])
+    return evaluate(statement, measure, {"chain": dataset}, {"chain": REFERENCE})
+
+
+def test_a_statement_becomes_a_row():
+    row = row_of(SPEED)
+    assert row["computed"] == 0.1**0.25
+    assert row["numerical_error"] == math.ulp(0.1**0.25)
+    assert (row["verdict"], row["criterion"]) == (REPRODUCED, "0.56 within 0.005")
+    assert row["remark"] == "a remark"
+
+
+def test_other_parameters_are_named_and_not_judged():
+    row = row_of(SPEED, boundary={"left": 0.2}, beads=40)
+    assert row["verdict"] == OTHER_PARAMETERS
+    assert row["remark"] == "boundary.left is 0.2 instead of 0.1; beads is 40, by default absent"
+    assert row["computed"] == pytest.approx(0.2**0.25)
+
+
+def test_another_tolerance_is_not_another_parameter():
+    assert row_of(SPEED, tolerance={"relative": 1e-9})["verdict"] == REPRODUCED
+
+
+@pytest.mark.parametrize("failure", [KeyError, ValueError, ZeroDivisionError])
+def test_other_parameters_may_leave_nothing_to_measure(failure):
+    """As a bead that is not there, or the plateau of a start that has none."""
+
+    def fails(*_):
+        raise failure
+
+    dataset = xr.Dataset(attrs={"config": json.dumps(REFERENCE)})
+    row = evaluate(SPEED, fails, {"chain": dataset}, {"chain": REFERENCE | {"beads": 40}})
+    assert row["verdict"] == OTHER_PARAMETERS
+    assert math.isnan(row["computed"])
+    with pytest.raises(failure):
+        evaluate(SPEED, fails, {"chain": dataset}, {"chain": REFERENCE})
+
+
+def test_several_scenes_are_measured_together():
+    """In the order of the statement, with its arguments."""
+    scenes = {"weak": {"law": {"alpha": 1.1}}, "hertz": {"law": {"alpha": 1.5}}}
+    data = {name: xr.Dataset(attrs={"config": json.dumps(scenes[name])}) for name in scenes}
+    statement = SMALL | {"quantity": "ratio", "scene": ["weak", "hertz"], "arguments": {"power": 2}}
+
+    def ratio(one, other, power):
+        alphas = [json.loads(each.attrs["config"])["law"]["alpha"] for each in (one, other)]
+        return Estimate(1e-3 * (alphas[0] / alphas[1]) ** power, 0.0)
+
+    row = evaluate(statement, ratio, data, scenes)
+    assert (row["scene"], row["verdict"]) == ("weak, hertz", HOLDS)
+    assert row["computed"] == pytest.approx(1e-3 * (1.1 / 1.5) ** 2)
+    other = evaluate(statement, ratio, data, scenes | {"hertz": scenes["weak"]})
+    assert (other["verdict"], other["remark"]) == (
+        OTHER_PARAMETERS,
+        "law.alpha is 1.5 instead of 1.1",
+    )
+
+
+@pytest.mark.parametrize("verdict", [NOT_REPRODUCED, UNDECIDED, NOT_JUDGED, HOLDS])
+def test_an_unexpected_verdict_is_named(verdict):
+    expected = [row_of(SPEED), row_of(SPEED, beads=40)]
+    assert unexpected_verdicts(expected) == []
+    changed = {**row_of(SPEED), "verdict": verdict}
+    (sentence,) = unexpected_verdicts([*expected, changed])
+    assert sentence == f"front speed: the verdict is {verdict!r}, expected is 'reproduced'."
+
+
+@pytest.mark.parametrize("statement", STATEMENTS, ids=lambda statement: statement["quantity"])
+def test_every_statement_can_be_measured_and_judged(statement):
+    assert callable(find_measure(statement["measure"]))
+    assert set(scenes_of(statement)) <= set(by_scene(DEFAULTS)) | CAMPAIGNS
+    assert statement["paper_place"]
+    if statement["expected"] == NOT_JUDGED:
+        assert statement["not_judged"]
+    else:
+        assert statement["expected"] in (*ANSWERS[statement["kind"]], UNDECIDED)
+        assert statement["remark"]
+        low, high, _ = range_of_criterion(criterion_of(statement))
+        assert low < high
+        # What has no lower limit is not negative, which the tests of the tables see to.
+        assert high < math.inf or statement["kind"] == "inequality"
+    assert "|" not in "".join(map(str, statement.values()))
+
+
+def test_findings_print_nothing_and_the_paper_finds_nothing():
+    """What the paper does not print must not stand beside it, and the other way round."""
+    for name in ("findings", "ring_limit"):
+        assert all("printed" not in entry for entry in LISTS[name])
+        assert {entry["kind"] for entry in LISTS[name]} == {"finding"}
+    assert all(entry["printed"] for entry in LISTS["paper_numbers"])
+    assert {entry["kind"] for entry in LISTS["paper_numbers"]} == {"number", "inequality", "words"}
+
+
+def test_every_statement_stands_once():
+    stated = [(entry["quantity"], entry.get("printed")) for entry in STATEMENTS]
+    assert len(set(stated)) == len(stated)
+
+
+SMOKE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")
+STEPS = {
+    "initiation_overdamped": initiate_front,
+    "front_profiles": compute_heteroclinic,
+    "hertz": compare_periodic_chain,
+}
+STUDIES = [
+    *("damping_regimes", "materials", "numerical_damping", "half_step_damping"),
+    "log_burgers_fronts",
+]
+
+
+@pytest.mark.parametrize("name", [*STEPS, *STUDIES])
+def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_path):
+    """What is filled in would look like other parameters, and nothing would be judged."""
+    reference = by_scene(SMOKE)[name]
+    if name in STEPS:
+        STEPS[name](scene=reference, scene_id=name, dataset=tmp_path / "result.nc")
+    else:
+        study(name, reference, tmp_path / "result.nc")
+    with xr.open_dataset(tmp_path / "result.nc") as dataset:
+        assert dataset.attrs["scene"] == name
+        assert departures(json.loads(dataset.attrs["config"]), reference) == []

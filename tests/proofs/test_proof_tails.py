@@ -1,0 +1,245 @@
+"""Tail roots, α* and critical damping in balls: counts, enclosures, and what is refused."""
+
+import math
+import re
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from projects import ROOT
+
+flint = pytest.importorskip("flint")
+
+from flint import acb, arb, fmpq  # noqa: E402
+
+import granular_fronts as gf  # noqa: E402
+from granular_fronts.fronts.linear.critical_damping import meaning_changes_at  # noqa: E402
+from granular_fronts.proofs import tail_roots  # noqa: E402
+from granular_fronts.proofs.balls import NotProvedError  # noqa: E402
+from granular_fronts.proofs.tail_roots import Law  # noqa: E402
+
+HERTZ = Fraction(3, 2)
+CRITICAL = [Fraction(alpha) for alpha in ("17/16", "9/8", "5/4", "3/2", "2", "3", "5")]
+DAMPINGS = [Fraction(gamma) for gamma in ("1/10", "1/5", "3/10", "1/3", "1")]
+PRECISION = 180  # bits, fifty digits
+BEND = 2.3469413041671690
+
+
+@pytest.fixture(autouse=True)
+def digits():
+    """Fifty digits, and those of others again afterwards."""
+    before, flint.ctx.prec = flint.ctx.prec, PRECISION
+    yield
+    flint.ctx.prec = before
+
+
+def ball(fraction):
+    return arb(fmpq(fraction.numerator, fraction.denominator))
+
+
+def enclosures():
+    """By name and law: α*, γ_c for each α and the slowest roots, in balls and as computed."""
+    yield ("α*", ""), tail_roots.touching(tail_roots.find_bend(BEND, 1e-6)), meaning_changes_at()
+    for alpha in CRITICAL:
+        gamma = gf.critical_damping(float(alpha))
+        roots = gf.tail_roots(float(alpha), gamma, count=3)
+        if alpha < meaning_changes_at():
+            law, _ = tail_roots.double_root(ball(alpha), roots[0].real, 1e-4)
+            yield ("γ_c, double root", str(alpha)), law.gamma, gamma
+        else:
+            real, pair = sorted(roots[:2], key=lambda root: root.imag)
+            law, *_ = tail_roots.crossing(ball(alpha), gamma, (real, pair), 1e-9)
+            yield ("γ_c, crossing", str(alpha)), law.gamma, gamma
+    for gamma in DAMPINGS:
+        starts = list(map(complex, gf.tail_roots(1.5, float(gamma), count=5)))
+        roots = tail_roots.slowest_roots(Law(ball(HERTZ), ball(gamma)), starts, 1e-9)
+        for j, (root, start) in enumerate(zip(roots, starts, strict=False)):
+            yield (f"λ{j}", str(gamma)), root, start
+
+
+@pytest.fixture(scope="module")
+def found():
+    """Enclosures and computed values by name and law."""
+    before, flint.ctx.prec = flint.ctx.prec, PRECISION
+    known = {name: (enclosure, value) for name, enclosure, value in enclosures()}
+    flint.ctx.prec = before
+    return known
+
+
+def test_thirty_digits_of_every_quantity(found):
+    for enclosure, _ in found.values():
+        for part in (acb(enclosure).real, acb(enclosure).imag):
+            assert float(part.rad()) < 1e-28
+
+
+def test_computed_values_are_good_to_a_few_units_of_the_last_digit(found):
+    """γ in a root costs |dλ/dγ| of its own."""
+    assert {name for name, _ in found} >= {"α*", "γ_c, double root", "γ_c, crossing", "λ0", "λ3"}
+    for name, (enclosure, value) in found.items():
+        error = abs(acb(enclosure) - acb(value.real, value.imag)).upper()
+        assert error < 16 * math.ulp(abs(value)), name
+
+
+def test_page_prints_the_enclosed_numbers(found):
+    text = (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
+    printed = dict(re.findall(r"^\| (\d+(?:/\d+)?) \| (\d\.\d{25,}) \|$", text, re.MULTILINE))
+    crossings = {alpha: ball for (name, alpha), (ball, _) in found.items() if "crossing" in name}
+    assert printed.keys() == crossings.keys()
+    for alpha, digits in printed.items():
+        assert abs(crossings[alpha] - arb(digits)) < arb("1e-28")
+    for name in (("α*", ""), ("γ_c, double root", "9/8")):
+        assert found[name][0].str(30).strip("[").split(" ")[0][:27] in text
+
+
+def hertz_crossing():
+    gamma = gf.critical_damping(1.5)
+    real, pair = sorted(gf.tail_roots(1.5, gamma, count=2), key=lambda root: root.imag)
+    return gamma, complex(real), complex(pair)
+
+
+def test_crossing_exchanges_the_slowest_root():
+    gamma, real, pair = hertz_crossing()
+    law, *roots = tail_roots.crossing(ball(HERTZ), gamma, (real, pair), 1e-9)
+    assert float(law.gamma.rad()) < 1e-40
+    for side, slowest in ((-1e-9, 1), (1e-9, 0)):
+        beside = Law(law.alpha, law.gamma.mid() + side)
+        found = [tail_roots.find_root(beside, x.real, x.imag, 1e-6) for x in (real, pair)]
+        assert found[slowest].real < found[1 - slowest].real
+    assert abs(roots[0].real - roots[1].real) < arb("1e-40")
+
+
+@pytest.mark.parametrize("shift", [1e-6, -1e-6])
+def test_crossing_that_is_elsewhere_is_refused(shift):
+    gamma, real, pair = hertz_crossing()
+    with pytest.raises(NotProvedError, match="no single root"):
+        tail_roots.crossing(ball(HERTZ), gamma + shift, (real, pair), 1e-9)
+
+
+def test_crossing_of_the_wrong_roots_is_refused():
+    gamma, real, pair = hertz_crossing()
+    third = complex(gf.tail_roots(1.5, gamma, count=3)[2])
+    for roots in ((real, real), (real, third), (pair, real)):
+        with pytest.raises(NotProvedError):
+            tail_roots.crossing(ball(HERTZ), gamma, roots, 1e-9)
+
+
+def test_double_root_is_double():
+    alpha = ball(Fraction(9, 8))
+    gamma = gf.critical_damping(1.125)
+    start = gf.tail_roots(1.125, gamma, count=1)[0].real
+    law, root = tail_roots.double_root(alpha, start, 1e-4)
+    assert tail_roots.symbol(law, acb(root)).contains(0)
+    assert tail_roots.slope(law, acb(root)).contains(0)
+    assert abs(law.gamma - gamma) < arb("1e-15")
+    for side, imaginary in ((-1e-4, True), (1e-4, False)):
+        slowest = gf.tail_roots(1.125, gamma + side, count=1)[0]
+        assert bool(slowest.imag) == imaginary
+
+
+@pytest.mark.parametrize("wrong", [1.3, 1.18771])
+def test_no_double_root_beyond_the_last_alpha(wrong):
+    with pytest.raises(NotProvedError):
+        tail_roots.double_root(arb(wrong), 2.34, 1e-2)
+
+
+def test_double_root_of_the_other_side_is_refused():
+    """Beyond the bend the line touches the bell too, with two slower roots before it."""
+    with pytest.raises(NotProvedError):
+        tail_roots.double_root(arb(9) / 8, 3.1, 0.2)
+
+
+def test_bend_and_the_last_alpha():
+    bend = tail_roots.find_bend(BEND, 1e-6)
+    last = tail_roots.touching(bend)
+    assert abs(last - meaning_changes_at()) < arb("1e-15")
+    law = Law(last, -tail_roots.bell(bend, 1)[1] / last)
+    tail_roots.require_zeros(law, "three", arb("2.45"), 3)
+    tail_roots.require_zeros(law, "none", arb("2.24"), 0)
+    for start, radius in ((2.4, 1e-6), (2.3, 1e-3), (float("nan"), 1e-6)):
+        with pytest.raises((NotProvedError, ValueError)):
+            tail_roots.find_bend(start, radius)
+
+
+@pytest.mark.parametrize("place", ["2.0001", "2.3", "3.49999"])
+def test_bell_may_bend_nowhere_else(monkeypatch, place):
+    """Where both q'' and its slope may be 0, from 2 to 7/2, nothing is concluded."""
+    bell = tail_roots.bell
+
+    def flat(x, order):
+        values = bell(x, order)
+        return [*values[:2], arb(0), arb(0)] if x.contains(arb(place)) else values
+
+    monkeypatch.setattr(tail_roots, "bell", flat)
+    with pytest.raises(NotProvedError, match="may bend more than once"):
+        tail_roots.find_bend(BEND, 1e-6)
+
+
+def test_bend_of_negative_argument_is_refused():
+    """The bell is even."""
+    with pytest.raises(NotProvedError, match="not between 2 and 7/2"):
+        tail_roots.find_bend(-BEND, 1e-6)
+
+
+def test_a_line_through_a_root_counts_nothing():
+    law = Law(ball(HERTZ), ball(Fraction(3, 10)))
+    root = tail_roots.find_root(law, float(gf.tail_roots(1.5, 0.3, count=1)[0].real), 0, 1e-9)
+    for count in (0, 1):
+        with pytest.raises(NotProvedError, match="may be a root"):
+            tail_roots.require_zeros(law, "on the line", root.real, count)
+
+
+FAR = 12, 0.087, 0.3456, 2
+
+
+def test_roots_far_from_the_real_axis_are_counted():
+    """A pair with Im λ > 4: a line that ended there would not turn around 0."""
+    alpha, gamma, w, zeros = FAR
+    slow = [root for root in gf.tail_roots(alpha, gamma, count=2) if root.real < w]
+    assert [root.imag > 4 for root in slow] == [True]
+    law = Law(arb(alpha), arb(gamma))
+    tail_roots.require_zeros(law, "a pair", arb(w), zeros)
+    for count in (0, 4):
+        with pytest.raises(NotProvedError):
+            tail_roots.require_zeros(law, "a pair", arb(w), count)
+
+
+def test_bell_is_bent_as_the_lemma_says():
+    """q'' < 0 up to 2 and q'' > 0 from 4, where the proof is by hand."""
+    for x in np.linspace(0.05, 2, 40):
+        assert tail_roots.bell(arb(x), 2)[2] < 0
+    for x in np.linspace(4, 30, 40):
+        assert tail_roots.bell(arb(x), 2)[2] > 0
+
+
+def test_roots_that_are_not_all_are_refused():
+    starts = [complex(root) for root in gf.tail_roots(1.5, 0.3, count=5)]
+    law = Law(ball(HERTZ), ball(Fraction(3, 10)))
+    assert len(tail_roots.slowest_roots(law, starts, 1e-9)) == 4
+    wrong = {
+        "one left out": starts[:1] + starts[2:],
+        "exchanged": [starts[1], starts[0], *starts[2:]],
+        "one twice": [starts[0], *starts],
+        "a lower half plane": [starts[0], starts[1].conjugate(), *starts[2:]],
+        "a pair for a real root": [starts[0] + 1e-12j, *starts[1:]],
+    }
+    for roots in wrong.values():
+        with pytest.raises(NotProvedError):
+            tail_roots.slowest_roots(law, roots, 1e-9)
+
+
+@pytest.mark.parametrize("gamma", [0.05, 0.2, 0.3, 1.0])
+def test_speed_of_roots_is_their_derivative(gamma):
+    step = 1e-6
+    roots = gf.tail_roots(1.5, gamma, count=2)
+    behind, ahead = (gf.tail_roots(1.5, gamma + s, count=2) for s in (-step, step))
+    for j, root in enumerate(roots):
+        found = complex(tail_roots.speed(Law(arb(1.5), arb(gamma)), acb(root.real, root.imag)))
+        assert found == pytest.approx((ahead[j] - behind[j]) / (2 * step), rel=1e-7)
+
+
+@pytest.mark.parametrize("far", ["20.001", "1e300", "inf", "nan"])
+def test_no_line_is_followed_without_end(far):
+    """A certificate may name any θ, and its check must end."""
+    law = Law(ball(HERTZ), ball(Fraction(3, 10)))
+    with pytest.raises(NotProvedError, match="too far behind"):
+        tail_roots.require_zeros(law, "theta", arb(far), 0)

@@ -1,0 +1,129 @@
+"""The numbers of docs/practitioners.md are those of the study and of the referee."""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from half_steps import half_steps, write_dump
+from pages import commands, run
+from projects import ROOT
+from write_referee import write_referee
+
+from granular_fronts.referee.answers import solve
+from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.problems import load_problems, read_settings
+from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
+from granular_fronts.studies.half_step_motions import Case, collision_time
+
+DOCUMENT = ROOT / "docs" / "practitioners.md"
+PAGE = DOCUMENT.read_text(encoding="utf-8")
+SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
+PROBLEMS = load_problems(SETTINGS)
+QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL).group(1)
+PACKAGES = str(ROOT / "src")
+COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
+COLUMNS += ("speed_defect", "momentum_defect")
+
+
+def last_digit(number):
+    """Half a unit of the last digit of a decimal number."""
+    return 0.5 * 10.0 ** -len(number.partition(".")[2])
+
+
+@pytest.fixture(scope="module")
+def measured():
+    scene = load_configuration(ROOT / "config" / "default.yaml")["laws"]["half_step_damping"]
+    shown = scene["shown"]
+    assert shown["beta"] == 1.5
+    assert shown["gamma"] == 0.05
+    return measure_half_step_damping(**scene | {"steps_per_collision": [10, 20, 50, 100]})
+
+
+def test_table_of_checks(measured):
+    rows = re.findall(r"^\| 1/(\d+) \| (.*) \|$", PAGE, re.MULTILINE)
+    assert [int(count) for count, _ in rows] == [10, 20, 50, 100]
+    for count, cells in rows:
+        at = measured.sel(beta=1.5, gamma=0.05).sel(step=1.0 / int(count), method="nearest")
+        for name, cell in zip(COLUMNS, cells.split(" | "), strict=True):
+            if cell.startswith("<"):
+                assert float(at[name]) < float(cell[1:])
+                continue
+            number = cell.removesuffix(" %")
+            assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
+
+
+RULE = re.search(
+    r"(\S+) to (\S+) times this in\s+the middle of (\d+) beads. With β = 5/4 it is (\S+) to (\S+)"
+    r" times h/t_c,\s+with\s+β = 1 (\S+) to\s+(\S+), in the middle of (\d+) beads",
+    PAGE,
+)
+
+
+def holds_tightly(ratio, low, high):
+    """Whether printed limits are those of some ratios, to the digits printed."""
+    return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
+
+
+def test_overshoot_in_a_short_chain(measured):
+    rows = re.findall(r"^  \| (0\.\d+) \| (.*) \|$", PAGE, re.MULTILINE)
+    assert [float(gamma) for gamma, _ in rows] == measured["gamma"].values.tolist()
+    fine = measured.sel(step=slice(0.0201, None))
+    ratios = (fine["excess_overshoot"] / fine["step"]).transpose("gamma", "beta", "step")
+    printed = [[cell.split(", ") for cell in cells.split(" | ")] for _, cells in rows]
+    np.testing.assert_allclose(ratios, np.array(printed, float), rtol=0, atol=0.005)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("beta", "gammas", "beads", "end", "printed"),
+    [
+        (1.5, (0.01, 0.03, 0.13), RULE[3], 208, RULE.group(1, 2)),
+        (1.25, (0.01, 0.13), RULE[8], 108, RULE.group(4, 5)),
+        (1.0, (0.01, 0.13), RULE[8], 108, RULE.group(6, 7)),
+    ],
+)
+def test_rule_of_thumb_in_a_long_chain(beta, gammas, beads, end, printed):
+    unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
+    chains = [Case(1.5, beta, gamma, int(beads), end * unit) for gamma in gammas]
+    ratios = [measure_excess(case, unit / counts).overshoot * counts for case in chains]
+    ratios = np.array(ratios)[:, : None if beta == 1.5 else 2]
+    assert holds_tightly(ratios, *map(float, printed))
+
+
+def test_what_the_referee_says_of_a_front():
+    problem = PROBLEMS["front_steel_viscoelastic"]
+    answer = solve(problem)
+    findings = [find(problem, answer, half_steps(problem, h)) for h in (0.25, 0.1, 0.05, 0.025)]
+    said = list(report(problem, findings, 1e-3))
+    assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_errors_of_the_answers(name):
+    answer = solve(PROBLEMS[name])
+    fields = (answer[name] for name in ("relative_displacement", "velocity"))
+    assert 0.0 < max(field.attrs["error_estimate"] for field in fields) < 1e-10
+    assert answer["value_error"].max() < 1e-10
+
+
+@pytest.mark.slow
+def test_commands_run_as_shown(tmp_path):
+    """In the folder of the decks, where LAMMPS leaves its dumps."""
+    make, enter, ask = commands(DOCUMENT)
+    assert make == "snakemake -c2 referee"
+    folder = tmp_path / enter.removeprefix("cd ")
+    front = {"front": SETTINGS["motions"]["front"] | {"dampings": ["steel"]}}
+    write_referee(SETTINGS | {"motions": front}, folder / "answers.csv")
+    for step in (0.25, 0.1, 0.05, 0.025):
+        result = half_steps(PROBLEMS["front_steel_viscoelastic"], step)
+        write_dump(folder / f"front_steel_viscoelastic_{step}.dump", result)
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    outcome = run(["bash", "-c", f"{enter} && {ask}"], tmp_path, PATH=path, PYTHONPATH=PACKAGES)
+    assert outcome.returncode == 0, outcome.stderr
+    assert QUOTED in outcome.stdout
+    assert (folder / "front_steel_viscoelastic.png").stat().st_size > 10_000

@@ -1,0 +1,448 @@
+"""The referee: problems, decks, answers, and what it says of results that are known to be off."""
+
+import re
+
+import numpy as np
+import pytest
+from half_steps import half_steps, write_table
+from projects import ROOT
+from write_referee import write_referee
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import InputError
+from granular_fronts.model.collision import restitution
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.referee.__main__ import main
+from granular_fronts.referee.answers import states
+from granular_fronts.referee.assessment import Finding, find, observed_order, report
+from granular_fronts.referee.drawing import draw
+from granular_fronts.referee.lammps_deck import damping_model, write_deck
+from granular_fronts.referee.problems import in_words, load_problems, read_settings
+from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
+from granular_fronts.referee.results_files import Result, read_result
+
+SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
+PROBLEMS = load_problems(SETTINGS)
+FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
+SMALL = SETTINGS | {
+    "laws": {"viscoelastic": 1.5, "dashpot": 1},
+    "motions": {
+        "front": {"beads": 16, "end_time": 40, "dampings": ["steel", "overdamped"]},
+        "collision": {"beads": 2, "end_time": 20, "dampings": ["steel"]},
+        "striker": {"beads": 8, "end_time": 30, "dampings": ["steel"]},
+        "contact_loss": {"beads": 8, "end_time": 40, "dampings": ["steel"]},
+    },
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Answers of a small set of problems."""
+    place = tmp_path_factory.mktemp("referee")
+    write_referee(SMALL, place / "answers.csv")
+    return place
+
+
+@pytest.fixture(scope="module")
+def problem():
+    return load_problems(SMALL)[FRONT]
+
+
+def test_dampings_are_those_of_a_front():
+    """γ̂ δ^(5/4 − β): with β = 5/4 the damping has no unit but that of the front."""
+    for name, problem in PROBLEMS.items():
+        _, damping, law = name.rsplit("_", 2)
+        expected = SETTINGS["dampings"][damping] * 0.1 ** (1.25 - SETTINGS["laws"][law])
+        assert problem.scene["law"]["gamma"] == pytest.approx(expected, rel=1e-14)
+    assert len({problem.motion for problem in PROBLEMS.values()}) == 4
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_deck_and_words_hold_the_numbers_of_the_scene(name):
+    problem = PROBLEMS[name]
+    scene = problem.scene
+    deck = write_deck(name, problem.title, scene, problem.interval)
+    assert len(re.findall("^create_atoms 1 single", deck, re.M)) == scene["beads"]
+    pushed = re.findall(r"addforce (\S+) 0 0", deck)
+    struck = re.findall(r"^set atom 1 vx (\S+)$", deck, re.M)
+    words = in_words(problem)
+    if problem.motion in ("front", "contact_loss"):
+        assert [float(push) for push in pushed] == [pytest.approx(0.1**1.5, rel=1e-15)]
+        assert f"force of {pushed[0]} pushes" in words
+        assert not struck
+    else:
+        assert [float(velocity) for velocity in struck] == [pytest.approx(0.1**1.25, rel=1e-15)]
+        assert f"velocity {struck[0]} towards" in words
+        assert not pushed
+
+
+FORCE = r"u\^\((.*)/(.*)\) \+ (\S+) \* (\S+) \* u\^\((\S+)\) \* du/dt"
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_deck_and_words_have_the_force_of_the_law(name):
+    """The deck's by the manual of pair_style granular: spheres of radius 1/2 and mass 1."""
+    problem, compressions = PROBLEMS[name], np.array([1e-3, 0.1, 2.0])
+    scene, law, elastic = problem.scene, problem.scene["law"], compressions**1.5
+    viscous = law["gamma"] * law["beta"] * compressions ** (law["beta"] - 1.0)
+    deck = write_deck(name, problem.title, scene, problem.interval)
+    stiffness, coefficient, model = re.search(r"hertz (\S+) (\S+) damping (\w+) ", deck).groups()
+    assert "group all diameter 1.0\nset group all mass 1.0" in deck
+    radius, mass = 0.25, 0.5
+    np.testing.assert_allclose(float(stiffness) * radius**0.5 * compressions**1.5, elastic)
+    if model != "coeff_restitution":
+        factor = {"viscoelastic": mass * (radius * compressions) ** 0.5, "velocity": 1.0}[model]
+        np.testing.assert_allclose(float(coefficient) * factor * np.ones(3), viscous, rtol=1e-14)
+    words = in_words(problem)
+    above, below, gamma, beta, less = map(float, re.search(FORCE, words).groups())
+    np.testing.assert_allclose(compressions ** (above / below), elastic)
+    np.testing.assert_allclose(gamma * beta * compressions**less, viscous, rtol=1e-14)
+    assert f"up to t = {scene['end_time']:g}, " in words
+    assert f"at t = 0, {problem.interval:g}, {2 * problem.interval:g}, ..." in words
+
+
+@pytest.mark.parametrize("gamma", [0.01, 0.3, 1.2])
+def test_restitution_of_the_deck_is_that_of_the_collision(gamma):
+    """For β = (α + 1)/2 the coefficient of restitution belongs to the law."""
+    model, coefficient = damping_model({"alpha": 1.5, "beta": 1.25, "gamma": gamma})
+    assert model == "coeff_restitution"
+    assert coefficient == pytest.approx(restitution(gamma, 1.5, 1.25), rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        {"alpha": 2.0, "beta": 2.0, "gamma": 0.1},
+        {"alpha": 1.5, "beta": 1.1, "gamma": 0.1},
+        {"alpha": 1.5, "beta": 1.25, "gamma": 1.3},
+    ],
+)
+def test_a_law_that_lammps_has_not_is_named(law):
+    with pytest.raises(InputError, match="LAMMPS has no law with alpha"):
+        damping_model(law)
+
+
+def test_answer_of_a_collision_is_the_restitution(folder):
+    answer = read_dataset(folder / f"{COLLISION}.nc")
+    expected = [restitution(0.05 * factor, 1.5, 1.0) for factor in answer["factor"].values]
+    np.testing.assert_allclose(answer["reading"], expected, rtol=0, atol=1e-10)
+    error = answer["velocity"].attrs["error_estimate"]
+    assert 0.0 < error < 1e-12
+    assert answer["reading"].attrs["error_estimate"] >= 2.0 * error / 0.1**1.25
+
+
+def test_every_problem_has_its_files_and_numbers(folder):
+    names = load_problems(SMALL)
+    assert {path.name for path in folder.iterdir()} == {
+        "answers.csv",
+        *(f"{name}.{ending}" for name in names for ending in ("lmp", "txt", "nc", "csv")),
+    }
+    table = [line.split(",") for line in (folder / "answers.csv").read_text().splitlines()]
+    assert {row[0] for row in table[1:]} == set(names)
+    assert all(0.0 < float(row[3]) < 1e-9 for row in table[1:] if row[1][:7] != "contact")
+    gaps = {row[0] for row in table if row[1] == "time of the first gap"}
+    assert any(name.startswith("contact_loss") for name in gaps)
+    rows = (folder / f"{FRONT}.csv").read_text().splitlines()
+    answer = read_dataset(folder / f"{FRONT}.nc")
+    states = answer.sel(t=[20.0, 40.0])
+    v = states["velocity"].values
+    u = np.pad(states["relative_displacement"].values, [(0, 0), (0, 1)])
+    expected = [[t, n + 1, u[k, n], v[k, n]] for k, t in enumerate((20, 40)) for n in range(16)]
+    found = [list(map(float, row.split(",")[:4])) for row in rows[1:]]
+    assert found == expected
+    ends = [float(row[2]) for row in table if row[0] == FRONT and row[1].startswith("velocity")]
+    assert ends == v[-1, -3:].tolist()
+
+
+def test_half_step_scheme_is_told_its_order_and_damping(folder, problem, capsys, tmp_path):
+    files = [
+        write_table(tmp_path / f"{FRONT}_{step}.csv", half_steps(problem, step), shift)
+        for step, shift in ((0.05, 0.0), (0.1, 1.0), (0.025, 0.0))
+    ]
+    main([*files, "--answers", str(folder), "--figures", str(tmp_path)])
+    said = capsys.readouterr().out
+    order, scatter = map(float, re.search(r"order is (\S+) ± (\S+)\.\n", said).groups())
+    assert order == pytest.approx(1.0, abs=0.2)
+    assert scatter < 0.1
+    excess = [float(found) for found in re.findall(r"gamma were (\S+) % too large", said)]
+    assert len(excess) == 3
+    np.testing.assert_allclose(np.array(excess[:-1]) / excess[1:], 2.0, atol=0.15)
+    # The step over the time of a collision is 2.3 %, of which a short chain shows half.
+    assert 1.0 < excess[0] < 1.5
+    assert "fix mvv/dpd" in said
+    wanted = float(re.search("For an error of 0.001 take the step (.*)\\.\n", said).group(1))
+    assert find(problem, read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.005)).error < (
+        1e-3 * 0.005 / wanted * 1.3
+    )
+    assert (tmp_path / f"{FRONT}.png").stat().st_size > 10_000
+
+
+def test_accurate_result_passes_and_another_damping_is_seen(folder, problem):
+    answer = read_dataset(folder / f"{FRONT}.nc")
+    u, v = answer["relative_displacement"].values, answer["velocity"].values
+    x = np.zeros_like(v)
+    x[:, :-1] = np.cumsum(u[:, ::-1], axis=1)[:, ::-1]
+    perfect = find(problem, answer, Result(FRONT, 0.1, answer["t"].values, x, v))
+    assert perfect.error < 1e-14
+    assert abs(perfect.excess) < 1e-12
+    for name, scale in (("x", 0.1), ("v", 0.1**1.25)):
+        one = np.zeros_like(v)
+        one[40, 3] = 1e-4
+        off = Result(FRONT, 0.1, answer["t"].values, x, v)._asdict()
+        off[name] = off[name] + one
+        assert find(problem, answer, Result(**off)).error == pytest.approx(1e-4 / scale, rel=1e-9)
+    wrong = [find(problem, answer, half_steps(problem, step, 1.05)) for step in (0.01, 0.005)]
+    assert wrong[1].excess == pytest.approx(0.05, abs=3e-3)
+    assert observed_order(wrong).value < 0.3
+
+
+def test_order_of_known_errors():
+    """The two smallest steps say the order, larger ones how far it is settled."""
+    for errors, expected in (
+        ((0.48, 0.12, 0.03), (2.0, 0.0)),
+        ((99.0, 4.0, 1.0, 0.5), (1.0, 1.0)),
+        ((1.0, 0.5), (1.0, np.nan)),
+    ):
+        steps = 0.1 * 2.0 ** np.arange(len(errors))[::-1]
+        findings = [Finding(h, error, 0.0, 0.0) for h, error in zip(steps, errors, strict=True)]
+        assert observed_order(findings) == pytest.approx(expected, abs=1e-12, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    ("errors", "sentence", "unsaid"),
+    [
+        ((8e-3,), "Give a second step", "observed"),
+        ((8e-3, 4e-3, 2e-3), "take the step 0.05.\n  Order one", "not clear"),
+        ((32e-3, 8e-3, 2e-3), "take the step 0.071.", "Order one"),
+        ((8e-3, 4e-3, 1e-3), "as wanted", "take the step"),
+        ((5e-4, 5e-4, 5e-4), "as wanted", "another problem"),
+        ((5e-2, 5e-2, 5e-2), "this is another problem", "take the step"),
+        ((1e-3, 2e-3, 4e-3), "this is another problem", "take the step"),
+        ((8e-3, 4e-3, 4e-3 / 2**1.5), "not clear yet: add a smaller step", "take the step"),
+        # Of slope 1 at last, but 3 before.
+        ((32e-3, 4e-3, 2e-3), "not clear yet: add a smaller step", "Order one"),
+    ],
+)
+def test_advice_is_what_the_errors_allow(problem, errors, sentence, unsaid):
+    findings = [
+        Finding(step, error, np.nan, np.nan)
+        for step, error in zip((0.4, 0.2, 0.1), errors, strict=False)
+    ]
+    said = "\n".join(report(problem, findings, 1e-3))
+    assert sentence in said
+    assert unsaid not in said
+
+
+@pytest.mark.parametrize("motion", ["front", "striker", "contact_loss"])
+def test_readings_are_what_they_are_called(folder, motion):
+    """Of δ = 0.1: the first peak of u in the middle, or the velocity of the last bead."""
+    answer = read_dataset(folder / f"{motion}_steel_viscoelastic.nc")
+    reading = float(answer["reading"].sel(factor=1.0))
+    if motion == "contact_loss":
+        assert reading == float(answer["velocity"][-1, -1]) / 0.1**1.25
+    else:
+        u = answer["relative_displacement"].sel(contact=answer.sizes["bead"] // 2).values / 0.1
+        peak = u[np.argmax((u[1:-1] > u[:-2]) & (u[1:-1] > u[2:]) & (u[1:-1] > 0.5)) + 1]
+        assert peak <= reading < 1.01 * peak
+
+
+def test_overdamped_front_has_no_reading():
+    assert np.isnan(excess_damping(1.0, np.array([0.9, 1.0, 1.1]), np.array([1.0, 1.001, 1.002])))
+    assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
+
+
+def test_peak_between_states_is_close_to_that_of_the_motion():
+    """The number in the docstring of `readings`, for the front that overshoots most."""
+    problem = PROBLEMS["front_glass_viscoelastic"]
+    record = problem.scene["record"]
+
+    def reading(interval):
+        scene = problem.scene | {"record": record | {"grid": {"step": interval}}}
+        return read_motion(problem, *states(simulate_chain(scene)))
+
+    assert 1e-4 < 1.0 - reading(0.5) / reading(0.05) < 1.3e-4
+
+
+def test_figure_shows_answer_and_results(folder, problem):
+    answer = read_dataset(folder / f"{FRONT}.nc")
+    results = [half_steps(problem, step) for step in (0.5, 0.25, 0.125, 0.1, 0.05)]
+    findings = [find(problem, answer, result) for result in results]
+    motion, error = draw(problem, answer, results, findings).axes
+    lines = motion.get_lines()
+    contact = problem.scene["beads"] // 2
+    np.testing.assert_array_equal(
+        lines[0].get_ydata(), answer["relative_displacement"].sel(contact=contact)
+    )
+    for line, result in zip(lines[1:], results, strict=True):
+        u = result.x[:, contact - 1] - result.x[:, contact]
+        np.testing.assert_array_equal(line.get_ydata(), u)
+    assert len({tuple(line.get_color()) for line in lines[1:]}) == len(results)
+    np.testing.assert_array_equal(error.get_lines()[0].get_ydata(), [one.error for one in findings])
+
+
+TABLE = "t,bead,x,v\n0,1,0,0\n0,2,0,0\n"
+DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\n2 1 0\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "sentence"),
+    [
+        (f"{FRONT}_0.1.txt", TABLE, "does not say what it is"),
+        ("wave_0.1.csv", TABLE, "is about wave, but the problems are front_steel"),
+        (f"{FRONT}_0.1.csv", None, "There is no file"),
+        (f"{FRONT}_inf.csv", TABLE, "does not say what it is"),
+        (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v, but 't, bead, x': give the columns t"),
+        (f"{FRONT}_0.1.csv", TABLE + "9" * 200_000, "is no table (field larger than"),
+        (f"{FRONT}_0.1.csv", "t,bead,x,v\n", "holds no states"),
+        (f"{FRONT}_0.1.csv", TABLE[:-1], "does not end with the end of a line"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-1], "does not end with the end of a line"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan', so that the run was lost"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,o,0\n", "holds 'o' where a number should be: write"),
+        (f"{FRONT}_0.1.csv", TABLE + "0,1,1,0,5,0,1\n", "has rows of more than 4 numbers: write"),
+        (f"{FRONT}_0.1.csv", TABLE + "1,1,0,0\n", "has 3 rows for 2 times and beads 1 to 2"),
+        (f"{FRONT}_0.1.csv", TABLE + "0,1,0,0\n1,2,0,0\n", "has 4 rows for 2 times and beads"),
+        (f"{FRONT}_0.1.dump", DUMP, "holds id x vx and no time"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\nabc\n" + DUMP, "holds 'abc' where a number should be"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP.replace(" vx", ""), "holds id x and the"),
+    ],
+)
+def test_files_that_do_not_fit_are_named(name, text, sentence, tmp_path):
+    if text is not None:
+        (tmp_path / name).write_text(text)
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        read_result(tmp_path / name, [FRONT])
+
+
+def test_dump_and_table_are_read_alike(tmp_path):
+    (tmp_path / f"{FRONT}_0.1.dump").write_text("ITEM: TIME\n0\n" + DUMP)
+    # A spreadsheet may mark its encoding by a first character.
+    (tmp_path / f"{FRONT}_0.1.csv").write_text("\ufeff" + TABLE, encoding="utf-8")
+    dump, table = (
+        read_result(tmp_path / f"{FRONT}_0.1.{ending}", [FRONT]) for ending in ("dump", "csv")
+    )
+    for first, second in zip(dump, table, strict=True):
+        np.testing.assert_array_equal(first, second)
+
+
+def test_results_of_other_beads_or_times_are_named(folder, problem):
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
+    with pytest.raises(InputError, match="has 15 beads, but the problem has 16"):
+        find(problem, answer, result._replace(x=result.x[:, 1:]))
+    with pytest.raises(InputError, match=r"has no state at t = 40, its last is at t = 39.5"):
+        find(problem, answer, result._replace(t=result.t[:-1], x=result.x[:-1], v=result.v[:-1]))
+
+
+def test_another_start_is_named(folder, problem):
+    """Half-step velocities are those of the problem."""
+    answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
+    apart = result.x + 0.001 * np.arange(16)
+    with pytest.raises(InputError, match=r"at t = 0 beads are 0\.001 from where they just touch"):
+        find(problem, answer, result._replace(x=apart))
+    with pytest.raises(InputError, match=r"at t = 0 a velocity is 0\.1 from that of the problem"):
+        find(problem, answer, result._replace(v=result.v + 0.1))
+    late = result.v.copy()
+    late[0, 0] = 0.5 * 0.1 * 0.1**1.5
+    reading = find(problem, answer, result).reading
+    assert find(problem, answer, result._replace(v=late)).reading == reading
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--answers", "nowhere"], "nowhere holds no answers: make them by snakemake"),
+        (["--error=0"], r"--error is 0\S*, but must be a finite number, above 0"),
+        (["--figures={}/answers.csv"], r"no folder can be made \(File exists\): name another"),
+    ],
+)
+def test_impossible_arguments_are_named(folder, arguments, sentence):
+    words = [word.format(folder) for word in arguments]
+    with pytest.raises(SystemExit, match=sentence):
+        main([f"{FRONT}_0.1.csv", "--answers", str(folder), *words])
+
+
+def test_only_answers_of_the_table_are_known(folder, problem, tmp_path):
+    """Of a removed problem the files of an earlier run remain, and one may be broken."""
+    file = write_table(tmp_path / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
+    (tmp_path / f"{FRONT}.nc").write_text("no dataset")
+    header = "problem,quantity,value,error"
+    (tmp_path / "answers.csv").write_text(f"{header}\n{COLLISION},a,1,0\n")
+    with pytest.raises(SystemExit, match=f"but the problems are {COLLISION}:"):
+        main([file, "--answers", str(tmp_path)])
+    (tmp_path / "answers.csv").write_text(f"{header}{FRONT},a,1,0\n{FRONT},b,1,0\n")
+    with pytest.raises(SystemExit, match=rf"{FRONT}\.nc is not a readable netCDF file"):
+        main([file, "--answers", str(tmp_path)])
+
+
+def test_a_step_given_twice_is_named(folder, problem, tmp_path):
+    (tmp_path / "again").mkdir()
+    files = [
+        write_table(place / f"{FRONT}_0.1.csv", half_steps(problem, 0.1))
+        for place in (tmp_path, tmp_path / "again")
+    ]
+    with pytest.raises(SystemExit, match="is there twice with step"):
+        main([*files, "--answers", str(folder)])
+
+
+# What config/referee.yaml may ask for.
+
+CHAIN = SETTINGS["motions"]["front"]
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"motions": {"wave": CHAIN}}, "motions.wave is no key of the schema: the keys"),
+        ({"motions": {}}, "motions is empty: give at least one entry."),
+        (
+            {"motions": {"front": CHAIN | {"dampings": ["stee"]}}},
+            "motions.front.dampings names 'stee', which is unknown: choose from glass, steel",
+        ),
+        (
+            {"motions": {"front": CHAIN | {"beads": 1}}},
+            "motions.front.beads is 1, below its limit 2",
+        ),
+        (
+            {"motions": {"front": CHAIN | {"end_time": 100.2}}},
+            "motions.front.end_time is 100.2, no multiple of interval 0.5",
+        ),
+        (
+            {"motions": {"collision": CHAIN | {"beads": 3}}},
+            "motions.collision.beads is 3, but two beads collide: write 2.",
+        ),
+        (
+            {"motions": {"front": CHAIN | {"beads": 10**9}}},
+            "motions.front: beads = 1000000000, end_time = 100, interval = 0.5 take at least 5,960",
+        ),
+        ({"factors": [0.9, 1, 1, 1.1]}, "factors (entry 3) is 1, not above 1 before it"),
+        ({"displacement": 0}, "displacement is 0, but must be above 0"),
+        ({"tolerance": {"relative": 2, "absolute": 1e-12}}, "tolerance.relative is 2, but must be"),
+        ({"laws": {"Kuwabara": 1.5}}, '"Kuwabara" in laws is no usable name'),
+        ({"laws": {"other": 1.1}}, "problem front_glass_other: LAMMPS has no law with alpha = 1.5"),
+        ({"tolerance": {"relative": 1e-12}}, "tolerance.absolute is missing: add it"),
+    ],
+)
+def test_impossible_settings_are_named(change, sentence):
+    with pytest.raises(InputError, match=re.escape(f"config/referee.yaml: {sentence}")):
+        load_problems(SETTINGS | change)
+
+
+def test_two_problems_of_one_name_are_named():
+    dampings = {"a": 0.1, "a_b": 0.2}
+    motions = {"front": CHAIN | {"dampings": ["a", "a_b"]}}
+    laws = {"b_c": 1.5, "c": 1.5}
+    with pytest.raises(InputError, match="two problems are called front_a_b_c: rename"):
+        load_problems(SETTINGS | {"dampings": dampings, "motions": motions, "laws": laws})
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("", "the file is null: give a mapping"),
+        ("problems: {}", "problems is no key of the schema"),
+        ("referee: [", "this is no YAML"),
+    ],
+)
+def test_a_broken_file_of_settings_is_named(text, sentence, tmp_path):
+    (tmp_path / "referee.yaml").write_text(text)
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        read_settings(tmp_path / "referee.yaml")

@@ -1,0 +1,234 @@
+"""Every argument of every public function: what is impossible is refused in one sentence."""
+
+import inspect
+import math
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.axes import Axes
+from potentials import hertz
+from projects import ROOT
+
+import granular_fronts as gf
+from granular_fronts import arguments
+from granular_fronts.errors import InputError
+
+HUGE = 10**400
+
+
+def a_front(**attributes):
+    """A dataset that looks like a front, without solving for one."""
+    xi = np.linspace(-9.0, 9.0, 19)
+    u = 1.0 / (1.0 + np.exp(3.0 * xi))
+    law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.3, "right_state": 0.0, "speed": 1.0}
+    law |= {"spacing": 1.0, "state_behind": -1.0, "state_ahead": 0.0}
+    return xr.Dataset(
+        {"relative_displacement": ("xi", u), "velocity": ("xi", u)},
+        {"xi": xi},
+        law | {"converged": 1, "reason": ""} | attributes,
+    )
+
+
+LAW = {"alpha": 1.5, "gamma": 0.3, "beta": 1.5}
+CHAIN = {
+    "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1},
+    "beads": 4,
+    "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
+    "start": {"kind": "rest"},
+    "end_time": 1.0,
+    "tolerance": {"relative": 1.0e-6, "absolute": 1.0e-8},
+    "record": {"snapshots": [1.0]},
+}
+
+# A possible value of every parameter of every public function; its type says what is impossible.
+POSSIBLE = {
+    "Potential": {
+        "value": lambda r: 1.0 - np.cos(r),
+        "first": np.sin,
+        "second": np.cos,
+        "third": lambda r: -np.sin(r),
+        "interval": np.array([-1.0, 1.0]),
+        "kinks": np.array([0.0]),
+        "name": "cosine",
+    },
+    "Scaling": {"mass": 0.1, "stiffness": 1.0e9, "damping": 1.0e-5, "velocity": 0.5}
+    | {"alpha": 1.5, "beta": 1.5},
+    "check_certificate": {"path": ROOT / "tests/proofs/test_proof_data/overshoot.npz"},
+    "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
+    "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
+    "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
+    "evolve_log_burgers": {"scene": {}, "name": "given"},
+    "evolve_log_kdv_burgers": {"scene": {}, "name": "given"},
+    "front_multipliers": {"front": a_front(), "beads_behind": 20, "beads_ahead": 5},
+    "heteroclinic": {"mu": 1.0, "s": np.array([0.0, 1.0])},
+    "jump_conditions": {
+        "law": hertz(1.5),
+        "R_minus": -1.0,
+        "R_plus": 0.0,
+        "mass": 1.0,
+        "dissipation": hertz(1.5),
+    },
+    "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
+    "prove_front": {
+        "alpha": Fraction(2),
+        "gamma": Fraction(3, 10),
+        "path": Path(tempfile.mkdtemp()) / "front.npz",
+        "cells": 20,
+        "fine": 40,
+        "drift": 6e-4,
+        "beta": None,
+    },
+    "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
+    "simulate_chain": {"scene": CHAIN, "name": "given"},
+    "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
+    "sweep_fronts": LAW
+    | {"gammas": np.array([0.3, 0.2]), "law": None, "states": None, "factors": None},
+    "tail_roots": LAW | {"count": 6},
+}
+del POSSIBLE["sweep_fronts"]["gamma"]
+
+# A name is what messages call something, whatever it is.
+SOLVE_SCENES = {"evolve_log_burgers", "evolve_log_kdv_burgers"}
+FREE = {(function, "name") for function in ("Potential", "simulate_chain", *SOLVE_SCENES)}
+
+NEVER_A_NUMBER = ["1.5", b"1.5", 1.5j, True, {}, {"a": 1.0}, math.nan, math.inf, -math.inf, HUGE]
+SEVERAL = [[1.5], np.array([1.5, 2.0]), np.array([]), (1.5, "x")]
+IMPOSSIBLE = {
+    float: [*NEVER_A_NUMBER, *SEVERAL],
+    int: [*NEVER_A_NUMBER, *SEVERAL, 1.5, 0, -5, 20.5],
+    np.ndarray: [*NEVER_A_NUMBER, [0.5, math.nan], [0.5, None], [[1.0], [1.0, 2.0]], ["0.5"]],
+    str: ["nothing of the kind", b"tail", 1.5, ["tail"], np.array([1.0, 2.0])],
+    Fraction: [
+        *["text", "1.5 m", "1/0", "", "1e999999999", b"1.5", *NEVER_A_NUMBER[2:], *SEVERAL],
+        *[0, -1.5, "-3/2", "1" * 19, [0.3, math.nan], [0.2, 0.3, 0.4], [0.3, 0.2]],
+    ],
+    type(Path()): [b"file", "", "a\0b", *NEVER_A_NUMBER[2:], 1.5, *SEVERAL],
+    dict: ["text", 1.5, 1.5j, [1.5], np.array([1.0, 2.0])],
+}
+NO_OBJECTS = ["text", 1.5, 1.5j, math.nan, {}, [1.5], np.array([1.0, 2.0])]
+
+OUT_OF_RANGE = [
+    *[(name, "alpha", v) for name in ("Scaling", "restitution") for v in (0.0, -1.5)],
+    *[
+        (name, "alpha", v)
+        for name in ("critical_damping", "solve_front", "sweep_fronts", "tail_roots")
+        for v in (1.0, 0.5, 0, -2)
+    ],
+    *[(name, "beta", v) for name in ("Scaling", "restitution", "solve_front") for v in (0.5, -1)],
+    *[(name, "gamma", v) for name in ("solve_front", "tail_roots") for v in (0.0, -0.1)],
+    *[("Scaling", name, v) for name in ("mass", "stiffness", "velocity") for v in (0.0, -1.0)],
+    *[("prove_front", "alpha", v) for v in (1, 1.0, "1", "1/2", [2.0, 1.5], [1.5])],
+    *[("prove_front", "path", v) for v in (ROOT, str(ROOT), ROOT / "nowhere" / "front.npz")],
+    *[("prove_front", "cells", v) for v in (7, 201)],
+    ("prove_front", "gamma", 100),
+    ("prove_front", "fine", 1001),
+    *[("prove_front", "beta", v) for v in (2.0, 1.5)],
+    *[("prove_front", "drift", v) for v in (0.0, 1.0)],
+    ("Scaling", "damping", -1.0),
+    ("critical_damping", "cut", 1e-9),
+    ("critical_damping", "cut", 0.2),
+    ("heteroclinic", "mu", -0.1),
+    ("heteroclinic", "s", []),
+    ("heteroclinic", "s", [[0.0]]),
+    ("jump_conditions", "mass", 0.0),
+    ("log_burgers_front", "alpha", 1.0),
+    ("restitution", "gamma", -0.1),
+    ("solve_front", "right_state", 1.0),
+    ("solve_front", "right_state", -0.1),
+    ("sweep_fronts", "gammas", [0.1, 0.0]),
+    ("sweep_fronts", "gammas", []),
+    ("sweep_fronts", "gammas", [[0.1]]),
+    ("front_multipliers", "front", a_front(converged=0, reason="a test")),
+    ("evaluate_front", "front", a_front(converged=0, reason="a test")),
+    ("front_multipliers", "front", a_front().drop_vars("velocity")),
+    ("front_multipliers", "front", a_front(gamma=100.0)),
+    ("front_multipliers", "beads_behind", 10**6),
+]
+
+
+def parameters_of(name):
+    return inspect.signature(getattr(gf, name)).parameters
+
+
+def impossible_values(name, parameter):
+    value = POSSIBLE[name][parameter]
+    values = IMPOSSIBLE.get(type(value), NO_OBJECTS)
+    needed = parameters_of(name)[parameter].default is not None
+    return [*values, None] if needed else values
+
+
+CASES = [
+    (name, parameter)
+    for name in sorted(POSSIBLE)
+    for parameter in POSSIBLE[name]
+    if (name, parameter) not in FREE
+]
+
+
+def check_refusal(name, parameter, value):
+    """A function refuses a value in one sentence that names the parameter."""
+    with pytest.raises(InputError) as caught:
+        getattr(gf, name)(**POSSIBLE[name] | {parameter: value})
+    sentence = str(caught.value)
+    assert parameter in sentence.replace("Scene", "scene")
+    assert sentence.endswith(".")
+    assert "\n" not in sentence
+
+
+def test_no_public_function_and_no_parameter_is_forgotten():
+    """The two forms of a law that `make_law` takes are in `test_laws`, pictures in `test_plot`."""
+    assert {name: set(POSSIBLE[name]) for name in POSSIBLE} == {
+        name: set(parameters_of(name)) for name in gf.__all__ if name not in ("make_law", "plot")
+    }
+
+
+@pytest.mark.parametrize(("name", "parameter"), CASES)
+def test_impossible_arguments_are_refused_in_a_sentence(name, parameter):
+    for value in impossible_values(name, parameter):
+        check_refusal(name, parameter, value)
+
+
+@pytest.mark.parametrize(("name", "parameter", "value"), OUT_OF_RANGE)
+def test_numbers_out_of_range_are_refused_in_a_sentence(name, parameter, value):
+    check_refusal(name, parameter, value)
+
+
+@pytest.mark.parametrize("name", sorted(set(POSSIBLE) - SOLVE_SCENES))
+def test_possible_arguments_pass(name):
+    assert getattr(gf, name)(**POSSIBLE[name]) is not None
+
+
+@pytest.mark.parametrize(
+    "value", [2, 2.0, np.float32(2.0), np.int64(2), np.array(2.0), xr.DataArray(2.0), Fraction(2)]
+)
+def test_every_kind_of_real_number_is_a_number(value):
+    found = arguments.scalar("x", value, above=1.0, most=2.0)
+    assert (found, type(found)) == (2.0, float)
+    found = arguments.count("n", value, least=2, most=2)
+    assert (found, type(found)) == (2, int)
+
+
+def test_sentences_say_what_was_given_and_what_is_needed():
+    with pytest.raises(InputError, match=r"^x is 2\.5, but must be a finite number, above 1 and "):
+        arguments.scalar("x", 2.5, above=1.0, most=2.0)
+    with pytest.raises(InputError, match=r"^x is an array of shape \(3, 1\), but"):
+        arguments.scalar("x", np.ones((3, 1)))
+    with pytest.raises(InputError, match=r"^n is 1\.5, but must be a whole number, at least 1: "):
+        arguments.count("n", 1.5)
+    with pytest.raises(InputError, match=r"^s holds 3\.0, but must hold finite numbers, below 3"):
+        arguments.array("s", [[1.0, 3.0], [4.0, 5.0]], below=3.0)
+    with pytest.raises(InputError, match=r"^way is 'c', but must be one of a, b: "):
+        arguments.choice("way", "c", ("a", "b"))
+    for kind, wanted in ((Axes, "an Axes"), (xr.Dataset, "a Dataset")):
+        with pytest.raises(InputError, match=rf"^it is 'x', but must be {wanted}: give one\.$"):
+            arguments.instance("it", "x", kind, "give one")
+
+
+def test_arrays_keep_their_shape_and_lists_have_one_dimension():
+    assert arguments.array("x", np.float32(1.0)).shape == ()
+    assert arguments.array("x", [[1, 2]]).dtype == float
+    np.testing.assert_array_equal(arguments.sequence("s", 3), [3.0])

@@ -1,0 +1,106 @@
+"""Fronts of any potentials: exact, travelling and driven, against theory and against each other."""
+
+import functools
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies.jump_conditions_measured import measure_jumps, travelling_speed
+
+FILE = Path(__file__).parents[2] / "config" / "default.yaml"
+SCENE = load_configuration(FILE)["laws"]["jump_conditions"]
+CASES = SCENE["cases"]
+QUANTITIES = {
+    "speed": ("exact", "travelling", "driven"),
+    "velocity_jump": ("driven",),
+    "power": ("exact", "driven"),
+}
+by_case = pytest.mark.parametrize("name", CASES)
+
+
+def law_of(name):
+    return gf.make_law(elastic=CASES[name]["elastic"], viscous=CASES[name]["dissipation"])
+
+
+def theory_of(name):
+    return gf.jump_conditions(law_of(name), *CASES[name]["states"])
+
+
+@functools.cache
+def exact_front(name):
+    """The front of a case, in the chain where it runs to larger n."""
+    states = CASES[name]["states"][:: theory_of(name).direction]
+    return gf.solve_front(law=law_of(name), states=states)
+
+
+@by_case
+def test_exact_front_obeys_the_jump_conditions(name):
+    """The speed is an unknown and the power an integral; neither knows of the theory."""
+    attributes, theory = exact_front(name).attrs, theory_of(name)
+    assert not attributes["reason"]
+    speed = attributes["speed"] * (1.0 + attributes["speed_defect"])
+    assert speed == pytest.approx(abs(theory.speed), rel=1e-14)
+    assert attributes["dissipated_power"] == pytest.approx(theory.dissipated_power, rel=1e-14)
+
+
+@by_case
+def test_exact_front_does_not_depend_on_grid_order_and_window(name):
+    jump = np.diff(CASES[name]["states"]).item()
+    assert exact_front(name).attrs["error_estimate"] < 6e-14 * abs(jump)
+
+
+@by_case
+def test_exact_front_travels_in_a_chain(name):
+    speed = travelling_speed(law_of(name), exact_front(name))
+    assert speed.error < 1e-12
+    assert abs(speed.value - abs(theory_of(name).speed)) <= speed.error
+
+
+def test_another_front_does_not_travel():
+    """With the damping of another law the same shape is no front, and the speed is off."""
+    speed = travelling_speed(law_of("toda").with_damping(1.2), exact_front("toda"))
+    assert abs(speed.value - abs(theory_of("toda").speed)) > 1e3 * speed.error
+
+
+def test_direction_follows_the_reflection():
+    assert theory_of("toda_nonlinear").direction == 1
+    law = law_of("toda_nonlinear")
+    assert gf.jump_conditions(law, 0.0, -2.0).direction == -1
+    with pytest.raises(InputError, match=r"give \(-2, 0\)"):
+        gf.solve_front(law=law, states=(0.0, -2.0))
+
+
+def test_driven_fronts_are_within_their_errors():
+    names = ("hertz_kuwabara_kono", "fpu_alpha_stretched")
+    found = measure_jumps({name: CASES[name] for name in names}, SCENE["beads"], SCENE["tolerance"])
+    assert found["direction"].values.tolist() == [1, -1]
+    for quantity, ways in QUANTITIES.items():
+        for way in ways:
+            name = f"{quantity}_{way}"
+            errors = found[f"{name}_error"] + found[f"{quantity}_expected_error"]
+            assert (np.abs(found[name] - found[f"{quantity}_expected"]) <= errors).all(), name
+            assert (found[f"{name}_error"] < (1e-6 if way == "driven" else 1e-12)).all(), name
+
+
+def test_a_slow_front_on_a_short_way_states_a_larger_error():
+    case = {
+        "elastic": {"kind": "fpu", "cubic": 1},
+        "dissipation": {"kind": "fpu", "quartic": 0.5},
+        "states": [0.6, 0.1],
+    }
+    found = measure_jumps({"slow": case}, 200, 1e-9).isel(law=0)
+    for quantity in QUANTITIES:
+        error = float(found[f"{quantity}_driven_error"])
+        distance = abs(float(found[f"{quantity}_driven"] - found[f"{quantity}_expected"]))
+        assert distance <= error, quantity
+    assert float(found["speed_driven_error"]) > 1e-4
+
+
+def test_a_state_pair_without_a_front_is_refused_with_theory():
+    harmonic = {"elastic": {"kind": "fpu"}, "dissipation": {"kind": "fpu"}, "states": [0, 1]}
+    with pytest.raises(ValueError, match="Remark 3"):
+        measure_jumps({"harmonic": harmonic}, 64, 1e-6)

@@ -1,0 +1,159 @@
+"""Chains without fronts, families of fronts, and the choice of variables."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from granular_fronts.chain.equations import Boundary
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.solitary_waves import gaussian, solitary_wave
+from granular_fronts.model.laws import make_law
+from granular_fronts.reference_methods import position_forms
+from granular_fronts.studies import choice_of_variables
+from granular_fronts.studies.choice_of_variables import (
+    SCHEMES,
+    conserved_velocity_drift,
+    observed_order,
+    quotient_power,
+    slope,
+)
+from granular_fronts.studies.front_trends import critical_gamma, solitary_shape, tail_frequency
+from granular_fronts.studies.limiting_cases import (
+    collide,
+    measure_limiting_cases,
+    oscillation_behind,
+    press_chain,
+    ring_distance,
+    wave_width,
+)
+
+TIMES = [20.0, 80.0]
+
+
+def test_without_damping_oscillations_fill_a_growing_region():
+    early, late = (oscillation_behind(u)[0] for u in press_chain(1.5, 0.0, 100, TIMES))
+    assert late > 0.9 * early > 0.5
+    early, late = (oscillation_behind(u)[0] for u in press_chain(1.5, 0.05, 100, TIMES))
+    assert late < 0.05 * early
+
+
+def test_a_range_is_no_better_known_than_its_ends():
+    """Leaving out every other bead changes nothing where the extremes stay."""
+    beads = np.arange(200)
+    u = np.where(beads < 190, 1.0 + 1e-6 * np.cos(0.5 * np.pi * (beads - 95)), 0.0)
+    found = oscillation_behind(u)
+    assert found.value == pytest.approx(2e-6, rel=1e-9)
+    assert 1e-14 < found.error < 1e-12
+
+
+def test_a_harmonic_wave_spreads_and_a_front_does_not():
+    early, late = (wave_width(u)[0] for u in press_chain(1.0, 1.0, 120, TIMES))
+    assert late / early == pytest.approx(2.0, abs=0.05)
+    early, late = (wave_width(u)[0] for u in press_chain(1.5, 1.0, 120, TIMES))
+    assert late / early < 1.2
+
+
+def test_rings_approach_their_equation_as_the_exponent_tends_to_one():
+    rings = {"gamma": 0.5, "half_length": 16.0, "half_width": 6.0, "slow_time": 1.0}
+    (far, error), (near, _) = (ring_distance(alpha, rings) for alpha in (1.5, 1.2))
+    assert error < 1e-4 < near < 0.8 * far
+
+
+def test_chains_too_short_for_their_waves_are_an_error():
+    with pytest.raises(InputError, match="beads is 100, but waves run through about 230 beads"):
+        measure_limiting_cases(weak_gamma=0.1, strong_gamma=1.0, beads=100, end_time=200.0)
+
+
+@pytest.mark.parametrize("alpha", [1.5, 2.0])
+def test_an_elastic_collision_scales_as_equation_27_says(alpha):
+    (time, _), (depth, _) = collide(alpha, 1.0)
+    (later, _), (deeper, _) = collide(alpha, 3.0)
+    assert later / time == pytest.approx(3.0 ** ((1.0 - alpha) / (1.0 + alpha)), rel=1e-11)
+    assert deeper / depth == pytest.approx(3.0 ** (2.0 / (alpha + 1.0)), rel=1e-11)
+    # Half of the kinetic energy of two beads is in the contact at its deepest.
+    assert depth ** (alpha + 1.0) / (alpha + 1.0) == pytest.approx(0.25, rel=1e-12)
+
+
+@pytest.mark.parametrize("beta", [1.0, 1.3, 1.5, 1.9])
+def test_only_positions_and_w_are_lipschitz(beta):
+    law = make_law(alpha=1.5, beta=beta, gamma=0.3)
+    assert quotient_power(position_forms.XV, law)[0] == pytest.approx(beta - 2.0, abs=0.02)
+    bounded = min(beta, 1.5) - 1.0
+    assert quotient_power(position_forms.XW, law)[0] == pytest.approx(bounded, abs=0.02)
+
+
+def test_schemes_have_their_order_where_the_contact_stays_closed():
+    """The negative control of the loss of order: one contact, compressed throughout."""
+    law, start = make_law(alpha=1.5, gamma=0.3), np.array([2.0, 0.0, 0.1, -0.1])
+    system = position_forms.make_system(position_forms.XV, law, Boundary(ring=False), 2)
+    for name, order in (("euler", 1.0), ("runge_kutta_4", 4.0)):
+        ends = [
+            position_forms.integrate_by_stages(system, start, 0.5 / n, n, *SCHEMES[name])
+            for n in (16, 32, 64)
+        ]
+        changes = [np.abs(b - a).max() for a, b in itertools.pairwise(ends)]
+        assert np.log2(changes[0] / changes[1]) == pytest.approx(order, abs=0.1)
+
+
+def test_opening_costs_the_runge_kutta_method_its_order(monkeypatch):
+    """A quarter of the gaps have the same median order."""
+    monkeypatch.setattr(choice_of_variables, "GAPS", choice_of_variables.GAPS[:25])
+    law = make_law(alpha=1.5, gamma=0.3)
+    in_velocities, _ = observed_order(position_forms.XV, law, "runge_kutta_4")
+    in_w, _ = observed_order(position_forms.XW, law, "runge_kutta_4")
+    assert 1.2 < in_velocities < 1.8
+    assert 2.0 < in_w < 3.0
+
+
+def test_slope_and_its_change_between_halves():
+    x = np.array([1.0, 2.0, 4.0, 8.0])
+    assert slope(x, 3.0 * x**-2) == (pytest.approx(-2.0), pytest.approx(0.0, abs=1e-12))
+    assert slope(x, x + x**3)[1] > 0.1
+
+
+def test_w_far_behind_a_front_is_conserved():
+    drift, error = conserved_velocity_drift(1.5, 0.3)
+    assert drift < 1e-13
+    assert error < 1e-12
+
+
+def test_equal_dampings_of_the_tail_follow_the_pressure():
+    ratio = critical_gamma(1.5, 1e-2) / critical_gamma(1.5, 1.0)
+    assert ratio == pytest.approx(0.01**-0.25, rel=1e-10)
+
+
+@pytest.mark.parametrize(("beta", "slow"), [(1.5, True), (1.0, False)])
+def test_tails_oscillate_on_one_side_of_the_critical_velocity(beta, slow):
+    assert (tail_frequency(1.5, beta, 0.5) > 0.0) is slow
+    assert (tail_frequency(1.5, beta, 2.0) > 0.0) is not slow
+
+
+def test_solitary_wave_solves_its_equation():
+    """Against the convolution with 1 − |s| by quadrature, between the points of the grid."""
+    wave = solitary_wave(1.5)
+    assert wave.residual < 1e-13
+    assert wave.u.max() == pytest.approx(1.4873593743, abs=1e-9)
+    nodes, weights = np.polynomial.legendre.leggauss(20)
+
+    def compression(xi):
+        modes = np.fft.rfft(wave.u)
+        wavenumbers = 2.0 * np.pi * np.arange(modes.size) / (wave.xi.size / 16.0)
+        phases = np.exp(1j * np.multiply.outer(xi - wave.xi[0], wavenumbers))
+        factors = np.where(np.arange(modes.size) % (wave.xi.size // 2), 2.0, 1.0)
+        return (phases * (factors * modes)).real.sum(axis=-1) / wave.xi.size
+
+    for xi in (0.0, 0.37, 1.4):
+        mean = 0.0
+        for start in (-1.0, -0.5, 0.0, 0.5):
+            s = start + 0.25 + 0.25 * nodes
+            force = np.maximum(compression(xi - s), 0.0) ** 1.5
+            mean += 0.25 * weights @ ((1.0 - np.abs(s)) * force)
+        assert mean == pytest.approx(float(compression(np.array(xi))), abs=1e-10)
+
+
+def test_solitary_waves_become_gaussian():
+    distances = [solitary_shape(alpha)[1][0] for alpha in (1.5, 1.1, 1.02)]
+    assert distances[0] > distances[1] > distances[2]
+    assert distances[2] < 0.01
+    assert gaussian(1.02, np.zeros(1))[0] ** 1.02 == pytest.approx(np.exp(0.5))

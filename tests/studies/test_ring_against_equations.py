@@ -1,0 +1,86 @@
+"""The ring against its amplitude equations, and what is measured on both."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from granular_fronts.output.panels import draw_comparison
+from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.yaml_files import load_configuration
+from granular_fronts.studies import ring_measures as measures
+from granular_fronts.studies.ring_against_equations import compare_with_chain, make_chain_scene
+
+CONFIG = Path(__file__).parents[2] / "config"
+SCENE = load_configuration(CONFIG / "default.yaml", CONFIG / "smoke.yaml")["scenes"]["periodic"][
+    "weak"
+] | {"end_time": 30, "record": {"snapshots": [0, 15, 30], "grid": {"step": 1}}}
+
+
+@pytest.fixture(scope="module")
+def compared():
+    dataset = compare_with_chain(SCENE, "weak")
+    return dataset.assign_attrs(config=json.dumps(SCENE))
+
+
+def test_ring_starts_as_the_paper_says():
+    scene = make_chain_scene(check_scene("periodic", SCENE, "weak"))
+    u, velocity = (np.array(scene["start"][key]) for key in ("relative_displacement", "velocity"))
+    assert u.size == 79
+    assert u[39] == 5.0
+    assert velocity[39] == pytest.approx(5.0**1.05)
+    np.testing.assert_allclose(velocity / 5.0**1.05, (u / 5.0) ** 1.1, rtol=1e-12)
+    np.testing.assert_array_equal(u, u[::-1])
+
+
+def test_chain_and_equations_start_alike(compared):
+    start = compared.sel(t=0.0)
+    for name in ("logarithmic", "unlimited", "upwind"):
+        equation = start[f"relative_displacement_{name}"].sel(site=start["bead"].values)
+        near = 1.0e-12 if name != "upwind" else 0.01
+        np.testing.assert_allclose(equation, start["relative_displacement"], atol=near)
+
+
+def test_solvers_contribute_far_less_than_the_model(compared):
+    later = compared.isel(t_grid=slice(1, None))
+    for field in ("relative_displacement", "velocity"):
+        for equation in ("logarithmic", "unlimited"):
+            names = [f"{field}_{kind}_{equation}" for kind in ("sup", "rms", "floor")]
+            sup, rms, floor = (later[name] for name in names)
+            assert np.all(rms <= sup)
+            assert np.all(floor < 0.02 * sup)
+
+
+def test_shock_runs_at_the_speed_of_the_front(compared):
+    """The speed of a front into an uncompressed chain is c, eq. (21)."""
+    chain, equation = measures.shock_speed(compared), measures.shock_speed_equation(compared)
+    front = 5.0**0.05
+    assert chain.value == pytest.approx(front, abs=0.02)
+    assert equation.value == pytest.approx(front, abs=0.02)
+    assert abs(measures.shock_lead(compared).value) < 1.0
+
+
+def test_gap_and_bump_are_found(compared):
+    assert measures.deepest_gap(compared).value < -1.0
+    assert 0.0 <= measures.gap_of_equation(compared).value < 1e-3
+    assert abs(measures.bump_of_equation(compared).value) < 0.01
+    assert abs(measures.bump_birthplace(compared).value) < 5.0
+    assert 0.05 < measures.bump_height(compared).value < 0.3
+    assert -1.2 < measures.bump_velocity(compared).value < -0.8
+
+
+def test_figures_of_the_rings_draw_every_bead_and_one_legend(compared):
+    figure = draw_comparison(compared)
+    panels = figure.axes
+    assert len(panels) == 2 * (compared.sizes["t"] - 1)
+    for axes, field in zip(panels, ["relative_displacement", "velocity"] * 2, strict=True):
+        line, dots = axes.get_lines()
+        row = 1 + panels.index(axes) // 2
+        np.testing.assert_array_equal(dots.get_ydata(), compared[field].isel(t=row))
+        np.testing.assert_array_equal(
+            line.get_ydata(), compared[f"{field}_logarithmic"].isel(t=row)
+        )
+        assert axes.get_legend() is None
+    words = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert words == ["equation (41)", "chain"]

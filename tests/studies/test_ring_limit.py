@@ -1,0 +1,262 @@
+"""Rings in the limit α → 1: chain by Fourier series, errors of the equations and their orders."""
+
+import functools
+
+import numpy as np
+import pytest
+from rings import slope_and_residual
+
+from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
+from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
+from granular_fronts.studies import ring_limit
+from granular_fronts.studies.ring_limit import Ring, compare
+from granular_fronts.studies.ring_starts import PROFILES, scene_start, slope_of, start_fields
+
+
+def make_ring(alpha, profile="pulse", velocity="slow", base=0.2, **number):
+    scaling = SlowScales(alpha, gamma_for(alpha, 1.0, **number), 1.0)
+    half_beads = round(10.0 / scaling.epsilon + 0.5)
+    start = scene_start(profile, 2.0, base, scaling.half_length(half_beads))
+    return Ring(alpha, scaling.gamma, half_beads, start, velocity)
+
+
+@functools.cache
+def errors(alpha, velocity="slow", tolerance=1e-7, **number):
+    ring = make_ring(alpha, velocity=velocity, **number)
+    return compare(ring, np.array([0.5, 1.0]), tolerance)
+
+
+def at_one(alpha, name, **options):
+    return errors(alpha, **options)[name][0][1]
+
+
+# The chain by Fourier series.
+
+
+def both_motions(ring, slow_time, tolerance=1e-10):
+    """The same ring by Fourier series and bead by bead, at all beads."""
+    times = np.array([slow_time / ring.scaling.slow_rate])
+    resolution = ring_limit.resolutions(tolerance)[0]
+    beads = ring_limit._follow_beads(ring, times, resolution)
+    xi = ring.scaling.epsilon * (np.arange(ring.beads) - ring.half_beads)
+    start = start_fields(ring.start, ring.scaling, ring.half_length, xi, ring.velocity)
+    fourier = FourierRing(ring.alpha, ring.damping, ring.beads, resolution.points(ring.half_length))
+    return solve_fourier_ring(fourier, *start, times, tolerance), beads, start
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_fourier_series_and_beads_are_the_same_chain(profile):
+    ring = make_ring(1.05, profile, damping=0.5)
+    wave, beads, start = both_motions(ring, 0.5)
+    assert ring.beads > 2 * ring_limit.resolutions(1e-8)[0].points(ring.half_length)
+    for name in ("relative_displacement", "velocity"):
+        # The first of the places is n = 0, which on the ring is n = N.
+        found = np.roll(getattr(wave, name)[0], -1)
+        np.testing.assert_allclose(found, getattr(beads, name)[0], atol=2e-8)
+    u, velocity = start
+    assert wave.relative_displacement[0].sum() == pytest.approx(u.sum(), rel=1e-13)
+    assert wave.velocity[0].sum() == pytest.approx(velocity.sum(), rel=1e-13)
+    assert wave.smallest == pytest.approx(beads.smallest, abs=1e-4)
+
+
+def test_fourier_series_ends_where_a_contact_opens_and_the_beads_go_on():
+    ring = make_ring(1.1, velocity="leading", base=1e-3, mu=0.5)
+    times = np.array([0.5 / ring.scaling.slow_rate])
+    usual, finer = ring_limit.resolutions(1e-6)
+    with pytest.raises(GapError, match="opens"):
+        ring_limit._follow_smooth(ring, times, usual)
+    motions = ring_limit.follow(ring, times, usual, finer)
+    assert motions.usual.smallest < 0.0
+    assert motions.usual.site.size == ring.beads
+
+
+def test_residuals_are_zero_for_the_velocities_of_their_formula():
+    """y = 1 + cos(κξ)/2, whose slope and flux are known, on a ring of δ = c = 1."""
+    ring = make_ring(1.1, damping=0.5)
+    site = np.arange(1.0, ring.beads + 1.0)
+    wave_number = np.pi / ring.half_length
+    phase = wave_number * ring.scaling.epsilon * site
+    y, slope = 1.0 + 0.5 * np.cos(phase), -0.5 * wave_number * np.sin(phase)
+    correction = 0.5 * ring.scaling.epsilon
+    velocities = {
+        "leading": y,
+        "printed": y - correction * (slope + 0.5 * 2.0 * slope),
+        "first_order": y - correction * (slope + 0.5 * (slope + y * np.log(y))),
+    }
+    u = y[None] ** (1.0 / 1.1)
+    for name, velocity in velocities.items():
+        motion = ring_limit.Motion(site, u, velocity[None] + 0.3, np.nan, np.nan)
+        for other, found in ring_limit.velocity_residuals(ring, motion, [0]).items():
+            assert (found[0] < 1e-14) == (other == f"residual_{name}")
+
+
+# Starts.
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_analytic_starts_are_smooth_between_their_points_and_close(profile):
+    half_length = 11.3
+    start = make_start(scene_start(profile, 2.0, 0.2, half_length))
+    xi = np.linspace(-half_length, half_length, 301)
+    exact = PROFILES[profile](xi, 2.0, 0.2, half_length)
+    np.testing.assert_allclose(start.values(xi, half_length), exact, atol=1e-13)
+    assert exact.min() == pytest.approx(0.2, abs=1e-5)
+    # The front and its image, 2^(-2/e²) at the middle between them; the pulse is 1 there.
+    top = {"pulse": 1.0, "front": 0.2 + 0.8 * 2.0 ** (-2.0 * np.exp(-2.0))}[profile]
+    assert exact[150] == pytest.approx(top, abs=1e-12)
+
+
+def test_slope_is_of_fourth_order():
+    xi = np.linspace(-3.0, 3.0, 31)
+    np.testing.assert_allclose(slope_of(np.sin, xi), np.cos(xi), atol=1e-9)
+
+
+def test_slow_start_sends_less_back_than_the_start_of_the_paper():
+    """What runs left has velocity −y; it falls by ε² and not by ε."""
+    for velocity, order in (("leading", 1.0), ("slow", 2.0)):
+        sizes, sent_back = [], []
+        for alpha in (1.2, 1.1, 1.05, 1.02):
+            error = at_one(alpha, "displacement_sup_dispersive", velocity=velocity, mu=2.0)
+            sent_back.append(error)
+            sizes.append(1.0 / make_ring(alpha, mu=2.0).scaling.epsilon)
+        found, residual = slope_and_residual(sizes, sent_back)
+        assert found == pytest.approx(order, abs=0.35)
+        assert residual < 0.15
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("damping", [0.3, 1.0])
+def test_velocity_needs_the_whole_first_order(damping):
+    """On the chain's own y; (43), the negative control, leaves a term of first order out."""
+    alphas = (1.05, 1.02, 1.01, 1.005)
+    sizes = [1.0 / make_ring(alpha, damping=damping).scaling.epsilon for alpha in alphas]
+    for formula, expected, width in (("first_order", 2.0, 0.2), ("printed", 1.0, 0.1)):
+        found = [at_one(alpha, f"residual_{formula}", damping=damping) for alpha in alphas]
+        order, residual = slope_and_residual(sizes, found)
+        assert order == pytest.approx(expected, abs=width)
+        assert residual < 0.1
+
+
+def test_printed_velocity_is_that_of_a_stationary_wave():
+    """With y ln y in the place of ∂_ξ y the whole first order is (43)."""
+    scaling = SlowScales(1.1, 0.7, 1.0)
+    y = np.linspace(0.1, 0.9, 9)
+    flux = y * np.log(y)
+    expected = y - scaling.epsilon * (scaling.gamma + 0.5) * flux
+    np.testing.assert_allclose(scaling.corrected_velocity(y, flux, flux), expected, rtol=1e-14)
+
+
+# Orders in ε.
+
+
+@pytest.mark.parametrize("field", ["displacement_sup", "displacement_rms", "velocity_rms"])
+def test_equations_of_section_4_are_of_first_order_at_fixed_damping(field):
+    alphas = (1.2, 1.1, 1.05, 1.02)
+    sizes = [1.0 / make_ring(alpha, damping=0.5).scaling.epsilon for alpha in alphas]
+    for model in ("logarithmic", "unlimited", "dispersive"):
+        found = [at_one(alpha, f"{field}_{model}", damping=0.5) for alpha in alphas]
+        order, residual = slope_and_residual(sizes, found)
+        assert order == pytest.approx(1.0, abs=0.2)
+        assert residual < 0.12
+
+
+def test_at_fixed_mu_only_the_dispersive_equation_is_a_limit():
+    far, near = (
+        {
+            model: at_one(alpha, f"displacement_sup_{model}", mu=2.0)
+            for model in ("logarithmic", "unlimited", "dispersive")
+        }
+        for alpha in (1.1, 1.02)
+    )
+    assert near["dispersive"] < 0.35 * far["dispersive"]
+    for model in ("logarithmic", "unlimited"):
+        assert near[model] > 0.8 * far[model]
+        assert near[model] > 5.0 * near["dispersive"]
+
+
+def test_wave_sent_the_other_way_is_lost_at_once():
+    """Negative control: with velocities reversed no equation describes the wave."""
+    ring = make_ring(1.1, damping=0.5)
+    reversed_start = start_fields
+
+    def turned(*arguments):
+        u, velocity = reversed_start(*arguments)
+        return u, -velocity
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ring_limit, "start_fields", turned)
+        found = compare(ring, np.array([0.5]), 1e-6)
+    for model in ring_limit.MODELS:
+        assert found[f"displacement_sup_{model}"][0][0] > 0.3
+        assert found[f"lost_10_{model}"][0][0] < 0.1
+
+
+def test_error_estimates_bound_the_error():
+    coarse, fine = (errors(1.1, tolerance=tolerance, damping=0.5) for tolerance in (1e-5, 1e-10))
+    for name, (value, estimate) in coarse.items():
+        difference = np.abs(value - fine[name][0])
+        if np.isfinite(difference).any():
+            # As a campaign records it, the largest at any slow time.
+            assert np.nanmax(difference) <= 5.0 * np.nanmax(estimate) + 1e-9, name
+
+
+def test_passages_depend_on_the_last_slow_time_alone():
+    ring = make_ring(1.2, damping=0.5)
+    alone, beside = (compare(ring, np.array(times), 1e-6) for times in ([1.0], [0.03, 0.7, 1.0]))
+    for model in ring_limit.MODELS:
+        name = f"lost_1_{model}"
+        np.testing.assert_allclose(alone[name][0][-1], beside[name][0][-1], rtol=1e-5)
+
+
+def test_losses_are_passed_in_turn_and_only_before_the_slow_time():
+    found = errors(1.2, damping=0.5)
+    sup = found["displacement_sup_logarithmic"][0]
+    first = found["lost_1_logarithmic"][0]
+    # What the start still sends back passes the wave early.
+    assert (sup > 0.005).all()
+    assert 0.0 < first[0] == first[1] < 0.5
+    assert np.isnan(found["lost_10_logarithmic"][0]).all()
+
+
+# Measures.
+
+
+def test_lead_is_the_shift_of_a_wave():
+    xi = np.arange(400) * 0.05
+    wave, shifted = (np.exp(-((xi - centre) ** 2)) for centre in (10.0, 10.3))
+    [found] = ring_limit.lead(shifted[None], wave[None], 0.05)
+    assert found == pytest.approx(0.3, abs=1e-3)
+    # The ring may be cut anywhere.
+    turned = (np.roll(row, 210)[None] for row in (shifted, wave))
+    assert ring_limit.lead(*turned, 0.05)[0] == pytest.approx(found, abs=1e-12)
+    assert np.isnan(ring_limit.lead(wave[None], 0.0 * wave[None], 0.05)[0])
+
+
+def test_height_and_decay_of_a_parabola_are_exact():
+    x = np.arange(11.0)
+    rows = np.array([[3.0], [2.0]]) - 0.1 * (x - 5.3) ** 2
+    np.testing.assert_allclose(ring_limit.heights(rows), [3.0, 2.0], rtol=1e-14)
+    start = 4.0 - 0.1 * (x - 5.3) ** 2
+    np.testing.assert_allclose(ring_limit.relative_decay(rows[:1], rows[1:], start), -0.5)
+
+
+def test_first_passage_is_on_the_line_between_two_times():
+    times, found = np.array([1.0, 3.0]), np.array([0.2, 0.6])
+    assert ring_limit.first_passage(times, found, 0.1) == pytest.approx(0.5)
+    assert ring_limit.first_passage(times, found, 0.3) == pytest.approx(1.5)
+    assert np.isnan(ring_limit.first_passage(times, found, 0.7))
+
+
+def test_every_number_that_gives_the_damping_gives_the_same():
+    scaling = SlowScales(1.3, 0.4, 5.0)
+    damping = scaling.gamma * scaling.speed
+    numbers = {
+        "damping": damping,
+        "epsilon": scaling.epsilon,
+        "ratio": scaling.ratio,
+        "mu": scaling.dispersion**-0.5,
+    }
+    for name, value in numbers.items():
+        assert gamma_for(1.3, 5.0, **{name: value}) == pytest.approx(0.4, rel=1e-14)
+    assert scaling.ratio == pytest.approx(12.0 * scaling.dispersion, rel=1e-14)

@@ -1,0 +1,48 @@
+"""Configurations that tests change, and the sentences that refuse them."""
+
+import copy
+import functools
+import json
+import operator
+from pathlib import Path
+
+import pytest
+
+from granular_fronts.errors import InputError
+from granular_fronts.scenes.configuration import check_configuration
+
+ROOT = Path(__file__).parents[2]
+DEFAULT = ROOT / "config" / "default.yaml"
+SMOKE = ROOT / "config" / "smoke.yaml"
+SCENE = "initiation_underdamped"
+
+
+def change(configuration, family="chain", scene=SCENE, **changes):
+    """Set `record__grid__step=…` in the scene; an ellipsis takes the key away."""
+    changed = copy.deepcopy(configuration)
+    for path, value in changes.items():
+        *parents, last = path.split("__")
+        node = changed["scenes"][family][scene]
+        for parent in parents:
+            node = node[parent]
+        if value is ...:
+            del node[last]
+        else:
+            node[last] = value
+    return changed
+
+
+def set_value(configuration, path, value):
+    """Set the value at a dotted path."""
+    # Anchors of YAML let sections share a mapping; JSON writes each of them out.
+    changed = json.loads(json.dumps(configuration))
+    *parents, last = path.split(".")
+    node = functools.reduce(operator.getitem, parents, changed)
+    node[last] = value
+    return changed
+
+
+def refusal(configuration):
+    with pytest.raises(InputError) as caught:
+        check_configuration(configuration)
+    return str(caught.value)

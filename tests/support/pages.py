@@ -1,0 +1,50 @@
+"""Blocks of code in README and manual, and the commands among them."""
+
+import os
+import re
+import subprocess
+import textwrap
+
+from projects import ROOT
+
+README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
+FENCE = re.compile(r"^( *)```(\S*)[^\n]*\n(.*?)^\1```", re.MULTILINE | re.DOTALL)
+
+
+def blocks(document, language):
+    """Fenced blocks of a language, those inside lists included."""
+    return [block for name, block in all_blocks(document) if name == language]
+
+
+def all_blocks(document):
+    """Language and text of every fenced block."""
+    found = FENCE.findall(document.read_text(encoding="utf-8"))
+    return [(language, textwrap.dedent(block)) for _, language, block in found]
+
+
+def named_blocks(document):
+    """Blocks that begin with the name of a file, by that name, without it."""
+    found = {}
+    for language in ("python", "yaml", "rst"):
+        for block in blocks(document, language):
+            if match := re.match(r"(?:#|\.\.) (\S+\.\w+)\n", block):
+                found[match.group(1)] = block[match.end() :]
+    return found
+
+
+def commands(document):
+    return [line for block in blocks(document, "sh") for line in block.splitlines()]
+
+
+def commands_in_lines(document):
+    """Commands inside sentences, without those that leave a name to the reader."""
+    text = FENCE.sub("", document.read_text(encoding="utf-8"))
+    found = re.findall(r"`((?:make|snakemake|python) [^`]+)`", text)
+    return [command for command in found if not re.search("…|[A-Z]{4}", command)]
+
+
+def run(command, folder=ROOT, **environment):
+    environment = {**os.environ, "PYTHONPATH": f"{folder}/src:{folder}/workflow/lib", **environment}
+    return subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, env=environment, check=False
+    )

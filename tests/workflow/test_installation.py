@@ -1,0 +1,50 @@
+"""`make` installs what environment.txt names, once, and again where that names something else."""
+
+import os
+import shutil
+import subprocess
+
+import pytest
+from projects import ROOT
+
+PINS = {"lint": "environment.txt", "docs": "docs-environment.txt"}
+
+
+@pytest.fixture
+def installed(tmp_path):
+    """A folder in which everything is installed, as far as make can see."""
+    for name in ("Makefile", "pyproject.toml", *PINS.values()):
+        shutil.copy(ROOT / name, tmp_path)
+    (tmp_path / ".venv").mkdir()
+    parts = [(tmp_path / name).read_text() for name in ("environment.txt", "pyproject.toml")]
+    (tmp_path / ".venv/installed").write_text("".join(parts))
+    shutil.copy(tmp_path / "docs-environment.txt", tmp_path / ".venv/docs-installed")
+    return tmp_path
+
+
+def installs(folder, target):
+    """The pins that make would install for a target."""
+    run = subprocess.run(
+        ["make", "--dry-run", target], cwd=folder, capture_output=True, text=True, check=True
+    )
+    return {name for name in PINS.values() if f"-r {name}" in run.stdout}
+
+
+def test_what_is_installed_is_not_installed_again_whatever_the_time_stamps(installed):
+    for pins in PINS.values():
+        os.utime(installed / pins, (4e9, 4e9))
+    assert not installs(installed, "lint")
+    assert not installs(installed, "docs")
+
+
+@pytest.mark.parametrize("target", PINS)
+def test_changed_pins_are_installed_whatever_the_time_stamps(installed, target):
+    pins = installed / PINS[target]
+    pins.write_text(pins.read_text() + "another==1.0\n")
+    os.utime(pins, (0, 0))
+    assert PINS[target] in installs(installed, target)
+
+
+def test_what_builds_the_manual_is_installed_again_into_a_new_environment(installed):
+    (installed / ".venv/installed").write_text("")
+    assert installs(installed, "docs") == set(PINS.values())

@@ -1,0 +1,175 @@
+"""The peers of the speed comparison solve our problems, and an absent one says so."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from chains import smooth_ring
+
+from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
+from granular_fronts.fronts.solve import evaluate_front, solve_front
+from granular_fronts.reference_methods.half_step import Chain, integrate
+from peers import lammps_chain, record, scilab_chain, scipy_fronts, scipy_heteroclinic
+from peers.chain_system import ChainSystem, SparseJacobian, front_initiation, numpy_right_hand_side
+from problems.chain import PEERS
+
+REFERENCES = Path(__file__).parents[1] / "references"
+DRIVEN = front_initiation(gamma=0.3, end=12.0, beads=20)
+RING = ChainSystem(0.2, 5.0, *smooth_ring(), ring=True)
+WITH_GAPS = ChainSystem(0.2, 3.0, np.array([0.5, -0.3, 0.2, 0.1]), np.arange(4.0), ring=True)
+
+
+@pytest.mark.parametrize("system", [DRIVEN, RING], ids=["driven", "ring"])
+@pytest.mark.parametrize("name", PEERS)
+def test_every_present_peer_finds_the_same_motion(name, system):
+    tolerance = 1e-7 if name in ("scipy_radau", "sundials_bdf") else 1e-11
+    run = PEERS[name](system, tolerance, 1e-2 * tolerance)
+    if run.absent:
+        pytest.skip(run.message)
+    expected = PEERS["scipy_dop853"](system, 1e-13, 1e-15)
+    for field, values in expected.fields.items():
+        np.testing.assert_allclose(run.fields[field], values, rtol=0.0, atol=200 * tolerance)
+    gained = 0.0 if system.ring else system.left**1.5 * system.end
+    before, after = system.velocities.sum(), run.fields["velocity"].sum()
+    assert after - before == pytest.approx(gained, abs=1e-9)
+    assert run.seconds > 0
+    assert run.cpu_seconds > 0
+    assert run.right_hand_sides > 0
+
+
+@pytest.mark.parametrize("system", [DRIVEN, RING], ids=["driven", "ring"])
+def test_start_of_a_system_is_what_was_given(system):
+    observed = system.observe(system.start())
+    np.testing.assert_allclose(observed["relative_displacement"], system.contacts, atol=1e-14)
+    np.testing.assert_allclose(observed["velocity"], system.velocities, atol=1e-15)
+
+
+@pytest.mark.parametrize("system", [DRIVEN, RING, WITH_GAPS], ids=["driven", "ring", "gaps"])
+def test_jacobian_is_the_derivative_of_the_right_hand_side(system):
+    fill = numpy_right_hand_side(system)
+
+    def rates(state):
+        out = np.empty_like(state)
+        fill(state, out)
+        return out
+
+    generator = np.random.default_rng(1)
+    state = system.start() + 0.01 * generator.standard_normal(2 * system.beads)
+    direction = generator.standard_normal(state.size)
+    h = 1e-6
+    difference = (rates(state + h * direction) - rates(state - h * direction)) / (2.0 * h)
+    product = SparseJacobian(system).matrix(state) @ direction
+    np.testing.assert_allclose(product, difference, atol=1e-5)
+
+
+def test_an_absent_tool_says_so(monkeypatch):
+    monkeypatch.setattr(scilab_chain.shutil, "which", lambda name: None)
+    run = scilab_chain.run_ode(DRIVEN, 1e-8, 1e-10)
+    assert run.absent
+    assert not run.fields
+    assert "scilab-cli" in run.message
+
+
+@pytest.mark.parametrize("name", ["numbalsoda_dop853", "sundials_bdf", "diffrax_dopri8"])
+def test_an_absent_package_says_so(monkeypatch, name):
+    monkeypatch.setattr(record.importlib.util, "find_spec", lambda name: None)
+    run = PEERS[name](DRIVEN, 1e-8, 1e-10)
+    assert run.absent
+    assert "not installed" in run.message
+
+
+def test_absent_lammps_says_so(monkeypatch):
+    monkeypatch.setattr(lammps_chain, "find_command", lambda: None)
+    run = lammps_chain.METHODS["lammps_nve"](DRIVEN, 0.1, 0.0)
+    assert run.absent
+    assert "lmp of LAMMPS is not on the path" in run.message
+
+
+def fake_lammps(folder, text, dump=None):
+    """A command that prints a text, writes a dump, and fails without one."""
+    command = folder / "lmp"
+    (folder / "report").write_text(text)
+    copy = f"cp {dump} ." if dump else "exit 1"
+    command.write_text(f"#!/bin/sh\ncat {folder / 'report'}\n{copy}\n")
+    command.chmod(0o755)
+    return str(command)
+
+
+def test_lammps_is_read_as_it_reports(monkeypatch, tmp_path):
+    """Its scheme is ours to round-off, see test_half_step.py; here ours takes its place."""
+    system = front_initiation(gamma=0.3, end=12.0, beads=5)
+    chain = Chain(1.5, 1.5, 0.3, left=0.1)
+    motion = integrate(chain, np.zeros(5), np.zeros(5), 0.5, 24)
+    lines = ["ITEM: TIME", "12.0", "ITEM: TIMESTEP", "24", "ITEM: ATOMS id x vx"]
+    rows = zip(motion.x[-1].tolist(), motion.v[-1].tolist(), strict=True)
+    lines += [f"{n + 1} {n + x!r} {v!r}" for n, (x, v) in enumerate(rows)]
+    (tmp_path / "chain_0.5.dump").write_text("\n".join([*lines, ""]))
+    report = "Loop time of 0.25 on 1 procs for 24 steps with 5 atoms\n\n90.0% CPU use with 1 MPI"
+    command = fake_lammps(tmp_path, report, tmp_path / "chain_0.5.dump")
+    monkeypatch.setattr(lammps_chain, "find_command", lambda: command)
+    run = lammps_chain.METHODS["lammps_nve"](system, 0.5, 0.0)
+    assert (run.seconds, run.cpu_seconds, run.steps) == (0.25, pytest.approx(0.225), 24)
+    u = run.fields["relative_displacement"]
+    np.testing.assert_allclose(u[:-1], -np.diff(motion.x[-1]), rtol=0, atol=1e-14)
+    assert u[-1] == 0.0
+    np.testing.assert_array_equal(run.fields["velocity"], motion.v[-1])
+
+
+def test_failing_lammps_is_quoted(monkeypatch, tmp_path):
+    command = fake_lammps(tmp_path, "reading\nERROR: Lost atoms: original 20 current 7\nbye\n")
+    monkeypatch.setattr(lammps_chain, "find_command", lambda: command)
+    run = lammps_chain.METHODS["lammps_mvv"](DRIVEN, 2.0, 0.0)
+    assert run.message == "LAMMPS failed: ERROR: Lost atoms: original 20 current 7"
+    assert "no whole number" in lammps_chain.METHODS["lammps_nve"](DRIVEN, 0.7, 0.0).message
+
+
+@pytest.mark.skipif(not lammps_chain.find_command(), reason="LAMMPS is not installed")
+@pytest.mark.parametrize(("name", "order"), [("lammps_nve", 1.0), ("lammps_mvv", 2.0)])
+def test_lammps_comes_closer_at_its_order(name, order):
+    system = front_initiation(gamma=0.3, end=30.0, beads=20)
+    expected = PEERS["scipy_dop853"](system, 1e-13, 1e-15)
+    errors = []
+    for step in (0.1, 0.05):
+        run = lammps_chain.METHODS[name](system, step, 0.0)
+        assert run.seconds > 0.0
+        errors.append(
+            max(np.abs(run.fields[field] - expected.fields[field]).max() for field in run.fields)
+        )
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", scipy_fronts.METHODS)
+def test_peer_finds_the_front_of_the_lattice_or_says_why_not(name):
+    front = solve_front(1.5, 0.3)
+    bead = np.arange(-8, 6)
+    run = scipy_fronts.METHODS[name](0.3, bead, 20, 1e-6)
+    if name == "scipy_newton_krylov":
+        assert "no convergence" in run.message
+        return
+    expected = evaluate_front(front, bead)
+    np.testing.assert_allclose(run.fields["relative_displacement"], expected, atol=1e-6)
+    assert run.fields["velocity"][0] == pytest.approx(1.0, abs=0.02)
+    assert run.right_hand_sides > 0
+
+
+@pytest.mark.parametrize("mu", [0.3, 2.0, 20.0])
+@pytest.mark.parametrize("name", scipy_heteroclinic.METHODS)
+def test_every_peer_finds_the_same_front(name, mu):
+    s = np.linspace(-12.0, 6.0, 37)
+    run = scipy_heteroclinic.METHODS[name](mu, s, 1e-7)
+    front = heteroclinic(mu, s)
+    for field, values in run.fields.items():
+        np.testing.assert_allclose(values, front[field].values, rtol=0.0, atol=5e-6)
+    assert run.fields.keys() == {"rescaled_force", "slope"}
+
+
+def test_stored_fronts_agree_with_ours_to_round_off():
+    states = xr.load_dataset(REFERENCES / "heteroclinic_reference.nc")
+    for index, mu in enumerate(states["mu"].values):
+        front, expected = heteroclinic(mu, states["s"].values), states.isel(state=index)
+        for field in ("rescaled_force", "slope"):
+            distance = np.abs(front[field].values - expected[field].values).max()
+            assert distance < 4e-16
+            assert expected[f"{field}_error"] < 1e-30

@@ -1,0 +1,357 @@
+"""How speed against error is measured, joined, tabulated, judged and drawn."""
+
+import time
+from itertools import product
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import measure_precision as measuring
+import merge_precision as merging
+import numpy as np
+import pandas as pd
+import plot_fig14 as drawing
+import pytest
+import tabulate_speed_error as tabulating
+import xarray as xr
+from pictures import curves
+from update_documents import speed
+
+from granular_fronts.output.datasets import read_dataset, write_dataset
+from granular_fronts.scenes.yaml_files import load_configuration
+from peers.record import Run, Stopwatch
+from problems import chain, fronts, heteroclinic, ring
+from problems.problem import Problem, Reference, errors_of
+
+ROOT = Path(__file__).parents[2]
+REFERENCES = ROOT / "tests" / "references"
+FAMILIES = {"chain": chain, "ring": ring, "heteroclinic": heteroclinic, "fronts": fronts}
+ANSWER = {"velocity": Reference(np.array([1.0, 2.0]), np.zeros(2), 1e-9)}
+
+
+def solution(error, seconds=0.5, share=1.0, **facts):
+    fields = {"velocity": np.array([1.0, 2.0 + error])}
+    return Run(fields, seconds, share * seconds, 10, 5, **facts)
+
+
+def test_no_error_is_stated_below_that_of_the_reference():
+    close, far = errors_of(solution(1e-12), ANSWER), errors_of(solution(1e-3), ANSWER)
+    assert close["error"] == close["velocity_error_sup"] == close["velocity_error_rms"] == 1e-9
+    assert close["below_reference"] == 1.0
+    assert far["error"] == pytest.approx(1e-3)
+    assert far["velocity_error_rms"] == pytest.approx(1e-3 / np.sqrt(2.0))
+    assert far["below_reference"] == 0.0
+    assert errors_of(Run(message="stopped"), ANSWER) == {}
+
+
+def test_low_part_of_the_reference_counts():
+    answer = {"velocity": Reference(np.ones(2), np.full(2, 3e-17), 1e-20)}
+    assert errors_of(Run({"velocity": np.ones(2)}), answer)["error"] == 3e-17
+
+
+def stop(_):
+    raise ArithmeticError("the step size collapsed")
+
+
+METHODS = {
+    "mine": lambda tolerance: solution(tolerance, 0.001),
+    "theirs": lambda tolerance: solution(tolerance, 0.02, share=0.5),
+    "broken": stop,
+    "elsewhere": lambda tolerance: Run(message="not installed", absent=True),
+}
+SETTINGS = {"tolerances": [1e-8, 1e-4], "repeats": 3, "methods": list(METHODS)}
+
+
+def test_what_fails_is_kept_and_what_is_absent_is_named():
+    problem = Problem("mine", ANSWER, METHODS)
+    present, absent = measuring.run_once(problem, SETTINGS)
+    assert absent == {"elsewhere": "not installed"}
+    rows = pd.DataFrame(measuring.measure("p", problem, SETTINGS, present))
+    assert len(rows) == 6
+    broken = rows[rows["method"] == "broken"]
+    assert broken["error"].isna().all()
+    assert (broken["message"] == "ArithmeticError: the step size collapsed").all()
+    assert (broken["disturbed"] == 0.0).all()
+    assert (rows[rows["method"] == "theirs"]["disturbed"] == 1.0).all()
+    assert (rows[rows["method"] == "mine"]["disturbed"] == 0.0).all()
+
+
+def test_least_time_counts_and_a_long_run_is_not_repeated():
+    times = iter([9.0, 0.3, 0.1, 0.2])
+    calls = []
+
+    def long(_):
+        calls.append("long")
+        return solution(1e-3, 60.0)
+
+    methods = {"quick": lambda _: solution(1e-3, next(times)), "long": long}
+    problem = Problem("quick", ANSWER, methods)
+    settings = {"tolerances": [1e-3], "repeats": 3, "methods": list(methods)}
+    measuring.run_once(problem, settings)
+    rows = measuring.measure("p", problem, settings, list(methods))
+    assert [row["seconds"] for row in rows] == [0.1, 60.0]
+    assert len(calls) == 2
+
+
+def test_method_may_have_tolerances_of_its_own():
+    settings = {"tolerances": [1e-6, 1e-4], "own_tolerances": {"slow": [1e-3]}}
+    assert measuring.tolerances_of(settings, "slow") == [1e-3]
+    assert measuring.tolerances_of(settings, "fast") == [1e-4, 1e-6]
+
+
+@pytest.mark.timing
+def test_stopwatch_distinguishes_waiting_from_working():
+    with Stopwatch() as idle:
+        time.sleep(0.05)
+    assert idle.seconds >= 0.05
+    assert idle.cpu_seconds < 0.5 * idle.seconds
+
+
+def test_default_names_only_methods_that_exist_and_references_that_are_stored():
+    precision = load_configuration(ROOT / "config" / "default.yaml")["precision"]
+    for family, module in FAMILIES.items():
+        states = xr.load_dataset(REFERENCES / f"{family}_reference.nc")
+        for settings in precision[family].values():
+            problem = module.make_problem(settings, states)
+            assert set(settings["methods"]) <= problem.methods.keys()
+            assert set(settings.get("own_tolerances", {})) <= problem.methods.keys()
+            assert problem.ours in settings["methods"]
+
+
+@pytest.mark.parametrize(("family", "module"), FAMILIES.items())
+def test_problem_without_a_reference_is_refused_in_a_sentence(family, module):
+    states = xr.load_dataset(REFERENCES / f"{family}_reference.nc")
+    with pytest.raises(ValueError, match=r"No reference .*is stored .* choose a stored"):
+        module.make_problem({"gamma": 0.06, "mu": 0.06, "end_time": 1.0}, states)
+
+
+def test_own_forms_agree_with_the_stored_ring():
+    states = xr.load_dataset(REFERENCES / "ring_reference.nc")
+    problem = ring.make_problem({"end_time": 41.12}, states)
+    for method in ("strain_form", "positions_and_w", "positions_and_velocities", "scipy_lsoda"):
+        # Contacts open and close; only the strain form locates the events.
+        limit = 2e-9 if method == "strain_form" else 1e-4
+        assert errors_of(problem.methods[method](1e-12), problem.reference)["error"] < limit
+
+
+@pytest.mark.parametrize("gamma", [0.1, 0.65])
+@pytest.mark.parametrize("method", ["profile", "shooting"])
+def test_own_fronts_agree_with_the_stored_ones(gamma, method):
+    states = xr.load_dataset(REFERENCES / "fronts_reference.nc")
+    problem = fronts.make_problem({"gamma": gamma}, states)
+    assert problem.reference_error < 1e-16
+    assert errors_of(problem.methods[method](1e-13), problem.reference)["error"] < 5e-14
+
+
+def test_stored_ring_keeps_its_length_and_momentum():
+    states = xr.load_dataset(REFERENCES / "ring_reference.nc")
+    for name in ("relative_displacement", "velocity"):
+        drift = (states[name] - states[f"{name}_start"]).sum("bead")
+        assert np.abs(drift).max() < 2e-13
+    assert (states["relative_displacement"].min("bead") < 0.0).all()
+
+
+def measured_family(scene, problems):
+    """A dataset of known curves: error = tolerance, seconds = cost / tolerance^(1/8)."""
+    rows = [
+        {
+            "problem": problem,
+            "method": method,
+            "tolerance": tolerance,
+            "error": np.nan if cost is None else tolerance,
+            "below_reference": 0.0,
+            "velocity_error_sup": np.nan if cost is None else tolerance,
+            "seconds": np.nan if cost is None else cost * tolerance**-0.125,
+            "disturbed": float(method == "scipy_lsoda"),
+            "right_hand_sides": 1.0,
+            "steps": np.nan,
+            "message": "stopped" if cost is None else "",
+        }
+        for problem, costs in problems.items()
+        for (method, cost), tolerance in product(costs.items(), [1e-4, 1e-8, 1e-12])
+    ]
+    facts = {p: {"own_method": "strain_form", "reference_error": 1e-15} for p in problems}
+    dataset = measuring.to_dataset(rows, facts)
+    dataset.attrs = {
+        "absent": '{"diffrax_dopri8": "the package jax is not installed here"}',
+        "load_before": 0.1,
+        "machine": "a machine",
+        "solver": "least time",
+    }
+    return dataset, scene
+
+
+COSTS = {"strain_form": 1.0, "scilab_ode": 100.0, "numbalsoda_dop853": 4.0, "scipy_lsoda": 50.0}
+
+
+@pytest.fixture
+def merged(tmp_path):
+    """Two families and the grids of the logarithmic Burgers equation, in one file."""
+    files = []
+    for dataset, scene in (
+        measured_family("precision_chain", {"one": COSTS}),
+        measured_family("precision_ring", {"two": {"strain_form": 2.0, "scipy_radau": None}}),
+    ):
+        files.append(tmp_path / f"{scene}.nc")
+        write_dataset(dataset, files[-1], scene_id=scene, config={})
+    burgers = xr.Dataset(
+        {
+            name: ("run", values)
+            for name, values in {
+                "scene": ["weak"] * 3,
+                "start": ["kinks", "kinks", "smooth"],
+                "scheme": ["upwind", "finite_volumes", "finite_volumes"],
+                "grid": [1000, 128, 128],
+                "setting": [1e-5, 1e-7, 1e-7],
+                "error": [1e-3, 1e-5, 1e-9],
+                "reference_error": [1e-11] * 3,
+                "seconds": [1.0, 0.001, 0.001],
+                "steps": [100, 10, 10],
+                "right_hand_sides": [100, 60, 60],
+            }.items()
+        },
+        coords={"run": np.arange(3)},
+        attrs={"load_before": 0.2},
+    )
+    files.append(tmp_path / "log_burgers.nc")
+    write_dataset(burgers, files[-1], scene_id="precision_log_burgers", config={})
+    merging.merge_precision(files, tmp_path / "speed_error.nc")
+    return tmp_path / "speed_error.nc"
+
+
+def point(data, problem, method, tolerance):
+    # As keywords, `method` and `tolerance` would be options of the selection.
+    return data.sel({"problem": problem, "method": method, "tolerance": tolerance})
+
+
+def test_families_are_joined_without_loss(merged):
+    data = read_dataset(merged, "speed_error")
+    assert list(data["problem"].values) == ["one", "two", "log_burgers_weak"]
+    assert int(np.isfinite(data["disturbed"]).sum()) == 12 + 6 + 2
+    one = point(data, "one", "scilab_ode", 1e-8)
+    assert float(one["seconds"]) == pytest.approx(1000.0)
+    assert str(data["own_method"].sel(problem="log_burgers_weak").values) == "finite_volumes"
+    burgers = point(data, "log_burgers_weak", "upwind", 1e-5)
+    assert float(burgers["error"]) == 1e-3
+    assert float(burgers["grid"]) == 1000
+
+
+def test_same_problem_in_two_families_is_refused(merged, tmp_path):
+    family = tmp_path / "precision_chain.nc"
+    with pytest.raises(ValueError, match="Problem one stands in two families"):
+        merging.merge_precision([family, family], tmp_path / "never.nc")
+
+
+def tabulate(merged):
+    files = [merged.with_name(name) for name in ("a.csv", "a.md", "b.csv", "b.md")]
+    tabulating.tabulate_speed_error(merged, *files)
+    return pd.read_csv(files[0], keep_default_na=False), pd.read_csv(files[2])
+
+
+def test_methods_are_compared_at_equal_error(merged):
+    table, _ = tabulate(merged)
+    one = table[(table["problem"] == "one") & (table["error"] == 1e-10)].set_index("method")
+    assert one.loc["strain_form", "milliseconds"] == pytest.approx(1e3 * 1e-10**-0.125)
+    assert float(one.loc["scilab_ode", "times_ours"]) == pytest.approx(100.0)
+    assert one.loc["scipy_lsoda", "remark"] == tabulating.BUSY
+    assert not (table["error"] < 1e-12).any()
+
+
+def test_verdicts_say_what_to_use_and_how_much_is_won(merged):
+    _, verdicts = tabulate(merged)
+    found = verdicts.set_index(["problem", "error"])["verdict"]
+    assert found["one", 1e-9].endswith(
+        "4 times faster than numbalsoda_dop853 and 100 times faster than scilab_ode."
+    )
+    assert found["one", 1e-9].startswith("To 1e-09 use strain_form (")
+    assert "which alone reached it" in found["two", 1e-6]
+    assert "faster than upwind" not in found["log_burgers_weak", 1e-4]
+    assert "upwind did not get there with the tolerances asked" in found["log_burgers_weak", 1e-4]
+    assert found["log_burgers_weak", 1e-9] == (
+        "Nobody reached 1e-09; finite_volumes came closest with 1.0e-05."
+    )
+
+
+def test_verdict_is_fair_to_others():
+    dataset, _ = measured_family("x", {"one": COSTS | {"strain_form": 8.0}})
+    dataset = dataset.sel(problem="one")
+    assert tabulating.judge(dataset, 1e-9) == (
+        f"To 1e-09 use numbalsoda_dop853 ({4e3 * 1e-9**-0.125:.3g} ms), 2 times faster than "
+        "strain_form and 25 times faster than scilab_ode."
+    )
+
+
+def test_verdict_names_what_a_user_calls():
+    costs = {"strain_form": 2.0, "strain_form_on_grid": 1.0, "scipy_dop853": 60.0}
+    dataset, _ = measured_family("x", {"one": costs})
+    verdict = tabulating.judge(dataset.sel(problem="one"), 1e-9)
+    seconds = 1e-9**-0.125
+    assert verdict == (
+        f"To 1e-09 use strain_form ({2e3 * seconds:.3g} ms), 30 times faster than scipy_dop853; "
+        f"on a given grid {1e3 * seconds:.3g} ms."
+    )
+    only = dataset.sel({"problem": "one", "method": ["strain_form_on_grid"]})
+    assert tabulating.judge(only, 1e-9).startswith("To 1e-09 use strain_form_on_grid (")
+
+
+def test_figure_14_draws_every_point_and_names_failures(merged):
+    data = read_dataset(merged)
+    figure = drawing.plot_fig14(data)
+    panels = {axes.get_title(): axes for axes in figure.axes}
+    assert panels.keys() == {"one", "two", "log burgers weak"}
+    lines = curves(panels["one"])
+    drawn = [line for line in lines if line.get_linestyle() != "None"]
+    seconds = data["seconds"].sel(problem="one").values
+    np.testing.assert_allclose(
+        np.sort(np.concatenate([line.get_ydata() for line in drawn])),
+        np.sort(seconds[np.isfinite(seconds)]),
+    )
+    hollow = [line for line in lines if line.get_linestyle() == "None"]
+    assert sum(line.get_xdata().size for line in hollow) == 3
+    assert ": scipy radau" in panels["two"].get_xlabel()
+    assert figure.get_supxlabel() == "not installed here: diffrax dopri8"
+    plt.close("all")
+
+
+def test_figure_14_names_each_curve_at_its_end_of_largest_error():
+    costs = {"strain_form": 1.0, "scipy_dop853": 8.9, "lammps_nve": 9.0, "scipy_radau": None}
+    data, _ = measured_family("precision_chain", {"one": costs})
+    axes = drawing.plot_fig14(data).axes[0]
+    names = {text.get_text(): text for text in axes.texts}
+    assert names.keys() == {"strain form", "scipy dop853", "lammps nve"}
+    (code,) = [line for line in axes.get_lines() if line.get_linestyle() == "-."]
+    assert names["lammps nve"].get_color() == code.get_color()
+    for method, name in names.items():
+        cost = costs[method.replace(" ", "_")]
+        assert name.xy == (1e-4, pytest.approx(cost * 1e-4**-0.125))
+    # In the order of the ends, a name's height apart, within the panel.
+    places = [names[name].xyann[1] for name in ("strain form", "scipy dop853", "lammps nve")]
+    assert places[0] >= 0
+    assert places[-1] <= 1
+    assert np.all(np.diff(places) >= drawing.NAME_HEIGHT / drawing.LOWEST - 1e-12)
+    assert "failed at 1e-12, 1e-08, 0.0001: scipy radau" in axes.get_xlabel()
+    plt.close("all")
+
+
+def test_names_far_apart_stand_at_their_curves():
+    data, _ = measured_family("precision_chain", {"one": {"strain_form": 1.0, "lammps_nve": 9.0}})
+    axes = drawing.plot_fig14(data).axes[0]
+    for name in axes.texts:
+        _, end = axes.transLimits.transform(axes.transScale.transform(name.xy))
+        assert name.xyann[1] == pytest.approx(end)
+    plt.close("all")
+
+
+def test_verdict_says_how_far_a_discrete_element_code_is():
+    costs = {"strain_form": 2.0, "scipy_dop853": 60.0, "lammps_nve": 900.0, "lammps_mvv": 240.0}
+    data = measured_family("x", {"one": costs})[0].sel(problem="one")
+    verdict = tabulating.judge(data, 1e-9)
+    assert verdict.endswith("scipy_dop853; lammps_mvv takes 120 times as long as strain_form.")
+    data["error"].loc["lammps_nve":"lammps_mvv"] *= 1e6
+    verdict = tabulating.judge(data, 1e-9)
+    assert verdict.endswith("; no scheme of lammps got there with the steps tried.")
+
+
+def test_readme_shows_the_verdicts(tmp_path):
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "speed_verdicts.csv").write_text("problem,error,verdict\na,1e-09,b\n")
+    assert speed(tmp_path).splitlines()[-1].split() == ["|", "a", "|", "1e-09", "|", "b", "|"]

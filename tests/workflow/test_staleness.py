@@ -1,0 +1,345 @@
+"""A figure, a table or a report is never older than its question, whatever a run was broken by.
+
+Each test asks the finished smoke run another question, breaks the job that would answer it, and
+gives the same command again.
+"""
+
+import contextlib
+import functools
+import html
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import netCDF4
+import psutil
+import pytest
+import yaml
+from projects import jobs_due, snakemake, wait_for_job
+
+from granular_fronts.output.provenance import question_digest, read_record
+
+pytestmark = pytest.mark.slow
+
+SMOKE = ["--configfile", "config/smoke.yaml"]
+SCENE = "initiation_underdamped"
+DATA = f"results/smoke/data/chain/{SCENE}.nc"
+FIGURE = f"results/smoke/figures/fig01_{SCENE}.json"
+TABLE = "results/smoke/tables/paper_numbers.json"
+PAGE = "results/smoke/explore.json"
+# The chain is compiled and its file written within it; the file of the scene is larger.
+LARGEST_FILE = 60_000
+LONG = {"end_time": 1000000}
+
+
+def ask(project, name, change):
+    """Lay a change of the scene over the smoke run; return the options and the scene asked for."""
+    overlay = project / f"{name}.yaml"
+    overlay.write_text(yaml.safe_dump({"scenes": {"chain": {SCENE: change}}}))
+    return [*SMOKE, overlay]
+
+
+def question_of(record, scene=SCENE):
+    """Digest of the question that a figure or a table answers."""
+    return {one["scene"]: one["question"] for one in read_record(record)["made_from"]}[scene]
+
+
+def question_of_data(project):
+    """Digest of the question that the data answer, from the configuration they carry."""
+    script = (
+        "import json, sys;"
+        "from granular_fronts.output.datasets import read_dataset, configuration_of;"
+        "from granular_fronts.output.provenance import question_digest;"
+        f"print(question_digest(configuration_of(read_dataset('{DATA}'))))"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", script], cwd=project, capture_output=True, text=True, check=True
+    )
+    return run.stdout.strip()
+
+
+def start(project, options, prepare=lambda: None):
+    """Start drawing the figure, and do not wait for its end."""
+
+    def before():
+        # Where the tests run in the background, interrupts are ignored, by their children too.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        prepare()
+
+    return subprocess.Popen(
+        [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, options), "--", "fig01"],
+        cwd=project,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=before,
+    )
+
+
+def fail_in_script(project, options):
+    """Let the script of the job raise; then put it back as if it had never changed."""
+    script = project / "workflow/scripts/chain/initiate_front.py"
+    text, times = script.read_bytes(), script.stat()
+    script.write_bytes(text.replace(b"write_dataset(sim", b"raise RuntimeError(sim"))
+    run = snakemake(*options, "--", "fig01", folder=project)
+    script.write_bytes(text)
+    os.utime(script, ns=(times.st_atime_ns, times.st_mtime_ns))
+    assert run.returncode != 0
+
+
+def fill_disk(project, options):
+    """Let no file grow beyond a size that the data need."""
+    limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (LARGEST_FILE,) * 2)
+    process = start(project, options, prepare=limit)
+    process.communicate(timeout=120.0)
+    assert process.returncode != 0
+
+
+def start_job(project, options):
+    """Start drawing the figure, and wait until the job that solves its scene is at work."""
+    process = start(project, options)
+    job = wait_for_job(process, "initiate_front.py")
+    time.sleep(2.0)
+    return process, job
+
+
+def kill_workflow(project, options):
+    """Kill Snakemake outright; its job must end too, before it writes what nobody asks any more."""
+    process, job = start_job(project, options)
+    process.kill()
+    # Not communicate(): the job holds the same pipe, and ends only once the run is gone.
+    process.wait(timeout=60.0)
+    process.stderr.close()
+    with contextlib.suppress(psutil.NoSuchProcess):
+        job.wait(timeout=10.0)
+
+
+def interrupt(project, options):
+    """Press Ctrl-C."""
+    process, _ = start_job(project, options)
+    os.killpg(process.pid, signal.SIGINT)
+    process.communicate(timeout=60.0)
+    assert process.returncode != 0
+
+
+BREAKS = {
+    fail_in_script: {"law": {"gamma": 0.21}},
+    fill_disk: {"law": {"gamma": 0.22}},
+    kill_workflow: {"law": {"gamma": 0.24}} | LONG,
+    interrupt: {"law": {"gamma": 0.25}} | LONG,
+}
+
+
+@pytest.mark.parametrize("break_run", BREAKS, ids=lambda break_run: break_run.__name__)
+def test_the_same_command_again_makes_what_is_asked(finished, break_run):
+    options = ask(finished, break_run.__name__, BREAKS[break_run])
+    before = question_of(finished / FIGURE)
+    break_run(finished, options)
+    assert not (finished / DATA).exists(), "the job was not broken"
+    assert question_of(finished / FIGURE) == before, "the figure was drawn again"
+    targets = ("fig01", "figures", "tables", "report", "all", FIGURE)
+    due = jobs_due(*options, "--", *targets, folder=finished)
+    assert "plot_fig01" in due["fig01"] & due["figures"] & due["plot_fig01"]
+    assert "tabulate_paper_numbers" in due["tables"]
+    assert "write_report" in due["report"] & due["all"]
+    run = snakemake(*options, "--", "fig01", folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert question_of(finished / FIGURE) == question_of_data(finished) != before
+    assert not list((finished / DATA).parent.glob("unfinished-*"))
+
+
+def test_removed_data_are_made_again_and_what_was_drawn_from_them(finished):
+    assert snakemake(*SMOKE, "--", "fig01", folder=finished).returncode == 0
+    (finished / DATA).unlink()
+    targets = ("fig01", "figures", "tables", "report", "all")
+    due = jobs_due(*SMOKE, "--", *targets, folder=finished)
+    for target in targets:
+        assert f"initiate_front scene: {SCENE}" in due[target], target
+    changed = ask(finished, "after_removal", {"law": {"gamma": 0.26}})
+    # The file itself, not the target that also asks for the data.
+    run = snakemake(*changed, "--", FIGURE, folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert question_of(finished / FIGURE) == question_of_data(finished)
+
+
+def test_report_after_a_broken_run_is_of_one_piece(finished):
+    options = ask(finished, "report", {"law": {"gamma": 0.27}})
+    fail_in_script(finished, options)
+    run = snakemake(*options, folder=finished)
+    assert run.returncode == 0, run.stderr
+    page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
+    found = re.search(r'<script [^>]*id="made-from">(.*?)</script>', page, re.DOTALL)[1]
+    questions = {
+        one["question"]
+        for record in json.loads(found).values()
+        for one in record["made_from"]
+        if one["scene"] == SCENE
+    }
+    shown = re.search(r"<pre[^>]*>(.*?)</pre>", page, re.DOTALL)[1]
+    configuration = yaml.safe_load(html.unescape(shown))
+    assert questions == {question_digest(configuration["scenes"]["chain"][SCENE])}
+    assert "law.gamma is 0.27 instead of 0.06" in page
+
+
+def test_results_of_another_question_or_code_without_their_history_are_refused(finished):
+    """Snakemake's own record is lost, as when results are copied."""
+    assert snakemake(*SMOKE, folder=finished).returncode == 0
+    history = finished / ".snakemake/metadata"
+    history.rename(finished / ".snakemake/lost")
+    try:
+        question = snakemake(*ask(finished, "lost", {"law": {"gamma": 0.28}}), folder=finished)
+        same = snakemake("--dry-run", *SMOKE, folder=finished)
+        with changed_code(finished, "src/granular_fronts/numerics/grids.py", "pass\n"):
+            code = snakemake("--dry-run", *SMOKE, folder=finished)
+    finally:
+        shutil.rmtree(history, ignore_errors=True)
+        (finished / ".snakemake/lost").rename(history)
+    assert [question.returncode, same.returncode, code.returncode] == [1, 0, 1]
+    assert f"answers another configuration of scene {SCENE}" in question.stderr
+    assert "remove results/smoke, or name another folder" in question.stderr
+    assert "was made by another version of the code" in code.stderr
+
+
+@contextlib.contextmanager
+def changed_code(project, name, appended):
+    """Append to a file of the project while the block runs."""
+    file = project / name
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text + appended, encoding="utf-8")
+    try:
+        yield
+    finally:
+        file.write_text(text, encoding="utf-8")
+
+
+WITHOUT_EFFECT = {
+    "src/granular_fronts/output/datasets.py": '"""Words."""\n# A comment.\n',
+    "src/granular_fronts/output/long_names.yaml": "new_variable: words\n",
+    "workflow/lib/figure_step.py": "# A comment.\n",
+}
+DUE_AND_NOT_DUE = {
+    "src/granular_fronts/output/style.py": ("plot_fig01 plot_fig08", "initiate_front"),
+    "workflow/scripts/chain/initiate_front.py": (
+        "initiate_front plot_fig01",
+        "compute_heteroclinic plot_fig08 study_piston",
+    ),
+    "src/granular_fronts/chain/strain.py": (
+        "initiate_front plot_fig01",
+        "compute_heteroclinic plot_fig08",
+    ),
+    "src/granular_fronts/continuum/log_kdv_burgers/taylor.py": (
+        "compute_heteroclinic plot_fig08",
+        "initiate_front plot_fig01",
+    ),
+    "src/granular_fronts/studies/damping_regimes.py": (
+        "study_damping_regimes",
+        "study_materials study_piston study_survey initiate_front",
+    ),
+}
+"""Rules that are due after a statement is appended to a file, and rules that are not."""
+
+
+def test_a_change_of_code_repeats_what_stands_on_it_and_nothing_else(finished):
+    assert snakemake(*SMOKE, folder=finished).returncode == 0
+
+    def due_after(name, appended):
+        with changed_code(finished, name, appended):
+            return jobs_of(snakemake("--dry-run", *SMOKE, folder=finished))
+
+    for name, words in WITHOUT_EFFECT.items():
+        assert not due_after(name, words), name
+    for name, (due, not_due) in DUE_AND_NOT_DUE.items():
+        found = due_after(name, "pass\n")
+        assert found >= set(due.split()), name
+        assert not found & set(not_due.split()), name
+
+
+def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished):
+    options = ask(finished, "explored", {"law": {"gamma": 0.29}})
+    run = snakemake(*options, "--", "explore", folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert question_of(finished / PAGE) == question_of_data(finished)
+    for name, appended, repeated in [
+        ("workflow/scripts/report/explorer/page.py", "# A comment.\n", set()),
+        ("workflow/scripts/report/explorer/encoding.py", "pass\n", {"write_explorer"}),
+        ("workflow/report/explorer/shared.js", "// Words.\n", {"write_explorer"}),
+        (
+            "src/granular_fronts/studies/front_collection.py",
+            "pass\n",
+            {"study_collection", "write_explorer"},
+        ),
+    ]:
+        with changed_code(finished, name, appended):
+            plan = snakemake("--dry-run", *options, "--", "explore", folder=finished)
+        assert jobs_of(plan) - {"explore"} == repeated, plan.stdout
+    other = ask(finished, "explored_again", {"law": {"gamma": 0.3}})
+    plan = snakemake("--dry-run", *other, "--", "explore", folder=finished)
+    assert jobs_of(plan) - {"explore"} == {"initiate_front", "write_explorer"}, plan.stdout
+
+
+def cut(file):
+    file.write_bytes(file.read_bytes()[:-20])
+
+
+def empty(file):
+    file.write_bytes(b"")
+
+
+def date_in_the_future(file):
+    later = time.time() + 86400.0
+    os.utime(file, (later, later))
+
+
+ALTERATIONS = {
+    "data/chain/initiation_overdamped.nc": (cut, "initiate_front"),
+    "data/continuum/front_profiles.nc": (date_in_the_future, "compute_heteroclinic"),
+    "figures/fig05_initial_conditions.png": (cut, "plot_fig05"),
+    "tables/findings.json": (cut, "tabulate_findings"),
+    "benchmarks/plot_fig04.tsv": (empty, "plot_fig04"),
+    "report.html": (empty, "write_report"),
+}
+
+
+def test_altered_files_are_made_again_and_no_others(finished):
+    assert snakemake(*SMOKE, folder=finished).returncode == 0
+    folder = finished / "results/smoke"
+    picture = folder / "figures/fig05_initial_conditions.png"
+    whole = picture.read_bytes()
+    for name, (alter, _) in ALTERATIONS.items():
+        alter(folder / name)
+    due = jobs_of(snakemake("--dry-run", *SMOKE, folder=finished))
+    assert {maker for _, maker in ALTERATIONS.values()} <= due
+    assert not due & {"compare_periodic_chain", "plot_fig01", "tabulate_materials"}
+    run = snakemake(*SMOKE, folder=finished)
+    assert run.returncode == 0, run.stderr
+    assert picture.read_bytes() == whole
+    again = snakemake("--dry-run", *SMOKE, folder=finished)
+    assert "Nothing to be done" in again.stdout + again.stderr
+
+
+def test_altered_number_whose_file_kept_its_date_is_refused(finished):
+    """Snakemake sees nothing; who reads the file does."""
+    data = finished / "results/smoke/data/fronts/survey.nc"
+    whole, times = data.read_bytes(), data.stat()
+    with netCDF4.Dataset(data, "a") as dataset:
+        dataset["overshoot"][0, 0] *= 1.01
+    os.utime(data, ns=(times.st_atime_ns, times.st_mtime_ns))
+    draw = [*SMOKE, "--forcerun", "plot_fig11", "--", "fig11"]
+    run = snakemake(*draw, folder=finished)
+    data.write_bytes(whole)
+    os.utime(data, ns=(times.st_atime_ns, times.st_mtime_ns))
+    assert snakemake(*draw, folder=finished).returncode == 0
+    assert run.returncode != 0
+    assert "survey.nc was altered after it was written: delete it and run" in run.stderr
+
+
+def jobs_of(plan):
+    """Names of the rules that a dry run would run."""
+    return set(re.findall(r"^(\w+) +\d+$", plan.stdout, re.MULTILINE)) - {"total"}

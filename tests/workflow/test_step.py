@@ -1,0 +1,178 @@
+"""The log file of a step holds the whole story and ends with the sentence."""
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from projects import ROOT, snakemake
+from run_lock import lock_folder
+from test_workflow import Job
+
+from granular_fronts.numerics.compiled import CheckedFiles
+from step import describe_fault, run_step
+
+DEFAULT = ROOT / "config" / "default.yaml"
+HELP = ROOT / "workflow" / "scripts" / "study.py"
+LOST = "/some/file cannot be read or written"
+
+
+def run_failing(step, log, **params):
+    with pytest.raises(SystemExit, match="1"):
+        run_step(step, Job(log, **params))
+    return log.read_text().splitlines()
+
+
+def test_log_of_a_refusal_begins_with_the_call_and_ends_with_the_sentence(tmp_path, capfd):
+    def refuse(page: Path, scene: dict) -> None:
+        """Print in every way, and refuse."""
+        print("to stdout")
+        print("to stderr", file=sys.stderr)
+        print("\rsolving: 10%\rsolving: 100%", end="", file=sys.stderr)
+        print(file=sys.stderr)
+        os.write(2, b"past Python\n")
+        raise ValueError(f"{page} cannot be written: name another.")
+
+    lines = run_failing(refuse, tmp_path / "log", scene={"beads": list(range(200))})
+    assert " refuse: page=d.html, scene={'beads': [0, 1, 2," in lines[0]
+    assert len(lines[0]) < 160
+    story = "\n".join(lines)
+    for words in ["to stdout\nto stderr\nsolving: 100%\npast Python\n", "Traceback"]:
+        assert words in story
+    assert "10%\r" not in story
+    sentence = "d.html cannot be written: name another."
+    assert lines[-1] == sentence
+    shown = capfd.readouterr()
+    assert shown.out == "to stdout\n"
+    assert shown.err.endswith(f"{sentence}\n")
+    assert "Traceback" not in shown.err
+
+
+def test_unexpected_error_is_named_last(tmp_path, capfd):
+    def stumble(page: Path) -> None:
+        """Fail without a sentence."""
+        raise KeyError("mu")
+
+    lines = run_failing(stumble, tmp_path / "log")
+    assert lines[-1] == "The step failed unexpectedly, KeyError: 'mu'"
+    assert any(line.startswith("Traceback") for line in lines)
+    assert "Traceback" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("number", "sentence"),
+    [
+        (
+            errno.ENOSPC,
+            "There is no space left in /some: free some and run the same command again",
+        ),
+        (errno.ENOENT, f"{LOST} (No such file or directory): name another"),
+        (errno.EISDIR, f"{LOST} (Is a directory): name another"),
+    ],
+)
+def test_fault_of_a_file_is_a_sentence_even_without_a_log(tmp_path, capfd, number, sentence):
+    def fill(page: Path) -> None:
+        """Fail as a write outside of the project's own functions does."""
+        raise OSError(number, os.strerror(number), "/some/file")
+
+    run_failing(fill, tmp_path / "log")
+    assert capfd.readouterr().err == f"{sentence}.\n"
+    with pytest.raises(SystemExit, match="1"):
+        run_step(fill, Job("/dev/full"))
+    assert capfd.readouterr().err == f"{sentence}.\n"
+
+
+def test_folder_of_kernels_is_named_where_its_disk_is_full(tmp_path):
+    files = CheckedFiles(str(tmp_path), "kernel", "stamp")
+    with (
+        pytest.raises(OSError, match="No space") as caught,
+        files._open_for_write(str(tmp_path / "kernel.nbi")),
+    ):
+        raise OSError(errno.ENOSPC, "No space left on device")
+    assert f"There is no space left in {tmp_path}: free" in describe_fault(caught.value)
+
+
+def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path, capfd):
+    def finish(page: Path) -> None:
+        """Print half a line."""
+        print("half", end="", file=sys.stderr)
+
+    streams = sys.stdout, sys.stderr
+    run_step(finish, Job(tmp_path / "log"))
+    assert (sys.stdout, sys.stderr) == streams
+    call, printed = (tmp_path / "log").read_text().splitlines()
+    assert call.endswith(" finish: page=d.html")
+    assert printed == "half"
+    os.write(2, b"")
+    assert capfd.readouterr().err == "half"
+
+
+def test_mapping_by_hand_that_lacks_a_key_is_a_sentence(monkeypatch):
+    def measure(scene: dict) -> None:
+        """Measure."""
+        scene["beads"]
+
+    monkeypatch.setattr(sys, "argv", ["measure", "--scene", "{a: 1}"])
+    with pytest.raises(SystemExit, match=r"scene is not what measure takes \('beads'\): take it"):
+        run_step(measure)
+
+
+@pytest.mark.parametrize("arguments", [["-m", "granular_fronts.scenes", DEFAULT], [HELP, "--help"]])
+def test_program_whose_output_nobody_reads_ends_in_silence(arguments):
+    reader, writer = os.pipe()
+    os.close(reader)
+    environment = os.environ | {"PYTHONPATH": f"{ROOT}/src:{ROOT}/workflow/lib"}
+    command = [sys.executable, *arguments]
+    run = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, env=environment)
+    os.close(writer)
+    assert (run.returncode, run.stderr) == (-signal.SIGPIPE, b"")
+
+
+INTERRUPTED = """
+import sys
+import time
+sys.path.insert(0, {tests!r})
+from pathlib import Path
+from test_workflow import Job
+from step import describe_fault, run_step
+
+def wait(page: Path):
+    "Wait for Ctrl-C."
+    raise KeyboardInterrupt
+
+run_step(wait, Job({log!r}))
+"""
+
+
+def test_interrupted_step_says_how_to_go_on(tmp_path):
+    """A process of its own, whose descriptors are real ones."""
+    code = INTERRUPTED.format(tests=str(Path(__file__).parent), log=str(tmp_path / "log"))
+    paths = os.pathsep.join(str(ROOT / name) for name in ("src", "workflow/lib", "tests/support"))
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": paths},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    sentence = "Interrupted: run the same command again to go on."
+    assert run.returncode == 130
+    assert run.stderr == f"{sentence}\n"
+    assert (tmp_path / "log").read_text().splitlines()[-1] == sentence
+
+
+@pytest.mark.slow
+def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path):
+    target = tmp_path / "data/continuum/log_burgers_fronts.nc"
+    arguments = ["--config", f"results={tmp_path}", "--", target]
+    held = lock_folder(tmp_path)
+    run = snakemake(*arguments)
+    assert run.returncode == 1
+    assert f"Another run is at work in {tmp_path}: wait for its end" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert not target.exists()
+    held.close()
+    assert snakemake(*arguments).returncode == 0

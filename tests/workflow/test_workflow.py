@@ -1,0 +1,275 @@
+import ast
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+from packaging.requirements import Requirement
+from projects import ROOT, jobs_due, snakemake
+
+from step import from_command_line, from_workflow, load_yaml_or_leaf, run_step
+
+FOLDER = ROOT / "workflow/scripts"
+SCRIPTS = sorted([*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
+FIGURES = yaml.safe_load((ROOT / "workflow/figures.yaml").read_text(encoding="utf-8"))
+DRAWN = [figure for figure, described in FIGURES.items() if not described.get("on_demand")]
+TARGETS = ["all", "figures", *DRAWN, "tables", "report", "check_results", "fig14", "precision"]
+TARGETS += ["fig15", "hard_cases", "honesty", "ring_limit", "crate", "explore"]
+
+
+@pytest.fixture
+def nowhere(tmp_path):
+    """A results folder with nothing in it, so that every job of a dry run is due."""
+    return f"results={tmp_path / 'results'}"
+
+
+@pytest.fixture(scope="module")
+def plan(tmp_path_factory):
+    """The jobs behind each target, where nothing is there yet.
+
+    Planned together, since a target that could not be planned alone would stop this plan too.
+    """
+    nothing = f"results={tmp_path_factory.mktemp('plan') / 'results'}"
+    return jobs_due("--config", nothing, "--", *TARGETS)
+
+
+def test_every_target_can_be_planned(plan):
+    assert plan.keys() >= set(TARGETS)
+    plots = {f"plot_{figure}" for figure in DRAWN}
+    assert plan["all"] >= {*plots, "write_report", "compute_heteroclinic scene: front_profiles"}
+
+
+def test_figure_solves_only_its_own_scene(plan):
+    solved = {job for job in plan["fig03"] if job.startswith("initiate_front")}
+    assert solved == {"initiate_front scene: initiation_overdamped"}
+
+
+def test_report_never_causes_a_measurement(nowhere):
+    results = Path(nowhere.partition("=")[2])
+    measured = results / "figures" / "fig14_speed_error.png"
+    measured.parent.mkdir(parents=True)
+    measured.write_bytes(b"")
+    run = snakemake("--dry-run", "--config", nowhere, "--", "report")
+    assert run.returncode == 0, run.stderr
+    assert "measure_precision" not in run.stdout
+
+
+def test_lint_finds_nothing():
+    run = snakemake("--lint")
+    assert run.returncode == 0, run.stdout
+
+
+def test_impossible_configuration_is_refused_before_any_job(nowhere, tmp_path):
+    override = tmp_path / "override.yaml"
+    scenes = {"chain": {"initiation_overdamped": {"law": {"gamma": -0.5}}}}
+    override.write_text(yaml.safe_dump({"scenes": scenes}))
+    run = snakemake("--configfile", override, "--config", nowhere)
+    assert run.returncode != 0
+    assert "Scene initiation_overdamped: law.gamma is -0.5" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert "File " not in run.stderr
+    assert not (tmp_path / "results").exists()
+
+
+def rules_due(project):
+    """Dry-run the finished smoke run; return the names of the rules that are due."""
+    run = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=project)
+    assert run.returncode == 0, run.stderr
+    return set(re.findall(r"^(\w+) +\d+$", run.stdout, re.MULTILINE)) - {"total"}
+
+
+@pytest.mark.slow
+def test_smoke_run_makes_everything(finished):
+    page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
+    assert page.count("data:image/png;base64,") == len(DRAWN)
+    for words in [
+        "Figure 1.",
+        "initiation_underdamped:",
+        "Run times",
+        "initiate_front/",
+        "compute_heteroclinic/",
+    ]:
+        assert words in page
+    assert not rules_due(finished)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "option",
+    ["--unlock", "--summary", "--dag", "--rulegraph", "--list", "--archive"],
+)
+def test_options_that_run_no_job_work_bare(finished, option, tmp_path):
+    files = ["archive.tar.gz"] if option == "--archive" else []
+    command = [sys.executable, "-m", "snakemake", option, *(str(tmp_path / file) for file in files)]
+    run = subprocess.run(
+        [*command, "--configfile", "config/smoke.yaml"],
+        cwd=finished,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    assert all((tmp_path / file).stat().st_size > 10_000 for file in files)
+
+
+@pytest.mark.slow
+def test_own_report_of_snakemake_shows_every_figure_with_its_caption(finished, tmp_path):
+    page = tmp_path / "report.html"
+    run = snakemake("--report", page, "--configfile", "config/smoke.yaml", folder=finished)
+    assert run.returncode == 0, run.stderr
+    shown = page.read_text(encoding="utf-8")
+    for figure in DRAWN:
+        assert f"{figure}_{FIGURES[figure]['name']}.png" in shown
+        caption = finished / f"results/smoke/figures/{figure}_{FIGURES[figure]['name']}.rst"
+        first_words = re.search(r"Figure \w+\.", caption.read_text(encoding="utf-8"))[0]
+        assert first_words in shown
+
+
+@pytest.mark.slow
+def test_changed_damping_solves_only_its_scene(finished, tmp_path):
+    changed = "initiation_overdamped"
+    override = tmp_path / "override.yaml"
+    override.write_text(yaml.safe_dump({"scenes": {"chain": {changed: {"law": {"gamma": 0.3}}}}}))
+    configuration = ["--configfile", "config/smoke.yaml", override]
+    run = snakemake("--dry-run", *configuration, folder=finished)
+    assert re.search(r"^initiate_front +1$", run.stdout, re.MULTILINE)
+    assert f"Solving the chain of scene {changed}" in run.stdout
+
+
+# Each script in a process of its own, split off one that has loaded the package.
+ASK_FOR_HELP = """
+import importlib, os, pkgutil, runpy, sys
+import jsonargparse, granular_fronts
+for module in pkgutil.walk_packages(granular_fronts.__path__, "granular_fronts."):
+    if not module.name.endswith("__main__"):
+        importlib.import_module(module.name)
+for script in sys.argv[1:]:
+    print(flush=True)
+    if os.fork() == 0:
+        sys.path[0], sys.argv = os.path.dirname(script), [script, "--help"]
+        ended = 1
+        try:
+            runpy.run_path(script, run_name="__main__")
+        except SystemExit as end:
+            ended = end.code
+        sys.stdout.flush()
+        os._exit(ended)
+    _, status = os.wait()
+    print("ended with", os.waitstatus_to_exitcode(status))
+"""
+
+
+def arguments_of(script):
+    """Names of the arguments of a script's function, which has its name."""
+    nodes = ast.parse(script.read_bytes()).body
+    [step] = [
+        node for node in nodes if isinstance(node, ast.FunctionDef) and node.name == script.stem
+    ]
+    return {argument.arg for argument in step.args.args}
+
+
+@pytest.mark.slow
+def test_scripts_run_alone_and_explain_their_arguments():
+    assert len(SCRIPTS) > 50
+    command = [sys.executable, "-c", ASK_FOR_HELP, *map(str, SCRIPTS)]
+    environment = {"PYTHONPATH": f"{ROOT}/src:{ROOT}/workflow/lib", "COLUMNS": "200"}
+    run = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    shown = dict(re.findall(r"^usage: (\S+\.py)((?s:.*?))^ended with 0$", run.stdout, re.MULTILINE))
+    assert shown.keys() == {script.name for script in SCRIPTS}, run.stderr
+    for script in SCRIPTS:
+        assert arguments_of(script) <= set(re.findall(r"^  --(\w+)", shown[script.name], re.M))
+
+
+def test_leaf_of_a_file_is_read_from_the_command_line():
+    leaf = f"{ROOT}/config/default.yaml:scenes.chain.initiation_overdamped.law"
+    assert load_yaml_or_leaf(leaf) == {"alpha": 1.5, "beta": 1.5, "gamma": 0.65}
+    assert load_yaml_or_leaf("{alpha: 1.5}") == {"alpha": 1.5}
+
+
+def test_wrong_leaf_is_refused_in_a_sentence(monkeypatch, capsys):
+    def step(scene: dict) -> None:
+        """Take a scene."""
+
+    leaf = f"{ROOT}/config/default.yaml:scenes.chian"
+    monkeypatch.setattr(sys, "argv", ["step", "--scene", leaf])
+    with pytest.raises(SystemExit):
+        from_command_line(step)
+    assert "stops at chian: choose one of chain," in capsys.readouterr().err
+
+
+class Group(dict):
+    """Snakemake's named files: iterating gives the values, items() the names too."""
+
+    def __iter__(self):
+        return iter(self.values())
+
+
+class Job:
+    """What Snakemake puts into a script, as far as a step needs it."""
+
+    def __init__(self, log, **params):
+        self.params = Group(params)
+        self.input = Group(files=["a.nc", "b.nc"], modules=["c.py"])
+        self.output = Group(page="d.html")
+        self.log = [str(log)]
+
+
+def test_rule_gives_a_step_what_it_asks_for(tmp_path):
+    def step(files: list[Path], page: Path, scene: dict) -> None:
+        """Take some of what the rule names."""
+
+    assert from_workflow(step, Job(tmp_path / "log", scene={"beads": 2})) == {
+        "files": [Path("a.nc"), Path("b.nc")],
+        "page": Path("d.html"),
+        "scene": {"beads": 2},
+    }
+
+
+def test_refusal_of_a_step_is_a_sentence_and_its_origin_is_in_the_log(tmp_path, capfd):
+    def step(page: Path) -> None:
+        """Refuse."""
+        raise ValueError(f"{page} cannot be written: name another.")
+
+    with pytest.raises(SystemExit, match="1"):
+        run_step(step, Job(tmp_path / "log"))
+    assert capfd.readouterr().err == "d.html cannot be written: name another.\n"
+    assert "Traceback" in (tmp_path / "log").read_text()
+
+
+def test_environment_pins_every_dependency_within_its_range():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    asked = project["project"]["dependencies"] + project["build-system"]["requires"]
+    for extra in project["project"]["optional-dependencies"].values():
+        asked += extra
+    pinned = {}
+    for name, version in re.findall(
+        r"^([\w.-]+)==([\w.]+)", (ROOT / "environment.txt").read_text(), re.MULTILINE
+    ):
+        pinned.setdefault(name, []).append(version)
+    for requirement in map(Requirement, asked):
+        versions = pinned[requirement.name.lower()]
+        assert all(requirement.specifier.contains(version) for version in versions)
+
+
+def pinned_in(file):
+    return set(re.findall(r"^([\w.-]+==[\w.]+)", (ROOT / file).read_text(), re.MULTILINE))
+
+
+def test_what_builds_the_manual_is_pinned_as_everything_else():
+    """Both files are installed into one environment."""
+    here, there = pinned_in("docs-environment.txt"), pinned_in("environment.txt")
+    names = {pin.split("==")[0] for pin in there}
+    assert {pin for pin in here if pin.split("==")[0] in names} <= there
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    for requirement in map(Requirement, project["dependency-groups"]["docs"]):
+        versions = [pin.split("==")[1] for pin in here if pin.startswith(f"{requirement.name}==")]
+        assert versions
+        assert all(requirement.specifier.contains(version) for version in versions)
+
+
+@pytest.mark.parametrize("file", ["environment.txt", "docs-environment.txt"])
+def test_environment_names_no_package_index(file):
+    assert "://" not in (ROOT / file).read_text()

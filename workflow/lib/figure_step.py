@@ -1,0 +1,150 @@
+"""Run a script that draws a figure: datasets in; picture, caption and record out.
+
+A plot script holds one function that is given datasets and returns a figure, and ends with ::
+
+    if __name__ == "__main__":
+        run_figure(plot_fig01, globals().get("snakemake"))
+
+Under Snakemake this file runs for every figure; the rule names the script and the datasets. By
+hand, run the script, with the files to read and to write and the texts: ``python
+workflow/scripts/figures/plot_fig01.py --help``.
+
+The caption is a Jinja template.  Its variables are the names of the datasets, and each stands for
+the configuration that the dataset was computed with, so that a caption cannot speak of other values
+than the picture shows.  Where these are not the paper's, the caption ends with the difference.
+"""
+
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from inspect import Parameter, Signature, signature
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import matplotlib
+import xarray as xr
+from matplotlib.figure import Figure
+
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.departures import describe, physical_departures
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.style import save_figure
+from step import run_step
+
+OUTPUTS = ("pdf", "png", "caption", "record")
+
+
+def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
+    """Draw a figure with the workflow's or the command line's values.
+
+    Parameters
+    ----------
+    draw : callable
+        Its parameters are datasets or lists of datasets; it returns a figure.
+    snakemake : object, optional
+        The object Snakemake puts into a script; none on the command line.
+    """
+    run_step(make_step(draw), snakemake)
+
+
+def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
+    """Make the step that reads the datasets of a figure and writes its files.
+
+    It is given a path for each dataset, `template`, `title`, `alt`, `reference`, and `OUTPUTS`.
+    """
+
+    def step(template: Path, title: str, alt: str, reference: dict, **paths: Any) -> None:
+        outputs = {name: paths.pop(name) for name in OUTPUTS}
+        data = {name: read(path) for name, path in paths.items()}
+        every = [dataset for given in data.values() for dataset in listed(given)]
+        origins = [origin(dataset.attrs) for dataset in every]
+        matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
+        save_figure(draw(**data), outputs["pdf"], outputs["png"], origins)
+        computed = {name: _configurations(given) for name, given in data.items()}
+        notes = _departure_notes(every, reference)
+        caption = fill(template.read_text(encoding="utf-8"), computed, finalize=_without_markup)
+        text = "\n\n".join([caption.strip(), *notes])
+        with complete_file(outputs["caption"]) as unfinished:
+            unfinished.write_text(f"{text}\n", encoding="utf-8")
+        files = [outputs[name] for name in ("pdf", "png", "caption")]
+        write_record(
+            outputs["record"], files, origins, title=fill(title, computed), alt=fill(alt, computed)
+        )
+
+    step.__name__, step.__module__ = draw.__name__, draw.__module__
+    step.__doc__ = draw.__doc__
+    # What `inspect.signature` reads in place of the function.
+    step.__signature__ = _step_signature(draw)  # type: ignore[attr-defined]
+    return step
+
+
+def _step_signature(draw: Callable[..., Figure]) -> Signature:
+    """The parameters of a step: paths for the datasets of `draw`, texts, and files to write."""
+    paths = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
+    asked = {
+        name: paths[parameter.annotation]
+        for name, parameter in signature(draw, eval_str=True).parameters.items()
+    }
+    asked |= {"template": Path, "title": str, "alt": str, "reference": dict}
+    asked |= dict.fromkeys(OUTPUTS, Path)
+    return Signature(
+        [
+            Parameter(name, Parameter.KEYWORD_ONLY, annotation=annotation)
+            for name, annotation in asked.items()
+        ],
+        return_annotation=None,
+    )
+
+
+def read(path: Path | list[Path]) -> xr.Dataset | list[xr.Dataset]:
+    """Read one dataset or several."""
+    return [read_dataset(one) for one in path] if isinstance(path, list) else read_dataset(path)
+
+
+def listed(given: xr.Dataset | list[xr.Dataset]) -> list[xr.Dataset]:
+    """One dataset or several, as a list."""
+    return given if isinstance(given, list) else [given]
+
+
+def _configurations(given: xr.Dataset | list[xr.Dataset]) -> Any:
+    """What one dataset or several were computed with."""
+    if isinstance(given, list):
+        return [configuration_of(dataset) for dataset in given]
+    return configuration_of(given)
+
+
+def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], str] = str) -> str:
+    """Fill a Jinja text with what each dataset was computed with; an unknown name is an error."""
+    environment = jinja2.Environment(
+        undefined=jinja2.StrictUndefined, autoescape=False, finalize=finalize
+    )
+    environment.filters["number"] = "{:g}".format
+    return environment.from_string(template).render(computed)
+
+
+def _without_markup(value: Any) -> str:
+    """A value of a data file as words of a caption, whatever reStructuredText it holds."""
+    return re.sub(r"([_*`|\\])", r"\\\1", re.sub(r"\s+", " ", str(value)))
+
+
+def _departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) -> Iterator[str]:
+    """Say for each dataset where its parameters are not the paper's."""
+    for dataset in datasets:
+        scene = dataset.attrs["scene"]
+        named = _without_markup(scene)
+        if scene not in reference:
+            yield f"**Scene {named} is not one of the paper's.**"
+            continue
+        if found := physical_departures(configuration_of(dataset), reference[scene]):
+            words = _without_markup(describe(found))
+            yield f"**Not the paper's parameters** in scene {named}: {words}."
+
+
+if __name__ == "__main__":
+    if "snakemake" not in globals():
+        sys.exit("Run the script of a figure, for example workflow/scripts/figures/plot_fig01.py.")
+    rule = globals()["snakemake"]
+    run_figure(getattr(import_module(rule.params.script), rule.params.script), rule)

@@ -1,0 +1,77 @@
+"""Campaigns: how each is read, checked, and cut into chunks when it is asked for.
+
+Nothing is written by that.
+"""
+
+CAMPAIGNS = project("config", "campaigns")
+CAMPAIGN_NAME = "[a-z][a-z0-9_]*"
+KERNELS_OF_KIND = {
+    "chain": rules.compile_kernels.output.stamp,
+    "front": rules.compile_front_kernels.output.stamp,
+    "heteroclinic": rules.compile_continuum_kernels.output.stamp,
+    "ring": [
+        rules.compile_kernels.output.stamp,
+        rules.compile_continuum_kernels.output.stamp,
+    ],
+}
+
+
+@cache
+def campaign_of(name):
+    """Read a campaign and check it; nothing of this is loaded before a campaign is asked for."""
+    from granular_fronts.campaign.definition import load_campaign
+
+    try:
+        return load_campaign(CAMPAIGNS, name)
+    except InputError as error:
+        sys.exit(f"The campaign cannot be computed.\n{error}")
+
+
+def campaign_kernels(wildcards):
+    """Return the stamps of the kernels that solve a campaign."""
+    return KERNELS_OF_KIND[campaign_of(wildcards.campaign).kind_name]
+
+
+def campaign_code(script):
+    """Return a function for `params`: a digest of the code of a script and of a campaign's kind."""
+    return lambda wildcards: digest_of(script, campaign_of(wildcards.campaign).kind.module)
+
+
+def chunk_folder(name):
+    """Return the folder of the chunks of a campaign."""
+    return os.path.join(config["results"], "data", "campaigns", name)
+
+
+@cache
+def requests_of(name):
+    """Return the chunks that a campaign consists of by name, those already solved among them."""
+    from granular_fronts.campaign.chunks import chunks_of
+
+    campaign = campaign_of(name)
+    most = campaign.points_per_chunk(config["chunk_seconds"])
+    return chunks_of(campaign, Path(chunk_folder(name)), most)
+
+
+def campaign_chunks(name):
+    """Return the files of the chunks of a campaign."""
+    return [os.path.join(chunk_folder(name), f"{chunk}.nc") for chunk in requests_of(name)]
+
+
+def request_of(wildcards):
+    """Return kind, settings and points of a chunk as JSON.
+
+    On a cluster the file of a chunk that is solved again is gone, and its request is left.
+    """
+    from granular_fronts.campaign.chunks import find_request
+
+    chunk = requests_of(wildcards.campaign).get(wildcards.chunk)
+    if chunk is None:
+        chunk = find_request(Path(chunk_folder(wildcards.campaign), f"{wildcards.chunk}.nc"))
+    return chunk.as_json()
+
+
+def named_campaign():
+    """Return the name that the command gives, of a campaign that can be computed."""
+    if "campaign" not in config:
+        sys.exit("Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke.")
+    return campaign_of(config["campaign"]).name

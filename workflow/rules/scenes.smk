@@ -1,0 +1,50 @@
+"""Scenes, a dataset each: chains (section 3.3 of the paper), rings beside their amplitude equations
+(section 4), heteroclinic orbits (section 5) and exact fronts of the lattice (section 6).
+"""
+
+# For each family: the rule and its script, the wings whose kernels it needs, its priority, its words.
+SOLVED_BY = {
+    "chain": ("initiate_front", ["chain"], 0, "Solving the chain"),
+    "periodic": (
+        "compare_periodic_chain",
+        ["chain", "continuum"],
+        1,
+        "Solving the ring and the amplitude equations",
+    ),
+    "heteroclinic": ("compute_heteroclinic", ["continuum"], 0, "Computing the heteroclinic orbits"),
+    "front": ("shoot_front", ["fronts"], 0, "Solving the exact front, and what approximates it,"),
+}
+
+
+def scene_of(family):
+    """Return a function for `params`: the scene that the wildcard names."""
+    return lambda wildcards: config["scenes"][family][wildcards.scene]
+
+
+for folder, family in FAMILIES.items():
+    solving, wings, urgency, words = SOLVED_BY[family]
+
+    rule:
+        name:
+            solving
+        input:
+            kernels=stamps(wings),
+        output:
+            dataset=f"<results>/data/{folder}/{{scene}}.nc",
+        params:
+            code=code(solving),
+            # Snakemake looks for the script when the loop has ended.
+            script=script_file(solving),
+            scene=scene_of(family),
+            scene_id="{scene}",
+        log:
+            f"<logs>/{solving}/{{scene}}.log",
+        benchmark:
+            f"<benchmarks>/{solving}/{{scene}}.tsv"
+        message:
+            f"{words} of scene {{wildcards.scene}}."
+        wildcard_constraints:
+            scene="|".join(config["scenes"][family]),
+        priority: urgency
+        script:
+            "{params.script}"

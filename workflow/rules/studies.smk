@@ -1,0 +1,35 @@
+"""Studies: a dataset each, by the function that workflow/studies.yaml names."""
+
+STUDIES = load_yaml("workflow", "studies.yaml")
+
+for study, described in STUDIES.items():
+
+    rule:
+        name:
+            f"study_{study}"
+        input:
+            kernels=stamps(described.get("kernels", [])),
+        output:
+            dataset=data_file(f"{described['folder']}/{study}"),
+        params:
+            code=code("study", described["function"].rpartition(".")[0]),
+            function=described["function"],
+            study=study,
+            section=question(f"{described['folder']}/{study}"),
+        log:
+            f"<logs>/study/{study}.log",
+        benchmark:
+            f"<benchmarks>/study/{study}.tsv"
+        message:
+            described["message"]
+        priority: described.get("priority", 0)
+        script:
+            "../scripts/study.py"
+
+
+# Of the studies that a plain call makes.
+STUDY_BENCHMARKS = [
+    f"<benchmarks>/study/{study}.tsv"
+    for study, described in STUDIES.items()
+    if f"{described['folder']}/{study}" in questions(config)
+]

@@ -1,0 +1,81 @@
+"""Sum up a campaign: points solved and failed, why, the range of every scalar, the work.
+
+python workflow/scripts/campaign/summarise_campaign.py --dataset results/data/campaigns/smoke.nc
+    --csv smoke.csv --markdown smoke.md
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.files import complete_file
+from step import run_step
+
+FORMATS = {"smallest": ".8g", "median": ".8g", "largest": ".8g", "error estimate": ".1e"}
+
+
+def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
+    """Write the table of scalars, and with it the counts as a page.
+
+    Parameters
+    ----------
+    dataset : Path
+        A merged campaign.
+    csv, markdown : Path
+        Files to write.
+    """
+    merged = read_dataset(dataset)
+    scalars = _describe_scalars(merged)
+    with complete_file(csv) as unfinished:
+        scalars.to_csv(unfinished, index=False)
+    opening = _describe_work(merged)
+    with complete_file(markdown) as unfinished:
+        shown = scalars.copy()
+        for column, style in FORMATS.items():
+            shown[column] = [format(value, style) for value in shown[column]]
+        parts = [
+            opening,
+            _count_points(merged).to_markdown(index=False),
+            shown.to_markdown(index=False, disable_numparse=True),
+        ]
+        unfinished.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
+    print(opening, file=sys.stderr)
+
+
+def _describe_work(merged: xr.Dataset) -> str:
+    """One sentence on points, failures and the processor time they took."""
+    attributes = merged.attrs
+    return (
+        f"Campaign {attributes['scene']}: {attributes['points']:,} points, "
+        f"{attributes['failed_points']:,} failed, {attributes['chunks']:,} chunks, "
+        f"{attributes['seconds']:,.1f} s of processor time, "
+        f"{1.0 / attributes['seconds_per_point']:,.0f} points per second and core."
+    )
+
+
+def _count_points(merged: xr.Dataset) -> pd.DataFrame:
+    """How many points are solved, and how many failed for which reason, most frequent first."""
+    numbers, counts = np.unique(merged["reason"].values, return_counts=True)
+    texts = merged["reason_text"].values
+    rows = sorted(zip(numbers, counts, strict=True), key=lambda row: (row[0] > 0, -row[1]))
+    outcomes = [(str(texts[number]) if number else "solved", int(count)) for number, count in rows]
+    return pd.DataFrame(outcomes, columns=["outcome", "points"])
+
+
+def _describe_scalars(merged: xr.Dataset) -> pd.DataFrame:
+    """Range of every recorded scalar over the points that have one."""
+    rows = []
+    for name, variable in merged.data_vars.items():
+        if variable.dims == merged["status"].dims and "error_estimate" in variable.attrs:
+            finite = variable.values[np.isfinite(variable.values)]
+            spread = np.quantile(finite, [0.0, 0.5, 1.0]) if finite.size else [np.nan] * 3
+            rows.append((name, finite.size, *spread, variable.attrs["error_estimate"]))
+    return pd.DataFrame(rows, columns=["variable", "points", *FORMATS])
+
+
+if __name__ == "__main__":
+    run_step(summarise_campaign, globals().get("snakemake"))

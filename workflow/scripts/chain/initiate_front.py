@@ -1,0 +1,30 @@
+"""Move a chain as James (2021), equations (31) and (32), and keep what its scene records.
+
+python workflow/scripts/chain/initiate_front.py --scene_id initiation_overdamped
+    --scene config/default.yaml:scenes.chain.initiation_overdamped --dataset overdamped.nc
+"""
+
+from pathlib import Path
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.output.datasets import write_dataset
+from step import run_step
+
+
+def initiate_front(scene: dict, scene_id: str, dataset: Path) -> None:
+    """Solve one scene and write its data.
+
+    Parameters
+    ----------
+    scene : dict
+        The scene, as under ``scenes.chain`` of the configuration.
+    scene_id : str
+        Its name.
+    dataset : Path
+        The netCDF file to write.
+    """
+    write_dataset(simulate_chain(scene, scene_id), dataset, scene_id=scene_id, config=scene)
+
+
+if __name__ == "__main__":
+    run_step(initiate_front, globals().get("snakemake"))

@@ -1,0 +1,37 @@
+"""Figure 1: a front is initiated by constant pressure, weak damping; James (2021), figure 1."""
+
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from figure_step import run_figure
+from granular_fronts.output.panels import draw_probes, draw_snapshot, label_peaks
+from granular_fronts.output.style import new_figure
+
+
+def plot_fig01(data: xr.Dataset) -> Figure:
+    """Draw relative displacements of single beads and a snapshot of the velocities.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Scene initiation_underdamped.
+    """
+    figure, panels = new_figure(4.8, [["steady", "snapshot"], ["transient", "transient"]])
+    draw_probes(panels["steady"], data, "steady")
+    label_peaks(panels["steady"])
+    draw_probes(panels["transient"], data, "transient")
+    panels["transient"].legend(loc="lower right")
+    _draw_velocities(panels["snapshot"], data)
+    return figure
+
+
+def _draw_velocities(axes: Axes, data: xr.Dataset) -> None:
+    """Velocities of all beads at the snapshot."""
+    snapshot = data["velocity"].isel(t=0)
+    draw_snapshot(axes, snapshot, "velocity", color="black")
+    axes.set_title(f"$t = {float(snapshot['t']):g}$")
+
+
+if __name__ == "__main__":
+    run_figure(plot_fig01, globals().get("snakemake"))

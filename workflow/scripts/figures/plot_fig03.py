@@ -1,0 +1,32 @@
+"""Figure 3: a front is initiated by constant pressure, strong damping; James (2021), figure 3."""
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from figure_step import run_figure
+from granular_fronts.output.panels import draw_probes, draw_spacetime
+from granular_fronts.output.style import new_figure
+
+
+def plot_fig03(data: xr.Dataset) -> Figure:
+    """Draw relative displacements of the first beads, and of all beads in the (n, t) plane.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Scene initiation_overdamped.
+    """
+    figure, panels = new_figure(4.0, [["transient", "displacement"]])
+    draw_probes(panels["transient"], data, "transient")
+    panels["transient"].legend(loc="lower right")
+    draw_spacetime(
+        panels["displacement"],
+        data["relative_displacement_grid"].isel(bead=slice(None, -1)),
+        "$u_n(t)$",
+        limits=(0.0, None),
+    )
+    return figure
+
+
+if __name__ == "__main__":
+    run_figure(plot_fig03, globals().get("snakemake"))

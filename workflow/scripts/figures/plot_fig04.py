@@ -1,0 +1,38 @@
+"""Figure 4: fluxes and stationary fronts of the amplitude equations; James (2021), figure 4."""
+
+from typing import Any
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from figure_step import run_figure
+from granular_fronts.output.style import EXPONENT_COLOURS, new_figure
+
+
+def plot_fig04(data: xr.Dataset) -> Figure:
+    """Draw f_α and y^(1/α) against y, and the fronts of (46) and (45).
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Tabulated fluxes and fronts.
+    """
+    figure, panels = new_figure(3.0, [["flux", "front"]])
+    for alpha, colour in zip(data["alpha"].values, EXPONENT_COLOURS, strict=False):
+        case = data.sel(alpha=alpha)
+        label = rf"$\alpha = {alpha:g}$"
+        panels["flux"].plot(data["force"], case["flux"], "-", color=colour, label=label)
+        panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
+        panels["front"].plot(data["xi"], case["front"], "-", color=colour, label=label)
+    limit: dict[str, Any] = {"color": "black", "linestyle": "-", "label": r"$\alpha \to 1^+$"}
+    panels["flux"].plot(data["force"], data["flux_limit"], **limit)
+    panels["flux"].plot(data["force"], data["force"], ":", color="black")
+    panels["front"].plot(data["xi"], data["front_limit"], **limit)
+    panels["flux"].set(xlabel="$y$", ylabel=r"$f_\alpha(y)$, dotted $y^{1/\alpha}$", xlim=(0, 1))
+    panels["front"].set(xlabel=r"$\xi$", ylabel=r"$y_\alpha^{1/\alpha}$", xlim=(-6, 4))
+    panels["front"].legend()
+    return figure
+
+
+if __name__ == "__main__":
+    run_figure(plot_fig04, globals().get("snakemake"))

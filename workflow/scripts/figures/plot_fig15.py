@@ -1,0 +1,85 @@
+"""Figure 15: errors of the hard cases beside their limits, and order through contact events."""
+
+import re
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from figure_step import run_figure
+from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+
+BLUE = PROBE_COLOURS[1]
+GREY = "0.55"
+SMALLEST_ERROR = 1.0e-17
+METHODS = {
+    "strain_form": "events located",
+    "positions_and_w": r"$(x, w)$, blind",
+    "positions_and_velocities": r"$(x, \dot x)$, blind",
+}
+MARKERS = ("o", "s", "^")
+
+
+def plot_fig15(data: xr.Dataset) -> Figure:
+    """Draw all errors against their limits, and errors against steps.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Written by measure_hard_cases.
+    """
+    height = 2.8 + 0.13 * data.sizes["case"]
+    figure, panels = new_figure(height, [["cases", "orders"]])
+    _draw_cases(panels["cases"], data)
+    _draw_orders(panels["orders"], data)
+    return figure
+
+
+def _draw_cases(axes: Axes, data: xr.Dataset) -> None:
+    """Error of each case as a dot, its limit as a bar; failures are red, refusals crosses."""
+    places = -np.arange(data.sizes["case"])
+    error = np.maximum(data["error"].values, SMALLEST_ERROR)
+    passed = data["passed"].values.astype(bool)
+    refused = ~np.isfinite(error)
+    axes.plot(data["limit"], places, "|", color=GREY, markersize=8, label="limit")
+    axes.plot(error[passed], places[passed], "o", color=BLUE, markersize=3.5, label="passed")
+    failed = ~passed & ~refused
+    axes.plot(error[failed], places[failed], "D", color=ALARM_COLOUR, ms=4, label="failed")
+    at_edge = np.full(refused.sum(), SMALLEST_ERROR)
+    axes.plot(at_edge, places[refused], "x", color=ALARM_COLOUR, label="no result")
+    axes.set_yticks(places, [_label_of(name) for name in data["case"].values], fontsize=7)
+    axes.set(xscale="log", xlabel="error", xlim=(0.5 * SMALLEST_ERROR, 1.0e-3))
+    axes.grid(axis="y", linewidth=0.3)
+    used = [line for line in axes.get_lines() if np.size(line.get_xdata())]
+    axes.legend(
+        handles=used, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, handlelength=1
+    )
+
+
+def _label_of(name: str) -> str:
+    """Name of a case for people: gamma_1e_6 is gamma 1e-6, alpha_1_02 is alpha 1.02."""
+    name = re.sub(r"(\de)_(\d)", r"\1-\2", name)
+    return re.sub(r"(\d)_(\d)", r"\1.\2", name).replace("_", " ")
+
+
+def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
+    """Median error of the parting velocity against the number of steps."""
+    for method, colour, marker in zip(METHODS, PROBE_COLOURS, MARKERS, strict=False):
+        curve = data.sel({"method": method})
+        label = f"{METHODS[method]}: slope {float(curve['observed_order']):.1f}"
+        axes.plot(
+            curve["event_steps"],
+            curve["event_error"],
+            linestyle="-",
+            color=colour,
+            marker=marker,
+            markersize=3.5,
+            label=label,
+        )
+    axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="error after a collision")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=7)
+
+
+if __name__ == "__main__":
+    run_figure(plot_fig15, globals().get("snakemake"))

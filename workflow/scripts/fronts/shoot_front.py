@@ -1,0 +1,32 @@
+"""An exact travelling front by shooting and by its profile equation; James (2021), section 6.
+
+A few seconds:
+python workflow/scripts/fronts/shoot_front.py --scene_id underdamped
+    --scene config/default.yaml:scenes.front.underdamped --dataset underdamped.nc
+"""
+
+from pathlib import Path
+
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.studies.fronts_compared import compare_front
+from step import run_step
+
+
+def shoot_front(scene: dict, scene_id: str, dataset: Path) -> None:
+    """Solve the front of one scene by both methods and compare all that approximates it.
+
+    Parameters
+    ----------
+    scene : dict
+        The scene, as under ``scenes.front`` of the configuration.
+    scene_id : str
+        Its name.
+    dataset : Path
+        The netCDF file to write.
+    """
+    front = compare_front(scene, scene_id)
+    write_dataset(front, dataset, scene_id=scene_id, config=scene)
+
+
+if __name__ == "__main__":
+    run_step(shoot_front, globals().get("snakemake"))

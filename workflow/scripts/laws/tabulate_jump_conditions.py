@@ -1,0 +1,80 @@
+"""Speed, velocity jump and power of fronts by theory and as measured; James (2021), section 2."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import xarray as xr
+
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.tables import write_table
+from step import run_step
+
+MEASURED = {
+    "speed": ["exact", "travelling", "driven"],
+    "velocity_jump": ["driven"],
+    "power": ["exact", "driven"],
+}
+
+
+def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
+    """Write a row for each lattice.
+
+    Parameters
+    ----------
+    dataset : Path
+        The study of jump conditions.
+    csv, markdown : Path
+        Tables to write: all numbers in full precision, and distances from theory for reading.
+    """
+    data = read_dataset(dataset, "jump_conditions")
+    cases = configuration_of(data)["cases"]
+    names = [str(name) for name in data["law"].values]
+    described = [describe(name, cases[name]) for name in names]
+    full = [row | _all_numbers(data.sel(law=row["law"])) for row in described]
+    brief = [row | distances(data.sel(law=row["law"])) for row in described]
+    write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown, [data])
+
+
+def describe(name: str, case: Mapping[str, Any]) -> dict[str, str]:
+    """The cells that name the lattice."""
+    return {
+        "law": name,
+        "elastic": _describe_potential(case["elastic"]),
+        "dissipation": _describe_potential(case["dissipation"]),
+        "states": " to ".join(f"{state:g}" for state in case["states"]),
+    }
+
+
+def _describe_potential(description: Mapping[str, Any]) -> str:
+    """A potential in a few words."""
+    parameters = [f"{name} {value:.3g}" for name, value in description.items() if name != "kind"]
+    return " ".join([description["kind"], *parameters])
+
+
+def _all_numbers(one: xr.Dataset) -> dict[str, float]:
+    """Every value and error of one lattice, by column."""
+    row: dict[str, float] = {"direction": int(one["direction"])}
+    for quantity, ways in MEASURED.items():
+        for way in ["expected", *ways]:
+            name = f"{quantity}_{way}"
+            row |= {name: float(one[name]), f"{name}_error": float(one[f"{name}_error"])}
+    return row
+
+
+def distances(one: xr.Dataset) -> dict[str, str]:
+    """What theory says, and how far the measurements are from it and may be."""
+    row = {"direction": f"{int(one['direction']):+d}"}
+    for quantity, ways in MEASURED.items():
+        expected = float(one[f"{quantity}_expected"])
+        row[quantity.replace("_", " ")] = f"{expected:.6g}"
+        for way in ways:
+            name = f"{quantity}_{way}"
+            distance, error = float(one[name]) - expected, float(one[f"{name}_error"])
+            row[f"{way} {quantity.replace('_', ' ')}"] = f"{distance:+.0e} (± {error:.0e})"
+    return row
+
+
+if __name__ == "__main__":
+    run_step(tabulate_jump_conditions, globals().get("snakemake"))

@@ -1,0 +1,63 @@
+"""Compare stated errors of random problems with true ones, by independent programs.
+
+python workflow/scripts/precision/measure_honesty.py --wing chains \
+    --problems "{seed: 1, count: 50}" --dataset honesty.nc
+"""
+
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.output.datasets import write_dataset
+from step import run_step
+from truth import ratio
+
+
+def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
+    """Solve random problems of a wing, and write every number's stated and true error.
+
+    Numbers whose error is more than twice the stated one, and refusals, are printed.
+
+    Parameters
+    ----------
+    wing : str
+        chains, fronts or evolutions.
+    problems : dict
+        Which random problems, `seed`, and how many, `count`.
+    dataset : Path
+        The netCDF file to write, on (number).
+    """
+    found = []
+    cases = import_module(f"truth.{wing}").cases
+    for name, stated, true, largest in cases(**problems):
+        times = ratio(stated, true, largest)
+        if not times <= 2.0:
+            print(f"{name}: stated {stated:.2e}, true {true:.2e}, ratio {times:.3g}")
+        if not np.isnan(largest):
+            found.append((name.split()[0], stated, true, times))
+    ratios = np.array([row[-1] for row in found])
+    above = ", ".join(f"{np.mean(ratios > limit):.2%} above {limit}" for limit in (2, 10))
+    print(f"{len(found)} numbers: {above}, largest {ratios.max():.3g}")
+    names, *columns = zip(*found, strict=True)
+    attributes = (
+        ("stated_error", "error that the package states"),
+        ("true_error", "distance to an independent reference"),
+        ("ratio", "true over stated error, beyond four units of rounding"),
+    )
+    measured = xr.Dataset(
+        {
+            name: ("number", np.array(column), {"long_name": meaning})
+            for (name, meaning), column in zip(attributes, columns, strict=True)
+        },
+        {
+            "number": ("number", np.arange(len(names)), {"long_name": "number that is judged"}),
+            "variable": ("number", list(names), {"long_name": "variable that states its error"}),
+        },
+    )
+    write_dataset(measured, dataset, scene_id=f"honesty_{wing}", config=problems)
+
+
+if __name__ == "__main__":
+    run_step(measure_honesty, globals().get("snakemake"))

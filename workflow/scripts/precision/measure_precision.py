@@ -1,0 +1,162 @@
+"""Speed against error: our solvers and other people's on the same problems, side by side.
+
+The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
+the machine hits all of them; before that each has run once, to compile and to fill the caches. Of
+the repeats the least time counts. Errors are measured against a stored reference, outside the
+timing, and none is reported below the error of the reference. A method that is not installed is
+named and left out; one that fails is kept, without an error but with its reason.
+"""
+
+import importlib
+import json
+import os
+import platform
+from collections.abc import Mapping
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+# Libraries read their limits when they are imported.
+from peers import one_thread  # noqa: F401
+
+# isort: split
+import pandas as pd
+import xarray as xr
+
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.output.progress import counted
+from peers.record import Run
+from problems.problem import Problem, errors_of
+from step import LOGGER, run_step
+
+# A longer run is timed once: what disturbs it for a moment is a small part of it.
+SECONDS_WORTH_REPEATING = 3.0
+# Share of a processor below which a run waited for others, or above which it used more than one.
+UNDISTURBED = (0.95, 1.05)
+
+
+def measure_precision(family: str, problems: dict, reference: Path, dataset: Path) -> None:
+    """Solve every problem of a family by every method, and keep errors, times and work.
+
+    Parameters
+    ----------
+    family : str
+        A module of workflow/scripts/precision/problems.
+    problems : dict
+        As under ``precision.<family>`` of the configuration.
+    reference : Path
+        Accurate solutions, in tests/references.
+    dataset : Path
+        The netCDF file to write, on (problem, method, tolerance).
+    """
+    load_before = os.getloadavg()[0]
+    module = importlib.import_module(f"problems.{family}")
+    states = xr.load_dataset(reference)
+    rows: list[dict[str, Any]] = []
+    absent: dict[str, str] = {}
+    facts: dict[str, dict[str, Any]] = {}
+    for name, settings in problems.items():
+        problem = module.make_problem(settings, states)
+        present, missing = run_once(problem, settings)
+        absent |= missing
+        facts[name] = {"own_method": problem.ours, "reference_error": problem.reference_error}
+        rows += [{"problem": name} | row for row in measure(name, problem, settings, present)]
+    for method, reason in absent.items():
+        LOGGER.warning("%s is left out: %s.", method, reason)
+    measured = to_dataset(rows, facts)
+    measured.attrs = {
+        "absent": json.dumps(absent),
+        "load_before": load_before,
+        "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python "
+        f"{platform.python_version()}",
+        "solver": "least wall-clock time of the repeats, one thread",
+    }
+    write_dataset(measured, dataset, scene_id=f"precision_{family}", config=problems)
+
+
+def tolerances_of(settings: Mapping[str, Any], method: str) -> list[float]:
+    """Tolerances asked of a method, the loosest first."""
+    listed = settings.get("own_tolerances", {}).get(method, settings["tolerances"])
+    return sorted(listed, reverse=True)
+
+
+def run_once(problem: Problem, settings: Mapping[str, Any]) -> tuple[list[str], dict[str, str]]:
+    """Run every method once at its loosest tolerance: who is there, and why others are absent."""
+    runs = {
+        method: _attempt(problem, method, tolerances_of(settings, method)[0])
+        for method in settings["methods"]
+    }
+    absent = {method: run.message for method, run in runs.items() if run.absent}
+    return [method for method in runs if method not in absent], absent
+
+
+def measure(
+    name: str, problem: Problem, settings: Mapping[str, Any], methods: list[str]
+) -> list[dict[str, Any]]:
+    """Errors, times and work on one problem, a row for each method and tolerance."""
+    points = [
+        (method, tolerance) for method in methods for tolerance in tolerances_of(settings, method)
+    ]
+    points.sort(key=lambda point: -point[1])
+    best: dict[tuple[str, float], Run] = {}
+    turns = product(range(settings["repeats"]), points)
+    for _, point in counted(turns, f"precision, {name}", "run"):
+        if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
+            continue
+        run = _attempt(problem, *point)
+        if point not in best or run.seconds < best[point].seconds:
+            best[point] = run
+    return [
+        {
+            "method": method,
+            "tolerance": tolerance,
+            **_costs_of(run),
+            **errors_of(run, problem.reference),
+        }
+        for (method, tolerance), run in sorted(
+            best.items(), key=lambda item: methods.index(item[0][0])
+        )
+    ]
+
+
+def _attempt(problem: Problem, method: str, tolerance: float) -> Run:
+    """Run a method once; whatever stops somebody else's solver is kept as its reason."""
+    try:
+        return problem.methods[method](tolerance)
+    except Exception as error:
+        return Run(message=f"{type(error).__name__}: {error}")
+
+
+def _costs_of(run: Run) -> dict[str, Any]:
+    """Costs of a run, and whether something else took part of the machine meanwhile."""
+    share = run.cpu_seconds / run.seconds
+    return {
+        "seconds": run.seconds,
+        "cpu_share": share,
+        "disturbed": float(share < UNDISTURBED[0] or share > UNDISTURBED[1]),
+        "right_hand_sides": float(run.right_hand_sides),
+        "steps": float(run.steps),
+        "message": run.message,
+    }
+
+
+def to_dataset(rows: list[dict[str, Any]], facts: Mapping[str, Mapping[str, Any]]) -> xr.Dataset:
+    """Rows as a dataset on (problem, method, tolerance), NaN where nothing ran.
+
+    `facts` is what is known of each problem.
+    """
+    measured = pd.DataFrame(rows).set_index(["problem", "method", "tolerance"]).to_xarray()
+    methods = list(dict.fromkeys(row["method"] for row in rows))
+    measured = measured.reindex({"problem": list(facts), "method": methods})
+    for name in next(iter(facts.values())):
+        measured[name] = ("problem", [known[name] for known in facts.values()])
+    measured["message"] = measured["message"].fillna("").astype(object)
+    measured["seconds"].attrs["units"] = "s"
+    for name in measured:
+        if "error" in str(name):
+            measured[name].attrs["error_method"] = "this is the distance to the reference"
+    return measured
+
+
+if __name__ == "__main__":
+    run_step(measure_precision, globals().get("snakemake"))

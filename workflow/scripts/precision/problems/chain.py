@@ -1,0 +1,122 @@
+"""Front initiation of James (2021), section 3.3, up to a stored long-double state.
+
+Our integrator solves it in strain form, and the same pair in (x, w) and (x, ẋ), without window and
+event location.  An absolute tolerance is a hundredth of the relative one for every method; of
+LAMMPS, a discrete-element code, a tolerance is the step.
+"""
+
+from functools import partial
+
+import numpy as np
+
+from granular_fronts.chain.recording import collect
+from granular_fronts.chain.run import (
+    FIRST_STEP,
+    initial_state,
+    integrate,
+    make_boundary,
+    prepare,
+    work_done,
+)
+from granular_fronts.model.laws import make_law
+from granular_fronts.numerics.runge_kutta import STAGES
+from granular_fronts.reference_methods import position_forms
+from peers import (
+    diffrax_chain,
+    lammps_chain,
+    numbalsoda_chain,
+    scilab_chain,
+    scipy_chain,
+    sundials_chain,
+)
+from peers.chain_system import front_initiation
+from peers.record import Run, Stopwatch
+from problems.problem import Problem, read_reference
+
+OURS = "strain_form"
+FIELDS = ("relative_displacement", "velocity")
+ABSOLUTE_OVER_RELATIVE = 1.0e-2
+PEERS = {
+    **scilab_chain.METHODS,
+    **scipy_chain.METHODS,
+    **numbalsoda_chain.METHODS,
+    **sundials_chain.METHODS,
+    **diffrax_chain.METHODS,
+}
+
+
+def make_problem(problem, states):
+    """The driven chain of one entry of ``precision.chain``, with its stored reference."""
+    gamma, end = problem["gamma"], problem["end_time"]
+    found = np.flatnonzero((states["gamma"] == gamma) & (states["t"] == end))
+    if not found.size:
+        raise ValueError(
+            f"No reference is stored for gamma = {gamma} at t = {end}: add it to "
+            "tools/references/make_chain_reference.py, or choose a stored state."
+        )
+    system = front_initiation(gamma, end)
+    scene = chain_scene(
+        system,
+        boundary={"kind": "pressure", "left": system.left, "right": 0.0},
+        start={"kind": "rest"},
+    )
+    reference = read_reference(states.isel(state=found[0]), FIELDS)
+    codes = {
+        name: partial(_run_peer, solve, system) for name, solve in lammps_chain.METHODS.items()
+    }
+    return Problem(OURS, reference, methods_for(scene, system) | codes)
+
+
+def chain_scene(system, boundary, start):
+    """A system as a scene of this project, which records the final state only."""
+    return {
+        "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
+        "beads": system.beads,
+        "boundary": boundary,
+        "start": start,
+        "end_time": system.end,
+        "record": {"snapshots": [system.end]},
+    }
+
+
+def methods_for(scene, system):
+    """All methods on one motion, each of a relative tolerance."""
+    forms = {"positions_and_w": position_forms.XW, "positions_and_velocities": position_forms.XV}
+    return {
+        OURS: partial(_run_strain_form, scene),
+        **{name: partial(_run_plain_form, form, scene) for name, form in forms.items()},
+        **{name: partial(_run_peer, solve, system) for name, solve in PEERS.items()},
+    }
+
+
+def _run_peer(solve, system, tolerance):
+    """Somebody else's integrator."""
+    return solve(system, tolerance, ABSOLUTE_OVER_RELATIVE * tolerance)
+
+
+def _run_strain_form(scene, tolerance):
+    """Our integrator."""
+    run = prepare(scene)
+    with Stopwatch() as watch:
+        integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
+    final = collect(scene, run).isel(t=-1)
+    work = work_done(run.clock)
+    return Run(
+        {name: final[name].values for name in FIELDS},
+        **watch.times,
+        right_hand_sides=work["right_hand_sides"],
+        steps=work["steps_accepted"],
+    )
+
+
+def _run_plain_form(form, scene, tolerance):
+    """The same pair in (x, w) or (x, ẋ)."""
+    law, boundary = make_law(scene["law"]), make_boundary(scene)
+    system, y = position_forms.pack(form, law, boundary, *initial_state(scene, boundary))
+    absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]
+    with Stopwatch() as watch:
+        y, accepted = position_forms.integrate_adaptive(
+            system, y, FIRST_STEP, end, tolerance, absolute
+        )
+    fields = dict(zip(FIELDS, position_forms.unpack(system, y), strict=True))
+    return Run(fields, **watch.times, right_hand_sides=STAGES * accepted, steps=accepted)

@@ -1,0 +1,77 @@
+"""A problem with its answer, and how far a run is from it."""
+
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from peers.record import Run
+
+
+class Reference(NamedTuple):
+    """The answer for one field.
+
+    Attributes
+    ----------
+    values, low : ndarray
+        Nearest doubles, and what double leaves of the accurate values.
+    error : float
+        Largest error of `values + low`.
+    """
+
+    values: np.ndarray
+    low: np.ndarray
+    error: float
+
+
+class Problem(NamedTuple):
+    """What is solved, and by whom.
+
+    Attributes
+    ----------
+    ours : str
+        The method that this project stands for.
+    reference : mapping of str to Reference
+        One for each field of the solution.
+    methods : mapping of str to callable
+        Each takes a tolerance and returns a `Run`.
+    """
+
+    ours: str
+    reference: Mapping[str, Reference]
+    methods: Mapping[str, Callable[[float], Run]]
+
+    @property
+    def reference_error(self):
+        """Largest error of the answer itself."""
+        return max(field.error for field in self.reference.values())
+
+
+def errors_of(run, reference):
+    """Errors of a run against the answer, none smaller than that of the answer itself.
+
+    `error`, the largest of all fields; `below_reference`, whether the answer is too coarse to
+    measure it; `<field>_error_sup` and `<field>_error_rms`.  Empty for a run without a result.
+    """
+    if not run.fields:
+        return {}
+    errors, largest = {}, 0.0
+    for name, expected in reference.items():
+        # Of two near doubles the difference is exact.
+        difference = (run.fields[name] - expected.values) - expected.low
+        sup, rms = np.abs(difference).max(), np.sqrt(np.mean(difference**2))
+        errors[f"{name}_error_sup"] = max(sup, expected.error)
+        errors[f"{name}_error_rms"] = max(rms, expected.error)
+        largest = max(largest, sup)
+    limit = max(expected.error for expected in reference.values())
+    return {"error": max(largest, limit), "below_reference": float(largest < limit), **errors}
+
+
+def read_reference(state, names):
+    """The answer from an entry with `<name>`, `<name>_low` and `<name>_error` for each name."""
+    return {
+        name: Reference(
+            state[name].values, state[f"{name}_low"].values, float(state[f"{name}_error"])
+        )
+        for name in names
+    }

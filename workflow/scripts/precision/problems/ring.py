@@ -1,0 +1,30 @@
+"""The ring of James (2021), section 4.3, α = 3/2, up to a stored long-double state.
+
+The start is stored beside that state, so that every method has the same one to the last digit.
+"""
+
+import numpy as np
+
+from peers.chain_system import ChainSystem
+from problems import chain
+from problems.problem import Problem, read_reference
+
+
+def make_problem(problem, states):
+    """The ring of one entry of ``precision.ring``, up to its stored state."""
+    end = problem["end_time"]
+    found = np.flatnonzero(states["t"] == end)
+    if not found.size:
+        raise ValueError(
+            f"No reference of the ring is stored for t = {end}: add it to "
+            "tools/references/make_ring_reference.py, or choose a stored state."
+        )
+    contacts, velocities = (states[f"{name}_start"].values for name in chain.FIELDS)
+    system = ChainSystem(float(states["gamma"]), end, contacts, velocities, ring=True)
+    scene = chain.chain_scene(
+        system,
+        boundary={"kind": "ring"},
+        start={"kind": "given", "relative_displacement": contacts, "velocity": velocities},
+    )
+    reference = read_reference(states.isel(state=found[0]), chain.FIELDS)
+    return Problem(chain.OURS, reference, chain.methods_for(scene, system))

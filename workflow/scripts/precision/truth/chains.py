@@ -1,0 +1,208 @@
+"""Random chains: what the package states of its errors beside the errors themselves."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import InputError, SolveError
+from granular_fronts.studies.hard_cases.extended import Motion
+
+EXPONENTS = (1.0, 1.2, 1.5, 1.5, 2.0, 2.5)
+# Front speeds are fitted between these parts of a chain.
+FITTED = (0.5, 0.9)
+# Part of the size of a motion below which the reference resolves nothing.
+RESOLVED = 1e-17
+
+
+def _random_law(rng: np.random.Generator) -> tuple[dict[str, Any], float]:
+    """A law, and the size of the compressions that suit it."""
+    gamma = float(rng.choice([0.0, 1.0, 1.0, 1.0, 1.0])) * 10 ** rng.uniform(-2, 0.3)
+    gamma = 10 ** rng.uniform(0.3, 1.5) if rng.random() < 0.07 else gamma
+    alpha, beta = map(float, rng.choice(EXPONENTS, 2))
+    if rng.random() < 0.2:
+        alpha, beta = rng.uniform(1, 2.5, 2).round(3).tolist()
+    size, kind = 10 ** rng.uniform(-1.3, 0), rng.integers(10)
+    if kind < 4:
+        return {"alpha": alpha, "beta": beta if kind < 2 else alpha, "gamma": gamma}, size
+    hertz = {"kind": "hertz", "alpha": alpha, "stiffness": rng.uniform(0.5, 2)}
+    if kind < 6:
+        viscous = rng.choice(["linear", "simon_hunt_crossley", "kuwabara_kono", "none"])
+        return {"elastic": hertz, "viscous": _viscous(viscous, gamma)}, size
+    elastic, size = (
+        ({"kind": "toda", "strength": rng.uniform(0.5, 2), "rate": rng.uniform(0.5, 2)}, 0.5),
+        (
+            {
+                "kind": "fpu",
+                "quadratic": 1.0,
+                "cubic": rng.uniform(-0.8, 0.8),
+                "quartic": rng.uniform(0.3, 1),
+            },
+            0.7,
+        ),
+        ({"kind": "morse", "depth": rng.uniform(0.3, 1), "rate": rng.uniform(0.5, 1.5)}, 0.15),
+        ({"kind": "lennard_jones", "depth": 0.1, "distance": rng.uniform(1, 3)}, 0.08),
+    )[kind - 6]
+    viscous = _viscous(rng.choice(["linear", "proportional", "none", "power"]), gamma, beta)
+    return {"elastic": elastic, "viscous": viscous}, size * rng.uniform(0.3, 1)
+
+
+def _viscous(kind, gamma, beta=1.5):
+    own = {"none": {}, "power": {"beta": beta, "gamma": gamma}}
+    return {"kind": str(kind)} | own.get(kind, {"gamma": gamma})
+
+
+def random_scene(rng: np.random.Generator) -> dict[str, Any]:
+    """A scene of the schema, small enough for the reference."""
+    law, size = _random_law(rng)
+    beads = int(rng.integers(2, 13) if rng.random() < 0.8 else rng.integers(13, 31))
+    end = round(10 ** rng.uniform(-1, 1.5), int(rng.integers(1, 4)))
+    end = 12.6 if rng.random() < 0.05 else end
+    kind = str(rng.choice(["pressure", "pressure", "ring", "piston"]))
+    boundary: dict[str, Any] = {"kind": kind}
+    if kind == "pressure":
+        boundary |= {"left": size * rng.uniform(0.3, 1), "right": size * float(rng.random() < 0.3)}
+    elif kind == "piston":
+        boundary |= {"velocity": size * rng.uniform(0.3, 1)}
+        boundary |= {"ramp": end * rng.uniform(0.05, 1.2)} if rng.random() < 0.5 else {}
+    start: dict[str, Any] = {"kind": "rest"}
+    if kind == "ring" or rng.random() < 0.4:
+        u = size * rng.uniform(-0.3, 1, beads if kind == "ring" else beads - 1)
+        velocity = size * rng.uniform(-1, 1, beads)
+        if kind == "piston":
+            velocity[0] = 0.0 if boundary.get("ramp") else boundary["velocity"]
+        start = {
+            "kind": "given",
+            "relative_displacement": u.tolist(),
+            "velocity": velocity.tolist(),
+        }
+    relative = 10 ** rng.uniform(-12, -3)
+    snapshots = {end, *(end * 10 ** rng.uniform(-2, 0, int(rng.integers(1, 4))))}
+    record: dict[str, Any] = {"snapshots": sorted(map(float, snapshots)), "extremes": True}
+    record |= {"balances": bool(rng.random() < 0.3)}
+    if rng.random() < 0.5:
+        record["grid"] = {"step": 0.1 if 0.5 < end < 20 else end / 7}
+    if rng.random() < 0.5:
+        stop = end if rng.random() < 0.5 else end * rng.uniform(0.1, 1)
+        beads_probed = rng.choice(beads, min(2, beads), replace=False) + 1
+        probe = {"beads": sorted(beads_probed.tolist()), "start": 0.0, "stop": stop}
+        record["probes"] = {"near": probe | {"step": stop / int(rng.integers(3, 12))}}
+    if rng.random() < 0.7:
+        record["arrival_level"] = size * rng.uniform(0.05, 0.4)
+    return {
+        "law": law,
+        "beads": beads,
+        "boundary": boundary,
+        "start": start,
+        "end_time": end,
+        "tolerance": {"relative": relative, "absolute": size * relative * 10 ** rng.uniform(-3, 0)},
+        "record": record,
+    }
+
+
+def _truths(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str, Any]:
+    """What the variables of a dataset should hold; of events, see `events`."""
+    true = {}
+    for name in ("", "_grid", *(f"_{probe}" for probe in scene["record"].get("probes", {}))):
+        variable = data.get(f"relative_displacement{name}")
+        if variable is None:
+            continue
+        times = data[variable.dims[0]].values
+        u, velocity = motion.states(times)
+        whole = u if motion.ring else np.column_stack([u, np.full(len(u), motion.right)])
+        true[f"relative_displacement{name}"] = whole[:, data[variable.dims[1]].values - 1]
+        true[f"velocity{name}"] = velocity
+        if name == "_grid":
+            true["mean_relative_displacement"] = u.sum(axis=1) / scene["beads"]
+            true["total_velocity"] = velocity.sum(axis=1)
+    return true
+
+
+def events(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str, Any]:
+    """Arrivals, first peaks, extremes and the first gap.
+
+    Where two extremes are as large within the stated error, time and bead may be those of either:
+    the nearer one counts.
+    """
+    turns, opened = motion.passages(), motion.passages(0.0)
+    true: dict[str, Any] = {}
+    opens = (opened.direction < 0) & (np.abs(opened.rate) > 1e-15 * motion.size)
+    first = np.argmin(np.where(opens, opened.time, np.inf)) if opens.any() else None
+    true["first_gap_time"] = np.nan if first is None else opened.time[first]
+    true["first_gap_bead"] = np.nan if first is None else opened.contact[first] + 1
+    ends = motion.states([0.0, scene["end_time"]])[0]
+    contact = np.concatenate([turns.contact, np.tile(np.arange(ends.shape[1]), 2)])
+    time = np.concatenate([turns.time, np.repeat([0.0, scene["end_time"]], ends.shape[1])])
+    u = np.concatenate([turns.u, ends.ravel()])
+    for name, sign in (("largest", 1), ("smallest", -1)):
+        name = f"{name}_relative_displacement"
+        extreme = (sign * u).max()
+        slack = 2 * data[name].attrs["error_estimate"] + 4 * np.spacing(float(abs(extreme)))
+        near = sign * u >= extreme - slack - RESOLVED * motion.size
+        distances = (
+            np.abs(found[near] - data[f"{name}_{part}"].item())
+            for found, part in ((contact + 1, "bead"), (time, "time"))
+        )
+        at = np.flatnonzero(near)[np.lexsort(tuple(distances))[0]]
+        true |= {name: sign * extreme, f"{name}_time": time[at], f"{name}_bead": contact[at] + 1}
+    if "arrival_level" in scene["record"]:
+        true |= _arrivals(scene, motion, turns, ends[0])
+    return true
+
+
+def _arrivals(scene, motion, turns, start):
+    beads, level = scene["beads"], scene["record"]["arrival_level"]
+    arrival, peak, peak_time = np.full((3, beads), np.nan, dtype=np.longdouble)
+    passed = motion.passages(level)
+    for n in range(start.size):
+        side = 1 if start[n] < level else -1
+        times = passed.time[(passed.contact == n) & (passed.direction == side)]
+        if times.size:
+            arrival[n] = times[0]
+            later = (turns.contact == n) & (turns.direction < 0) & (turns.time >= times[0])
+            if later.any():
+                at = np.flatnonzero(later)[np.argmin(turns.time[later])]
+                peak[n], peak_time[n] = turns.u[at], turns.time[at]
+    first, last = (int(part * beads) for part in FITTED)
+    fitted = np.flatnonzero(np.isfinite(arrival[first:last])) + first
+    speed = np.nan
+    if fitted.size >= 2:
+        from_mean = fitted - fitted.mean()
+        slowness = from_mean @ arrival[fitted] / (from_mean @ from_mean)
+        speed = 1 / slowness if slowness else np.nan
+    return {
+        "arrival_time": arrival,
+        "first_peak": peak,
+        "first_peak_time": peak_time,
+        "front_speed": speed,
+    }
+
+
+def judge(scene: dict[str, Any]) -> Iterator[tuple[str, float, float, float]]:
+    """Name, stated error, true error and largest value of every variable of a scene."""
+    data = simulate_chain(scene)
+    motion = Motion(scene)
+    true = _truths(scene, data, motion) | events(scene, data, motion)
+    for name, variable in data.data_vars.items():
+        found, wanted = np.atleast_1d(variable.values), np.atleast_1d(true[name])
+        nothing = np.isnan(found) & np.isnan(wanted)
+        if nothing.all():
+            continue
+        difference = np.where(nothing, 0, np.abs(found - wanted)).astype(float)
+        difference[difference < RESOLVED * motion.size] = 0.0
+        error = float(np.nan_to_num(difference, nan=np.inf).max())
+        largest = float(np.nanmax(np.abs(found), initial=0.0))
+        yield name, float(variable.attrs["error_estimate"]), error, largest
+
+
+def cases(seed: int, count: int) -> Iterator[tuple[str, float, float, float]]:
+    """All numbers of some random chains; one that is refused has no numbers, but a sentence."""
+    for index in range(count):
+        scene = random_scene(np.random.default_rng([seed, index]))
+        try:
+            for name, *numbers in judge(scene):
+                yield f"{name} {index}", *numbers
+        except (InputError, SolveError) as error:
+            yield f"refused {index}: {error}", np.nan, np.nan, np.nan

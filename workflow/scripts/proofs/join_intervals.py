@@ -1,0 +1,58 @@
+"""Join the chunks of proved intervals: at each common end the fronts of both are one.
+
+Not by hand: the workflow knows which chunks cover an interval.
+"""
+
+from itertools import pairwise
+from pathlib import Path
+
+import xarray as xr
+
+from granular_fronts.output.datasets import read_dataset, write_dataset
+from granular_fronts.proofs.families import prove, record
+from granular_fronts.proofs.records import records_dataset
+from step import run_step
+
+
+def join_intervals(chunks: list[Path], intervals: dict, dataset: Path) -> None:
+    """Prove the junctions of neighbouring chunks from the files, and write all that is proved.
+
+    Parameters
+    ----------
+    chunks : list of Path
+        Files of the chunks, in the order of γ for each family.
+    intervals : dict
+        As under ``proofs.intervals`` of the configuration.
+    dataset : Path
+        The netCDF file to write.
+
+    Raises
+    ------
+    NotProvedError
+        If the fronts on both sides of a common end are not proved to be one.
+    """
+    parts = [read_dataset(path) for path in chunks]
+    for k, (before, after) in enumerate(pairwise(parts), start=1):
+        if float(before["alpha"][-1]) == float(after["alpha"][0]):
+            parts[k] = _joined(before, after)
+    # An inequality that one of the parts never met is missing there.
+    found = xr.concat(parts, "certificate", join="outer", combine_attrs="drop")
+    write_dataset(found, dataset, scene_id="intervals", config=intervals)
+
+
+def _joined(before: xr.Dataset, after: xr.Dataset) -> xr.Dataset:
+    """A part whose first row says that its fronts continue those of the part before."""
+    kept, rest = after.isel(certificate=0), after.isel(certificate=slice(1, None))
+    last, path = (Path(str(file)) for file in (before["file"].values[-1], kept["file"].values))
+    row = record(path, prove(path, prove(last))) | {
+        "name": str(kept["certificate"].values),
+        "alpha": float(kept["alpha"]),
+        "seconds": float(kept["processor_seconds"]),
+    }
+    return xr.concat(
+        [records_dataset([row]), rest], "certificate", join="outer", combine_attrs="drop"
+    )
+
+
+if __name__ == "__main__":
+    run_step(join_intervals, globals().get("snakemake"))

@@ -1,0 +1,132 @@
+"""What is proved as tables: fronts and families of fronts, and the margin of each inequality."""
+
+import math
+from collections.abc import Iterator
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.tables import round_floats, write_table
+from step import run_step
+
+
+def tabulate_proofs(
+    fronts: Path,
+    intervals: Path,
+    csv: Path,
+    markdown: Path,
+    margins_csv: Path,
+    margins_markdown: Path,
+) -> None:
+    """Write a row for each front and each family, and one for each of their inequalities.
+
+    Parameters
+    ----------
+    fronts, intervals : Path
+        Written by prove_fronts and join_intervals.
+    csv, markdown : Path
+        Table of statements to write.
+    margins_csv, margins_markdown : Path
+        Table of margins to write.
+    """
+    single, joined = read_dataset(fronts, "fronts"), read_dataset(intervals, "intervals")
+    groups = {str(name): single.sel(certificate=[name]) for name in single["certificate"].values}
+    groups |= dict(families(joined))
+    table = pd.DataFrame([describe(name, group) for name, group in groups.items()])
+    write_table(table, round_floats(table, 6), csv, markdown, [single, joined])
+    rows = [row for name, group in groups.items() for row in margins(name, group)]
+    table = pd.DataFrame(rows)
+    write_table(table, round_floats(table, 3), margins_csv, margins_markdown, [single, joined])
+
+
+def families(joined: xr.Dataset) -> Iterator[tuple[str, xr.Dataset]]:
+    """Continuous families: runs of certificates of which each continues the one before."""
+    starts = np.flatnonzero(joined["joined"].values == 0)
+    for start, stop in zip(starts, [*starts[1:], joined.sizes["certificate"]], strict=True):
+        rows = joined.isel(certificate=slice(start, stop))
+        yield f"family, alpha = {float(rows['alpha'][0]):g}", rows
+
+
+def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
+    """What is proved of a front or of a family, with the worst of its bounds."""
+    ends = float(group["gamma_low"].min()), float(group["gamma_high"].max())
+    low, high = (f"{end:.13g}" for end in ends)
+    return {
+        "front": name,
+        "alpha": float(group["alpha"][0]),
+        "beta": float(group["beta"][0]),
+        "gamma": low if low == high else f"{low} to {high}",
+        "shape": "; ".join(_shapes(group)) or "existence and tails",
+        "error of ū below": f"{_rounded(float(group['error_bound'].max()), 3, ROUND_CEILING):.2e}",
+        "certificates": group.sizes["certificate"],
+        "kB": round(float(group["bytes"].sum()) / 1000, 1),
+        "processor seconds": round(float(group["processor_seconds"].sum()), 1),
+    }
+
+
+def _shapes(group: xr.Dataset) -> Iterator[str]:
+    """Which of the fronts are monotone, and which overshoot by how much."""
+    several = group.sizes["certificate"] > 1
+    for where, words in (
+        (group["monotone"] == 1.0, "monotone"),
+        (group["overshoot_bound"].notnull(), _overshoot(group)),
+        (group["oscillates"] == 1.0, "tail oscillates, max u > 1"),
+        (group["critical"] == 1.0, "one turns into the other"),
+    ):
+        if where.any():
+            rows = group.isel(certificate=where.values)
+            yield words + (f" for gamma {stretches(rows)}" if several else "")
+    if not several and np.isfinite(group["rate_low"]).all():
+        amplitude = "B" if float(group["oscillates"][0]) == 1.0 else "A"
+        low, high = float(group["amplitude_low"][0]), float(group["amplitude_high"][0])
+        middle = round((low + high) / 2, 3)
+        radius = math.ceil(1000 * max(high - middle, middle - low)) / 1000
+        yield f"{amplitude} = {middle:.3f} ± {radius:.3f}"
+
+
+def _overshoot(group: xr.Dataset) -> str:
+    """What max u exceeds, of all fronts that are proved to overshoot."""
+    return f"max u − 1 > {_rounded(float(group['overshoot_bound'].min()), 4, ROUND_FLOOR):.4g}"
+
+
+def _rounded(bound: float, digits: int, rounding: str) -> float:
+    """A bound in few digits that is still one."""
+    return float(Context(digits, rounding).create_decimal_from_float(bound))
+
+
+def stretches(rows: xr.Dataset) -> str:
+    """The intervals that certificates cover, those that touch each other as one."""
+    found: list[list[float]] = []
+    for low, high in zip(rows["gamma_low"].values, rows["gamma_high"].values, strict=True):
+        if found and low <= found[-1][1]:
+            found[-1][1] = high
+        else:
+            found.append([low, high])
+    return " and ".join(f"{low:.12g} to {high:.12g}" for low, high in found)
+
+
+def margins(name: str, group: xr.Dataset) -> Iterator[dict[str, Any]]:
+    """Each inequality left < right, where its margin is smallest."""
+    for inequality in group["inequality"].values:
+        sides = group[["left", "right"]].sel(inequality=inequality).dropna("certificate")
+        if sides.sizes["certificate"]:
+            place = int((sides["right"] - sides["left"]).argmin("certificate"))
+            worst = sides.isel(certificate=place)
+            left, right = float(worst["left"]), float(worst["right"])
+            yield {
+                "front": name,
+                "inequality": str(inequality),
+                "left": left,
+                "right": right,
+                "margin": right - left,
+                "certificate": str(worst["certificate"].values),
+            }
+
+
+if __name__ == "__main__":
+    run_step(tabulate_proofs, globals().get("snakemake"))

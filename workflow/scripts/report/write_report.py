@@ -1,0 +1,193 @@
+"""Write one page with figures, captions, tables, configuration and run times.
+
+The page holds everything in itself, so it can be mailed or archived as one file; its links lead to
+the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
+click, hence this one.
+
+Nothing is shown that does not belong together: the step compares the records of all figures and
+tables with the data that lie there and with the configuration, and ends with a sentence where they
+disagree. What is made on demand is left out, and named, where it answers another configuration.
+"""
+
+import json
+import os
+from base64 import b64encode
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import pandas as pd
+import yaml
+from docutils.core import publish_parts
+from tabulate import tabulate
+
+from granular_fronts.output.datasets import read_origins
+from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import disagreements, read_record
+from granular_fronts.scenes.yaml_files import read_yaml
+from step import run_step
+
+
+def write_report(  # noqa: PLR0913 - what its rule names
+    template: Path,
+    texts: Path,
+    figures: list[Path],
+    tables: list[Path],
+    on_demand: list[Path],
+    asked: dict,
+    asked_on_demand: dict,
+    results: Path,
+    benchmarks: list[Path],
+    verdict: Path,
+    configuration: dict,
+    page: Path,
+) -> None:
+    """Fill the template of the page.
+
+    Parameters
+    ----------
+    template : Path
+        Jinja2 template of the page.
+    texts : Path
+        Titles and captions of the tables, a YAML file.
+    figures, tables : list of Path
+        Records of figures and tables, in the order of the page; their files lie beside them.
+    on_demand : list of Path
+        Records of what was made on demand.
+    asked, asked_on_demand : dict
+        The parts of the configuration that the datasets must answer, by their names.
+    results : Path
+        The folder that holds data, figures and tables.
+    benchmarks : list of Path
+        Snakemake's measurements, a TSV file for each job.
+    verdict : Path
+        What the tests of the finished files said.
+    configuration : dict
+        The merged configuration that was computed.
+    page : Path
+        The HTML file to write.
+
+    Raises
+    ------
+    ValueError
+        If figures, tables, data and configuration do not belong together.
+    """
+    origins = read_origins(results / "data", [*asked, *asked_on_demand])
+    if found := list(disagreements([*figures, *tables], origins, asked)):
+        raise ValueError("\n".join(found))
+    every = asked | asked_on_demand
+    shown = [
+        record
+        for record in on_demand
+        if not any(disagreements([record], origins, _questions_behind(record, origins, every)))
+    ]
+    # A figure alone has a caption of its own.
+    figures = sorted([*figures, *_records_with(".rst", shown)])
+    tables = [*tables, *_records_with(".csv", shown)]
+    described = read_yaml(texts)
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
+    html = environment.from_string(template.read_text(encoding="utf-8")).render(
+        figures=[_describe_figure(record) for record in figures],
+        tables=[_describe_table(record, described[record.stem]) for record in tables],
+        pages=[record.with_suffix(".html").name for record in _records_with(".html", shown)],
+        outdated=[record.stem for record in on_demand if record not in shown],
+        run_times=_tabulate_run_times(benchmarks),
+        verdict=verdict.read_text(encoding="utf-8"),
+        made_from={record.stem: read_record(record) for record in [*figures, *tables]},
+        configuration=_dump_configuration(configuration),
+    )
+    with complete_file(page) as unfinished:
+        unfinished.write_text(html, encoding="utf-8")
+
+
+def _dump_configuration(configuration: dict) -> str:
+    """The configuration as YAML, with every value where it is used."""
+    # What two keys share would else be written once, and named by an anchor.
+    plain = json.loads(json.dumps(configuration))
+    return yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, default_flow_style=None)
+
+
+def _questions_behind(record: Path, origins: dict, asked: dict) -> dict[str, Any]:
+    """The part of `asked` that the datasets behind a record must answer."""
+    scenes = {made_from["scene"] for made_from in read_record(record)["made_from"]}
+    names = [name for name, origin in origins.items() if origin["scene"] in scenes]
+    return {name: asked[name] for name in names}
+
+
+def _records_with(ending: str, records: list[Path]) -> list[Path]:
+    """Those records beside which a file with some ending lies."""
+    return [record for record in records if record.with_suffix(ending).exists()]
+
+
+def _describe_figure(record: Path) -> dict[str, Any]:
+    """What the page shows of a figure."""
+    described = read_record(record)
+    picture = b64encode(record.with_suffix(".png").read_bytes()).decode("ascii")
+    return {
+        "name": record.stem,
+        "number": record.stem.partition("_")[0].removeprefix("fig").lstrip("0"),
+        "title": described["title"],
+        "alt": described["alt"],
+        "image": f"data:image/png;base64,{picture}",
+        "caption": _render(record.with_suffix(".rst").read_text(encoding="utf-8")),
+        "files": [f"{record.parent.name}/{record.stem}.{ending}" for ending in ("pdf", "png")],
+    }
+
+
+def _describe_table(record: Path, described: dict[str, str]) -> dict[str, Any]:
+    """What the page shows of a table."""
+    return {
+        "name": record.stem,
+        "title": described["title"],
+        "caption": _render(described["caption"]),
+        "html": _tabulate_csv(record.with_suffix(".csv")),
+        "files": [f"{record.parent.name}/{record.stem}.{ending}" for ending in ("csv", "md")],
+    }
+
+
+def _render(caption: str) -> str:
+    """Turn the reStructuredText of a caption into HTML."""
+    # Browsers draw MathML themselves; the default wants a style sheet of its own. A caption holds
+    # values of data files, which may come from anywhere.
+    settings = {"math_output": "MathML", "raw_enabled": False, "file_insertion_enabled": False}
+    return publish_parts(caption, writer="html5", settings_overrides=settings)["fragment"]
+
+
+def _tabulate_csv(table: Path) -> str:
+    """Turn a CSV file with a header into HTML, its numbers rounded for reading."""
+    cells = pd.read_csv(table, dtype=str, keep_default_na=False)
+    for column in cells:
+        digits = ".1e" if "error" in column else ".7g"
+        cells[column] = [_shorten(cell, digits) for cell in cells[column]]
+    headers = [column.replace("_", " ") for column in cells]
+    return tabulate(cells.to_numpy().tolist(), headers, tablefmt="html", disable_numparse=True)
+
+
+def _shorten(cell: str, digits: str) -> str:
+    """Round a number of more than eight characters; words and short numbers are left alone."""
+    try:
+        return f"{float(cell):{digits}}" if len(cell) > 8 else cell
+    except ValueError:
+        return cell
+
+
+def _tabulate_run_times(benchmarks: list[Path]) -> str:
+    """Turn Snakemake's measurements into an HTML table."""
+    folder = os.path.commonpath([file.parent for file in benchmarks])
+    rows, total = [], 0.0
+    for file in benchmarks:
+        measured = pd.read_csv(file, sep="\t", dtype=str, keep_default_na=False).iloc[0]
+        job = file.relative_to(folder).with_suffix("").as_posix()
+        rows.append([job, f"{float(measured['s']):.1f}", measured["max_rss"]])
+        total += float(measured["s"])
+    return tabulate(
+        [*rows, ["all jobs", f"{total:.1f}", ""]],
+        headers=["job", "wall time, s", "largest memory, MiB"],
+        colalign=["left", "right", "right"],
+        tablefmt="html",
+        disable_numparse=True,
+    )
+
+
+if __name__ == "__main__":
+    run_step(write_report, globals().get("snakemake"))

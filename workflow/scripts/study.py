@@ -1,0 +1,39 @@
+"""Make the dataset of a study, one of those that workflow/studies.yaml lists.
+
+python workflow/scripts/study.py --study materials
+    --section config/default.yaml:laws.materials --dataset materials.nc
+"""
+
+from importlib import import_module
+from pathlib import Path
+
+from granular_fronts.arguments import choice
+from granular_fronts.output.datasets import write_dataset
+from granular_fronts.scenes.yaml_files import read_yaml
+from step import run_step
+
+STUDIES = Path(__file__).parents[1] / "studies.yaml"
+
+
+def study(study: str, section: dict, dataset: Path) -> None:
+    """Compute a study and write its data.
+
+    Parameters
+    ----------
+    study : str
+        Its name in workflow/studies.yaml.
+    section : dict
+        Its part of the configuration, the arguments of its function.
+    dataset : Path
+        The netCDF file to write.
+    """
+    studies = read_yaml(STUDIES)
+    module, _, function = studies[choice("a study", study, list(studies))]["function"].rpartition(
+        "."
+    )
+    computed = getattr(import_module(module), function)(**section)
+    write_dataset(computed, dataset, scene_id=study, config=section)
+
+
+if __name__ == "__main__":
+    run_step(study, globals().get("snakemake"))
