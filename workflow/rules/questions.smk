@@ -3,7 +3,7 @@
 from altered_files import make_altered_files_again
 from granular_fronts.output.provenance import code_version, question_digest, read_record
 from granular_fronts.scenes.yaml_files import read_yaml
-from questions import FAMILIES, questions, questions_on_demand
+from questions import FAMILIES, precision_problems, questions, questions_on_demand
 
 ASKED = questions(config) | questions_on_demand(config)
 DATASETS = expand("<results>/data/{dataset}.nc", dataset=questions(config))

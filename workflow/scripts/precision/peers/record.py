@@ -20,6 +20,8 @@ class Run:
         Wall-clock and processor time of the solve alone.
     right_hand_sides, steps : float
         Work; NaN where the tool does not report it.
+    grid : float
+        Number of cells or points; NaN where the method chooses it or has none.
     message : str
         Empty, or why there is no result or an uncertain one.
     absent : bool
@@ -31,6 +33,7 @@ class Run:
     cpu_seconds: float = np.nan
     right_hand_sides: float = np.nan
     steps: float = np.nan
+    grid: float = np.nan
     message: str = ""
     absent: bool = False
 

@@ -1,6 +1,7 @@
 """A problem with its answer, and how far a run is from it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -35,11 +36,14 @@ class Problem(NamedTuple):
         One for each field of the solution.
     methods : mapping of str to callable
         Each takes a tolerance and returns a `Run`.
+    tolerances : mapping of str to sequence of float
+        Of methods that the configuration gives grids or steps for.
     """
 
     ours: str
     reference: Mapping[str, Reference]
     methods: Mapping[str, Callable[[float], Run]]
+    tolerances: Mapping[str, Sequence[float]] = MappingProxyType({})
 
     @property
     def reference_error(self):
