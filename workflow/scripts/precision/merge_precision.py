@@ -3,15 +3,10 @@
 import json
 from pathlib import Path
 
-import pandas as pd
 import xarray as xr
-from measure_precision import to_dataset
 
-from granular_fronts.output.datasets import read_dataset, write_dataset
+from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
 from step import run_step
-
-INDEX = ["problem", "method", "tolerance"]
-FACTS = ["own_method", "reference_error", "time_limit"]
 
 
 def merge_precision(datasets: list[Path], dataset: Path) -> None:
@@ -22,36 +17,31 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
     datasets : list of Path
         Written by measure_precision.
     dataset : Path
-        The netCDF file to write, on (problem, method, tolerance).
+        The netCDF file to write, on (problem, method, tolerance); NaN where nothing ran.
     """
     families = [read_dataset(path) for path in datasets]
-    points = pd.concat([points_of(family) for family in families], ignore_index=True)
-    twice = points[points.duplicated(INDEX)]
-    if len(twice):
+    merged = xr.concat(families, "problem", data_vars="all", join="outer", combine_attrs="override")
+    problems = merged.indexes["problem"]
+    if problems.has_duplicates:
         raise ValueError(
-            f"Problem {twice['problem'].iloc[0]} stands in two families: give it another name in "
-            "one of them."
+            f"Problem {problems[problems.duplicated()][0]} stands in two families: give it another "
+            "name in one of them."
         )
-    facts = pd.concat([family[FACTS].to_dataframe() for family in families])
-    merged = to_dataset(points.to_dict("records"), facts.to_dict("index"))
-    first = families[0].attrs
+    # In the order of the families, which the join has sorted.
+    methods = dict.fromkeys(method for family in families for method in family["method"].values)
+    merged = merged.sel({"method": list(methods)})
+    merged["message"] = merged["message"].fillna("").astype(object)
     absent: dict[str, str] = {}
     for family in families:
-        absent |= json.loads(family.attrs.get("absent", "{}"))
+        absent |= json.loads(family.attrs["absent"])
     merged.attrs = {
         "absent": json.dumps(absent),
         "load_before": max(family.attrs["load_before"] for family in families),
-        "machine": first["machine"],
-        "solver": first["solver"],
+        "machine": families[0].attrs["machine"],
+        "solver": families[0].attrs["solver"],
     }
-    config = {family.attrs["scene"]: json.loads(family.attrs["config"]) for family in families}
+    config = {family.attrs["scene"]: configuration_of(family) for family in families}
     write_dataset(merged, dataset, scene_id="speed_error", config=config)
-
-
-def points_of(family: xr.Dataset) -> pd.DataFrame:
-    """A row for each method and tolerance that ran."""
-    points = family.drop_vars(FACTS).to_dataframe().reset_index()
-    return points.dropna(subset="disturbed")
 
 
 if __name__ == "__main__":

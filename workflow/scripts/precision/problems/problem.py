@@ -71,6 +71,18 @@ def errors_of(run, reference):
     return {"error": max(largest, limit), "below_reference": float(largest < limit), **errors}
 
 
+def stored_state(states, family, **wanted):
+    """The entry of a family's stored reference with the wanted coordinates, or a refusal."""
+    same = np.logical_and.reduce([states[name] == value for name, value in wanted.items()])
+    if not same.any():
+        listed = " and ".join(f"{name} = {value}" for name, value in wanted.items())
+        raise ValueError(
+            f"No reference is stored for {listed}: add it to "
+            f"tools/references/make_{family}_reference.py, or choose a stored one."
+        )
+    return states.isel(state=int(np.argmax(same)))
+
+
 def read_reference(state, names):
     """The answer from an entry with `<name>`, `<name>_low` and `<name>_error` for each name."""
     return {
