@@ -7,8 +7,6 @@ LAMMPS, a discrete-element code, a tolerance is the step.
 
 from functools import partial
 
-import numpy as np
-
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import (
     FIRST_STEP,
