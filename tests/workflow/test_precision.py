@@ -143,7 +143,7 @@ def test_rings_are_solved_by_four_schemes_from_two_starts():
     assert kinks["finite_volumes"] < 1e-5
     assert kinks["uniform_cells"] > 2.0 * kinks["finite_volumes"]
     assert errors["log_burgers_weak", "fourier", 512] < 1e-6
-    assert errors["log_burgers_weak_smooth", "finite_volumes", 256] < 1e-5
+    assert errors["log_burgers_weak_smooth", "finite_volumes", 256] < 0.7 * kinks["finite_volumes"]
     assert errors["log_burgers_weak_smooth", "fourier", 512] < 1e-6
     assert len(errors) == 6
 
@@ -229,7 +229,7 @@ def merged(tmp_path):
     ):
         dataset, scene = measured_family(f"precision_{family}", problems, limit)
         if family == "log_burgers":
-            dataset["error"].loc[:, "upwind"] *= 1e3
+            dataset["error"].loc[:, "upwind"] = 1e3 * dataset["tolerance"].values ** 0.75
         files.append(tmp_path / f"{scene}.nc")
         write_dataset(dataset, files[-1], scene_id=scene, config={})
     merging.merge_precision(files, tmp_path / "speed_error.nc")
@@ -278,14 +278,17 @@ def test_verdicts_say_what_to_use_and_whether_a_limit_is_kept(merged):
     assert "which alone reached it" in found["two", 1e-6]
     assert ("one", 1e-5) not in found
     assert found["log_burgers_weak", 1e-12].endswith(
-        "upwind did not get there with the tolerances asked: it comes to 1.0e-09 in "
-        f"{1e3 * 1e-12**-0.125:.3g} ms, 2400 times as long as strain_form."
+        "upwind did not get there with the tolerances asked: it comes to 1.0e-06 in "
+        f"{1e3 * 1e-12**-0.125:.3g} ms, 5600 times as long as strain_form."
     )
     assert "limit" not in found["log_burgers_weak", 1e-6]
     assert found["log_burgers_weak", 1e-5].endswith("; strain_form keeps its limit of 5 ms.")
     data = read_dataset(merged).sel(problem="log_burgers_weak")
     data["time_limit"] = 4.1e-3
     assert tabulating.judge(data, 1e-5).endswith("; strain_form misses its limit of 4.1 ms.")
+    # Of a looser run that takes longer, nothing is said.
+    data["seconds"].loc["strain_form", 1e-4] = 1e9
+    assert "use strain_form (10 ms)" in tabulating.judge(data, 1e-4)
     data["error"] = data["error"] * 1e4
     assert tabulating.judge(data, 1e-9) == (
         "Nobody reached 1e-09; strain_form came closest with 1.0e-08."
@@ -296,10 +299,11 @@ def test_runs_are_listed_with_their_orders(merged):
     *_, runs = tabulate(merged)
     assert len(runs) == 24
     ring = runs[runs["problem"] == "log_burgers_weak"].set_index(["method", "tolerance"])
-    np.testing.assert_allclose(ring["order"], [np.nan, 1.0, 1.0] * 2)
+    np.testing.assert_allclose(ring.loc["strain_form", "order"], [np.nan, 1.0, 1.0])
+    np.testing.assert_allclose(ring.loc["upwind", "order"], [np.nan, 0.75, 0.75])
     assert list(ring.loc["upwind"].index) == [1e-4, 1e-8, 1e-12]
     assert ring.loc[("upwind", 1e-8), "milliseconds"] == pytest.approx(1e4)
-    assert ring.loc[("upwind", 1e-8), "error"] == pytest.approx(1e-5)
+    assert ring.loc[("upwind", 1e-8), "error"] == pytest.approx(1e-3)
 
 
 @pytest.mark.parametrize(
