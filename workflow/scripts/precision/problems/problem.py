@@ -10,39 +10,20 @@ from peers.record import Run
 
 
 class Reference(NamedTuple):
-    """The answer for one field.
+    """The answer for one field."""
 
-    Attributes
-    ----------
-    values, low : ndarray
-        Nearest doubles, and what double leaves of the accurate values.
-    error : float
-        Largest error of `values + low`.
-    """
-
-    values: np.ndarray
-    low: np.ndarray
-    error: float
+    values: np.ndarray  # nearest doubles
+    low: np.ndarray  # what double leaves of the accurate values
+    error: float  # largest error of `values + low`
 
 
 class Problem(NamedTuple):
-    """What is solved, and by whom.
+    """What is solved, and by whom."""
 
-    Attributes
-    ----------
-    ours : str
-        The method that this project stands for.
-    reference : mapping of str to Reference
-        One for each field of the solution.
-    methods : mapping of str to callable
-        Each takes a tolerance and returns a `Run`.
-    tolerances : mapping of str to sequence of float
-        Of methods that the configuration gives grids or steps for.
-    """
-
-    ours: str
-    reference: Mapping[str, Reference]
-    methods: Mapping[str, Callable[[float], Run]]
+    ours: str  # the method that this project stands for
+    reference: Mapping[str, Reference]  # one for each field of the solution
+    methods: Mapping[str, Callable[[float], Run]]  # each takes a tolerance
+    # Of methods that the configuration gives grids or steps for.
     tolerances: Mapping[str, Sequence[float]] = MappingProxyType({})
 
     @property
