@@ -39,6 +39,10 @@ def test_given_start_is_interpolated_by_a_trigonometric_polynomial():
     edges = np.pi * np.linspace(-1.0, 1.0, 21)
     exact = 2.0 + np.diff(np.sin(edges)) / np.diff(edges)
     np.testing.assert_allclose(start.averages(20, half_length, 1.0), exact, rtol=0, atol=1e-13)
+    # The shortest wave of an even number of points too.
+    rough = np.resize([1.0, 0.2, 0.7, 0.1], 33)
+    found = Given(tuple(rough)).values(xi, half_length)
+    np.testing.assert_allclose(found, rough, rtol=0, atol=1e-13)
 
 
 def sine_averages(n):
