@@ -50,9 +50,9 @@ def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Problems of each family; rings with their scenes, and once more from a smooth start."""
     scenes, families = configuration["scenes"]["periodic"], dict(configuration["precision"])
     families["log_burgers"] = {
-        f"log_burgers_{name}{start}": {**problem, "scene": scenes[name], "smooth": bool(start)}
+        f"{start}log_burgers_{name}": {**problem, "scene": scenes[name], "smooth": bool(start)}
         for name, problem in families["log_burgers"].items()
-        for start in ("", "_smooth")
+        for start in ("", "smooth_")
     }
     return families
 
