@@ -154,15 +154,6 @@ def test_every_resolvable_turn_is_found(mu):
     assert (np.abs(overshoot) >= EPSILON).all()
 
 
-@pytest.mark.parametrize("mu", [2.5, 5.0, 11.0, 12.0, 50.0])
-def test_approach_to_one_has_the_slow_rate(mu):
-    rate = linear_rates(mu)[0].real
-    s = np.array([-32.0, -31.0]) / rate
-    front = gf.heteroclinic(mu, s)
-    growth = float(np.diff(np.log(-front["log_rescaled_force"]))[0] / np.diff(s)[0])
-    assert growth == pytest.approx(rate, rel=1.0e-11)
-
-
 @pytest.mark.parametrize("mu", [2.0 - 1.0e-8, 2.0, 2.0 + 1.0e-8])
 def test_transition_is_smooth_and_monotone(mu):
     s = np.linspace(-50.0, 20.0, 1001)
@@ -194,7 +185,7 @@ def test_squared_slope_at_one_vanishes_from_the_transition_on(mu):
     assert squared_slope_at_one(mu) < 1.0e-40
 
 
-@pytest.mark.parametrize("mu", [0.3, 1.0, 2.5, 3.0])
+@pytest.mark.parametrize("mu", [0.3, 1.0, 2.5, 3.0, 5.0, 11.0, 12.0, 50.0])
 def test_rates_read_off_an_orbit_are_the_eigenvalues_within_their_errors(mu):
     rate, rate_error, frequency, frequency_error = measure_rates(mu)
     expected = linear_rates(mu)[0 if mu > 2.0 else 1]

@@ -291,3 +291,12 @@ def test_rows_do_not_depend_on_the_order_of_times():
     forward, backward = solve(scene, [5.0, 30.0], 256, 1e-5), solve(scene, [30.0, 5.0], 256, 1e-5)
     xi = np.linspace(-20.0, 20.0, 30).reshape(5, 6)
     np.testing.assert_array_equal(forward.rescaled_force(1, xi), backward.rescaled_force(0, xi))
+
+
+def test_refined_run_halves_every_step():
+    scene = scene_with("weak", end_time=20.0)
+    coarse = solve(scene, [20.0], 128, 1e-4)
+    fine = solve(scene, [20.0], 256, 1e-1, coarser=coarse)
+    ends, starts = np.array(coarse.step_ends), np.array(fine.step_ends[:-1])
+    halves = 0.5 * np.diff(ends)[np.searchsorted(ends, starts, side="right") - 1]
+    assert (np.diff(fine.step_ends) <= halves * (1.0 + 1e-9)).all()
