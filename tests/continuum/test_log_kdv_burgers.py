@@ -6,6 +6,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
+import xarray as xr
 from heteroclinic_reference import DIGITS, Reference
 
 import granular_fronts as gf
@@ -40,6 +41,7 @@ from granular_fronts.continuum.log_kdv_burgers.traced_orbit import (
     Accuracy,
     trace_orbit,
 )
+from granular_fronts.continuum.measures import residual_of_orbits, transition
 from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import gamma_for
 
@@ -337,3 +339,14 @@ def test_trajectories_of_the_portrait_lead_through_their_starts_and_gain_energy(
     energy = 0.5 * z**2 + potential(y)
     assert np.isfinite(energy).all()
     assert (np.diff(energy) > 0.0).all()
+
+
+def test_measures_of_orbits_know_the_transition_and_their_own_error():
+    mu = np.array([0.3, 1.0, 1.5])
+    rows = {"angular_frequency": ("mu", np.sqrt(1.0 - mu**2 / 4.0))}
+    rows["angular_frequency_error"] = ("mu", np.full(3, 1e-9))
+    assert transition(xr.Dataset(rows, {"mu": mu})).value == pytest.approx(2.0, rel=1e-12)
+    # Differences of order 6 err by a 64th of those over twice the spacing.
+    value, error = residual_of_orbits(survey_fronts(mu, np.arange(-6.0, 3.0, 0.1)), 0.3)[:2]
+    assert 1e-9 < value < 1e-5
+    assert error == pytest.approx(value, rel=0.5)
