@@ -112,7 +112,7 @@ def fixed_steps(scene, steps):
     part, ramp = run.prepare(scene), scene["boundary"]["ramp"]
     for duration in (ramp, scene["end_time"] - ramp):
         take_fixed_steps(part.chain, part.table, duration / steps, steps)
-        run.end_ramp(part)
+        run._end_ramp(part)
     return np.concatenate([part.row(U), part.row(D)])
 
 

@@ -10,10 +10,10 @@ from scipy.integrate import solve_ivp
 import granular_fronts as gf
 from granular_fronts.model.collision import (
     LARGEST_STEP,
+    _reduced_exponent,
+    _slow_strength,
     damping_for_restitution,
     log_restitution,
-    reduced_exponent,
-    slow_strength,
     weak_damping_slope,
 )
 
@@ -71,7 +71,7 @@ def test_degenerate_exponent_is_a_damped_oscillator(beta, ratio):
 @pytest.mark.parametrize(("alpha", "beta"), EXPONENTS)
 @pytest.mark.parametrize("gamma", [1.0e-8, 0.05, 0.6, 3.0, 100.0])
 def test_smaller_steps_change_nothing(alpha, beta, gamma):
-    nu = reduced_exponent(alpha, beta)
+    nu = _reduced_exponent(alpha, beta)
     strength = 4.0 * gamma * ((alpha + 1.0) / 4.0) ** nu
     one, two = (log_restitution(nu, strength, step) for step in (LARGEST_STEP, LARGEST_STEP / 3.0))
     assert one == two or abs(one - two) < 5e-13 * max(1.0, abs(one))
@@ -110,9 +110,9 @@ def test_constant_of_remark_6():
 def test_strong_damping_is_a_power_law(nu, monkeypatch):
     """Beyond the strength where it is assumed, the integration itself confirms it."""
     power = 1.0 / (2.0 * nu - 1.0)
-    slow = slow_strength(nu)
+    slow = _slow_strength(nu)
     taken = log_restitution(nu, 1.3 * slow)
-    monkeypatch.setattr("granular_fronts.model.collision.slow_strength", lambda nu: 2.0 * slow)
+    monkeypatch.setattr("granular_fronts.model.collision._slow_strength", lambda nu: 2.0 * slow)
     integrated = log_restitution(nu, 1.3 * slow)
     assert taken == pytest.approx(integrated, abs=1e-11 * power)
 

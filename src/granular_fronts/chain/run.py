@@ -143,7 +143,7 @@ def integrate_in_halves(
     return halves
 
 
-def end_ramp(run: Run) -> None:
+def _end_ramp(run):
     """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
     run.table[D, 1] += (run.law.proportional or 0.0) * run.clock.acceleration
     run.clock.acceleration = 0.0
@@ -157,7 +157,7 @@ def _advance_parts(run, advance, after_block):
     if 0.0 < ramp < stops[-1]:
         rising = run.recording._replace(stops=stops[stops <= ramp])
         _advance(run._replace(recording=rising), advance, after_block)
-        end_ramp(run)
+        _end_ramp(run)
     _advance(run, advance, after_block)
 
 

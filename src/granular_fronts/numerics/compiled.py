@@ -55,9 +55,8 @@ WINGS_IN_WORDS = {
     "reference_methods": "the reference methods",
 }
 
+# Of each function that `kernel` compiles; a user's functions are not among them.
 _wing_of_kernel = {}
-"""The wing of each function that `kernel` compiles; a user's functions are not among them."""
-
 
 DIGEST_SIZE = hashlib.sha256().digest_size
 
@@ -96,7 +95,7 @@ class CheckedFiles(caching.IndexDataCacheFile):
             raise
 
 
-class CompilationNotice(event.Listener):
+class _CompilationNotice(event.Listener):
     """Says for each wing, once in a process, that kernels of it are compiled."""
 
     def __init__(self):
@@ -121,7 +120,7 @@ class CompilationNotice(event.Listener):
         self.depth -= 1
 
 
-event.register("numba:compile", CompilationNotice())
+event.register("numba:compile", _CompilationNotice())
 caching.IndexDataCacheFile = CheckedFiles
 
 
@@ -152,13 +151,13 @@ def subroutine(function=None, /, **options):
     def compile_without_wrappers(function):
         compiled = kernel(function, **options, no_cpython_wrapper=True, no_cfunc_wrapper=True)
         if isinstance(compiled, CPUDispatcher):
-            compiled.__class__ = Subroutine
+            compiled.__class__ = _Subroutine
         return compiled
 
     return compile_without_wrappers(function) if function else compile_without_wrappers
 
 
-class Subroutine(CPUDispatcher):
+class _Subroutine(CPUDispatcher):
     """A compiled function that Python cannot call: there is nothing it could jump to."""
 
     def __call__(self, *arguments):
