@@ -152,7 +152,7 @@ def test_wrong_potential_is_named(replaced, sentence):
         make(**replaced)
 
 
-@pytest.mark.parametrize("width", [1.0e-3, 1.0e-6])
+@pytest.mark.parametrize("width", [1.0e-3, 1.0e-8])
 def test_short_interval_does_not_raise_a_false_alarm(width):
     exact = toda()
     Potential(*functions_of(exact), interval=(-0.1 - width, -0.1))
@@ -190,6 +190,7 @@ def test_potentials_know_their_ratio():
     mine = make()
     assert mine.scaled(0.3).ratio_to(mine) == 0.3
     assert make().ratio_to(mine) is None
+    assert make() != mine
 
 
 def test_scaled_potential_has_scaled_derivatives():
@@ -204,6 +205,7 @@ def test_lennard_jones_keeps_its_digits_at_rest_and_is_infinite_outside():
         exact = float(mp.diff(lambda x: ((1 + x) ** -6 - 1) ** 2, mp.mpf(r)))
     assert potential.first(r) == pytest.approx(exact, rel=1e-15)
     assert potential.domain == (-1.0, np.inf)
+    assert lennard_jones(1.0, 2.0).domain == (-2.0, np.inf)
     np.testing.assert_array_equal(potential.value([-1.0, -2.0]), [np.inf, np.inf])
 
 

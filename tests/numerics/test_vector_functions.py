@@ -1,12 +1,12 @@
 """Power and exponential of the kernels, against many digits."""
 
 import mpmath
-import numba
 import numpy as np
 import pytest
+from kernels import mapped
+from potentials import hertz
 
-from granular_fronts.model.passes import NEGLIGIBLE, call_row_map, row_map, row_parameters
-from granular_fronts.model.potentials import make_potential
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics.vector_functions import (
     exponential,
     exponential_less_one,
@@ -18,16 +18,9 @@ DIGITS = 50
 RANGES = [(1.0e-3, 10.0), (0.99, 1.01), (NEGLIGIBLE, 1.0e-3), (10.0, 1.0e20)]
 
 
-@numba.njit
-def call(address, u, force, parameters):
-    call_row_map(address, u, force, 0, u.size - 1, parameters)
-
-
 def compiled_powers(x, exponent):
     """The force of a Hertz potential."""
-    potential, force = make_potential("hertz", alpha=exponent), np.zeros(x.size)
-    call(row_map(potential, 1), x, force, row_parameters(potential, 1))
-    return force
+    return mapped(hertz(exponent), 1, x)
 
 
 @pytest.mark.parametrize("exponent", [1.0 / 3.0, 0.7, 1.0, 1.01, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0])
