@@ -9,7 +9,7 @@ import time
 import numpy as np
 import pytest
 from kernels import call_map, mapped
-from potentials import hertz, toda
+from potentials import cosh, hertz, toda
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
@@ -135,23 +135,14 @@ def test_named_kinds_are_compiled_once_for_all_processes(tmp_path):
     assert later == made
 
 
-def by_expression():
+def by_sympy(make, **kinks):
     sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
     r = sympy.Symbol("r")
-    return gf.Potential.from_expression(sympy.cosh(r) - 1, r, interval=(-3, 3))
-
-
-def by_pieces():
-    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
-    r = sympy.Symbol("r")
-    expression = sympy.Piecewise((r**4 / 4, r < 0), (0, True))
-    return gf.Potential.from_expression(expression, r, interval=(-3, 3), kinks=[0.0])
+    return gf.Potential.from_expression(make(sympy, r), r, interval=(-3, 3), **kinks)
 
 
 USERS = {
-    "numpy": lambda: gf.Potential(
-        lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3, 3)
-    ),
+    "numpy": cosh,
     "where": lambda: gf.Potential(
         lambda r: np.where(r < 0.0, r**4 / 4.0, 0.0),
         lambda r: np.where(r < 0.0, r**3, 0.0),
@@ -159,8 +150,10 @@ USERS = {
         interval=(-3, 3),
         kinks=[0.0],
     ),
-    "expression": by_expression,
-    "pieces": by_pieces,
+    "expression": lambda: by_sympy(lambda sympy, r: sympy.cosh(r) - 1),
+    "pieces": lambda: by_sympy(
+        lambda sympy, r: sympy.Piecewise((r**4 / 4, r < 0), (0, True)), kinks=[0.0]
+    ),
 }
 
 

@@ -193,12 +193,6 @@ def test_potentials_know_their_ratio():
     assert make() != mine
 
 
-def test_scaled_potential_has_scaled_derivatives():
-    r = np.linspace(-0.8, 0.8, 5)
-    for scaled, unit in zip(functions_of(make().scaled(0.3)), functions_of(make()), strict=True):
-        np.testing.assert_array_equal(scaled(r), 0.3 * unit(r))
-
-
 def test_lennard_jones_keeps_its_digits_at_rest_and_is_infinite_outside():
     potential, r = lennard_jones(), 1.0e-9
     with mp.workdps(DIGITS):
