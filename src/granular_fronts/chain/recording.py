@@ -22,18 +22,8 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.accuracy import rounding_floor
-from granular_fronts.chain import equations
-from granular_fronts.chain.recorder import (
-    END,
-    END_TIME,
-    NEXT,
-    RIVAL,
-    RIVAL_TIME,
-    STEEPNESS,
-    TIME,
-    VALUE,
-    Recording,
-)
+from granular_fronts.chain import equations, recorder
+from granular_fronts.chain.recorder import END, END_TIME, RIVAL, RIVAL_TIME, STEEPNESS, TIME, VALUE
 from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.numerics.records import make_record
@@ -88,7 +78,7 @@ def make_recording(scene, ahead, u):
     for event, none in ((largest, -np.inf), (smallest, np.inf)):
         event[[VALUE, RIVAL]], event[END], event[END_TIME] = none, u, 0.0
     level = float(record.get("arrival_level", np.nan))
-    return Recording(
+    return recorder.Recording(
         stops=_stops(scene, snapshots),
         profile_times=profile_times,
         profile_u=np.full((profile_times.size, columns), ahead),
@@ -96,7 +86,7 @@ def make_recording(scene, ahead, u):
         sample_times=times[order],
         sample_beads=beads[order],
         samples=np.full(times.size, np.nan),
-        next=make_record(NEXT, arrival=1),
+        next=make_record(recorder.NEXT, arrival=1),
         level=level,
         side=np.where(u < level, 1.0, -1.0),
         arrival=passage,

@@ -13,25 +13,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain import equations, integrator
+from granular_fronts.chain import equations, integrator, state
 from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.stage_passes import stage_pass
-from granular_fronts.chain.state import (
-    CHAIN,
-    DAMPING,
-    FORCE,
-    LAW,
-    MOST_KINKS,
-    MOST_PARAMETERS,
-    NEW_U,
-    ROWS_OF_PAIR,
-    ROWS_OF_SINGLE,
-    D,
-    U,
-    make_table,
-)
+from granular_fronts.chain.state import D, U
 from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
@@ -82,7 +69,7 @@ def prepare(scene: Mapping[str, Any]) -> Run:
     with np.errstate(over="ignore", invalid="ignore"):
         chain, table = make_chain(law, boundary, u, velocity)
         integrator.begin(chain, table)
-    if not (np.isfinite(table[D]).all() and np.isfinite(table[FORCE]).all()):
+    if not (np.isfinite(table[D]).all() and np.isfinite(table[state.FORCE]).all()):
         raise SolveError(
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
@@ -206,7 +193,7 @@ def make_chain(
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
     chain = make_record(
-        CHAIN,
+        state.CHAIN,
         law=compile_law(law),
         beads=beads,
         contacts=beads if boundary.ring else beads - 1,
@@ -217,12 +204,13 @@ def make_chain(
     if boundary.piston:
         chain.piston = True
         chain.clock.acceleration = boundary.piston.acceleration_at(0.0)
-    table = make_table(ROWS_OF_SINGLE if chain.law.single else ROWS_OF_PAIR, beads)
+    rows = state.ROWS_OF_SINGLE if chain.law.single else state.ROWS_OF_PAIR
+    table = state.make_table(rows, beads)
     table[U, 1 : beads + 1] = u
     table[D, 1 : beads + 1] = equations.strain_rates(velocity, u, boundary, law)
     if not boundary.ring:
         table[U, beads] = 0.0
-        for row, potential in ((FORCE, law.elastic), (DAMPING, law.viscous)):
+        for row, potential in ((state.FORCE, law.elastic), (state.DAMPING, law.viscous)):
             table[row, 0], table[row, 1:] = equations.force(
                 potential, (boundary.left, boundary.right)
             )
@@ -237,7 +225,7 @@ def compile_law(law: Law) -> np.record:
     It is an InputError if the law has more kinks or parameters than the record has room for, or if
     a user's function cannot be compiled or has changed since.
     """
-    record = make_record(LAW)
+    record = make_record(state.LAW)
     ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
     record.single = ratio is not None
     record.gamma = ratio if record.single else 1.0
@@ -247,10 +235,10 @@ def compile_law(law: Law) -> np.record:
     if not record.single:
         record.viscous = row_map(law.viscous, 1)
         _fill_parameters(record.viscous_parameters, law.viscous)
-    if kinks.size > MOST_KINKS:
+    if kinks.size > state.MOST_KINKS:
         raise InputError(
             f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
-            f"chain has room for {MOST_KINKS}: declare those alone that its contacts pass."
+            f"chain has room for {state.MOST_KINKS}: declare those alone that its contacts pass."
         )
     record.kink_count = kinks.size
     record.kinks[: kinks.size] = kinks
@@ -262,10 +250,10 @@ def compile_law(law: Law) -> np.record:
 def _fill_parameters(room, potential):
     """Write the parameters of the force of a potential."""
     parameters = row_parameters(potential, 1)
-    if parameters.size > MOST_PARAMETERS:
+    if parameters.size > state.MOST_PARAMETERS:
         raise InputError(
             f"{potential.name} has {parameters.size} parameters with its factor, but a chain has "
-            f"room for {MOST_PARAMETERS}: make some of them constants of its kind."
+            f"room for {state.MOST_PARAMETERS}: make some of them constants of its kind."
         )
     room[: parameters.size] = parameters
 
@@ -295,7 +283,7 @@ def work_done(clock: np.record) -> dict[str, int]:
 def _cause(status, run):
     """The sentence for a solve that stopped."""
     t, contacts = run.clock.t, slice(1, run.chain.contacts + 1)
-    u, new_u = run.table[U, contacts], run.table[NEW_U, contacts]
+    u, new_u = run.table[U, contacts], run.table[state.NEW_U, contacts]
     if status == integrator.OPENED:
         bead = 1 + int(np.argmin(new_u))
         is_hertzian = run.law.elastic.shape is kinds.hertz

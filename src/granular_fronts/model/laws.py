@@ -25,12 +25,7 @@ from typing import Any, NamedTuple
 from granular_fronts.arguments import instance
 from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
-from granular_fronts.model.potentials import (
-    Potential,
-    checked_parameters,
-    look_up,
-    make_potential,
-)
+from granular_fronts.model.potentials import Potential, checked_parameters, look_up, make_potential
 
 SHORT_FORM = ("alpha", "beta", "gamma")
 TWO_POTENTIALS = ("elastic", "viscous")
