@@ -5,7 +5,7 @@ import sys
 import mpmath as mp
 import numpy as np
 import pytest
-from potentials import NO_DISSIPATION, fpu, hertz, lennard_jones, morse, toda
+from potentials import NO_DISSIPATION, READY, fpu, hertz, lennard_jones, toda
 
 from granular_fronts.errors import InputError
 from granular_fronts.model.kinds import KINDS
@@ -13,23 +13,6 @@ from granular_fronts.model.passes import row_map
 from granular_fronts.model.potentials import Potential, make_potential
 
 DIGITS = 40
-READY = {
-    "hertz 3/2": (hertz(1.5, 2.0), lambda r: 2 * (-r) ** 2.5 / 2.5 if r < 0 else 0),
-    "hertz 1/2": (hertz(0.5), lambda r: (-r) ** 1.5 / 1.5 if r < 0 else 0),
-    "hertz 1": (hertz(1.0), lambda r: r**2 / 2 if r < 0 else 0),
-    "fpu": (fpu(0.5, -2.0, 3.0), lambda r: r**2 / 4 - 2 * r**3 / 3 + 3 * r**4 / 4),
-    "toda": (toda(2.0, 3.0), lambda r: mp.mpf(2) / 3 * (mp.exp(-3 * r) + 3 * r - 1)),
-    "morse": (morse(2.0, 1.5), lambda r: 2 * (1 - mp.exp(-1.5 * r)) ** 2),
-    "lennard-jones": (
-        lennard_jones(0.5, 2.0),
-        lambda r: mp.mpf(0.5) * ((1 + r / 2) ** -12 - 2 * (1 + r / 2) ** -6 + 1),
-    ),
-    "power": (
-        make_potential("power", beta=2.5, gamma=0.4),
-        lambda r: 0.4 * (-r) ** 3.5 / 3.5 if r < 0 else 0,
-    ),
-    "linear": (make_potential("linear", gamma=0.3), lambda r: 0.3 * r**2 / 2),
-}
 
 
 def functions_of(potential):
