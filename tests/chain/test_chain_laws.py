@@ -1,11 +1,10 @@
 """One engine for every law: against the chain in positions, through kinks, in vector code."""
 
-import time
-
 import numba
 import numpy as np
 import pytest
 from chains import TIGHT, driven_scene, given, last_state
+from kernels import fastest
 
 import granular_fronts as gf
 from granular_fronts.chain import run as chain_run
@@ -153,16 +152,6 @@ def sums(table, terms, last, weights, times):
         sum_rows(table, VALUE, U, D, 0.1, (ELASTIC_SLOPES, terms), weights, last)
 
 
-def time_per_bead(function, beads):
-    function(1)
-    times = []
-    for _ in range(7):
-        begun = time.process_time()
-        function(400)
-        times.append((time.process_time() - begun) / (400 * beads))
-    return min(times)
-
-
 def test_a_users_functions_are_as_good_as_a_name_and_no_run_mixes_two_laws():
     """A constant of the functions is changed between two potentials and during the second."""
     rate = 1.3
@@ -206,15 +195,13 @@ def test_inner_loops_are_vector_code(terms):
     table = make_table(ROWS_OF_PAIR, beads)
     table[:] = rng.uniform(0.5, 1.0, table.shape)
     u, result, weights = table[U].copy(), np.zeros_like(table[U]), rng.uniform(0, 1, LONG)
-    root = time_per_bead(lambda times: roots(u, result, times), u.size)
+    root = fastest(lambda: roots(u, result, 400), 7)
     chain, _ = make_chain(gf.make_law(alpha=1.5), make_boundary(pulse({})), np.ones(3), np.ones(3))
     assert chain.law.stage_pass != 0
     parameters = row_parameters(gf.make_law(alpha=1.5).elastic, 1)
     address = int(chain.law.stage_pass)
-    fused = time_per_bead(
-        lambda times: passes(address, table, terms, beads, weights, parameters, times), beads
-    )
-    summed = time_per_bead(lambda times: sums(table, terms, beads, weights, times), beads)
+    fused = fastest(lambda: passes(address, table, terms, beads, weights, parameters, 400), 7)
+    summed = fastest(lambda: sums(table, terms, beads, weights, 400), 7)
     assert fused < FASTEST_SCALAR_CODE * root
     assert summed < FASTEST_SCALAR_CODE * root
     inside = slice(1, beads + 1)

@@ -4,11 +4,10 @@ import math
 import os
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
-from kernels import call_map, mapped
+from kernels import call_map, fastest, mapped
 from potentials import cosh, hertz, toda
 
 import granular_fronts as gf
@@ -62,15 +61,6 @@ def test_only_the_contacts_asked_for_are_written():
     for last in (6, 1):
         call_map(row_map(law, 1), u, result, 2, last, row_parameters(law, 1), 1)
         np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
-
-
-def fastest(run, repeats=40):
-    times = []
-    for _ in range(repeats):
-        start = time.process_time()
-        run()
-        times.append(time.process_time() - start)
-    return min(times)
 
 
 @pytest.mark.timing
