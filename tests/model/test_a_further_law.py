@@ -11,7 +11,6 @@ import sys
 import numpy as np
 import pytest
 import yaml
-from chains import driven_scene
 from pages import EXTENDING, blocks, commands, named_blocks, run
 from potentials import cosh
 from projects import copy_project, lend_kernels, snakemake
@@ -27,14 +26,15 @@ LAW = {
     "elastic": {"kind": "hyperbolic", "strength": 2.0},
     "viscous": {"kind": "proportional", "gamma": 0.3},
 }
-SCENE = driven_scene(
-    beads=30,
-    end_time=15.0,
-    delta=0.8,
-    law=LAW,
-    tolerance={"relative": 1e-10, "absolute": 1e-12},
-    record={"snapshots": [8.0, 15.0], "arrival_level": 0.4, "balances": True},
-)
+SCENE = {
+    "law": LAW,
+    "beads": 30,
+    "boundary": {"kind": "pressure", "left": 0.8, "right": 0.0},
+    "start": {"kind": "rest"},
+    "end_time": 15.0,
+    "tolerance": {"relative": 1e-10, "absolute": 1e-12},
+    "record": {"snapshots": [8.0, 15.0], "arrival_level": 0.4, "balances": True},
+}
 CHAINS = {
     "kind": "chain",
     "law": LAW,
@@ -110,10 +110,10 @@ def test_a_campaign_of_chains_varies_the_further_law(extended):
     assert (found["status"] == 0).all()
     for stiffness, delta in ((1.0, 0.4), (2.0, 0.8)):
         speed = math.sqrt(stiffness * math.sinh(delta) / delta)
+        boundary = {"kind": "pressure", "left": delta, "right": 0.0}
         record = {"snapshots": [], "arrival_level": 0.5 * delta, "extremes": True}
-        changes = {"law": given_law(stiffness), "tolerance": SCENE["tolerance"], "record": record}
-        scene = driven_scene(beads=30, end_time=1.2 * 30 / speed, delta=delta, **changes)
-        motion = gf.simulate_chain(scene)
+        changes = {"boundary": boundary, "end_time": 1.2 * 30 / speed, "record": record}
+        motion = gf.simulate_chain(SCENE | {"law": given_law(stiffness)} | changes)
         expected = float(motion["first_peak"].sel(bead=15)) / delta - 1.0
         overshoot = float(found["overshoot"].sel(elastic_strength=stiffness, delta=delta))
         assert overshoot == pytest.approx(expected, abs=1e-8)

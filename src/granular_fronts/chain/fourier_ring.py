@@ -122,7 +122,7 @@ def _integrate(ring, start, times, tolerance):
         return np.concatenate([change, force])
 
     solver = DOP853(rates, 0.0, start, times[-1], rtol=tolerance, atol=1e-2 * tolerance)
-    states = [start] if times[0] == 0.0 else []
+    states = []
     while len(states) < len(times):
         if message := solver.step():
             raise SolveError(f"At t = {solver.t:.6g} of a ring the step size collapsed: {message}")
