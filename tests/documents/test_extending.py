@@ -17,6 +17,7 @@ SUBJECTS = ("A figure, in three", "A study, in three", "A scene's option, in two
 
 
 def command(word):
+    """The command of the page that holds a word, in words."""
     [found] = [line for line in commands(EXTENDING) if word in line]
     return shlex.split(found)
 
@@ -57,7 +58,7 @@ def test_a_study_is_added_in_three_places(project):
 
 def test_an_option_is_added_in_two_places(project):
     kernels = {"NUMBA_CACHE_DIR": str(project / ".numba_cache")}
-    outcome = run([sys.executable, *command("--scene_id reach")[1:]], project, **kernels)
+    outcome = run([sys.executable, *command("--scene reach.yaml")[1:]], project, **kernels)
     assert outcome.returncode == 0, outcome.stderr
     for mu, s in read_dataset(project / "reach.nc")["reach"].to_series().items():
         front = gf.heteroclinic(mu, np.array([0.0, s]))
