@@ -1,6 +1,7 @@
 """What the half-step scheme does to a front: times, roots, readings, and the checks beside them."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -138,6 +139,14 @@ def test_motions_differ_by_an_error_of_first_order():
     coarse, fine = (float(abs(one[f"{U}_method"] - one[f"{U}_accurate"]).max()) for one in motions)
     assert 1e-4 < coarse < 0.1
     assert coarse / fine == pytest.approx(2.0, abs=0.3)
+
+
+def test_level_and_peak_between_two_steps_are_those_of_a_sine():
+    t = np.linspace(0.0, 3.0, 31)
+    x, v = (np.stack([1.2 * wave(t), 0.0 * t], axis=1) for wave in (np.sin, np.cos))
+    motion = SimpleNamespace(t=t, x=x, v=v)
+    for event, exact in (("arrival", (math.asin(0.5 / 1.2), 0.5)), ("peak", (0.5 * math.pi, 1.2))):
+        assert passing(motion, 1, event) == pytest.approx(exact, abs=1e-5)
 
 
 def test_readings_of_both_chains_are_of_the_same_thing():

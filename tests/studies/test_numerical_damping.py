@@ -61,6 +61,7 @@ def test_orders_are_two_towards_the_damped_chain_and_one_towards_the_conservativ
     far = found["conservative_distance"].values[:, -2:]
     np.testing.assert_allclose(np.log2(far[:, 0] / far[:, 1]), 1.0, rtol=0, atol=0.06)
     assert np.all(found["order"].error_estimate < 0.2)
+    assert found["damping_distance"].error_estimate < 1e-9
     assert np.all(found["damping_distance"] < 0.1 * found["conservative_distance"])
     np.testing.assert_allclose(found["gamma"].sel(theta=0.75), 0.5 * found["step"], rtol=1e-15)
 

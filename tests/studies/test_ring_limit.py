@@ -9,7 +9,7 @@ from rings import slope_and_residual
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
-from granular_fronts.studies import ring_limit
+from granular_fronts.studies import ring_limit, ring_measures
 from granular_fronts.studies.ring_limit import Ring, compare
 from granular_fronts.studies.ring_starts import PROFILES, scene_start, slope_of, start_fields
 
@@ -225,6 +225,7 @@ def test_measures_of_known_waves_are_exact():
     x = np.arange(11.0)
     rows = np.array([[3.0], [2.0]]) - 0.1 * (x - 5.3) ** 2
     np.testing.assert_allclose(ring_limit.heights(rows), [3.0, 2.0], rtol=1e-14)
+    assert ring_measures._vertex(rows[0]) == pytest.approx(1.0 + 5.3, rel=1e-12)
     start = 4.0 - 0.1 * (x - 5.3) ** 2
     np.testing.assert_allclose(ring_limit.relative_decay(rows[:1], rows[1:], start), -0.5)
     times, found = np.array([1.0, 3.0]), np.array([0.2, 0.6])
