@@ -40,6 +40,12 @@ def test_chain_and_equations_start_alike(compared):
         np.testing.assert_allclose(equation, start["relative_displacement"], atol=near)
 
 
+def test_scheme_of_the_paper_stays_with_the_accurate_solution(compared):
+    names = (f"relative_displacement_{solver}" for solver in ("upwind", "logarithmic"))
+    scheme, accurate = (compared[name] for name in names)
+    assert (abs(scheme - accurate).mean("site") < 0.005).all()
+
+
 def test_solvers_contribute_far_less_than_the_model(compared):
     later = compared.isel(t_grid=slice(1, None))
     for field in ("relative_displacement", "velocity"):

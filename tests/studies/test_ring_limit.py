@@ -1,6 +1,7 @@
 """Rings in the limit α → 1: chain by Fourier series, errors of the equations and their orders."""
 
 import functools
+import math
 
 import numpy as np
 import pytest
@@ -222,6 +223,9 @@ def test_measures_of_known_waves_are_exact():
         rows = (np.roll(row, turn)[None] for row in (shifted, wave))
         assert ring_limit.lead(*rows, 0.05)[0] == pytest.approx(0.3, abs=1e-3)
     assert np.isnan(ring_limit.lead(wave[None], 0.0 * wave[None], 0.05)[0])
+    wide = np.exp(-(((xi - 10.0) / 2.0) ** 2))
+    [half_way] = ring_limit.lead(wide[None], wave[None], 0.05)
+    assert half_way == pytest.approx(math.sqrt(math.log(2.0)), abs=1e-3)
     x = np.arange(11.0)
     rows = np.array([[3.0], [2.0]]) - 0.1 * (x - 5.3) ** 2
     np.testing.assert_allclose(ring_limit.heights(rows), [3.0, 2.0], rtol=1e-14)
