@@ -45,28 +45,28 @@ def add_sections(schema: dict[str, Any]) -> None:
 
 def _expand(short: Mapping[str, Any]) -> dict[str, Any]:
     """The JSON Schema of its short form."""
-    if "parameters" in short:
-        parts = {name: _expand(part) for name, part in short["parameters"].items()}
-        keys = {"type": "object", "additionalProperties": False, "required": [*parts]}
-        return {**keys, "description": short["description"], "properties": parts}
     rules = dict(short)
-    numbers = rules
+    if "parameters" in rules:
+        parts = {name: _expand(part) for name, part in rules.pop("parameters").items()}
+        keys = {"type": "object", "additionalProperties": False, "required": [*parts]}
+        return {**keys, **rules, "properties": parts}
     if "entries" in rules:
-        rules["additionalProperties"] = _expand(rules.pop("entries"))
-        return {"type": "object", "$ref": "#/$defs/named", **rules}
+        entry = _expand(rules.pop("entries"))
+        return {"type": "object", "$ref": "#/$defs/named", **rules, "additionalProperties": entry}
     if "list" in rules:
-        numbers = _expand(rules.pop("list"))
-        rules = {"type": "array", "uniqueItems": True, "minItems": 1, "items": numbers, **rules}
-    elif rules.keys().isdisjoint(("type", "$ref", "enum")):
+        entry = _expand(rules.pop("list"))
+        rules = {"type": "array", "uniqueItems": True, "minItems": 1, "items": entry, **rules}
+        return _with_range(rules, entry)
+    if rules.keys().isdisjoint(("type", "$ref", "enum")):
         rules["type"] = "number"
-    if numbers.get("type") in ("number", "integer") and "description" in rules:
-        rules["description"] += f" {_range(numbers)}"
-        rules["description"] += "." if "(SI)" in rules["description"] else ", dimensionless."
-    return rules
+    return _with_range(rules, rules)
 
 
-def _range(number: Mapping[str, Any]) -> str:
-    """The range of a number in words, for example ``Range above 0 and at most 1``."""
+def _with_range(rules: dict[str, Any], number: Mapping[str, Any]) -> dict[str, Any]:
+    """Say the range of a number, or of the entries of a list, in the description of its key."""
+    if "description" not in rules or number.get("type") not in ("number", "integer"):
+        return rules
     bounds = [f"{words} {number[key]:g}" for key, words in _BOUNDS.items() if key in number]
     kind = "Whole number" if number["type"] == "integer" else "Range" if bounds else "Any number"
-    return " ".join([kind, " and ".join(bounds)]).rstrip()
+    said = " ".join([rules["description"], kind, " and ".join(bounds)]).rstrip()
+    return rules | {"description": said + ("." if "(SI)" in said else ", dimensionless.")}
