@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import granular_fronts as gf
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.studies.continuum_fronts import continuum_fronts
 from granular_fronts.studies.damping_map import map_critical_damping
@@ -33,6 +34,10 @@ def test_continuum_fronts_share_phase_and_ends(alpha, gamma):
         assert u[XI.size // 2] == pytest.approx(0.5, abs=1e-15)
         assert u[-1] == pytest.approx(0.0, abs=1e-3)
         assert velocity[0] == pytest.approx(u[0] ** alpha, abs=0.2)
+    # That of the orbit is (43), here with differences of second order.
+    u, velocity = continuum_fronts(alpha, gamma, XI)["heteroclinic"]
+    expected = u**alpha - (gamma + 0.5) * np.gradient(u**alpha, XI)
+    np.testing.assert_allclose(velocity, expected, rtol=0, atol=2e-3)
     far = continuum_fronts(alpha, gamma, np.array([-1e4]))
     for u, velocity in far.values():
         assert u[0] == velocity[0] == pytest.approx(1.0, abs=1e-13)
@@ -76,6 +81,11 @@ def test_comparison_holds_every_method():
 def test_survey_and_map_agree_with_single_fronts():
     survey = survey_fronts([1.3], [0.1, 1e-12, 0.5])
     plane = map_critical_damping(np.array([1.3]), np.array([0.1, 0.5]), 1e-3)
+    for name in ("tail", "long-wave"):
+        [curve] = plane[f"critical_damping_{name.replace('-', '_')}"].values
+        assert curve == gf.critical_damping(1.3, definition=name)
+    # Only up to α* has the tail a double root.
+    assert np.isnan(plane["critical_damping_double_root"]).all()
     lost = survey.isel(gamma=1, alpha=0)
     assert lost["converged"] == 0
     assert "sites" in str(lost["reason"].values)
