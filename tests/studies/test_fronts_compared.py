@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
+from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.studies.continuum_fronts import continuum_fronts
 from granular_fronts.studies.damping_map import map_critical_damping
@@ -13,6 +14,8 @@ from granular_fronts.studies.fronts_compared import (
     drive_front,
     normalised_damping,
 )
+from granular_fronts.studies.log_burgers_fronts import evaluate_fronts
+from granular_fronts.studies.multipliers import compute_multipliers
 
 XI = np.linspace(-40.0, 40.0, 2001)
 SCENE = {
@@ -99,3 +102,18 @@ def test_survey_and_map_agree_with_single_fronts():
         error = plane["overshoot"].attrs["error_estimate"] + alone.attrs["error_estimate"]
         assert swept == pytest.approx(alone.attrs["overshoot"], abs=error)
         assert error < 1e-12
+
+
+def test_tabulated_fronts_are_46_in_closed_form():
+    found = evaluate_fronts([1.2, 1.5])
+    alpha, xi = found["alpha"], found["xi"]
+    base = 1.0 - (1.0 - 2.0 ** (1.0 - alpha)) * np.exp(xi)
+    exact = np.maximum(base, 0.0) ** (1.0 / (alpha - 1.0))
+    np.testing.assert_allclose(found["front"], exact, rtol=0, atol=1e-14)
+
+
+def test_essential_multipliers_are_those_of_the_compressed_chain_with_equal_exponents():
+    found = compute_multipliers({"one": {"alpha": 1.5, "gamma": 0.5}}, [20]).isel(scene=0)
+    exact = compressed_chain_multipliers(1.5, 0.5, 1.5, found["wavenumber"].values)
+    np.testing.assert_array_equal(found["essential_multiplier_real"], exact.real)
+    np.testing.assert_array_equal(found["essential_multiplier_imaginary"], exact.imag)

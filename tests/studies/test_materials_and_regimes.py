@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
-from configurations import DEFAULT
+from configurations import DEFAULT, refusal, set_value
 from potentials import hertz
 from tabulate_materials import tabulate_materials
 
@@ -160,3 +160,16 @@ def test_pistons_are_gathered():
     for name in ("front_speed", "compression_behind", "velocity_behind"):
         assert math.isfinite(found[name].error_estimate)
         np.testing.assert_allclose(found[name], found[f"{name}_expected"], rtol=0.05)
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "limit"),
+    [
+        ("laws.materials.beads.steel.poisson_ratio", 0.5, "below 0.5"),
+        ("laws.materials.beads.cork.gamma", 0.438, "below 0.438"),
+        ("laws.numerical_damping.profile.theta", 0.5, "above 0.5"),
+    ],
+)
+def test_impossible_parameter_is_refused(path, value, limit):
+    sentence = refusal(set_value(load_configuration(DEFAULT), path, value))
+    assert f"{path.rpartition('.')[2]} is {value}, but must be {limit}" in sentence
