@@ -74,7 +74,7 @@ def expect_motion(page, motion):
         exact = float(moment[field].sel(bead=int(bead)))
         assert abs(float(value) - exact) <= float(error) < 1e-4
     encoded = encode(moment[FIELDS[0]])
-    error = moment[FIELDS[0]].attrs["error_estimate"] + encoded.steps / 2
+    error = moment[FIELDS[0]].attrs["error_estimate"] + encoded["steps"] / 2
     assert int(opened or 0) == (decode(encoded) < -error).sum()
     return float(t), int(opened or 0)
 
