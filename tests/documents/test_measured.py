@@ -1,6 +1,5 @@
 """Measured numbers of README and manual come from the tables of a run, and no other is typed."""
 
-import importlib.util
 import re
 import time
 
@@ -8,21 +7,14 @@ import pandas as pd
 import pytest
 import yaml
 from campaigns import solved_points
+from pages import load_script
 from projects import ROOT
 
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
 from granular_fronts.studies.ring_limit import resolutions
 
-
-def load_script():
-    spec = importlib.util.spec_from_file_location("measured", ROOT / "docs" / "measured.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-MEASURED = load_script()
+MEASURED = load_script("measured")
 ENTRIES = yaml.safe_load(MEASURED.ENTRIES.read_text(encoding="utf-8"))
 TEXTS = {page: page.read_text(encoding="utf-8") for page in MEASURED.pages()}
 MARKED = [page for page, text in TEXTS.items() if MEASURED.names_in(text)]
