@@ -23,12 +23,12 @@ rule late:
     output: "results/late.txt"
     log: "results/logs/late.log"
     benchmark: "results/benchmarks/late.tsv"
-    shell: "cat {input} > {output}; echo late > {log}"
+    shell: "sleep 1; cat {input} > {output}; echo late > {log}"
 rule early:
     output: "results/early.txt"
     log: "results/logs/early.log"
     benchmark: "results/benchmarks/early.tsv"
-    shell: "echo early | tee {log} > {output}"
+    shell: "sleep 1; echo early | tee {log} > {output}"
 """
 NEEDED = ["CITATION.cff", "README.md", "Snakefile", "environment.txt", "pyproject.toml"]
 RESULTS = Path("results")
@@ -51,10 +51,10 @@ def test_jobs_are_found_from_the_last_result_and_told_with_what_they_read_and_wr
     early, late = jobs = jobs_behind(["results/late.txt", "results/benchmarks/late.tsv"], RESULTS)
     assert (early.rule, early.inputs, early.outputs) == ("early", [], ["results/early.txt"])
     assert (late.inputs, late.log) == (["given.txt", "results/early.txt"], "results/logs/late.log")
-    assert early.start <= early.end <= late.end
+    assert early.start < early.end <= late.start < late.end
     # Both rules ran the same script.
-    sources, scripts = [Path(name) for name in [*NEEDED, "given.txt"]], {"early": "given.txt"}
-    scripts |= {"late": "given.txt"}
+    sources = [Path(name) for name in [*NEEDED, "given.txt"]]
+    scripts = dict.fromkeys(["early", "late"], "given.txt")
     crate = describe_run(small, sources, RESULTS, "results: results\n", scripts, jobs)
     told = crate.get("#job-late")
     assert [file.id for file in told["object"]] == ["given.txt", "results/early.txt"]
@@ -63,7 +63,8 @@ def test_jobs_are_found_from_the_last_result_and_told_with_what_they_read_and_wr
     assert crate.get("#control-late")["instrument"].id == "#step-late"
     assert crate.get("#step-late")["workExample"] == told["instrument"] == crate.get("given.txt")
     whole, root = crate.get("#run"), crate.root_dataset
-    assert whole["startTime"] == crate.get("#job-early")["startTime"] <= told["endTime"]
+    assert whole["startTime"] == early.start.isoformat()
+    assert whole["endTime"] == told["endTime"] == late.end.isoformat()
     assert [file.id for file in whole["result"]] == ["results/early.txt", "results/late.txt"]
     assert root["license"].id == "https://spdx.org/licenses/BSD-3-Clause"
     assert root["author"]["name"] in (ROOT / "CITATION.cff").read_text("utf-8")
