@@ -17,7 +17,7 @@ from hypothesis.extra.numpy import arrays
 from explorer.encoding import decode, encode
 from explorer.fronts import MULTIPLIERS, READINGS
 from explorer.motions import FIELDS, motion_for_page
-from explorer.page import describe_scene
+from explorer.page import FRONT_ARRAYS, describe_scene
 from granular_fronts.output.provenance import digest, origin, read_record
 
 NUMBERS = st.floats(-1e200, 1e200, allow_subnormal=False) | st.just(np.nan)
@@ -146,7 +146,7 @@ def test_stated_errors_are_the_largest_rounded_up(written):
     cells = r"<tr><td>([^<]*)</td><td>([^<]*)</td><td class=\"rounding\">([^<]*)</td>"
     stated = {words: tuple(map(float, errors)) for words, *errors in re.findall(cells, html)}
     collection, motion = data["collection"], data["flying"]
-    behind = {"multipliers": [collection[name] for name in MULTIPLIERS]}
+    behind = {words: [collection[name] for name in names] for words, names in FRONT_ARRAYS.items()}
     for field in FIELDS:
         behind[f"{field.replace('_', ' ')}, flying"] = [motion[f"{field}_grid"]]
     for words, variables in behind.items():

@@ -46,20 +46,9 @@ def make_page(
     plane: xr.Dataset,
     reference: Mapping[str, Any],
 ) -> str:
-    """Return the text of the page.
+    """Return the text of the page, from the arguments of `write_explorer` as they were read.
 
-    Parameters
-    ----------
-    template : str
-        Jinja template of the page.
-    scripts : mapping of str to str
-        The texts of shared.js, motions.js and fronts.js by their stems.
-    motions : list of xarray.Dataset
-        Chains and rings with a space–time grid.
-    collection, plane : xarray.Dataset
-        Fronts, and the plane that they are chosen in.
-    reference : mapping
-        What the paper computes, by scene.
+    The texts of shared.js, motions.js and fronts.js come by their stems.
     """
     moving = {data.attrs["scene"]: motion_for_page(data) for data in motions}
     fronts = fronts_for_page(collection)
@@ -75,8 +64,9 @@ def make_page(
     environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=True)
     sources = [*motions, collection, plane]
     errors = [
-        _describe_error(f"{field}, {data.attrs['scene']}", [data[f"{field}_grid"]], [coded[field]])
-        for data, coded in zip(motions, moving.values(), strict=True)
+        _describe_error(f"{field}, {scene}", [data[f"{field}_grid"]], [moving[scene][field]])
+        for data in motions
+        for scene in [data.attrs["scene"]]
         for field in FIELDS
     ] + [
         _describe_error(words, [collection[one] for one in names], [fronts[one] for one in names])
