@@ -9,8 +9,9 @@ from pages import load_script
 from projects import ROOT
 
 import granular_fronts as gf
+from granular_fronts.scenes.schema import load_schema
 
-SCHEMA = yaml.safe_load((ROOT / "workflow" / "schemas" / "config.schema.yaml").read_text())
+SCHEMA = load_schema("config")
 
 
 PAGES = load_script("generate")
