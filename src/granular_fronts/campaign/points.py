@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 import numpy as np
 
 from granular_fronts.campaign.kinds import Solved
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.output.progress import count_bar
 
 REASON = "reason"
@@ -29,7 +30,7 @@ def solve_groups(
         for members, solve in groups:
             try:
                 measured = solve()
-            except (ValueError, ArithmeticError) as error:
+            except (InputError, SolveError) as error:
                 reasons[members] = str(error)
             else:
                 reasons[members] = measured.get(REASON, "")
