@@ -56,7 +56,7 @@ def solve_chunk(points, settings, activity):
 
 
 class _Motion(NamedTuple):
-    """A run that has ended, its scene, the ends of its steps, its units of length and speed."""
+    """An integration that has ended, its scene, ends of steps, units of length and speed."""
 
     run: Run
     scene: dict

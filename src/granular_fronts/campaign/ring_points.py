@@ -86,12 +86,12 @@ def _half_beads(point, scaling):
     """The given p, or that of the ring whose length is nearest to the one asked for."""
     if "half_beads" in point:
         return int(point["half_beads"])
-    asked = point["half_length"]
-    half_beads = max(2, round(asked / scaling.epsilon + 0.5))
+    wanted = point["half_length"]
+    half_beads = max(2, round(wanted / scaling.epsilon + 0.5))
     found = scaling.half_length(half_beads)
-    if abs(found - asked) > LENGTH_TOLERANCE * asked:
+    if abs(found - wanted) > LENGTH_TOLERANCE * wanted:
         raise InputError(
-            f"half_length is {asked:g}, but beads stand ε = {scaling.epsilon:.3g} apart in xi, so "
+            f"half_length is {wanted:g}, but beads stand ε = {scaling.epsilon:.3g} apart in xi, so "
             f"that the nearest ring has {found:.3g}: lengthen the ring, lower alpha or raise the "
             "damping."
         )
