@@ -26,7 +26,7 @@ EQUATION_ERRORS = tuple(
 """Largest errors of u/δ of (41), (40) and (55)."""
 
 
-def _selected(dataset, error, *, slow_time=1.0, **place):
+def selected(dataset, error, *, slow_time=1.0, **place):
     """ε, the absolute error of a name, and α of a campaign's rings at one τ, by increasing α.
 
     `place` holds values of further axes; so it does below.
@@ -37,7 +37,7 @@ def _selected(dataset, error, *, slow_time=1.0, **place):
 
 def fitted_order(dataset, error, **place):
     """Order in ε of an error."""
-    epsilon, found, alpha = _selected(dataset, error, **place)
+    epsilon, found, alpha = selected(dataset, error, **place)
     near = alpha <= LARGEST_EXPONENT
     line = linregress(np.log(epsilon[near]), np.log(found[near]))
     return Estimate(float(line.slope), 2.0 * float(line.stderr))
