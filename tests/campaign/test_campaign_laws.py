@@ -66,6 +66,13 @@ def test_front_points_of_a_law_are_its_exact_fronts():
         np.testing.assert_allclose(u, evaluate_front(front, xi), rtol=0, atol=1e-12)
 
 
+def test_a_front_beyond_double_precision_leaves_a_reason():
+    steep = {"elastic": {"kind": "hertz", "alpha": 300.0}, "viscous": TODA["viscous"]}
+    axes, ends = {"damping": [1e-300]}, {"behind": -10.0}
+    found = solved_points(campaign(FRONTS, law=steep, axes=axes, fixed=ends))
+    assert "A front of this law lies beyond double precision" in found.reasons[0, 0]
+
+
 def test_varied_numbers_of_a_law_are_dimensions_of_the_grid(tmp_path):
     asked = campaign(CHAINS)
     files = [solve(chunk, tmp_path) for chunk in all_chunks(asked, 2)]

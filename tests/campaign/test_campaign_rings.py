@@ -129,6 +129,9 @@ WAVE = {"alpha": 1.2, "delta": 1.0, "damping": 0.5}
         ({"damping": 1e-9}, "gamma c is 1e-09"),
         ({"half_width": 9}, "half_width is 9, but half of the ring is"),
         ({"base": 1.0}, "base is 1"),
+        ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
+        ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
+        ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
         ({"rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}, "rescaled_force passes through"),
     ],
 )

@@ -36,6 +36,7 @@ CHAIN_REFUSED = [
     ({"beads": True}, "beads is true"),
     ({"beads": 10**30}, "beads is 1000000000000000000000000000000 | beyond what an array"),
     ({"beads": "420.5"}, 'beads is "420.5": give a whole number'),
+    ({"end_time": 10**400}, "beyond what an array can hold"),
     ({"end_time": 0}, "end_time is 0 | above 0"),
     ({"end_time": "long"}, 'end_time is "long"'),
     ({"tolerance__relative": "1.0e-13"}, 'relative is "1.0e-13" | write 1.0e-13'),
@@ -210,6 +211,7 @@ SECTIONS_REFUSED = [
     ("laws.piston.tolerance.absolute", 1e-300, "tolerance.absolute is 1e-300, below 1e-20"),
     ("proofs.fronts.hertz_1.gamma", [0.31, 0.3], "fronts.hertz_1.gamma goes from 0.31 to 0.3"),
     ("proofs.fronts.hertz_1.gamma", [0.3, 0.3], "fronts.hertz_1.gamma goes from 0.3 to 0.3"),
+    ("proofs.shown", "dashpots_0_3", "shown is dashpots_0_3, with β = 1"),
     ("proofs.shown", "nosuch", "shown is nosuch | figure_1"),
 ]
 
