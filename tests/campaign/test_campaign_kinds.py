@@ -130,6 +130,15 @@ def test_fronts_are_the_same_whichever_axis_is_fast():
     assert one.errors["slope"] == max(sweeps) > min(sweeps)
 
 
+def test_a_front_that_is_not_found_has_no_values():
+    """Not even those that are roots of the dispersion relation."""
+    solved = solved_points(campaign(FRONTS, axes={"gamma": [1e-9, 0.6]}, fixed={"alpha": 1.5}))
+    assert solved.reasons[0, 0]
+    assert not solved.reasons[0, 1]
+    for value in solved.values.values():
+        np.testing.assert_array_equal(np.isnan(value), [[True, False]])
+
+
 # Merging, failing points.
 
 
