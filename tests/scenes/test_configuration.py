@@ -139,7 +139,7 @@ SECTIONS_REFUSED = [
     (RING, None, "Scene weak is null"),
     ("precision.chain.contact_loss.own_tolerances", {"scipy_rk54": [1e-4]}, '"scipy_rk54"'),
     # Names that clash, or that nothing has.
-    ("scenes.front.survey", FRONT, "scenes.front.survey has the name of the survey"),
+    ("scenes.front.survey", FRONT, "scenes.front.survey has the name of the study survey"),
     ("scenes.heteroclinic.weak", ORBIT, "weak has the name of scenes.heteroclinic.weak"),
     ("precision.log_burgers.nosuch", ..., "nosuch names no periodic scene | weak, hertz"),
     # Counts and steps beyond the schema's limits.

@@ -1,9 +1,9 @@
 """A section of the configuration, a scene for example, as one object with all that it must keep.
 
 The schema says which keys a section has.  A `Section` adds what ties two keys together, how much
-memory and time it takes, what its dataset is called, and what the figures draw from it.  A check is
-a function of a section that obeys the schema.  It yields a sentence for each violation, which
-begins with the key inside the section and names the value, the limit and the way out.
+memory and time it takes, and what the figures draw from it.  A check is a function of a section
+that obeys the schema.  It yields a sentence for each violation, which begins with the key inside
+the section and names the value, the limit and the way out.
 
 Nothing of this imports numpy or numba: the workflow checks its configuration at each start.
 """
@@ -40,7 +40,6 @@ class Section(NamedTuple):
     checks: tuple[Check, ...] = ()
     # The parts of its memory and time; None where the schema limits all counts.
     size: Callable[[Mapping], Iterator[Part]] | None = None
-    dataset: tuple[str, str] | None = None  # name of what the workflow makes of it, and what it is
     needs: tuple[Need, ...] = ()
 
     def errors(self, given: Mapping) -> list[str]:
