@@ -1,5 +1,6 @@
 """What several test modules are given."""
 
+import copy
 import fcntl
 import os
 
@@ -9,6 +10,7 @@ from projects import CACHES, copy_project, lend_kernels, snakemake
 
 from granular_fronts.scenes.yaml_files import load_configuration
 
+DEFAULTS = load_configuration(DEFAULT)
 LONGEST = (
     *("test_staleness", "test_campaign_run", "test_proof_mutants", "test_workflow"),
     *("test_container", "test_proof_fronts", "test_a_further_law", "test_hard_cases"),
@@ -49,4 +51,4 @@ def finished(smoke_run, tmp_path_factory):
 @pytest.fixture
 def default():
     """The default configuration, a test's own copy."""
-    return load_configuration(DEFAULT)
+    return copy.deepcopy(DEFAULTS)

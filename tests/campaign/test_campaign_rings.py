@@ -1,17 +1,15 @@
 """Campaigns of rings: their points, what a file may ask for, and the paper's two runs."""
 
-import re
-
 import numpy as np
 import pytest
-from campaigns import all_chunks, campaign, refusal, solve, solved_points
+import xarray as xr
+from campaigns import ORBITS, all_chunks, campaign, refusal, solve, solved_points
+from configurations import assert_refused
 from rings import scene_with
 
-from granular_fronts.campaign import merging
-from granular_fronts.campaign.kinds import ERRORS_OF_A_MODEL, KINDS, MODELS
+from granular_fronts.campaign import measures, merging
 from granular_fronts.campaign.ring_points import make_ring
 from granular_fronts.errors import InputError
-from granular_fronts.studies import ring_limit
 from granular_fronts.studies.ring_against_equations import compare_with_chain
 from granular_fronts.studies.ring_limit import compare
 
@@ -45,12 +43,6 @@ def test_points_are_the_rings_of_the_study():
             errors[name] = np.fmax(errors[name], np.fmax.reduce(error))
     assert errors == pytest.approx(dict(found.errors), nan_ok=True)
     assert all(found.errors[name] < 1e-4 for name in found.errors if name.startswith("disp"))
-
-
-def test_everything_recorded_is_what_the_kind_lists():
-    names = {f"{error}_{model}" for error in ERRORS_OF_A_MODEL for model in MODELS}
-    assert names < set(KINDS["ring"].scalars)
-    assert set(MODELS) == set(ring_limit.MODELS)
 
 
 def test_rings_are_the_same_whichever_axis_is_fast():
@@ -126,16 +118,7 @@ def test_paper_does_not_keep_its_requirement():
         assert scaling.dispersion**-0.5 == pytest.approx(mu, abs=0.005)
 
 
-def test_wave_that_does_not_fit_leaves_a_reason_and_the_others_are_solved():
-    fixed = {name: value for name, value in RINGS["fixed"].items() if name != "half_width"}
-    found = solved(
-        axes={"half_width": [2.0, 9.0], "slow_time": [0.1]}, fixed=fixed | {"alpha": 1.2}
-    )
-    assert found.reasons[0, 0] == ""
-    assert "half_width is 9, but half of the ring is" in found.reasons[1, 0]
-    assert np.isnan(found.values["displacement_sup_unlimited"][1, 0])
-    flat = solved(axes={"slow_time": [0.1]}, fixed=RINGS["fixed"] | {"alpha": 1.2, "base": 1.0})
-    assert "base is 1, the height of the wave" in flat.reasons[0, 0]
+WAVE = {"alpha": 1.2, "delta": 1.0, "damping": 0.5}
 
 
 @pytest.mark.parametrize(
@@ -144,68 +127,111 @@ def test_wave_that_does_not_fit_leaves_a_reason_and_the_others_are_solved():
         ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads stand ε = 8.33 apart"),
         ({"damping": 0.1}, "half_length is 8.1, but beads stand ε = 1.67 apart"),
         ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
-        ({"damping": 1e-9}, "gamma c is 1e-09, but rings are followed for 0.001 to 1000"),
+        ({"damping": 1e-9}, "gamma c is 1e-09"),
+        ({"half_width": 9}, "half_width is 9, but half of the ring is"),
+        ({"base": 1.0}, "base is 1"),
+        ({"alpha": 1 + 1e-9}, "half_length is 8.1, which asks for p | above 1e+06"),
+        ({"alpha": 9.0, "delta": 1e300}, "A scale of this ring lies beyond double precision"),
+        ({"alpha": 9.0, "delta": 1e-300}, "A scale of this ring lies beyond double precision"),
+        ({"rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}, "rescaled_force passes through"),
     ],
 )
-def test_ring_of_too_few_beads_leaves_a_reason(changes, words):
-    start, given = RINGS["start"], {"alpha": 1.2, "delta": 1.0, **PULSE, **changes}
-    with pytest.raises(InputError, match=re.escape(words)):
-        make_ring(given, start)
+def test_wave_that_does_not_fit_its_ring_leaves_a_reason(changes, words):
+    start = RINGS["start"]
+    if force := changes.pop("rescaled_force", None):
+        start = {"profile": "given", "rescaled_force": force}
+    with pytest.raises(InputError) as caught:
+        make_ring({**WAVE, **PULSE, **changes}, start)
+    assert_refused(str(caught.value), words)
 
 
-def test_given_profile_that_passes_below_zero_leaves_a_reason():
-    start = {"profile": "given", "rescaled_force": [0.001, 0.001, 1, 1, 0.001, 0.001]}
-    point = {"alpha": 1.2, "delta": 1.0, "damping": 0.5, "half_length": 8.1}
-    with pytest.raises(InputError, match="between its values: give more of them"):
-        make_ring(point, start)
+@pytest.mark.parametrize("alpha", [1.03, 1.04, 1.1])
+def test_ring_has_the_length_nearest_to_the_one_asked_for(alpha):
+    ring = make_ring({**WAVE, **PULSE, "alpha": alpha}, RINGS["start"])
+    lengths = [ring.scaling.half_length(ring.half_beads + k) for k in (-1, 0, 1)]
+    assert np.argmin(np.abs(np.array(lengths) - PULSE["half_length"])) == 1
+
+
+def test_ring_that_fails_leaves_the_others_solved():
+    fixed = {"alpha": 1.2, "damping": 0.5, "half_length": 8.1, "base": 0.2}
+    found = solved(axes={"half_width": [2.0, 9.0], "slow_time": [0.1]}, fixed=fixed)
+    assert found.reasons[0, 0] == ""
+    assert "half_width is 9" in found.reasons[1, 0]
+    assert np.isnan(found.values["displacement_sup_unlimited"][1, 0])
 
 
 def test_given_profile_may_be_any():
     """A pulse listed by hand is the pulse."""
     pulse = make_ring({"alpha": 1.2, "delta": 1.0, "damping": 0.5, **PULSE}, RINGS["start"])
     start = {"profile": "given", "rescaled_force": pulse.start["rescaled_force"]}
-    axes, fixed = {"slow_time": [0.5]}, fixed_with(alpha=1.2)
-    bare = {name: fixed[name] for name in ("alpha", "damping", "half_length")}
-    listed, named = solved(start=start, axes=axes, fixed=bare), solved(axes=axes, fixed=fixed)
+    axes, bare = {"slow_time": [0.5]}, {"alpha": 1.2, "damping": 0.5, "half_length": 8.1}
+    listed, named = (
+        solved(start=start, axes=axes, fixed=bare),
+        solved(axes=axes, fixed=bare | PULSE),
+    )
     for name, value in named.values.items():
         np.testing.assert_array_equal(listed.values[name], value)
+
+
+def test_orders_and_largest_errors_of_rings():
+    """An order is known to two standard errors of its slope; μ is computed, and 2 is 2."""
+    epsilon, error = np.array([0.01, 0.1, 1.0]), np.array([1e-3, 2e-2, 0.1])
+    alpha, ratio = np.array([1.01, 1.05, 1.1]), np.full(3, 12.0 / (2.0 - 1e-13) ** 2)
+    columns = {"epsilon_of_ring": epsilon, "ratio_of_ring": ratio, "e": error}
+    rings = xr.Dataset(
+        {name: (("alpha", "slow_time"), column[:, None]) for name, column in columns.items()},
+        {"alpha": alpha, "slow_time": [1.0]},
+    )
+    rings["e"].attrs["error_estimate"] = 1e-6
+    line, covariance = np.polyfit(np.log(epsilon), np.log(error), 1, cov=True)
+    found = measures.fitted_order(rings, "e")
+    assert found == pytest.approx((line[0], 2.0 * covariance[0, 0] ** 0.5))
+    largest = measures.largest_over_exponent(rings, "e", least_mu=2.0)
+    assert largest.value == pytest.approx((error / (1.0 - 1.0 / alpha)).max())
+    assert np.isnan(measures.largest_over_exponent(rings, "e", most_mu=2.0).value)
 
 
 # What a file may ask for.
 
 
 def fixed_with(**changes):
-    return {**RINGS["fixed"], **changes}
+    return {"fixed": {**RINGS["fixed"], **changes}}
+
+
+def given(*force):
+    return {"start": {"profile": "given", "rescaled_force": [*force]}}
+
+
+LISTED = {"fixed": {"damping": 0.5, "half_length": 8.1, "half_width": 2}}
 
 
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"fixed": fixed_with(mu=2)}, "damping and mu are given: keep one"),
+        (fixed_with(mu=2), "damping and mu are given: keep one"),
         ({"fixed": {**PULSE}}, "none is given: give one under axes"),
-        ({"fixed": fixed_with(half_beads=80)}, "half_beads and half_length are given: keep one"),
-        ({"axes": {"alpha": [1], "slow_time": [1]}}, "must be above 1: raise it"),
-        ({"axes": {"alpha": [1.1], "slow_time": [0]}}, "must be above 0: raise it"),
-        ({"fixed": fixed_with(damping=-0.5)}, "must be above 0: raise it"),
+        (fixed_with(half_beads=80), "half_beads and half_length are given: keep one"),
+        ({"axes": {"alpha": [1], "slow_time": [1]}}, "axes.alpha reaches down to 1 | above 1"),
+        ({"axes": {"alpha": [1.1], "slow_time": [0]}}, "axes.slow_time reaches | above 0"),
+        ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "axes.alpha reaches | 10 or less"),
+        (fixed_with(damping=-0.5), "fixed.damping reaches down to -0.5 | above 0"),
+        (fixed_with(half_width=1e-6), "fixed.half_width reaches | 0.01 or more"),
         ({"start": {"profile": "given"}}, "rescaled_force"),
-        ({"start": {"profile": "pulse", "rescaled_force": [1, 1, 1, 1, 1]}}, "rescaled_force"),
-        ({"start": {"profile": "given", "rescaled_force": [1, 1, 2, 1, 3]}}, "the ring closes"),
-        (
-            {"start": {"profile": "given", "rescaled_force": [1, 2, 3, 2, 1]}},
-            "fixed.half_width is given, but kind ring has no parameter half_width",
-        ),
-        ({"start": {"profile": "given", "rescaled_force": [0, 0, 0, 0, 0]}}, "which is no wave"),
-        ({"axes": {"alpha": [1e6], "slow_time": [1]}}, "must be 10 or less: lower it"),
-        ({"fixed": fixed_with(half_width=1e-6)}, "must be 0.01 or more: raise it"),
+        ({"start": {"profile": "pulse", "rescaled_force": [1, 1, 2, 1, 1]}}, "rescaled_force"),
+        (given(1, 1, 2, 1, 3), "start.rescaled_force begins with 1 and ends with 3"),
+        (given(0, 0, 0, 0, 0), "start.rescaled_force has one value"),
+        (given(1, 2, 3, 2, 1) | LISTED, "fixed.half_width is given"),
         ({"record": {"scalars": ["displacement_max"]}}, "did you mean displacement_"),
+        (
+            ORBITS | {"start": {"profile": "pulse"}, "fixed": {}},
+            "start is given, but kind heteroclinic",
+        ),
     ],
 )
-def test_impossible_campaigns_are_sentences(changes, words):
-    assert words in refusal(RINGS, **changes)
+def test_impossible_campaign_of_rings_is_refused(changes, words):
+    assert_refused(refusal(RINGS, **changes), words)
 
 
-def test_start_is_for_rings_alone_and_they_need_one():
+def test_rings_need_a_start():
     without = {name: value for name, value in RINGS.items() if name != "start"}
-    assert "start is missing: kind ring starts from profile plateau, pulse" in refusal(without)
-    orbits = {"kind": "heteroclinic", "axes": {"mu": [1]}, "start": {"profile": "pulse"}}
-    assert "start is given, but kind heteroclinic has only one" in refusal(orbits)
+    assert_refused(refusal(without), "start is missing | plateau, pulse")

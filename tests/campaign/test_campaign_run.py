@@ -14,7 +14,7 @@ import numpy as np
 import psutil
 import pytest
 import yaml
-from projects import ROOT, copy_project, lend_kernels
+from projects import copy_project, lend_kernels
 
 from granular_fronts.output.datasets import read_dataset
 
@@ -65,49 +65,28 @@ def read_merged(project, name):
 
 
 @pytest.fixture(scope="module")
-def nothing_yet(tmp_path_factory):
-    """A copy of the project, with nothing computed and nothing compiled."""
-    return copy_project(tmp_path_factory.mktemp("bare"))
-
-
-@pytest.fixture(scope="module")
 def project(tmp_path_factory):
     """A copy of the project in which campaigns are run."""
     return lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
+def test_what_cannot_be_computed_is_refused_before_any_job_and_a_dry_run_writes_nothing(tmp_path):
+    bare = copy_project(tmp_path)
+    write_campaign(bare, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0})
+    for arguments, words in (
+        (["--config", "campaign=mine"], "Campaign mine: axes.gamma has 0.2 after 0.3"),
         (["--config", "campaign=nosuch"], "There is no campaign nosuch"),
         ([], "Name the campaign, for example: snakemake -c2 campaign --config campaign=smoke"),
-    ],
-    ids=["unknown", "unnamed"],
-)
-def test_campaign_that_is_not_there_is_refused_in_a_sentence(arguments, words):
-    command = command_of("--dry-run", *arguments)
-    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert run.returncode == 1
-    assert words in run.stderr
-    assert "Traceback" not in run.stderr
-
-
-def test_impossible_campaign_is_refused_before_any_job(nothing_yet):
-    write_campaign(
-        nothing_yet, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0}
-    )
-    run = run_campaign(nothing_yet)
-    assert run.returncode == 1
-    assert "Campaign mine: axes.gamma has 0.2 after 0.3" in run.stderr
-    assert "Traceback" not in run.stderr
-    assert not (nothing_yet / "results").exists()
-
-
-def test_dry_run_writes_nothing(nothing_yet):
-    run = run_campaign(nothing_yet, "--dry-run", name="smoke")
-    assert jobs_of(run)["solve_chunk"] == 1
-    assert not (nothing_yet / "results").exists()
-    assert not (nothing_yet / ".numba_cache").exists()
+    ):
+        run = subprocess.run(
+            command_of(*arguments), cwd=bare, capture_output=True, text=True, check=False
+        )
+        assert run.returncode == 1
+        assert words in run.stderr
+        assert "Traceback" not in run.stderr
+    assert jobs_of(run_campaign(bare, "--dry-run", name="smoke"))["solve_chunk"] == 1
+    assert not (bare / "results").exists()
+    assert not (bare / ".numba_cache").exists()
 
 
 def wait_for(condition, seconds):
@@ -146,35 +125,23 @@ def start_campaign(project, name):
     return process, wait_for(lambda: worker_of(process, "solve_chunk.py"), 60)
 
 
-def kill_worker(process, worker):
-    worker.kill()
-
-
-def kill_snakemake_and_worker(process, worker):
-    """Kill everything at once, as when the machine stops."""
-    os.killpg(process.pid, signal.SIGKILL)
-    worker.kill()
-
-
-def kill_snakemake(process, worker):
-    """Kill the workflow alone; its worker ends with it, or has just written its chunk."""
-    process.kill()
-
-
-def press_ctrl_c(process, worker):
-    os.killpg(process.pid, signal.SIGINT)
+INTERRUPTS = {
+    "kill_worker": lambda process, worker: worker.kill(),
+    # As when the machine stops.
+    "kill_all": lambda process, worker: (os.killpg(process.pid, signal.SIGKILL), worker.kill()),
+    # The worker ends with the workflow, or has just written its chunk.
+    "kill_snakemake": lambda process, worker: process.kill(),
+    "press_ctrl_c": lambda process, worker: os.killpg(process.pid, signal.SIGINT),
+}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "interrupt", [kill_worker, kill_snakemake_and_worker, kill_snakemake, press_ctrl_c]
-)
-def test_interrupted_campaign_goes_on_by_the_same_command(project, interrupt):
-    name = interrupt.__name__
+@pytest.mark.parametrize("name", INTERRUPTS)
+def test_interrupted_campaign_goes_on_by_the_same_command(project, name):
     write_campaign(project, name=name)
     folder = project / f"results/data/campaigns/{name}"
     process, worker = start_campaign(project, name)
-    interrupt(process, worker)
+    INTERRUPTS[name](process, worker)
     assert process.wait(timeout=60) != 0
     finished = chunk_dates(folder)
     assert 1 <= len(finished) <= 3, "the campaign ended before it could be interrupted"
@@ -182,7 +149,7 @@ def test_interrupted_campaign_goes_on_by_the_same_command(project, interrupt):
     run = run_campaign(project, name=name)
     jobs = jobs_of(run)
     assert jobs["solve_chunk"] <= 4 - len(finished)
-    if interrupt is not kill_snakemake:
+    if name != "kill_snakemake":
         assert jobs["solve_chunk"] == 4 - len(finished)
     assert f"Campaign {name}: 400 points, 0 failed" in run.stderr
     assert finished.items() <= chunk_dates(folder).items()
@@ -226,6 +193,9 @@ def test_grown_campaign_solves_only_what_is_new(project):
     write_campaign(project)
     assert "solve_chunk" not in jobs_of(run_campaign(project))
     assert read_merged(project, "mine").equals(merged)
+    command = [sys.executable, "-m", "snakemake", "--cores", "1", "--dry-run"]
+    run = subprocess.run(command, cwd=project, capture_output=True, text=True, check=True)
+    assert "campaign" not in run.stdout, "an ordinary run knows nothing of it"
 
 
 @pytest.mark.slow
@@ -289,11 +259,3 @@ def test_full_disk_is_named_and_the_campaign_goes_on_when_there_is_space(project
     assert not [file for file in between if file.startswith("unfinished")]
     assert second.count("(Rule: solve_chunk)") == 3 - len(kept)
     assert f"Campaign {name}: 6 points, 0 failed" in second
-
-
-@pytest.mark.slow
-def test_ordinary_run_knows_nothing_of_campaigns(project):
-    command = [sys.executable, "-m", "snakemake", "--cores", "1", "--dry-run"]
-    run = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
-    assert run.returncode == 0, run.stderr
-    assert "campaign" not in run.stdout

@@ -14,10 +14,10 @@ from pathlib import Path
 
 import pytest
 import yaml
+from projects import copy_project
 
 from granular_fronts.output.datasets import read_dataset
 
-ROOT = Path(__file__).parents[2]
 CLUSTER = Path(__file__).with_name("one_node.sh")
 CAMPAIGN = {
     "kind": "chain",
@@ -50,9 +50,7 @@ def cluster(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    copy = tmp_path_factory.mktemp("project") / "copy"
-    rebuilt = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*rebuilt))
+    copy = copy_project(tmp_path_factory.mktemp("project"))
     (copy / "config/campaigns/mine.yaml").write_text(yaml.safe_dump(CAMPAIGN, sort_keys=False))
     return copy
 

@@ -12,6 +12,7 @@ from granular_fronts.accuracy import (
     largest_difference,
     rounded,
     rounding_floor,
+    variable_and_errors,
     with_refinement,
 )
 from granular_fronts.errors import NoFrontError
@@ -38,9 +39,9 @@ def test_points_without_a_value_do_not_count():
 
 
 def test_a_sign_is_certain_beyond_the_error_alone():
-    values = [-2.0, -1.0, -0.5, 0.0, 0.5, 2.0, math.nan]
+    values = [-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, math.nan]
     variable = xr.DataArray(values, attrs={"error_estimate": 1.0})
-    assert certain_sign(variable).values.tolist() == [-1, 0, 0, 0, 0, 1, 0]
+    assert certain_sign(variable).values.tolist() == [-1, 0, 0, 0, 0, 0, 1, 0]
     assert (certain_sign(variable.assign_attrs(error_estimate=math.nan)) == 0).all()
 
 
@@ -96,6 +97,16 @@ def test_errors_propagate_to_first_order_in_the_worst_case(combine):
         abs(combine(a.value + x * a.error, b.value + y * b.error) - found.value) for x, y in CORNERS
     ]
     assert max(distances) == pytest.approx(found.error, rel=1e-5)
+
+
+def test_a_variable_states_the_largest_error_of_its_values_and_holds_each_beside_them():
+    estimates = [Estimate(1.0, 0.5), Estimate(2.0, 0.25)]
+    (dims, values, attributes), (_, errors, _) = variable_and_errors(
+        "x", "n", estimates, "by hand", "place"
+    ).values()
+    assert (dims, values.tolist(), errors.tolist()) == ("n", [1.0, 2.0], [0.5, 0.25])
+    assert attributes["error_estimate"] == 0.5
+    assert attributes["error_method"] == "by hand"
 
 
 def test_closed_formula_is_known_to_some_units_of_its_last_place():

@@ -1,15 +1,16 @@
 """What cannot be computed, found or proved is said in a sentence: which value, and what to do."""
 
-import importlib.util
 import os
 from argparse import ArgumentError
 
 import numpy as np
 import pytest
-from configurations import SMOKE, refusal, set_value
+from configurations import SMOKE
+from rings import scene_with
 
 import granular_fronts as gf
 from granular_fronts.campaign.definition import check_campaign
+from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.errors import InputError, NoFrontError, SolveError
 from granular_fronts.fronts import solitary_waves
 from granular_fronts.fronts.linear import floquet
@@ -17,7 +18,7 @@ from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.shooting import equations
 from granular_fronts.fronts.solve import solve_front
 from granular_fronts.model.scaling import Scaling
-from granular_fronts.output import files, progress
+from granular_fronts.output import files
 from granular_fronts.proofs import __main__ as proofs
 from granular_fronts.proofs import certificate, stored
 from granular_fronts.studies import (
@@ -60,33 +61,17 @@ def test_what_cannot_be_is_refused(ask, words):
         ask()
 
 
-@pytest.mark.parametrize(
-    ("path", "value", "words"),
-    [
-        (
-            "laws.jump_conditions.cases.mine",
-            {
-                "elastic": {"kind": "lennard_jones"},
-                "dissipation": {"kind": "linear", "gamma": 0.3},
-                "states": [-5.0, 0.0],
-            },
-            "states has -5",
-        ),
-        ("laws.jump_conditions.cases.toda.states", [-1.0, -0.5, 0.0], "3 entries, above its limit"),
-    ],
-)
-def test_a_case_of_jump_conditions_is_refused(default, path, value, words):
-    assert words in refusal(set_value(default, path, value))
-
-
-def test_a_scene_that_a_figure_needs(default):
-    del default["scenes"]["chain"]["initiation_underdamped"]
-    assert "scenes.chain.initiation_underdamped is missing, but figure 1 needs" in refusal(default)
-
-
-def test_public_names_are_listed():
-    assert set(gf.__all__) <= set(dir(gf))
-    assert all(getattr(gf, name) for name in gf.__all__)
+@pytest.mark.parametrize("equation", ["logarithmic", "unlimited", "dispersive"])
+def test_an_equation_that_a_scene_does_not_name_is_not_solved(equation):
+    scene = scene_with()
+    del scene["equations"]["upwind"], scene["equations"][equation]
+    solve = {
+        "logarithmic": gf.evolve_log_burgers,
+        "unlimited": evolve_unlimited,
+        "dispersive": gf.evolve_log_kdv_burgers,
+    }[equation]
+    with pytest.raises(InputError, match=rf"^Scene mine: equations\.{equation} is missing"):
+        solve(scene, "mine")
 
 
 def test_critical_damping_by_overshoot_is_met_from_both_sides():
@@ -169,13 +154,6 @@ def test_a_process_of_another_user_runs(monkeypatch):
 
     monkeypatch.setattr(os, "kill", forbidden)
     assert files.is_running(1)
-
-
-def test_widgets_are_looked_for(monkeypatch):
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    assert not progress._has_widgets()
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name: name)
-    assert progress._has_widgets()
 
 
 def test_checker_asks_for_a_file(capsys):

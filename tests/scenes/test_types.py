@@ -1,21 +1,16 @@
-"""What a type checker reads: each public name, with the types of all its arguments."""
+"""What a type checker reads: each public name, whose home mypy checks for its types."""
 
 import ast
 import inspect
 from importlib.resources import files
-
-import pytest
 
 import granular_fronts
 
 PACKAGE = files("granular_fronts")
 
 
-def test_the_package_ships_its_types():
-    assert PACKAGE.joinpath("py.typed").is_file()
-
-
 def test_the_stub_gives_each_public_name_from_its_module():
+    assert PACKAGE.joinpath("py.typed").is_file()
     stub = ast.parse(PACKAGE.joinpath("__init__.pyi").read_text(encoding="utf-8"))
     homes = {
         name.asname: f"{statement.module}.{name.name}"
@@ -30,30 +25,3 @@ def test_the_stub_gives_each_public_name_from_its_module():
         else f"{found.__module__}.{found.__qualname__}"
         for name, found in public.items()
     }
-
-
-@pytest.mark.parametrize("name", granular_fronts.__all__)
-def test_public_functions_and_methods_are_annotated(name):
-    for function in functions_of(getattr(granular_fronts, name)):
-        signature = inspect.signature(function)
-        assert signature.return_annotation is not signature.empty, function
-        bare = [
-            argument.name
-            for argument in signature.parameters.values()
-            if argument.annotation is argument.empty and argument.name not in ("self", "cls")
-        ]
-        assert not bare, function
-
-
-def functions_of(found):
-    """A function itself; of a module or a class all that is public, and what makes instances."""
-    if inspect.ismodule(found):
-        return [getattr(found, name) for name in found.__all__]
-    if not inspect.isclass(found):
-        return [found]
-    return [
-        getattr(member, "fget", None) or getattr(member, "__func__", member)
-        for name, member in vars(found).items()
-        if name == "__init__" or not name.startswith("_")
-        if callable(member) or isinstance(member, (property, classmethod))
-    ]

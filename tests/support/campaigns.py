@@ -28,6 +28,7 @@ def campaign(given=CHAINS, **changes):
 def refusal(given=CHAINS, **changes):
     with pytest.raises(InputError) as caught:
         campaign(given, **changes)
+    assert str(caught.value).startswith("Campaign mine: ")
     return str(caught.value)
 
 

@@ -4,6 +4,7 @@ import copy
 import functools
 import json
 import operator
+import re
 from pathlib import Path
 
 import pytest
@@ -46,3 +47,10 @@ def refusal(configuration):
     with pytest.raises(InputError) as caught:
         check_configuration(configuration)
     return str(caught.value)
+
+
+def assert_refused(sentence, words):
+    """A sentence names keys, values and limits (words between bars), and the way out."""
+    assert re.fullmatch(r"[^\n]+: [^\n]+[.?]", sentence)
+    for word in words.split(" | "):
+        assert word in sentence

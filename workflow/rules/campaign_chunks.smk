@@ -58,16 +58,8 @@ def campaign_chunks(name):
 
 
 def request_of(wildcards):
-    """Return kind, settings and points of a chunk as JSON.
-
-    On a cluster the file of a chunk that is solved again is gone, and its request is left.
-    """
-    from granular_fronts.campaign.chunks import find_request
-
-    chunk = requests_of(wildcards.campaign).get(wildcards.chunk)
-    if chunk is None:
-        chunk = find_request(Path(chunk_folder(wildcards.campaign), f"{wildcards.chunk}.nc"))
-    return chunk.as_json()
+    """Return kind, settings and points of a chunk as JSON."""
+    return requests_of(wildcards.campaign)[wildcards.chunk].as_json()
 
 
 def named_campaign():

@@ -32,6 +32,8 @@ from granular_fronts.chain.recording import extremes_of_all, fitted_speed
 from granular_fronts.chain.run import Integration, integrate, integrate_in_halves, prepare
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
+from granular_fronts.scenes.laws import energies_are_representable
+from granular_fronts.scenes.validation import raise_if_any
 
 REFINED_EVERY = 25
 ERROR_METHOD = f"difference to solving one point in {REFINED_EVERY} with each step in two halves"
@@ -54,7 +56,7 @@ def solve_chunk(points, settings, activity):
 
 
 class _Motion(NamedTuple):
-    """A run that has ended, its scene, the ends of its steps, its units of length and speed."""
+    """An integration that has ended, its scene, ends of steps, units of length and speed."""
 
     run: Integration
     scene: dict
@@ -75,6 +77,8 @@ def _solve_point(point, law, tolerance):
     """Follow one chain, a `_Motion`."""
     if law is None:
         scene, length, c = normalised_scene(point, tolerance), 1.0, 1.0
+        # Of all checks of a scene, the one that the axes of a campaign have not passed.
+        raise_if_any([*energies_are_representable(scene)])
     else:
         scene, length, c = scene_of_law(point, law, tolerance)
     run = prepare(scene)

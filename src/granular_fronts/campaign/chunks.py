@@ -1,14 +1,15 @@
 """What of a campaign is still to be solved, cut into chunks that are worth a job each.
 
 A chunk is a set of lines by a block of the fast axis.  Its *request* holds kind, settings and
-points, so that a job needs nothing else; it is named after a digest of them.  Solved chunks are
-recognised by the points they hold, wherever these stand in the grid now, so a campaign may grow
-along any axis, let an axis go, or turn a fixed parameter into one.
+points, so that a job needs nothing else; it is named after a digest of them.  Chunks that were
+solved once are recognised by the points of their requests, wherever these stand in the grid now, so
+a campaign may grow along any axis, let an axis go, or turn a fixed parameter into one.
 
 The grid is divided into tiles of at most the wanted number of points, first across lines, and
 across the fast axis only where one line alone is longer than a tile.  The missing lines of a tile
 are grouped by which of their points are missing, and each group is a chunk.  So the other chunks
 stay the same while some are solved: a job on a cluster cuts the campaign anew and finds its own.
+The request of a chunk stays when its data are removed to be solved again, and with it the cut.
 """
 
 import hashlib
@@ -71,45 +72,46 @@ class Chunk(NamedTuple):
 
 
 def chunks_of(campaign: Campaign, folder: Path, chunk_points: int) -> dict[str, Chunk]:
-    """The chunks that a campaign consists of, by name: solved in a folder, or still to be solved.
+    """The chunks that a campaign consists of, by name: those of a folder, and new ones.
 
     Only new chunks have at most so many points.  Nothing is written.
     """
-    solved, missing = find_missing(campaign, folder)
-    return {chunk.name: chunk for chunk in (*solved, *cut(campaign, missing, chunk_points))}
+    known, missing = find_missing(campaign, folder)
+    return {chunk.name: chunk for chunk in (*known, *cut(campaign, missing, chunk_points))}
 
 
 def find_missing(campaign: Campaign, folder: Path) -> tuple[list[Chunk], np.ndarray]:
-    """Lay the solved chunks of a folder over the grid of a campaign.
+    """Lay the chunks of a folder over the grid of a campaign.
 
-    Returns the solved chunks that hold points of the grid, and an array of the shape of the grid,
-    true where no solved chunk holds the point.
+    Returns the chunks that hold points of the grid, and an array of the shape of the grid, true
+    where no chunk holds the point.
     """
     missing = np.ones(campaign.size, dtype=bool)
-    solved = []
-    for chunk in _solved_chunks(campaign, folder):
+    known = []
+    for chunk in _known_chunks(campaign, folder):
         where = locate(chunk, campaign)
         where = where[where >= 0]
         if missing[where].any():
             missing[where] = False
-            solved.append(chunk)
-    return solved, missing.reshape(campaign.shape)
+            known.append(chunk)
+    return known, missing.reshape(campaign.shape)
 
 
-def _solved_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
-    """Chunks in a folder that are solved with the campaign's settings, in the order of names."""
-    for file in sorted(folder.glob("[0-9a-f]*.nc")):
+def _known_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
+    """Chunks in a folder that have the campaign's settings, in the order of names."""
+    files = {file.with_suffix(".nc") for file in folder.glob("[0-9a-f]*.*")}
+    for file in sorted(files):
         try:
-            chunk = find_request(file)
+            chunk = _find_request(file)
         except DatasetError:
-            continue  # It is solved again.
+            continue  # Its points are solved again.
         same_parameters = {*chunk.lines, *chunk.fast} == {*campaign.grid}
         same_settings = (chunk.kind, chunk.settings) == (campaign.kind_name, campaign.settings)
         if same_parameters and same_settings:
             yield chunk
 
 
-def find_request(file: Path) -> Chunk:
+def _find_request(file: Path) -> Chunk:
     """The request that a file of solved points answers, from beside it or, if lost, from itself."""
     request = file.with_suffix(".json")
     if request.exists():

@@ -45,6 +45,8 @@ class Campaign(NamedTuple):
     Attributes
     ----------
     name, kind_name : str
+    kind : Kind
+        The kind with the parameters of this campaign.
     given : Mapping
         The contents of the campaign file.
     grid : dict of str to tuple
@@ -62,17 +64,12 @@ class Campaign(NamedTuple):
 
     name: str
     kind_name: str
+    kind: Kind
     given: Mapping
     grid: dict[str, tuple]
     axes: tuple[str, ...]
     settings: dict
     chunk_points: int | None
-
-    @property
-    def kind(self) -> Kind:
-        """The kind itself."""
-        kind = KINDS[self.kind_name].of_start(self.settings.get("start")).of_choice(self.grid)
-        return kind.of_law(varied_numbers(self.grid)) if "law" in self.settings else kind
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -119,13 +116,14 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     kind = KINDS[given["kind"]].of_start(given.get("start")).of_choice([*axes, *fixed])
     if law:
         kind = kind.of_law(varied_numbers(axes))
-    _raise_if_any(name, _name_errors(given["kind"], kind, axes, fixed, record))
-    _raise_if_any(name, ranges_increase(given))
-    if "profile" in record:
-        _raise_if_any(name, _profile_errors(kind, **record["profile"]))
-    for axis, values in axes.items():
-        _raise_if_any(name, _spacing_errors(axis, values))
-    _raise_if_any(name, _size_errors(kind, {**given, "axes": axes}))
+    for errors in (
+        _name_errors(given["kind"], kind, axes, fixed, record),
+        ranges_increase(given),
+        _profile_errors(kind, record),
+        (error for axis, values in axes.items() for error in _spacing_errors(axis, values)),
+        _size_errors(kind, {**given, "axes": axes}),
+    ):
+        _raise_if_any(name, errors)
     varied = {axis: tuple(expand_axis(values)) for axis, values in axes.items()}
     constant = {
         parameter: (fixed.get(parameter, described.default),)
@@ -143,6 +141,7 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     return Campaign(
         name=name,
         kind_name=given["kind"],
+        kind=kind,
         given=given,
         grid=grid,
         axes=tuple(varied),
@@ -172,7 +171,7 @@ def expand_axis(given: Sequence[float] | Mapping) -> list[float]:
 
 
 def _round_value(value: float) -> float:
-    """The value with `DIGITS` significant digits; a whole number stays one."""
+    """Round to `DIGITS` significant digits; a whole number stays one."""
     return value if isinstance(value, int) else float(f"{value:.{DIGITS}g}")
 
 
@@ -285,17 +284,10 @@ def _size_errors(kind, given) -> Iterator[str]:
     if "beads" in given.get("fixed", {}):
         parts.append(Part(("fixed.beads",), (), NUMBERS_PER_BEAD * float(given["fixed"]["beads"])))
     if "beads" in axes:
-        most = float(_last_value(axes["beads"]))
-        parts.append(Part(("axes.beads",), (), NUMBERS_PER_BEAD * most))
+        values = axes["beads"]
+        most = next(iter(values.values()))[1] if isinstance(values, Mapping) else values[-1]
+        parts.append(Part(("axes.beads",), (), NUMBERS_PER_BEAD * float(most)))
     yield from part_errors(given, parts)
-
-
-def _last_value(axis):
-    """The largest value of an increasing axis."""
-    if not isinstance(axis, Mapping):
-        return axis[-1]
-    [(_, stop, _)] = axis.values()
-    return stop
 
 
 def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
@@ -312,7 +304,7 @@ def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
             yield f"{name} stands under axes and under fixed: leave one out."
     for name, parameter in kind.parameters.items():
         if parameter.default is ... and name not in axes and name not in fixed:
-            yield (f"{name} is missing: give it under axes or under fixed ({parameter.meaning}).")
+            yield f"{name} is missing: give it under axes or under fixed ({parameter.meaning})."
     for name in record.get("scalars", []):
         if name not in kind.scalars:
             yield (
@@ -321,8 +313,11 @@ def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
             )
 
 
-def _profile_errors(kind, start, stop, count) -> Iterator[str]:
+def _profile_errors(kind, record) -> Iterator[str]:
     """Say that a profile keeps a bead twice."""
+    if "profile" not in record:
+        return
+    start, stop, count = (record["profile"][key] for key in ("start", "stop", "count"))
     beads = math.floor(stop) - math.ceil(start) + 1
     if kind.profile_counts and count > beads:
         yield (

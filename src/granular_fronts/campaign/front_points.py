@@ -10,6 +10,7 @@ import functools
 
 import numpy as np
 
+from granular_fronts.arguments import double_precision
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.laws import law_at
 from granular_fronts.campaign.points import REASON, groups_along, solve_groups
@@ -39,7 +40,8 @@ def solve_chunk(points, settings, activity):
 
 def _measure(point, dampings, settings, xi):
     """Values, errors and reasons of the fronts that differ in their damping."""
-    sweep, front = _fronts(point, dampings, settings.get("law"))
+    with double_precision("A front of this law", "bring its numbers and states nearer to 1"):
+        sweep, front = _fronts(point, dampings, settings.get("law"))
     reasons = np.array(sweep["reason"].values, dtype=object)
     measured = {
         name: (np.array(sweep[SWEPT_AS.get(name, name)], dtype=float), _error(sweep, name))

@@ -16,29 +16,12 @@ if TYPE_CHECKING:
 
 
 class Parameter(NamedTuple):
-    """A number that a point of a campaign may have.
+    """A number that a point of a campaign may have."""
 
-    Attributes
-    ----------
-    meaning : str
-        In words, for the data and for messages.
-    least : float
-        Smallest value.
-    above : bool
-        Whether the value must be above `least`, not at it.
-    default : float or None or type(...)
-        Value where a campaign gives none; an ellipsis for a parameter that it must give.  Only beta
-        may be None, which stands for β = α.
-    whole : bool
-        Whether only whole numbers make sense.
-    most : float
-        Largest value.
-    """
-
-    meaning: str
+    meaning: str  # in words, for the data and for messages
     least: float
-    above: bool = False
-    default: object = ...
+    above: bool = False  # whether the value must be above `least`, not at it
+    default: object = ...  # an ellipsis where a campaign must give it; None for β = α
     whole: bool = False
     most: float = math.inf
 
@@ -84,28 +67,24 @@ class Kind(NamedTuple):
 
     def of_start(self, start) -> "Kind":
         """The kind without the parameters that a given start does not have."""
-        if not start or start["profile"] != "given":
-            return self
-        left = {key: value for key, value in self.parameters.items() if key not in self.of_formula}
-        return self._replace(parameters=left)
+        listed = start and start["profile"] == "given"
+        return self._without(self.of_formula if listed else ())
 
     def of_choice(self, given) -> "Kind":
         """The kind without the parameters in whose place others are given, by their names."""
-        left_out = {name for group in self.one_of for name in group}.difference(given)
-        kept = {name: value for name, value in self.parameters.items() if name not in left_out}
-        return self._replace(parameters=kept)
+        return self._without({name for group in self.one_of for name in group}.difference(given))
 
     def of_law(self, varied) -> "Kind":
         """The kind for any law of which named numbers vary, such as ``elastic_rate``."""
-        kept = {
-            name: parameter
-            for name, parameter in self.parameters.items()
-            if name not in ("alpha", "beta", "gamma")
-        }
         numbers = {
             name: Parameter(f"law.{name.replace('_', '.', 1)}", -math.inf) for name in varied
         }
+        kept = self._without(("alpha", "beta", "gamma")).parameters
         return self._replace(parameters=numbers | self.beside_law | kept)
+
+    def _without(self, names) -> "Kind":
+        kept = {name: value for name, value in self.parameters.items() if name not in names}
+        return self._replace(parameters=kept)
 
     def profile_points(self, profile) -> "np.ndarray | None":
         """Where a profile is recorded, evenly spaced from its start to its stop, if one is."""
@@ -122,23 +101,11 @@ class Kind(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """The answer of a kind to the points of a chunk.
+    """The answer of a kind to the points of a chunk, arrays of shape (lines, fast[, profile])."""
 
-    Attributes
-    ----------
-    values : dict of str to ndarray, shape (lines, fast) or (lines, fast, profile)
-        What was asked for, NaN at points that failed.
-    reasons : ndarray of str, shape (lines, fast)
-        Why a point failed; empty where it is solved.
-    errors : dict of str to float
-        Estimate of the largest absolute error of each variable, NaN if there is none.
-    error_method : str
-        How the estimates were obtained.
-    """
-
-    values: dict[str, "np.ndarray"]
-    reasons: "np.ndarray"
-    errors: dict[str, float]
+    values: dict[str, "np.ndarray"]  # NaN at points that failed
+    reasons: "np.ndarray"  # why a point failed, a text; empty where it is solved
+    errors: dict[str, float]  # estimate of the largest absolute error, NaN if there is none
     error_method: str
 
 
@@ -203,11 +170,7 @@ KINDS: dict[str, Kind] = {
     "front": Kind(
         module="granular_fronts.campaign.front_points",
         seconds_per_point=0.0025,
-        parameters={
-            "alpha": ALPHA,
-            "beta": BETA,
-            "gamma": GAMMA._replace(above=True),
-        },
+        parameters={"alpha": ALPHA, "beta": BETA, "gamma": GAMMA._replace(above=True)},
         scalars={
             "overshoot": "by how much u passes its value behind the front, 0 if it is monotone",
             "width_10_90": "distance in beads over which u falls from 0.9 to 0.1 of its jump",

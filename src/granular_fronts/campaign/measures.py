@@ -27,31 +27,16 @@ EQUATION_ERRORS = tuple(
 
 
 def selected(dataset, error, *, slow_time=1.0, **place):
-    """An error of the rings of a campaign over α, at one slow time.
+    """ε, the absolute error of a name, and α of a campaign's rings at one τ, by increasing α.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A merged campaign of kind ``ring`` with the axes α and τ.
-    error : str
-        Name of the error, ``displacement_sup_logarithmic`` for example.
-    slow_time : float, optional
-        τ.
-    **place : float
-        Values of further axes.
-
-    Returns
-    -------
-    epsilon, error : ndarray
-        ε and absolute errors, by increasing α.
-    alpha : ndarray
+    `place` holds values of further axes; so it does below.
     """
     rings = dataset.sel(slow_time=slow_time, **place)
     return rings["epsilon_of_ring"].values, np.abs(rings[error].values), rings["alpha"].values
 
 
 def fitted_order(dataset, error, **place):
-    """Order in ε of an error; parameters as in `selected`."""
+    """Order in ε of an error."""
     epsilon, found, alpha = selected(dataset, error, **place)
     near = alpha <= LARGEST_EXPONENT
     line = linregress(np.log(epsilon[near]), np.log(found[near]))
@@ -80,7 +65,7 @@ def start_over_model(slow, leading, error, **place):
 
 
 def error_ratio(dataset, error, other, **place):
-    """An error of one ring over another; parameters as in `error_of_ring`."""
+    """An error of one ring over another."""
     return error_of_ring(dataset, error, **place) / error_of_ring(dataset, other, **place)
 
 
@@ -91,7 +76,7 @@ def growth(dataset, error, *, first, last, **place):
 
 
 def error_over_ratio(dataset, error, **place):
-    """An error of one ring over its ε/γc; parameters as in `error_of_ring`."""
+    """An error of one ring over its ε/γc."""
     return error_ratio(dataset, error, "ratio_of_ring", **place)
 
 

@@ -29,18 +29,19 @@ def chunk_dataset(chunk: Chunk, solved: Solved, seconds: float) -> xr.Dataset:
     coordinates = _profile_coordinate(kind, chunk.settings["profile"])
     dataset = xr.Dataset(coords=coordinates)
     for name, values in solved.values.items():
-        attributes = {
-            "long_name": {**kind.scalars, kind.profile[0]: kind.profile[1]}[name],
-            "error_estimate": float(solved.errors[name]),
-            "error_method": solved.error_method,
-        }
         along = list(coordinates) if name == kind.profile[0] else []
+        attributes = _attributes(kind, name, solved.errors[name], solved.error_method)
         dataset[name] = (["line", "point", *along], values, attributes)
     texts, numbers = _number_reasons(solved.reasons)
     dataset["reason"] = (["line", "point"], numbers, {"long_name": "number of the reason"})
     dataset["reason_text"] = ("sentence", texts, {"long_name": "why a point failed"})
     dataset.attrs = {"points": chunk.size, "seconds": seconds}
     return dataset
+
+
+def _attributes(kind, name, error, method):
+    meaning = {**kind.scalars, kind.profile[0]: kind.profile[1]}[name]
+    return {"long_name": meaning, "error_estimate": float(error), "error_method": method}
 
 
 def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
@@ -58,14 +59,11 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
     }
     merged = xr.Dataset(coords=coordinates | axes)
     for name, value in gathered.values.items():
-        profile_axes = list(coordinates) if name == kind.profile[0] else []
-        attributes = {
-            "long_name": {**kind.scalars, kind.profile[0]: kind.profile[1]}[name],
-            "error_estimate": float(gathered.errors[name]),
-            "error_method": "; ".join(sorted(gathered.methods)),
-        }
-        shape = [*sizes, *(merged.sizes[axis] for axis in profile_axes)]
-        merged[name] = ([*campaign.axes, *profile_axes], value.reshape(shape), attributes)
+        along = list(coordinates) if name == kind.profile[0] else []
+        method = "; ".join(sorted(gathered.methods))
+        attributes = _attributes(kind, name, gathered.errors[name], method)
+        shape = [*sizes, *value.shape[1:]]
+        merged[name] = ([*campaign.axes, *along], value.reshape(shape), attributes)
     _add_status(merged, campaign, gathered.reasons.reshape(sizes), gathered.texts)
     merged.attrs = {
         "kind": campaign.kind_name,
@@ -84,15 +82,15 @@ def merge_chunks(campaign: Campaign, files: list[Path]) -> xr.Dataset:
 
 
 class _Gathered(NamedTuple):
-    """What all chunks hold together: arrays along the grid, and the facts about them."""
+    """What all chunks hold together, arrays along the flat grid."""
 
     values: dict
     errors: dict
-    methods: set
-    reasons: np.ndarray
+    methods: set  # by which errors are estimated
+    reasons: np.ndarray  # number of a text, 0 where the point is solved
     texts: list
-    seconds: float
-    points: int
+    seconds: float  # processor time
+    points: int  # of all chunks, those outside the grid too
 
 
 def _gather(campaign, files):

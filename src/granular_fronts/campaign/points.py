@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 import numpy as np
 
 from granular_fronts.campaign.kinds import Solved
+from granular_fronts.errors import InputError, SolveError
 from granular_fronts.output.progress import count_bar
 
 REASON = "reason"
@@ -22,6 +23,7 @@ def solve_groups(
     `sizes` names what is recorded, with its shape at one point.  A group is the index of its points
     and a function without arguments, from which come values and errors (NaN where none is
     estimated) of all that is recorded, and under ``reason`` why single points failed, if any did.
+    An InputError or a SolveError is the reason of all points of its group.
     """
     values = {name: np.full((*shape, *size), np.nan) for name, size in sizes.items()}
     reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(sizes, np.nan)
@@ -29,7 +31,7 @@ def solve_groups(
         for members, solve in groups:
             try:
                 measured = solve()
-            except (ValueError, ArithmeticError) as error:
+            except (InputError, SolveError) as error:
                 reasons[members] = str(error)
             else:
                 reasons[members] = measured.get(REASON, "")

@@ -13,6 +13,7 @@ import functools
 
 import numpy as np
 
+from granular_fronts.arguments import double_precision
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.points import groups_along, solve_groups
 from granular_fronts.continuum.log_burgers.starts import make_start
@@ -62,9 +63,10 @@ def make_ring(point, start):
     """
     alpha, delta = point["alpha"], point["delta"]
     given = {name: point[name] for name in ("damping", "epsilon", "ratio", "mu") if name in point}
-    gamma = gamma_for(alpha, delta, **given) if given else point["gamma"]
-    scaling = SlowScales(alpha, gamma, delta)
-    damping = gamma * scaling.speed
+    with double_precision("A scale of this ring", "bring alpha, delta and damping nearer to 1"):
+        gamma = gamma_for(alpha, delta, **given) if given else point["gamma"]
+        scaling = SlowScales(alpha, gamma, delta)
+        damping = gamma * scaling.speed
     least, most = DAMPINGS
     if not least <= damping <= most:
         raise InputError(
@@ -86,12 +88,18 @@ def _half_beads(point, scaling):
     """The given p, or that of the ring whose length is nearest to the one asked for."""
     if "half_beads" in point:
         return int(point["half_beads"])
-    asked = point["half_length"]
-    half_beads = max(2, round(asked / scaling.epsilon + 0.5))
-    found = scaling.half_length(half_beads)
-    if abs(found - asked) > LENGTH_TOLERANCE * asked:
+    wanted = point["half_length"]
+    half_beads = max(2, round(wanted / scaling.epsilon + 0.5))
+    most = KINDS["ring"].parameters["half_beads"].most
+    if half_beads > most:
         raise InputError(
-            f"half_length is {asked:g}, but beads stand ε = {scaling.epsilon:.3g} apart in xi, so "
+            f"half_length is {wanted:g}, which asks for p = {half_beads:.3g}, above {most:g}: "
+            "shorten the ring, raise alpha or lower the damping."
+        )
+    found = scaling.half_length(half_beads)
+    if abs(found - wanted) > LENGTH_TOLERANCE * wanted:
+        raise InputError(
+            f"half_length is {wanted:g}, but beads stand ε = {scaling.epsilon:.3g} apart in xi, so "
             f"that the nearest ring has {found:.3g}: lengthen the ring, lower alpha or raise the "
             "damping."
         )

@@ -22,6 +22,7 @@ import xarray as xr
 from granular_fronts.accuracy import error_attributes, refined_by
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
+from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.scenes.validation import check_scene
@@ -59,7 +60,8 @@ def evolve_log_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Data
     Raises
     ------
     InputError
-        If the scene is impossible; the sentence names key, value, limit and the way out.
+        If the scene is impossible, or does not name the equation; the sentence names key, value,
+        limit and the way out.
     SolveError
         If the start has negative averages, or the step size collapses.
     """
@@ -94,7 +96,8 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.
     Raises
     ------
     InputError
-        If the scene is impossible; the sentence names key, value, limit and the way out.
+        If the scene is impossible, or does not name the equation; the sentence names key, value,
+        limit and the way out.
     SolveError
         If the step size collapses.
     """
@@ -103,6 +106,11 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.
 
 def _evolve(scene, name, equation):
     scene = check_scene("periodic", scene, name)
+    if equation not in scene["equations"]:
+        raise InputError(
+            f"Scene {name}: equations.{equation} is missing, but its solution is wanted: give its "
+            "cells and tolerance."
+        )
     times = np.asarray(scene["record"]["snapshots"], dtype=float)
     solutions = solve_refined(scene, equation, times)
     solution, scaling = solutions.usual, scaling_of(scene)

@@ -45,25 +45,12 @@ def validate_configuration(
     arguments: Mapping | None = None,
     writes: bool = True,
 ) -> None:
-    """Validate a configuration and the way in which it was given.
+    """Validate a merged configuration, its files, and what the command line gave (``--config``).
 
-    Parameters
-    ----------
-    configuration : Mapping
-        The merged configuration.
-    files : sequence of Path or str, optional
-        The files it was merged from.
-    arguments : Mapping, optional
-        What the command line gave after ``--config``.
-    writes : bool, optional
-        Whether results will be written.
-
-    Raises
-    ------
-    InputError
-        With one sentence for each thing that is wrong.
+    `writes` says whether results will be written.  An InputError has one sentence for each thing
+    that is wrong.
     """
-    raise_if_any([*yaml_errors(files), *argument_errors(arguments or {})])
+    raise_if_any([*yaml_errors(files), *_argument_errors(arguments or {})])
     check_configuration(configuration)
     raise_if_any([*folder_errors(configuration["results"], writes)])
 
@@ -73,7 +60,7 @@ def check_configuration(configuration: Mapping) -> None:
     raise_if_any([*violations(configuration)] or [*_section_errors(configuration)])
 
 
-def argument_errors(arguments: Mapping) -> Iterator[str]:
+def _argument_errors(arguments: Mapping) -> Iterator[str]:
     """Find mappings and lists after ``--config``, whose values all arrive as text."""
     for key, value in arguments.items():
         if isinstance(value, Mapping | list):

@@ -28,23 +28,12 @@ SECONDS_PER_CROSSING = 5.0e-8
 
 
 class Part(NamedTuple):
-    """What some keys together contribute to the size of a section.
+    """What some keys together, dotted inside a section, contribute to its size."""
 
-    Attributes
-    ----------
-    large, small : tuple of str
-        Dotted keys inside the section, of counts and of spacings: the size grows with the former
-        and falls with the latter.
-    numbers : float
-        Numbers held at once.
-    seconds : float
-        Time on one core.
-    """
-
-    large: tuple[str, ...]
-    small: tuple[str, ...] = ()
-    numbers: float = 0.0
-    seconds: float = 0.0
+    large: tuple[str, ...]  # of counts, with which the size grows
+    small: tuple[str, ...] = ()  # of spacings, with which it falls
+    numbers: float = 0.0  # held at once
+    seconds: float = 0.0  # on one core
 
     @property
     def memory(self) -> float:

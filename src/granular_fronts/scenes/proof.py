@@ -9,7 +9,10 @@ from granular_fronts.scenes.sections import Section
 def _shown_front_is_proved(section: Mapping) -> Iterator[str]:
     """The front that is drawn is one of those that are proved."""
     if section["shown"] not in section["fronts"]:
-        yield f"shown is {section['shown']}, but must be one of {', '.join(section['fronts'])}."
+        yield (
+            f"shown is {section['shown']}, which is not proved: choose one of "
+            f"{', '.join(section['fronts'])}."
+        )
     elif "beta" in section["fronts"][section["shown"]]:
         yield f"shown is {section['shown']}, with β = 1, but figure 24 needs β = α: choose another."
 

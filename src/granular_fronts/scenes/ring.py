@@ -17,13 +17,10 @@ from granular_fronts.scenes.limits import (
     Part,
     grid_part,
 )
-from granular_fronts.scenes.sections import Need, Section
+from granular_fronts.scenes.sections import TABLE, Need, Section
 
 EQUATION_TOLERANCE_FLOOR = 1.0e-13
 """Smallest error per step that the rounding of a rescaled variable of order 1 lets through."""
-
-SOLVED_EQUATIONS = ("logarithmic", "unlimited", "dispersive")
-"""Keys of the amplitude equations that have cells and a tolerance of their own."""
 
 CELLS_PER_EDGE = 2
 """Fewest cells over a unit of ξ, the width of the falling edge of eq. (49)."""
@@ -64,20 +61,28 @@ def _grids_hold_edge(scene: Mapping) -> Iterator[str]:
     """Cells are no wider than the edge of a wave allows."""
     length = 2.0 * scaling_of(scene).half_length(scene["half_beads"])
     needed = math.ceil(CELLS_PER_EDGE * length)
-    equations = scene["equations"]
-    counts = {f"{name}.cells": equations[name]["cells"] for name in SOLVED_EQUATIONS}
-    for name, found in (counts | {"upwind.points": equations["upwind"]["points"]}).items():
+    for key, found in _grids(scene).items():
         if found < needed:
             yield (
-                f"equations.{name} is {found}, too coarse to hold the edge of the wave, of width 1 "
-                f"on a ring of length 2ℓ = {length:.6g}: give {needed} or more."
+                f"{key} is {found}, too coarse to hold the edge of the wave, of width 1 on a ring "
+                f"of length 2ℓ = {length:.6g}: give {needed} or more."
             )
+
+
+def _grids(scene: Mapping) -> dict[str, int]:
+    """Cells or points of the equations that a scene names, by their keys."""
+    return {
+        f"equations.{name}.{key}": settings[key]
+        for name, settings in scene["equations"].items()
+        for key in ("cells", "points")
+        if key in settings
+    }
 
 
 def _equation_tolerances_above_floor(scene: Mapping) -> Iterator[str]:
     """No error per step drowns in rounding."""
-    for name in SOLVED_EQUATIONS:
-        tolerance = scene["equations"][name]["tolerance"]
+    for name, settings in scene["equations"].items():
+        tolerance = settings.get("tolerance", math.inf)
         if tolerance < EQUATION_TOLERANCE_FLOOR:
             yield (
                 f"equations.{name}.tolerance is {tolerance}, under the solver's floor of "
@@ -85,23 +90,32 @@ def _equation_tolerances_above_floor(scene: Mapping) -> Iterator[str]:
             )
 
 
+def _upwind_scheme_has_its_measure(scene: Mapping) -> Iterator[str]:
+    """The error of the paper's scheme is its distance from the finite volumes."""
+    if "upwind" in scene["equations"] and "logarithmic" not in scene["equations"]:
+        yield (
+            "equations.logarithmic is missing, but equations.upwind is measured against it: give "
+            "its cells and tolerance."
+        )
+
+
 def _size_of_ring(scene: Mapping) -> Iterator[Part]:
     """A ring of 2p − 1 beads, and its amplitude equations on their grids."""
     beads, end, scaling = 2.0 * scene["half_beads"], scene["end_time"], scaling_of(scene)
-    equations, rows = scene["equations"], end / scene["record"]["grid"]["step"]
+    rows = end / scene["record"]["grid"]["step"]
     crossings = scaling.speed * end * beads
     yield Part(
         ("half_beads", "end_time"), (), NUMBERS_PER_BEAD * beads, crossings * SECONDS_PER_CROSSING
     )
     numbers = 3.0 * COLUMNS_PER_ROW * rows * beads
     yield grid_part(("half_beads", "end_time"), ("record.grid.step",), numbers)
-    for name in SOLVED_EQUATIONS:
-        cells = float(equations[name]["cells"])
-        yield grid_part((f"equations.{name}.cells",), (), NUMBERS_PER_BEAD * cells)
-    points = float(equations["upwind"]["points"])
+    for key, count in _grids(scene).items():
+        yield grid_part((key,), (), NUMBERS_PER_BEAD * float(count))
+    points = float(scene["equations"].get("upwind", {}).get("points", 0))
     per_length = points / (2.0 * scaling.half_length(scene["half_beads"]))
+    # The steps of an explicit scheme shrink with the square of the spacing.
     seconds = points * per_length * per_length * scaling.slow_rate * end * SECONDS_PER_POINT
-    yield Part(("equations.upwind.points", "end_time"), (), NUMBERS_PER_BEAD * points, seconds)
+    yield Part(("equations.upwind.points", "end_time"), (), 0.0, seconds)
 
 
 RING = Section(
@@ -113,6 +127,7 @@ RING = Section(
         _plateau_fits_ring,
         _grids_hold_edge,
         _equation_tolerances_above_floor,
+        _upwind_scheme_has_its_measure,
         record_ends_with_motion,
     ),
     size=_size_of_ring,
@@ -124,6 +139,9 @@ RING = Section(
             Need(
                 f"{scene}.record.snapshots", "the speed in the table of printed numbers", entries=2
             ),
+            Need(f"{scene}.equations.logarithmic", "figure 5"),
+            Need(f"{scene}.equations.unlimited", "figure 7b"),
+            Need(f"{scene}.equations.upwind", TABLE),
         )
     ),
 )

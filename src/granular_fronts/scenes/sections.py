@@ -1,4 +1,4 @@
-"""A section of the configuration, a scene for example, as one object with all that is asked of it.
+"""A section of the configuration, a scene for example, as one object with all that it must keep.
 
 The schema says which keys a section has.  A `Section` adds what ties two keys together, how much
 memory and time it takes, and what the figures draw from it.  A check is a function of a section
@@ -18,44 +18,27 @@ from granular_fronts.scenes.limits import Part, part_errors
 Check = Callable[[Mapping], Iterator[str]]
 
 TABLE = "the table of printed numbers"
-"""It judges the paper's parameters only: it needs records, but no values of parameters."""
+"""It judges the paper's parameters only: it needs what is recorded, but no values of parameters."""
 
 
 class Need(NamedTuple):
-    """A key that must be there and not be empty, since a figure or a table draws it.
+    """A key that must be there and not be empty, since a figure or a table draws it."""
 
-    Attributes
-    ----------
-    key : str
-        Dotted key inside the section; of a family of scenes the first word is the scene.
-    user : str
-        What draws or tabulates it.
-    values : tuple of float
-        Entries that the list must have.
-    entries : int
-        How many entries a list must have at the least.
-    """
-
-    key: str
-    user: str
-    values: tuple[float, ...] = ()
-    entries: int = 1
+    key: str  # dotted inside the section; of a family of scenes the first word is the scene
+    user: str  # what draws or tabulates it
+    values: tuple[float, ...] = ()  # that the list must have
+    entries: int = 1  # that a list must have at the least
 
 
 class Section(NamedTuple):
-    """What is asked of a section beside its schema.
+    """What a section must keep beside its schema.
 
-    Attributes
-    ----------
-    checks : tuple of callable
-        Beside `ranges_increase`, `steps_fit_ranges` and the checks of a law, which bind all.
-    size : callable, optional
-        From a section to the `Part` of each key that decides on its memory and time.  None where
-        the schema limits all counts.
-    needs : tuple of Need
+    Its `checks` come beside `ranges_increase`, `steps_fit_ranges` and those of a law, which bind
+    all sections.
     """
 
     checks: tuple[Check, ...] = ()
+    # The parts of its memory and time; None where the schema limits all counts.
     size: Callable[[Mapping], Iterator[Part]] | None = None
     needs: tuple[Need, ...] = ()
 

@@ -24,14 +24,13 @@ def solve_chunk(request: str, dataset: Path) -> None:
     dataset : Path
         The netCDF file to write; the request is written beside it.
     """
-    asked = json.loads(request)
-    chunk = Chunk(**asked)
+    chunk = Chunk(**json.loads(request))
     activity = f"campaign {dataset.parent.name}, chunk {chunk.name}, solving"
     start = time.process_time()
     solved = KINDS[chunk.kind].solve_chunk(chunk.points(), chunk.settings, activity)
     result = chunk_dataset(chunk, solved, time.process_time() - start)
     write_request(chunk, dataset.parent)
-    write_dataset(result, dataset, scene_id=chunk.name, config=asked)
+    write_dataset(result, dataset, scene_id=chunk.name, config=chunk._asdict())
 
 
 if __name__ == "__main__":

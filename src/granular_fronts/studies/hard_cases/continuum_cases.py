@@ -29,12 +29,7 @@ RING = {
     "half_beads": 80,
     "end_time": 90,
     "tolerance": {"relative": 1.0e-9, "absolute": 1.0e-12},
-    "equations": {
-        "logarithmic": {"cells": 1024, "tolerance": 1.0e-9},
-        "unlimited": {"cells": 1024, "tolerance": 1.0e-7},
-        "dispersive": {"cells": 512, "tolerance": 1.0e-7},
-        "upwind": {"points": 10000},
-    },
+    "equations": {"logarithmic": {"cells": 1024, "tolerance": 1.0e-9}},
     "record": {"snapshots": [10.0, 90.0], "grid": {"step": 0.5}},
 }
 SMALL_FLOOR = 1.0e-16
