@@ -4,8 +4,6 @@ from fractions import Fraction
 
 import pytest
 
-pytest.importorskip("flint")
-
 import granular_fronts as gf
 from granular_fronts.proofs.checker import check_certificate
 
