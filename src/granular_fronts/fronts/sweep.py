@@ -185,7 +185,6 @@ def _alone(problem):
 
 
 def _describe(problem, name, places, values, others, estimate, reasons):
-    """The dataset of a sweep on the coordinate `name`."""
     (found, sensitivities), (again, _) = _split(values), _split(others)
     errors = errors_of_measures(found, again, sensitivities, estimate / abs(problem.jump))
     accepted = ACCEPTED_ERROR * problem.size
