@@ -30,7 +30,7 @@ class Certificate:
     """A certificate in doubles, with functions of ξ instead of polynomials on cells."""
 
     def __init__(self, name):
-        data = load(name)
+        self.name, data = name, load(name)
         self.alpha = data["alpha"][2] / data["alpha"][3]
         self.gamma = sum(data["gamma"][k] / data["gamma"][k + 1] for k in (0, 2)) / 2
         self.behind, self.ahead, self.n, self.p, self.q, self.c, self.fine = data["sizes"].tolist()
@@ -57,6 +57,18 @@ class Certificate:
         return self.alpha * np.maximum(u, 0) ** (self.alpha - 1)
 
 
+# Sums of ρ and κ over the first bead of the window and over the others, ρ behind it, and κ behind
+# and ahead, found once and checked by dense matrices that follow the formulas of `right_inverse`.
+ROW_NORMS = {
+    "monotone": (258.388008455, 991.915904094, 164.673240175, 672.430439178)
+    + (18.1545895781, 10.4437025642, 1.09008436529),
+    "overshoot": (250.7571768, 768.579277896, 120.346635614, 417.746142024)
+    + (16.3808161993, 6.99719167043, 1.09000000065),
+    "steep": (500.796922928, 1348.95999237, 163.609421344, 543.65760279)
+    + (23.9323640084, 6.49316379854, 1.25),
+    "critical": (251.409312603, 818.834431707, 159.752983631, 559.481969441)
+    + (17.2922493661, 10.0903854428, 1.06934140795),
+}
 SLOW = pytest.mark.slow
 FAST_AND_SLOW = [
     "monotone",
@@ -96,6 +108,18 @@ def test_residual_is_bounded_and_not_much_too_large(pair):
         bound.append(float(front.residual(j).upper()))
     assert (np.array(found) <= np.array(bound) + 1e-14).all()
     assert max(np.array(found) / bound) > 0.9
+
+
+def test_row_norms_are_those_found_by_dense_matrices(pair):
+    front, known = pair
+    sums = [
+        part.sum()
+        for norms in (front.rho, front.kappa)
+        for part in np.split(floats(norms)[-front.W :], [front.n])
+    ]
+    assert [*sums, floats(front.rho)[0], *floats(front.outer_kappa)] == pytest.approx(
+        ROW_NORMS[known.name], rel=1e-9
+    )
 
 
 @pytest.mark.parametrize(

@@ -154,6 +154,15 @@ def test_row_norms_on_a_finer_mesh(front):
         assert abs(A)[beyond & safe].sum(axis=1).max() < float(bound.mid())
 
 
+def test_row_norms_are_those_found_by_dense_matrices(front):
+    """Sums of ρ over the first bead of the window and over the others; ρ behind and ahead."""
+    first, window = (front.left - front.b) * front.n, (front.b + front.sizes["M"]) * front.n
+    rho = floats(front.rho)
+    parts = np.split(rho[first : first + window], [front.n])
+    found = [*(part.sum() for part in parts), rho[0], rho[-1]]
+    assert found == pytest.approx([280.1915, 826.3457, 29.34503, 2.393726], rel=1e-4)
+
+
 def reflected(rows):
     return (rows * (-1.0) ** np.arange(rows.shape[1]))[::-1].copy()
 
