@@ -113,6 +113,7 @@ def test_front_obeys_the_jump_conditions(name):
     halfway = gf.evaluate_front(front, 0.0, "strain")
     assert halfway == pytest.approx(0.5 * sum(states), rel=1e-15)
     if plain:
+        assert attributes["right_state"] == -states[1]
         assert attributes["residual"] <= 1e-13
         assert front["velocity"].attrs["error_estimate"] <= 5e-13
         assert "22 instead of 20" in front["velocity"].attrs["error_method"]

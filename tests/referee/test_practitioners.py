@@ -16,7 +16,7 @@ from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import load_problems, read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
+from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
@@ -102,7 +102,7 @@ def test_overshoot_and_tail_in_a_short_chain(measured):
 def test_rule_of_thumb_in_a_long_chain(beta, gammas, beads, end, printed):
     unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
     chains = [Case(1.5, beta, gamma, int(beads), end * unit) for gamma in gammas]
-    ratios = [measure_excess(case, unit / counts).overshoot * counts for case in chains]
+    ratios = [_measure_excess(case, unit / counts)["excess_overshoot"] * counts for case in chains]
     ratios = np.array(ratios)[:, : None if beta == 1.5 else 2]
     assert holds_tightly(ratios, *map(float, printed))
 
