@@ -19,6 +19,7 @@ LAWS = [
     (1.5, DRIVEN[1], 1.5),
     (1.02, 0.1, 1.02),
     (1.1, 0.24, 1.1),
+    (1.1, gf.critical_damping(1.1), 1.1),  # whose tail is longer than its slowest root says
     (2.0, 0.1, 2.0),
     (3.0, 0.03, 3.0),
     (3.0, 2.0, 3.0),
@@ -47,17 +48,13 @@ def distance_to_refined(front):
 
 
 @by_law
-def test_flow_returns_the_front_shifted(alpha, gamma, beta):
+def test_flow_returns_the_front_shifted_and_another_window_the_front(alpha, gamma, beta):
     """With three times the steps of the solve, so that the flow's own error counts too."""
     front = shot(alpha, gamma, beta)
     window = front.window._replace(steps=3 * front.window.steps)
     rows, _ = equations.residual(window, front.unknowns)
     assert np.abs(rows).max() <= 1.0e-13
-
-
-@by_law
-def test_longer_window_and_finer_flow_give_the_same_front(alpha, gamma, beta):
-    assert distance_to_refined(shot(alpha, gamma, beta)) <= 1.0e-12
+    assert distance_to_refined(front) <= 1.0e-12
 
 
 @by_law
@@ -100,7 +97,9 @@ def test_driven_chain_and_continuum_lead_to_one_front(gamma):
     assert driven.residuals[0] > 1.0e-4
     front = shot(1.5, gamma_of_front, 1.5)
     for name in ("relative_displacement", "strain_rate", "velocity"):
-        np.testing.assert_allclose(getattr(driven, name), getattr(front, name), atol=3.0e-13)
+        np.testing.assert_allclose(
+            getattr(driven, name), getattr(front, name), rtol=0, atol=3.0e-13
+        )
 
 
 @pytest.mark.parametrize(("alpha", "gamma"), [(1.5, DRIVEN[0]), (1.02, 0.3655), (2.0, 1.0)])
@@ -109,56 +108,46 @@ def test_front_of_another_damping_is_a_guess(alpha, gamma):
     continued = shoot_front(alpha, gamma, guess=guess)
     assert continued.converged, continued.reason
     cold = shot(alpha, gamma, alpha).relative_displacement
-    np.testing.assert_allclose(continued.relative_displacement, cold, atol=1.0e-12)
+    np.testing.assert_allclose(continued.relative_displacement, cold, rtol=0, atol=1.0e-12)
 
 
 def test_sampling_is_consistent():
     front = shot(1.5, DRIVEN[0], 1.5)
     coarse, fine = sample_window(front, 3), sample_window(front, 12)
     assert fine.xi[-1] == front.bead[-1]
-    np.testing.assert_allclose(fine.xi[3::4], coarse.xi, atol=1.0e-14 * coarse.xi.size)
+    np.testing.assert_allclose(fine.xi[3::4], coarse.xi, rtol=0, atol=1.0e-14 * coarse.xi.size)
     for name in ("relative_displacement", "velocity"):
         at_beads = getattr(coarse, name)[2::3]
         np.testing.assert_array_equal(at_beads, getattr(front, name))
-        np.testing.assert_allclose(getattr(fine, name)[3::4], getattr(coarse, name), atol=1.0e-13)
+        np.testing.assert_allclose(
+            getattr(fine, name)[3::4], getattr(coarse, name), rtol=0, atol=1.0e-13
+        )
 
 
-def test_a_short_window_is_refused_or_no_front():
+def test_short_windows_wild_guesses_and_strict_tolerances_give_no_front():
     with pytest.raises(InputError, match=r"beads behind is 10, .* at least 34"):
         shoot_front(1.5, 0.1, beads=(10, 15))
-    result = shoot_front(1.5, 0.3, beads=(30, 3))
-    assert not result.converged
-    assert result.reason
-
-
-def test_failed_solve_is_a_record():
-    """A guess far from any front, and a tolerance that rounding forbids."""
     bead = np.arange(-30, 10)
     noise = np.random.default_rng(5).uniform(-3.0, 3.0, size=(2, bead.size))
     wild = shoot_front(1.5, 0.3, guess=Guess(bead, *noise))
     strict = shoot_front(1.5, 0.3, tolerance=1.0e-18)
-    assert not strict.converged
-    assert "residual" in strict.reason or "settled" in strict.reason
     overflowing = shoot_front(1.5, 0.3, guess=Guess(bead, *(1.0e250 * noise)))
-    assert not overflowing.converged
-    assert not wild.converged
+    for front in (shoot_front(1.5, 0.3, beads=(30, 3)), wild, strict, overflowing):
+        assert not front.converged
+        assert front.reason
+    assert "residual" in strict.reason or "settled" in strict.reason
     assert wild.residuals[-1] > 1.0e-13
 
 
-@pytest.mark.parametrize(("alpha", "gamma"), [(1.5, 0.003), (3.0, 0.004)])
-@pytest.mark.slow
-def test_weak_damping_is_reached_from_stronger(alpha, gamma):
-    """Continuum fronts are too far away there; windows of a thousand beads."""
-    front = shoot_front(alpha, gamma)
-    assert front.converged, front.reason
-    assert front.residuals[-1] <= 1.0e-13
-    assert distance_to_refined(front) < 1.0e-11
+# Of the weakest continuum fronts are too far away; their windows have a thousand beads.
+WEAKEST = [(1.5, 0.003), (3.0, 0.004)]
+RANGE = list(itertools.product((1.02, 1.1, 1.2, 1.5, 2.0, 3.0), (0.03, 0.1, 0.24, 1.0, 2.0)))
 
 
-@pytest.mark.parametrize("alpha", [1.02, 1.1, 1.2, 1.5, 2.0, 3.0])
-@pytest.mark.parametrize("gamma", [0.03, 0.06 * 0.1**0.25, 0.1, 0.24, 0.65 * 0.1**0.25, 1.0, 2.0])
 @pytest.mark.slow
+@pytest.mark.parametrize(("alpha", "gamma"), WEAKEST + RANGE)
 def test_range_of_laws(alpha, gamma):
     front = shoot_front(alpha, gamma)
     assert front.converged, front.reason
-    assert distance_to_refined(front) <= 1.0e-12
+    assert front.residuals[-1] <= 1.0e-13
+    assert distance_to_refined(front) <= (1.0e-11 if gamma < 0.01 else 1.0e-12)

@@ -65,10 +65,12 @@ def test_half_strips_hold_the_number_of_roots_that_was_proved(alpha, gamma):
     assert counts == [3, 5, 7, 9]
 
 
-def test_roots_depend_on_beta_gamma_over_alpha_only():
+def test_roots_and_critical_damping_depend_on_beta_gamma_over_alpha_only():
     np.testing.assert_allclose(
         gf.tail_roots(1.5, 0.4, beta=1.0), gf.tail_roots(1.5, 0.4 / 1.5), rtol=1e-13
     )
+    scaled = 1.5 * gf.critical_damping(1.5)
+    assert gf.critical_damping(1.5, beta=1.0) == pytest.approx(scaled, rel=1e-15)
 
 
 def test_critical_damping_is_a_double_root_and_tends_to_the_long_wave_formula():
@@ -123,12 +125,6 @@ def test_meanings_change_at_a_triple_root():
     assert above == pytest.approx(below, rel=1e-8)
 
 
-def test_critical_damping_scales_with_beta():
-    assert gf.critical_damping(1.5, beta=1.0) == pytest.approx(
-        1.5 * gf.critical_damping(1.5), rel=1e-15
-    )
-
-
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -151,14 +147,10 @@ def test_critical_damping_of_a_stiff_law_keeps_its_digits():
         assert abs(excess + 0.5 / alpha) < 2.0 / alpha**2 + 1e-14
 
 
-def test_strong_damping_needs_few_half_strips():
-    """The slowest root is (α − 1)/(αg) in the limit, found at once however strong the damping."""
+def test_roots_of_extreme_laws_are_found():
+    """(α − 1)/(αg) in the limit of strong damping; a strip far up may hold no root."""
     root = gf.tail_roots(1.5, 1e12, count=1)[0]
     assert root.real == pytest.approx(0.5 / 1.5e12, rel=1e-9)
-
-
-def test_a_strip_without_a_root_leaves_the_lowest_roots():
-    """Far up, where α is large and damping small, a strip may hold no root that is found."""
     roots = gf.tail_roots(23.369647796819336, 0.0011717651288848771, count=2)
     assert np.isfinite(roots).all()
     assert roots[0].real < roots[1].real

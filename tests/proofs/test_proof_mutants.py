@@ -2,8 +2,6 @@
 
 import pytest
 
-pytest.importorskip("flint")
-
 from mutation import LONG, SHORT, TREES, Examples, mutants, noticed
 
 

@@ -1,24 +1,20 @@
 """What is proved as data: chunks of intervals, records, families, and the enclosure of a front."""
 
 import json
+from itertools import pairwise
 
+import join_intervals
 import numpy as np
+import prove_chunk
 import pytest
+import tabulate_proofs
+from certificates import DATA, PROVED, proved
+from proof_chunks import chunk_name, proof_chunks
 
-flint = pytest.importorskip("flint")
-
-from itertools import pairwise  # noqa: E402
-
-import join_intervals  # noqa: E402
-import prove_chunk  # noqa: E402
-import tabulate_proofs  # noqa: E402
-from proof_chunks import chunk_name, proof_chunks  # noqa: E402
-from test_proof_checker import DATA, PROVED, proved  # noqa: E402
-
-import granular_fronts as gf  # noqa: E402
-from granular_fronts.output.datasets import read_dataset  # noqa: E402
-from granular_fronts.proofs.enclosure import enclosure_dataset  # noqa: E402
-from granular_fronts.proofs.records import records_dataset  # noqa: E402
+import granular_fronts as gf
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.proofs.enclosure import enclosure_dataset
+from granular_fronts.proofs.records import records_dataset
 
 
 def test_chunks_meet_at_decimals_and_cover_the_interval():
@@ -65,20 +61,16 @@ def test_data_hold_what_the_checker_says(kept):
 
 
 def test_only_what_is_proved_is_in_the_data(kept):
+    """λ₁ of the monotone front from the computed roots, which are good to fifteen digits."""
     _, data = kept
     assert float(data["monotone"].sel(certificate="monotone")) == 1.0
     assert np.isnan(data["overshoot_bound"].sel(certificate="monotone"))
     assert np.isnan(data["monotone"].sel(certificate="overshoot"))
     for name in ("overshoot", "steep"):
-        known = next(line for line in PROVED[name]["statements"] if "overshoots" in line)
         bound = float(data["overshoot_bound"].sel(certificate=name))
-        assert 1 + bound == float(known.split()[3].rstrip(":"))
+        assert 1 + bound == proved(name)["numbers"]["overshoot"]
     assert not data["joined"].any()
-
-
-def test_rate_behind_is_enclosed(kept):
-    """λ₁ of the monotone front from the computed roots, which are good to fifteen digits."""
-    one = kept[1].sel(certificate="monotone")
+    one = data.sel(certificate="monotone")
     rate = gf.tail_roots(1.5, 0.3, count=1)[0].real
     assert float(one["rate_low"]) < rate < float(one["rate_high"]) < float(one["rate_low"]) + 1e-13
 
@@ -109,16 +101,12 @@ def test_rounded_bounds_are_bounds(kept):
             assert middle + radius >= float(one["amplitude_high"][0])
 
 
-def test_table_counts_what_is_joined_as_one_family(kept):
+def test_what_is_joined_is_one_family_and_stretches_are_joined_where_they_touch(kept):
     _, data = kept
     one = data.assign(joined=("certificate", [0, 1, 0, 1]))
     names, groups = zip(*tabulate_proofs.families(one), strict=True)
     assert names == ("family, alpha = 1.5",) * 2
     assert [group.sizes["certificate"] for group in groups] == [2, 2]
-
-
-def test_stretches_are_joined_where_they_touch(kept):
-    _, data = kept
     ends = ("certificate", [0.1, 0.2, 0.5, 0.7]), ("certificate", [0.2, 0.3, 0.6, 0.9])
     rows = data.assign(gamma_low=ends[0], gamma_high=ends[1])
     assert tabulate_proofs.stretches(rows) == "0.1 to 0.3 and 0.5 to 0.6 and 0.7 to 0.9"
@@ -152,13 +140,13 @@ def test_chunks_are_joined_from_their_files(tmp_path):
         folder.mkdir()
         (folder / "notes.txt").touch()
         paths.append(tmp_path / f"{low}.nc")
-        chunk = {"alpha": 1.5, "low": low, "high": high}
+        chunk = {"alpha": 2.0, "low": low, "high": high, "fine": 20}
         prove_chunk.prove_chunk(chunk, folder, paths[-1])
         found = {file.name for file in folder.iterdir()}
         assert found == {f"{float(low):.6f}.npz", "notes.txt"}
-    join_intervals.join_intervals(paths, {"hertz": {"alpha": 1.5}}, tmp_path / "all.nc")
+    join_intervals.join_intervals(paths, {"square": {"alpha": 2.0}}, tmp_path / "all.nc")
     data = read_dataset(tmp_path / "all.nc", "intervals")
     assert list(data["joined"].values) == [0, 1]
     assert list(data["gamma_high"].values) == [0.302, 0.304]
-    assert json.loads(data.attrs["config"]) == {"hertz": {"alpha": 1.5}}
-    assert data["monotone"].values.tolist() == [1.0, 1.0]
+    assert json.loads(data.attrs["config"]) == {"square": {"alpha": 2.0}}
+    assert (data["overshoot_bound"] > 0.0).all()

@@ -16,7 +16,7 @@ from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
 from granular_fronts.referee.problems import load_problems, read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.studies.half_step_damping import measure_excess, measure_half_step_damping
+from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
 from granular_fronts.studies.half_step_motions import Case, collision_time
 
 DOCUMENT = ROOT / "docs" / "practitioners.md"
@@ -27,6 +27,11 @@ QUOTED = re.search(r"```\n(front_steel_viscoelastic: .*?)\n```", PAGE, re.DOTALL
 PACKAGES = str(ROOT / "src")
 COLUMNS = ("excess_overshoot", "excess_tail", *(f"{n}_defect" for n in ("restitution", "energy")))
 COLUMNS += ("speed_defect", "momentum_defect")
+
+
+def numbers(sentence):
+    """The numbers of a sentence of the page, wherever its lines end."""
+    return tuple(map(float, re.search(sentence, " ".join(PAGE.split())).groups()))
 
 
 def last_digit(number):
@@ -54,6 +59,14 @@ def test_table_of_checks(measured):
                 continue
             number = cell.removesuffix(" %")
             assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
+    fine = measured["excess_overshoot"].sel(beta=1.5, gamma=0.05).sel(step=slice(0.0201, None))
+    percent = tuple(sorted((100.0 * fine).round().values))
+    assert percent == numbers(r"it is (\S+) to (\S+) % of the damping with β = 3/2 and γ = 0.05")
+
+
+def holds_tightly(ratio, low, high):
+    """Whether printed limits are those of some ratios, to the digits printed."""
+    return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
 
 
 RULE = re.search(
@@ -63,18 +76,18 @@ RULE = re.search(
 )
 
 
-def holds_tightly(ratio, low, high):
-    """Whether printed limits are those of some ratios, to the digits printed."""
-    return low <= ratio.min() < low + 0.015 and high - 0.015 < ratio.max() <= high
-
-
-def test_overshoot_in_a_short_chain(measured):
+def test_overshoot_and_tail_in_a_short_chain(measured):
+    """A table, and the share of the tail, which grows with γ."""
     rows = re.findall(r"^  \| (0\.\d+) \| (.*) \|$", PAGE, re.MULTILINE)
     assert [float(gamma) for gamma, _ in rows] == measured["gamma"].values.tolist()
-    fine = measured.sel(step=slice(0.0201, None))
-    ratios = (fine["excess_overshoot"] / fine["step"]).transpose("gamma", "beta", "step")
+    fine = measured[["excess_overshoot", "excess_tail"]].sel(step=slice(0.0201, None))
+    fine = fine.transpose("gamma", "beta", "step")
     printed = [[cell.split(", ") for cell in cells.split(" | ")] for _, cells in rows]
+    ratios = fine["excess_overshoot"] / fine["step"]
     np.testing.assert_allclose(ratios, np.array(printed, float), rtol=0, atol=0.005)
+    share = (fine["excess_tail"] / fine["excess_overshoot"]).values
+    assert holds_tightly(share, *numbers(r"excess is (\S+) to (\S+) times that of the overshoot"))
+    assert np.all(np.diff(share, axis=0) > 0.0)
 
 
 @pytest.mark.slow
@@ -89,26 +102,53 @@ def test_overshoot_in_a_short_chain(measured):
 def test_rule_of_thumb_in_a_long_chain(beta, gammas, beads, end, printed):
     unit, counts = collision_time(1.5), np.array([50.0, 100.0, 200.0])
     chains = [Case(1.5, beta, gamma, int(beads), end * unit) for gamma in gammas]
-    ratios = [measure_excess(case, unit / counts).overshoot * counts for case in chains]
+    ratios = [_measure_excess(case, unit / counts)["excess_overshoot"] * counts for case in chains]
     ratios = np.array(ratios)[:, : None if beta == 1.5 else 2]
     assert holds_tightly(ratios, *map(float, printed))
 
 
-def test_what_the_referee_says_of_a_front():
-    problem = PROBLEMS["front_steel_viscoelastic"]
+def found_by_half_steps(name, *steps):
+    problem = PROBLEMS[name]
     answer = solve(problem)
-    findings = [find(problem, answer, half_steps(problem, h)) for h in (0.25, 0.1, 0.05, 0.025)]
-    said = list(report(problem, findings, 1e-3))
+    return answer, [find(problem, answer, half_steps(problem, step)) for step in steps]
+
+
+def test_what_the_referee_says_of_a_front():
+    _, findings = found_by_half_steps("front_steel_viscoelastic", 0.25, 0.1, 0.05, 0.025)
+    said = list(report(PROBLEMS["front_steel_viscoelastic"], findings, 1e-3))
     assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
+
+
+def test_single_collisions():
+    names = [name for name in PROBLEMS if name.startswith("collision")]
+    less = [-100.0 * found_by_half_steps(name, 0.1)[1][0].excess for name in names]
+    limits = numbers(r"those of the referee read (\S+) to (\S+) % less damping, most with β = 1,")
+    assert (min(less), max(less)) == pytest.approx(limits, abs=0.05)
+    assert "dashpot" in names[int(np.argmax(less))]
+
+
+def test_ejected_beads():
+    answer, (found,) = found_by_half_steps("contact_loss_steel_restitution", 0.1)
+    slow = 1.0 - found.reading / float(answer["reading"].sel(factor=1.0))
+    printed = numbers(r"the last bead is (\S+) % too slow, which reads as (\S+) % more damping")
+    assert (100.0 * slow, 100.0 * found.excess) == pytest.approx(printed, abs=0.05)
+
+
+def test_problems_and_the_time_of_a_collision():
+    assert numbers(r"`results/referee` (\d+) problems") == (len(PROBLEMS),)
+    unit, count = numbers(r"t_c = (\S+), so that 0\.1 is t_c/(\d+)\.")
+    exact = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
+    assert (round(exact, 2), round(exact / 0.1)) == (unit, count)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_errors_of_the_answers(name):
+    (below,) = numbers(r"with their errors \(below (\S+)\)")
     answer = solve(PROBLEMS[name])
     fields = (answer[name] for name in ("relative_displacement", "velocity"))
-    assert 0.0 < max(field.attrs["error_estimate"] for field in fields) < 1e-10
-    assert answer["value_error"].max() < 1e-10
+    assert 0.0 < max(field.attrs["error_estimate"] for field in fields) < below
+    assert answer["value_error"].max() < below
 
 
 @pytest.mark.slow

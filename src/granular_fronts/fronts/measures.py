@@ -142,5 +142,4 @@ def strong_damping_power(survey, alpha):
 
 
 def _powers(x, y):
-    """Powers of x that y follows between neighbours."""
     return np.diff(np.log(y)) / np.diff(np.log(x))

@@ -49,8 +49,8 @@ ERROR_METHODS = {
 FIELDS = ("relative_displacement", "velocity", "strain")
 
 
-class Question(NamedTuple):
-    """Which front is sought: a law, the strains R_b behind and R_a ahead, and their problem."""
+class _Sought(NamedTuple):
+    """A law, the strains R_b behind and R_a ahead, and their problem."""
 
     law: Law
     behind: float
@@ -138,16 +138,16 @@ def solve_front(
                 f"right_state is {right_state} beside a law, whose states say what is ahead: leave "
                 "it out."
             )
-        question = Question(given, behind, ahead, front_problem(given, behind, ahead))
+        sought = _Sought(given, behind, ahead, front_problem(given, behind, ahead))
     else:
         alpha, gamma, beta = check_law(alpha, gamma, beta)
         given = make_law(alpha=alpha, beta=beta, gamma=gamma)
         problem = power_problem(alpha, gamma, beta, right_state)
-        question = Question(given, -1.0, 0.0 - right_state, problem)
+        sought = _Sought(given, -1.0, 0.0 - right_state, problem)
     try:
-        return _describe(method, question, *METHODS[method](question))
+        return _describe(method, sought, *METHODS[method](sought))
     except NoFrontError as failure:
-        return _describe_failure(method, question, str(failure))
+        return _describe_failure(method, sought, str(failure))
 
 
 def evaluate_front(
@@ -183,10 +183,9 @@ def evaluate_front(
     return interpolate_all(values, positions, values[0], values[-1], middle).reshape(xi.shape)
 
 
-def _by_profile(question):
-    """A front and its refinement by the profile equation."""
+def _by_profile(sought):
     profiles = refined_by(
-        lambda found: _settled(refine(found)), _settled(solve_profile(question.problem))
+        lambda found: _settled(refine(found)), _settled(solve_profile(sought.problem))
     )
     return [
         Solution(
@@ -208,18 +207,18 @@ def _settled(profile):
     return profile
 
 
-def _by_shooting(question):
+def _by_shooting(sought):
     """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
-    law = question.law
-    if not (law.is_power and question.behind == -1.0):
+    law = sought.law
+    if not (law.is_power and sought.behind == -1.0):
         raise InputError(
             f"law is {json.dumps(law.describe(), default=str)} and the states are "
-            f"{question.behind:g} and {question.ahead:g}, but shooting takes the law (28) alone, "
+            f"{sought.behind:g} and {sought.ahead:g}, but shooting takes the law (28) alone, "
             'from compression 1 into a chain at rest: use method "profile".'
         )
-    if question.ahead < 0.0:
+    if sought.ahead < 0.0:
         raise InputError(
-            f"right_state is {-question.ahead}, but shooting needs a chain at rest ahead: "
+            f"right_state is {-sought.ahead}, but shooting needs a chain at rest ahead: "
             'use method "profile".'
         )
     shots = refined_by(
@@ -229,7 +228,7 @@ def _by_shooting(question):
     points = math.ceil(6.0 + 4.3 * law.alpha)
     return [
         Solution(
-            question.problem,
+            sought.problem,
             1.0 / points,
             *shooting.sample_front(found, points),
             found.residuals,
@@ -248,16 +247,16 @@ def _converged(shot):
 METHODS = {"profile": _by_profile, "shooting": _by_shooting}
 
 
-def _describe(method, question, solution, refined):
+def _describe(method, sought, solution, refined):
     """The dataset of a front, its errors the differences to the refined one."""
-    problem = question.problem
+    problem = sought.problem
     size = problem.size
     positions, middle = _positions(solution.xi, refined.xi)
     again = interpolate_all(solution.s, positions, 1.0, 0.0, middle)
     error = max(abs(problem.jump) * _largest(again - refined.s), EPSILON * size)
     if error > ACCEPTED_ERROR * size:
         raise NoFrontError(f"the strain errs by {error:.1e}, more than {ACCEPTED_ERROR * size:g}")
-    ends = (-problem.speed * R for R in (question.behind, question.ahead))
+    ends = (-problem.speed * R for R in (sought.behind, sought.ahead))
     again = interpolate_all(solution.velocity, positions, *ends, middle)
     velocity_error = max(_largest(again - refined.velocity), EPSILON * problem.speed * size)
     u = problem.start + problem.jump * solution.s
@@ -266,7 +265,7 @@ def _describe(method, question, solution, refined):
     defects = solution.speed_defect, refined.speed_defect
     return _dataset(
         method,
-        question,
+        sought,
         solution.xi,
         {
             "relative_displacement": (u, error),
@@ -287,14 +286,14 @@ def _describe(method, question, solution, refined):
     )
 
 
-def _describe_failure(method, question, reason):
+def _describe_failure(method, sought, reason):
     """The dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
     unknown = ("residual", "speed_defect", "error_estimate", "spacing", *MEASURES)
     unknown += tuple(f"{name}_error" for name in ("speed_defect", *MEASURES))
     return _dataset(
         method,
-        question,
+        sought,
         np.zeros(1),
         dict.fromkeys(FIELDS, nothing),
         np.empty(0),
@@ -304,15 +303,15 @@ def _describe_failure(method, question, reason):
     )
 
 
-def _dataset(method, question, xi, fields, residuals, **attributes):
+def _dataset(method, sought, xi, fields, residuals, **attributes):
     variables = {
         name: ("xi", values, {"error_estimate": error, "error_method": ERROR_METHODS[method]})
         for name, (values, error) in fields.items()
     }
     variables["residual_history"] = ("iteration", residuals)
     coordinate = {"xi": ("xi", xi, {"long_name": "distance from the front, n - ct"})}
-    described = describe_front(question.law, question.behind, question.ahead)
-    described |= {"speed": question.problem.speed, "method": method}
+    described = describe_front(sought.law, sought.behind, sought.ahead)
+    described |= {"speed": sought.problem.speed, "method": method}
     return name_variables(xr.Dataset(variables, coordinate, described | attributes))
 
 

@@ -174,18 +174,16 @@ def _alone(problem):
     """One front on a window and a grid of its own: values on two grids, error of the strain."""
     start = solve_profile(problem)
     finer = refine(start) if not start.reason else start
-    if finer.reason:
-        return None, None, math.inf
     damping = np.array([problem.damping])
-    found, again = follow(start, damping, ORDER), follow(finer, damping, REFINED_ORDER)
-    if not (len(found) and len(again)):
-        return None, None, math.inf
-    difference = float(np.abs(start.evaluate(finer.xi) - finer.s).max())
-    return found[0], again[0], abs(problem.jump) * difference
+    if not finer.reason:
+        found, again = follow(start, damping, ORDER), follow(finer, damping, REFINED_ORDER)
+        if len(found) and len(again):
+            difference = float(np.abs(start.evaluate(finer.xi) - finer.s).max())
+            return found[0], again[0], abs(problem.jump) * difference
+    return None, None, math.inf
 
 
 def _describe(problem, name, places, values, others, estimate, reasons):
-    """The dataset of a sweep on the coordinate `name`."""
     (found, sensitivities), (again, _) = _split(values), _split(others)
     errors = errors_of_measures(found, again, sensitivities, estimate / abs(problem.jump))
     accepted = ACCEPTED_ERROR * problem.size

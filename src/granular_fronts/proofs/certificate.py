@@ -45,8 +45,7 @@ COARSE, LOST_COARSE = 20, 0.1  # cells per bead and ∫|g| cut off where candida
 PLACE = 4  # beads behind x₀, where the remainder is to be small
 WEIGHT_OF_SLOW = 0.1  # of Γ_θ, which enters only the small c, beside Γ_η
 
-Rational = float | str | Fraction
-"""A number as `rational` reads it."""
+Rational = float | str | Fraction  # a number as `rational` reads it
 
 
 def prove_front(
@@ -174,7 +173,6 @@ def _expansion(alpha, gamma, half, n, xi, u):
 
 
 def _slowest_first(roots):
-    """Real roots first, and the slowest first among those."""
     return np.array(sorted(roots, key=lambda root: (root.imag != 0, root.real)))
 
 

@@ -92,7 +92,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     try:
         with in_balls():
             data = load(path)
-            front = DashpotFront(data) if "strain" in data else Front(checked(data))
+            front = DashpotFront(data) if "strain" in data else Front(_checked(data))
             statements = list(front.prove())
             record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
         record |= {"error": front.error, "statements": statements, "proved": True}
@@ -262,10 +262,10 @@ class Front(Contraction):
 
 def read(path):
     """The arrays of a certificate of this kind."""
-    return checked(load(path))
+    return _checked(load(path))
 
 
-def checked(data):
+def _checked(data):
     """The arrays of a certificate, if they have the kinds and shapes that they must have."""
     fields = FIELDS | EXPANSION if len(data["weights"]) == 2 else FIELDS
     require_arrays(data, fields, sizes=7)

@@ -53,7 +53,6 @@ def enclosure_dataset(path):
 
 
 def _tail_ahead(front, xi, low, high):
-    """ξ ahead of x₁, and bounds of −ln u there."""
     alpha, gamma, n = float(front.alpha), float(front.gamma), front.n
     [small] = [one for one in front.inequalities if one["name"] == "decrease ahead"]
     s, k = small["left"] / ((1 + 2 * gamma) * (1 + gamma)), float(front.nK)

@@ -85,7 +85,7 @@ def join(first, second):
     if high != low or ends(first, "alpha") != ends(second, "alpha"):
         raise NotProvedError(f"the intervals do not meet: {high} and {low}")
     n = math.lcm(first.n, second.n)
-    one, two = Side(first, 1, n), Side(second, -1, n)
+    one, two = _Side(first, 1, n), _Side(second, -1, n)
     alpha, h, middle = first.alpha, arb(1) / n, range(-n, n)
     behind, ahead = (
         [power(bound, alpha) for j in (at - 1, at) for bound in two.strain(j)] for at in (-n, n)
@@ -111,7 +111,7 @@ def join(first, second):
     second.require("the front before is a translate", total, arb(1))
 
 
-class Side:
+class _Side:
     """The front of one end of an interval on the cells (j, j + 1)/n, n a multiple of its own."""
 
     def __init__(self, front, s, n):

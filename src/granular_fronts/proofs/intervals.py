@@ -80,7 +80,6 @@ def prove_interval(alpha, low, high, folder, cells=CELLS, fine=FINE, drift=DRIFT
 
 
 def _require_place(front, alpha, at, high):
-    """Stop unless a front of the folder is one of this interval."""
     low, end = ends(front)
     if low != at or not low < end <= high or ends(front, "alpha") != alpha:
         raise NotProvedError("a certificate in the folder belongs to another interval")

@@ -73,8 +73,7 @@ from granular_fronts.proofs.tail_roots import Law, find_root, require_zeros, slo
 
 TERMS = 16  # of the exponential on a cell
 MOST_PARTS = 1000  # of an interval of γ, so that every check ends
-KINDS = ("pair", "either", "real")
-"""Which root leads, in the order of γ at critical damping."""
+KINDS = ("pair", "either", "real")  # which root leads, in the order of γ at critical damping
 
 
 def expand(front, theta, eta):
@@ -189,7 +188,6 @@ def _note(front, parts):
 
 
 def _statements(front, found):
-    """What all parts of the interval say together."""
     kinds, roots, amplitudes, monotone = zip(*found, strict=True)
     places = [KINDS.index(kind) for kind in kinds]
     rate = _hull(root.real for root in roots)
@@ -266,7 +264,6 @@ def boundary_source(front, at):
 
 
 def _weighted(n, source, errors, w):
-    """|F_b|_w."""
     return largest(
         (size(f) + error) * (-w * fmpq(k - n, n)).exp()
         for k, (f, error) in enumerate(zip(source, errors, strict=True))

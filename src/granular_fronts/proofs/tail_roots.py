@@ -41,7 +41,6 @@ simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0, then near γ₀
 """
 
 import math
-from itertools import pairwise
 
 from flint import acb, acb_series, arb, arb_series, fmpq
 
@@ -130,20 +129,6 @@ def require_zeros(law, name, w, count):
             middle = (low + high) / 2
             parts += [(low, middle), (middle, high)]
     law.require(name, abs(turn / arb.pi() + 1 - count), arb(0.5))
-
-
-def slowest_roots(law, starts, radius):
-    """The zeros of D with the least real parts, near all `starts` but the last.
-
-    One of each pair, in their order; that they are all is shown between the last two.
-    """
-    roots = [find_root(law, start.real, start.imag, radius) for start in starts]
-    for first, second in pairwise(roots):
-        law.require("the next root decays faster", first.real, second.real)
-    *slow, last = roots
-    count = sum(1 if start.imag == 0 else 2 for start in starts[:-1])
-    require_zeros(law, "no other root", (slow[-1].real + last.real).mid() / 2, count)
-    return slow
 
 
 def bell(x, order):

@@ -39,7 +39,6 @@ def main(arguments):
 
 
 def _make_folder(figures):
-    """Make the folder for the figures, if some are wanted."""
     try:
         if figures:
             figures.mkdir(parents=True, exist_ok=True)
@@ -61,7 +60,6 @@ def _known_problems(folder):
 
 
 def _by_problem(files, known):
-    """Results of each problem, the largest step first."""
     found = defaultdict(list)
     for result in (read_result(file, known) for file in files):
         if any(result.step == other.step for other in found[result.problem]):
@@ -75,7 +73,6 @@ def _by_problem(files, known):
 
 
 def _read_answer(path):
-    """The accurate answer of a file."""
     try:
         return read_dataset(path, scene_id=path.stem)
     except DatasetError as error:

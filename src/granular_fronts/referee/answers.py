@@ -15,8 +15,7 @@ import xarray as xr
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.referee.readings import NAMES, read_motion, scale_of
 
-LAST_BEADS = 3
-"""How many velocities at the end are listed."""
+LAST_BEADS = 3  # whose velocities at the end are listed
 
 
 def solve(problem):
@@ -28,7 +27,7 @@ def solve(problem):
     motion = simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)
     readings = [_read_at(problem, factor) for factor in problem.factors]
-    names, values, errors = zip(*quantities(motion), strict=True)
+    names, values, errors = zip(*_quantities(motion), strict=True)
     field = {
         name: {key: motion[f"{name}_grid"].attrs[key] for key in ("error_estimate", "error_method")}
         for name in ("relative_displacement", "velocity")
@@ -65,13 +64,12 @@ def states(motion):
 
 
 def _read_at(problem, factor):
-    """The reading of the damping, of the same motion at another damping."""
     law = problem.scene["law"]
     scene = problem.scene | {"law": law | {"gamma": factor * law["gamma"]}}
     return read_motion(problem, *states(simulate_chain(scene, problem.name)))
 
 
-def quantities(motion):
+def _quantities(motion):
     """Names, values and errors of single numbers."""
 
     def recorded(name):

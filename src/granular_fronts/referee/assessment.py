@@ -7,17 +7,10 @@ import numpy as np
 from granular_fronts.errors import InputError
 from granular_fronts.referee.readings import NAMES, excess_damping, read_motion, velocity_scale
 
-CLEAR = 0.25
-"""Largest distance of a clear order from a whole number, and its largest scatter."""
-
-NO_ORDER = 0.3
-"""Observed order below which the error does not depend on the step."""
-
-SAME_TIME = 1.0e-6
-"""Distance of two times that count as one, over the interval between states."""
-
-SAME_START = 1.0e-6
-"""Distance of two first states that count as one, over δ or over the velocity of a front."""
+CLEAR = 0.25  # largest distance of a clear order from a whole number, and its largest scatter
+NO_ORDER = 0.3  # observed order below which the error does not depend on the step
+SAME_TIME = 1.0e-6  # distance of two times that count as one, over the interval between states
+SAME_START = 1.0e-6  # of two first states, over δ or over the velocity of a front
 
 
 class Finding(NamedTuple):
@@ -122,11 +115,10 @@ def report(problem, findings, wanted):
     order = observed_order(findings)
     scatter = "" if np.isnan(order.scatter) else f" ± {order.scatter:.2f}"
     yield f"  The observed order is {order.value:.2f}{scatter}."
-    yield from (f"  {line}" for line in advice(problem, findings[-1], order, wanted))
+    yield from (f"  {line}" for line in _advice(problem, findings[-1], order, wanted))
 
 
 def _damping_in_words(problem, finding):
-    """What the reading says, as the end of a sentence."""
     if np.isnan(finding.excess):
         return ""
     side = "large" if finding.excess > 0.0 else "small"
@@ -136,7 +128,7 @@ def _damping_in_words(problem, finding):
     )
 
 
-def advice(problem, finest, order, wanted):
+def _advice(problem, finest, order, wanted):
     """What to change: nothing, the problem, the number of steps, or the step and the integrator.
 
     The last two are advised only where the error falls at a clear order.

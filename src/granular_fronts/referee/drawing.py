@@ -5,8 +5,7 @@ from matplotlib import colormaps
 
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
-START = 0.01
-"""Share of the largest u at which the drawn motion begins."""
+START = 0.01  # share of the largest u at which the drawn motion begins
 
 
 def draw(problem, answer, results, findings):

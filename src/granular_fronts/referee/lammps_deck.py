@@ -22,8 +22,7 @@ import math
 from granular_fronts.errors import InputError
 
 DIAMETER = 1.0
-MARGIN = 10.0
-"""Room around the chain, in diameters."""
+MARGIN = 10.0  # room around the chain, in diameters
 
 DECK = """\
 # {title}
@@ -105,7 +104,6 @@ def damping_model(law):
 
 
 def _start_velocities(scene):
-    """Velocities at t = 0."""
     return scene["start"].get("velocity", [0.0] * scene["beads"])
 
 

@@ -22,13 +22,9 @@ ALPHA = 1.5
 PRESSED = "a constant force of {force!r} pushes bead 1 towards bead 2 from t = 0 on"
 STRUCK = "bead 1 has the velocity {velocity!r} towards bead 2"
 MOTIONS = {"front": PRESSED, "contact_loss": PRESSED, "striker": STRUCK, "collision": STRUCK}
-"""What moves the beads, in words."""
 
-SAME = 1.0e-9
-"""Relative distance of a quotient from a whole number that counts as none."""
-
-NUMBERS_OF_A_BEAD = 4
-"""Held of each state: relative displacement and velocity, of the solution and of its refinement."""
+SAME = 1.0e-9  # relative distance of a quotient from a whole number that counts as none
+NUMBERS_OF_A_BEAD = 4  # of each state: u and ẋ, of the solution and of its refinement
 
 WORDS = """\
 {title}
@@ -82,7 +78,7 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
         for damping in chain["dampings"]:
             for law, beta in settings["laws"].items():
                 name = f"{motion}_{damping}_{law}"
-                scene = scene_of(motion, chain, beta, settings["dampings"][damping], settings)
+                scene = _scene_of(motion, chain, beta, settings["dampings"][damping], settings)
                 _check_problem(name, scene, found)
                 found[name] = Problem(
                     name,
@@ -96,7 +92,6 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
 
 
 def _check_problem(name: str, scene: Mapping[str, Any], others: Collection[str]) -> None:
-    """Check that LAMMPS has the law of a problem, and that its name is its own."""
     try:
         damping_model(scene["law"])
     except InputError as error:
@@ -107,7 +102,7 @@ def _check_problem(name: str, scene: Mapping[str, Any], others: Collection[str])
         )
 
 
-def scene_of(
+def _scene_of(
     motion: str,
     chain: Mapping[str, Any],
     beta: float,
@@ -169,13 +164,11 @@ def read_settings(file: Path | str) -> dict[str, Any]:
 
 
 def _check_settings(settings: Mapping[str, Any]) -> None:
-    """Raise an InputError with a sentence for each thing wrong in a section ``referee``."""
     _raise_if_any(violations(settings, definition="settings", schema="referee"))
     _raise_if_any([*_factor_errors(settings["factors"]), *_motion_errors(settings)])
 
 
 def _raise_if_any(sentences: Iterable[str]) -> None:
-    """Raise an InputError of some sentences about the settings, one a line, if there are any."""
     errors = [f"config/referee.yaml: {sentence}" for sentence in sentences]
     if errors:
         raise InputError("\n".join(errors))

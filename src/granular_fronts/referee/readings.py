@@ -19,8 +19,7 @@ import numpy as np
 from granular_fronts.studies.half_step_damping import excess_by_table
 from granular_fronts.studies.half_step_motions import cubic_between
 
-LEAST_FALL = 1.0e-4
-"""Of a reading from one tabulated damping to the next, relative."""
+LEAST_FALL = 1.0e-4  # of a reading from one tabulated damping to the next, relative
 
 NAMES = {
     "front": "overshoot between states in the middle",

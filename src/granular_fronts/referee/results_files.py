@@ -40,7 +40,7 @@ def read_result(path, problems):
     rows = _lammps_rows(path) if path.suffix == ".dump" else _table_rows(path)
     t, x, v = _by_time_and_bead(path, rows)
     _check_last_line(path)
-    return Result(problem, step, t, displacements(x), v)
+    return Result(problem, step, t, _displacements(x), v)
 
 
 def _check_last_line(path):
@@ -78,7 +78,7 @@ def _lammps_rows(path):
     while at < len(lines):
         head = lines[at]
         if head == "ITEM: TIME":
-            time = number(path, *lines[at + 1 : at + 2])
+            time = _number(path, *lines[at + 1 : at + 2])
         if not head.startswith("ITEM: ATOMS"):
             at += 1
             continue
@@ -93,7 +93,7 @@ def _lammps_rows(path):
         at += 1
         while at < len(lines) and not lines[at].startswith("ITEM:"):
             words = lines[at].split()
-            rows.append((time, *(number(path, *words[one : one + 1]) for one in chosen)))
+            rows.append((time, *(_number(path, *words[one : one + 1]) for one in chosen)))
             at += 1
     return rows
 
@@ -119,10 +119,10 @@ def _table_rows(path):
         raise InputError(
             f"{path} has rows of more than {len(names)} numbers: write decimals with a point."
         )
-    return [tuple(number(path, row[name]) for name in COLUMNS) for row in rows]
+    return [tuple(_number(path, row[name]) for name in COLUMNS) for row in rows]
 
 
-def number(path, text=""):
+def _number(path, text=""):
     """A finite number."""
     try:
         found = float(text)
@@ -137,7 +137,6 @@ def number(path, text=""):
 
 
 def _by_time_and_bead(path, rows):
-    """Times, and x and v on (time, bead)."""
     if not rows:
         raise InputError(f"{path} holds no states: write some.")
     table = np.array(rows)
@@ -153,7 +152,7 @@ def _by_time_and_bead(path, rows):
     return t, x, v
 
 
-def displacements(x):
+def _displacements(x):
     """Displacements: x, less the places where beads just touch if it holds positions."""
     beads = np.arange(x.shape[1])
     return x - beads if np.mean(np.diff(x[0])) > 0.5 else x

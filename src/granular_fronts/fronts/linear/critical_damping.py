@@ -140,8 +140,6 @@ def _alpha_of_crossing(z):
 
 
 def _crossing_real_part(z):
-    """x(z): both equations for αg agree."""
-
     def disagreement(x):
         a, b, c, d = _equations(x, z)
         return a * d - b * c
@@ -180,8 +178,6 @@ _MEANINGS: dict[str, Callable[[float], float]] = {
 
 
 def _vanishing_overshoot(alpha, beta, cut):
-    """The γ at which the overshoot of the exact front equals the cut."""
-
     def excess(gamma):
         profile = solve_profile(power_problem(alpha, gamma, beta))
         if profile.reason:

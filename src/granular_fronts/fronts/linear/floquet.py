@@ -65,11 +65,9 @@ from granular_fronts.fronts.validation import check_front_of_powers
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300
 UNTOUCHED = 1.0e-16
-MOST_BEADS = 500
-"""On either side; the eigenvalues of so many take seconds, during which Ctrl-C has to wait."""
-
-LARGEST_DEFECT = 1.0e-6
-INTEGER_XI = 1.0e-9
+MOST_BEADS = 500  # on either side; the eigenvalues of so many take seconds, and Ctrl-C waits
+LARGEST_DEFECT = 1.0e-6  # of the multiplier of translation and of the flow, with a verdict
+INTEGER_XI = 1.0e-9  # distance from an integer
 
 
 def front_multipliers(
@@ -219,7 +217,6 @@ def _at_beads(front, beta, gamma):
 
 
 def _verdict(values, residual):
-    """What the multipliers say of the front, in words."""
     defect, radius = abs(values[0] - 1.0), abs(values[1])
     if residual > LARGEST_DEFECT:
         return (

@@ -176,7 +176,6 @@ def _force(potential, behind, ahead, speeds):
 
 
 def _check_ends(problem, behind, ahead):
-    """Refuse states between which no front is sought."""
     c = problem.speed
     for place, R, end in (("behind", behind, problem.behind), ("ahead of", ahead, problem.ahead)):
         if not math.isfinite(end.p_slope + end.q_slope):

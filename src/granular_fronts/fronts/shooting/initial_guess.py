@@ -75,7 +75,6 @@ def _overdamped_xi(alpha, gamma, beta):
 
 
 def _overdamped(alpha, gamma, beta, xi):
-    """Both u and u' of the overdamped front."""
     p, xi_of_p = _overdamped_xi(alpha, gamma, beta)
     u = np.exp(-np.exp(np.interp(xi, xi_of_p, np.log(p))))
     u[xi > xi_of_p[-1]] = 0.0

@@ -73,33 +73,13 @@ class Shot(NamedTuple):
 
 
 def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TOLERANCE):
-    """The travelling front with u = 1 behind, u = 0 ahead, and u = 1/2 at bead 0.
+    """The `Shot` of the front with u = 1 behind, u = 0 ahead and u = 1/2 at bead 0.
 
-    Parameters
-    ----------
-    alpha, gamma : float
-        Contact law in the frame δ = c = 1, α > 1, γ > 0.
-    beta : float, optional
-        β ≥ 1, α by default.
-    beads : pair of int, optional
-        Beads behind and ahead of bead 0; by default as many as the tails need.
-    guess : initial_guess.Guess or Shot, optional
-        Start of the iteration; by default a continuum front, and where that fails the front of a
-        stronger damping.
-    tolerance : float, optional
-        Largest residual of any equation.
-
-    Returns
-    -------
-    Shot
-        With `converged` False, and a reason, where the iteration fails.
-
-    Raises
-    ------
-    InputError
-        If the law has no front, or the window is too short for its tail.
-    NoFrontError
-        If the front would need too many beads or steps.
+    `beads` are those behind and ahead of bead 0, by default as many as the tails need.  `guess`, a
+    `Guess` or `Shot`, is by default a continuum front, or where that fails the front of a stronger
+    damping; `tolerance` is the largest residual of any equation.  An InputError says that the law
+    has no front or the window is too short for its tail, a NoFrontError that the front would need
+    too many beads or steps.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     law = PowerLaw(alpha, beta, gamma)
@@ -120,7 +100,6 @@ def _decay(law):
 
 
 def _check_steps(law):
-    """Raise a NoFrontError where explicit steps would have to be too many."""
     if _decay(law) > LARGEST_DECAY_PER_STEP * MOST_STEPS:
         raise NoFrontError(
             f"the damping rate 4 beta gamma is {_decay(law):.3g}, more than {MOST_STEPS} explicit "
@@ -129,7 +108,6 @@ def _check_steps(law):
 
 
 def _shoot_in_window(law, roots, bead, guess, tolerance):
-    """The front in a window, from the guess, the continuum front, or a stronger damping."""
     steps = max(FEWEST_STEPS, math.ceil(_decay(law) / LARGEST_DECAY_PER_STEP))
     if guess is not None:
         return _shoot(law, roots, bead, guess, steps, tolerance)
@@ -193,7 +171,6 @@ def _shoot(law, roots, bead, guess, steps, tolerance):
 
 
 def _flow_error(window, unknowns):
-    """Change of the flow over a bead-time when its steps are doubled."""
     finer = window._replace(steps=2 * window.steps)
     changes = [equations.flow(each, unknowns)[0] for each in (window, finer)]
     return largest(changes[0] - changes[1])
@@ -260,7 +237,6 @@ def sample_window(shot, points_per_site):
 
 
 def _sample_tail(shot, xi):
-    """The front behind the window, as the sum of its modes."""
     amplitudes, _ = split(shot.window, shot.unknowns)
     distance = xi - (shot.bead[0] - 1)
     u, velocity, used = np.ones(xi.size), np.ones(xi.size), 0
