@@ -6,7 +6,7 @@ import pytest
 from conftest import listed_as_made, read_dataset
 from figure_samples import SAMPLES
 
-from granular_fronts.output.provenance import read_record
+from granular_fronts.output.files import read_json
 
 FIGURES = listed_as_made().figures
 
@@ -27,15 +27,15 @@ def test_pdf_is_whole(results, stem):
 
 @pytest.mark.parametrize("stem", FIGURES)
 def test_picture_names_what_it_was_drawn_from(results, stem):
-    for made_from in read_record(results / f"{stem}.json")["made_from"]:
-        keyword = "{scene}:{question}:{data}".format(**made_from).encode()
+    for made_from in read_json(results / f"{stem}.json")["made_from"]:
+        keyword = ":".join(made_from.values()).encode()
         for ending in ("png", "pdf"):
             assert keyword in (results / f"{stem}.{ending}").read_bytes()
 
 
 @pytest.mark.parametrize("stem", FIGURES)
 def test_texts_are_filled(results, stem):
-    record = read_record(results / f"{stem}.json")
+    record = read_json(results / f"{stem}.json")
     caption = (results / f"{stem}.rst").read_text(encoding="utf-8")
     for text in (caption, record["title"], record["alt"]):
         assert text.strip()
@@ -49,7 +49,7 @@ def number_of(stem):
 @pytest.mark.parametrize("stem", [stem for stem in FIGURES if number_of(stem) in SAMPLES])
 def test_data_have_the_variables_that_the_tests_of_figures_draw(results, stem):
     """Those tests draw samples, which hold for the workflow only if its datasets are alike."""
-    made_from = read_record(results / f"{stem}.json")["made_from"]
+    made_from = read_json(results / f"{stem}.json")["made_from"]
     files = [file for each in made_from for file in results.glob(f"data/*/{each['scene']}.nc")]
     made = [variables_of(read_dataset(file)) for file in files]
     for given in SAMPLES[number_of(stem)]().values():

@@ -1,12 +1,13 @@
-"""Figures, tables and data belong together, and to the configuration that is asked now."""
+"""Figures, tables and data belong together, and to the present configuration."""
 
-from granular_fronts.output.datasets import read_origins
+from dataset_parameters import default_parameters
+from granular_fronts.output.datasets import read_sources
 from granular_fronts.output.provenance import disagreements
-from questions import questions
 
 
 def test_all_belongs_together_and_answers_the_configuration(results, configuration, made):
-    asked = questions(configuration)
-    origins = read_origins(results / "data", asked)
-    records = [results / f"{stem}.json" for stem in (*made.figures, *made.tables)]
-    assert not list(disagreements(records, origins, asked))
+    parameters = default_parameters(configuration)
+    sources = read_sources(results / "data", parameters)
+    assert len(sources) == len(parameters)
+    for stem in (*made.figures, *made.tables):
+        assert not list(disagreements(results / f"{stem}.json", parameters, sources))

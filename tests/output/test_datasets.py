@@ -15,7 +15,7 @@ from granular_fronts.output.datasets import (
     DatasetError,
     long_name,
     read_dataset,
-    read_origins,
+    read_sources,
     write_dataset,
 )
 
@@ -108,7 +108,7 @@ def test_altered_file_is_refused_by_every_reader(path, alter):
     with pytest.raises(DatasetError, match=r"scene\.nc was altered after .*: delete it and run"):
         read_dataset(path)
     with pytest.raises(DatasetError, match=r"scene\.nc was altered"):
-        read_origins(path.parent, ["scene"])
+        read_sources(path.parent, ["scene"])
 
 
 def test_dataset_that_is_written_again_has_a_digest_of_its_own(path, scene):

@@ -13,6 +13,7 @@ from initiate_front import initiate_front
 from study import study
 from tabulate_statements import find_measure
 
+from dataset_parameters import default_parameters
 from granular_fronts.accuracy import Estimate
 from granular_fronts.errors import InputError
 from granular_fronts.output.departures import departures
@@ -35,7 +36,6 @@ from granular_fronts.output.statements import (
     verdict_on,
 )
 from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
-from questions import questions
 
 CONFIG = Path(__file__).parents[2] / "config"
 LISTS = {
@@ -161,7 +161,9 @@ SPEED = {
 
 def by_scene(configuration):
     """What each dataset answers, by the name of its scene."""
-    return {name.rpartition("/")[2]: part for name, part in questions(configuration).items()}
+    return {
+        name.rpartition("/")[2]: part for name, part in default_parameters(configuration).items()
+    }
 
 
 def row_of(statement, **changes):

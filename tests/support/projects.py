@@ -47,15 +47,12 @@ def lend_kernels(copy):
 
 
 def load_step(script):
-    """Import a script without running it; its step carries the script's name, or draws a figure."""
-    from figure_step import make_step
-
+    """Import a script without running it, and return its step, which carries the script's name."""
     spec = importlib.util.spec_from_file_location(script.stem, script)
     module = importlib.util.module_from_spec(spec)
     sys.modules[script.stem] = module
     spec.loader.exec_module(module)
-    function = getattr(module, script.stem)
-    return make_step(function) if script.stem.startswith("plot_") else function
+    return getattr(module, script.stem)
 
 
 def snakemake(*arguments, folder=ROOT):

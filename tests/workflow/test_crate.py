@@ -13,7 +13,7 @@ from projects import ROOT, lend_kernels, snakemake
 
 from crate.jobs import jobs_behind
 from crate.run import Run, describe_run
-from granular_fronts.output.datasets import read_origins
+from granular_fronts.output.datasets import read_sources
 
 # The validator's own, and those of the libraries that it stands on.
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
@@ -224,7 +224,7 @@ def test_run_is_repeated_from_its_record_alone(unpacked):
     run = snakemake(*asked, folder=unpacked)
     assert run.returncode == 0, run.stderr
     kept, made = (
-        read_origins(unpacked / results / "data", ["chain/initiation_overdamped"])
+        read_sources(unpacked / results / "data", ["chain/initiation_overdamped"])
         for results in ("results", "again")
     )
     assert kept == made != {}

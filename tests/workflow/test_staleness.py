@@ -1,6 +1,6 @@
-"""A figure, a table or a report is never older than its question, whatever a run was broken by.
+"""A figure, a table or a report is never older than its parameters, whatever a run was broken by.
 
-Each test asks the finished smoke run another question, breaks the job that would answer it, and
+Each test changes a scene of the finished smoke run, breaks the job that would solve it, and
 gives the same command again.
 """
 
@@ -23,7 +23,8 @@ import pytest
 import yaml
 from projects import jobs_due, snakemake, wait_for_job
 
-from granular_fronts.output.provenance import question_digest, read_record
+from granular_fronts.output.files import read_json
+from granular_fronts.output.provenance import config_digest
 
 pytestmark = pytest.mark.slow
 
@@ -45,18 +46,18 @@ def ask(project, name, change):
     return [*SMOKE, overlay]
 
 
-def question_of(record, scene=SCENE):
-    """Digest of the question that a figure or a table answers."""
-    return {one["scene"]: one["question"] for one in read_record(record)["made_from"]}[scene]
+def parameters_of(file, scene=SCENE):
+    """Digest of the parameters behind a figure or a table."""
+    return {one["scene"]: one["config_digest"] for one in read_json(file)["made_from"]}[scene]
 
 
-def question_of_data(project):
-    """Digest of the question that the data answer, from the configuration they carry."""
+def parameters_of_data(project):
+    """Digest of the parameters of the data, from the configuration they carry."""
     script = (
         "import json, sys;"
         "from granular_fronts.output.datasets import read_dataset, configuration_of;"
-        "from granular_fronts.output.provenance import question_digest;"
-        f"print(question_digest(configuration_of(read_dataset('{DATA}'))))"
+        "from granular_fronts.output.provenance import config_digest;"
+        f"print(config_digest(configuration_of(read_dataset('{DATA}'))))"
     )
     run = subprocess.run(
         [sys.executable, "-c", script], cwd=project, capture_output=True, text=True, check=True
@@ -140,10 +141,10 @@ BREAKS = {
 @pytest.mark.parametrize("break_run", BREAKS, ids=lambda break_run: break_run.__name__)
 def test_the_same_command_again_makes_what_is_asked(finished, break_run):
     options = ask(finished, break_run.__name__, BREAKS[break_run])
-    before = question_of(finished / FIGURE)
+    before = parameters_of(finished / FIGURE)
     break_run(finished, options)
     assert not (finished / DATA).exists(), "the job was not broken"
-    assert question_of(finished / FIGURE) == before, "the figure was drawn again"
+    assert parameters_of(finished / FIGURE) == before, "the figure was drawn again"
     targets = ("fig01", "figures", "tables", "report", "all", FIGURE)
     due = jobs_due(*options, "--", *targets, folder=finished)
     assert "plot_fig01" in due["fig01"] & due["figures"] & due["plot_fig01"]
@@ -151,7 +152,7 @@ def test_the_same_command_again_makes_what_is_asked(finished, break_run):
     assert "write_report" in due["report"] & due["all"]
     run = snakemake(*options, "--", "fig01", folder=finished)
     assert run.returncode == 0, run.stderr
-    assert question_of(finished / FIGURE) == question_of_data(finished) != before
+    assert parameters_of(finished / FIGURE) == parameters_of_data(finished) != before
     assert not list((finished / DATA).parent.glob("unfinished-*"))
 
 
@@ -166,7 +167,7 @@ def test_removed_data_are_made_again_and_what_was_drawn_from_them(finished):
     # The file itself, not the target that also asks for the data.
     run = snakemake(*changed, "--", FIGURE, folder=finished)
     assert run.returncode == 0, run.stderr
-    assert question_of(finished / FIGURE) == question_of_data(finished)
+    assert parameters_of(finished / FIGURE) == parameters_of_data(finished)
 
 
 def test_report_after_a_broken_run_is_of_one_piece(finished):
@@ -176,34 +177,34 @@ def test_report_after_a_broken_run_is_of_one_piece(finished):
     assert run.returncode == 0, run.stderr
     page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")
     found = re.search(r'<script [^>]*id="made-from">(.*?)</script>', page, re.DOTALL)[1]
-    questions = {
-        one["question"]
-        for record in json.loads(found).values()
-        for one in record["made_from"]
+    digests = {
+        one["config_digest"]
+        for provenance in json.loads(found).values()
+        for one in provenance["made_from"]
         if one["scene"] == SCENE
     }
     shown = re.search(r"<pre[^>]*>(.*?)</pre>", page, re.DOTALL)[1]
     configuration = yaml.safe_load(html.unescape(shown))
-    assert questions == {question_digest(configuration["scenes"]["chain"][SCENE])}
+    assert digests == {config_digest(configuration["scenes"]["chain"][SCENE])}
     assert "law.gamma is 0.27 instead of 0.06" in page
 
 
-def test_results_of_another_question_or_code_without_their_history_are_refused(finished):
+def test_results_of_other_parameters_or_code_without_their_history_are_refused(finished):
     """Snakemake's own record is lost, as when results are copied."""
     assert snakemake(*SMOKE, folder=finished).returncode == 0
     history = finished / ".snakemake/metadata"
     history.rename(finished / ".snakemake/lost")
     try:
-        question = snakemake(*ask(finished, "lost", {"law": {"gamma": 0.28}}), folder=finished)
+        other = snakemake(*ask(finished, "lost", {"law": {"gamma": 0.28}}), folder=finished)
         same = snakemake("--dry-run", *SMOKE, folder=finished)
         with changed_code(finished, "src/granular_fronts/numerics/grids.py", "pass\n"):
             code = snakemake("--dry-run", *SMOKE, folder=finished)
     finally:
         shutil.rmtree(history, ignore_errors=True)
         (finished / ".snakemake/lost").rename(history)
-    assert [question.returncode, same.returncode, code.returncode] == [1, 0, 1]
-    assert f"answers another configuration of scene {SCENE}" in question.stderr
-    assert "remove results/smoke, or name another folder" in question.stderr
+    assert [other.returncode, same.returncode, code.returncode] == [1, 0, 1]
+    assert f"answers another configuration of scene {SCENE}" in other.stderr
+    assert "remove results/smoke, or name another folder" in other.stderr
     assert "was made by another version of the code" in code.stderr
 
 
@@ -265,7 +266,7 @@ def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished
     options = ask(finished, "explored", {"law": {"gamma": 0.29}})
     run = snakemake(*options, "--", "explore", folder=finished)
     assert run.returncode == 0, run.stderr
-    assert question_of(finished / PAGE) == question_of_data(finished)
+    assert parameters_of(finished / PAGE) == parameters_of_data(finished)
     for name, appended, repeated in [
         ("workflow/scripts/report/explorer/page.py", "# A comment.\n", set()),
         ("workflow/scripts/report/explorer/encoding.py", "pass\n", {"write_explorer"}),

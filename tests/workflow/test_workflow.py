@@ -10,7 +10,7 @@ import yaml
 from packaging.requirements import Requirement
 from projects import ROOT, jobs_due, snakemake
 
-from step import from_command_line, from_workflow, load_yaml_or_leaf, run_step
+from step import argument_types, from_command_line, from_workflow, load_yaml_or_leaf, run_step
 
 FOLDER = ROOT / "workflow/scripts"
 SCRIPTS = sorted([*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
@@ -196,7 +196,7 @@ def test_wrong_leaf_is_refused_in_a_sentence(monkeypatch, capsys):
     leaf = f"{ROOT}/config/default.yaml:scenes.chian"
     monkeypatch.setattr(sys, "argv", ["step", "--scene", leaf])
     with pytest.raises(SystemExit):
-        from_command_line(step)
+        from_command_line(step, {})
     assert "stops at chian: choose one of chain," in capsys.readouterr().err
 
 
@@ -221,7 +221,7 @@ def test_rule_gives_a_step_what_it_asks_for(tmp_path):
     def step(files: list[Path], page: Path, scene: dict) -> None:
         """Take some of what the rule names."""
 
-    assert from_workflow(step, Job(tmp_path / "log", scene={"beads": 2})) == {
+    assert from_workflow(argument_types(step), Job(tmp_path / "log", scene={"beads": 2})) == {
         "files": [Path("a.nc"), Path("b.nc")],
         "page": Path("d.html"),
         "scene": {"beads": 2},

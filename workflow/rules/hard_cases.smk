@@ -25,10 +25,10 @@ rule tabulate_hard_cases:
     output:
         csv="<results>/tables/hard_cases.csv",
         markdown="<results>/tables/hard_cases.md",
-        record="<results>/tables/hard_cases.json",
+        provenance="<results>/tables/hard_cases.json",
     params:
         code=code("tabulate_hard_cases"),
-        asked=asked("precision/hard_cases"),
+        parameters=parameters("precision/hard_cases"),
     log:
         "<logs>/tabulate_hard_cases.log",
     benchmark:

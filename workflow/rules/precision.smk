@@ -60,11 +60,11 @@ rule tabulate_speed_error:
         markdown="<results>/tables/speed_error.md",
         verdicts_csv="<results>/tables/speed_verdicts.csv",
         verdicts_markdown="<results>/tables/speed_verdicts.md",
-        record="<results>/tables/speed_error.json",
-        verdicts_record="<results>/tables/speed_verdicts.json",
+        provenance="<results>/tables/speed_error.json",
+        verdicts_provenance="<results>/tables/speed_verdicts.json",
     params:
         code=code("tabulate_speed_error"),
-        asked=asked("precision/speed_error"),
+        parameters=parameters("precision/speed_error"),
     log:
         "<logs>/tabulate_speed_error.log",
     benchmark:

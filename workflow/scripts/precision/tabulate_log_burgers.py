@@ -7,7 +7,7 @@ import pandas as pd
 
 from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.provenance import write_provenance
 from granular_fronts.output.tables import round_floats
 from step import run_step
 
@@ -54,7 +54,7 @@ def tabulate_log_burgers(dataset: Path, csv: Path, markdown: Path) -> None:
     table = rounded.replace("nan", "").to_markdown(index=False, disable_numparse=True)
     with complete_file(markdown) as unfinished:
         unfinished.write_text("\n\n".join([table, *sentences]) + "\n", encoding="utf-8")
-    write_record(csv.with_suffix(".json"), [csv, markdown], [origin(data.attrs)])
+    write_provenance(csv.with_suffix(".json"), [csv, markdown], [data])
 
 
 def observed_order(group: pd.DataFrame) -> pd.Series:
