@@ -61,6 +61,11 @@ def snakemake(*arguments, folder=ROOT):
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
+def rules_due(plan):
+    """Names of the rules that a dry run would run."""
+    return set(re.findall(r"^(\w+) +\d+$", plan.stdout, re.MULTILINE)) - {"total"}
+
+
 def jobs_due(*arguments, folder=ROOT):
     """The jobs due behind each job of a plan, by their rules and wildcards.
 
