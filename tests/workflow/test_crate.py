@@ -227,4 +227,4 @@ def test_run_is_repeated_from_its_record_alone(unpacked):
         read_sources(unpacked / results / "data", ["chain/initiation_overdamped"])
         for results in ("results", "again")
     )
-    assert kept == made != {}
+    assert kept == made != []
