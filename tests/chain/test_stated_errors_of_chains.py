@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.studies.hard_cases.extended import PI, REAL, Motion
 from truth import chains, hold
 
@@ -59,6 +60,18 @@ def test_reference_carries_the_soliton_of_toda():
     motion = Motion(scene(law, *start, end))
     for found, exact in zip(motion.states([end]), soliton(REAL(end)), strict=True):
         assert np.abs(found[0] - exact).max() < 1e-16
+
+
+@pytest.mark.parametrize("relative", np.logspace(-8, -3, 16))
+def test_a_gap_that_only_touches_is_never_certain(relative):
+    """Two elastic beads, pressed from rest, come back to u = 0 and turn there."""
+    pressed = {"kind": "pressure", "left": 0.47, "right": 0.0}
+    rest = scene({"alpha": 1.925, "beta": 1.925, "gamma": 0.0}, [0.0], [0.0, 0.0], 6.8)
+    rest |= {"boundary": pressed, "start": {"kind": "rest"}, "record": {"snapshots": [6.8]}}
+    rest |= {"tolerance": {"relative": relative, "absolute": 1e-3 * relative}}
+    rest["record"]["extremes"] = True
+    gap = simulate_chain(rest)["first_gap_time"]
+    assert np.isnan(gap) or gap.attrs["error_estimate"] == np.inf
 
 
 def test_a_few_chains_state_honest_errors():

@@ -81,13 +81,15 @@ def event_errors(scene, recording, refined, contacts):
     if recording.track_extremes:
         both = [extremes_of_all(one, contacts) for one in runs]
         rounding = rounding_of(recording, contacts)
-        errors |= _of_first_opening(samples, *events["opening"], *both)
+        smallest = events["smallest"][0]
+        deepest = np.fmin(smallest[VALUE], smallest[END])
+        errors |= _of_first_opening(samples, deepest, *events["opening"], *both)
         for kind in ("largest", "smallest"):
             event = events[kind][0][:, :contacts]
             errors |= _of_extreme(kind, samples, event, rounding, *both)
     # No time is wrong by more than the motion lasts.
     return {
-        name: min(error, scene["end_time"]) if name.endswith("_time") else error
+        name: min(error, scene["end_time"]) if name.endswith("_time") and error < np.inf else error
         for name, error in errors.items()
     }
 
@@ -148,14 +150,16 @@ def _near(times, errors, time):
     return largest
 
 
-def _of_first_opening(samples, own, other, found, refined):
-    """Errors of time and bead of the first opening."""
+def _of_first_opening(samples, deepest, own, other, found, refined):
+    """Errors of time and bead of the first opening; infinite if none is certain to happen."""
     names = ("first_gap_time", "first_gap_bead")
     if np.isnan(found["first_gap_time"]):
         return dict.fromkeys(names, np.nan)
     if np.isnan(refined["first_gap_time"]):
         return dict.fromkeys(names, np.inf)
     first = int(found["first_gap_bead"]) - 1
+    if -deepest[first] <= _near(samples.time, samples.of_u, own[TIME])[first]:
+        return dict.fromkeys(names, np.inf)  # It touches: the gap is no wider than its error.
     error = _error_of_passage(samples, own, other)[first]
     rivals = np.flatnonzero(own[TIME] <= found["first_gap_time"] + 2.0 * error)
     return {

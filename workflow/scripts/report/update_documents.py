@@ -71,8 +71,8 @@ def paper_numbers(results: Path) -> str:
 
 
 def bound(error: float) -> str:
-    """A power of ten that an error stays below, also where another machine finds thrice as much."""
-    return f"< {10.0 ** math.ceil(math.log10(3.0 * error)):.0e}"
+    """A power of ten that an error stays below, also where another machine finds ten times as much."""
+    return f"< {10.0 ** math.ceil(math.log10(10.0 * error)):.0e}"
 
 
 def speed(results: Path) -> str:
