@@ -80,11 +80,13 @@ def write_figure(  # noqa: PLR0913 - what its rule names
     **paths
         For each argument of `draw` the file of a dataset, or a list.
     """
-    data = {name: read(path) for name, path in paths.items()}
-    every = [dataset for given in data.values() for dataset in listed(given)]
+    data = {name: _for_each(read_dataset, path) for name, path in paths.items()}
+    every = [
+        one for given in data.values() for one in (given if isinstance(given, list) else [given])
+    ]
     matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
     save_figure(draw(**data), pdf, png, every)
-    computed = {name: _configurations(given) for name, given in data.items()}
+    computed = {name: _for_each(configuration_of, given) for name, given in data.items()}
     words = fill(template.read_text(encoding="utf-8"), computed, finalize=_without_markup)
     text = "\n\n".join([words.strip(), *_departure_notes(every, reference)])
     with complete_file(caption) as unfinished:
@@ -93,21 +95,9 @@ def write_figure(  # noqa: PLR0913 - what its rule names
     write_provenance(provenance, [pdf, png, caption], every, **facts)
 
 
-def read(path: Path | list[Path]) -> xr.Dataset | list[xr.Dataset]:
-    """Read one dataset or several."""
-    return [read_dataset(one) for one in path] if isinstance(path, list) else read_dataset(path)
-
-
-def listed(given: xr.Dataset | list[xr.Dataset]) -> list[xr.Dataset]:
-    """One dataset or several, as a list."""
-    return given if isinstance(given, list) else [given]
-
-
-def _configurations(given: xr.Dataset | list[xr.Dataset]) -> Any:
-    """What one dataset or several were computed with."""
-    if isinstance(given, list):
-        return [configuration_of(dataset) for dataset in given]
-    return configuration_of(given)
+def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
+    """What a function makes of one thing, or of each in a list."""
+    return [function(one) for one in given] if isinstance(given, list) else function(given)
 
 
 def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], str] = str) -> str:

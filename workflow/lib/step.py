@@ -15,7 +15,6 @@ terminal shows.
 
 import argparse
 import gc
-import logging
 import os
 import re
 import sys
@@ -32,8 +31,6 @@ from granular_fronts.errors import InputError, NoSpaceError, end_with_reader
 from granular_fronts.output.files import is_full
 from granular_fronts.scenes.yaml_files import parse_yaml, read_yaml
 from run_lock import end_with_run
-
-LOGGER = logging.getLogger("granular_fronts")
 
 EXIT_INTERRUPTED = 130  # What a program ends with that Ctrl-C has stopped.
 LONGEST_ARGUMENT = 80  # Characters that the log file shows of an argument.
@@ -65,17 +62,17 @@ def run_step(
     else:
         arguments = from_command_line(function, inputs or {}, given)
     file = next(iter(snakemake.log), None) if snakemake else None
-    with _copied_output(file) as write_to_log, _messages_on_terminal():
+    with _copied_output(file) as write_to_log:
         write_to_log(_describe_call(function, arguments))
         try:
             function(**given, **arguments)
         except KeyboardInterrupt:
             write_to_log(traceback.format_exc())
-            LOGGER.error("Interrupted: run the same command again to go on.")
+            print("Interrupted: run the same command again to go on.", file=sys.stderr)
             sys.exit(EXIT_INTERRUPTED)
         except (ValueError, OSError) as error:
             write_to_log(traceback.format_exc())
-            LOGGER.error("%s", describe_fault(error))
+            print(describe_fault(error), file=sys.stderr)
             sys.exit(1)
         except Exception as error:
             mappings = [name for name, value in arguments.items() if isinstance(value, dict)]
@@ -85,7 +82,7 @@ def run_step(
                     "take it from a file, for example config/default.yaml:dotted.key."
                 )
             traceback.print_exc()
-            LOGGER.error("%s", _describe_unexpected(error))
+            print(_describe_unexpected(error), file=sys.stderr)
             sys.exit(1)
     # Python looks for garbage when it ends, without this among all that was imported.
     gc.freeze()
@@ -191,17 +188,6 @@ def load_yaml_or_leaf(text: str) -> Any:
             raise argparse.ArgumentError(None, f"{text} stops at {key}{choices}.")
         value = value[key]
     return value
-
-
-@contextmanager
-def _messages_on_terminal() -> Iterator[None]:
-    """Show the project's warnings and errors while the block runs."""
-    terminal = logging.StreamHandler()
-    LOGGER.addHandler(terminal)
-    try:
-        yield
-    finally:
-        LOGGER.removeHandler(terminal)
 
 
 @contextmanager
