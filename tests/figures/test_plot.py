@@ -194,7 +194,7 @@ def test_space_and_time_are_coloured_with_gaps_in_red(motions):
 # Moving pictures.
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", ["pressure", "toda"])
 def test_each_frame_shows_its_time(motions, name):
     motion = motions[name]
     figure, show = moving_chain(motion)
@@ -205,12 +205,10 @@ def test_each_frame_shows_its_time(motions, name):
         assert_curve(curves(upper)[0], u["bead"], u[row])
         assert_curve(curves(lower)[0], motion["bead"], motion["velocity_grid"][row])
         assert upper.get_title("left") == f"$t = {4 * row}$"
-        if OPENING[name]:
-            [line] = marks(upper)
+        assert len(marks(upper)) == OPENING[name]
+        for line in marks(upper):
             np.testing.assert_array_equal(line.get_xdata(), u["bead"][opened(u)[row]])
             assert np.all(line.get_ydata() == MARK_HEIGHT)
-        else:
-            assert marks(upper) == []
     assert_labels(upper, "", "compression $u_n$")
     assert_labels(lower, "bead $n$", r"velocity $\dot x_n$")
 
