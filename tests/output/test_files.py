@@ -55,19 +55,20 @@ def test_only_a_file_is_replaced(tmp_path, make):
 
 
 SLEEPER = """
-import sys, time
+import sys
 from granular_fronts.output.files import complete_file
 with complete_file(sys.argv[1]) as unfinished:
     unfinished.write_text("half")
     print("begun", flush=True)
-    time.sleep(60)
+    sys.stdin.read()
 """
 
 
 def test_what_a_killed_writer_leaves_is_removed_and_what_a_running_one_has_begun_is_not(tmp_path):
     target = tmp_path / "result.txt"
     command = [sys.executable, "-c", SLEEPER, str(target)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=ENVIRONMENT) as writer:
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes, text=True, env=ENVIRONMENT) as writer:
         assert writer.stdout.readline() == "begun\n"
         begun = tmp_path / f"unfinished-{HOST}-{writer.pid}-result.txt"
         fill(target)

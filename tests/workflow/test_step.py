@@ -197,11 +197,11 @@ def test_interrupted_step_says_how_to_go_on(tmp_path):
 
 
 WAITING = """
-import time
+import sys
 from run_lock import end_with_run
 end_with_run()
 print("begun", flush=True)
-time.sleep(60)
+sys.stdin.read()
 """
 
 
@@ -210,7 +210,8 @@ def test_one_run_holds_a_folder_and_its_jobs_end_with_it(tmp_path, monkeypatch):
     held = lock_folder(tmp_path / "results")
     command = [sys.executable, "-c", WAITING]
     environment = ENVIRONMENT | {VARIABLE: os.environ[VARIABLE]}
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as job:
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes, text=True, env=environment) as job:
         assert job.stdout.readline() == "begun\n"
         with pytest.raises(SystemExit, match="Another run is at work in"):
             lock_folder(tmp_path / "results")
