@@ -13,6 +13,7 @@ import yaml
 
 import granular_fronts
 from granular_fronts.output.datasets import long_names
+from granular_fronts.scenes.schema import load_schema
 
 ROOT = Path(__file__).parents[1]
 WORKFLOW = ROOT / "workflow"
@@ -38,7 +39,7 @@ def write_pages(folder: Path, results: Path) -> None:
     folder.mkdir(exist_ok=True)
     made = {
         "public_names": public_names(),
-        "configuration": configuration(read_yaml("schemas/config.schema.yaml")),
+        "configuration": configuration(load_schema("config")),
         "variables": variables(),
         "figures": figures(results),
         "paper_numbers": tables(results, ["paper_numbers"]),

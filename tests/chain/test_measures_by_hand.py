@@ -221,6 +221,7 @@ BY_HAND = [
     (chain.smallest_relative_displacement, CHAIN, {}, -3.0, 1e-3),
     (chain.smallest_relative_displacement_time, CHAIN, {}, 7.0, 1e-3),
     (chain.smallest_velocity, CHAIN, {}, -0.25, 1e-3),
+    (chain.spacing_defect, CHAIN, {"beads": [2, 6, 8]}, 13 / 16, 2e-3 / 0.75),
     (chain.momentum_growth, CHAIN, {}, 1.5, 1e-3 * 64 / 10),
     (chain.velocity_front, CHAIN, {}, 4.0, ANY),
     # The last arrival is at 3; the larger gain, at 4.5, comes before twice that time.

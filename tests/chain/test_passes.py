@@ -4,17 +4,16 @@ import math
 import os
 import subprocess
 import sys
-import time
 
-import numba
 import numpy as np
 import pytest
-from potentials import hertz, toda
+from kernels import call_map, fastest, mapped
+from potentials import cosh, hertz, toda
 
 import granular_fronts as gf
 from granular_fronts.errors import InputError
 from granular_fronts.model.kinds import KINDS
-from granular_fronts.model.passes import NEGLIGIBLE, call_row_map, row_map, row_parameters
+from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
 from granular_fronts.model.potentials import make_potential
 
 EPSILON = float(np.finfo(float).eps)
@@ -31,31 +30,16 @@ FASTEST_SCALAR_CODE = 4.0
 """Over the time of a square root by numpy; the maps take 0.2 to 3 times as long in vector code."""
 
 
-@numba.njit
-def call(address, u, result, first, last, parameters, times):
-    for _ in range(times):
-        call_row_map(address, u, result, first, last, parameters)
-
-
-def mapped(potential, order, u):
-    result = np.full(u.size, np.nan)
-    parameters = row_parameters(potential, order)
-    call(row_map(potential, order), u, result, 0, u.size - 1, parameters, 1)
-    return result
-
-
-def derivative(potential, order, r):
-    functions = (potential.value, potential.first, potential.second, potential.third)
-    return functions[order](r)
-
-
 @pytest.mark.parametrize("order", range(4))
 @pytest.mark.parametrize("kind", KINDS)
 def test_row_maps_are_the_derivatives(kind, order):
-    """The j-th derivative of V(−u) with respect to u, to a few units of the last place."""
+    """The j-th derivative of V(−u) with respect to u, to a few units of the last place.
+
+    That of Lennard-Jones is infinite from u = 3 on.
+    """
     potential = make_potential(kind, **PARAMETERS[kind])
-    u = np.linspace(-0.5, 2.0, 999)
-    expected = (-1.0) ** order * derivative(potential, order, -u)
+    u = np.append(np.linspace(-0.5, 2.0, 999), [3.0, 4.0][: 2 * (kind == "lennard_jones")])
+    expected = (-1.0) ** order * potential.derivative(-u, order)
     scale = np.abs(expected).max(where=np.isfinite(expected), initial=0.0)
     np.testing.assert_allclose(
         mapped(potential, order, u), expected, rtol=8 * EPSILON, atol=2 * EPSILON * scale
@@ -74,24 +58,9 @@ def test_every_exponent_gives_its_power(alpha):
 def test_only_the_contacts_asked_for_are_written():
     u, result = np.linspace(0.0, 1.0, 9), np.full(9, np.nan)
     law = toda()
-    call(row_map(law, 1), u, result, 2, 6, row_parameters(law, 1), 1)
-    np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
-    call(row_map(law, 1), u, result, 2, 1, row_parameters(law, 1), 1)
-    np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
-
-
-def test_lennard_jones_is_infinite_outside_its_domain():
-    potential = make_potential("lennard_jones")
-    np.testing.assert_array_equal(mapped(potential, 1, np.array([1.0, 1.5])), [np.inf, np.inf])
-
-
-def fastest(run, repeats=40):
-    times = []
-    for _ in range(repeats):
-        start = time.process_time()
-        run()
-        times.append(time.process_time() - start)
-    return min(times)
+    for last in (6, 1):
+        call_map(row_map(law, 1), u, result, 2, last, row_parameters(law, 1), 1)
+        np.testing.assert_array_equal(np.flatnonzero(~np.isnan(result)), range(2, 7))
 
 
 @pytest.mark.timing
@@ -103,8 +72,8 @@ def test_row_maps_are_vector_code(kind, order):
     u, result, repeats = np.linspace(0.1, 1.2, 4000), np.empty(4000), 50
     arguments = row_map(potential, order), u, result, 0, u.size - 1
     parameters = row_parameters(potential, order)
-    call(*arguments, parameters, 1)
-    mapping = fastest(lambda: call(*arguments, parameters, repeats))
+    call_map(*arguments, parameters, 1)
+    mapping = fastest(lambda: call_map(*arguments, parameters, repeats))
     root = fastest(lambda: [np.sqrt(u, out=result) for _ in range(repeats)])
     assert mapping < FASTEST_SCALAR_CODE * root
 
@@ -120,76 +89,50 @@ def test_scalar_code_would_be_found():
     u, result, repeats = np.linspace(0.1, 1.2, 4000), np.empty(4000), 50
     arguments = row_map(slow, 1), u, result, 0, u.size - 1, row_parameters(slow, 1), repeats
     root = fastest(lambda: [np.sqrt(u, out=result) for _ in range(repeats)])
-    assert fastest(lambda: call(*arguments)) > FASTEST_SCALAR_CODE * root
+    assert fastest(lambda: call_map(*arguments)) > FASTEST_SCALAR_CODE * root
 
 
 COUNT_COMPILATIONS = """
-import sys
 from numba.core import ccallback
 compile_uncached, compiled = ccallback.CFunc._compile_uncached, []
 def count(self):
     compiled.append(self)
     return compile_uncached(self)
 ccallback.CFunc._compile_uncached = count
+from granular_fronts.chain.stage_passes import stage_pass
 from granular_fronts.model.passes import row_map
 from granular_fronts.model.potentials import make_potential
 for kind, parameters in [("hertz", {"alpha": 1.5}), ("toda", {}), ("morse", {"rate": 2.0})]:
+    potential = make_potential(kind, **parameters)
+    stage_pass(potential)
     for order in (1, 2):
-        row_map(make_potential(kind, **parameters), order)
+        row_map(potential, order)
 print(len(compiled))
 """
-COUNT_STAGE_PASSES = COUNT_COMPILATIONS.replace(
-    """    for order in (1, 2):
-        row_map(make_potential(kind, **parameters), order)
-""",
-    """    stage_pass(make_potential(kind, **parameters))
-""",
-).replace(
-    "from granular_fronts.model.passes import row_map",
-    "from granular_fronts.chain.stage_passes import stage_pass",
-)
-
-
-def compilations_of_two_processes(program, folder):
-    """For each process what it compiles, and the files of the cache after it."""
-    environment, found = os.environ | {"NUMBA_CACHE_DIR": str(folder)}, []
-    for _ in range(2):
-        arguments = [sys.executable, "-c", program]
-        printed = subprocess.run(
-            arguments, env=environment, capture_output=True, text=True, check=True
-        ).stdout
-        files = {file for file in folder.rglob("*") if file.suffix in {".nbi", ".nbc"}}
-        found.append((int(printed), files))
-    return found
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("program", "count"), [(COUNT_COMPILATIONS, 5), (COUNT_STAGE_PASSES, 3)], ids=["rows", "stages"]
-)
-def test_named_kinds_are_compiled_once_for_all_processes(tmp_path, program, count):
-    (first, files), (second, later) = compilations_of_two_processes(program, tmp_path)
-    assert (first, second) == (count, 0)
-    assert later == files
+def test_named_kinds_are_compiled_once_for_all_processes(tmp_path):
+    """Three stage passes, and five row maps, of which Hertz's serves both orders."""
+    environment, found = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}, []
+    for _ in range(2):
+        command = [sys.executable, "-c", COUNT_COMPILATIONS]
+        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        files = {file for file in tmp_path.rglob("*") if file.suffix in {".nbi", ".nbc"}}
+        found.append((int(run.stdout), files))
+    (first, made), (second, later) = found
+    assert (first, second) == (8, 0)
+    assert later == made
 
 
-def by_expression():
+def by_sympy(make, **kinks):
     sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
     r = sympy.Symbol("r")
-    return gf.Potential.from_expression(sympy.cosh(r) - 1, r, interval=(-3, 3))
-
-
-def by_pieces():
-    sympy = pytest.importorskip("sympy", reason="SymPy comes with the optional extra symbolic")
-    r = sympy.Symbol("r")
-    expression = sympy.Piecewise((r**4 / 4, r < 0), (0, True))
-    return gf.Potential.from_expression(expression, r, interval=(-3, 3), kinks=[0.0])
+    return gf.Potential.from_expression(make(sympy, r), r, interval=(-3, 3), **kinks)
 
 
 USERS = {
-    "numpy": lambda: gf.Potential(
-        lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3, 3)
-    ),
+    "numpy": cosh,
     "where": lambda: gf.Potential(
         lambda r: np.where(r < 0.0, r**4 / 4.0, 0.0),
         lambda r: np.where(r < 0.0, r**3, 0.0),
@@ -197,8 +140,10 @@ USERS = {
         interval=(-3, 3),
         kinks=[0.0],
     ),
-    "expression": by_expression,
-    "pieces": by_pieces,
+    "expression": lambda: by_sympy(lambda sympy, r: sympy.cosh(r) - 1),
+    "pieces": lambda: by_sympy(
+        lambda sympy, r: sympy.Piecewise((r**4 / 4, r < 0), (0, True)), kinks=[0.0]
+    ),
 }
 
 
@@ -206,7 +151,7 @@ USERS = {
 @pytest.mark.parametrize("case", USERS)
 def test_a_users_functions_are_compiled(case, order):
     potential, u = USERS[case]().scaled(0.7), np.linspace(-2.0, 2.0, 101)
-    expected = (-1.0) ** order * derivative(potential, order, -u)
+    expected = (-1.0) ** order * potential.derivative(-u, order)
     np.testing.assert_allclose(mapped(potential, order, u), expected, rtol=8 * EPSILON, atol=1e-15)
 
 
@@ -215,34 +160,22 @@ def test_a_users_law_gives_no_number_outside_its_interval():
     np.testing.assert_array_equal(np.isnan(found), [True, False, False, False, True])
 
 
-stiffness = 1.0
-
-
-def spring_value(r):
-    return 0.5 * stiffness * r * r
-
-
-def spring_force(r):
-    return stiffness * r
-
-
-def spring_slope(r):
-    return stiffness + 0.0 * r
-
-
-def spring():
-    return gf.Potential(spring_value, spring_force, spring_slope, interval=(-3, 3), name="a spring")
-
-
 @pytest.mark.parametrize("order", [1, 2])
-def test_a_constant_that_changes_after_compilation_is_noticed(monkeypatch, order):
-    potential = spring()
+def test_a_constant_that_changes_after_compilation_is_noticed(order):
+    stiffness = 1.0
+    potential = gf.Potential(
+        lambda r: 0.5 * stiffness * r * r,
+        lambda r: stiffness * r,
+        lambda r: stiffness + 0.0 * r,
+        interval=(-3, 3),
+        name="a spring",
+    )
     address = row_map(potential, order)
     assert row_map(potential.scaled(0.5), order) == address
-    monkeypatch.setattr(sys.modules[__name__], "stiffness", 1.0 + 1e-6)
+    stiffness = 1.0 + 1e-6
     with pytest.raises(InputError, match=r"of a spring is .* but .* in compiled code: numba freez"):
         row_map(potential, order)
-    monkeypatch.undo()
+    stiffness = 1.0
     assert row_map(potential, order) == address
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from chains import driven_scene
+from chains import TIGHT, driven_scene, given
 
-from granular_fronts.chain.recording import collect, fitted_speed
+from granular_fronts.chain.recording import collect, fitted_speed, speed_and_error
 from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.chain.simulate import simulate_chain, solve
 from granular_fronts.errors import SolveError
@@ -72,44 +72,40 @@ TODA = {"elastic": {"kind": "toda", "strength": 1.0, "rate": 1.0}, "viscous": {"
 
 
 def free(law, u, velocity, end, relative=1e-9):
-    """A chain with free ends, its extremes recorded."""
-    return {
-        "law": law,
-        "beads": len(velocity),
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "given", "relative_displacement": u, "velocity": velocity},
-        "end_time": end,
-        "tolerance": {"relative": relative, "absolute": 1e-2 * relative},
-        "record": {"snapshots": [], "extremes": True},
-    }
+    """A motion with free ends, its extremes recorded."""
+    scene = driven_scene(0.0, len(velocity), end, delta=0.0, start=given(u, velocity), law=law)
+    tolerance = {"relative": relative, "absolute": 1e-2 * relative}
+    record = {"snapshots": [], "extremes": True}
+    return simulate_chain(scene | {"tolerance": tolerance, "record": record})
 
 
 @pytest.mark.parametrize("relative", [1e-5, 1e-9, 1e-14])
 def test_of_two_contacts_that_open_within_one_step_the_first_one_is_named(relative):
     """Contact 2 opens at 0.179797, contact 1 at 0.197058, neither at a kink."""
-    data = simulate_chain(free(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative))
+    data = free(TODA, [0.2, 0.2], [-1.0, 0.0, 1.1], 1.0, relative)
     assert data["first_gap_bead"] == 2
     assert float(data["first_gap_time"]) == pytest.approx(0.1797965101523, rel=10.0 * relative)
 
 
 def test_contacts_that_just_touch_and_are_pulled_apart_open_at_the_start():
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 1.0}
-    data = simulate_chain(free(law, [0.0, 0.0, 0.5], [-1.0, 0.0, 0.0, 0.0], 5.0))
+    data = free(law, [0.0, 0.0, 0.5], [-1.0, 0.0, 0.0, 0.0], 5.0)
     assert (data["first_gap_time"], data["first_gap_bead"]) == (0.0, 1.0)
 
 
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_extremes_count_from_the_start_on(sign):
+@pytest.mark.parametrize(("sign", "name"), [(1.0, "largest"), (-1.0, "smallest")])
+def test_extremes_count_from_the_start_on_and_of_equal_ones_the_first(sign, name):
     law = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
-    data = simulate_chain(free(law, [1.0], [-1000.0 * sign, 1000.0 * sign], 1e-3))
-    name = {1.0: "largest", -1.0: "smallest"}[sign]
-    assert data[f"{name}_relative_displacement"] == 1.0
-    assert data[f"{name}_relative_displacement_time"] == 0.0
+    data = free(law, [1.0, 1.0], [-1000.0 * sign, 0.0, 1000.0 * sign], 1e-3)
+    extreme = [
+        float(data[f"{name}_relative_displacement{part}"]) for part in ("", "_time", "_bead")
+    ]
+    assert extreme == [1.0, 0.0, 1.0]
 
 
 def test_equal_extremes_leave_time_uncertain_by_what_lies_between_them():
     """An undamped contact oscillates for ever: any of its maxima may be the largest."""
-    data = simulate_chain(free(TODA, [0.0], [0.5, -0.5], 20.0))
+    data = free(TODA, [0.0], [0.5, -0.5], 20.0)
     period = 2.0 * np.pi / np.sqrt(2.0)
     assert data["largest_relative_displacement_time"].attrs["error_estimate"] > period
     assert data["largest_relative_displacement"].attrs["error_estimate"] < 1e-6
@@ -133,24 +129,16 @@ def test_errors_of_early_and_short_motions_are_stated(relative):
             assert variable.attrs["error_estimate"] <= 20.0 * error
 
 
-def test_probes_meet_snapshots_and_grid(motion):
-    fine = motion["relative_displacement_all"]
-    for t in motion["t"].values:
-        row = fine.sel(t_all=t, method="nearest").values
-        np.testing.assert_allclose(
-            row, motion["relative_displacement"].sel(t=t)[:-1], rtol=0, atol=1e-12
-        )
-    grid = motion["relative_displacement_grid"].isel(bead=slice(None, -1))
+def test_probes_meet_snapshots_and_grid_and_keep_the_order_of_their_beads(motion):
+    fine, few = motion["relative_displacement_all"], motion["relative_displacement_few"]
+    at_snapshots = fine.sel(t_all=motion["t"].values, method="nearest")
+    snapshots = motion["relative_displacement"][:, :-1]
+    np.testing.assert_allclose(at_snapshots, snapshots, rtol=0, atol=1e-12)
+    grid = motion["relative_displacement_grid"][:, :-1]
     np.testing.assert_allclose(fine[:: round(1.0 / FINE)], grid, rtol=0, atol=1e-13)
-
-
-def test_probe_beads_keep_their_order(motion):
-    few = motion["relative_displacement_few"]
     assert few["bead_few"].values.tolist() == [7, 3]
-    fine = motion["relative_displacement_all"]
-    for bead in (7, 3):
-        expected = fine.sel(bead_all=bead).sel(t_all=few["t_few"], method="nearest")
-        np.testing.assert_allclose(few.sel(bead_few=bead), expected, rtol=0, atol=1e-12)
+    expected = fine.sel(bead_all=[7, 3]).sel(t_all=few["t_few"].values, method="nearest")
+    np.testing.assert_allclose(few, expected, rtol=0, atol=1e-12)
 
 
 def test_velocities_are_rates_of_relative_displacements(motion):
@@ -163,12 +151,20 @@ def test_velocities_are_rates_of_relative_displacements(motion):
 
 
 def test_arrivals_are_level_crossings(motion):
-    fine, times = motion["relative_displacement_all"], motion["t_all"].values
-    for bead in range(1, 24):
-        u = fine.sel(bead_all=bead).values
+    fine, times = motion["relative_displacement_all"].values, motion["t_all"].values
+    arrival = motion["arrival_time"].values
+    for u, found in zip(fine.T, arrival, strict=False):
         first = np.argmax(u >= 0.05)
         crossing = np.interp(0.05, u[first - 1 : first + 1], times[first - 1 : first + 1])
-        assert float(motion["arrival_time"].sel(bead=bead)) == pytest.approx(crossing, abs=1e-6)
+        assert found == pytest.approx(crossing, abs=1e-6)
+    assert float(motion["front_speed"]) == fitted_speed(arrival)
+
+
+def test_a_level_that_is_passed_between_the_ends_of_a_step_is_met(motion):
+    peak, time = (float(motion[name].sel(bead=12)) for name in ("first_peak", "first_peak_time"))
+    record = {"snapshots": [], "arrival_level": peak * (1.0 - 1e-10)}
+    arrival = solve(driven_scene(0.06, 24, 80.0, record=record), TIGHT).dataset["arrival_time"]
+    assert float(arrival.sel(bead=12)) == pytest.approx(time, abs=1e-3)
 
 
 def test_extremes_bound_all_samples_and_are_nearly_met(motion):
@@ -206,27 +202,23 @@ def test_first_gap_is_the_first_change_of_sign(motion):
 
 
 def test_reductions_of_the_grid(motion):
-    u = motion["relative_displacement_grid"].isel(bead=slice(None, -1))
-    np.testing.assert_allclose(
-        motion["mean_relative_displacement"], u.sum("bead") / 24, rtol=0, atol=1e-16
-    )
+    u = motion["relative_displacement_grid"][:, :-1].sum("bead")
+    np.testing.assert_allclose(motion["mean_relative_displacement"], u / 24, rtol=0, atol=1e-16)
     exact = 0.1**1.5 * motion["t_grid"]
     np.testing.assert_allclose(motion["total_velocity"], exact, rtol=1e-13, atol=1e-13)
 
 
-def test_front_speed_is_the_slope_of_the_arrivals(motion):
-    arrival = motion["arrival_time"].sel(bead=slice(12, 20)).values
-    assert float(motion["front_speed"]) == pytest.approx(1.0 / np.diff(arrival).mean(), rel=0.02)
-
-
 def test_nothing_is_recorded_that_was_not_asked_for():
     scene = driven_scene(end_time=20.0)
-    dataset = solve(scene, scene["tolerance"]).dataset
-    assert set(dataset.data_vars) == {"relative_displacement", "velocity"}
+    assert set(solve(scene, TIGHT).dataset) == {"relative_displacement", "velocity"}
 
 
 def test_speed_is_the_slope_of_the_middle_and_none_without_a_slope():
     bead = np.arange(100.0)
-    assert fitted_speed(bead / 0.7) == pytest.approx(0.7, rel=1e-14)
+    speed, error = speed_and_error(bead / 0.7, np.full(100, 1e-3))
+    middle = np.arange(-19.5, 20.0)
+    assert speed == pytest.approx(0.7, rel=1e-14)
+    # Errors of 1e-3 of either sign, in the worst case.
+    assert error == pytest.approx(0.49e-3 * sum(abs(middle)) / sum(middle**2), rel=1e-12)
     assert np.isnan(fitted_speed(np.abs(bead - 69.5)))  # Two waves meet in the middle.
     assert np.isnan(fitted_speed(np.where(bead == 60, 1.0, np.nan)))

@@ -15,10 +15,9 @@ from pages import (
     blocks,
     commands,
     commands_in_lines,
-    named_blocks,
     run,
 )
-from projects import ROOT, copy_project, snakemake
+from projects import ROOT
 
 START, HOW_TO, PROOFS, PRACTITIONERS = (
     ROOT / "docs" / f"{name}.md" for name in ("start", "how_to", "proofs", "practitioners")
@@ -190,38 +189,3 @@ INDEX = load_script("equations")
 def test_index_of_equations_is_that_of_the_docstrings():
     page = (ROOT / "docs" / "equations.md").read_text(encoding="utf-8")
     assert page == INDEX.make_page(*INDEX.find_equations()), "run python docs/equations.py"
-
-
-# The page on extensions, carried out; its law is in `test_a_further_law`.
-
-
-PLACES = named_blocks(EXTENDING)
-
-
-@pytest.mark.slow
-def test_a_figure_is_added_in_three_places(tmp_path):
-    project = copy_project(tmp_path)
-    places = {name: text for name, text in PLACES.items() if name.startswith("workflow/")}
-    assert len(places) == 3
-    for name, text in places.items():
-        with (project / name).open("a", encoding="utf-8") as file:
-            file.write(text)
-    [command] = [line for line in commands(EXTENDING) if "fig26" in line]
-    outcome = snakemake(*shlex.split(command)[2:], folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    drawn = {path.name for path in (project / "results" / "figures").iterdir()}
-    assert drawn == {f"fig26_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
-    caption = (project / "results/figures/fig26_flux_difference.rst").read_text(encoding="utf-8")
-    assert "α = 1.5, 1.1" in caption
-
-
-@pytest.mark.parametrize("missing", ["scripts/figures/plot_fig26.py", "report/fig26.rst"])
-def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
-    project = copy_project(tmp_path)
-    for name, text in PLACES.items():
-        if name.startswith("workflow/") and not name.endswith(missing):
-            with (project / name).open("a", encoding="utf-8") as file:
-                file.write(text)
-    outcome = snakemake("fig26", "--dry-run", folder=project)
-    assert outcome.returncode != 0
-    assert "fig26" in outcome.stdout + outcome.stderr

@@ -9,8 +9,9 @@ import yaml
 from projects import ROOT
 
 import granular_fronts as gf
+from granular_fronts.scenes.schema import load_schema
 
-SCHEMA = yaml.safe_load((ROOT / "workflow" / "schemas" / "config.schema.yaml").read_text())
+SCHEMA = load_schema("config")
 
 
 def load_pages():

@@ -20,6 +20,7 @@ MAPPINGS = [
     {"elastic": TODA, "viscous": {"kind": "proportional", "gamma": 0.3}},
     {"elastic": {"kind": "lennard_jones", "distance": 2.0}, "viscous": {"kind": "none"}},
     {"elastic": HERTZ | {"stiffness": 2.0}, "viscous": {"kind": "kuwabara_kono", "gamma": 0.3}},
+    {"elastic": HERTZ | {"stiffness": 2.0}, "viscous": {"kind": "power", "beta": 1.5, "gamma": 1}},
     {"elastic": HERTZ, "viscous": {"kind": "simon_hunt_crossley", "gamma": 0.3}},
     {"elastic": {"kind": "fpu", "cubic": -1.0}, "viscous": {"kind": "toda", "strength": 0.2}},
 ]

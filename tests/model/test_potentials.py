@@ -5,7 +5,7 @@ import sys
 import mpmath as mp
 import numpy as np
 import pytest
-from potentials import NO_DISSIPATION, fpu, hertz, lennard_jones, morse, toda
+from potentials import NO_DISSIPATION, READY, fpu, hertz, lennard_jones, toda
 
 from granular_fronts.errors import InputError
 from granular_fronts.model.kinds import KINDS
@@ -13,23 +13,6 @@ from granular_fronts.model.passes import row_map
 from granular_fronts.model.potentials import Potential, make_potential
 
 DIGITS = 40
-READY = {
-    "hertz 3/2": (hertz(1.5, 2.0), lambda r: 2 * (-r) ** 2.5 / 2.5 if r < 0 else 0),
-    "hertz 1/2": (hertz(0.5), lambda r: (-r) ** 1.5 / 1.5 if r < 0 else 0),
-    "hertz 1": (hertz(1.0), lambda r: r**2 / 2 if r < 0 else 0),
-    "fpu": (fpu(0.5, -2.0, 3.0), lambda r: r**2 / 4 - 2 * r**3 / 3 + 3 * r**4 / 4),
-    "toda": (toda(2.0, 3.0), lambda r: mp.mpf(2) / 3 * (mp.exp(-3 * r) + 3 * r - 1)),
-    "morse": (morse(2.0, 1.5), lambda r: 2 * (1 - mp.exp(-1.5 * r)) ** 2),
-    "lennard-jones": (
-        lennard_jones(0.5, 2.0),
-        lambda r: mp.mpf(0.5) * ((1 + r / 2) ** -12 - 2 * (1 + r / 2) ** -6 + 1),
-    ),
-    "power": (
-        make_potential("power", beta=2.5, gamma=0.4),
-        lambda r: 0.4 * (-r) ** 3.5 / 3.5 if r < 0 else 0,
-    ),
-    "linear": (make_potential("linear", gamma=0.3), lambda r: 0.3 * r**2 / 2),
-}
 
 
 def functions_of(potential):
@@ -152,7 +135,7 @@ def test_wrong_potential_is_named(replaced, sentence):
         make(**replaced)
 
 
-@pytest.mark.parametrize("width", [1.0e-3, 1.0e-6])
+@pytest.mark.parametrize("width", [1.0e-3, 1.0e-8])
 def test_short_interval_does_not_raise_a_false_alarm(width):
     exact = toda()
     Potential(*functions_of(exact), interval=(-0.1 - width, -0.1))
@@ -190,12 +173,7 @@ def test_potentials_know_their_ratio():
     mine = make()
     assert mine.scaled(0.3).ratio_to(mine) == 0.3
     assert make().ratio_to(mine) is None
-
-
-def test_scaled_potential_has_scaled_derivatives():
-    r = np.linspace(-0.8, 0.8, 5)
-    for scaled, unit in zip(functions_of(make().scaled(0.3)), functions_of(make()), strict=True):
-        np.testing.assert_array_equal(scaled(r), 0.3 * unit(r))
+    assert make() != mine
 
 
 def test_lennard_jones_keeps_its_digits_at_rest_and_is_infinite_outside():
@@ -204,6 +182,7 @@ def test_lennard_jones_keeps_its_digits_at_rest_and_is_infinite_outside():
         exact = float(mp.diff(lambda x: ((1 + x) ** -6 - 1) ** 2, mp.mpf(r)))
     assert potential.first(r) == pytest.approx(exact, rel=1e-15)
     assert potential.domain == (-1.0, np.inf)
+    assert lennard_jones(1.0, 2.0).domain == (-2.0, np.inf)
     np.testing.assert_array_equal(potential.value([-1.0, -2.0]), [np.inf, np.inf])
 
 

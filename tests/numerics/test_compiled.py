@@ -80,12 +80,7 @@ def test_damaged_file_of_a_kernel_is_dropped_and_made_again(tmp_path, name, dama
 
 
 def test_kernels_are_kept_in_files_that_are_checked():
-    assert isinstance(kernel(abs_of)._cache._cache_file, CheckedFiles)
-
-
-def abs_of(x):
-    """Something to compile."""
-    return abs(x)
+    assert isinstance(kernel(kernels_in)._cache._cache_file, CheckedFiles)
 
 
 STEP_ON_A_GRID = """
@@ -99,16 +94,11 @@ NOTICE = (
 
 
 def test_one_line_says_that_kernels_are_compiled_and_none_where_they_are_cached(tmp_path):
-    environment = {
-        **os.environ,
-        "NUMBA_CACHE_DIR": str(tmp_path),
-        "PYTHONPATH": str(SOURCES.parent),
-    }
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path), "PYTHONPATH": str(ROOT / "src")}
     command = [sys.executable, "-c", STEP_ON_A_GRID]
     for expected in (NOTICE, ""):
         run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        assert run.stderr == expected
-        assert run.stdout == ""
+        assert (run.stderr, run.stdout) == (expected, "")
 
 
 def test_compiling_what_is_no_kernel_is_not_announced(capsys):
@@ -122,33 +112,27 @@ def test_compiling_what_is_no_kernel_is_not_announced(capsys):
 
 COUNT_AFTER_COMPILATION = """
 import sys
+from importlib import import_module
 sys.path[:0] = {tests!r}
 from test_compiled import WINGS, kernels_in
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.chain import compilation as chain
-from granular_fronts.continuum import compilation as continuum
-from granular_fronts.fronts import compilation as fronts
-from granular_fronts.reference_methods import compilation as reference_methods
-from granular_fronts.studies.ring_against_equations import compare_with_chain
-from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
+from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.fronts_compared import compare_front
+from granular_fronts.studies.ring_against_equations import compare_with_chain
 
 def count():
     return {{name: len(f.signatures) for wing in WINGS for name, f in kernels_in(wing)}}
 
-for wing in (chain, continuum, fronts, reference_methods):
-    wing.compile_kernels()
+for wing in ("chain", "continuum", "fronts", "reference_methods"):
+    import_module(f"granular_fronts.{{wing}}.compilation").compile_kernels()
 before = count()
 scenes = load_configuration({default!r}, {smoke!r})["scenes"]
-for scene in scenes["chain"].values():
-    simulate_chain(scene)
-for scene in scenes["periodic"].values():
-    compare_with_chain(scene)
-for scene in scenes["heteroclinic"].values():
-    survey_heteroclinic(scene)
-for scene in scenes["front"].values():
-    compare_front(scene)
+solvers = dict(chain=simulate_chain, periodic=compare_with_chain, heteroclinic=survey_heteroclinic,
+               front=compare_front)
+for kind, solve in solvers.items():
+    for scene in scenes[kind].values():
+        solve(scene)
 print([name for name, found in count().items() if found > before[name]])
 """
 
@@ -156,9 +140,8 @@ print([name for name, found in count().items() if found > before[name]])
 @pytest.mark.slow
 def test_compilation_covers_all_that_the_scenes_need():
     """A fresh process, since other tests compile kernels for other arguments."""
-    root = Path(__file__).parents[2]
-    files = {name: str(root / f"config/{name}.yaml") for name in ("default", "smoke")}
-    folders = [str(root / "tests" / name) for name in ("support", "numerics")]
+    files = {name: str(ROOT / f"config/{name}.yaml") for name in ("default", "smoke")}
+    folders = [str(ROOT / "tests" / name) for name in ("support", "numerics")]
     code = COUNT_AFTER_COMPILATION.format(tests=folders, **files)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert run.stdout.strip() == "[]", run.stderr

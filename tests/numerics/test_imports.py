@@ -33,9 +33,9 @@ print(json.dumps(loaded))
 """
 
 
-@pytest.fixture(scope="module")
-def loaded():
-    """The modules that Python holds after importing a script or a part of one, and nothing else."""
+@pytest.mark.slow
+def test_all_that_python_loads_is_found_by_reading():
+    """A fresh process imports scripts and parts of them, one after the other and nothing else."""
     by_string = [name for name in FILES if re.match(r"problems\.|granular_fronts\.\w+$", name)]
     run = subprocess.run(
         [sys.executable, "-c", LIST_WHAT_IS_LOADED],
@@ -46,10 +46,7 @@ def loaded():
         env={"PYTHONPATH": ":".join(map(str, SOURCES))},
     )
     assert run.returncode == 0, run.stderr
-    return json.loads(run.stdout)
-
-
-def test_all_that_python_loads_is_found_by_reading(loaded):
+    loaded = json.loads(run.stdout)
     assert set(SCRIPTS) < set(loaded)
     for name, modules in loaded.items():
         missed = set(modules) - import_closure([name], FILES)
@@ -77,14 +74,15 @@ def test_only_what_draws_stands_on_the_looks_of_figures():
 
 def test_imports_inside_functions_and_packages_above_are_found(tmp_path):
     (tmp_path / "wing").mkdir()
-    (tmp_path / "wing" / "__init__.py").write_text("import beside\n")
-    (tmp_path / "wing" / "kernel.py").write_text("import numpy\n")
-    (tmp_path / "beside.py").write_text("import alone\n")
-    (tmp_path / "alone.py").write_text("")
-    (tmp_path / "apart.py").write_text("")
-    (tmp_path / "script.py").write_text(
-        "def step():\n    from wing import (\n        kernel as fast,\n    )\n"
-    )
+    for name, text in {
+        "wing/__init__": "import beside\n",
+        "wing/kernel": "import numpy\n",
+        "beside": "import alone\n",
+        "alone": "",
+        "apart": "",
+        "script": "def step():\n    from wing import (\n        kernel as fast,\n    )\n",
+    }.items():
+        (tmp_path / f"{name}.py").write_text(text)
     found = import_closure(["script"], module_files(tmp_path))
     assert found == {"script", "wing", "wing.kernel", "beside", "alone"}
 

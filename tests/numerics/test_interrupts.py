@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-SOURCES = Path(__file__).parents[2] / "src"
+FOLDERS = [str(Path(__file__).parents[2] / part) for part in ("src", "tests/support")]
 
 LONG = {
     "front": ("gf.solve_front(1.5, 0.3)", "gf.solve_front(1.001, 1e-5)"),
@@ -22,17 +22,14 @@ LONG = {
         "gf.sweep_fronts(1.5, np.geomspace(0.02, 2.0, 200_000))",
     ),
     "chain": (
-        "gf.simulate_chain(chain(20, 0.1, 10.0))",
-        "gf.simulate_chain(chain(100_000, 0.1, 1e5))",
+        "gf.simulate_chain(driven_scene(0.1, 20, 10.0))",
+        "gf.simulate_chain(driven_scene(0.1, 100_000, 1e5))",
     ),
     "orbit": (
         "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30))",
         "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30_000_000))",
     ),
-    "amplitude": (
-        "solve(RING, 1.5, [1.0], 1024, 1e-6)",
-        "solve(RING, 1.5, [1e6], 1024, 1e-10)",
-    ),
+    "amplitude": ("solve(RING, 1.5, [1.0], 1024, 1e-6)", "solve(RING, 1.5, [1e6], 1024, 1e-10)"),
 }
 """For each solver a call that compiles what it needs, and one that takes long."""
 
@@ -40,19 +37,9 @@ SCRIPT = """
 import sys
 import numpy as np
 import granular_fronts as gf
+from chains import driven_scene
 from granular_fronts.continuum.log_burgers.solution import solve
 from granular_fronts.continuum.compilation import RING
-
-def chain(beads, gamma, end_time):
-    return {{
-        "law": {{"alpha": 1.5, "beta": 1.5, "gamma": gamma}},
-        "beads": beads,
-        "boundary": {{"kind": "pressure", "left": 0.5, "right": 0.5}},
-        "start": {{"kind": "rest"}},
-        "end_time": end_time,
-        "tolerance": {{"relative": 1.0e-10, "absolute": 1.0e-12}},
-        "record": {{"snapshots": [end_time], "balances": True}},
-    }}
 
 {short}
 print("begins", flush=True)
@@ -69,7 +56,7 @@ def test_interrupt_is_answered_within_two_seconds(short, long):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        env=os.environ | {"PYTHONPATH": str(SOURCES)},
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(FOLDERS)},
         # A process in the background of a shell would ignore the interrupt.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )

@@ -18,19 +18,18 @@ def double(x):
     return LIMIT * x  # a comment
 '''
 
-SAME = {
-    "docstring of the module": CODE.replace("A module.", "One module."),
-    "docstring of a constant": CODE.replace('"""The limit."""\n', ""),
-    "docstring of a function": CODE.replace('    """Twice x."""\n', ""),
-    "comment": CODE.replace("a comment", "another"),
-    "layout": CODE.replace("LIMIT * x", "(\n        LIMIT\n        * x\n    )"),
-}
-OTHER = {
-    "constant": CODE.replace("2.0", "3.0"),
-    "kind of number": CODE.replace("2.0", "2"),
-    "name": CODE.replace("double", "twice"),
-    "order of operands": CODE.replace("LIMIT * x", "x * LIMIT"),
-    "string that is a value": CODE.replace('LIMIT = 2.0\n"""The limit."""', 'LIMIT = """2.0"""'),
+# What is replaced by what, and whether the code then does something else.
+CHANGES = {
+    "docstring of the module": ("A module.", "One module.", False),
+    "docstring of a constant": ('"""The limit."""\n', "", False),
+    "docstring of a function": ('    """Twice x."""\n', "", False),
+    "comment": ("a comment", "another", False),
+    "layout": ("LIMIT * x", "(\n        LIMIT\n        * x\n    )", False),
+    "constant": ("2.0", "3.0", True),
+    "kind of number": ("2.0", "2", True),
+    "name": ("double", "twice", True),
+    "order of operands": ("LIMIT * x", "x * LIMIT", True),
+    "string that is a value": ('LIMIT = 2.0\n"""The limit."""', 'LIMIT = """2.0"""', True),
 }
 
 
@@ -44,16 +43,11 @@ def own_cache(tmp_path, monkeypatch):
     source_code._read_kept.cache_clear()
 
 
-@pytest.mark.parametrize("change", SAME)
-def test_words_and_layout_do_not_count(change):
-    assert SAME[change] != CODE
-    assert syntax_digest(SAME[change].encode()) == syntax_digest(CODE.encode())
-
-
-@pytest.mark.parametrize("change", OTHER)
-def test_what_code_does_counts(change):
-    assert OTHER[change] != CODE
-    assert syntax_digest(OTHER[change].encode()) != syntax_digest(CODE.encode())
+@pytest.mark.parametrize(("old", "new", "counts"), CHANGES.values(), ids=CHANGES)
+def test_what_code_does_counts_and_words_and_layout_do_not(old, new, counts):
+    assert old in CODE
+    changed = syntax_digest(CODE.replace(old, new).encode())
+    assert (changed != syntax_digest(CODE.encode())) == counts
 
 
 def written(tmp_path, **files):
@@ -72,6 +66,9 @@ def test_names_of_files_count_and_their_order_does_not(tmp_path):
     assert code_digest([second, first], tmp_path) == digest
     swapped = written(tmp_path, first="x = 1\n", second=CODE)
     assert code_digest(swapped, tmp_path) != digest
+    assert code_digest(swapped[:1], tmp_path) != code_digest(
+        written(tmp_path, third="x = 1\n"), tmp_path
+    )
 
 
 @pytest.mark.parametrize("damaged", [False, True])

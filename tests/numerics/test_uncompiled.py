@@ -15,17 +15,19 @@ from projects import ROOT
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
-    """All arrays of all cases by name, compiled and not."""
+    """All arrays of all cases by name, compiled and, in another process meanwhile, not."""
     file = tmp_path_factory.mktemp("uncompiled") / "cases.npz"
     folders = (ROOT / "src", ROOT / "workflow" / "lib", ROOT / "tests" / "support")
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, folders))}
     solve = "import sys, uncompiled; from kernel_cases import save; save(sys.argv[1])"
     # Overflows that compiled code passes over in silence are warnings in Python.
     command = [sys.executable, "-W", "ignore", "-c", solve, file]
-    outcome = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert outcome.returncode == 0, outcome.stderr
+    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True) as process:
+        compiled = solve_cases()
+        _, errors = process.communicate()
+    assert process.returncode == 0, errors
     with np.load(file) as arrays:
-        return solve_cases(), dict(arrays)
+        return compiled, dict(arrays)
 
 
 @pytest.mark.parametrize("case", [case.__name__ for case in CASES])

@@ -38,8 +38,8 @@ SECTIONS_REFUSED = [
     # What is no mapping.
     ("scenes.periodic.weak", None, ["Scene weak is null: give a mapping of keys to values"]),
     # Names that clash.
-    ("scenes.front.survey", FRONT, ["scenes.front.survey has the name of the survey", "rename"]),
-    ("scenes.heteroclinic.log_burgers_fronts", ORBIT, ["has the name of the fluxes", "rename"]),
+    ("scenes.front.survey", FRONT, ["has the name of the study survey", "rename"]),
+    ("scenes.heteroclinic.log_burgers_fronts", ORBIT, ["the study log_burgers_fronts", "rename"]),
     ("scenes.heteroclinic.weak", ORBIT, ["has the name of scenes.heteroclinic.weak", "rename"]),
     # Sizes.
     ("proofs.intervals.hertz.parts", [{"to": 1, "chunks": 10**9}], ["above its limit 10000"]),

@@ -3,15 +3,12 @@
 import re
 
 import pytest
-import yaml
-from configurations import DEFAULT, ROOT, SCENE
+from configurations import DEFAULT, SCENE
 
+from granular_fronts.scenes.schema import load_schema
 from granular_fronts.scenes.yaml_files import load_configuration
 
-SCHEMAS = {
-    name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text("utf-8"))
-    for name in ("config", "campaign", "referee")
-}
+SCHEMAS = {name: load_schema(name) for name in ("config", "campaign", "referee")}
 
 
 def schema_nodes(node, path="schema"):

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from granular_fronts.errors import InputError
+import granular_fronts as gf
+from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.scenes.validation import check_scene
 from granular_fronts.studies.continuum_fronts import continuum_fronts
 from granular_fronts.studies.damping_map import map_critical_damping
 from granular_fronts.studies.front_survey import distances, survey_fronts
@@ -14,6 +14,8 @@ from granular_fronts.studies.fronts_compared import (
     drive_front,
     normalised_damping,
 )
+from granular_fronts.studies.log_burgers_fronts import evaluate_fronts
+from granular_fronts.studies.multipliers import compute_multipliers
 
 XI = np.linspace(-40.0, 40.0, 2001)
 SCENE = {
@@ -35,33 +37,26 @@ def test_continuum_fronts_share_phase_and_ends(alpha, gamma):
         assert u[XI.size // 2] == pytest.approx(0.5, abs=1e-15)
         assert u[-1] == pytest.approx(0.0, abs=1e-3)
         assert velocity[0] == pytest.approx(u[0] ** alpha, abs=0.2)
+    # That of the orbit is (43), here with differences of second order.
+    u, velocity = continuum_fronts(alpha, gamma, XI)["heteroclinic"]
+    expected = u**alpha - (gamma + 0.5) * np.gradient(u**alpha, XI)
+    np.testing.assert_allclose(velocity, expected, rtol=0, atol=2e-3)
     far = continuum_fronts(alpha, gamma, np.array([-1e4]))
     for u, velocity in far.values():
         assert u[0] == velocity[0] == pytest.approx(1.0, abs=1e-13)
 
 
-def test_unlimited_front_becomes_exact_for_strong_damping():
-    """The error of (46) falls like γ⁻² (derived fact 5); that of (45) stays."""
-    gammas = np.array([2.0, 4.0, 8.0])
-    found = [distances(solve_front(1.2, gamma)) for gamma in gammas]
-    errors = [each["distance_unlimited"] for each in found]
-    slopes = np.diff(np.log(errors)) / np.diff(np.log(gammas))
-    np.testing.assert_allclose(slopes, -2.0, atol=0.1)
-    kept = [each["distance_logarithmic"] for each in found]
-    assert kept[-1] > 0.9 * kept[0]
-
-
-def test_heteroclinic_front_becomes_exact_in_its_limit():
-    """α → 1 with μ fixed: the error falls in proportion to α − 1."""
-    mu = 0.8
-    alphas = np.array([1.04, 1.02, 1.01])
-    gammas = mu * np.sqrt(1.0 - 1.0 / alphas) / (2.0 * np.sqrt(3.0))
-    errors = [
-        distances(solve_front(alpha, gamma))["distance_heteroclinic"]
-        for alpha, gamma in zip(alphas, gammas, strict=True)
-    ]
-    ratios = np.array(errors[:-1]) / errors[1:]
-    np.testing.assert_allclose(ratios, 2.0, rtol=0.15)
+def test_continuum_fronts_become_exact_in_their_limits():
+    """Strong damping: (46) errs by γ⁻² and (45) does not improve; α → 1 at fixed μ: by α − 1."""
+    gammas, alphas = np.array([2.0, 4.0, 8.0]), np.array([1.04, 1.02, 1.01])
+    strong = [distances(solve_front(1.2, gamma)) for gamma in gammas]
+    errors = [each["distance_unlimited"] for each in strong]
+    np.testing.assert_allclose(np.diff(np.log2(errors)), -2.0, rtol=0, atol=0.1)
+    assert strong[-1]["distance_logarithmic"] > 0.9 * strong[0]["distance_logarithmic"]
+    dampings = 0.8 * np.sqrt((1.0 - 1.0 / alphas) / 12.0)
+    near = [distances(solve_front(*law)) for law in zip(alphas, dampings, strict=True)]
+    errors = np.array([each["distance_heteroclinic"] for each in near])
+    np.testing.assert_allclose(errors[:-1] / errors[1:], 2.0, rtol=0.15)
 
 
 def test_a_driven_front_comes_closer_the_farther_it_has_run():
@@ -76,7 +71,9 @@ def test_a_driven_front_comes_closer_the_farther_it_has_run():
 
 
 def test_comparison_holds_every_method():
-    compared = compare_front(SCENE)
+    # A step that does not divide the window ends before its stop, and is not stretched.
+    compared = compare_front(SCENE | {"window": {"start": -10.0, "stop": 5.0, "step": 0.4}})
+    np.testing.assert_allclose(compared["xi"], np.arange(-10.0, 5.0, 0.4), rtol=0, atol=1e-12)
     assert float(compared["relative_displacement_shooting"].attrs["distance"]) < 1e-12
     assert np.abs(compared["velocity_difference"]).max() < 1e-12
     for method in ("driven", "logarithmic", "unlimited", "heteroclinic"):
@@ -84,18 +81,14 @@ def test_comparison_holds_every_method():
     assert compared["residual_history_profile"].values[-1] < 1e-14
 
 
-def test_window_is_kept_at_the_step_asked_for():
-    """A step that does not divide the window ends before its stop, and is not stretched."""
-    window = {"start": -10.0, "stop": 5.0, "step": 0.4}
-    xi = compare_front(SCENE | {"window": window})["xi"].values
-    np.testing.assert_allclose(np.diff(xi), 0.4, rtol=1e-13)
-    assert xi[0] == -10.0
-    assert 4.6 < xi[-1] <= 5.0
-
-
 def test_survey_and_map_agree_with_single_fronts():
     survey = survey_fronts([1.3], [0.1, 1e-12, 0.5])
     plane = map_critical_damping(np.array([1.3]), np.array([0.1, 0.5]), 1e-3)
+    for name in ("tail", "long-wave"):
+        [curve] = plane[f"critical_damping_{name.replace('-', '_')}"].values
+        assert curve == gf.critical_damping(1.3, definition=name)
+    # Only up to α* has the tail a double root.
+    assert np.isnan(plane["critical_damping_double_root"]).all()
     lost = survey.isel(gamma=1, alpha=0)
     assert lost["converged"] == 0
     assert "sites" in str(lost["reason"].values)
@@ -111,15 +104,16 @@ def test_survey_and_map_agree_with_single_fronts():
         assert error < 1e-12
 
 
-@pytest.mark.parametrize(
-    ("change", "sentence"),
-    [
-        ({"law": {"alpha": 1.0, "gamma": 0.1}}, "alpha"),
-        ({"law": {"alpha": 1.5, "gamma": 0.0}}, "gamma"),
-        ({"displacement": 0.0}, "displacement"),
-        ({"driven_bead": 2}, "driven_bead"),
-    ],
-)
-def test_impossible_scenes_are_refused(change, sentence):
-    with pytest.raises(InputError, match=sentence):
-        check_scene("front", SCENE | change, "mine")
+def test_tabulated_fronts_are_46_in_closed_form():
+    found = evaluate_fronts([1.2, 1.5])
+    alpha, xi = found["alpha"], found["xi"]
+    base = 1.0 - (1.0 - 2.0 ** (1.0 - alpha)) * np.exp(xi)
+    exact = np.maximum(base, 0.0) ** (1.0 / (alpha - 1.0))
+    np.testing.assert_allclose(found["front"], exact, rtol=0, atol=1e-14)
+
+
+def test_essential_multipliers_are_those_of_the_compressed_chain_with_equal_exponents():
+    found = compute_multipliers({"one": {"alpha": 1.5, "gamma": 0.5}}, [20]).isel(scene=0)
+    exact = compressed_chain_multipliers(1.5, 0.5, 1.5, found["wavenumber"].values)
+    np.testing.assert_array_equal(found["essential_multiplier_real"], exact.real)
+    np.testing.assert_array_equal(found["essential_multiplier_imaginary"], exact.imag)

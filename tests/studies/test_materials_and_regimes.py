@@ -1,13 +1,11 @@
 """Materials, damping regimes and pistons against closed formulas and each other."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
-from chains import driven_scene
-from configurations import refusal, set_value
+from configurations import DEFAULT, refusal, set_value
 from potentials import hertz
 from tabulate_materials import tabulate_materials
 
@@ -18,22 +16,20 @@ from granular_fronts.studies.damping_regimes import evaluate_regimes
 from granular_fronts.studies.materials import evaluate_materials
 from granular_fronts.studies.pistons import limit, measure_pistons, push_chain, repetition
 
-DEFAULT = Path(__file__).parents[2] / "config" / "default.yaml"
 TIGHT = {"relative": 1.0e-12, "absolute": 1.0e-14}
 
 
 @pytest.fixture(scope="module")
-def configuration():
-    return load_configuration(DEFAULT)
+def given():
+    return load_configuration(DEFAULT)["laws"]["materials"]
 
 
 @pytest.fixture(scope="module")
-def materials(configuration):
-    return evaluate_materials(**configuration["laws"]["materials"])
+def materials(given):
+    return evaluate_materials(**given)
 
 
-def test_materials_are_consistent(materials, configuration):
-    given = configuration["laws"]["materials"]
+def test_materials_are_consistent(materials, given):
     for material in materials["material"].values:
         one, mass = materials.sel(material=material), given["beads"][material]["mass"]
         law = float(one["stiffness"]), float(one["contact_damping"])
@@ -47,27 +43,16 @@ def test_materials_are_consistent(materials, configuration):
         assert abs(float(one["gamma"]) / printed - 1.0) < 3.0 * (1.0 - e)
 
 
-def test_front_damping_scales_with_the_velocity_alone(materials, configuration):
-    v_0 = configuration["laws"]["materials"]["impact_velocity"]
-    ratio = materials["gamma_front_piston"] / materials["gamma"]
-    expected = (materials["piston_velocity"] / v_0) ** 0.2
-    np.testing.assert_allclose(ratio, expected.broadcast_like(ratio), rtol=1e-12)
-
-
-def test_front_damping_hardly_depends_on_the_stiffness(configuration):
+def test_front_damping_scales_with_the_velocity_and_hardly_with_the_stiffness(materials, given):
     """γ ∝ k^(−1/15) at a given force: a handbook's modulus is good enough."""
-    beads = configuration["laws"]["materials"]["beads"]["cork"]
+    ratio = materials["gamma_front_piston"] / materials["gamma"]
+    expected = (materials["piston_velocity"] / given["impact_velocity"]) ** 0.2
+    np.testing.assert_allclose(ratio, expected.broadcast_like(ratio), rtol=1e-12)
+    beads = given["beads"]["cork"]
     softer = beads | {"youngs_modulus": beads["youngs_modulus"] / 2.0}
     found = evaluate_materials({"cork": beads, "softer": softer}, 0.5, [1.0], [100.0])
     stiff, soft = found["gamma_front_force"].values[:, 0]
     assert soft / stiff == pytest.approx(2.0 ** (1.0 / 15.0), rel=1e-12)
-
-
-def test_regime_is_that_of_the_tail(materials):
-    """Below the critical damping the slowest tail root is complex, above it is real."""
-    critical = float(materials["critical_gamma"])
-    for gamma, oscillates in ((0.999 * critical, True), (1.001 * critical, False)):
-        assert (gf.tail_roots(1.5, gamma, count=1)[0].imag > 0.0) == oscillates
 
 
 def test_table_names_the_regime_of_each_front(materials, tmp_path):
@@ -78,6 +63,9 @@ def test_table_names_the_regime_of_each_front(materials, tmp_path):
     oscillates = table["gamma_of_front"] < gf.critical_damping(1.5)
     assert list(table["regime"] == "underdamped") == list(oscillates)
     assert 0 < oscillates.sum() < len(table)
+    critical = float(materials["critical_gamma"])
+    for gamma, complex_root in ((0.999 * critical, True), (1.001 * critical, False)):
+        assert (gf.tail_roots(1.5, gamma, count=1)[0].imag > 0.0) == complex_root
 
 
 def test_regimes_follow_equation_29():
@@ -99,7 +87,7 @@ QUANTITIES = ("speed", "compression", "velocity")
 PUSHED = [(1.5, 1.5, 0.3), (1.5, 1.5, 0.65), (1.5, 1.0, 0.3), (1.5, 2.5, 5.0), (2.0, 2.0, 0.3)]
 
 
-@pytest.mark.parametrize("ramp", [0.0, 10.0])
+@pytest.mark.parametrize("ramp", [0.0, 2.0, 10.0])
 @pytest.mark.parametrize("law", PUSHED)
 def test_piston_drives_a_front_of_equations_22_and_23(law, ramp):
     """δ, v_p and c of eqs. (22), (23), whatever the damping, at once or by a ramp."""
@@ -116,15 +104,6 @@ def test_piston_drives_a_front_of_equations_22_and_23(law, ramp):
 
 def named(law):
     return dict(zip(("alpha", "beta", "gamma"), law, strict=True))
-
-
-def test_a_ramp_delays_the_front_but_does_not_change_it():
-    """Ramps of a tenth to five times the passage of a bead lead to one front, eq. (23)."""
-    fronts = [push_chain(named(PUSHED[0]), 0.05, ramp, 320, TIGHT) for ramp in (0.2, 2.0, 10.0)]
-    for front in fronts[1:]:
-        for quantity in QUANTITIES:
-            one, other = getattr(fronts[0], quantity), getattr(front, quantity)
-            assert abs(one.value - other.value) < one.error + other.error < 1e-4
 
 
 @pytest.mark.slow
@@ -148,10 +127,6 @@ def test_reflection_at_a_front_is_the_repetition_to_the_power_minus_two(alpha):
     assert (sound + 1.0) / (sound - 1.0) == pytest.approx(repetition(alpha), rel=1e-12)
 
 
-def test_the_limit_is_what_a_repeating_disturbance_leaves():
-    assert limit(3.0 - 0.5 / repetition(1.5) ** 2, 3.5, 1.5) == pytest.approx(3.0, rel=1e-15)
-
-
 def test_slowness_repeats_itself_with_the_opposite_sign():
     """In a driven chain, 1/c of the front differs from (23) by an s with s(λn) = −s(n)/λ²."""
     scene = {
@@ -168,30 +143,8 @@ def test_slowness_repeats_itself_with_the_opposite_sign():
     near = np.array([60, 70])
     far = np.round(repetition(1.5) * near).astype(int)
     ratios = disturbance[far] / disturbance[near]
+    assert limit(3.0 - 0.5 / repetition(1.5) ** 2, 3.5, 1.5) == pytest.approx(3.0, rel=1e-15)
     np.testing.assert_allclose(ratios, -(repetition(1.5) ** -2), rtol=0.05)
-
-
-@pytest.mark.parametrize(("beta", "gamma"), [(1.5, 0.65), (1.0, 0.8), (2.5, 0.4)])
-def test_front_dissipates_what_the_jump_conditions_say(beta, gamma):
-    """Σ W''(δ⁺x) (δ⁺ẋ)², averaged over the passage of one bead, is cS whatever W (16)."""
-    theory = gf.jump_conditions(hertz(1.5), -1.0, 0.0)
-    assert theory.dissipated_power == pytest.approx(0.1, rel=1e-14)
-    early, late = (dissipated_power(1.5, beta, gamma, time) for time in (120.0, 240.0))
-    # What the sudden start leaves behind dies out as t^(-2).
-    assert (4.0 * late - early) / 3.0 == pytest.approx(theory.dissipated_power, rel=5e-4)
-    assert abs(late / theory.dissipated_power - 1.0) < 1.3e-3
-
-
-def dissipated_power(alpha, beta, gamma, start, samples=16):
-    """Power lost in a chain driven with δ = c = 1, averaged over the time 1/c."""
-    scene = driven_scene(gamma, int(1.2 * start) + 20, start + 1.0, alpha, beta, delta=1.0)
-    scene["record"] = {"snapshots": list(start + np.arange(samples) / samples)}
-    motion = gf.simulate_chain(scene)
-    u = motion["relative_displacement"].values[:, :-1]
-    rate = -np.diff(motion["velocity"].values, axis=1)
-    closed = u > 0.0
-    stiffness = np.where(closed, np.where(closed, u, 1.0) ** (beta - 1.0), 0.0)
-    return float((beta * gamma * stiffness * rate**2).sum(axis=1).mean())
 
 
 def test_pistons_are_gathered():
@@ -210,13 +163,13 @@ def test_pistons_are_gathered():
 
 
 @pytest.mark.parametrize(
-    ("path", "value", "words"),
+    ("path", "value", "limit"),
     [
-        ("laws.materials.beads.steel.poisson_ratio", 0.5, "must be below"),
-        ("laws.materials.beads.cork.gamma", 0.5, "must be below 0.438"),
-        ("laws.numerical_damping.profile.theta", 0.5, "must be above 0.5"),
+        ("laws.materials.beads.steel.poisson_ratio", 0.5, "below 0.5"),
+        ("laws.materials.beads.cork.gamma", 0.438, "below 0.438"),
+        ("laws.numerical_damping.profile.theta", 0.5, "above 0.5"),
     ],
 )
-def test_impossible_configuration_is_refused(configuration, path, value, words):
-    sentence = refusal(set_value(configuration, path, value))
-    assert f"{path.rpartition('.')[2]} is {value}, but {words}" in sentence
+def test_impossible_parameter_is_refused(path, value, limit):
+    sentence = refusal(set_value(load_configuration(DEFAULT), path, value))
+    assert f"{path.rpartition('.')[2]} is {value}, but must be {limit}" in sentence

@@ -1,6 +1,7 @@
 """Rings in the limit α → 1: chain by Fourier series, errors of the equations and their orders."""
 
 import functools
+import math
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from rings import slope_and_residual
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
-from granular_fronts.studies import ring_limit
+from granular_fronts.studies import ring_limit, ring_measures
 from granular_fronts.studies.ring_limit import Ring, compare
 from granular_fronts.studies.ring_starts import PROFILES, scene_start, slope_of, start_fields
 
@@ -72,7 +73,7 @@ def test_fourier_series_ends_where_a_contact_opens_and_the_beads_go_on():
 
 
 def test_residuals_are_zero_for_the_velocities_of_their_formula():
-    """y = 1 + cos(κξ)/2, whose slope and flux are known, on a ring of δ = c = 1."""
+    """y = 1 + cos(κξ)/2, whose slope and flux are known; (43) has ∂_ξ y in the place of y ln y."""
     ring = make_ring(1.1, damping=0.5)
     site = np.arange(1.0, ring.beads + 1.0)
     wave_number = np.pi / ring.half_length
@@ -107,11 +108,6 @@ def test_analytic_starts_are_smooth_between_their_points_and_close(profile):
     assert exact[150] == pytest.approx(top, abs=1e-12)
 
 
-def test_slope_is_of_fourth_order():
-    xi = np.linspace(-3.0, 3.0, 31)
-    np.testing.assert_allclose(slope_of(np.sin, xi), np.cos(xi), atol=1e-9)
-
-
 def test_slow_start_sends_less_back_than_the_start_of_the_paper():
     """What runs left has velocity −y; it falls by ε² and not by ε."""
     for velocity, order in (("leading", 1.0), ("slow", 2.0)):
@@ -136,15 +132,6 @@ def test_velocity_needs_the_whole_first_order(damping):
         order, residual = slope_and_residual(sizes, found)
         assert order == pytest.approx(expected, abs=width)
         assert residual < 0.1
-
-
-def test_printed_velocity_is_that_of_a_stationary_wave():
-    """With y ln y in the place of ∂_ξ y the whole first order is (43)."""
-    scaling = SlowScales(1.1, 0.7, 1.0)
-    y = np.linspace(0.1, 0.9, 9)
-    flux = y * np.log(y)
-    expected = y - scaling.epsilon * (scaling.gamma + 0.5) * flux
-    np.testing.assert_allclose(scaling.corrected_velocity(y, flux, flux), expected, rtol=1e-14)
 
 
 # Orders in ε.
@@ -201,53 +188,6 @@ def test_error_estimates_bound_the_error():
             assert np.nanmax(difference) <= 5.0 * np.nanmax(estimate) + 1e-9, name
 
 
-def test_passages_depend_on_the_last_slow_time_alone():
-    ring = make_ring(1.2, damping=0.5)
-    alone, beside = (compare(ring, np.array(times), 1e-6) for times in ([1.0], [0.03, 0.7, 1.0]))
-    for model in ring_limit.MODELS:
-        name = f"lost_1_{model}"
-        np.testing.assert_allclose(alone[name][0][-1], beside[name][0][-1], rtol=1e-5)
-
-
-def test_losses_are_passed_in_turn_and_only_before_the_slow_time():
-    found = errors(1.2, damping=0.5)
-    sup = found["displacement_sup_logarithmic"][0]
-    first = found["lost_1_logarithmic"][0]
-    # What the start still sends back passes the wave early.
-    assert (sup > 0.005).all()
-    assert 0.0 < first[0] == first[1] < 0.5
-    assert np.isnan(found["lost_10_logarithmic"][0]).all()
-
-
-# Measures.
-
-
-def test_lead_is_the_shift_of_a_wave():
-    xi = np.arange(400) * 0.05
-    wave, shifted = (np.exp(-((xi - centre) ** 2)) for centre in (10.0, 10.3))
-    [found] = ring_limit.lead(shifted[None], wave[None], 0.05)
-    assert found == pytest.approx(0.3, abs=1e-3)
-    # The ring may be cut anywhere.
-    turned = (np.roll(row, 210)[None] for row in (shifted, wave))
-    assert ring_limit.lead(*turned, 0.05)[0] == pytest.approx(found, abs=1e-12)
-    assert np.isnan(ring_limit.lead(wave[None], 0.0 * wave[None], 0.05)[0])
-
-
-def test_height_and_decay_of_a_parabola_are_exact():
-    x = np.arange(11.0)
-    rows = np.array([[3.0], [2.0]]) - 0.1 * (x - 5.3) ** 2
-    np.testing.assert_allclose(ring_limit.heights(rows), [3.0, 2.0], rtol=1e-14)
-    start = 4.0 - 0.1 * (x - 5.3) ** 2
-    np.testing.assert_allclose(ring_limit.relative_decay(rows[:1], rows[1:], start), -0.5)
-
-
-def test_first_passage_is_on_the_line_between_two_times():
-    times, found = np.array([1.0, 3.0]), np.array([0.2, 0.6])
-    assert ring_limit.first_passage(times, found, 0.1) == pytest.approx(0.5)
-    assert ring_limit.first_passage(times, found, 0.3) == pytest.approx(1.5)
-    assert np.isnan(ring_limit.first_passage(times, found, 0.7))
-
-
 def test_every_number_that_gives_the_damping_gives_the_same():
     scaling = SlowScales(1.3, 0.4, 5.0)
     damping = scaling.gamma * scaling.speed
@@ -260,3 +200,39 @@ def test_every_number_that_gives_the_damping_gives_the_same():
     for name, value in numbers.items():
         assert gamma_for(1.3, 5.0, **{name: value}) == pytest.approx(0.4, rel=1e-14)
     assert scaling.ratio == pytest.approx(12.0 * scaling.dispersion, rel=1e-14)
+
+
+def test_losses_are_passed_in_turn_before_the_slow_time_that_they_depend_on():
+    ring, early = make_ring(1.2, damping=0.5), [0.03, 0.7, 1.0]
+    alone, beside = (compare(ring, np.array(times), 1e-6) for times in ([1.0], early))
+    for model in ring_limit.MODELS:
+        name = f"lost_1_{model}"
+        np.testing.assert_allclose(alone[name][0][-1], beside[name][0][-1], rtol=1e-5)
+    passed = beside["lost_1_logarithmic"][0]
+    # What the start still sends back passes the wave early.
+    assert np.isnan(passed[0])
+    assert 0.03 < passed[1] == passed[2] < 0.5
+    assert np.isnan(beside["lost_10_logarithmic"][0]).all()
+
+
+def test_measures_of_known_waves_are_exact():
+    xi = np.arange(400) * 0.05
+    wave, shifted = (np.exp(-((xi - centre) ** 2)) for centre in (10.0, 10.3))
+    # The ring may be cut anywhere.
+    for turn in (0, 210):
+        rows = (np.roll(row, turn)[None] for row in (shifted, wave))
+        assert ring_limit.lead(*rows, 0.05)[0] == pytest.approx(0.3, abs=1e-3)
+    assert np.isnan(ring_limit.lead(wave[None], 0.0 * wave[None], 0.05)[0])
+    wide = np.exp(-(((xi - 10.0) / 2.0) ** 2))
+    [half_way] = ring_limit.lead(wide[None], wave[None], 0.05)
+    assert half_way == pytest.approx(math.sqrt(math.log(2.0)), abs=1e-3)
+    x = np.arange(11.0)
+    rows = np.array([[3.0], [2.0]]) - 0.1 * (x - 5.3) ** 2
+    np.testing.assert_allclose(ring_limit.heights(rows), [3.0, 2.0], rtol=1e-14)
+    assert ring_measures._vertex(rows[0]) == pytest.approx(1.0 + 5.3, rel=1e-12)
+    start = 4.0 - 0.1 * (x - 5.3) ** 2
+    np.testing.assert_allclose(ring_limit.relative_decay(rows[:1], rows[1:], start), -0.5)
+    times, found = np.array([1.0, 3.0]), np.array([0.2, 0.6])
+    passages = [ring_limit.first_passage(times, found, level) for level in (0.1, 0.3, 0.7)]
+    np.testing.assert_allclose(passages, [0.5, 1.5, np.nan])
+    np.testing.assert_allclose(slope_of(np.sin, x), np.cos(x), rtol=0, atol=1e-9)

@@ -1,11 +1,15 @@
 """Scenes and small solvers that several tests share."""
 
+from itertools import pairwise
+
 import numpy as np
 from kernels import from_python
+from scipy.integrate import solve_ivp
 
 from granular_fronts.chain import integrator, strain
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.run import make_chain
+from granular_fronts.chain.simulate import solve
 from granular_fronts.chain.state import NEW_U, D, U
 from granular_fronts.numerics.runge_kutta import NEW_SLOPE, SLOT
 
@@ -33,14 +37,56 @@ def driven_scene(gamma=0.06, beads=40, end_time=60.0, alpha=1.5, beta=None, delt
 def ring_scene(u, velocity, gamma=0.1, alpha=1.5, beta=None, end_time=10.0, **changes):
     """A ring with a given start."""
     scene = driven_scene(gamma, len(u), end_time, alpha, beta)
-    start = {"kind": "given", "relative_displacement": list(u), "velocity": list(velocity)}
-    return scene | {"boundary": {"kind": "ring"}, "start": start} | changes
+    return scene | {"boundary": {"kind": "ring"}, "start": given(u, velocity)} | changes
 
 
 def smooth_ring(beads=24):
     """A compressed ring carrying a smooth wave: all contacts stay closed."""
     phase = 4.0 * np.pi * np.arange(beads) / beads
     return 1.0 + 0.5 * np.cos(phase), 0.15 * np.sin(phase / 2.0) + 0.05 * np.cos(phase)
+
+
+def given(u, velocity):
+    """A start, as scenes have it."""
+    return {"kind": "given", "relative_displacement": list(u), "velocity": list(velocity)}
+
+
+def last_state(scene):
+    """u and velocity of all beads at the last snapshot of one integration."""
+    last = solve(scene, scene["tolerance"]).dataset.isel(t=-1)
+    return np.concatenate([last["relative_displacement"], last["velocity"]])
+
+
+def by_scipy(scene, rtol=1.0e-12, atol=1.0e-14):
+    """u and velocity at the end of a chain at rest, by SciPy in (x, w) from the law (28) alone."""
+    law, boundary, beads = scene["law"], scene["boundary"], scene["beads"]
+    speed, ramp = boundary.get("velocity", 0.0), boundary.get("ramp", 0.0)
+    pushed = boundary["kind"] == "piston"
+    free = beads - pushed
+
+    def path(t):
+        return 0.5 * speed * t * t / ramp if t < ramp else speed * (t - 0.5 * ramp)
+
+    def compressions(t, x):
+        behind = path(t) - x[0] if pushed else boundary["left"]
+        return np.concatenate([[behind], x[:-1] - x[1:], [boundary["right"]]])
+
+    def momenta_less_velocities(u):
+        return np.diff(law["gamma"] * np.maximum(u, 0.0) ** law["beta"])
+
+    def slopes(t, state):
+        u = compressions(t, state[:free])
+        forces = np.maximum(u, 0.0) ** law["alpha"]
+        return np.concatenate([state[free:] - momenta_less_velocities(u), -np.diff(forces)])
+
+    rest = np.zeros(free)
+    state = np.concatenate([rest, momenta_less_velocities(compressions(0.0, rest))])
+    times = np.unique([0.0, ramp, scene["end_time"]])
+    for span in pairwise(times):
+        state = solve_ivp(slopes, span, state, "DOP853", rtol=rtol, atol=atol).y[:, -1]
+    u = compressions(scene["end_time"], state[:free])
+    velocity = state[free:] - momenta_less_velocities(u)
+    return np.concatenate([u[-beads:], [speed] * pushed, velocity])
 
 
 def take_fixed_steps(chain, table, h, steps):

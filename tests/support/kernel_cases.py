@@ -3,9 +3,10 @@
 Each case returns arrays, computed by compiled kernels or, after ``import uncompiled``, by Python.
 """
 
-import numba
 import numpy as np
 from chains import driven_scene, ring_scene, smooth_ring
+from kernels import mapped
+from potentials import fpu, hertz, toda
 from rings import scene_with
 
 import granular_fronts as gf
@@ -21,9 +22,7 @@ from granular_fronts.fronts.shooting.bead_flow import PowerLaw, spread_of
 from granular_fronts.fronts.shooting.initial_guess import continuum_guess, fit
 from granular_fronts.fronts.shooting.window import slow_roots
 from granular_fronts.fronts.sweep import follow
-from granular_fronts.model import passes
 from granular_fronts.model.laws import make_law
-from granular_fronts.model.potentials import make_potential
 from granular_fronts.numerics import interpolation
 from granular_fronts.numerics.banded_qr import solve_least_squares
 from granular_fronts.numerics.polynomials import crossing
@@ -61,15 +60,14 @@ def chain_with_gaps():
 
 def chains_of_other_laws():
     """Toda's law with a dashpot, FPU's with two nonlinear forces, another power, and a piston."""
-    toda, dashpot = {"kind": "toda", "strength": 0.7, "rate": 1.3}, {"kind": "linear", "gamma": 0.3}
-    fpu = {"kind": "fpu", "quadratic": 1.0, "cubic": -0.3, "quartic": 0.2}
+    dashpot = {"kind": "linear", "gamma": 0.3}
     piston = {"kind": "piston", "velocity": 0.1, "ramp": 1.0, "right": 0.0}
     scene = driven_scene(beads=6, end_time=2.0, tolerance=LOOSE)
     return [
         values
         for change in (
-            {"law": {"elastic": toda, "viscous": dashpot}},
-            {"law": {"elastic": fpu, "viscous": toda}},
+            {"law": gf.make_law(elastic=toda(0.7, 1.3), viscous=dashpot)},
+            {"law": gf.make_law(elastic=fpu(1.0, -0.3, 0.2), viscous=toda(0.7, 1.3))},
             {"law": {"alpha": 2.5, "beta": 2.5, "gamma": 0.1}},
             {"boundary": piston},
         )
@@ -89,25 +87,8 @@ def powers():
     functions = lambda r: 0.5 * r * r, lambda r: 1.0 * r, lambda r: 1.0 + 0.0 * r
     given = gf.Potential(*functions, interval=(-3.0, 3.0))
     for alpha in (1.0, 1.5, 2.0, 2.5):
-        found += rows(make_potential("hertz", alpha=alpha), u)
-    return [*found, *rows(given, u)]
-
-
-def rows(potential, u):
-    """Force and its slope on a row of compressions."""
-    found = []
-    for order in (1, 2):
-        result = np.empty(u.size)
-        fill_row(
-            passes.row_map(potential, order), u, result, passes.row_parameters(potential, order)
-        )
-        found.append(result)
-    return found
-
-
-@numba.njit
-def fill_row(address, u, result, parameters):
-    passes.call_row_map(address, u, result, 0, u.size - 1, parameters)
+        found += [mapped(hertz(alpha), order, u) for order in (1, 2)]
+    return [*found, *(mapped(given, order, u) for order in (1, 2))]
 
 
 def interpolants():

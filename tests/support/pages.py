@@ -8,6 +8,7 @@ import textwrap
 from projects import ROOT
 
 README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
+PLACE = re.compile(r"(?:#|\.\.) (\S+\.\w+)(?:, (above|below) (.+))?\n")
 FENCE = re.compile(r"^( *)```(\S*)[^\n]*\n(.*?)^\1```", re.MULTILINE | re.DOTALL)
 
 
@@ -22,14 +23,30 @@ def all_blocks(document):
     return [(language, textwrap.dedent(block)) for _, language, block in found]
 
 
-def named_blocks(document):
-    """Blocks that begin with the name of a file, by that name, without it."""
-    found = {}
-    for language in ("python", "yaml", "rst"):
-        for block in blocks(document, language):
-            if match := re.match(r"(?:#|\.\.) (\S+\.\w+)\n", block):
-                found[match.group(1)] = block[match.end() :]
-    return found
+def placed_blocks(subject):
+    """File, side, line and text of each block under a heading of the page on extensions."""
+    sections = EXTENDING.read_text(encoding="utf-8").split("\n## ")
+    [section] = [section for section in sections if section.startswith(subject)]
+    for _, _, block in FENCE.findall(section):
+        if match := PLACE.match(block := textwrap.dedent(block)):
+            yield *match.groups(), block[match.end() :]
+
+
+def carry_out(project, subject, but=None):
+    """Change a project as the page on extensions says; the files that were changed."""
+    changed = set()
+    for name, side, line, text in placed_blocks(subject):
+        if name == but:
+            continue
+        file = project / name
+        lines = file.read_text(encoding="utf-8").splitlines(True) if file.exists() else []
+        at = len(lines)
+        if side:
+            [at] = [n for n, found in enumerate(lines) if found.strip().startswith(line)]
+            at += side == "below"
+        file.write_text("".join([*lines[:at], text, *lines[at:]]), encoding="utf-8")
+        changed.add(name)
+    return changed
 
 
 def commands(document):

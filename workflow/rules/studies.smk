@@ -1,8 +1,8 @@
 """Studies: a dataset each, by the function that workflow/studies.yaml names."""
 
-STUDIES = load_yaml("workflow", "studies.yaml")
+from granular_fronts.scenes.study import studies
 
-for study, described in STUDIES.items():
+for study, described in studies().items():
 
     rule:
         name:
@@ -30,6 +30,6 @@ for study, described in STUDIES.items():
 # Of the studies that a plain call makes.
 STUDY_BENCHMARKS = [
     f"<benchmarks>/study/{study}.tsv"
-    for study, described in STUDIES.items()
+    for study, described in studies().items()
     if f"{described['folder']}/{study}" in default_parameters(config)
 ]

@@ -9,10 +9,8 @@ from pathlib import Path
 
 from granular_fronts.arguments import choice
 from granular_fronts.output.datasets import write_dataset
-from granular_fronts.scenes.yaml_files import read_yaml
+from granular_fronts.scenes.study import studies
 from step import run_step
-
-STUDIES = Path(__file__).parents[1] / "studies.yaml"
 
 
 def study(study: str, section: dict, dataset: Path) -> None:
@@ -27,11 +25,9 @@ def study(study: str, section: dict, dataset: Path) -> None:
     dataset : Path
         The netCDF file to write.
     """
-    studies = read_yaml(STUDIES)
-    module, _, function = studies[choice("a study", study, list(studies))]["function"].rpartition(
-        "."
-    )
-    computed = getattr(import_module(module), function)(**section)
+    function = studies()[choice("a study", study, list(studies()))]["function"]
+    module, _, name = function.rpartition(".")
+    computed = getattr(import_module(module), name)(**section)
     write_dataset(computed, dataset, scene_id=study, config=section)
 
 

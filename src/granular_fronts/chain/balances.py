@@ -15,12 +15,10 @@ from granular_fronts.chain import equations
 from granular_fronts.chain.state import D, U
 
 
-class Snapshot(NamedTuple):
-    """Velocities of the beads, energy, and positions (0 on a ring) at a time."""
-
+class _State(NamedTuple):
     velocity: np.ndarray
     energy: float
-    positions: np.ndarray
+    positions: np.ndarray  # 0 on a ring.
 
 
 class Balances:
@@ -89,7 +87,7 @@ class Balances:
 
 
 def _measure(run):
-    """The `Snapshot` of the present."""
+    """The state at the present time."""
     law, boundary = run.law, run.boundary
     u, d, positions = run.row(U).copy(), run.row(D), np.zeros(run.chain.beads)
     if not boundary.ring:
@@ -97,13 +95,9 @@ def _measure(run):
         u[-1] = boundary.right
     w = equations.generalised_velocities(d, boundary, run.momentum)
     velocity = w + equations.velocity_correction(u, boundary, law, run.clock.t)
-    return Snapshot(velocity, _energy(law, boundary, u, w, velocity), positions)
-
-
-def _energy(law, boundary, u, w, velocity):
-    """H(w, u), with what `equations` adds to it for a piston."""
-    if not boundary.piston:
-        return equations.energy(u, w, boundary, law.elastic)
-    w[0] = velocity[0]
-    at_piston = velocity[0] * equations.force(law.viscous, u[0])
-    return equations.energy(u, w, boundary, law.elastic) + at_piston
+    at_piston = 0.0
+    if boundary.piston:  # See the end of `equations`.
+        w[0] = velocity[0]
+        at_piston = velocity[0] * equations.force(law.viscous, u[0])
+    energy = equations.energy(u, w, boundary, law.elastic) + at_piston
+    return _State(velocity, energy, positions)

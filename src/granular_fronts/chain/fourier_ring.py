@@ -122,21 +122,15 @@ def _integrate(ring, start, times, tolerance):
         return np.concatenate([change, force])
 
     solver = DOP853(rates, 0.0, start, times[-1], rtol=tolerance, atol=1e-2 * tolerance)
-    states, row = [], 0
-    while row < len(times):
-        if times[row] == solver.t:
-            states.append(solver.y)
-            row += 1
-            continue
+    states = []
+    while len(states) < len(times):
         if message := solver.step():
             raise SolveError(f"At t = {solver.t:.6g} of a ring the step size collapsed: {message}")
         smallest = min(smallest, solver.y[:points].min())
         if not smallest > 0.0:
             raise GapError(OPEN.format(time=solver.t))
-        dense = solver.dense_output()
-        while row < len(times) and times[row] <= solver.t:
-            states.append(dense(times[row]))
-            row += 1
+        passed = times[len(states) : np.searchsorted(times, solver.t, side="right")]
+        states += map(solver.dense_output(), passed)
     return states, float(smallest)
 
 

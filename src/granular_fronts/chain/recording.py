@@ -22,18 +22,8 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.accuracy import rounding_floor
-from granular_fronts.chain import equations
-from granular_fronts.chain.recorder import (
-    END,
-    END_TIME,
-    NEXT,
-    RIVAL,
-    RIVAL_TIME,
-    STEEPNESS,
-    TIME,
-    VALUE,
-    Recording,
-)
+from granular_fronts.chain import equations, recorder
+from granular_fronts.chain.recorder import END, END_TIME, RIVAL, RIVAL_TIME, STEEPNESS, TIME, VALUE
 from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.numerics.records import make_record
@@ -61,13 +51,14 @@ def monitor_times(scene):
 
 
 def _probe_samples(scene):
-    """All samples of all probe sets: times and beads, each flat, set after set."""
-    times, beads = [np.empty(0)], [np.empty(0, dtype=np.int64)]
-    for probe in scene["record"].get("probes", {}).values():
-        moments = regular_points(probe["start"], probe["stop"], probe["step"])
-        times.append(np.repeat(moments, len(probe["beads"])))
-        beads.append(np.tile(np.asarray(probe["beads"], dtype=np.int64), moments.size))
-    return np.concatenate(times), np.concatenate(beads)
+    """Times and beads of each probe set by name, and those of all samples, set after set."""
+    probes = {
+        name: (regular_points(probe["start"], probe["stop"], probe["step"]), probe["beads"])
+        for name, probe in scene["record"].get("probes", {}).items()
+    }
+    times = [np.repeat(moments, len(beads)) for moments, beads in probes.values()]
+    beads = [np.tile(beads, moments.size) for moments, beads in probes.values()]
+    return probes, np.concatenate([[], *times]), np.concatenate([[], *beads]).astype(np.int64)
 
 
 def make_recording(scene, ahead, u):
@@ -80,14 +71,14 @@ def make_recording(scene, ahead, u):
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
     profile_times = np.unique(np.concatenate([snapshots, _grid_times(scene), monitor_times(scene)]))
-    times, beads = _probe_samples(scene)
+    _, times, beads = _probe_samples(scene)
     order = np.argsort(times, kind="stable")
     passage = np.full((STEEPNESS + 1, columns), np.nan)
     largest, smallest = np.full((2, END_TIME + 1, columns), np.nan)
     for event, none in ((largest, -np.inf), (smallest, np.inf)):
         event[[VALUE, RIVAL]], event[END], event[END_TIME] = none, u, 0.0
     level = float(record.get("arrival_level", np.nan))
-    return Recording(
+    return recorder.Recording(
         stops=_stops(scene, snapshots),
         profile_times=profile_times,
         profile_u=np.full((profile_times.size, columns), ahead),
@@ -95,7 +86,7 @@ def make_recording(scene, ahead, u):
         sample_times=times[order],
         sample_beads=beads[order],
         samples=np.full(times.size, np.nan),
-        next=make_record(NEXT, arrival=1),
+        next=make_record(recorder.NEXT, arrival=1),
         level=level,
         side=np.where(u < level, 1.0, -1.0),
         arrival=passage,
@@ -165,22 +156,19 @@ def _profiles(scene, run):
 
 
 def _probes(scene, run):
-    times, beads = _probe_samples(scene)
+    probes, times, beads = _probe_samples(scene)
     samples = np.empty(times.size)
     samples[np.argsort(times, kind="stable")] = run.recording.samples
     if not run.boundary.ring:
         # The engine keeps the last bead itself where the held contact has its place.
         samples[beads == scene["beads"]] = run.boundary.right
-    dataset, first = xr.Dataset(), 0
-    for name, probe in scene["record"].get("probes", {}).items():
-        moments = regular_points(probe["start"], probe["stop"], probe["step"])
-        shape = (moments.size, len(probe["beads"]))
-        last = first + moments.size * len(probe["beads"])
+    dataset = xr.Dataset()
+    for name, (moments, places) in probes.items():
+        own, samples = np.split(samples, [moments.size * len(places)])
         dataset[f"relative_displacement_{name}"] = xr.DataArray(
-            samples[first:last].reshape(shape),
-            coords={f"t_{name}": moments, f"bead_{name}": probe["beads"]},
+            own.reshape(moments.size, len(places)),
+            coords={f"t_{name}": moments, f"bead_{name}": places},
         )
-        first = last
     return dataset
 
 

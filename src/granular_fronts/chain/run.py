@@ -13,25 +13,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from granular_fronts.chain import equations, integrator
+from granular_fronts.chain import equations, integrator, state
 from granular_fronts.chain.equations import Boundary, Piston
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.stage_passes import stage_pass
-from granular_fronts.chain.state import (
-    CHAIN,
-    DAMPING,
-    FORCE,
-    LAW,
-    MOST_KINKS,
-    MOST_PARAMETERS,
-    NEW_U,
-    ROWS_OF_PAIR,
-    ROWS_OF_SINGLE,
-    D,
-    U,
-    make_table,
-)
+from granular_fronts.chain.state import D, U
 from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
@@ -51,7 +38,7 @@ CLOSE_TO_AN_END = 1.0e-6
 SMALL_EXTENSION = 1.0e-3
 
 
-class Run(NamedTuple):
+class Integration(NamedTuple):
     """Everything that one integration works on."""
 
     law: Law
@@ -71,7 +58,7 @@ class Run(NamedTuple):
         return self.table[row, 1 : self.chain.beads + 1]
 
 
-def prepare(scene: Mapping[str, Any]) -> Run:
+def prepare(scene: Mapping[str, Any]) -> Integration:
     """The run of a checked scene, ready at t = 0.
 
     Forces of the start or the boundary that overflow are a SolveError.
@@ -82,14 +69,14 @@ def prepare(scene: Mapping[str, Any]) -> Run:
     with np.errstate(over="ignore", invalid="ignore"):
         chain, table = make_chain(law, boundary, u, velocity)
         integrator.begin(chain, table)
-    if not (np.isfinite(table[D]).all() and np.isfinite(table[FORCE]).all()):
+    if not (np.isfinite(table[D]).all() and np.isfinite(table[state.FORCE]).all()):
         raise SolveError(
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
     recording = make_recording(scene, chain.ahead, table[U])
     _note_openings_at_start(recording, chain.contacts, u, velocity)
-    return Run(law, boundary, chain, table, recording, float(velocity.sum()))
+    return Integration(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
 def _note_openings_at_start(recording, contacts, u, velocity):
@@ -101,7 +88,9 @@ def _note_openings_at_start(recording, contacts, u, velocity):
 
 
 def integrate(
-    run: Run, tolerance: Mapping[str, float], after_block: Callable[[Run], None] = lambda run: None
+    run: Integration,
+    tolerance: Mapping[str, float],
+    after_block: Callable[[Integration], None] = lambda run: None,
 ) -> np.ndarray:
     """Advance a run to its end; returns the times at which steps ended.
 
@@ -125,7 +114,9 @@ def integrate(
 
 
 def integrate_in_halves(
-    run: Run, ends: np.ndarray, after_block: Callable[[Run], None] = lambda run: None
+    run: Integration,
+    ends: np.ndarray,
+    after_block: Callable[[Integration], None] = lambda run: None,
 ) -> np.ndarray:
     """Advance a run to its end by two steps for each of another run of the same scene.
 
@@ -143,7 +134,7 @@ def integrate_in_halves(
     return halves
 
 
-def end_ramp(run: Run) -> None:
+def _end_ramp(run):
     """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
     run.table[D, 1] += (run.law.proportional or 0.0) * run.clock.acceleration
     run.clock.acceleration = 0.0
@@ -157,7 +148,7 @@ def _advance_parts(run, advance, after_block):
     if 0.0 < ramp < stops[-1]:
         rising = run.recording._replace(stops=stops[stops <= ramp])
         _advance(run._replace(recording=rising), advance, after_block)
-        end_ramp(run)
+        _end_ramp(run)
     _advance(run, advance, after_block)
 
 
@@ -206,7 +197,7 @@ def make_chain(
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
     chain = make_record(
-        CHAIN,
+        state.CHAIN,
         law=compile_law(law),
         beads=beads,
         contacts=beads if boundary.ring else beads - 1,
@@ -217,12 +208,13 @@ def make_chain(
     if boundary.piston:
         chain.piston = True
         chain.clock.acceleration = boundary.piston.acceleration_at(0.0)
-    table = make_table(ROWS_OF_SINGLE if chain.law.single else ROWS_OF_PAIR, beads)
+    rows = state.ROWS_OF_SINGLE if chain.law.single else state.ROWS_OF_PAIR
+    table = state.make_table(rows, beads)
     table[U, 1 : beads + 1] = u
     table[D, 1 : beads + 1] = equations.strain_rates(velocity, u, boundary, law)
     if not boundary.ring:
         table[U, beads] = 0.0
-        for row, potential in ((FORCE, law.elastic), (DAMPING, law.viscous)):
+        for row, potential in ((state.FORCE, law.elastic), (state.DAMPING, law.viscous)):
             table[row, 0], table[row, 1:] = equations.force(
                 potential, (boundary.left, boundary.right)
             )
@@ -237,7 +229,7 @@ def compile_law(law: Law) -> np.record:
     It is an InputError if the law has more kinks or parameters than the record has room for, or if
     a user's function cannot be compiled or has changed since.
     """
-    record = make_record(LAW)
+    record = make_record(state.LAW)
     ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
     record.single = ratio is not None
     record.gamma = ratio if record.single else 1.0
@@ -247,10 +239,10 @@ def compile_law(law: Law) -> np.record:
     if not record.single:
         record.viscous = row_map(law.viscous, 1)
         _fill_parameters(record.viscous_parameters, law.viscous)
-    if kinks.size > MOST_KINKS:
+    if kinks.size > state.MOST_KINKS:
         raise InputError(
             f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
-            f"chain has room for {MOST_KINKS}: declare those alone that its contacts pass."
+            f"chain has room for {state.MOST_KINKS}: declare those alone that its contacts pass."
         )
     record.kink_count = kinks.size
     record.kinks[: kinks.size] = kinks
@@ -262,10 +254,10 @@ def compile_law(law: Law) -> np.record:
 def _fill_parameters(room, potential):
     """Write the parameters of the force of a potential."""
     parameters = row_parameters(potential, 1)
-    if parameters.size > MOST_PARAMETERS:
+    if parameters.size > state.MOST_PARAMETERS:
         raise InputError(
             f"{potential.name} has {parameters.size} parameters with its factor, but a chain has "
-            f"room for {MOST_PARAMETERS}: make some of them constants of its kind."
+            f"room for {state.MOST_PARAMETERS}: make some of them constants of its kind."
         )
     room[: parameters.size] = parameters
 
@@ -295,7 +287,7 @@ def work_done(clock: np.record) -> dict[str, int]:
 def _cause(status, run):
     """The sentence for a solve that stopped."""
     t, contacts = run.clock.t, slice(1, run.chain.contacts + 1)
-    u, new_u = run.table[U, contacts], run.table[NEW_U, contacts]
+    u, new_u = run.table[U, contacts], run.table[state.NEW_U, contacts]
     if status == integrator.OPENED:
         bead = 1 + int(np.argmin(new_u))
         is_hertzian = run.law.elastic.shape is kinds.hertz

@@ -36,7 +36,6 @@ ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 
 MOST_PARAMETERS, MOST_KINKS = 8, 8
 
-
 LAW = record_type(
     ("elastic", np.int64),
     ("viscous", np.int64),
@@ -87,13 +86,8 @@ def make_table(rows, beads):
     Rows are whole cache lines long, column 1, the first bead, starts one, and the length is no
     multiple of 4096 bytes, which makes rows collide in the cache.
     """
-    columns = row_length(beads)
+    columns = 8 * math.ceil((beads + 2) / 8)
+    columns += 8 if columns % 512 == 0 else 0
     buffer = np.zeros(rows * columns + 8)
     offset = (-(buffer.ctypes.data // 8 + 1)) % 8
     return buffer[offset : offset + rows * columns].reshape(rows, columns)
-
-
-def row_length(beads):
-    """Entries of a row, at least N + 2."""
-    columns = 8 * math.ceil((beads + 2) / 8)
-    return columns + 8 if columns % 512 == 0 else columns

@@ -264,7 +264,7 @@ def _add_viscous(chain, table, h, first, last):
 
 
 @subroutine(forceinline=True)
-def finish(chain, table, h, first, last):
+def _finish(chain, table, h, first, last):
     """New state of the beads first … last, and their `Largest`."""
     largest = _add_elastic(chain, table, h, first, last)
     if chain.law.single:
@@ -318,8 +318,8 @@ def try_step(chain, table, h, reach, with_energy):
         energy += rk.B[row] * _take_stage(chain, table, row, h, reach, with_power)
     last = min(reach, chain.contacts)
     if reach > last:
-        finish(chain, table, h, reach, reach)
-    return finish(chain, table, h, int64(1), last), h * energy
+        _finish(chain, table, h, reach, reach)
+    return _finish(chain, table, h, int64(1), last), h * energy
 
 
 @subroutine

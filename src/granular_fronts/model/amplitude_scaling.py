@@ -32,8 +32,8 @@ from typing import NamedTuple
 
 from granular_fronts.arguments import scalar
 
+# Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits.
 SMALLEST_DAMPING = 1.0e-280
-"""Smallest μ > 0: below it the energy of the orbit, which is of order μ, loses digits."""
 
 
 class SlowScales(NamedTuple):
@@ -106,21 +106,11 @@ class SlowScales(NamedTuple):
 
 def make_slow_scales(alpha, gamma, delta):
     """Scales of section 4; an InputError unless α > 1, γ > 0 and δ > 0."""
-    return SlowScales(
-        scalar(
-            "alpha",
-            alpha,
-            above=1.0,
-            advice="a front runs into an uncompressed chain for such an alpha only",
-        ),
-        scalar(
-            "gamma",
-            gamma,
-            above=0.0,
-            advice="without damping the scale epsilon of section 4 is infinite",
-        ),
-        scalar("delta", delta, above=0.0, advice="give a compression"),
-    )
+    reason = "a front runs into an uncompressed chain for such an alpha only"
+    alpha = scalar("alpha", alpha, above=1.0, advice=reason)
+    reason = "without damping the scale epsilon of section 4 is infinite"
+    gamma = scalar("gamma", gamma, above=0.0, advice=reason)
+    return SlowScales(alpha, gamma, scalar("delta", delta, above=0.0, advice="give a compression"))
 
 
 def scaling_of(scene):

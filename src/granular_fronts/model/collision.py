@@ -77,32 +77,17 @@ from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
 
-TOLERANCE = 3.0e-14  # relative, just above what DOP853 can keep
-ABSOLUTE_TOLERANCE = 1.0e-20  # so small that the relative one rules
-LARGEST_STEP = 0.1  # in θ
-
-ACCURACY = 1.0e-12
-"""Error of the collisions of one exponent."""
-
-FORGETTING = 45.0
-"""Λ at which the start is forgotten on the slow curve; exp(−45) is below rounding."""
-
-LEAST_LOGARITHM = -745.0
-"""Logarithm of the smallest positive number in double precision."""
-
-NOTHING_LEFT = 1.0e-6
-"""Part of v₀ below which beads of any law count as stuck together."""
-
-ROUNDING_OF_ANY_LAW = 1.0e-11
-"""What the rounding of V(−u) for small u lets through."""
-
-LEAST_SINE, LEAST_ENERGY = 1.0e-9, 1.0e-300
-"""Below them nothing is dissipated, and no logarithm is taken."""
-
+TOLERANCE = 3.0e-14  # Relative, just above what DOP853 can keep.
+ABSOLUTE_TOLERANCE = 1.0e-20  # So small that the relative one rules.
+LARGEST_STEP = 0.1  # In θ.
+ACCURACY = 1.0e-12  # Error of the collisions of one exponent.
+FORGETTING = 45.0  # Λ at which the start is forgotten on the slow curve: exp(−45) is rounding.
+LEAST_LOGARITHM = -745.0  # Of the smallest positive number in double precision.
+NOTHING_LEFT = 1.0e-6  # Part of v₀ below which beads of any law count as stuck together.
+ROUNDING_OF_ANY_LAW = 1.0e-11  # What the rounding of V(−u) for small u lets through.
+LEAST_SINE, LEAST_ENERGY = 1.0e-9, 1.0e-300  # Nothing is dissipated below them.
 MOST_ITERATIONS = 1000
-
-SAMPLES = 64
-"""Compressions at which a law is checked to repel."""
+SAMPLES = 64  # Compressions at which a law is checked to repel.
 
 
 def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> float:
@@ -127,7 +112,7 @@ def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> 
     InputError
         If a parameter is impossible.
     """
-    nu = reduced_exponent(alpha, beta)
+    nu = _reduced_exponent(alpha, beta)
     gamma = scalar("gamma", gamma, least=0.0, advice="give a damping")
     with double_precision("The damping of this collision", "bring beta closer to alpha"):
         strength = _strength(gamma, alpha, nu)
@@ -142,7 +127,7 @@ def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = N
     It belongs to v₀ = relative velocity of the impact, and has a relative error of about 1e-12. An
     InputError says that e or an exponent is impossible.
     """
-    nu = reduced_exponent(alpha, beta)
+    nu = _reduced_exponent(alpha, beta)
     e = scalar("e", e, above=0.0, most=1.0, advice="give a coefficient of restitution")
     if e == 1.0:
         return 0.0
@@ -163,11 +148,11 @@ def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = N
 
 def weak_damping_slope(alpha=1.5, beta=None):
     """Limit of γ/(1 − e) as e → 1; 0.4380245 for α = β = 3/2."""
-    nu = reduced_exponent(alpha, beta)
+    nu = _reduced_exponent(alpha, beta)
     return 2.0 / (_strength(1.0, alpha, nu) * float(euler_beta(nu + 1.0, 0.5)))
 
 
-def reduced_exponent(alpha, beta=None):
+def _reduced_exponent(alpha, beta=None):
     """ν = β/(α + 1), β = α by default."""
     alpha = scalar("alpha", alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", alpha if beta is None else beta, least=1.0, advice="give an exponent")
@@ -186,7 +171,7 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
         return -math.pi * ratio / math.sqrt(1.0 - ratio**2) if ratio < 1.0 else -math.inf
     if nu < 0.5 and strength * _steepest(nu) >= 2.0:
         return -math.inf
-    slow = slow_strength(nu) if nu > 0.5 else math.inf
+    slow = _slow_strength(nu) if nu > 0.5 else math.inf
     if strength > slow:
         power_law = math.log(slow / strength) / (2.0 * nu - 1.0)
         return _integrated(nu, slow, largest_step) + power_law
@@ -208,15 +193,12 @@ def _integrated(nu, strength, largest_step):
 
 
 def _log_restitution_by(damping, method, least, creeps=False):
-    """Logarithm of e for a damping g that is a function of ln ρ and sin θ.
+    """Logarithm of e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances.
 
-    `method` is a solver of SciPy with its tolerances; below `least` ln ρ counts as −∞, and where a
-    motion `creeps` the beads never part once θ' ≤ 0.
+    Below `least` ln ρ counts as −∞; where a motion `creeps` the beads never part once θ' ≤ 0.
     """
     theta, log_radius = _approach(damping, method, least, creeps)
-    if theta < 0.5 * math.pi:
-        return -math.inf
-    return _part(damping, theta, log_radius, method)
+    return _part(damping, theta, log_radius, method) if theta >= 0.5 * math.pi else -math.inf
 
 
 def _steepest(nu):
@@ -224,7 +206,7 @@ def _steepest(nu):
     return (2.0 * nu / (1.0 + 2.0 * nu)) ** nu / math.sqrt(1.0 + 2.0 * nu)
 
 
-def slow_strength(nu):
+def _slow_strength(nu):
     """G above which the start is forgotten on the slow curve, for ν above 1/2.
 
     The neighbours of the curve approach it by exp(−Λ), Λ ≈ (ν 2^(1 − 1/ν) G^(1/ν) − 1)/(2 − 1/ν).

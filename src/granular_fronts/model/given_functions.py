@@ -4,7 +4,6 @@ A function of the strain is given arrays; a derivative is compared with a differ
 fourth order of the function before it, at nodes inside the interval.
 """
 
-import functools
 import itertools
 from collections.abc import Callable
 
@@ -13,14 +12,11 @@ import numpy as np
 from granular_fronts.arguments import instance, sequence
 from granular_fronts.errors import InputError
 
-CHECKED_POINTS = 12
-"""Gauss nodes at which functions are compared with each other."""
-
-DIFFERENCE_STEP = 1.0e-4
-"""Step of the finite differences, relative to the interval."""
-
-DIFFERENCE_TOLERANCE = 1.0e-6
-"""Disagreement that the check lets pass, relative to the largest derivative on the interval."""
+# Gauss nodes on [−1, 1] at which functions are compared with each other.
+GAUSS_NODES = np.polynomial.legendre.leggauss(12)[0]
+# Step of the finite differences, relative to the interval, and disagreement that the check lets
+# pass, relative to the largest derivative on the interval.
+DIFFERENCE_STEP, DIFFERENCE_TOLERANCE = 1.0e-4, 1.0e-6
 
 
 def check_interval(interval):
@@ -99,9 +95,4 @@ def _check_derivative(function, derivative, nodes, step, symbol, name):
 
 def nodes_inside(low, high):
     """The Gauss nodes of an interval, at which functions are checked."""
-    return 0.5 * (low + high) + 0.5 * (high - low) * _gauss_nodes(CHECKED_POINTS)
-
-
-@functools.cache
-def _gauss_nodes(count):
-    return np.polynomial.legendre.leggauss(count)[0]
+    return 0.5 * (low + high) + 0.5 * (high - low) * GAUSS_NODES

@@ -48,12 +48,9 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.model.potentials import Potential
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # exact for polynomials of degree 47
-SPLIT = 0.4
-"""Where the interval is cut in two; off the middle, since symmetry hides a kink there."""
-
-CLOSE_ENOUGH = 1.0e-13
-"""Relative error at which the first of several ways is good enough."""
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # Exact for polynomials of degree 47.
+SPLIT = 0.4  # Where an interval is cut in two: in the middle symmetry would hide a kink.
+CLOSE_ENOUGH = 1.0e-13  # Relative error at which the first of several ways is good enough.
 
 
 class JumpConditions(NamedTuple):
@@ -160,8 +157,7 @@ def jump_conditions(
 
 
 def _conditions(potential, R_minus, R_plus, mass, dissipation):
-    stiffnesses = _stiffnesses(potential, R_minus, R_plus)
-    _check_curvature(potential, stiffnesses)
+    _check_curvature(potential, _stiffnesses(potential, R_minus, R_plus))
     square = _squared_speed(potential, R_minus, R_plus)
     _check_squared_speed(potential, square, R_minus, R_plus)
     area = signed_area(potential, R_minus, R_plus)
@@ -198,7 +194,11 @@ def signed_area(potential, R_minus, R_plus):
         return mean * (-(jump**2))
 
     def from_differences():
-        return _area_from_differences(potential, R_minus, R_plus)
+        energy = _difference(potential.value, R_minus, R_plus)
+        forces = [_at(potential.first, R) for R in (R_minus, R_plus)]
+        work = 0.5 * jump * (forces[0] + forces[1])
+        rounding = EPSILON * abs(0.5 * jump) * (abs(forces[0]) + abs(forces[1]))
+        return Estimate(energy.value - work, energy.error + rounding)
 
     ways = [from_second_derivative, from_differences]
     # Where V'' jumps, V''' is blind to the jump; quadrature of V'' is not.
@@ -220,15 +220,6 @@ def _squared_speed(potential, R_minus, R_plus):
             lambda: _difference(potential.first, R_minus, R_plus) * (1.0 / jump),
         ]
     )
-
-
-def _area_from_differences(potential, R_minus, R_plus):
-    energy = _difference(potential.value, R_minus, R_plus)
-    half_jump = 0.5 * (R_plus - R_minus)
-    forces = [_at(potential.first, R) for R in (R_minus, R_plus)]
-    work = half_jump * (forces[0] + forces[1])
-    rounding = EPSILON * abs(half_jump) * (abs(forces[0]) + abs(forces[1]))
-    return Estimate(energy.value - work, energy.error + rounding)
 
 
 def _difference(function, R_minus, R_plus):

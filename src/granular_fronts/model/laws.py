@@ -25,12 +25,7 @@ from typing import Any, NamedTuple
 from granular_fronts.arguments import instance
 from granular_fronts.errors import InputError
 from granular_fronts.model import kinds
-from granular_fronts.model.potentials import (
-    Potential,
-    checked_parameters,
-    look_up,
-    make_potential,
-)
+from granular_fronts.model.potentials import Potential, checked_parameters, look_up, make_potential
 
 SHORT_FORM = ("alpha", "beta", "gamma")
 TWO_POTENTIALS = ("elastic", "viscous")
@@ -188,12 +183,17 @@ def _make_long(elastic=None, viscous=None):
     elastic = _make_part("elastic", elastic, kinds.ELASTIC)
     if viscous is None:
         viscous = {"kind": "none"}
-    if isinstance(viscous, Mapping) and viscous.get("kind") in DEPENDENT:
-        kind = DEPENDENT[viscous["kind"]]
-        given = {name: value for name, value in viscous.items() if name != "kind"}
-        values = checked_parameters(viscous["kind"], kind.parameters, given)
-        return Law(elastic, kind.make(elastic, **values))
-    return Law(elastic, _make_part("viscous", viscous, kinds.KINDS | DEPENDENT))
+    if not (isinstance(viscous, Mapping) and viscous.get("kind") in _DEPENDENT):
+        return Law(elastic, _make_part("viscous", viscous, kinds.KINDS | _DEPENDENT))
+    name, dependent = viscous["kind"], _DEPENDENT[viscous["kind"]]
+    given = {key: value for key, value in viscous.items() if key != "kind"}
+    values = checked_parameters(name, dependent.parameters, given)
+    if dependent.of_hertz and elastic.shape is not kinds.hertz:
+        raise InputError(
+            f"The viscous potential is of kind {name}, which belongs to the elastic kind hertz, "
+            f"but the elastic one is {elastic.name}: take kind proportional, or hertz."
+        )
+    return Law(elastic, dependent.make(elastic, **values))
 
 
 def _make_part(part, given, known):
@@ -204,37 +204,29 @@ def _make_part(part, given, known):
     return make_potential(**given)
 
 
-class Dependent(NamedTuple):
+class _Dependent(NamedTuple):
     """A viscous kind that depends on the elastic potential, of which `make` makes it."""
 
     make: Callable[..., Potential]
     parameters: Mapping[str, kinds.Parameter]
+    of_hertz: bool = False  # Whether it belongs to Hertz potentials alone.
 
 
-def _of_hertz(kind, make):
-    """A dependent kind that belongs to Hertz potentials alone; it is made of α too."""
-
-    def make_of(elastic, gamma):
-        if elastic.shape is not kinds.hertz:
-            raise InputError(
-                f"The viscous potential is of kind {kind}, which belongs to the elastic kind "
-                f"hertz, but the elastic one is {elastic.name}: take kind proportional, or hertz."
-            )
-        return make(elastic, *elastic.parameters, gamma)
-
-    return Dependent(make_of, GAMMA)
+def _in_proportion(elastic, gamma):
+    return elastic.scaled(gamma)
 
 
-GAMMA = {"gamma": kinds.DAMPING}
-DEPENDENT = {
-    "none": Dependent(lambda elastic: make_potential("linear", gamma=0.0), {}),
-    "proportional": Dependent(lambda elastic, gamma: elastic.scaled(gamma), GAMMA),
-    "kuwabara_kono": _of_hertz(
-        "kuwabara_kono", lambda elastic, alpha, gamma: elastic.scaled(gamma)
-    ),
-    "simon_hunt_crossley": _of_hertz(
-        "simon_hunt_crossley",
-        lambda elastic, alpha, gamma: make_potential("power", beta=alpha + 1.0, gamma=gamma),
+_GAMMA = {"gamma": kinds.DAMPING}
+_DEPENDENT = {
+    "none": _Dependent(lambda elastic: make_potential("linear", gamma=0.0), {}),
+    "proportional": _Dependent(_in_proportion, _GAMMA),
+    "kuwabara_kono": _Dependent(_in_proportion, _GAMMA, of_hertz=True),
+    "simon_hunt_crossley": _Dependent(
+        lambda elastic, gamma: make_potential(
+            "power", beta=elastic.parameters[0] + 1.0, gamma=gamma
+        ),
+        _GAMMA,
+        of_hertz=True,
     ),
 }
 """A further viscous kind that depends on V needs an entry here, and nothing elsewhere."""

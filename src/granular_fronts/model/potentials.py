@@ -21,6 +21,7 @@ This module imports nothing heavier than numpy; SymPy is needed for expressions 
 from __future__ import annotations
 
 import difflib
+import functools
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -36,11 +37,9 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     import sympy
 
-GIVEN = "given"
-"""Kind of a potential whose functions are the user's."""
-
+GIVEN = "given"  # Kind of a potential whose functions are the user's.
+# A function of the strain, from an array to an array of the same shape.
 Function = Callable[[np.ndarray], np.ndarray]
-"""A function of the strain, from an array to an array of the same shape."""
 
 
 class Origin:
@@ -252,10 +251,7 @@ class Potential:
     def third(self) -> Function | None:
         """V''' as a function of r; None if a user has not given it."""
         known = self.functions is None or self.functions[3] is not None
-        return self._third if known else None
-
-    def _third(self, r):
-        return self.derivative(r, 3)
+        return functools.partial(self.derivative, order=3) if known else None
 
     def derivative(self, r: npt.ArrayLike, order: int) -> np.ndarray:
         """The derivative of an order from 0 to 3; 3 only where `third` is known."""

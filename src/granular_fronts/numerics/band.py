@@ -25,7 +25,7 @@ def factorise(band, lower, prefix):
     _eliminate(band, lower, int64(0), prefix)
     for i in range(prefix, min(prefix + lower, rows)):
         for place in range(lower - (i - prefix)):
-            subtract(band, lower, prefix - 1, i, place)
+            _subtract(band, lower, prefix - 1, i, place)
     _eliminate(band, lower, prefix, rows)
 
 
@@ -35,11 +35,11 @@ def _eliminate(band, lower, first, end):
     for j in range(first, end):
         band[j, lower] = 1.0 / band[j, lower]
         for i in range(j + 1, min(j + lower + 1, end)):
-            subtract(band, lower, j, i, lower - (i - j))
+            _subtract(band, lower, j, i, lower - (i - j))
 
 
 @subroutine(fastmath=True, forceinline=True)
-def subtract(band, lower, ready, i, place):
+def _subtract(band, lower, ready, i, place):
     """Subtract a row that is ready from row i so that the entry at `place` vanishes."""
     factor = band[i, place] * band[ready, lower]
     band[i, place] = factor
@@ -53,16 +53,16 @@ def subtract(band, lower, ready, i, place):
 def substitute(band, lower, prefix, skipped, x):
     """Solve in place with the factors of `factorise`."""
     for i in range(x.size):
-        row = compact(i, prefix, skipped)
+        row = _compact(i, prefix, skipped)
         first = max(0, lower - i)
         x[i] -= product(band[row, first:lower], x[i - lower + first : i])
     for i in range(x.size - 1, -1, -1):
-        row = compact(i, prefix, skipped)
+        row = _compact(i, prefix, skipped)
         x[i] = (x[i] - product(band[row, lower + 1 :], x[i + 1 :])) * band[row, lower]
 
 
 @subroutine
-def compact(i, prefix, skipped):
+def _compact(i, prefix, skipped):
     """Where the factors of row i are."""
     return i if i < prefix else max(prefix - 1, i - skipped)
 

@@ -8,17 +8,11 @@ alone that do not stand on it.
 Numba compiles a function once for each type of its arguments, and to it a literal integer is a type
 of its own: callers write ``int64(2)`` where others pass a variable.
 
-The cache may be kept from one run to the next, on one machine or between machines (in continuous
-integration, say).  The key of a folder is the digest of the code and the versions of numba,
-llvmlite and NumPy: kernels contain NumPy's functions as numba writes them for its version, and
-hold tables that NumPy computed as constants.  Numba itself adds the processor, its features, and
-the versions of numba and of Python to the key of each entry.  What does not fit, or is damaged, is
-compiled anew and never used: each file ends with a digest of its contents, since numba itself
-takes whatever lies there for machine code.
-
-Where a kernel is not in the cache, its first call compiles it, and a line says that this takes a
-while.  Numba itself reports each compilation, so that the line comes when there is one and not
-otherwise.
+The cache may be kept from run to run, and passed between machines.  The key of a folder is the
+digest of the code and the versions of numba, llvmlite and NumPy, whose functions and tables kernels
+contain; numba adds the processor and the version of Python.  What does not fit, or is damaged, is
+compiled anew: each file ends with a digest of its contents, since numba takes whatever lies there
+for machine code.
 """
 
 import functools
@@ -55,9 +49,8 @@ WINGS_IN_WORDS = {
     "reference_methods": "the reference methods",
 }
 
+# Of each function that `kernel` compiles; a user's functions are not among them.
 _wing_of_kernel = {}
-"""The wing of each function that `kernel` compiles; a user's functions are not among them."""
-
 
 DIGEST_SIZE = hashlib.sha256().digest_size
 
@@ -96,7 +89,7 @@ class CheckedFiles(caching.IndexDataCacheFile):
             raise
 
 
-class CompilationNotice(event.Listener):
+class _CompilationNotice(event.Listener):
     """Says for each wing, once in a process, that kernels of it are compiled."""
 
     def __init__(self):
@@ -104,7 +97,7 @@ class CompilationNotice(event.Listener):
         self.announced = set()
 
     def on_start(self, event):
-        """Announce the wing of a kernel that is compiled for itself and not for one calling it."""
+        """Announce the wing of a kernel, unless it is compiled for another that calls it."""
         wing = _wing_of_kernel.get(event.data["dispatcher"].py_func)
         if self.depth == 0 and wing and wing not in self.announced:
             self.announced.add(wing)
@@ -121,7 +114,7 @@ class CompilationNotice(event.Listener):
         self.depth -= 1
 
 
-event.register("numba:compile", CompilationNotice())
+event.register("numba:compile", _CompilationNotice())
 caching.IndexDataCacheFile = CheckedFiles
 
 
@@ -152,13 +145,13 @@ def subroutine(function=None, /, **options):
     def compile_without_wrappers(function):
         compiled = kernel(function, **options, no_cpython_wrapper=True, no_cfunc_wrapper=True)
         if isinstance(compiled, CPUDispatcher):
-            compiled.__class__ = Subroutine
+            compiled.__class__ = _Subroutine
         return compiled
 
     return compile_without_wrappers(function) if function else compile_without_wrappers
 
 
-class Subroutine(CPUDispatcher):
+class _Subroutine(CPUDispatcher):
     """A compiled function that Python cannot call: there is nothing it could jump to."""
 
     def __call__(self, *arguments):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+# How far a stop may lie beyond the last point, relative to the range, and still count as met.
 ROUNDING = 1e-12
-"""How far a stop may lie beyond the last point, relative to the range, and still count as met."""
 
 
 def regular_points(start, stop, step):

@@ -6,15 +6,11 @@ import numpy as np
 
 from granular_fronts.numerics.compiled import kernel, subroutine
 
-NODES = 20
-"""Points of each local polynomial, half of them on either side."""
-
+NODES = 20  # Points of each local polynomial, half of them on either side.
+# Barycentric weights of equidistant points.
 WEIGHTS = np.array([(-1.0) ** j * math.comb(NODES - 1, j) for j in range(NODES)])
-"""Barycentric weights of equidistant points."""
-
-NOISE = 1e-15
-"""Relative height of crests that are round-off."""
-
+NOISE = 1e-15  # Relative height of crests that are round-off.
+# Weights of (u(ξ + kh) − u(ξ − kh))/h in u'(ξ), of order 2 REACH.
 REACH = 10
 DIFFERENCES = np.array(
     [
@@ -22,7 +18,6 @@ DIFFERENCES = np.array(
         for k in range(1, REACH + 1)
     ]
 )
-"""Weights of (u(ξ + kh) − u(ξ − kh))/h in u'(ξ), of order 20."""
 
 
 @subroutine

@@ -40,9 +40,9 @@ def kernel_weights(spacing: Fraction, order: int) -> Weights:
     ahead, ramp = _one_sided(spacing, order)
     behind = ahead[::-1]
     return Weights(
-        hat=_floats(ahead - ramp + (ahead - ramp)[::-1]),
-        jump=_floats(behind - ahead),
-        site=_floats(behind),
+        hat=(ahead - ramp + (ahead - ramp)[::-1]).astype(float),
+        jump=(behind - ahead).astype(float),
+        site=behind.astype(float),
     )
 
 
@@ -50,37 +50,33 @@ def _one_sided(spacing, order):
     """Exact weights of ∫_0^1 P(ξ + s) ds and ∫_0^1 s P(ξ + s) ds."""
     cells = math.ceil(1 / spacing)
     width = cells - 1 + order // 2
-    whole, last = _moments(order, Fraction(1)), _moments(order, 1 / spacing - (cells - 1))
+    moments = _moments(order, Fraction(1)), _moments(order, 1 / spacing - (cells - 1))
     # Whole numbers over one denominator add up much faster than fractions do.
     sums = np.zeros((2, 2, 2 * width + 1), dtype=object)
     for cell in range(cells):
         part = int(cell == cells - 1)
-        zeroth, first = (whole, last)[part].numerators
+        (zeroth, first), _ = moments[part]
         nodes = slice(width + cell + 1 - order // 2, width + cell + 1 + order // 2)
         sums[part, 0, nodes] += zeroth
         sums[part, 1, nodes] += first + cell * zeroth
-    plain, linear = sums[0] * Fraction(1, whole.denominator) + sums[1] * Fraction(
-        1, last.denominator
+    plain, linear = sum(
+        part * Fraction(1, denominator)
+        for part, (_, denominator) in zip(sums, moments, strict=True)
     )
     return spacing * plain, spacing**2 * linear
 
 
-class Moments(NamedTuple):
-    """Integrals of all cardinal polynomials over a part of a cell, over one denominator."""
-
-    # Of ∫_0^end L(t) dt and of ∫_0^end t L(t) dt, shape (2, order).
-    numerators: np.ndarray
-    denominator: int
-
-
 @functools.cache
 def _moments(order, end):
-    """Moments of the cardinal polynomials up to `end`."""
+    """∫_0^end L(t) dt and ∫_0^end t L(t) dt of all cardinal polynomials L over one denominator.
+
+    The result is the array of numerators, shape (2, order), and the denominator.
+    """
     coefficients, denominator = _cardinals(order)
     integrals = [[end ** (k + i) / (k + i) for k in range(order)] for i in (1, 2)]
     common = math.lcm(*(integral.denominator for row in integrals for integral in row))
     powers = np.array([[int(common * integral) for integral in row] for row in integrals], object)
-    return Moments(powers @ coefficients.T, common * denominator)
+    return powers @ coefficients.T, common * denominator
 
 
 @functools.cache
@@ -98,7 +94,3 @@ def _cardinals(order):
                 polynomial = [a - b for a, b in zip(shifted, scaled, strict=True)]
         polynomials.append(polynomial)
     return np.array(polynomials, object), denominator
-
-
-def _floats(values):
-    return np.array([float(value) for value in values])

@@ -1,8 +1,8 @@
 """What source files do, by digests that docstrings, comments and layout do not change.
 
 The digest of a file is that of its syntax tree without the strings that stand as statements of
-their own.  Parsing all files takes a third of a second, so the digests are kept in a file of the
-cache folder, once kernels have made it, by the contents of what they belong to.
+their own.  Since parsing all files takes a third of a second, a file of the cache folder keeps
+digests by the contents that they belong to.
 """
 
 import ast

@@ -54,7 +54,7 @@ def long_name(variable: str) -> str:
     """What a variable or coordinate is, in words, from its name and suffix."""
     known = [name for name in long_names() if variable == name or variable.startswith(f"{name}_")]
     if not known:
-        raise KeyError(f"{variable} has no entry in {LONG_NAMES.name}: add one.")
+        raise KeyError(f"{variable} has no long_name: add it, or an entry in {LONG_NAMES.name}.")
     name = max(known, key=len)
     suffix = variable[len(name) + 1 :].replace("_", " ")
     return f"{long_names()[name]} ({suffix})" if suffix else long_names()[name]

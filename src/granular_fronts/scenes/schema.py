@@ -11,7 +11,6 @@ import math
 import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence, ValuesView
-from pathlib import Path
 from types import UnionType
 from typing import Any
 
@@ -20,6 +19,7 @@ from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
 from granular_fronts.scenes.limits import MOST_VALUES
+from granular_fronts.scenes.study import add_sections, find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
 _KIND = {
@@ -90,7 +90,7 @@ def violations(
         where = "".join(_locate([*place])).removesuffix(": ") or "The file"
         yield f"{where} holds {found:,} values, above the limit of {MOST_VALUES:,}: list fewer."
         return
-    rules = _schema(schema)
+    rules = load_schema(schema)
     if definition:
         rules = {"$ref": f"#/$defs/{definition}", "$defs": rules["$defs"]}
     errors = sorted(_Validator(rules).iter_errors(instance), key=lambda error: str(error.path))
@@ -107,12 +107,12 @@ def name_entry(key: str, index: int) -> str:
 
 
 @functools.cache
-def _schema(name: str) -> dict:
-    file = Path(__file__).with_name(f"{name}.schema.yaml")
-    if not file.exists():
-        # A checkout keeps the schema with the workflow that it describes.
-        file = Path(__file__).parents[3] / "workflow" / "schemas" / file.name
-    return read_yaml(file)
+def load_schema(name: str) -> dict[str, Any]:
+    """The schema ``config``, ``campaign`` or ``referee``; that of studies is part of the first."""
+    schema = read_yaml(find_file(f"{name}.schema.yaml", "schemas"))
+    if name == "config":
+        add_sections(schema)
+    return schema
 
 
 def _count_values(value: object) -> int:

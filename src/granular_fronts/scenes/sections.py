@@ -1,9 +1,9 @@
 """A section of the configuration, a scene for example, as one object with all that is asked of it.
 
 The schema says which keys a section has.  A `Section` adds what ties two keys together, how much
-memory and time it takes, what its dataset is called, and what the figures draw from it.  A check is
-a function of a section that obeys the schema.  It yields a sentence for each violation, which
-begins with the key inside the section and names the value, the limit and the way out.
+memory and time it takes, and what the figures draw from it.  A check is a function of a section
+that obeys the schema.  It yields a sentence for each violation, which begins with the key inside
+the section and names the value, the limit and the way out.
 
 Nothing of this imports numpy or numba: the workflow checks its configuration at each start.
 """
@@ -52,14 +52,11 @@ class Section(NamedTuple):
     size : callable, optional
         From a section to the `Part` of each key that decides on its memory and time.  None where
         the schema limits all counts.
-    dataset : tuple of str, optional
-        Name of the dataset that the workflow makes of it, and what that is.
     needs : tuple of Need
     """
 
     checks: tuple[Check, ...] = ()
     size: Callable[[Mapping], Iterator[Part]] | None = None
-    dataset: tuple[str, str] | None = None
     needs: tuple[Need, ...] = ()
 
     def errors(self, given: Mapping) -> list[str]:

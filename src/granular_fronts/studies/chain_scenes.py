@@ -1,4 +1,4 @@
-"""Scenes of chains between two held displacements, which many studies start from."""
+"""Scenes of chains from which many studies start."""
 
 
 def kuwabara_kono(alpha, gamma):
@@ -6,17 +6,16 @@ def kuwabara_kono(alpha, gamma):
     return {"alpha": alpha, "beta": alpha, "gamma": gamma}
 
 
-def pressed_chain(law, beads, end_time, tolerance, record, left=1.0, right=0.0, start=None):
-    """A chain with `left` and `right` held at its ends, at rest unless a start is given.
+def chain_scene(law, beads, boundary, end_time, tolerance, record, start=None):
+    """A chain at rest, unless a start gives relative displacements and velocities.
 
-    `tolerance` is the relative one and the absolute one; `start` gives relative displacements
-    (N − 1,) and velocities (N,).
+    `tolerance` is the relative one and the absolute one.
     """
     relative, absolute = tolerance
     scene = {
         "law": law,
         "beads": beads,
-        "boundary": {"kind": "pressure", "left": left, "right": right},
+        "boundary": boundary,
         "start": {"kind": "rest"},
         "end_time": end_time,
         "tolerance": {"relative": relative, "absolute": absolute},
@@ -26,3 +25,9 @@ def pressed_chain(law, beads, end_time, tolerance, record, left=1.0, right=0.0, 
         u, velocity = (list(map(float, part)) for part in start)
         scene["start"] = {"kind": "given", "relative_displacement": u, "velocity": velocity}
     return scene
+
+
+def pressed_chain(law, beads, end_time, tolerance, record, left=1.0, right=0.0, start=None):
+    """A chain with `left` and `right` held at its ends; the rest as of `chain_scene`."""
+    boundary = {"kind": "pressure", "left": left, "right": right}
+    return chain_scene(law, beads, boundary, end_time, tolerance, record, start)

@@ -19,7 +19,7 @@ not come back to its first beads.
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import Estimate, variable_and_errors
+from granular_fronts.accuracy import Estimate, estimated_variable, variable_and_errors
 from granular_fronts.chain.equations import Boundary, velocity_correction
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.collision import restitution
@@ -49,7 +49,11 @@ COMPRESSIONS = 2.0 ** -np.arange(10.0, 31.0, 2.0)
 GAPS = 1.0 + np.arange(101) * 0.6180339887498949 % 1.0
 COLLISION_END = 12.0
 STEP_COUNTS = (400, 800, 1600, 3200, 6400, 12800)
+POWER = "power of h in a difference quotient"
+ORDER = "observed order of convergence"
+DRIFT = "largest distance of w_n to v_p far behind a front"
 FITTED = "change from the first half of the points to the second"
+CHAIN_METHOD = "of the relative displacements and velocities of the chain"
 BEADS, COMPRESSED, FAR, END_TIME = 200, 150, 10, 16.0
 
 
@@ -60,38 +64,18 @@ def compare_variables(alpha, betas, gamma):
     `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
     both for β = α.
     """
-    powers = [
-        [quotient_power(form, make_law(alpha=alpha, beta=beta, gamma=gamma)) for beta in betas]
-        for form in FORMS.values()
-    ]
+    laws = [make_law(alpha=alpha, beta=beta, gamma=gamma) for beta in betas]
+    powers = [[quotient_power(form, law) for law in laws] for form in FORMS.values()]
     law = make_law(alpha=alpha, gamma=gamma)
     orders = [[observed_order(form, law, scheme) for scheme in SCHEMES] for form in FORMS.values()]
-    drift, error = conserved_velocity_drift(alpha, gamma)
+    drift = estimated_variable(
+        (), conserved_velocity_drift(alpha, gamma), CHAIN_METHOD, long_name=DRIFT
+    )
     return xr.Dataset(
         {
-            **variable_and_errors(
-                "quotient_power",
-                ("variables", "beta"),
-                powers,
-                FITTED,
-                "power of h in a difference quotient",
-            ),
-            **variable_and_errors(
-                "observed_order",
-                ("variables", "scheme"),
-                orders,
-                FITTED,
-                "observed order of convergence",
-            ),
-            "conserved_velocity_drift": (
-                (),
-                drift,
-                {
-                    "long_name": "largest distance of w_n to v_p far behind a front",
-                    "error_estimate": error,
-                    "error_method": "of the relative displacements and velocities of the chain",
-                },
-            ),
+            **variable_and_errors("quotient_power", ("variables", "beta"), powers, FITTED, POWER),
+            **variable_and_errors("observed_order", ("variables", "scheme"), orders, FITTED, ORDER),
+            "conserved_velocity_drift": drift,
         },
         {
             "variables": ("variables", list(FORMS), {"long_name": "variables of the chain"}),
@@ -141,8 +125,7 @@ def _part_pairs(system, scheme, steps):
     state = integrate_by_stages(
         system, np.concatenate([start, velocity]), h, steps, *SCHEMES[scheme]
     )
-    first, second = state[start.size :].reshape(-1, 2).T
-    return first - second
+    return -np.diff(state[start.size :].reshape(-1, 2), axis=1)[:, 0]
 
 
 def conserved_velocity_drift(alpha, gamma):

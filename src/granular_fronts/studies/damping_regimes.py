@@ -14,7 +14,11 @@ import xarray as xr
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.model.collision import restitution
 
-COLLISION_ERROR = 1.0e-12
+COLLISION = {
+    "error_estimate": 1.0e-12,
+    "error_method": "bound on the error of the collision, checked by its tests",
+}
+ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equations"}
 
 
 def evaluate_regimes(alpha, betas, decades, points):
@@ -32,19 +36,11 @@ def evaluate_regimes(alpha, betas, decades, points):
     ]
     critical = [critical_damping(alpha, beta) for beta in betas]
     rounding = {"error_estimate": 4e-16 * float(gamma.max()), "error_method": "rounding"}
-    collision = {
-        "error_estimate": COLLISION_ERROR,
-        "error_method": "bound on the error of the collision, checked by its tests",
-    }
     return xr.Dataset(
         {
             "gamma": (("beta", "velocity_ratio"), gamma, rounding),
-            "restitution": (("beta", "velocity_ratio"), e, collision),
-            "critical_gamma": (
-                "beta",
-                critical,
-                {"error_estimate": 4e-16, "error_method": "rounding of a root of two equations"},
-            ),
+            "restitution": (("beta", "velocity_ratio"), e, COLLISION),
+            "critical_gamma": ("beta", critical, ROOT),
         },
         {"beta": list(betas), "velocity_ratio": ratios},
     )

@@ -20,6 +20,7 @@ front, there are none, and `verdict` says so.
 
 import numpy as np
 
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.fronts.linear.floquet import LARGEST_DEFECT, front_multipliers
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solve import ERROR_METHODS, evaluate_front
@@ -35,7 +36,7 @@ from granular_fronts.studies.front_survey import (
     solve_converged,
     without_dimensions,
 )
-from granular_fronts.studies.fronts_compared import CONTINUUM_METHOD, LAST_DIGIT
+from granular_fronts.studies.fronts_compared import CONTINUUM_METHOD
 
 PLACES = 401
 ROOTS = 6
@@ -54,6 +55,8 @@ SHOWN = 1e-3
 OSCILLATIONS = 8.0
 MARGIN = 0.1
 """Of the window, on either side."""
+
+TRANSLATION_METHOD = "largest distance of the multiplier of translation from 1"
 
 DIGITS = 4.0
 """Units of the last digit to which tail roots are good."""
@@ -127,20 +130,14 @@ def parts(name, dimension, values):
 
 def _with_errors(collection):
     """The collection with error estimates at its curves."""
-    front = {
-        "error_estimate": float(collection["error"].max()),
-        "error_method": ERROR_METHODS["profile"],
-    }
-    root = {"error_estimate": DIGITS * LAST_DIGIT, "error_method": "rounding, relative"}
-    multiplier = {
-        "error_estimate": float(collection["translation_defect"].max()),
-        "error_method": "largest distance of the multiplier of translation from 1",
-    }
-    continuum = {"error_estimate": LAST_DIGIT, "error_method": CONTINUUM_METHOD}
-    collection["relative_displacement"].attrs |= front
-    for name in (LOGARITHMIC, UNLIMITED, HETEROCLINIC):
-        collection[f"relative_displacement_{name}"].attrs |= continuum
-    for part in ("real", "imaginary"):
-        collection[f"tail_root_{part}"].attrs |= root
-        collection[f"multiplier_{part}"].attrs |= multiplier
+    continuum = [f"relative_displacement_{name}" for name in (LOGARITHMIC, UNLIMITED, HETEROCLINIC)]
+    fronts, defects = (float(collection[name].max()) for name in ("error", "translation_defect"))
+    for names, error, method in (
+        (["relative_displacement"], fronts, ERROR_METHODS["profile"]),
+        (continuum, EPSILON, CONTINUUM_METHOD),
+        (["tail_root_real", "tail_root_imaginary"], DIGITS * EPSILON, "rounding, relative"),
+        (["multiplier_real", "multiplier_imaginary"], defects, TRANSLATION_METHOD),
+    ):
+        for name in names:
+            collection[name].attrs |= {"error_estimate": error, "error_method": method}
     return collection

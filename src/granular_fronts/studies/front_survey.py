@@ -108,8 +108,7 @@ def properties_of(front):
     root = tail_roots(alpha, gamma, count=1)[0]
     return {
         **{name: front.attrs[name] for name in MEASURES},
-        "speed_defect": front.attrs["speed_defect"],
-        "residual": front.attrs["residual"],
+        **{name: front.attrs[name] for name in ("speed_defect", "residual")},
         "error": front.attrs["error_estimate"],
         "tail_rate": root.real,
         "tail_frequency": root.imag,

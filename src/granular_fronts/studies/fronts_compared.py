@@ -16,6 +16,7 @@ difference over the window.  There is no freedom to shift in it, since all have 
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -32,7 +33,6 @@ TOLERANCE = 1e-12, 1e-14
 
 FIELDS = ("relative_displacement", "velocity")
 CONTINUUM_METHOD = "a formula, or an orbit solved to a few units of the last digit"
-LAST_DIGIT = 2.0**-52
 
 
 def compare_front(scene, name="given"):
@@ -69,7 +69,8 @@ def compare_front(scene, name="given"):
     dataset = xr.Dataset(coords=coordinate, attrs=front.attrs)
     for field in FIELDS:
         exact = evaluate_front(front, xi, field)
-        dataset[field] = ("xi", exact, _errors(front[field]))
+        errors = {key: front[field].attrs[key] for key in ("error_estimate", "error_method")}
+        dataset[field] = ("xi", exact, errors)
     seen = shot.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_shooting")
     driven = drive_front(alpha, gamma, scene["driven_bead"], name)
     driven = driven.sel(xi=slice(xi[0], xi[-1])).rename(xi="xi_driven")
@@ -81,7 +82,7 @@ def compare_front(scene, name="given"):
         dataset[f"{field}_difference"] = seen[field] - exact
     for method, values in continuum_fronts(alpha, gamma, xi).items():
         for field, value in zip(FIELDS, values, strict=True):
-            attributes = {"error_estimate": LAST_DIGIT, "error_method": CONTINUUM_METHOD}
+            attributes = {"error_estimate": EPSILON, "error_method": CONTINUUM_METHOD}
             variable = xr.DataArray(value, {"xi": xi}, attrs=attributes)
             dataset[f"{field}_{method}"] = _with_distance(variable, front, field)
     for method, solution in (("profile", front), ("shooting", shot)):
@@ -114,10 +115,6 @@ def _solve(alpha, gamma, method, name):
     if not front.attrs["converged"]:
         raise NoFrontError(f"Scene {name}: no front by {method}: {front.attrs['reason']}.")
     return front
-
-
-def _errors(variable):
-    return {key: variable.attrs[key] for key in ("error_estimate", "error_method")}
 
 
 def _with_distance(variable, front, field):

@@ -33,7 +33,6 @@ Beside both stand the checks that discrete-element codes are given, as relative 
 """
 
 import cmath
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -64,22 +63,20 @@ CONTINUATION = 20
 """Parts of a step along which a root is followed."""
 
 TAIL_ERROR = 1.0e-12
+TAIL_METHOD = "rounding of the roots"
 
 READING_METHOD = "change of the reading that leaving out one tabulated damping makes"
 
 
-class Excess(NamedTuple):
-    """What the scheme does to one chain, at some steps."""
-
-    error: np.ndarray  # largest one of u at the end, shape (steps,), as the next three
-    peak: np.ndarray  # the first one of u in the middle
-    overshoot: np.ndarray  # excess damping over γ by that peak; NaN beyond the table
-    tail: np.ndarray  # excess damping over γ by the tail
-    exact_peak: float  # of the accurate chain
-    order: float  # observed at the last two steps
-    chain_error: float  # error estimate of the accurate chain
-    reading_error: float  # of `overshoot`
-    order_change: float  # of `order`
+ERRORS = {
+    "error": ("chain_error", CHAIN_METHOD),
+    "peak": ("chain_error", CHAIN_METHOD),
+    "peak_exact": ("chain_error", CHAIN_METHOD),
+    "excess_overshoot": ("reading_error", READING_METHOD),
+    "order": ("order_error", ORDER_METHOD),
+    "order_error": ("order_error", ORDER_METHOD),
+}
+"""Of each variable the one that holds the error of each chain, and how that was found."""
 
 
 def measure_half_step_damping(**scene):
@@ -87,7 +84,7 @@ def measure_half_step_damping(**scene):
 
     On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
     `excess_tail`; on (beta, gamma): `peak_exact`, `order`, `order_error`; for the chain that is
-    shown the checks of `measure_checks` and the motion of `compare_motion`.
+    shown the checks of `_measure_checks` and the motion of `compare_motion`.
     """
     unit, shown = collision_time(scene["alpha"]), scene["shown"]
     steps = unit / np.sort(scene["steps_per_collision"])
@@ -96,45 +93,25 @@ def measure_half_step_damping(**scene):
         end_time = scene["collision_times"] * unit
         return Case(scene["alpha"], beta, gamma, scene["beads"], end_time)
 
-    found = [
-        [measure_excess(case(beta, gamma), steps) for gamma in scene["gammas"]]
+    rows = [
+        xr.concat([_measure_excess(case(beta, gamma), steps) for gamma in scene["gammas"]], "gamma")
         for beta in scene["betas"]
     ]
-    dataset = collect(found).assign_coords(
+    found = xr.concat(rows, "beta").assign_coords(
         beta=scene["betas"], gamma=scene["gammas"], step=steps / unit
     )
+    found["excess_tail"].attrs = {"error_estimate": TAIL_ERROR, "error_method": TAIL_METHOD}
+    for name, (errors, method) in ERRORS.items():
+        largest = float(np.nanmax(found[errors]))
+        found[name].attrs = {"error_estimate": largest, "error_method": method}
     chain = case(shown["beta"], shown["gamma"])
     motion = compare_motion(chain, unit / shown["steps_per_collision"])
-    return dataset.merge(measure_checks(chain, steps)).merge(motion)
+    found = found.drop_vars(["chain_error", "reading_error"])
+    return found.merge(_measure_checks(chain, steps)).merge(motion)
 
 
-def collect(found):
-    """Dataset of all chains, on (beta, gamma)."""
-
-    def stacked(name):
-        return np.array([[getattr(one, name) for one in row] for row in found])
-
-    def variable(name, error, method):
-        values, estimate = stacked(name), float(np.nanmax(stacked(error)))
-        dimensions = ("beta", "gamma", "step")[: values.ndim]
-        return dimensions, values, {"error_estimate": estimate, "error_method": method}
-
-    tail = {"error_estimate": TAIL_ERROR, "error_method": "rounding of the roots"}
-    return xr.Dataset(
-        {
-            "error": variable("error", "chain_error", CHAIN_METHOD),
-            "peak": variable("peak", "chain_error", CHAIN_METHOD),
-            "peak_exact": variable("exact_peak", "chain_error", CHAIN_METHOD),
-            "excess_overshoot": variable("overshoot", "reading_error", READING_METHOD),
-            "excess_tail": (("beta", "gamma", "step"), stacked("tail"), tail),
-            "order": variable("order", "order_change", ORDER_METHOD),
-            "order_error": variable("order_change", "order_change", ORDER_METHOD),
-        }
-    )
-
-
-def measure_excess(case, steps):
-    """Error, peak and excess damping at three or more falling steps, which meet the end."""
+def _measure_excess(case, steps):
+    """Error, peak and excess damping of one chain at three or more falling steps."""
     chains = [accurate_chain(case._replace(gamma=factor * case.gamma)) for factor in FACTORS]
     table = [reading.peak for reading, _ in chains]
     exact, estimate = chains[FACTORS.index(1.0)]
@@ -143,17 +120,20 @@ def measure_excess(case, steps):
     orders = observed_orders(error, steps)
     peak = np.array([one.peak for one in found])
     overshoot = excess_by_table(peak, FACTORS, table)
+    # Of the tabulated dampings one between γ and the largest is left out.
     coarse = excess_by_table(peak, FACTORS[:2] + FACTORS[3:], table[:2] + table[3:])
-    return Excess(
-        error,
-        peak,
-        overshoot,
-        np.array([excess_of_tail(case, step) for step in steps]),
-        exact.peak,
-        orders[-1],
-        estimate,
-        np.nanmax(np.abs(overshoot - coarse)),
-        abs(orders[-1] - orders[-2]),
+    return xr.Dataset(
+        {
+            "error": ("step", error),
+            "peak": ("step", peak),
+            "peak_exact": exact.peak,
+            "excess_overshoot": ("step", overshoot),
+            "excess_tail": ("step", [excess_of_tail(case, step) for step in steps]),
+            "order": orders[-1],
+            "order_error": abs(orders[-1] - orders[-2]),
+            "chain_error": estimate,
+            "reading_error": np.nanmax(np.abs(overshoot - coarse)),
+        }
     )
 
 
@@ -190,7 +170,7 @@ def tail_root(case, step):
     return root
 
 
-def measure_checks(case, steps):
+def _measure_checks(case, steps):
     """The four checks on (step,), each as a relative error under `<name>_defect`."""
     exact, estimate = accurate_chain(case)
     loss = 1.0 - restitution(case.gamma, case.alpha, case.beta)

@@ -65,13 +65,14 @@ def accurate_chain(case):
     middle = case.beads // 2
     record = {"snapshots": [case.end_time], "arrival_level": LEVEL, "extremes": True}
     motion = _solve_accurately(case, record)
-    read = {name: motion[name] for name in ("first_peak", "arrival_time", "relative_displacement")}
+    peaks, arrivals = motion["first_peak"], motion["arrival_time"]
+    u = motion["relative_displacement"]
     reading = Reading(
-        float(read["first_peak"].sel(bead=middle)),
-        read["arrival_time"].sel(bead=[middle // 2, middle]).values,
-        read["relative_displacement"].values[0, :-1],
+        float(peaks.sel(bead=middle)),
+        arrivals.sel(bead=[middle // 2, middle]).values,
+        u.values[0, :-1],
     )
-    return reading, max(float(values.attrs["error_estimate"]) for values in read.values())
+    return reading, max(float(read.attrs["error_estimate"]) for read in (peaks, arrivals, u))
 
 
 def _solve_accurately(case, record):

@@ -34,7 +34,7 @@ import math
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import Estimate
+from granular_fronts.accuracy import EPSILON, Estimate
 from granular_fronts.chain.simulate import simulate_chain, simulate_once
 from granular_fronts.errors import NoFrontError
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -42,7 +42,6 @@ from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.laws import make_law
 from granular_fronts.studies.chain_scenes import pressed_chain
 
-EPSILON = float(np.finfo(float).eps)
 ROOM_BEHIND = 60
 RAMP = 4
 """Contacts over which a driven front starts."""
@@ -53,6 +52,7 @@ SAMPLES = 16
 
 PROFILE_XI = np.arange(-15.0, 15.01, 0.1)
 
+ESTIMATED = {"error_estimate": 0.0, "error_method": "an estimate itself"}
 ERROR_METHODS = {
     "expected": "rounding and quadrature, by granular_fronts.model.jump_conditions",
     "exact": "change on a finer grid, by another order, on a longer window; and rounding",
@@ -79,8 +79,7 @@ def measure_jumps(cases, beads, tolerance):
         attributes = {"error_estimate": float(errors.max()), "error_method": method}
         variables[name] = ("law", values, attributes)
         if method in ERROR_METHODS.values():
-            attributes = {"error_estimate": 0.0, "error_method": "an estimate itself"}
-            variables[f"{name}_error"] = ("law", errors, attributes)
+            variables[f"{name}_error"] = ("law", errors, dict(ESTIMATED))
     profiles = {"error_estimate": 1e-13, "error_method": "interpolation, checked by its tests"}
     variables["profile"] = (("law", "xi"), np.array([profile for _, profile in rows]), profiles)
     coordinate = {"long_name": "bead number n - |c| t from the middle of the front"}
@@ -92,7 +91,7 @@ def _measure(name, case, beads, tolerance):
     law = make_law(elastic=case["elastic"], viscous=case["dissipation"])
     states = tuple(map(float, case["states"]))
     theory = jump_conditions(law, *states)
-    sign = theory.direction
+    sign, jump = theory.direction, states[1] - states[0]
     # Reflected where the front runs to smaller n, so that it runs to larger n.
     front = solve_front(law=law, states=states[::sign])
     if not front.attrs["converged"]:
@@ -109,15 +108,10 @@ def _measure(name, case, beads, tolerance):
         "speed_exact": _signed(sign, _exact_speed(front)),
         "speed_travelling": _signed(sign, travelling_speed(law, front)),
         "speed_driven": _signed(sign, driven["speed"]),
-        "velocity_jump_expected": (
-            theory.velocity_jump,
-            theory.speed_error * abs(states[1] - states[0]),
-        ),
+        "velocity_jump_expected": (theory.velocity_jump, theory.speed_error * abs(jump)),
         "velocity_jump_driven": driven["velocity_jump"],
         "power_expected": (theory.dissipated_power, power_error),
-        "power_exact": _rounded(
-            front.attrs["dissipated_power"], front.attrs["dissipated_power_error"]
-        ),
+        "power_exact": _rounded(*(front.attrs[f"dissipated_power{end}"] for end in ("", "_error"))),
         "power_driven": driven["power"],
     }
     behind, ahead = states[::sign]
@@ -126,10 +120,8 @@ def _measure(name, case, beads, tolerance):
 
 def _exact_speed(front):
     """Speed at which the profile equation has the front."""
-    speed = front.attrs["speed"]
-    return _rounded(
-        speed * (1.0 + front.attrs["speed_defect"]), speed * front.attrs["speed_defect_error"]
-    )
+    speed, defect, error = (front.attrs[f"speed{end}"] for end in ("", "_defect", "_defect_error"))
+    return _rounded(speed * (1.0 + defect), speed * error)
 
 
 def _rounded(value, error):
@@ -145,17 +137,9 @@ def travelling_speed(law, front):
     xi, speed = front["xi"].values, front.attrs["speed"]
     first = math.floor(xi[0])
     sites = np.arange(first, TRAVEL + math.ceil(xi[-1]) + 1.0)
-    motion = simulate_chain(
-        _scene(
-            law,
-            front,
-            evaluate_front(front, sites),
-            evaluate_front(front, sites, "velocity"),
-            TRAVEL_TOLERANCE,
-            snapshots=[TRAVEL / speed],
-        )
-    )
-    arrival = motion["arrival_time"]
+    u, velocity = evaluate_front(front, sites), evaluate_front(front, sites, "velocity")
+    scene = _scene(law, front, u, velocity, TRAVEL_TOLERANCE, snapshots=[TRAVEL / speed])
+    arrival = simulate_chain(scene)["arrival_time"]
     passed = slice(1 - first, TRAVEL - first)
     # The passages are 1/c apart and good to some units of rounding of the strain.
     time_error = arrival.attrs["error_estimate"] + 8.0 * EPSILON / speed

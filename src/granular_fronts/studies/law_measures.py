@@ -29,10 +29,9 @@ def gamma(dataset, material):
 def velocity_power(dataset, beta):
     """Power of the velocity in γ by (29), from the smallest to the largest velocity."""
     law = dataset["gamma"].sel(beta=beta)
-    ends = law.isel(velocity_ratio=[0, -1])
-    span = math.log(float(ends["velocity_ratio"][1] / ends["velocity_ratio"][0]))
-    power = math.log(float(ends[1] / ends[0])) / span
-    return Estimate(power, 8.0 * EPSILON)
+    first, last = (law.isel(velocity_ratio=place) for place in (0, -1))
+    span = math.log(float(last["velocity_ratio"] / first["velocity_ratio"]))
+    return Estimate(math.log(float(last / first)) / span, 8.0 * EPSILON)
 
 
 def restitution_gain(dataset, beta):
@@ -77,11 +76,8 @@ def observed_order(dataset, variables, scheme):
 
 def order_gain(dataset, scheme):
     """Order of a scheme in (x, w) less that in (x, ẋ)."""
-    good, bad = (
-        observed_order(dataset, variables, scheme)
-        for variables in ("positions_and_w", "positions_and_velocities")
-    )
-    return good - bad
+    good = observed_order(dataset, "positions_and_w", scheme)
+    return good - observed_order(dataset, "positions_and_velocities", scheme)
 
 
 def conserved_velocity_drift(dataset):
@@ -178,17 +174,14 @@ def worst_agreement(dataset, quantity):
 
     At most 1 where every measurement agrees with the jump conditions.
     """
-    expected, expected_error = (
-        dataset[f"{quantity}_expected"],
-        dataset[f"{quantity}_expected_error"],
-    )
+    expected, error = (dataset[f"{quantity}_{what}"] for what in ("expected", "expected_error"))
+    ways = (f"{quantity}_{way}" for way in ("exact", "travelling", "driven"))
     ratios = [
-        abs(dataset[name] - expected) / (dataset[f"{name}_error"] + expected_error)
-        for name in (f"{quantity}_{way}" for way in ("exact", "travelling", "driven"))
+        abs(dataset[name] - expected) / (dataset[f"{name}_error"] + error)
+        for name in ways
         if name in dataset
     ]
-    largest = max(float(ratio.max()) for ratio in ratios)
-    return rounded(largest, units=4.0)
+    return rounded(max(float(ratio.max()) for ratio in ratios), units=4.0)
 
 
 def largest_relative_distance(dataset, quantity, way):

@@ -31,6 +31,7 @@ ALPHA = 1.5
 
 RELATIVE_ERROR = 1.0e-12
 ERROR_METHOD = "bound on the relative error of the collision, checked by its tests"
+UNITS = {"contact_damping": "s", "stiffness": "N m-1.5"}
 ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equations"}
 
 
@@ -50,7 +51,9 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
         values = np.array([row[name] for row in rows])
         kind = dims.get(name.rpartition("_")[2])
         estimate = RELATIVE_ERROR * float(np.abs(values).max())
-        attributes = {"error_estimate": estimate, "error_method": ERROR_METHOD, **_unit(name)}
+        attributes = {"error_estimate": estimate, "error_method": ERROR_METHOD}
+        if name in UNITS:
+            attributes["units"] = UNITS[name]
         variables[name] = (("material", kind) if kind else "material", values, attributes)
     variables["critical_gamma"] = ((), critical_damping(ALPHA), ROOT)
     return xr.Dataset(
@@ -87,8 +90,3 @@ def _evaluate(bead, impact_velocity, piston_velocities, forces):
         "gamma_front_force": pressed,
         "mu_front_force": [amplitude_of_chain(ALPHA, gamma).mu for gamma in pressed],
     }
-
-
-def _unit(name):
-    units = {"contact_damping": "s", "stiffness": "N m-1.5"}
-    return {"units": units[name]} if name in units else {}

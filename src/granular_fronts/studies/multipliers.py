@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 
 from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers, front_multipliers
-from granular_fronts.fronts.solve import solve_front
+from granular_fronts.studies.front_survey import solve_converged
 
 WAVENUMBERS = 401
 SCALARS = (
@@ -17,24 +17,10 @@ SCALARS = (
 
 
 def compute_multipliers(fronts, beads_behind):
-    """Spectrum of every front in every window.
+    """Multipliers of every front, by name, in windows with so many beads behind it.
 
-    Parameters
-    ----------
-    fronts : mapping of str to mapping
-        `alpha` and `gamma` of each front, by its name.
-    beads_behind : sequence of int
-        Lengths of the windows behind the front.
-
-    Returns
-    -------
-    xarray.Dataset
-        Real and imaginary parts on (scene, beads_behind, multiplier).
-
-    Raises
-    ------
-    ValueError
-        If a front is not solved.
+    `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), those of the compressed
+    chain behind on (scene, branch, wavenumber); a NoFrontError if there is none.
     """
     return xr.concat(
         [_spectra_of(law, beads_behind) for law in fronts.values()],
@@ -45,9 +31,7 @@ def compute_multipliers(fronts, beads_behind):
 
 def _spectra_of(law, windows):
     """Multipliers of one front in every window, and those of the compressed chain behind it."""
-    front = solve_front(**law)
-    if not front.attrs["converged"]:
-        raise ValueError(f"The front of {law} is not solved: {front.attrs['reason']}.")
+    front = solve_converged(**law)
     found = [front_multipliers(front, beads_behind=behind) for behind in windows]
     spectra = xr.concat(
         [_split(values) for values in found],

@@ -25,6 +25,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from granular_fronts.accuracy import EPSILON
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError, SolveError
@@ -39,6 +40,7 @@ from granular_fronts.reference_methods.theta_method import NEWTON_TOLERANCE, int
 from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.orders import ORDER_METHOD, observed_orders
 
+ROUNDING = {"error_estimate": EPSILON, "error_method": "rounding"}
 ERROR_METHOD = "error of the damped chain, and Newton's tolerance times the number of steps"
 
 
@@ -52,32 +54,12 @@ class Case(NamedTuple):
 
 
 def measure_numerical_damping(alpha, displacement, order, profile):
-    """Compare the θ-method with chains of the damping it stands for.
-
-    Parameters
-    ----------
-    alpha, displacement : float
-        Exponent of the chain, and how far its first bead is displaced.
-    order : mapping
-        `beads` and `end_time` of the chain, `thetas` and `steps` of `measure_order`.
-    profile : mapping
-        `beads` and `end_time` of the chain, `theta` and `step` of `compare_profiles`.
-
-    Returns
-    -------
-    xarray.Dataset
-    """
-    distances = measure_order(
-        Case(alpha, displacement, order["beads"], order["end_time"]),
-        order["thetas"],
-        order["steps"],
+    """What `measure_order` finds on one chain, `compare_profiles` on another; as configured."""
+    many, one = (
+        Case(alpha, displacement, part["beads"], part["end_time"]) for part in (order, profile)
     )
-    profiles = compare_profiles(
-        Case(alpha, displacement, profile["beads"], profile["end_time"]),
-        profile["theta"],
-        profile["step"],
-    )
-    return distances.merge(profiles)
+    distances = measure_order(many, order["thetas"], order["steps"])
+    return distances.merge(compare_profiles(one, profile["theta"], profile["step"]))
 
 
 def measure_order(case, thetas, steps):
@@ -102,13 +84,10 @@ def measure_order(case, thetas, steps):
                 stages = _two_stage_chain(case, theta, step)
                 explicit[row, column] = np.abs(stages - damped).max() / case.displacement
     distance = {"error_estimate": max(errors) / case.displacement, "error_method": ERROR_METHOD}
+    gamma = np.outer(2.0 * np.asarray(thetas) - 1.0, steps)
     return xr.Dataset(
         {
-            "gamma": (
-                ("theta", "step"),
-                np.outer(2.0 * np.asarray(thetas) - 1.0, steps),
-                {"error_estimate": float(np.finfo(float).eps), "error_method": "rounding"},
-            ),
+            "gamma": (("theta", "step"), gamma, ROUNDING),
             "damping_distance": (("theta", "step"), to_damped, distance),
             "conservative_distance": (("theta", "step"), to_conservative, distance),
             "order": _last_orders(to_damped, steps),
@@ -127,25 +106,16 @@ def _last_orders(distances, steps):
 
 def compare_profiles(case, theta, step):
     """Relative displacements on (bead,) of the θ-method and of chains with and without damping."""
-    method, newton_error = theta_chain(case, theta, step)
-    damped, error = damped_chain(case, (2.0 * theta - 1.0) * step)
-    conservative, conservative_error = damped_chain(case, 0.0)
-    solved = [
-        ("method", method, newton_error),
-        ("damped", damped, error),
-        ("conservative", conservative, conservative_error),
-    ]
-    return xr.Dataset(
-        {
-            f"relative_displacement_{name}": (
-                "bead",
-                values,
-                {"error_estimate": estimate, "error_method": ERROR_METHOD},
-            )
-            for name, values, estimate in solved
-        },
-        {"bead": np.arange(1, case.beads)},
-    )
+    solved = {
+        "method": theta_chain(case, theta, step),
+        "damped": damped_chain(case, (2.0 * theta - 1.0) * step),
+        "conservative": damped_chain(case, 0.0),
+    }
+    dataset = xr.Dataset(coords={"bead": np.arange(1, case.beads)})
+    for name, (values, error) in solved.items():
+        attributes = {"error_estimate": error, "error_method": ERROR_METHOD}
+        dataset[f"relative_displacement_{name}"] = ("bead", values, attributes)
+    return dataset
 
 
 def theta_chain(case, theta, step):

@@ -48,6 +48,7 @@ from granular_fronts.accuracy import Estimate
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.potentials import make_potential
+from granular_fronts.studies.chain_scenes import chain_scene
 
 ERROR_METHOD = (
     "largest change over the last doubling of the distance from the piston, and change by the "
@@ -117,18 +118,11 @@ def push_chain(law, velocity, ramp, beads, tolerance):
     theory = jump_conditions(make_potential("hertz", alpha=alpha), -delta, 0.0)
     far = ARRIVED * beads / theory.speed * SCALES
     times = 0.5 * ramp + np.append(far, far / repetition(alpha))
-    motion = simulate_chain(
-        {
-            "law": dict(law),
-            "beads": beads + 1,
-            "boundary": {"kind": "piston", "velocity": velocity, "ramp": ramp, "right": 0.0},
-            "start": {"kind": "rest"},
-            "end_time": times.max(),
-            "tolerance": dict(tolerance),
-            "record": {"snapshots": np.sort(times), "arrival_level": 0.5 * delta},
-        },
-        "piston",
-    )
+    boundary = {"kind": "piston", "velocity": velocity, "ramp": ramp, "right": 0.0}
+    record = {"snapshots": np.sort(times), "arrival_level": 0.5 * delta}
+    tolerances = tolerance["relative"], tolerance["absolute"]
+    scene = chain_scene(dict(law), beads + 1, boundary, times.max(), tolerances, record)
+    motion = simulate_chain(scene, "piston")
     compressions, velocities = motion["relative_displacement"], motion["velocity"]
     width = front_width(compressions.isel(t=-1).values / delta)
     clock = theory.speed * (times - 0.5 * ramp)

@@ -38,6 +38,7 @@ from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.reference_methods import upwind
 from granular_fronts.scenes.validation import check_scene
+from granular_fronts.studies.chain_scenes import chain_scene, kuwabara_kono
 
 SITES_PER_BEAD = 5
 FLOOR_METHOD = "of the two solutions compared, carried through"
@@ -91,23 +92,19 @@ def _compare(scene, name, equations):
 
 def make_chain_scene(scene):
     """The chain scene of a checked periodic scene, with the start of section 4.3."""
-    law, scaling, record = scene["law"], scaling_of(scene), scene["record"]
+    scaling = scaling_of(scene)
     force = make_start(scene["start"]).values(
         start_positions(scene, bead_numbers(scene)), scaling.half_length(scene["half_beads"])
     )
-    return {
-        "law": {"alpha": law["alpha"], "beta": law["alpha"], "gamma": law["gamma"]},
-        "beads": 2 * scene["half_beads"] - 1,
-        "boundary": {"kind": "ring"},
-        "start": {
-            "kind": "given",
-            "relative_displacement": scaling.displacement(force),
-            "velocity": scaling.velocity(force),
-        },
-        "end_time": scene["end_time"],
-        "tolerance": scene["tolerance"],
-        "record": {**record, "extremes": True, "balances": True},
-    }
+    return chain_scene(
+        kuwabara_kono(**scene["law"]),
+        2 * scene["half_beads"] - 1,
+        {"kind": "ring"},
+        scene["end_time"],
+        (scene["tolerance"]["relative"], scene["tolerance"]["absolute"]),
+        {**scene["record"], "extremes": True, "balances": True},
+        (scaling.displacement(force), scaling.velocity(force)),
+    )
 
 
 def bead_numbers(scene):
@@ -179,7 +176,8 @@ def _distances(chain, values, finer, scale):
 
 def _solve_upwind(scene, dataset):
     """What the paper's scheme says of (50), on its own points, at the snapshot times."""
-    scaling, half_length = scaling_of(scene), scaling_of(scene).half_length(scene["half_beads"])
+    scaling = scaling_of(scene)
+    half_length = scaling.half_length(scene["half_beads"])
     xi = upwind.grid(half_length, scene["equations"]["upwind"]["points"])
     values, passed, rows = make_start(scene["start"]).values(xi, half_length), 0.0, {}
     for t in sorted(scene["record"]["snapshots"]):

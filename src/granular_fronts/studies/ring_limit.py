@@ -52,6 +52,7 @@ from granular_fronts.continuum import evolution
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
 from granular_fronts.model.amplitude_scaling import SlowScales
+from granular_fronts.studies.chain_scenes import chain_scene, kuwabara_kono
 from granular_fronts.studies.ring_starts import slope_of, start_fields
 
 LOSSES = (0.01, 0.05, 0.1)
@@ -95,10 +96,8 @@ class Ring(NamedTuple):
     def scene(self):
         """What the solvers of the equations need of a periodic scene."""
         law = {"alpha": self.alpha, "gamma": self.damping}
-        return {"law": law, "displacement": 1.0} | {
-            "half_beads": self.half_beads,
-            "start": self.start,
-        }
+        scene = {"law": law, "displacement": 1.0, "half_beads": self.half_beads}
+        return scene | {"start": self.start}
 
     @property
     def has_kinks(self):
@@ -155,19 +154,19 @@ def compare(ring, slow_times, tolerance, xi=None):
     every = np.union1d(slow_times, passages)
     times, (usual, finer) = every / ring.scaling.slow_rate, resolutions(tolerance)
     motions = follow(ring, times, usual, finer)
-    asked, passed = np.searchsorted(every, slow_times), np.searchsorted(every, passages)
+    kept, passed = np.searchsorted(every, slow_times), np.searchsorted(every, passages)
     measured = _facts(ring, motions, slow_times)
-    residuals = motions.map(lambda motion: velocity_residuals(ring, motion, asked))
+    residuals = motions.map(lambda motion: velocity_residuals(ring, motion, kept))
     for key, value in residuals.usual.items():
         measured[key] = value, _error_of(Refined(value, residuals.finer[key]))
     if xi is not None:
-        profiles = motions.map(lambda motion: _profiles(ring, motion, times, asked, xi))
+        profiles = motions.map(lambda motion: _profiles(ring, motion, times, kept, xi))
         measured["relative_displacement"] = profiles.usual, _error_of(profiles)
     for name in MODELS:
         solve = partial(_solve, ring, name, times)
         solutions = refined_by(partial(solve, finer), solve(usual))
         both = [
-            _errors(ring, motion, solution, asked)
+            _errors(ring, motion, solution, kept)
             | _losses(ring, motion, solution, slow_times, rows)
             for motion, solution, rows in zip(
                 motions, solutions, (passed, passed[1::2]), strict=True
@@ -204,17 +203,16 @@ def _follow_smooth(ring, times, resolution):
 def _follow_beads(ring, times, resolution):
     """The chain bead by bead."""
     site = np.arange(1.0, ring.beads + 1.0)
-    u, velocity = _start_at(ring, site)
     tolerance = resolution.chain_tolerance
-    scene = {
-        "law": {"alpha": ring.alpha, "beta": ring.alpha, "gamma": ring.damping},
-        "beads": ring.beads,
-        "boundary": {"kind": "ring"},
-        "start": {"kind": "given", "relative_displacement": u, "velocity": velocity},
-        "end_time": float(times[-1]),
-        "tolerance": {"relative": tolerance, "absolute": 0.01 * tolerance},
-        "record": {"snapshots": list(times), "extremes": True},
-    }
+    scene = chain_scene(
+        kuwabara_kono(ring.alpha, ring.damping),
+        ring.beads,
+        {"kind": "ring"},
+        float(times[-1]),
+        (tolerance, 0.01 * tolerance),
+        {"snapshots": list(times), "extremes": True},
+        _start_at(ring, site),
+    )
     run = prepare(scene)
     integrate(run, scene["tolerance"])
     data = collect(scene, run)
@@ -249,10 +247,10 @@ def _facts(ring, motions, slow_times):
     }
 
 
-def _profiles(ring, motion, times, asked, xi):
+def _profiles(ring, motion, times, kept, xi):
     """Compressions of the chain at places of the moving frame, by lines between its beads."""
     rows = []
-    for row in asked:
+    for row in kept:
         moved = np.mod(ring.scaling.frame_speed * times[row], ring.beads)
         place = xi / ring.scaling.epsilon + ring.half_beads + moved
         u = motion.relative_displacement[row]

@@ -1,18 +1,16 @@
 """Fronts of any potentials: exact, travelling and driven, against theory and against each other."""
 
 import functools
-from pathlib import Path
 
 import numpy as np
 import pytest
+from configurations import DEFAULT
 
 import granular_fronts as gf
-from granular_fronts.errors import InputError
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.jump_conditions_measured import measure_jumps, travelling_speed
 
-FILE = Path(__file__).parents[2] / "config" / "default.yaml"
-SCENE = load_configuration(FILE)["laws"]["jump_conditions"]
+SCENE = load_configuration(DEFAULT)["laws"]["jump_conditions"]
 CASES = SCENE["cases"]
 QUANTITIES = {
     "speed": ("exact", "travelling", "driven"),
@@ -45,12 +43,8 @@ def test_exact_front_obeys_the_jump_conditions(name):
     speed = attributes["speed"] * (1.0 + attributes["speed_defect"])
     assert speed == pytest.approx(abs(theory.speed), rel=1e-14)
     assert attributes["dissipated_power"] == pytest.approx(theory.dissipated_power, rel=1e-14)
-
-
-@by_case
-def test_exact_front_does_not_depend_on_grid_order_and_window(name):
-    jump = np.diff(CASES[name]["states"]).item()
-    assert exact_front(name).attrs["error_estimate"] < 6e-14 * abs(jump)
+    # The change on another grid, by another order and on a longer window.
+    assert attributes["error_estimate"] < 6e-14 * abs(np.diff(CASES[name]["states"]).item())
 
 
 @by_case
@@ -66,18 +60,10 @@ def test_another_front_does_not_travel():
     assert abs(speed.value - abs(theory_of("toda").speed)) > 1e3 * speed.error
 
 
-def test_direction_follows_the_reflection():
-    assert theory_of("toda_nonlinear").direction == 1
-    law = law_of("toda_nonlinear")
-    assert gf.jump_conditions(law, 0.0, -2.0).direction == -1
-    with pytest.raises(InputError, match=r"give \(-2, 0\)"):
-        gf.solve_front(law=law, states=(0.0, -2.0))
-
-
 def test_driven_fronts_are_within_their_errors():
-    names = ("hertz_kuwabara_kono", "fpu_alpha_stretched")
+    names = ("hertz_kuwabara_kono", "fpu_alpha_stretched", "hertz_dashpot")
     found = measure_jumps({name: CASES[name] for name in names}, SCENE["beads"], SCENE["tolerance"])
-    assert found["direction"].values.tolist() == [1, -1]
+    assert found["direction"].values.tolist() == [1, -1, 1]
     for quantity, ways in QUANTITIES.items():
         for way in ways:
             name = f"{quantity}_{way}"
@@ -98,9 +84,3 @@ def test_a_slow_front_on_a_short_way_states_a_larger_error():
         distance = abs(float(found[f"{quantity}_driven"] - found[f"{quantity}_expected"]))
         assert distance <= error, quantity
     assert float(found["speed_driven_error"]) > 1e-4
-
-
-def test_a_state_pair_without_a_front_is_refused_with_theory():
-    harmonic = {"elastic": {"kind": "fpu"}, "dissipation": {"kind": "fpu"}, "states": [0, 1]}
-    with pytest.raises(ValueError, match="Remark 3"):
-        measure_jumps({"harmonic": harmonic}, 64, 1e-6)

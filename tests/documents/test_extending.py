@@ -1,0 +1,74 @@
+"""The page on extensions, carried out as a stranger would; its law is in `test_a_further_law`."""
+
+import shlex
+import sys
+
+import numpy as np
+import pytest
+from pages import EXTENDING, carry_out, commands, run
+from projects import copy_project, lend_kernels, snakemake
+
+import granular_fronts as gf
+from granular_fronts.output.datasets import read_dataset
+
+pytestmark = pytest.mark.slow
+
+SUBJECTS = ("A figure, in three", "A study, in three", "A scene's option, in two")
+
+
+def command(word):
+    """The command of the page that holds a word, in words."""
+    [found] = [line for line in commands(EXTENDING) if word in line]
+    return shlex.split(found)
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory):
+    """A copy of the project with a further figure, study and option."""
+    copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
+    numbers = {"two": 2, "three": 3}
+    for subject in SUBJECTS:
+        places = [name for name in carry_out(copy, subject) if "/" in name]
+        assert len(places) == numbers[subject.split()[-1]]
+    outcome = snakemake(*command("fig26")[2:], command("front_width")[-1], folder=copy)
+    assert outcome.returncode == 0, outcome.stderr
+    return copy
+
+
+def test_a_figure_is_added_in_three_places(project):
+    figures = project / "results" / "figures"
+    drawn = {path.name for path in figures.iterdir()}
+    assert drawn == {f"fig26_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (figures / "fig26_flux_difference.rst").read_text(encoding="utf-8")
+    assert "α = 1.5, 1.1" in caption
+
+
+def test_a_study_is_added_in_three_places(project):
+    found = read_dataset(project / command("front_width")[-1])["front_width"]
+    for gamma, width in zip((0.3, 1.0), found.values, strict=True):
+        assert width == gf.solve_front(1.5, gamma).attrs["width_10_90"]
+    assert found.attrs["long_name"] == "distance from 90 to 10 per cent, in beads"
+    impossible = project / "impossible.yaml"
+    impossible.write_text("exact_fronts: {front_width: {gammas: [0.3, 0]}}", encoding="utf-8")
+    outcome = snakemake("--configfile", impossible, "-n", folder=project)
+    assert outcome.returncode != 0
+    said = "exact_fronts.front_width.gammas (entry 2) is 0, but must be above 0"
+    assert said in outcome.stdout + outcome.stderr
+
+
+def test_an_option_is_added_in_two_places(project):
+    kernels = {"NUMBA_CACHE_DIR": str(project / ".numba_cache")}
+    outcome = run([sys.executable, *command("--scene reach.yaml")[1:]], project, **kernels)
+    assert outcome.returncode == 0, outcome.stderr
+    for mu, s in read_dataset(project / "reach.nc")["reach"].to_series().items():
+        front = gf.heteroclinic(mu, np.array([0.0, s]))
+        np.testing.assert_allclose(front["rescaled_force"], [0.5, 0.01], rtol=1e-12)
+
+
+@pytest.mark.parametrize("missing", ["scripts/figures/plot_fig26.py", "report/fig26.rst"])
+def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
+    project = copy_project(tmp_path)
+    carry_out(project, SUBJECTS[0], but=f"workflow/{missing}")
+    outcome = snakemake("fig26", "--dry-run", folder=project)
+    assert outcome.returncode != 0
+    assert "fig26" in outcome.stdout + outcome.stderr

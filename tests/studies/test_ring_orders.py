@@ -1,0 +1,41 @@
+"""Orders fitted to campaigns of rings, and how figure 20 writes them."""
+
+import importlib
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from granular_fronts.accuracy import Estimate
+from granular_fronts.campaign import measures
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "words"),
+    [
+        (0.9293, 0.042, "0.93 ± 0.04"),
+        (-0.061, 0.03, "−0.06 ± 0.03"),
+        (0.9991, 0.0018, "0.999 ± 0.002"),
+        (np.nan, np.nan, "nan ± nan"),
+    ],
+)
+def test_fig20_writes_orders_with_the_digits_of_their_errors(value, error, words):
+    assert importlib.import_module("plot_fig20").with_error(Estimate(value, error)) == words
+
+
+def made_up(power, scatter=0.0):
+    """Errors 3 ε^power of rings with ε = α − 1, scattered by a factor."""
+    alpha = np.array([1.001, 1.01, 1.03, 1.1, 1.5])
+    epsilon = alpha - 1.0
+    error = 3.0 * epsilon**power * np.exp(scatter * np.array([1.0, -1.0, 1.0, -1.0, 9.0]))
+    variables = {"epsilon_of_ring": ("alpha", epsilon), "e": ("alpha", -error)}
+    return xr.Dataset(variables, {"alpha": alpha}).expand_dims(slow_time=[1.0])
+
+
+@pytest.mark.parametrize("power", [1.0, 2.0])
+def test_fitted_order_is_the_power(power):
+    found = measures.fitted_order(made_up(power), "e")
+    assert found.value == pytest.approx(power, abs=1e-12)
+    scattered = measures.fitted_order(made_up(power, 0.1), "e")
+    assert found.error < 1e-12 < 0.02 < scattered.error
+    assert abs(scattered.value - power) < scattered.error
