@@ -172,6 +172,9 @@ def test_gaps_do_not_hide_the_compressions(motions):
     wide["relative_displacement"][-1, 3] = -50.0
     largest = float(wide["relative_displacement"].max())
     assert gf.plot.chain(wide)[0].get_ylim() == pytest.approx((-1.1 * largest, 1.1 * largest))
+    # Narrower gaps leave no space unused.
+    narrow = wide.clip(-0.01, largest).assign_attrs(wide.attrs)
+    assert gf.plot.chain(narrow)[0].get_ylim()[0] == pytest.approx(-0.01 - 0.05 * (largest + 0.01))
     held = wide.assign_attrs(contacts_open=0)
     assert gf.plot.chain(held)[0].get_ylim()[0] < -50.0
 
