@@ -69,16 +69,16 @@ def read_wings(package: Path = PACKAGE) -> dict[str, set[str]]:
     for name, file in sorted(files.items()):
         if "." in name:
             found = {other for other in named_in(file) if other in files and "." in other}
-            imports[wing_of(name)] |= {wing_of(other) for other in found} - {wing_of(name)}
+            imports[_wing_of(name)] |= {_wing_of(other) for other in found} - {_wing_of(name)}
     return dict(imports)
 
 
-def wing_of(name: str) -> str:
+def _wing_of(name: str) -> str:
     """The wing of a module."""
     return name.split(".")[1]
 
 
-def purpose(wing: str) -> str:
+def _purpose(wing: str) -> str:
     """First words of the docstring of a wing."""
     folder = PACKAGE / wing
     file = folder / "__init__.py" if folder.is_dir() else folder.with_suffix(".py")
@@ -86,20 +86,20 @@ def purpose(wing: str) -> str:
     return re.split(r"[:,.(]", text)[0].strip()
 
 
-def reached(wing: str, imports: Wings) -> set[str]:
+def _reached(wing: str, imports: Wings) -> set[str]:
     """All wings that a wing stands on."""
-    return imports[wing].union(*(reached(other, imports) for other in imports[wing]))
+    return imports[wing].union(*(_reached(other, imports) for other in imports[wing]))
 
 
-def without_detours(imports: Wings) -> dict[str, set[str]]:
+def _without_detours(imports: Wings) -> dict[str, set[str]]:
     """Imports that no other way leads along."""
     return {
-        wing: found - set().union(*(reached(other, imports) for other in found))
+        wing: found - set().union(*(_reached(other, imports) for other in found))
         for wing, found in imports.items()
     }
 
 
-def levels(imports: Wings) -> list[list[str]]:
+def _levels(imports: Wings) -> list[list[str]]:
     """Wings by level, from above: each stands on what it imports; what imports nothing hangs."""
 
     def height(wing):
@@ -113,11 +113,11 @@ def levels(imports: Wings) -> list[list[str]]:
     return [[wing for wing in imports if heights[wing] == row] for row in rows]
 
 
-def places(imports: Wings) -> dict[str, tuple[float, float, float]]:
+def _places(imports: Wings) -> dict[str, tuple[float, float, float]]:
     """Middle of each wing's box and its width; a wing stands near those that import it."""
     found: dict[str, tuple[float, float, float]] = {}
     left, width = FRAME
-    for row, wings in enumerate(levels(imports)):
+    for row, wings in enumerate(_levels(imports)):
 
         def wanted(wing):
             above = [found[name][0] for name in found if wing in imports[name]]
@@ -130,7 +130,7 @@ def places(imports: Wings) -> dict[str, tuple[float, float, float]]:
     return found
 
 
-def box(x: float, y: float, width: float, name: str, what: str) -> Iterator[str]:
+def _box(x: float, y: float, width: float, name: str, what: str) -> Iterator[str]:
     """A box around its middle, with a name and up to two lines of what it is."""
     yield f'<rect x="{x - width / 2:.0f}" y="{y:.0f}" width="{width:.0f}" height="{BOX}"/>'
     yield f'<text class="name" x="{x:.0f}" y="{y + 19:.0f}">{escape(name)}</text>'
@@ -138,32 +138,32 @@ def box(x: float, y: float, width: float, name: str, what: str) -> Iterator[str]
         yield f'<text class="what" x="{x:.0f}" y="{y + 34 + 13 * row:.0f}">{escape(line)}</text>'
 
 
-def arrow(x0: float, y0: float, x1: float, y1: float) -> str:
+def _arrow(x0: float, y0: float, x1: float, y1: float) -> str:
     """An arrow that begins and ends upright."""
     bend = 0.5 * (y1 - y0)
     points = f"{x0:.0f},{y0 + bend:.0f} {x1:.0f},{y1 - bend:.0f} {x1:.0f},{y1:.0f}"
     return f'<path d="M{x0:.0f},{y0:.0f} C{points}"/>'
 
 
-def draw_wings(imports: Wings) -> Iterator[str]:
+def _draw_wings(imports: Wings) -> Iterator[str]:
     """Boxes of the wings, and arrows to what they import."""
-    at = places(imports)
+    at = _places(imports)
     for wing, found in imports.items():
         x, y, _ = at[wing]
         for other in sorted(found):
-            yield arrow(x, y + BOX, at[other][0], at[other][1] - 6)
+            yield _arrow(x, y + BOX, at[other][0], at[other][1] - 6)
     for wing, (x, y, width) in at.items():
-        yield from box(x, y, width, wing, purpose(wing))
+        yield from _box(x, y, width, wing, _purpose(wing))
 
 
-def draw_flow(height: float) -> Iterator[str]:
+def _draw_flow(height: float) -> Iterator[str]:
     """The way of the data beside the package, over a height."""
     middle, step = TOP + FLOW_WIDTH / 2, (height - BOX) / (len(FLOW) - 1)
     rows = [TOP + step * row for row in range(len(FLOW))]
     for (name, where), y in zip(FLOW, rows, strict=True):
-        yield from box(middle, y, FLOW_WIDTH, name, where)
+        yield from _box(middle, y, FLOW_WIDTH, name, where)
         if y != rows[-1]:
-            yield arrow(middle, y + BOX, middle, y + step - 6)
+            yield _arrow(middle, y + BOX, middle, y + step - 6)
     edge, frame = TOP + FLOW_WIDTH, FRAME[0] - 10
     for row, (start, end) in ((CALLS, (edge, frame - 6)), (WRITES, (frame, edge + 6))):
         yield f'<path d="M{start},{rows[row] + BOX / 2:.0f} H{end}"/>'
@@ -171,7 +171,7 @@ def draw_flow(height: float) -> Iterator[str]:
 
 def draw(imports: Wings) -> str:
     """The whole picture."""
-    height = 40 + (len(levels(imports)) - 1) * LEVEL + BOX + 16
+    height = 40 + (len(_levels(imports)) - 1) * LEVEL + BOX + 16
     left, width = FRAME
     text = "Data flow from the configuration down to the report; scripts call the package, whose "
     text += f"wings stand on each other: {', '.join(imports)}."
@@ -184,8 +184,8 @@ def draw(imports: Wings) -> str:
         '<rect class="page" width="100%" height="100%"/>',
         f'<rect class="frame" x="{left - 10}" y="{TOP}" width="{width + 20}" height="{height}"/>',
         f'<text class="name" x="{left + width / 2:.0f}" y="{TOP + 22}">src/granular_fronts</text>',
-        *draw_flow(height),
-        *draw_wings(without_detours(imports)),
+        *_draw_flow(height),
+        *_draw_wings(_without_detours(imports)),
         "</svg>",
     ]
     return "\n".join(lines) + "\n"

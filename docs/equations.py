@@ -98,13 +98,13 @@ REFERENCE = re.compile(r"(?<![\w)\]])\((\d{1,2})\)(?:\s*[-–]\s*\((\d{1,2})\))?
 FORMULA = re.compile(r":math:`[^`]*`|^( *)\.\. math::.*\n(?:\1 +.*\n|\n)*", re.MULTILINE)
 
 
-def numbers(docstring):
+def _numbers(docstring):
     """Equations that a docstring names, ranges included."""
     for first, last in REFERENCE.findall(FORMULA.sub(" ", docstring + "\n")):
         yield from range(int(first), int(last or first) + 1)
 
 
-def docstrings(path):
+def _docstrings(path):
     """Strings that stand alone in a module: those of the module, functions, classes, constants."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         match node:
@@ -118,7 +118,7 @@ def find_equations(package=PACKAGE):
     written, used = defaultdict(list), defaultdict(list)
     for path in sorted(package.rglob("*.py")):
         name = path.relative_to(package)
-        heading, *others = [set(numbers(text)) for text in docstrings(path)] or [set()]
+        heading, *others = [set(_numbers(text)) for text in _docstrings(path)] or [set()]
         for number in sorted(heading.union(*others) & MEANINGS.keys()):
             at_home = name.parts[0] in wings_of[number] and number in heading
             (written if at_home else used)[number].append(name.as_posix())
@@ -131,18 +131,18 @@ def make_page(written, used):
     for title, _, section in SECTIONS:
         lines += ["", f"## {title}", "", "| equation | what it says | modules |", "|---|---|---|"]
         for number in section:
-            modules = modules_in_words(written[number], used[number])
+            modules = _modules_in_words(written[number], used[number])
             lines.append(f"| ({number}) | {MEANINGS[number]} | {modules} |")
     return "\n".join(lines) + "\n"
 
 
-def modules_in_words(written, used):
+def _modules_in_words(written, used):
     """Links to modules, those that write an equation out first."""
-    links = [f"**{link(name)}**" for name in written] + [link(name) for name in used]
+    links = [f"**{_link(name)}**" for name in written] + [_link(name) for name in used]
     return ", ".join(links) or "a step of the derivation, not used"
 
 
-def link(name):
+def _link(name):
     """A module as a link from the page."""
     return f"[{name}](../src/granular_fronts/{name})"
 

@@ -39,12 +39,12 @@ def write_pages(folder: Path, results: Path) -> None:
     folder.mkdir(exist_ok=True)
     made = {
         "public_names": public_names(),
-        "configuration": configuration(load_schema("config")),
-        "variables": variables(),
-        "figures": figures(results),
-        "paper_numbers": tables(results, ["paper_numbers"]),
-        "findings": tables(results, ["findings"]),
-        "tables": tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
+        "configuration": _configuration(load_schema("config")),
+        "variables": _variables(),
+        "figures": _figures(results),
+        "paper_numbers": _tables(results, ["paper_numbers"]),
+        "findings": _tables(results, ["findings"]),
+        "tables": _tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
     }
     for name, text in made.items():
         page = folder / f"{name}.md"
@@ -53,7 +53,7 @@ def write_pages(folder: Path, results: Path) -> None:
             page.write_text(text, encoding="utf-8")
 
 
-def read_yaml(name: str) -> Any:
+def _read_yaml(name: str) -> Any:
     """A YAML file of the workflow."""
     return yaml.safe_load((WORKFLOW / name).read_text(encoding="utf-8"))
 
@@ -63,11 +63,11 @@ def public_names() -> str:
     lines = ["# Python", "", "Names of `granular_fronts`, each imported when it is first used."]
     for name in granular_fronts.__all__:
         # Docstrings are reStructuredText.
-        lines += ["", f"## {name}", "", "```{eval-rst}", *directive(name), "```"]
+        lines += ["", f"## {name}", "", "```{eval-rst}", *_directive(name), "```"]
     return "\n".join(lines) + "\n"
 
 
-def directive(name: str) -> list[str]:
+def _directive(name: str) -> list[str]:
     """What documents a public name: a function, or a class or a module with its members."""
     value = getattr(granular_fronts, name)
     if inspect.ismodule(value):
@@ -77,19 +77,8 @@ def directive(name: str) -> list[str]:
     return [f".. autofunction:: {value.__module__}.{name}"]
 
 
-def configuration(schema: Mapping[str, Any]) -> str:
-    """Every key of the configuration with what it means.
-
-    Parameters
-    ----------
-    schema : mapping
-        JSON Schema of the configuration.
-
-    Returns
-    -------
-    str
-        A page with a section for each key at the top and an entry for each below it.
-    """
+def _configuration(schema: Mapping[str, Any]) -> str:
+    """Write a section for each key at the top of a JSON Schema, and an entry for each below it."""
     lines = ["# Configuration", "", schema["description"], ""]
     lines += ["A key in ⟨ ⟩ is a name of your choice; … stands for the entries of a list."]
     for key, part in schema["properties"].items():
@@ -125,13 +114,13 @@ def keys(
     """
     reference = part.get("$ref")
     if reference and reference not in seen:
-        yield from keys(pointed_at(reference, schema), schema, (*seen, reference), path)
+        yield from keys(_pointed_at(reference, schema), schema, (*seen, reference), path)
     below = dict(part.get("properties", {}))
     if isinstance(part.get("additionalProperties"), dict):
         below["⟨name⟩"] = part["additionalProperties"]
     for key, value in below.items():
         longer = f"{path}.{key}".removeprefix(".")
-        named = pointed_at(value["$ref"], schema) if "$ref" in value else {}
+        named = _pointed_at(value["$ref"], schema) if "$ref" in value else {}
         yield longer, {**named, **value}.get("description", "")
         yield from keys(value, schema, seen, longer)
     if "items" in part:
@@ -145,7 +134,7 @@ def keys(
             yield from keys(part[case], schema, seen, path)
 
 
-def pointed_at(reference: str, schema: Mapping[str, Any]) -> Mapping[str, Any]:
+def _pointed_at(reference: str, schema: Mapping[str, Any]) -> Mapping[str, Any]:
     """The part of the schema that a JSON pointer such as ``#/$defs/bead`` names."""
     part = schema
     for key in reference.removeprefix("#/").split("/"):
@@ -153,22 +142,25 @@ def pointed_at(reference: str, schema: Mapping[str, Any]) -> Mapping[str, Any]:
     return part
 
 
-def variables() -> str:
+VARIABLES = """# Variables
+
+Names of variables and coordinates in the files below `results/data`, each with its attribute
+`long_name`. A recording with coordinates of its own ends them with its name:
+`relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:
+[symbols](../symbols.md).
+
+| variable | what |
+|---|---|
+"""
+
+
+def _variables() -> str:
     """Every variable of the result files, in words."""
-    lines = ["# Variables", ""]
-    lines += ["Names of variables and coordinates in the files below `results/data`, each with its"]
-    lines += [
-        "attribute `long_name`. A recording with coordinates of its own ends them with its name:"
-    ]
-    lines += [
-        "name: `relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:"
-    ]
-    lines += ["[symbols](../symbols.md).", "", "| variable | what |", "|---|---|"]
-    lines += [f"| `{name}` | {meaning} |" for name, meaning in sorted(long_names().items())]
-    return "\n".join(lines) + "\n"
+    rows = [f"| `{name}` | {meaning} |" for name, meaning in sorted(long_names().items())]
+    return VARIABLES + "\n".join(rows) + "\n"
 
 
-def figures(results: Path) -> str:
+def _figures(results: Path) -> str:
     """Every figure that was drawn, with the caption of what was computed."""
     lines = ["# Figures"]
     for record in sorted((results / "figures").glob("*.json")):
@@ -181,13 +173,13 @@ def figures(results: Path) -> str:
     return "\n".join(lines) + "\n"
 
 
-def tables(results: Path, names: list[str]) -> str:
+def _tables(results: Path, names: list[str]) -> str:
     """Some tables with their titles and captions, as a page."""
-    described = read_yaml("tables.yaml")
+    described = _read_yaml("tables.yaml")
     lines: list[str] = []
     for name in names:
         rows = (results / "tables" / f"{name}.md").read_text(encoding="utf-8").strip()
-        rows = "\n".join(kept_columns(rows.splitlines()))
+        rows = "\n".join(_kept_columns(rows.splitlines()))
         heading = "##" if lines else "#"
         lines += [f"{heading} {described[name]['title']}", "", described[name]["caption"], "", rows]
     return "\n".join(lines) + "\n"
@@ -197,7 +189,7 @@ LEFT_OUT = ("paper_place", "remark", "scene")
 """Columns of the tables of statements that no page is wide enough for; they stand in the report."""
 
 
-def kept_columns(rows: list[str]) -> list[str]:
+def _kept_columns(rows: list[str]) -> list[str]:
     """Rows of a Markdown table without the columns that are left out."""
     cells = [row.strip("|").split("|") for row in rows]
     kept = [i for i, head in enumerate(cells[0]) if head.strip() not in LEFT_OUT]

@@ -85,10 +85,10 @@ def load_numbers(results: Path, entries: Path = ENTRIES) -> dict[str, str]:
         If a number is not below the bound that a page states.
     """
     listed = yaml.safe_load(entries.read_text(encoding="utf-8"))
-    return dict(written_numbers(listed, results / "tables"))
+    return dict(_written_numbers(listed, results / "tables"))
 
 
-def written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[str, str]]:
+def _written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[str, str]]:
     """Names and texts of the numbers whose tables are there."""
     read = {}
     for name, entry in listed.items():
@@ -97,7 +97,7 @@ def written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[s
             continue
         if path not in read:
             read[path] = pd.read_csv(path)
-        row = only_row(read[path], entry["row"], name)
+        row = _only_row(read[path], entry["row"], name)
         value = entry.get("times", 1.0) * float(row[entry.get("column", "computed")])
         if "bound" in entry:
             reached = abs(value) + float(row["numerical error"])
@@ -111,7 +111,7 @@ def written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[s
             yield name, in_print(value, entry["form"])
 
 
-def only_row(table: pd.DataFrame, wanted: Mapping[str, Any], name: str) -> pd.Series:
+def _only_row(table: pd.DataFrame, wanted: Mapping[str, Any], name: str) -> pd.Series:
     """The row of a table with some values."""
     fits = np.ones(len(table), bool)
     for column, value in wanted.items():

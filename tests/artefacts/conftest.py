@@ -2,7 +2,6 @@
 
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
@@ -15,13 +14,6 @@ PROJECT = Path(__file__).parents[2]
 
 # Each file once for all tests, which leave what they are given as it is.
 read_dataset = cache(datasets.read_dataset)
-
-
-class Made(NamedTuple):
-    """Stems of what a plain call of the workflow makes, below the results folder."""
-
-    figures: list[str]
-    tables: list[str]
 
 
 def pytest_addoption(parser):
@@ -60,26 +52,10 @@ def as_in_the_paper(configuration):
     return check
 
 
-@pytest.fixture(scope="session")
-def made():
-    """The figures and tables that must be there."""
-    return listed_as_made()
-
-
-def listed_as_made():
-    """Read the lists of figures and tables."""
-    figures, tables = (
-        read_yaml(PROJECT / "workflow" / name) for name in ("figures.yaml", "tables.yaml")
-    )
-    return Made(
-        figures=[
-            f"figures/{figure}_{described['name']}"
-            for figure, described in figures.items()
-            if not described.get("on_demand")
-        ],
-        tables=[
-            f"tables/{table}"
-            for table, described in tables.items()
-            if not described.get("on_demand")
-        ],
-    )
+def listed_as_made(kind):
+    """Stems of the figures or tables that a plain call of the workflow makes, below the results."""
+    return [
+        f"{kind}/{f'{key}_' if 'name' in described else ''}{described.get('name', key)}"
+        for key, described in read_yaml(PROJECT / "workflow" / f"{kind}.yaml").items()
+        if not described.get("on_demand")
+    ]

@@ -1,14 +1,12 @@
-"""The wings of the package: no import upward, and no circle.
+"""The wings of the package: no import upward, and no circle, those inside functions included."""
 
-Imports are read with `ast` and not executed, those inside functions included.
-"""
+from graphlib import TopologicalSorter
 
-import ast
-
-import pytest
+from pages import load_script
 from projects import ROOT
 
-PACKAGE = ROOT / "src" / "granular_fronts"
+from granular_fronts.numerics.imports import module_files, named_in
+
 WINGS = (
     "errors",
     "arguments",
@@ -28,91 +26,35 @@ WINGS = (
 )
 """From the bottom up: each may import those before it, and itself."""
 
-
-def sources(folder):
-    return sorted(path for path in folder.rglob("*.py") if ".ipynb_checkpoints" not in path.parts)
-
-
-def module_name(path):
-    """Dotted name of a file of the package."""
-    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
-    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
-
-
-MODULES = {module_name(path): path for path in sources(PACKAGE)}
-
-
-def imports_of(tree):
-    """Modules of the package that some code imports."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            named = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            members = [f"{node.module}.{alias.name}" for alias in node.names]
-            named = [name if name in MODULES else node.module for name in members]
-        else:
-            continue
-        yield from (name for name in named if name in MODULES)
-
-
-def wing_of(name):
-    """The wing of a module, empty for the package itself."""
-    return name.split(".")[1] if "." in name else ""
-
-
-IMPORTS = {
-    name: sorted(set(imports_of(ast.parse(path.read_text(encoding="utf-8")))))
-    for name, path in MODULES.items()
-}
+FILES = {name: file for name, file in module_files(ROOT / "src").items() if "." in name}
+IMPORTS = {name: named_in(file) & FILES.keys() for name, file in FILES.items()}
 
 
 def upward(imports):
     """Imports of a wing by one below it."""
-    return [
-        (name, imported)
-        for name, found in imports.items()
-        for imported in found
-        if wing_of(name) and wing_of(imported)
-        if WINGS.index(wing_of(imported)) > WINGS.index(wing_of(name))
-    ]
+    height = {name: WINGS.index(name.split(".")[1]) for name in FILES}
+    return {(low, high) for low in imports for high in imports[low] if height[low] < height[high]}
 
 
-def circle(imports):
-    """Modules that import each other in turn, empty if there are none."""
-    finished = set()
-
-    def follow(name, trail):
-        if name in trail:
-            return [*trail[trail.index(name) :], name]
-        if name in finished:
-            return []
-        for imported in imports[name]:
-            if found := follow(imported, [*trail, name]):
-                return found
-        finished.add(name)
-        return []
-
-    return next((found for name in imports if (found := follow(name, []))), [])
-
-
-def test_every_folder_of_the_package_is_a_wing():
-    assert {wing_of(name) for name in MODULES} - {""} == set(WINGS)
-
-
-def test_no_wing_imports_one_above_it():
-    assert upward(IMPORTS) == []
+def test_no_wing_imports_one_above_it_and_no_modules_each_other_in_a_circle():
+    assert {name.split(".")[1] for name in FILES} == set(WINGS)
+    assert upward(IMPORTS) == set()
     low, high = "granular_fronts.numerics.band", "granular_fronts.chain.simulate"
-    assert upward({low: [high], high: [low]}) == [(low, high)]
+    assert upward({low: [high], high: [low]}) == {(low, high)}
+    TopologicalSorter(IMPORTS).prepare()
 
 
-def test_no_modules_import_each_other_in_a_circle():
-    assert circle(IMPORTS) == []
-    assert circle({"a": ["b"], "b": ["c"], "c": ["b"]}) == ["b", "c", "b"]
-
-
-@pytest.mark.parametrize(
-    "name", [name for name, path in MODULES.items() if path.stem == "__init__"]
-)
-def test_packages_import_nothing_when_they_are_imported(name):
+def test_packages_import_nothing_when_they_are_imported():
     """A rule then depends on the modules that its script uses, and on nothing else."""
-    assert IMPORTS[name] == []
+    packages = [name for name, file in FILES.items() if file.stem == "__init__"]
+    assert "granular_fronts.chain" in packages
+    assert not any(IMPORTS[name] for name in packages)
+
+
+def test_picture_of_the_architecture_is_that_of_the_code():
+    script = load_script("architecture")
+    picture = script.PICTURE.read_text(encoding="utf-8")
+    assert picture == script.draw(script.read_wings()), "run python docs/architecture.py"
+    for _, place in script.FLOW:
+        if not place.startswith("results"):
+            assert any(ROOT.glob(place)), place

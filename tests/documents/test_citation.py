@@ -18,12 +18,6 @@ PRINTED_FIGURES = range(1, 9)
 """The paper prints eight figures."""
 
 
-def versions():
-    """Versions of CHANGELOG.md with their dates, the newest first."""
-    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    return re.findall(r"^## (\d+\.\d+\.\d+), (\d{4}-\d{2}-\d{2})$", text, re.MULTILINE)
-
-
 @pytest.mark.parametrize(
     ("schema", "file"),
     [
@@ -39,7 +33,8 @@ def test_file_has_the_form_that_its_readers_expect(schema, file):
 
 def test_version_licence_and_authors_are_the_same_everywhere():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    newest, released = versions()[0]
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    newest, released = re.search(r"^## ([\d.]+), ([\d-]{10})$", changes, re.MULTILINE).groups()
     assert CITATION["version"] == granular_fronts.__version__ == newest
     assert CITATION["date-released"].isoformat() == released
     assert CITATION["license"] == project["license"]

@@ -1,7 +1,6 @@
 """README and manual are true: commands run or can be planned, code runs, what is named exists."""
 
 import csv
-import importlib.util
 import re
 import shlex
 import sys
@@ -15,6 +14,7 @@ from pages import (
     blocks,
     commands,
     commands_in_lines,
+    load_script,
     run,
 )
 from projects import ROOT
@@ -160,32 +160,7 @@ def test_named_files_and_links_exist(document):
             assert path.exists(), path
 
 
-# Pages that scripts write.
-
-
-def load_script(name):
-    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-ARCHITECTURE = load_script("architecture")
-
-
-def test_picture_of_the_architecture_is_that_of_the_code():
-    picture = ARCHITECTURE.PICTURE.read_text(encoding="utf-8")
-    assert picture == ARCHITECTURE.draw(ARCHITECTURE.read_wings()), (
-        "run python docs/architecture.py"
-    )
-    for _, place in ARCHITECTURE.FLOW:
-        if not place.startswith("results"):
-            assert any(ROOT.glob(place)), place
-
-
-INDEX = load_script("equations")
-
-
 def test_index_of_equations_is_that_of_the_docstrings():
+    script = load_script("equations")
     page = (ROOT / "docs" / "equations.md").read_text(encoding="utf-8")
-    assert page == INDEX.make_page(*INDEX.find_equations()), "run python docs/equations.py"
+    assert page == script.make_page(*script.find_equations()), "run python docs/equations.py"

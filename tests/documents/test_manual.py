@@ -1,11 +1,11 @@
 """What the manual makes of the code: every public name and every key of the configuration."""
 
-import importlib.util
 import inspect
 import re
 
 import pytest
 import yaml
+from pages import load_script
 from projects import ROOT
 
 import granular_fronts as gf
@@ -14,14 +14,7 @@ from granular_fronts.scenes.schema import load_schema
 SCHEMA = load_schema("config")
 
 
-def load_pages():
-    spec = importlib.util.spec_from_file_location("generate", ROOT / "docs" / "generate.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-PAGES = load_pages()
+PAGES = load_script("generate")
 
 
 def test_every_public_name_has_an_entry():

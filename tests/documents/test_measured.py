@@ -1,6 +1,5 @@
 """Measured numbers of README and manual come from the tables of a run, and no other is typed."""
 
-import importlib.util
 import re
 import time
 
@@ -8,21 +7,14 @@ import pandas as pd
 import pytest
 import yaml
 from campaigns import solved_points
+from pages import load_script
 from projects import ROOT
 
 from granular_fronts.campaign.definition import check_campaign
 from granular_fronts.campaign.measures import EQUATION_ERRORS, LARGEST_EXPONENT
 from granular_fronts.studies.ring_limit import resolutions
 
-
-def load_script():
-    spec = importlib.util.spec_from_file_location("measured", ROOT / "docs" / "measured.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-MEASURED = load_script()
+MEASURED = load_script("measured")
 ENTRIES = yaml.safe_load(MEASURED.ENTRIES.read_text(encoding="utf-8"))
 TEXTS = {page: page.read_text(encoding="utf-8") for page in MEASURED.pages()}
 MARKED = [page for page, text in TEXTS.items() if MEASURED.names_in(text)]
@@ -89,24 +81,31 @@ def test_findings_type_no_result():
     }
 
 
-def test_sizes_of_rings_are_those_of_figure_20():
-    """What the page on the limit says of places and beads."""
+def words_of(page):
+    return " ".join(TEXTS[ROOT / "docs" / f"{page}.md"].split())
+
+
+def test_page_on_the_limit_has_the_sizes_and_slopes_of_figure_20():
     campaign = statements("campaigns/rings_damping")
-    half_length, tolerance = campaign["fixed"]["half_length"], campaign["tolerance"]
-    usual, _ = resolutions(tolerance)
+    half_length, dampings = campaign["fixed"]["half_length"], campaign["axes"]["damping"]
+    usual, _ = resolutions(campaign["tolerance"])
     points = usual.points(half_length)
-    alpha, damping = min(campaign["axes"]["alpha"]), max(campaign["axes"]["damping"])
     # ℓ = (p − 1/2) ε and N = 2p − 1.
-    beads = 2.0 * half_length * damping / (1.0 - 1.0 / alpha)
-    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
-    found = re.search(
-        r"(\d+) values stand for up to ([\d ]+) beads .* compared at (\d+) places", text
-    )
-    assert [int(number.replace(" ", "")) for number in found.groups()] == [
-        points,
-        round(beads, -3),
-        points * usual.places,
-    ]
+    beads = 2.0 * half_length * max(dampings) / (1.0 - 1.0 / min(campaign["axes"]["alpha"]))
+    sizes = r"(\d+) values stand for up to ([\d ]+) beads .* compared at (\d+) places"
+    found = [int(size.replace(" ", "")) for size in re.search(sizes, words_of("limit")).groups()]
+    assert found == [points, round(beads, -3), points * usual.places]
+    fitted = r"over the seven rings with α from ([\d.]+) to ([\d.]+)\."
+    named = re.search(fitted, words_of("limit")).groups()
+    for name in ("rings_damping", "rings_gamma"):
+        alphas = statements(f"campaigns/{name}")["axes"]["alpha"]
+        alphas = [alpha for alpha in alphas if alpha <= LARGEST_EXPONENT]
+        assert len(alphas) == 7
+        assert (min(alphas), max(alphas)) == tuple(map(float, named))
+    assert len(EQUATION_ERRORS) * (len(dampings) + 1) == 12
+    assert "Of these twelve slopes" in words_of("limit")
+    assert "at γc = 0.3, 1 and 3" in words_of("limit")
+    assert dampings == [0.3, 1, 3]
 
 
 RATES = re.compile(
@@ -126,30 +125,13 @@ CAMPAIGNS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", CAMPAIGNS)
 def test_campaigns_are_as_fast_as_the_page_says(kind):
-    text = " ".join(TEXTS[ROOT / "docs" / "performance.md"].split())
     asked = check_campaign({"kind": kind, **CAMPAIGNS[kind]}, kind)
     solved_points(asked)  # compiles, and fills caches
     begun = time.process_time()
     solved_points(asked)
-    assert asked.size / (time.process_time() - begun) > int(RATES.search(text)[kind])
-
-
-def test_slopes_are_fitted_over_the_rings_that_the_page_names():
-    text = " ".join(TEXTS[ROOT / "docs" / "limit.md"].split())
-    named = re.search(r"over the seven rings with α from ([\d.]+) to ([\d.]+)\.", text).groups()
-    for name in ("rings_damping", "rings_gamma"):
-        fitted = [
-            alpha
-            for alpha in statements(f"campaigns/{name}")["axes"]["alpha"]
-            if alpha <= LARGEST_EXPONENT
-        ]
-        assert len(fitted) == 7
-        assert (min(fitted), max(fitted)) == tuple(map(float, named))
-    dampings = statements("campaigns/rings_damping")["axes"]["damping"]
-    assert len(EQUATION_ERRORS) * (len(dampings) + 1) == 12
-    assert "Of these twelve slopes" in text
-    assert "at γc = 0.3, 1 and 3" in text
-    assert dampings == [0.3, 1, 3]
+    assert asked.size / (time.process_time() - begun) > int(
+        RATES.search(words_of("performance"))[kind]
+    )
 
 
 # The script itself.
@@ -191,14 +173,11 @@ def test_a_number_is_taken_from_its_row(results):
     assert load(results, table="unknown", row={"quantity": "b"}, form=".2f") == {}
 
 
-def test_a_bound_is_kept_or_named(results):
+def test_a_bound_is_kept_or_named_and_so_is_a_row_that_is_not_one(results):
     assert load(results, row={"quantity": "b"}, bound=3.1e-7) == {"one": "3·10⁻⁷"}
-    with pytest.raises(SystemExit, match="reaches 3e-07, above the bound 2e-07"):
+    with pytest.raises(SystemExit, match=r"one .* reaches 3e-07, above the bound 2e-07"):
         load(results, row={"quantity": "b"}, bound=2e-7)
-
-
-def test_a_row_that_is_not_one_is_named(results):
-    with pytest.raises(SystemExit, match="names 0 rows, but must name one"):
+    with pytest.raises(SystemExit, match="names 0 rows"):
         load(results, row={"quantity": "c"}, form=".2f")
 
 

@@ -129,12 +129,6 @@ def test_figure_18_dashes_where_fronts_oscillate():
         assert 0 < oscillating.sum() < oscillating.size
 
 
-def test_figure_22_shows_the_motion_about_the_arrival_of_the_front():
-    data, shown = picture("fig22")
-    arrival = float(data["t"][data["relative_displacement_accurate"] > 0.5][0])
-    assert shown["motion"].get_xlim() == (arrival - 4.0, arrival + 12.0)
-
-
 def test_colour_maps_keep_their_order_in_grey():
     weights = [0.2126, 0.7152, 0.0722, 0.0]
     for colour_map in (compression_map(), velocity_map()):

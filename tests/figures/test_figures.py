@@ -65,46 +65,29 @@ def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path
     assert len(list((tmp_path / "one").iterdir())) == 5
 
 
-def test_texts_are_filled_with_what_was_computed(path, tmp_path):
+def test_files_name_the_data_and_texts_are_filled_with_what_was_computed(path, tmp_path):
+    attributes = read_dataset(path).attrs
     scene = configuration_of(read_dataset(path))
     make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", {"scene": scene})
     assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
     record = read_json(tmp_path / "fig.json")
     assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
+    digests = {name: attributes[name] for name in ("config_digest", "data_digest")}
+    assert record["made_from"] == [{"scene": "scene"} | digests]
+    keyword = ":".join(record["made_from"][0].values()).encode()
+    for ending in ("pdf", "png"):
+        assert keyword in (tmp_path / f"fig.{ending}").read_bytes()
 
 
-def test_values_in_a_caption_are_no_markup(path, tmp_path):
-    caption = "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', ' }}y"
-    make_files(path, tmp_path / "fig", caption)
-    words = r".. raw:: html \*x\_\*, y"
-    assert (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()[0] == words
-
-
-def test_caption_that_names_what_no_dataset_has_is_an_error(path, tmp_path):
-    with pytest.raises(jinja2.UndefinedError, match="strength"):
-        make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")
-
-
-def test_caption_says_where_the_scene_is_not_the_papers(path, tmp_path):
+def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_data(path, tmp_path):
     scene = configuration_of(read_dataset(path))
     paper = scene | {"law": scene["law"] | {"gamma": 0.21}}
     make_files(path, tmp_path / "fig", "A caption.", {"scene": paper})
     caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
     assert "law.gamma is 0.06 instead of 0.21." in caption
-    make_files(path, tmp_path / "fig", "A caption.", {})
-    caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
-    assert "Scene scene is not one of the paper's." in caption
-
-
-def test_both_pictures_and_the_record_name_the_data(path, tmp_path):
-    make_files(path, tmp_path / "fig", "A caption.")
-    [made_from] = read_json(tmp_path / "fig.json")["made_from"]
-    attributes = read_dataset(path).attrs
-    assert made_from == {
-        "scene": "scene",
-        "config_digest": attributes["config_digest"],
-        "data_digest": attributes["data_digest"],
-    }
-    for ending in ("pdf", "png"):
-        keyword = ":".join(made_from.values()).encode()
-        assert keyword in (tmp_path / f"fig.{ending}").read_bytes()
+    make_files(path, tmp_path / "fig", "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', ' }}y")
+    first, *others = (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()
+    assert first == r".. raw:: html \*x\_\*, y"
+    assert "Scene scene is not one of the paper's." in " ".join(others)
+    with pytest.raises(jinja2.UndefinedError, match="strength"):
+        make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")

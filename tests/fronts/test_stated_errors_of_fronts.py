@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
+from granular_fronts.model.amplitude_scaling import scaling_of
 from truth import evolutions, fronts, hold
 
 
@@ -53,7 +54,7 @@ def test_errors_of_random_fronts_hold(seed):
 def smooth_scene(equation, slow_time, tolerance):
     """A smooth wave for so short a time that no tolerance comes in."""
     scene = evolutions.random_scene(np.random.default_rng(3), "unlimited")
-    scales = evolutions.scales_of(scene)
+    scales = scaling_of(scene)
     time = slow_time / scales.slow_rate
     scene["equations"][equation] = {"cells": 256, "tolerance": tolerance}
     return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": time}}}

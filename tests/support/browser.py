@@ -14,14 +14,8 @@ import sys
 import time
 
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-OPTIONS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-dev-shm-usage",
-    "--no-first-run",
-    "--remote-debugging-pipe",
-]
+OPTIONS = ["--headless", "--no-sandbox", "--no-first-run", "--remote-debugging-pipe"]
+OPTIONS += ["--disable-gpu", "--disable-dev-shm-usage"]
 # Descriptors of this process become 3 and 4 of Chromium.
 START = "import os, sys; r, w, *c = sys.argv[1:]; os.dup2(int(r), 53); os.dup2(int(w), 54); "
 START += "os.dup2(53, 3); os.dup2(54, 4); os.execv(c[0], c)"
@@ -73,10 +67,6 @@ class Page:
             self._mouse("mouseMoved", x + (to_x - x) * k / steps, y + (to_y - y) * k / steps)
         self._mouse("mouseReleased", to_x, to_y)
 
-    def tap(self, x, y):
-        """Press the mouse at a point and let it go."""
-        self.drag((x, y), (x, y), steps=0)
-
     def _mouse(self, kind, x, y):
         pressed = {"button": "left", "buttons": 1, "clickCount": 1}
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **pressed)
@@ -108,34 +98,35 @@ class Page:
         message, _, self._rest = self._rest.partition(b"\0")
         return json.loads(message)
 
+    def reports(self, method):
+        """What Chromium reported under the name of an event."""
+        return [event["params"] for event in self.events if event.get("method") == method]
+
     def complaints(self):
         """Errors and warnings on the console, and exceptions that nothing caught."""
-        found = []
-        for event in self.events:
-            method, params = event.get("method"), event.get("params", {})
-            if method == "Runtime.exceptionThrown":
-                found.append(params["exceptionDetails"])
-            if method == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning"):
-                found.append(params["args"])
-            if method == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
-                found.append(params["entry"])
-        return found
+        printed = [(one["type"], one) for one in self.reports("Runtime.consoleAPICalled")]
+        logged = [(one["entry"]["level"], one) for one in self.reports("Log.entryAdded")]
+        found = [one for level, one in printed + logged if level in ("error", "warning")]
+        return self.reports("Runtime.exceptionThrown") + found
 
     def requests(self):
         """Addresses that were asked for, but for those that the page holds itself."""
-        asked = [
-            event["params"]["request"]["url"]
-            for event in self.events
-            if event.get("method") == "Network.requestWillBeSent"
-        ]
-        return [url for url in asked if not url.startswith(("data:", "blob:"))]
+        sent = self.reports("Network.requestWillBeSent")
+        urls = [params["request"]["url"] for params in sent]
+        return [url for url in urls if not url.startswith(("data:", "blob:"))]
 
 
 @contextlib.contextmanager
 def browser(profile):
     """A browser with a profile in a folder of its own."""
     here_out, here_in = os.pipe(), os.pipe()
-    command = [CHROMIUM, *OPTIONS, f"--user-data-dir={profile}", "about:blank"]
+    command = [
+        CHROMIUM,
+        *OPTIONS,
+        "--remote-debugging-pipe",
+        f"--user-data-dir={profile}",
+        "about:blank",
+    ]
     process = subprocess.Popen(
         [sys.executable, "-c", START, str(here_out[0]), str(here_in[1]), *command],
         pass_fds=(here_out[0], here_in[1]),

@@ -13,27 +13,38 @@ import xarray as xr
 FIELDS = ("relative_displacement", "velocity")
 EQUATIONS = ("logarithmic", "unlimited")
 CONTINUUM = ("logarithmic", "unlimited", "heteroclinic")
+MODELS = ("logarithmic", "unlimited", "dispersive")
 XI = {"xi": np.linspace(-6.0, 4.0, 21)}
+GAMMAS = {"gamma": np.geomspace(0.1, 2.0, 5)}
 
 
 def sample(coordinates, variables, config=None, **attributes):
-    """A dataset of positive numbers below 1, other ones for each variable of each dataset."""
+    """A dataset of positive numbers below 1, other ones for each variable of each dataset.
+
+    `variables` are names by the dimensions that they have, both separated by blanks.
+    """
     sizes = {name: len(values) for name, values in coordinates.items()}
 
     def values(name, dimensions):
         seed = repr((name, sizes, config, attributes))
         generator = np.random.default_rng(zlib.crc32(seed.encode()))
-        return generator.uniform(0.1, 0.9, [len(coordinates[each]) for each in dimensions])
+        return generator.uniform(0.1, 0.9, [sizes[each] for each in dimensions])
 
-    return xr.Dataset(
-        {name: (dimensions, values(name, dimensions)) for name, dimensions in variables.items()},
-        coordinates,
-        attributes | {"config": json.dumps(config)},
-    )
+    filled = {
+        name: (dimensions.split(), values(name, dimensions.split()))
+        for dimensions, names in variables.items()
+        for name in names.split()
+    }
+    return xr.Dataset(filled, coordinates, attributes | {"config": json.dumps(config)})
 
 
-def driven_chain(*variables, gamma=0.06):
-    """A chain driven by δ = 0.1 with a snapshot, a grid, and two sets of probes."""
+def each(form, *words):
+    """Names of one form, with `%` in the place of each word."""
+    return " ".join(form.replace("%", word) for word in words)
+
+
+def driven_chain(variables):
+    """Some of a chain driven by δ = 0.1: a snapshot, a grid, and two sets of probes."""
     coordinates = {
         "t": [20.0],
         "bead": np.arange(1, 13),
@@ -43,47 +54,30 @@ def driven_chain(*variables, gamma=0.06):
         "t_transient": np.linspace(0.0, 10.0, 11),
         "bead_transient": [1, 3],
     }
-    dimensions = {
-        "velocity": ["t", "bead"],
-        "relative_displacement_grid": ["t_grid", "bead"],
-        "velocity_grid": ["t_grid", "bead"],
-        "relative_displacement_steady": ["t_steady", "bead_steady"],
-        "relative_displacement_transient": ["t_transient", "bead_transient"],
-    }
-    config = {"boundary": {"left": 0.1}, "law": {"gamma": gamma}}
-    return sample(coordinates, {name: dimensions[name] for name in variables}, config)
+    config = {"boundary": {"left": 0.1}, "law": {"gamma": 0.06}}
+    return sample(coordinates, variables, config)
 
 
 def ring(alpha, times=(0.0, 15.0, 30.0), *, equation=False):
     """A ring at some times, and the logarithmic Burgers equation where it is asked for."""
     coordinates = {"t": list(times), "bead": np.arange(1, 10), "site": np.arange(1.0, 10.0, 0.5)}
-    variables = {field: ["t", "bead"] for field in FIELDS}
+    variables = {"t bead": each("%", *FIELDS)}
     if equation:
-        variables |= {f"{field}_logarithmic": ["t", "site"] for field in FIELDS}
+        variables |= {"t site": each("%_logarithmic", *FIELDS)}
     return sample(coordinates, variables, {"law": {"alpha": alpha}})
 
 
 def ring_distances(alpha):
     """Distances of a ring to both equations, and the errors of the solvers, over time."""
-    variables = {
-        f"{field}_{kind}_{equation}": ["t_grid"]
-        for field in FIELDS
-        for kind in ("sup", "rms", "floor")
-        for equation in EQUATIONS
-    }
+    kinds = [f"{field}_{kind}_%" for field in FIELDS for kind in ("sup", "rms", "floor")]
+    variables = {"t_grid": " ".join(each(kind, *EQUATIONS) for kind in kinds)}
     return sample({"t_grid": np.arange(7.0)}, variables, {"law": {"alpha": alpha}})
 
 
 def log_burgers_fronts():
-    """Fluxes over y and fronts over ξ, for two exponents and in the limit."""
-    variables = {
-        "flux": ["alpha", "force"],
-        "compression": ["alpha", "force"],
-        "front": ["alpha", "xi"],
-        "flux_limit": ["force"],
-        "front_limit": ["xi"],
-    }
-    return sample({"alpha": [1.5, 1.1], "force": np.linspace(0.0, 1.0, 11), **XI}, variables)
+    coordinates = {"alpha": [1.5, 1.1], "force": np.linspace(0.0, 1.0, 11), **XI}
+    variables = {"alpha force": "flux compression", "alpha xi": "front"}
+    return sample(coordinates, variables | {"force": "flux_limit", "xi": "front_limit"})
 
 
 def heteroclinic():
@@ -95,66 +89,49 @@ def heteroclinic():
         "trajectory": [0, 1],
         "s_portrait": np.linspace(-3.0, 3.0, 13),
     }
-    variables = {
-        "rescaled_force": ["mu", "s"],
-        "slope": ["mu", "s"],
-        "potential": ["y"],
-        "rescaled_force_portrait": ["trajectory", "s_portrait"],
-        "slope_portrait": ["trajectory", "s_portrait"],
-    }
+    names = "rescaled_force", "slope"
+    variables = {"mu s": each("%", *names), "y": "potential"}
+    variables |= {"trajectory s_portrait": each("%_portrait", *names)}
     return sample(coordinates, variables, portrait_mu=0.3)
 
 
 def front_by_two_methods(gamma):
     """A front by the profile equation and by shooting, with both residual histories."""
-    coordinates = {
-        **XI,
-        "xi_shooting": np.arange(-3.0, 3.0, 0.25),
-        "iteration_profile": np.arange(5),
-        "iteration_shooting": np.arange(4),
-    }
+    iterations = {"iteration_profile": np.arange(5), "iteration_shooting": np.arange(4)}
+    coordinates = {**XI, "xi_shooting": np.arange(-3.0, 3.0, 0.25), **iterations}
     variables = {
-        "relative_displacement": ["xi"],
-        "relative_displacement_shooting": ["xi_shooting"],
-        "residual_history_profile": ["iteration_profile"],
-        "residual_history_shooting": ["iteration_shooting"],
+        "xi": "relative_displacement",
+        "xi_shooting": "relative_displacement_shooting " + each("%_difference", *FIELDS),
+        "iteration_profile": "residual_history_profile",
+        "iteration_shooting": "residual_history_shooting",
     }
-    variables |= {f"{field}_difference": ["xi_shooting"] for field in FIELDS}
     data = sample(coordinates, variables, alpha=1.5, gamma=gamma)
     # A difference has a sign, which a logarithmic axis cannot show.
     return data.assign(velocity_difference=-data["velocity_difference"])
 
 
 def compared_front(gamma):
-    """A front beside a driven chain and three continuum fronts."""
-    variables = {}
-    for field in FIELDS:
-        variables |= {field: ["xi"], f"{field}_driven": ["xi_driven"]}
-        variables |= {f"{field}_{front}": ["xi"] for front in CONTINUUM}
-    coordinates = {**XI, "xi_driven": np.arange(-4, 4)}
-    return sample(coordinates, variables, alpha=1.5, gamma=gamma)
+    fronts = [each(f"{field}_%", *CONTINUUM) for field in FIELDS]
+    variables = {"xi": " ".join([*FIELDS, *fronts]), "xi_driven": each("%_driven", *FIELDS)}
+    return sample({**XI, "xi_driven": np.arange(-4, 4)}, variables, alpha=1.5, gamma=gamma)
 
 
 def survey():
-    """Distances of continuum fronts over the damping, for four exponents: a row and a panel."""
-    variables = {f"distance_{front}": ["alpha", "gamma"] for front in CONTINUUM}
-    coordinates = {"alpha": [1.02, 1.1, 1.5, 2.0], "gamma": np.geomspace(0.1, 2.0, 5)}
-    return sample(coordinates, variables | {"critical_damping": ["alpha"]})
+    variables = {"alpha gamma": each("distance_%", *CONTINUUM), "alpha": "critical_damping"}
+    return sample({"alpha": [1.02, 1.1, 1.5, 2.0], **GAMMAS}, variables)
 
 
 def critical_damping():
     """Overshoot over exponent and damping, and four curves; one overshoot is below what shows."""
-    variables = {"overshoot": ["alpha", "gamma"]}
-    for meaning in ("tail", "double_root", "long_wave", "overshoot"):
-        variables[f"critical_damping_{meaning}"] = ["alpha"]
-    coordinates = {"alpha": np.linspace(1.1, 1.6, 4), "gamma": np.geomspace(0.1, 2.0, 5)}
+    curves = each("critical_damping_%", "tail", "double_root", "long_wave", "overshoot")
+    coordinates = {"alpha": np.linspace(1.1, 1.6, 4), **GAMMAS}
+    variables = {"alpha gamma": "overshoot", "alpha": curves}
     data = sample(coordinates, variables, overshoot_cut=1e-3, exchange_exponent=1.3)
     data["overshoot"][0, 0] = 1e-9
     return data
 
 
 def multipliers():
-    """Multipliers of two fronts in three windows, and those of waves behind the front."""
     coordinates = {
         "scene": ["underdamped", "overdamped"],
         "beads_behind": [20, 40, 80],
@@ -162,10 +139,11 @@ def multipliers():
         "branch": [0, 1],
         "wavenumber": np.linspace(0.0, 3.0, 7),
     }
-    variables = {"alpha": ["scene"], "gamma": ["scene"]}
-    for part in ("real", "imaginary"):
-        variables[f"multiplier_{part}"] = ["scene", "beads_behind", "multiplier"]
-        variables[f"essential_multiplier_{part}"] = ["scene", "branch", "wavenumber"]
+    variables = {
+        "scene": "alpha gamma",
+        "scene beads_behind multiplier": "multiplier_real multiplier_imaginary",
+        "scene branch wavenumber": each("essential_multiplier_%", "real", "imaginary"),
+    }
     return sample(coordinates, variables)
 
 
@@ -176,8 +154,7 @@ def speed_error():
         "method": ["strain_form", "scipy_dop853"],
         "tolerance": [1e-8, 1e-4, 1e-6],
     }
-    measured = ["problem", "method", "tolerance"]
-    variables = {"error": measured, "seconds": measured, "reference_error": ["problem"]}
+    variables = {"problem method tolerance": "error seconds", "problem": "reference_error"}
     data = sample(coordinates, variables, absent=json.dumps(["diffrax_dopri8"]))
     data["own_method"] = "problem", ["strain_form", "strain_form"]
     data["disturbed"] = xr.zeros_like(data["error"])
@@ -194,14 +171,8 @@ def hard_cases():
         "method": ["strain_form", "positions_and_w", "positions_and_velocities"],
         "rung": [0, 1, 2],
     }
-    variables = {
-        "error": ["case"],
-        "limit": ["case"],
-        "event_steps": ["method", "rung"],
-        "event_error": ["method", "rung"],
-        "observed_order": ["method"],
-    }
-    data = sample(coordinates, variables)
+    variables = {"case": "error limit", "method rung": "event_steps event_error"}
+    data = sample(coordinates, variables | {"method": "observed_order"})
     data["error"][2] = np.nan
     data["passed"] = "case", [1, 0, 0]
     return data
@@ -210,8 +181,7 @@ def hard_cases():
 def atlas():
     """A front at each exponent and damping: monotone, oscillating, visibly so, and one unsolved."""
     coordinates = {"alpha": [1.1, 1.3, 1.5], "gamma": [0.1, 0.5]}
-    names = "overshoot", "width_10_90", "tail_frequency"
-    data = sample(coordinates, {name: ["alpha", "gamma"] for name in names})
+    data = sample(coordinates, {"alpha gamma": "overshoot width_10_90 tail_frequency"})
     data["tail_frequency"][0] = 0.0
     data["overshoot"][1] = 1e-4
     data["overshoot"][0] = 0.0
@@ -220,79 +190,59 @@ def atlas():
     return data
 
 
-def beads():
-    """Damping of two materials."""
-    return sample({"material": ["steel", "cork"]}, {"gamma_printed": ["material"]})
-
-
 def jump_conditions():
     """Theory and measurements of three lattices with their errors, and profiles."""
-    variables = {"profile": ["law", "xi"], "state_minus": ["law"], "state_plus": ["law"]}
-    for quantity, ways in {
-        "speed": ("expected", "exact", "travelling", "driven"),
-        "velocity_jump": ("expected", "driven"),
-        "power": ("expected", "exact", "driven"),
-    }.items():
-        for way in ways:
-            variables |= {f"{quantity}_{way}": ["law"], f"{quantity}_{way}_error": ["law"]}
-    return sample({"law": ["toda", "fpu_alpha", "hertz_kuwabara_kono"], **XI}, variables)
+    numbers = each("speed_%", "expected", "exact", "travelling", "driven").split()
+    numbers += each("velocity_jump_%", "expected", "driven").split()
+    numbers += each("power_%", "expected", "exact", "driven").split()
+    names = " ".join(["state_minus", "state_plus", *numbers, each("%_error", *numbers)])
+    laws = {"law": ["toda", "fpu_alpha", "hertz_kuwabara_kono"]}
+    return sample({**laws, **XI}, {"law xi": "profile", "law": names})
 
 
 def damping_regimes():
     """γ and restitution over velocity for two laws; each γ crosses its critical value."""
-    variables = {
-        "gamma": ["beta", "velocity_ratio"],
-        "restitution": ["beta", "velocity_ratio"],
-        "critical_gamma": ["beta"],
-    }
+    variables = {"beta velocity_ratio": "gamma restitution", "beta": "critical_gamma"}
     return sample({"beta": [1.0, 1.5], "velocity_ratio": np.geomspace(0.1, 10.0, 9)}, variables)
 
 
 def numerical_damping():
-    """Three chains, and distances over the step for two θ."""
-    variables = {
-        f"relative_displacement_{name}": ["bead"] for name in ("method", "damped", "conservative")
-    }
-    variables |= {
-        "damping_distance": ["theta", "step"],
-        "conservative_distance": ["theta", "step"],
-        "order": ["theta"],
-    }
     coordinates = {"theta": [0.75, 1.0], "step": [0.24, 0.12, 0.06], "bead": np.arange(1, 10)}
+    variables = {
+        "bead": each("relative_displacement_%", "method", "damped", "conservative"),
+        "theta step": "damping_distance conservative_distance",
+        "theta": "order",
+    }
     profile = {"theta": 0.75, "step": 0.12, "end_time": 12.0, "beads": 10}
     return sample(coordinates, variables, {"profile": profile})
 
 
 def half_step_damping():
     """A motion by the scheme and accurately, and what is read and checked, over the step."""
-    chains = ["beta", "gamma", "step"]
-    variables = {f"relative_displacement_{name}": ["t"] for name in ("accurate", "method")}
-    variables |= dict.fromkeys(["excess_overshoot", "excess_tail", "error"], chains)
-    variables |= {
-        f"{one}_defect": ["step"] for one in ("restitution", "energy", "speed", "momentum")
-    }
     coordinates = {
         "beta": [1.5, 1.25],
         "gamma": [0.05, 0.2],
         "step": [0.04, 0.02, 0.01],
         "t": np.linspace(0.0, 40.0, 41),
     }
+    variables = {
+        "t": each("relative_displacement_%", "accurate", "method"),
+        "beta gamma step": "excess_overshoot excess_tail error",
+        "step": each("%_defect", "restitution", "energy", "speed", "momentum"),
+        "beta gamma": "order",
+    }
     shown = {"beta": 1.25, "gamma": 0.2, "steps_per_collision": 25}
-    return sample(coordinates, variables | {"order": ["beta", "gamma"]}, {"shown": shown})
+    return sample(coordinates, variables, {"shown": shown})
 
 
-MODELS = ("logarithmic", "unlimited", "dispersive")
 ALPHAS = [1.01, 1.05, 1.1, 1.5]
-SLOW_TIMES = [0.5, 1.0, 2.0]
 
 
 def rings(axes, *fields, **attributes):
     """A campaign of rings: ε and errors of three equations at three slow times."""
-    coordinates = {**axes, "slow_time": SLOW_TIMES}
-    variables = {f"{field}_{model}": list(coordinates) for field in fields for model in MODELS}
-    return sample(
-        coordinates, variables | {"epsilon_of_ring": list(coordinates)}, None, **attributes
-    )
+    coordinates = {**axes, "slow_time": [0.5, 1.0, 2.0]}
+    names = ["epsilon_of_ring", *(each(f"{field}_%", *MODELS) for field in fields)]
+    return sample(coordinates, {" ".join(coordinates): " ".join(names)}, None, **attributes)
 
 
 def ring_limit():
@@ -328,8 +278,8 @@ def ring_map():
 
 def proofs(alphas, gammas):
     """Certificates of fronts that overshoot, are monotone, are either, and exist."""
-    names = "error_bound", "overshoot_bound", "gamma_low", "gamma_high"
-    data = sample({"certificate": ["a", "b", "c", "d"]}, {name: ["certificate"] for name in names})
+    names = "error_bound overshoot_bound gamma_low gamma_high"
+    data = sample({"certificate": ["a", "b", "c", "d"]}, {"certificate": names})
     data["error_bound"] = "certificate", [1e-8, 1e-7, 1e-6, 1e-5]
     data["overshoot_bound"] = "certificate", [0.1, np.nan, np.nan, np.nan]
     for row, shape in enumerate(("oscillates", "monotone", "critical")):
@@ -341,8 +291,7 @@ def proofs(alphas, gammas):
 
 def enclosed_front():
     """A front with errors, a residual, and bounds of its tails, the first lower bound unknown."""
-    variables = {name: ["xi"] for name in ("approximation", "error", "residual")}
-    variables |= {name: ["xi_ahead"] for name in ("decay_low", "decay_high")}
+    variables = {"xi": "approximation error residual", "xi_ahead": "decay_low decay_high"}
     data = sample({**XI, "xi_ahead": [1.0, 1.5, 2.0, 2.5]}, variables, alpha=1.5, gamma=0.3)
     data["error"] = 1e-9 * data["error"]
     data["decay_high"][0] = np.inf
@@ -352,18 +301,19 @@ def enclosed_front():
 def honesty(*variables):
     """Three numbers of each variable."""
     names = np.repeat(variables, 3)
-    values = ("ratio", "stated_error", "true_error")
-    data = sample({"number": np.arange(names.size)}, {name: ["number"] for name in values})
+    data = sample({"number": np.arange(names.size)}, {"number": "ratio stated_error true_error"})
     return data.assign_coords(variable=("number", names))
 
 
-PROBES = ("relative_displacement_steady", "relative_displacement_transient")
-GRIDS = ("relative_displacement_grid", "velocity_grid")
+STEADY = {"t_steady bead_steady": "relative_displacement_steady"}
+TRANSIENT = {"t_transient bead_transient": "relative_displacement_transient"}
+GRID = {"t_grid bead": "relative_displacement_grid"}
+BOTH_GRIDS = {"t_grid bead": "relative_displacement_grid velocity_grid"}
 
 SAMPLES = {
-    "fig01": lambda: {"data": driven_chain("velocity", *PROBES)},
-    "fig02": lambda: {"data": driven_chain(*GRIDS)},
-    "fig03": lambda: {"data": driven_chain(PROBES[1], GRIDS[0])},
+    "fig01": lambda: {"data": driven_chain({"t bead": "velocity"} | STEADY | TRANSIENT)},
+    "fig02": lambda: {"data": driven_chain(BOTH_GRIDS)},
+    "fig03": lambda: {"data": driven_chain(TRANSIENT | GRID)},
     "fig04": lambda: {"data": log_burgers_fronts()},
     "fig05": lambda: {"weak": ring(1.1, [0.0]), "hertz": ring(1.5, [0.0])},
     "fig06": lambda: {"data": ring(1.1, equation=True)},
@@ -380,7 +330,11 @@ SAMPLES = {
     "fig13": lambda: {"data": multipliers()},
     "fig14": lambda: {"data": speed_error()},
     "fig15": lambda: {"data": hard_cases()},
-    "fig16": lambda: {"atlas": atlas(), "curves": critical_damping(), "materials": beads()},
+    "fig16": lambda: {
+        "atlas": atlas(),
+        "curves": critical_damping(),
+        "materials": sample({"material": ["steel", "cork"]}, {"material": "gamma_printed"}),
+    },
     "fig17": lambda: {"data": jump_conditions()},
     "fig18": lambda: {"data": damping_regimes()},
     "fig19": lambda: {"data": numerical_damping()},

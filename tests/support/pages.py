@@ -1,5 +1,6 @@
-"""Blocks of code in README and manual, and the commands among them."""
+"""Pages of README and manual: their blocks of code and commands, the scripts that write them."""
 
+import importlib.util
 import os
 import re
 import subprocess
@@ -10,6 +11,14 @@ from projects import ROOT
 README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
 PLACE = re.compile(r"(?:#|\.\.) (\S+\.\w+)(?:, (above|below) (.+))?\n")
 FENCE = re.compile(r"^( *)```(\S*)[^\n]*\n(.*?)^\1```", re.MULTILINE | re.DOTALL)
+
+
+def load_script(name):
+    """Import a script of the manual."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def blocks(document, language):

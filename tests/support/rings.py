@@ -35,6 +35,13 @@ def slope_and_residual(sizes, errors):
     return -line.coef[1], np.abs(line(x) - y).max()
 
 
+def assert_order(sizes, errors, expected, within, scatter=0.05):
+    """The observed order is as expected, and the errors lie on a line."""
+    order, found = slope_and_residual(sizes, errors)
+    assert abs(order - expected) <= within, f"order {order:.3f}, not {expected}"
+    assert found < scatter, f"scatter {found:.3f}"
+
+
 def at_end(scene, alpha, cells, tolerance):
     """Cell averages at the end of a scene."""
     return solve(scene, alpha, [scene["end_time"]], cells, tolerance).averages[0]

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import yaml
 from figure_samples import SAMPLES
+from matplotlib.collections import PolyCollection
 from matplotlib.ticker import FixedFormatter, FuncFormatter
 from pictures import annotations, curves, panels, sampled
 
@@ -126,33 +127,42 @@ def describe(figure):
     sample = Sample(given)
     shown = {name: panel(sample, axes) for name, axes in panels(drawn).items()}
     outside = [*map(entries, drawn.legends), drawn.get_supxlabel()]
-    return shown | ({"outside": " | ".join(filter(None, outside))} if any(outside) else {})
+    return shown | ({"outside": [*filter(None, outside)]} if any(outside) else {})
 
 
 def panel(sample, axes):
     """What a panel shows, part after part."""
-    scales = f"{axes.get_xscale()} {axes.get_yscale()}"
     offset = 1.0 if axes.get_xlabel().endswith("- 1$") else 0.0
-    parts = {
-        "axes": " | ".join([axes.get_xlabel(), axes.get_ylabel(), scales]),
-        "title": axes.get_title(),
-        "legend": axes.get_legend() and entries(axes.get_legend()),
-        "texts": " | ".join(filter(None, annotations(axes))),
-        "rows": isinstance(axes.yaxis.get_major_formatter(), FixedFormatter | FuncFormatter)
-        and " | ".join(text.get_text() for text in axes.get_yticklabels()),
-        "curves": [sample.curve(line) for line in curves(axes) if np.size(line.get_xdata())],
-        "rules": [sample.rule(line) for line in axes.get_lines() if line not in curves(axes)],
-        "colours": [
-            sample.plane(mesh, offset)
-            for mesh in axes.collections
-            if hasattr(mesh, "get_coordinates")
-        ],
-    }
-    return {
-        name: part.replace("\n", " / ") if isinstance(part, str) else part
-        for name, part in parts.items()
-        if part
-    }
+    lines, drawn = axes.get_lines(), curves(axes)
+    planes = [each for each in axes.collections if hasattr(each, "get_coordinates")]
+    rows = isinstance(axes.yaxis.get_major_formatter(), FixedFormatter | FuncFormatter)
+    parts = [
+        ("x", [f"{axes.get_xlabel()} {scale(axes.get_xscale(), axes.get_xlim(), axes, 'x')}"]),
+        ("y", [f"{axes.get_ylabel()} {scale(axes.get_yscale(), axes.get_ylim(), axes, 'y')}"]),
+        ("title", [axes.get_title(), axes.get_title("left")]),
+        ("legend", [axes.get_legend() and entries(axes.get_legend())]),
+        ("text", annotations(axes)),
+        ("rows", [" | ".join(text.get_text() for text in axes.get_yticklabels())] if rows else []),
+        ("curve", [sample.curve(line) for line in drawn if np.size(line.get_xdata())]),
+        ("rule", [sample.rule(line) for line in lines if line not in drawn]),
+        ("band", [extent(each) for each in axes.collections if isinstance(each, PolyCollection)]),
+        ("colours", [sample.plane(each, offset) for each in planes]),
+    ]
+    return [
+        f"{name} {text}".replace("\n", " / ") for name, texts in parts for text in texts if text
+    ]
+
+
+def scale(kind, limits, axes, side):
+    """Kind of an axis, and its limits where the script sets them."""
+    left_to_matplotlib = getattr(axes, f"get_autoscale{side}_on")()
+    return kind if left_to_matplotlib else "{} {:.4g} to {:.4g}".format(kind, *limits)
+
+
+def extent(band):
+    """Corners of what is filled between curves."""
+    x, y = np.concatenate([path.vertices for path in band.get_paths()]).T
+    return f"{x.min():.6g} to {x.max():.6g}, {y.min():.6g} to {y.max():.6g}"
 
 
 def entries(legend):
@@ -163,5 +173,6 @@ def entries(legend):
 
 if __name__ == "__main__":
     shown = {figure: describe(figure) for figure in SAMPLES}
-    text = yaml.safe_dump(shown, sort_keys=False, allow_unicode=True, width=10**6)
-    REFERENCE.write_text(text, encoding="utf-8")
+    # A line for each panel.
+    options = {"sort_keys": False, "allow_unicode": True, "default_flow_style": None}
+    REFERENCE.write_text(yaml.safe_dump(shown, width=10**6, **options), encoding="utf-8")

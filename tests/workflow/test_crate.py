@@ -10,30 +10,12 @@ from pathlib import Path
 import pytest
 from crates import violations
 from projects import ROOT, lend_kernels, snakemake
+from write_crate import describe_run, jobs_behind
 
-from crate.jobs import jobs_behind
-from crate.run import Run, describe_run
 from granular_fronts.output.datasets import read_sources
 
 # The validator's own, and those of the libraries that it stands on.
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
-
-UNKNOWN = {
-    # Who started the run.
-    "The Action SHOULD have an agent that is a Person or Organization",
-    # The authors are a group without a page, and so is the publisher.
-    "The organization SHOULD have a URL.",
-    "The author SHOULD have an organizational affiliation.",
-    "The author SHOULD have a Contextual Entity which specifies the organizational `affiliation`.",
-    "The `publisher` property of a `Root Data Entity` SHOULD be an `Organization`",
-    # A script has a path in the crate, and a package a package URL, which is no web address.
-    "The Application SHOULD have a url",
-    "The SoftwareApplication id SHOULD be an absolute URI",
-    # That profile asks for an address of the workflow.
-    "The Main Workflow SHOULD comply with Bioschemas ComputationalWorkflow profile version 1.0 "
-    "or later",
-}
-"""Recommendations that cannot be followed, since what they ask for is not known."""
 
 SNAKEFILE = """
 rule late:
@@ -41,83 +23,55 @@ rule late:
     output: "results/late.txt"
     log: "results/logs/late.log"
     benchmark: "results/benchmarks/late.tsv"
-    shell: "cat {input} > {output}; echo late > {log}"
+    shell: "sleep 1; cat {input} > {output}; echo late > {log}"
 rule early:
     output: "results/early.txt"
     log: "results/logs/early.log"
     benchmark: "results/benchmarks/early.tsv"
-    shell: "echo early | tee {log} > {output}"
+    shell: "sleep 1; echo early | tee {log} > {output}"
 """
-
 NEEDED = ["CITATION.cff", "README.md", "Snakefile", "environment.txt", "pyproject.toml"]
-
-
-@pytest.fixture(scope="module")
-def small(tmp_path_factory):
-    """A folder in which a workflow of two jobs has run."""
-    folder = tmp_path_factory.mktemp("small")
-    (folder / "Snakefile").write_text(SNAKEFILE)
-    (folder / "given.txt").write_text("given\n")
-    run = snakemake("results/late.txt", folder=folder)
-    assert run.returncode == 0, run.stderr
-    return folder
+RESULTS = Path("results")
 
 
 @pytest.fixture
-def in_small(small, tmp_path, monkeypatch):
-    """A copy of it, as the working directory."""
-    copy = shutil.copytree(small, tmp_path / "small")
-    monkeypatch.chdir(copy)
-    return copy
-
-
-def test_jobs_are_found_from_the_last_result(in_small):
-    early, late = jobs_behind(["results/late.txt"], Path("results"))
-    assert (early.rule, early.inputs, early.outputs) == ("early", (), ("results/early.txt",))
-    assert late.inputs == ("given.txt", "results/early.txt")
-    assert late.log == "results/logs/late.log"
-    assert early.start <= early.end <= late.end
-
-
-def test_result_without_a_record_is_refused(in_small):
-    (in_small / "results/strange.txt").write_text("From elsewhere.")
-    with pytest.raises(ValueError, match=r"no record of how results/strange\.txt was made"):
-        jobs_behind(["results/strange.txt"], Path("results"))
-
-
-@pytest.fixture
-def described(in_small):
-    """The run described as one of this project, both of whose rules ran the same script."""
+def small(tmp_path, monkeypatch):
+    """A folder in which two jobs have run, as the working directory."""
+    monkeypatch.chdir(tmp_path)
     for name in NEEDED:
-        shutil.copy(ROOT / name, in_small)
-    (in_small / "tool.py").write_text("print()\n")
-    return describe_run(
-        Run(
-            project=in_small,
-            sources=[Path(name) for name in (*NEEDED, "tool.py", "given.txt")],
-            results=Path("results"),
-            configuration="results: results\n",
-            scripts={"early": "tool.py", "late": "tool.py"},
-            jobs=jobs_behind(["results/late.txt"], Path("results")),
-        )
-    )
+        shutil.copy(ROOT / name, tmp_path)
+    Path("Snakefile").write_text(SNAKEFILE)
+    Path("given.txt").write_text("given\n")
+    run = snakemake("results/late.txt", folder=tmp_path)
+    assert run.returncode == 0, run.stderr
+    return tmp_path
 
 
-@pytest.mark.slow
-def test_crate_is_valid_and_follows_what_can_be_followed(described, tmp_path):
-    described.write(tmp_path / "crate")
-    required, recommended = violations(tmp_path / "crate", tmp_path)
-    assert required == set()
-    assert recommended <= UNKNOWN
-
-
-def test_jobs_are_told_with_what_they_read_and_wrote(described):
-    late = described.get("#job-late")
-    assert [file.id for file in late["object"]] == ["given.txt", "results/early.txt"]
-    assert late["result"].id == "results/late.txt"
-    assert late["description"] == "late"
-    assert described.get("results/benchmarks/late.tsv")["about"] == late
-    assert described.get("#control-late")["instrument"].id == "#step-late"
+def test_jobs_are_found_from_the_last_result_and_told_with_what_they_read_and_wrote(small):
+    early, late = jobs = jobs_behind(["results/late.txt", "results/benchmarks/late.tsv"], RESULTS)
+    assert (early.rule, early.inputs, early.outputs) == ("early", [], ["results/early.txt"])
+    assert (late.inputs, late.log) == (["given.txt", "results/early.txt"], "results/logs/late.log")
+    assert early.start < early.end <= late.start < late.end
+    # Both rules ran the same script.
+    sources = [Path(name) for name in [*NEEDED, "given.txt"]]
+    scripts = dict.fromkeys(["early", "late"], "given.txt")
+    crate = describe_run(small, sources, RESULTS, "results: results\n", scripts, jobs)
+    told = crate.get("#job-late")
+    assert [file.id for file in told["object"]] == ["given.txt", "results/early.txt"]
+    assert (told["result"].id, told["description"]) == ("results/late.txt", "late")
+    assert crate.get("results/benchmarks/late.tsv")["about"] == told
+    assert crate.get("#control-late")["instrument"].id == "#step-late"
+    assert crate.get("#step-late")["workExample"] == told["instrument"] == crate.get("given.txt")
+    whole, root = crate.get("#run"), crate.root_dataset
+    assert whole["startTime"] == early.start.isoformat()
+    assert whole["endTime"] == told["endTime"] == late.end.isoformat()
+    assert [file.id for file in whole["result"]] == ["results/early.txt", "results/late.txt"]
+    assert root["license"].id == "https://spdx.org/licenses/BSD-3-Clause"
+    assert root["author"]["name"] in (ROOT / "CITATION.cff").read_text("utf-8")
+    assert crate.get("CITATION.cff")["encodingFormat"] == "application/yaml"
+    (small / "results/strange.txt").touch()
+    with pytest.raises(ValueError, match=r"results/strange\.txt"):
+        jobs_behind(["results/strange.txt"], RESULTS)
 
 
 def project_files(project=ROOT):
@@ -128,27 +82,16 @@ def project_files(project=ROOT):
     return set(names["project_files"](None))
 
 
-def dead_links(files):
-    """Links of pages, and addresses of pictures, that lead to none of the same files."""
-    kept = {ROOT / file for file in files}
-    return {
-        (file.as_posix(), link)
-        for file in files
-        if file.suffix == ".md"
-        for link in re.findall(r"\]\((?!https?:|#)([^)#\s]+)", (ROOT / file).read_text("utf-8"))
-        # The build of the manual writes these.
-        if "generated" not in link and (ROOT / file.parent / link).resolve() not in kept
-    }
-
-
-def test_every_link_of_a_page_leads_to_a_file_of_the_record():
+def test_every_link_of_a_page_leads_to_a_file_of_the_record_and_nothing_built_is_in_it(tmp_path):
     files = project_files()
-    assert dead_links(files) == set()
-    without_manual = dead_links({file for file in files if "docs" not in file.parts})
-    assert {("README.md", "docs/front.gif"), ("README.md", "docs/start.md")} <= without_manual
-
-
-def test_record_leaves_out_what_is_built(tmp_path):
+    for page in (file for file in files if file.suffix == ".md"):
+        for link in re.findall(r"\]\((?!https?:|#)([^)#\s]+)", (ROOT / page).read_text("utf-8")):
+            # The build of the manual writes these.
+            if "generated" not in link:
+                assert (ROOT / page.parent / link).resolve().relative_to(ROOT) in files, (
+                    page,
+                    link,
+                )
     built = ["docs/_build/index.html", "docs/generated/page.md", "src/__pycache__/module.pyc"]
     for name in ["docs/index.md", *built, "results/report.html", ".venv/installed"]:
         file = tmp_path / "generated" / name
@@ -157,74 +100,36 @@ def test_record_leaves_out_what_is_built(tmp_path):
     assert project_files(tmp_path / "generated") == {Path("docs/index.md")}
 
 
-@pytest.fixture(scope="module")
-def unpacked(finished, tmp_path_factory):
-    """The record of the smoke run, unpacked."""
-    run = snakemake("--configfile", "config/smoke.yaml", "--", "crate", folder=finished)
+@pytest.mark.slow
+def test_record_of_a_run_is_valid_whole_and_enough_to_repeat_it(finished, tmp_path):
+    """Code and configuration of the record give the data of the record, bit by bit."""
+    smoke = ["--configfile", "config/smoke.yaml", "--", "crate"]
+    run = snakemake(*smoke, folder=finished)
     assert run.returncode == 0, run.stderr
-    folder = tmp_path_factory.mktemp("crate") / "copy"
-    with zipfile.ZipFile(finished / "results/smoke/crate.zip") as archive:
-        archive.extractall(folder)
-    return folder
-
-
-@pytest.fixture(scope="module")
-def entities(unpacked):
-    """What the record says, by identifier."""
-    text = (unpacked / "ro-crate-metadata.json").read_text(encoding="utf-8")
-    return {entity["@id"]: entity for entity in json.loads(text)["@graph"]}
-
-
-@pytest.mark.slow
-def test_record_of_a_run_is_valid(unpacked, tmp_path):
-    required, recommended = violations(unpacked, tmp_path)
-    assert required == set()
-    assert recommended <= UNKNOWN
-
-
-@pytest.mark.slow
-def test_record_names_every_file_with_its_size_and_digest(unpacked, entities):
-    files = {
-        path.relative_to(unpacked).as_posix() for path in unpacked.rglob("*") if path.is_file()
-    }
-    assert files - {"ro-crate-metadata.json"} == {
-        name for name, entity in entities.items() if "File" in entity["@type"]
-    }
-    for name in files - {"ro-crate-metadata.json"}:
-        content = (unpacked / name).read_bytes()
+    unpacked, results = tmp_path / "copy", finished / "results/smoke"
+    with zipfile.ZipFile(results / "crate.zip") as archive:
+        archive.extractall(unpacked)
+    assert violations(unpacked, tmp_path) == set()
+    graph = json.loads((unpacked / "ro-crate-metadata.json").read_text("utf-8"))["@graph"]
+    entities = {entity["@id"]: entity for entity in graph}
+    files = {path.relative_to(unpacked).as_posix(): path for path in unpacked.rglob("*")}
+    files = {name: path.read_bytes() for name, path in files.items() if path.is_file()}
+    del files["ro-crate-metadata.json"]
+    assert files.keys() == {name for name, each in entities.items() if "File" in each["@type"]}
+    for name, content in files.items():
         assert entities[name]["contentSize"] == str(len(content))
         assert entities[name]["sha256"] == hashlib.sha256(content).hexdigest()
-
-
-@pytest.mark.slow
-def test_record_names_every_job_of_the_run(finished, entities):
-    run_times = finished / "results/smoke/benchmarks"
-    ran = {
-        path.relative_to(run_times).with_suffix("").as_posix() for path in run_times.rglob("*.tsv")
-    }
-    jobs = {name for name in entities if name.startswith("#job-")}
-    assert jobs == {f"#job-{name}" for name in ran - {"write_crate"}}
-
-
-@pytest.mark.slow
-def test_record_is_made_again_when_a_result_is(finished):
-    (finished / "results/smoke/tables/findings.md").unlink()
-    run = snakemake(
-        "--dry-run", "--configfile", "config/smoke.yaml", "--", "crate", folder=finished
-    )
-    due = set(re.findall(r"^(\w+) +\d+$", run.stdout, re.MULTILINE))
-    assert due >= {"tabulate_findings", "write_crate"}
-
-
-@pytest.mark.slow
-def test_run_is_repeated_from_its_record_alone(unpacked):
-    """Code and configuration of the record give the data of the record, bit by bit."""
+    folder = results / "benchmarks"
+    ran = {path.relative_to(folder).with_suffix("").as_posix() for path in folder.rglob("*.tsv")}
+    told = {name.removeprefix("#job-") for name in entities if name.startswith("#job-")}
+    assert told == ran - {"write_crate"}
+    (results / "tables/findings.md").unlink()
+    due = snakemake("--dry-run", *smoke, folder=finished).stdout
+    assert re.search(r"^tabulate_findings +1$(.|\n)*^write_crate +1$", due, re.MULTILINE)
     lend_kernels(unpacked)
-    asked = ["--configfile", "configuration.yaml", "--config", "results=again", "--", "fig03"]
-    run = snakemake(*asked, folder=unpacked)
+    again = ["--configfile", "configuration.yaml", "--config", "results=again", "--", "fig03"]
+    run = snakemake(*again, folder=unpacked)
     assert run.returncode == 0, run.stderr
-    kept, made = (
-        read_sources(unpacked / results / "data", ["chain/initiation_overdamped"])
-        for results in ("results", "again")
-    )
-    assert kept == made != []
+    scene = ["chain/initiation_overdamped"]
+    kept, made = (read_sources(unpacked / place / "data", scene) for place in ("results", "again"))
+    assert kept == made != {}

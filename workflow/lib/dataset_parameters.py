@@ -32,17 +32,11 @@ def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
 
 def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Parameters of the datasets that only targets named in the command need."""
-    precision = dict(configuration["precision"])
-    rings = {
-        name: {"problem": problem, "scene": configuration["scenes"]["periodic"][name]}
-        for name, problem in precision.pop("log_burgers").items()
-    }
     return {
         "fronts/collection": configuration["explorer"],
-        "precision/log_burgers": rings,
         "precision/speed_error": {
-            **{f"precision_{family}": problems for family, problems in precision.items()},
-            "precision_log_burgers": rings,
+            f"precision_{family}": problems
+            for family, problems in precision_problems(configuration).items()
         },
         "precision/hard_cases": {"cases": configuration["hard_cases"]},
         **{f"precision/honesty_{wing}": one for wing, one in configuration["honesty"].items()},
@@ -50,6 +44,17 @@ def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
         "proofs/intervals": configuration["proofs"]["intervals"],
         "proofs/shown_front": shown_front(configuration),
     }
+
+
+def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:
+    """Problems of each family; rings with their scenes, and once more from a smooth start."""
+    scenes, families = configuration["scenes"]["periodic"], dict(configuration["precision"])
+    families["log_burgers"] = {
+        f"{start}log_burgers_{name}": {**problem, "scene": scenes[name], "smooth": bool(start)}
+        for name, problem in families["log_burgers"].items()
+        for start in ("", "smooth_")
+    }
+    return families
 
 
 def shown_front(configuration: Mapping[str, Any]) -> dict[str, Any]:

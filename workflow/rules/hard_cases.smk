@@ -19,26 +19,6 @@ rule measure_hard_cases:
         "../scripts/precision/measure_hard_cases.py"
 
 
-rule tabulate_hard_cases:
-    input:
-        dataset=rules.measure_hard_cases.output.dataset,
-    output:
-        csv="<results>/tables/hard_cases.csv",
-        markdown="<results>/tables/hard_cases.md",
-        provenance="<results>/tables/hard_cases.json",
-    params:
-        code=code("tabulate_hard_cases"),
-        parameters=parameters("precision/hard_cases"),
-    log:
-        "<logs>/tabulate_hard_cases.log",
-    benchmark:
-        "<benchmarks>/tabulate_hard_cases.tsv"
-    message:
-        "Tabulating the hard cases."
-    script:
-        "../scripts/precision/tabulate_hard_cases.py"
-
-
 rule hard_cases:
     input:
         rules.tabulate_hard_cases.output,

@@ -1,7 +1,12 @@
 """The parameters of each dataset, and those that the paper has for it."""
 
 from altered_files import make_altered_files_again
-from dataset_parameters import FAMILIES, default_parameters, parameters_on_demand
+from dataset_parameters import (
+    FAMILIES,
+    default_parameters,
+    parameters_on_demand,
+    precision_problems,
+)
 from granular_fronts.output.files import read_json
 from granular_fronts.output.provenance import code_version, disagreements
 from granular_fronts.scenes.yaml_files import read_yaml

@@ -3,25 +3,25 @@
 A family of problems is measured by one job, which takes all cores so that nothing runs beside it.
 """
 
-PRECISION_REFERENCES = {
-    "chain": project("tests", "references", "chain_reference.nc"),
-    "ring": project("tests", "references", "ring_reference.nc"),
-    "heteroclinic": project("tests", "references", "heteroclinic_reference.nc"),
-    "fronts": project("tests", "references", "fronts_reference.nc"),
-}
+
+def stored_reference(wildcards):
+    """Return the accurate solutions of a family; the logarithmic Burgers equation solves its own."""
+    if wildcards.family == "log_burgers":
+        return []
+    return project("tests", "references", f"{wildcards.family}_reference.nc")
 
 
 rule measure_precision:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
-        reference=lambda wildcards: PRECISION_REFERENCES[wildcards.family],
+        reference=stored_reference,
         scilab=project("workflow", "scripts", "precision", "peers", "scilab.sce"),
     output:
         dataset="<results>/data/precision/{family}.nc",
     params:
         code=code("measure_precision", "problems.{wildcards.family}"),
         family="{family}",
-        problems=lambda wildcards: config["precision"][wildcards.family],
+        problems=lambda wildcards: precision_problems(config)[wildcards.family],
     log:
         "<logs>/measure_precision/{family}.log",
     benchmark:
@@ -30,7 +30,7 @@ rule measure_precision:
     message:
         "Measuring speed against error: {wildcards.family}."
     wildcard_constraints:
-        family="|".join(PRECISION_REFERENCES),
+        family="|".join(config["precision"]),
     script:
         "../scripts/precision/measure_precision.py"
 
@@ -60,8 +60,11 @@ rule tabulate_speed_error:
         markdown="<results>/tables/speed_error.md",
         verdicts_csv="<results>/tables/speed_verdicts.csv",
         verdicts_markdown="<results>/tables/speed_verdicts.md",
+        runs_csv="<results>/tables/speed_runs.csv",
+        runs_markdown="<results>/tables/speed_runs.md",
         provenance="<results>/tables/speed_error.json",
         verdicts_provenance="<results>/tables/speed_verdicts.json",
+        runs_provenance="<results>/tables/speed_runs.json",
     params:
         code=code("tabulate_speed_error"),
         parameters=parameters("precision/speed_error"),
@@ -75,30 +78,9 @@ rule tabulate_speed_error:
         "../scripts/precision/tabulate_speed_error.py"
 
 
-rule measure_log_burgers:
-    input:
-        kernels=rules.compile_continuum_kernels.output.stamp,
-    output:
-        dataset="<results>/data/precision/log_burgers.nc",
-    params:
-        code=code("measure_log_burgers"),
-        problems=config["precision"]["log_burgers"],
-        scenes=config["scenes"]["periodic"],
-    log:
-        "<logs>/measure_log_burgers.log",
-    benchmark:
-        "<benchmarks>/measure_log_burgers.tsv"
-    threads: ALL_CORES
-    message:
-        "Measuring speed against error of the solvers of the logarithmic Burgers equation."
-    script:
-        "../scripts/precision/measure_log_burgers.py"
-
-
 rule precision:
     input:
         rules.tabulate_speed_error.output,
         rules.fig14.input,
-        rules.tabulate_log_burgers_solvers.output,
     message:
         "Speed against error is measured; the next report shows it: {input}."

@@ -30,14 +30,14 @@ def plot_fig07b(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     weak, hertz : xarray.Dataset
         The two periodic scenes.
     """
-    figure, rows = draw_rings(5.2, [weak, hertz], draw_distances)
+    figure, rows = draw_rings(5.2, [weak, hertz], _draw_distances)
     for row in rows:
         row[0].set_ylabel("difference chain to equation")
     finish_grid(figure, rows[-1], "$t$")
     return figure
 
 
-def draw_distances(axes: Axes, data: xr.Dataset, field: str, exponent: str) -> None:
+def _draw_distances(axes: Axes, data: xr.Dataset, field: str, exponent: str) -> None:
     """Distances of one field to both equations, and what the solvers contribute."""
     for kind, (style, words) in KINDS.items():
         for equation, (number, colour) in EQUATIONS.items():

@@ -33,25 +33,8 @@ def plot_fig13(data: xr.Dataset) -> Figure:
 
 
 def _draw_spectrum(axes: Axes, data: xr.Dataset) -> None:
-    """The plane of multipliers with the unit circle and the essential spectrum."""
+    """The unit circle, waves in the compressed chain behind the front, and every window."""
     axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="0.6", linewidth=0.7)
-    _draw_essential(axes, data)
-    _draw_multipliers(axes, data)
-    law = rf"$\alpha = {float(data['alpha']):g}$, $\gamma c = {float(data['gamma']):g}$"
-    axes.set(title=law, xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
-
-
-def _draw_neighbourhood(axes: Axes, data: xr.Dataset) -> None:
-    """The same near z = 1, where the multipliers of long waves come close with the window."""
-    axes.plot(CIRCLE.real, CIRCLE.imag, "-", color="0.6", linewidth=0.7)
-    _draw_essential(axes, data)
-    _draw_multipliers(axes, data)
-    axes.plot(1.0, 0.0, "+", color=ALARM_COLOUR, markersize=9, label="translation")
-    axes.set(xlim=(0.7, 1.03), ylim=(-0.3, 0.3), ylabel=r"Im $z$")
-
-
-def _draw_essential(axes: Axes, data: xr.Dataset) -> None:
-    """Multipliers of waves in the compressed chain behind the front."""
     for branch in data["branch"].values:
         real, imaginary = (
             data[f"essential_multiplier_{part}"].sel(branch=branch)
@@ -59,10 +42,6 @@ def _draw_essential(axes: Axes, data: xr.Dataset) -> None:
         )
         label = "compressed chain" if branch == data["branch"].values[0] else None
         axes.plot(real, imaginary, ".", color="0.75", markersize=2, label=label)
-
-
-def _draw_multipliers(axes: Axes, data: xr.Dataset) -> None:
-    """Multipliers in every window."""
     for number, behind in enumerate(data["beads_behind"].values):
         spectrum = data.sel(beads_behind=behind)
         axes.plot(
@@ -75,6 +54,15 @@ def _draw_multipliers(axes: Axes, data: xr.Dataset) -> None:
             markeredgewidth=0.7,
             label=f"{behind} beads behind",
         )
+    law = rf"$\alpha = {float(data['alpha']):g}$, $\gamma c = {float(data['gamma']):g}$"
+    axes.set(title=law, xlabel=r"Re $z$", ylabel=r"Im $z$", aspect="equal")
+
+
+def _draw_neighbourhood(axes: Axes, data: xr.Dataset) -> None:
+    """The same near z = 1, where the multipliers of long waves come close with the window."""
+    _draw_spectrum(axes, data)
+    axes.plot(1.0, 0.0, "+", color=ALARM_COLOUR, markersize=9, label="translation")
+    axes.set(xlim=(0.7, 1.03), ylim=(-0.3, 0.3), title="", aspect="auto")
 
 
 if __name__ == "__main__":

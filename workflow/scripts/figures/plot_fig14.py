@@ -36,7 +36,7 @@ def plot_fig14(data: xr.Dataset) -> Figure:
     """
     problems = [str(problem) for problem in data["problem"].values]
     rows = fill_rows(problems, COLUMNS)
-    heights = [height(data, row) for row in rows]
+    heights = [_height(data, row) for row in rows]
     # A row of the mosaic for each tenth of an inch gives the rows of panels their heights.
     mosaic = [
         row for row, inches in zip(rows, heights, strict=True) for _ in range(int(10 * inches))
@@ -47,13 +47,13 @@ def plot_fig14(data: xr.Dataset) -> Figure:
         _draw_problem(panels[problem], data.sel(problem=problem), looks)
     for row in rows:
         panels[row[0]].set_ylabel("seconds")
-    note = missing(data)
+    note = _missing(data)
     if note:
         figure.supxlabel(note, fontsize=6.5)
     return figure
 
 
-def height(data: xr.Dataset, row: list[str]) -> float:
+def _height(data: xr.Dataset, row: list[str]) -> float:
     """Height of a row of panels, which the names beside the fullest of them need, in inches."""
     chosen = data.sel({"problem": [problem for problem in row if problem != "."]})
     solved = chosen["error"].notnull().any("tolerance").sum("method")
@@ -85,7 +85,7 @@ def _style_of(method: str, is_own_method: bool) -> Any:
     return PACKAGE_LINES.get(package, "-" if is_own_method else ":")
 
 
-def label(method: str) -> str:
+def _label(method: str) -> str:
     """Name of a method as it is read."""
     return method.replace("_", " ")
 
@@ -111,7 +111,7 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
     if reference_error >= SMALLEST_ERROR:
         axes.axvline(reference_error, color="#888888", linewidth=0.8, linestyle="--")
     scale = f"largest error (reference {reference_error:.0e})"
-    axes.set_title(label(str(data["problem"].item())))
+    axes.set_title(_label(str(data["problem"].item())))
     axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=6.5)
     axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
     axes.tick_params(labelsize=7)
@@ -134,7 +134,7 @@ def _name_curves(
     places = np.clip(free, 0.0, 1.0 - ranks[-1:]) + ranks
     for method, place in zip(methods, places, strict=True):
         axes.annotate(
-            label(method),
+            _label(method),
             ends[method],
             (1.04, place),
             textcoords="axes fraction",
@@ -159,14 +159,14 @@ def _failures(data: xr.Dataset) -> Iterator[str]:
         if missed.any():
             listed = ", ".join(f"{value:g}" for value in chosen["tolerance"].values[missed])
             where = f"step {listed}" if method.split("_")[0] in CODES else listed
-            failed.setdefault(where, []).append(label(method))
+            failed.setdefault(where, []).append(_label(method))
     for where, methods in failed.items():
         yield f"failed at {where}: {', '.join(methods)}"
 
 
-def missing(data: xr.Dataset) -> str:
+def _missing(data: xr.Dataset) -> str:
     """What was not installed, as a note."""
-    absent = sorted(label(method) for method in json.loads(data.attrs["absent"]))
+    absent = sorted(_label(method) for method in json.loads(data.attrs["absent"]))
     return f"not installed here: {', '.join(absent)}" if absent else ""
 
 

@@ -22,12 +22,12 @@ def plot_fig19(data: xr.Dataset) -> Figure:
         Numerical damping.
     """
     figure, panels = new_figure(3.2, [["profile", "order"]])
-    draw_profile(panels["profile"], data)
-    draw_distances(panels["order"], data)
+    _draw_profile(panels["profile"], data)
+    _draw_distances(panels["order"], data)
     return figure
 
 
-def draw_profile(axes: Axes, data: xr.Dataset) -> None:
+def _draw_profile(axes: Axes, data: xr.Dataset) -> None:
     """u_n of the three chains."""
     profile = configuration_of(data)["profile"]
     gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
@@ -54,7 +54,7 @@ def draw_profile(axes: Axes, data: xr.Dataset) -> None:
     axes.legend(loc="upper right")
 
 
-def draw_distances(axes: Axes, data: xr.Dataset) -> None:
+def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
     """Distances of the method to the damped chain and to the conservative one, against h."""
     looks = cycle(zip(PROBE_COLOURS, MARKERS, strict=False))
     for theta, (colour, marker) in zip(data["theta"].values, looks, strict=False):

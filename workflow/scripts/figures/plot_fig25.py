@@ -35,7 +35,7 @@ def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -
     figure, panels = new_figure(3.0, [[*wings]])
     for letter, (wing, data) in zip("abc", wings.items(), strict=True):
         _draw_wing(panels[wing], data)
-        panels[wing].set_title(f"{letter}  {wing}\n{in_words(data)}", fontsize=6.5, loc="left")
+        panels[wing].set_title(f"{letter}  {wing}\n{_in_words(data)}", fontsize=6.5, loc="left")
     panels["chains"].set_ylabel("share of numbers above")
     return figure
 
@@ -69,7 +69,7 @@ def _kind_of(name: str) -> str:
     return next(kind for kind, parts in KINDS.items() if any(part in name for part in parts))
 
 
-def in_words(data: xr.Dataset) -> str:
+def _in_words(data: xr.Dataset) -> str:
     """How many numbers there are, how many are off, and the median of stated over true."""
     ratios, stated, true = (data[name].values for name in ("ratio", "stated_error", "true_error"))
     wrong = (true > 0.0) & np.isfinite(true)

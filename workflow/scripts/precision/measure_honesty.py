@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 
 import numpy as np
-import xarray as xr
+import pandas as pd
 
 from granular_fronts.output.datasets import write_dataset
 from step import run_step
@@ -40,22 +40,9 @@ def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
     ratios = np.array([row[-1] for row in found])
     above = ", ".join(f"{np.mean(ratios > limit):.2%} above {limit}" for limit in (2, 10))
     print(f"{len(found)} numbers: {above}, largest {ratios.max():.3g}")
-    names, *columns = zip(*found, strict=True)
-    attributes = (
-        ("stated_error", "error that the package states"),
-        ("true_error", "distance to an independent reference"),
-        ("ratio", "true over stated error, beyond four units of rounding"),
-    )
-    measured = xr.Dataset(
-        {
-            name: ("number", np.array(column), {"long_name": meaning})
-            for (name, meaning), column in zip(attributes, columns, strict=True)
-        },
-        {
-            "number": ("number", np.arange(len(names)), {"long_name": "number that is judged"}),
-            "variable": ("number", list(names), {"long_name": "variable that states its error"}),
-        },
-    )
+    columns = ("variable", "stated_error", "true_error", "ratio")
+    measured = pd.DataFrame(found, columns=columns).rename_axis("number").to_xarray()
+    measured = measured.set_coords("variable")
     write_dataset(measured, dataset, scene_id=f"honesty_{wing}", config=problems)
 
 

@@ -2,9 +2,9 @@
 
 The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
 the machine hits all of them; before that each has run once, to compile and to fill the caches. Of
-the repeats the least time counts. Errors are measured against a stored reference, outside the
-timing, and none is reported below the error of the reference. A method that is not installed is
-named and left out; one that fails is kept, without an error but with its reason.
+the repeats the least time counts. Errors are measured against a reference, outside the timing, and
+none is reported below the error of the reference. A method that is not installed is named and left
+out; one that fails is kept, without an error but with its reason.
 """
 
 import importlib
@@ -21,6 +21,7 @@ from typing import Any
 from peers import one_thread  # noqa: F401
 
 # isort: split
+import numpy as np
 import pandas as pd
 import xarray as xr
 
@@ -36,7 +37,9 @@ SECONDS_WORTH_REPEATING = 3.0
 UNDISTURBED = (0.95, 1.05)
 
 
-def measure_precision(family: str, problems: dict, reference: Path, dataset: Path) -> None:
+def measure_precision(
+    family: str, problems: dict, dataset: Path, reference: Path | None = None
+) -> None:
     """Solve every problem of a family by every method, and keep errors, times and work.
 
     Parameters
@@ -45,23 +48,31 @@ def measure_precision(family: str, problems: dict, reference: Path, dataset: Pat
         A module of workflow/scripts/precision/problems.
     problems : dict
         As under ``precision.<family>`` of the configuration.
-    reference : Path
-        Accurate solutions, in tests/references.
     dataset : Path
         The netCDF file to write, on (problem, method, tolerance).
+    reference : Path, optional
+        Accurate solutions, in tests/references; none for a family that computes its own.
     """
     load_before = os.getloadavg()[0]
     module = importlib.import_module(f"problems.{family}")
-    states = xr.load_dataset(reference)
+    states = xr.load_dataset(reference) if reference else None
     rows: list[dict[str, Any]] = []
     absent: dict[str, str] = {}
     facts: dict[str, dict[str, Any]] = {}
     for name, settings in problems.items():
         problem = module.make_problem(settings, states)
-        present, missing = run_once(problem, settings)
+        tolerances = tolerances_of(problem, settings)
+        missing = run_once(problem, tolerances)
         absent |= missing
-        facts[name] = {"own_method": problem.ours, "reference_error": problem.reference_error}
-        rows += [{"problem": name} | row for row in measure(name, problem, settings, present)]
+        facts[name] = {
+            "own_method": problem.ours,
+            "reference_error": problem.reference_error,
+            "time_limit": 1e-3 * settings.get("milliseconds", np.nan),
+        }
+        present = {method: tolerances[method] for method in tolerances if method not in missing}
+        rows += [
+            {"problem": name} | row for row in measure(name, problem, present, settings["repeats"])
+        ]
     for method, reason in absent.items():
         print(f"{method} is left out: {reason}.", file=sys.stderr)
     measured = to_dataset(rows, facts)
@@ -75,38 +86,35 @@ def measure_precision(family: str, problems: dict, reference: Path, dataset: Pat
     write_dataset(measured, dataset, scene_id=f"precision_{family}", config=problems)
 
 
-def tolerances_of(settings: Mapping[str, Any], method: str) -> list[float]:
-    """Tolerances asked of a method, the loosest first."""
-    listed = settings.get("own_tolerances", {}).get(method, settings["tolerances"])
-    return sorted(listed, reverse=True)
-
-
-def run_once(problem: Problem, settings: Mapping[str, Any]) -> tuple[list[str], dict[str, str]]:
-    """Run every method once at its loosest tolerance: who is there, and why others are absent."""
-    runs = {
-        method: _attempt(problem, method, tolerances_of(settings, method)[0])
-        for method in settings["methods"]
+def tolerances_of(problem: Problem, settings: Mapping[str, Any]) -> dict[str, list[float]]:
+    """Tolerances asked of each method, the loosest first."""
+    own = {**settings.get("own_tolerances", {}), **problem.tolerances}
+    return {
+        method: sorted(own.get(method) or settings["tolerances"], reverse=True)
+        for method in settings.get("methods", own)
     }
-    absent = {method: run.message for method, run in runs.items() if run.absent}
-    return [method for method in runs if method not in absent], absent
+
+
+def run_once(problem: Problem, tolerances: Mapping[str, list[float]]) -> dict[str, str]:
+    """Run every method once at its loosest tolerance; why the absent ones are absent."""
+    runs = {method: _attempt(problem, method, listed[0]) for method, listed in tolerances.items()}
+    return {method: run.message for method, run in runs.items() if run.absent}
 
 
 def measure(
-    name: str, problem: Problem, settings: Mapping[str, Any], methods: list[str]
+    name: str, problem: Problem, tolerances: Mapping[str, list[float]], repeats: int
 ) -> list[dict[str, Any]]:
     """Errors, times and work on one problem, a row for each method and tolerance."""
-    points = [
-        (method, tolerance) for method in methods for tolerance in tolerances_of(settings, method)
-    ]
+    points = [(method, tolerance) for method, listed in tolerances.items() for tolerance in listed]
     points.sort(key=lambda point: -point[1])
     best: dict[tuple[str, float], Run] = {}
-    turns = product(range(settings["repeats"]), points)
-    for _, point in counted(turns, f"precision, {name}", "run"):
+    for _, point in counted(product(range(repeats), points), f"precision, {name}", "run"):
         if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
             continue
         run = _attempt(problem, *point)
         if point not in best or run.seconds < best[point].seconds:
             best[point] = run
+    methods = list(tolerances)
     return [
         {
             "method": method,
@@ -137,6 +145,7 @@ def _costs_of(run: Run) -> dict[str, Any]:
         "disturbed": float(share < UNDISTURBED[0] or share > UNDISTURBED[1]),
         "right_hand_sides": float(run.right_hand_sides),
         "steps": float(run.steps),
+        "grid": float(run.grid),
         "message": run.message,
     }
 
@@ -152,7 +161,8 @@ def to_dataset(rows: list[dict[str, Any]], facts: Mapping[str, Mapping[str, Any]
     for name in next(iter(facts.values())):
         measured[name] = ("problem", [known[name] for known in facts.values()])
     measured["message"] = measured["message"].fillna("").astype(object)
-    measured["seconds"].attrs["units"] = "s"
+    for name in ("seconds", "time_limit"):
+        measured[name].attrs["units"] = "s"
     for name in measured:
         if "error" in str(name):
             measured[name].attrs["error_method"] = "this is the distance to the reference"

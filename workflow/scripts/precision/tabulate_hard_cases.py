@@ -1,14 +1,13 @@
 """The hard cases as a table: what is asked for, what came out, passed or failed."""
 
 from pathlib import Path
-from typing import Any
-
-import pandas as pd
-import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.tables import round_floats, write_table
 from step import run_step
+
+COLUMNS = ["name", "problem", "expected", "criterion", "quantity", "measured", "error", "limit"]
+COLUMNS += ["outcome", "seconds", "remark"]
 
 
 def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
@@ -22,23 +21,10 @@ def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
         Tables to write.
     """
     data = read_dataset(dataset, "hard_cases")
-    table = pd.DataFrame([describe(data.sel(case=name)) for name in data["case"].values])
+    rows = data.drop_dims(["method", "rung"]).to_dataframe().reset_index()
+    rows["outcome"] = rows["passed"].map({1: "passed", 0: "failed"})
+    table = rows.rename(columns={"case": "name", "message": "remark"})[COLUMNS]
     write_table(table, round_floats(table, 3), csv, markdown, [data])
-
-
-def describe(case: xr.Dataset) -> dict[str, Any]:
-    """One row."""
-    texts = ("problem", "expected", "criterion", "quantity")
-    return {
-        "name": str(case["case"].values),
-        **{name: str(case[name].values) for name in texts},
-        "measured": float(case["measured"]),
-        "error": float(case["error"]),
-        "limit": float(case["limit"]),
-        "outcome": "passed" if case["passed"] else "failed",
-        "seconds": float(case["seconds"]),
-        "remark": str(case["message"].values),
-    }
 
 
 if __name__ == "__main__":

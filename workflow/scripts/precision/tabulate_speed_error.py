@@ -13,7 +13,10 @@ from granular_fronts.output.tables import round_floats, write_table
 from step import run_step
 
 LEVELS = (1e-4, 1e-6, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14)
-JUDGED_LEVELS = (1e-4, 1e-6, 1e-9, 1e-12)
+JUDGED_LEVELS = (1e-4, 1e-5, 1e-6, 1e-9, 1e-12)
+# The one that a time limit is for; without a limit it is not judged.
+LIMITED_LEVEL = 1e-5
+COUNTS = ["grid", "right_hand_sides", "steps"]
 PAPERS_WAY = ("scilab_ode", "upwind")
 # Discrete-element codes, which are built for millions of particles in space and keep their step.
 CODES = ("lammps_nve", "lammps_mvv")
@@ -24,7 +27,13 @@ BUSY = "timed while the machine was busy"
 
 
 def tabulate_speed_error(
-    dataset: Path, csv: Path, markdown: Path, verdicts_csv: Path, verdicts_markdown: Path
+    dataset: Path,
+    csv: Path,
+    markdown: Path,
+    verdicts_csv: Path,
+    verdicts_markdown: Path,
+    runs_csv: Path,
+    runs_markdown: Path,
 ) -> None:
     """Compare all methods at equal error, and say for each problem which to use.
 
@@ -36,6 +45,8 @@ def tabulate_speed_error(
         Tables of times to write.
     verdicts_csv, verdicts_markdown : Path
         Tables of sentences to write.
+    runs_csv, runs_markdown : Path
+        Tables of all runs to write, with observed orders.
     """
     data = read_dataset(dataset, "speed_error")
     table = pd.DataFrame(
@@ -56,6 +67,23 @@ def tabulate_speed_error(
     )
     write_table(table, round_floats(table, 3), csv, markdown, [data])
     write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown, [data])
+    runs = list_runs(data)
+    rounded = round_floats(runs.assign(**runs[COUNTS].map("{:.0f}".format)), 3).replace("nan", "")
+    write_table(runs, rounded, runs_csv, runs_markdown, [data])
+
+
+def list_runs(data: xr.Dataset) -> pd.DataFrame:
+    """All runs, each with the order of convergence in the tolerance from the one before it.
+
+    Where the tolerance is a step or the width of a cell, this is the order of the method.
+    """
+    kept = data[["error", "reference_error", "seconds", *COUNTS, "disturbed"]]
+    runs = kept.sortby("tolerance", ascending=False).to_dataframe().reset_index()
+    runs = runs.dropna(subset="disturbed")
+    runs.insert(3, "milliseconds", 1e3 * runs.pop("seconds"))
+    fineness = np.log(runs[["error", "tolerance"]]).groupby([runs["problem"], runs["method"]])
+    runs["order"] = fineness.diff()["error"] / fineness.diff()["tolerance"]
+    return runs.drop(columns="disturbed")
 
 
 def _compare_methods(data: xr.Dataset, level: float) -> Iterator[dict[str, Any]]:
@@ -113,10 +141,12 @@ def _time_to_reach(chosen: xr.Dataset, level: float) -> float:
 def judge(data: xr.Dataset, level: float) -> str:
     """A sentence on what to use for one problem to reach one error.
 
-    Nothing is said where the reference is no better than the error.  A method on a given grid is
-    named beside the one that finds its grid itself, which is what a user calls.
+    Nothing is said where the reference is no better than the error, nor of the level that has a
+    time limit where there is none.  A method on a given grid is named beside the one that finds its
+    grid itself, which is what a user calls.
     """
-    if level < float(data["reference_error"]):
+    unlimited = level == LIMITED_LEVEL and np.isnan(float(data["time_limit"]))
+    if unlimited or level < float(data["reference_error"]):
         return ""
     reached, own = _times_to_reach(data, level), str(data["own_method"].item())
     times = _without_given_grids(reached)
@@ -129,19 +159,39 @@ def judge(data: xr.Dataset, level: float) -> str:
     compared = [
         f"{short(times[other] / times[fastest])} times faster than {other}" for other in others
     ]
-    unreached = [
-        f"{method} did not get there with the tolerances asked"
-        for method in PAPERS_WAY
-        if fails(data, times, method)
-    ]
     sentence = f"To {level:.0e} use {fastest} ({times[fastest]:.3g} ms)"
     sentence += f", {' and '.join(compared)}" if compared else ", which alone reached it"
     given = f"{fastest}{ON_GIVEN_GRID}"
     alone = [f"on a given grid {reached[given]:.3g} ms"] if given in reached else []
     named = [fastest, *others, *([given] if alone else [])]
     busy = (data["disturbed"].sel({"method": named}) == 1.0).any()
-    remarks = [*alone, *unreached, *_compare_codes(data, times), *([BUSY] if busy else [])]
+    papers = _compare_papers_way(data, times)
+    limit = _keep_limit(data, times, level)
+    remarks = [*alone, *papers, *limit, *_compare_codes(data, times), *([BUSY] if busy else [])]
     return "; ".join([sentence, *remarks]) + "."
+
+
+def _compare_papers_way(data: xr.Dataset, times: dict[str, float]) -> Iterator[str]:
+    """A remark on each method of the paper that did not get there, and what its best run costs."""
+    fastest = next(iter(times))
+    for method in PAPERS_WAY:
+        if fails(data, times, method):
+            best = float(data["error"].sel({"method": method}).min())
+            needed, ours = (
+                _time_to_reach(data.sel({"method": m}), best) for m in (method, fastest)
+            )
+            yield (
+                f"{method} did not get there with the tolerances asked: it comes to {best:.1e} in "
+                f"{needed:.3g} ms, {short(needed / ours)} times as long as {fastest}"
+            )
+
+
+def _keep_limit(data: xr.Dataset, times: dict[str, float], level: float) -> Iterator[str]:
+    """A remark on the time within which our method was to reach the level that has a limit."""
+    if level == LIMITED_LEVEL:
+        own, limit = str(data["own_method"].item()), 1e3 * float(data["time_limit"])
+        verb = "keeps" if times.get(own, np.inf) <= limit else "misses"
+        yield f"{own} {verb} its limit of {limit:g} ms"
 
 
 def _compare_codes(data: xr.Dataset, times: dict[str, float]) -> Iterator[str]:

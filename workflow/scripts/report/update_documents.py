@@ -71,7 +71,7 @@ def paper_numbers(results: Path) -> str:
 
 
 def bound(error: float) -> str:
-    """A power of ten that an error stays below, also where another machine finds ten times as much."""
+    """Return a power of ten above an error, also where another machine finds ten times as much."""
     return f"< {10.0 ** math.ceil(math.log10(10.0 * error)):.0e}"
 
 

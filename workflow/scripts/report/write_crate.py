@@ -2,19 +2,65 @@
 
 It holds the project's code, the configuration, the environment, all results with sizes and digests,
 and what is known of each job: script, inputs, outputs, times, log and run time.  The jobs are those
-that Snakemake's own records name, so this step runs where the workflow ran.
+that Snakemake notes in the folder ``.snakemake``, so this step runs where the workflow ran.
+
+The crate follows the profile https://w3id.org/ro/wfrun/provenance/0.5.  The workflow has a step for
+each rule, and a step a tool, the rule's script.  What ran is described by actions, one for the
+whole run and one for each job.  Only what is known is said: who started the run is not, and a job
+that an earlier call has run stands there with the times of that call.
 """
 
+import hashlib
+import io
+import os
+import platform
+import re
+import tomllib
+from collections import defaultdict
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import distributions, version
+from mimetypes import MimeTypes
 from pathlib import Path
+from typing import Any
 
 import yaml
+from rocrate.model.entity import Entity
+from rocrate.rocrate import ROCrate
+from snakemake.io import IOFile
+from snakemake.persistence import MetadataRecord
+from snakemake.persistence.file import FilePersistence
 
-from crate.jobs import jobs_behind
-from crate.run import Run, describe_run
+from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
 from step import run_step
 
 PROJECT = Path(__file__).parents[3]
+
+PROFILES = {
+    "https://w3id.org/ro/wfrun/process/0.5": "Process Run Crate",
+    "https://w3id.org/ro/wfrun/workflow/0.5": "Workflow Run Crate",
+    "https://w3id.org/ro/wfrun/provenance/0.5": "Provenance Run Crate",
+    "https://w3id.org/workflowhub/workflow-ro-crate/1.0": "Workflow RO-Crate",
+}
+TERMS = {
+    "buildInstructions": "https://codemeta.github.io/terms/buildInstructions",
+    "sha256": "https://w3id.org/ro/terms/workflow-run#sha256",
+}
+"""Terms of the profiles that RO-Crate 1.1 has not, written out so that nobody must fetch them."""
+
+MEDIA_TYPES = {".md": "text/markdown", ".npz": "application/zip", ".rst": "text/x-rst"}
+MEDIA_TYPES |= dict.fromkeys([".cff", ".yaml", ".yml"], "application/yaml")
+MEDIA_TYPES |= {".nc": "application/netcdf", ".toml": "application/toml"}
+"""Those that Python does not know; what is in neither table is plain text."""
+
+DESCRIPTION = (
+    "The workflow, its configuration and environment, every job that ran, all results, and the "
+    "manual, which begins in docs/index.md. To run it again, unpack it and call: make "
+    ".venv/installed; .venv/bin/snakemake -c2 --configfile configuration.yaml --config "
+    "results=again"
+)
 
 
 def write_crate(
@@ -47,16 +93,250 @@ def write_crate(
     ValueError
         If Snakemake has no record of a result.
     """
-    run = Run(
-        project=PROJECT,
-        sources=sources,
-        results=results,
-        configuration=yaml.safe_dump(configuration, sort_keys=False, allow_unicode=True),
-        scripts=scripts,
-        jobs=jobs_behind(map(str, files), results),
-    )
+    jobs = jobs_behind(map(str, files), results)
+    text = yaml.safe_dump(configuration, sort_keys=False, allow_unicode=True)
     with complete_file(archive) as unfinished:
-        describe_run(run).write_zip(unfinished)
+        describe_run(PROJECT, sources, results, text, scripts, jobs).write_zip(unfinished)
+
+
+@dataclass(frozen=True)
+class Job:
+    """One job that has run; its log and its benchmark have the same name."""
+
+    name: str
+    rule: str
+    inputs: list[str]
+    outputs: list[str]
+    log: str
+    benchmark: str
+    start: datetime
+    end: datetime
+
+
+def jobs_behind(files: Iterable[str], results: Path) -> list[Job]:
+    """Find the jobs that made some files, and those that made what these were made from."""
+    persistence = FilePersistence(nolock=True)
+    outputs_by_log: dict[str, dict[str, MetadataRecord]] = defaultdict(dict)
+    waiting, seen = set(files), set()
+    while waiting:
+        seen.add(file := waiting.pop())
+        if noted := persistence.metadata(IOFile(file)):
+            outputs_by_log[noted.log[0]][file] = noted
+            waiting |= set(noted.input) - seen
+        # Snakemake notes nothing on benchmarks.
+        elif results in Path(file).parents and results / "benchmarks" not in Path(file).parents:
+            raise ValueError(
+                f"Snakemake has no record of how {file} was made: remove {results} and run "
+                "the workflow again."
+            )
+    jobs = (_make_job(log, outputs, results) for log, outputs in outputs_by_log.items())
+    return sorted(jobs, key=lambda job: (job.start, job.log))
+
+
+def _make_job(log: str, outputs: dict[str, MetadataRecord], results: Path) -> Job:
+    """Put together what Snakemake notes on each output of one job."""
+    name = Path(log).relative_to(results / "logs").with_suffix("").as_posix()
+    noted = list(outputs.values())
+    start, end = min(each.starttime for each in noted), max(each.endtime for each in noted)
+    return Job(
+        name=name,
+        rule=noted[0].rule,
+        inputs=sorted({file for each in noted for file in each.input}),
+        outputs=sorted(outputs),
+        log=log,
+        benchmark=str(results / "benchmarks" / f"{name}.tsv"),
+        start=datetime.fromtimestamp(round(start), tz=UTC),
+        end=datetime.fromtimestamp(round(end), tz=UTC),
+    )
+
+
+def describe_run(
+    project: Path,
+    sources: list[Path],
+    results: Path,
+    configuration: str,
+    scripts: dict[str, str],
+    jobs: list[Job],
+) -> ROCrate:
+    """Describe some jobs with all files of a run, to be written as a folder or an archive.
+
+    The configuration is YAML text; the other arguments are those of `write_crate`.
+    """
+    crate = ROCrate(version="1.1")
+    crate.metadata.extra_terms.update(TERMS)
+    made = [file for job in jobs for file in (*job.outputs, job.log, job.benchmark)]
+    places = {_absolute(file): "results" / Path(file).relative_to(results) for file in made}
+    places |= {_absolute(file): _absolute(file).relative_to(project) for file in sources}
+    del places[project / "Snakefile"]
+    files = {
+        file: crate.add_file(file, place, properties=_about(file.read_bytes(), str(place)))
+        for file, place in places.items()
+    }
+    cited = _add_citation(crate, project)
+    tools = {job.rule: files[project / scripts[job.rule]] for job in jobs}
+    for tool in tools.values():
+        tool.properties()["@type"] = ["File", "SoftwareSourceCode"]
+        tool["version"] = cited["version"]
+    versions = {one.metadata["Name"]: one.version for one in distributions()}
+    installed = [f"{name}=={versions[name]}\n" for name in sorted(versions, key=str.lower)]
+    _add_text(crate, "".join(installed), "installed.txt", "What was installed.")
+    environment = files[project / "environment.txt"]
+    environment["description"] = "Every package with its version and digest, as pip installs it."
+    address = "https://pip.pypa.io/en/stable/reference/requirements-file-format/"
+    environment["conformsTo"] = _add(
+        crate, address, "WebPage", name="Requirements file format of pip"
+    )
+    steps = [
+        _add(crate, f"#step-{rule}", "HowToStep", name=rule, position=str(k), workExample=tool)
+        for k, (rule, tool) in enumerate(tools.items(), start=1)
+    ]
+    main = project / "Snakefile"
+    about = _about(main.read_bytes(), "Snakefile") | cited
+    about |= {"@type": ["File", "SoftwareSourceCode", "ComputationalWorkflow", "HowTo"]}
+    about |= {"step": steps, "hasPart": [*dict.fromkeys(tools.values())]}
+    about |= {
+        "buildInstructions": environment,
+        "softwareRequirements": _add_software(crate, project),
+    }
+    language = {"lang": "snakemake", "lang_version": version("snakemake")}
+    workflow = crate.add_workflow(main, "Snakefile", properties=about, main=True, **language)
+    actions = _add_jobs(crate, jobs, files, tools)
+    asked = _add_text(crate, configuration, "configuration.yaml", "What was computed.")
+    about = {"name": "The whole run", "description": "snakemake --configfile configuration.yaml"}
+    outputs = [file for action in actions for file in action["result"]]
+    run = crate.add_action(workflow, "#run", [asked], outputs, about | _times(jobs))
+    about = {"@type": "OrganizeAction", "name": "Snakemake runs the workflow", **_times(jobs)}
+    controls = crate.get_by_type("ControlAction")
+    crate.add_action(crate.get(_package_url("snakemake")), "#snakemake", controls, run, about)
+
+    root = crate.root_dataset
+    files[project / "README.md"]["about"] = root
+    root["name"], root["description"] = f"A run of {cited['name']}", DESCRIPTION
+    root["datePublished"] = max(job.end for job in jobs).date().isoformat()
+    root["mentions"] = [run, *actions]
+    root["conformsTo"] = [
+        _add(crate, address, "CreativeWork", name=name, version=address.rpartition("/")[2])
+        for address, name in PROFILES.items()
+    ]
+    for key in ("author", "license", "citation"):
+        root[key] = cited[key]
+    for entity in crate.get_entities():
+        for key, value in entity.properties().items():
+            # RO-Crate recommends to take a single value out of its list.
+            if isinstance(value, list) and len(value) == 1:
+                entity.properties()[key] = value[0]
+    return crate
+
+
+def _absolute(file: Path | str) -> Path:
+    return Path(os.path.abspath(file))
+
+
+def _add(crate: ROCrate, identifier: str, kind: str, **properties: Any) -> Entity:
+    """Add what is no file, under an address or a name that begins with ``#``."""
+    return crate.add_jsonld({"@id": identifier, "@type": kind, **properties})
+
+
+def _about(content: bytes, name: str) -> dict[str, Any]:
+    """Return name, media type, size and digest of a file."""
+    known = MEDIA_TYPES.get(Path(name).suffix) or MimeTypes().guess_type(name)[0]
+    return {
+        "name": name,
+        "encodingFormat": known or "text/plain",
+        "contentSize": str(len(content)),
+        "sha256": hashlib.sha256(content).hexdigest(),
+    }
+
+
+def _add_text(crate: ROCrate, text: str, name: str, description: str) -> Entity:
+    """Add a file that is written into the crate alone."""
+    properties = _about(text.encode(), name) | {"description": description}
+    return crate.add_file(io.StringIO(text), name, properties=properties)
+
+
+def _add_citation(crate: ROCrate, project: Path) -> dict[str, Any]:
+    """Add authors, licence and the paper, as CITATION.cff names them."""
+    cited = yaml.safe_load((project / "CITATION.cff").read_text(encoding="utf-8"))
+    licence, [paper] = cited["license"], cited["references"]
+    about = {"name": paper["title"], "datePublished": str(paper["year"])}
+    about["author"] = _add_authors(crate, paper["authors"])
+    return {
+        "name": cited["title"],
+        "version": cited["version"],
+        "author": _add_authors(crate, cited["authors"]),
+        "license": _add(
+            crate, f"https://spdx.org/licenses/{licence}", "CreativeWork", name=licence
+        ),
+        "citation": _add(crate, f"https://doi.org/{paper['doi']}", "ScholarlyArticle", **about),
+    }
+
+
+def _add_authors(crate: ROCrate, authors: list[dict[str, str]]) -> list[Entity]:
+    """Add the authors of a work: a person has a family name, a group has one name."""
+    added = []
+    for author in authors:
+        kind = "Person" if "family-names" in author else "Organization"
+        name = author.get("name") or f"{author['given-names']} {author['family-names']}"
+        added.append(_add(crate, f"#{re.sub('[^a-z]+', '-', name.lower())}", kind, name=name))
+    return added
+
+
+def _add_software(crate: ROCrate, project: Path) -> list[Entity]:
+    """Add Python and the packages that a run depends on, with the versions installed here."""
+    described = tomllib.loads((project / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    needed = [*described["dependencies"], *described["optional-dependencies"]["workflow"]]
+    address, kind = "https://www.python.org", "SoftwareApplication"
+    about = {"name": "Python", "url": address, "softwareVersion": platform.python_version()}
+    about["operatingSystem"] = f"{platform.system()} {platform.machine()}"
+    packages = [
+        _add(crate, _package_url(name), kind, name=name, softwareVersion=version(name))
+        for name in sorted(re.split(r"[^\w.-]", line)[0] for line in needed)
+    ]
+    return [_add(crate, address, kind, **about), *packages]
+
+
+def _package_url(name: str) -> str:
+    """Return what names an installed Python package and its version."""
+    return f"pkg:pypi/{name}@{version(name)}"
+
+
+def _add_jobs(
+    crate: ROCrate, jobs: list[Job], files: dict[Path, Entity], tools: dict[str, Entity]
+) -> list[Entity]:
+    """Add each job with what it read and wrote, and that Snakemake called it."""
+    actions = []
+    for job in jobs:
+        read, written, notes = (
+            [files[_absolute(file)] for file in names]
+            for names in (job.inputs, job.outputs, (job.log, job.benchmark))
+        )
+        about = {"name": job.name, "description": _describe_call(job), **_times([job])}
+        action = crate.add_action(tools[job.rule], f"#job-{job.name}", read, written, about)
+        for file in notes:
+            file["about"] = action
+        call = {"name": f"Snakemake calls {job.name}", "instrument": {"@id": f"#step-{job.rule}"}}
+        _add(crate, f"#control-{job.name}", "ControlAction", object=action, **call)
+        actions.append(action)
+    return actions
+
+
+def _times(jobs: list[Job]) -> dict[str, str]:
+    """Return when the first of some jobs started and the last ended."""
+    start, end = min(job.start for job in jobs), max(job.end for job in jobs)
+    return {"startTime": start.isoformat(), "endTime": end.isoformat()}
+
+
+def _describe_call(job: Job) -> str:
+    """Tell when which step was called with which arguments, and the software it used.
+
+    The first line of a log says the former (`step.run_step`), a dataset the latter.
+    """
+    said = [Path(job.log).read_text(encoding="utf-8").partition("\n")[0].strip()]
+    for file in map(Path, job.outputs):
+        if file.suffix == ".nc":
+            attributes = read_dataset(file).attrs
+            said.append(f"{file.name}: {attributes['code_version']}, {attributes['software']}")
+    return "\n".join(said)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ The page shows what its datasets hold and computes nothing.
 
 from pathlib import Path
 
-from explorer.page import Sources, make_page
+from explorer.page import make_page
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.provenance import write_provenance
@@ -46,11 +46,10 @@ def write_explorer(
     ValueError
         If the page would be larger than a page should be.
     """
-    sources = Sources(
-        [read_dataset(file) for file in motions], read_dataset(collection), read_dataset(plane)
-    )
+    moving = [read_dataset(file) for file in motions]
+    fronts, atlas = read_dataset(collection), read_dataset(plane)
     texts = {script.stem: script.read_text(encoding="utf-8") for script in scripts}
-    html = make_page(template.read_text(encoding="utf-8"), texts, sources, reference)
+    html = make_page(template.read_text(encoding="utf-8"), texts, moving, fronts, atlas, reference)
     if (size := len(html.encode())) > LARGEST_PAGE:
         raise ValueError(
             f"The page has {size / 1e6:.1f} MB, more than {LARGEST_PAGE / 1e6:g}: record fewer "
@@ -59,7 +58,7 @@ def write_explorer(
         )
     with complete_file(page) as unfinished:
         unfinished.write_text(html, encoding="utf-8")
-    write_provenance(provenance, [page], sources.all())
+    write_provenance(provenance, [page], [*moving, fronts, atlas])
 
 
 if __name__ == "__main__":

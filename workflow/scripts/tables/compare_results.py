@@ -80,7 +80,7 @@ def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, fl
     A number that is missing on one side alone has changed without bound.
     """
     old, new = before[name].values, after[name].values
-    errors = stated_error(before, name) + stated_error(after, name)
+    errors = _stated_error(before, name) + _stated_error(after, name)
     with np.errstate(invalid="ignore"):
         change = np.where(np.isnan(old) & np.isnan(new), 0.0, np.abs(new - old))
     change = np.where(np.isnan(change), np.inf, change)
@@ -93,7 +93,7 @@ def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, fl
     }
 
 
-def stated_error(dataset: xr.Dataset, name: str) -> np.ndarray:
+def _stated_error(dataset: xr.Dataset, name: str) -> np.ndarray:
     """The stated error of each element of a variable, in its shape."""
     variable = dataset[name]
     companion = dataset.get(f"{name}_error")

@@ -59,8 +59,8 @@ def tabulate_statements(
     )
     table = rows[[column for column in COLUMNS if column in rows]].rename(columns=COLUMNS)
     readable = table.drop(columns=FOR_MACHINES).assign(
-        computed=[rounded(value, ".6g") for value in rows["computed"]],
-        **{"numerical error": [rounded(value, ".1e") for value in rows["numerical_error"]]},
+        computed=[_rounded(value, ".6g") for value in rows["computed"]],
+        **{"numerical error": [_rounded(value, ".1e") for value in rows["numerical_error"]]},
     )
     write_table(table, readable, csv, markdown, list(data.values()))
 
@@ -71,7 +71,7 @@ def find_measure(name: str) -> Callable[..., Estimate]:
     return getattr(import_module(f"granular_fronts.{module}"), function)
 
 
-def rounded(value: float, form: str) -> str:
+def _rounded(value: float, form: str) -> str:
     """A number as text; a dash where there is none."""
     return "–" if math.isnan(value) else format(value, form)
 

@@ -96,26 +96,9 @@ def _weights_of_step(equation, points, h):
 class Motion:
     """A wave on its way: amplitudes, slow time, and the length of the next step.
 
-    Parameters
-    ----------
-    equation : fourier_waves.Equation
-    amplitudes : ndarray, shape (points//2 + 1,)
-        At slow time 0.
-    points : int
-    tolerance : float
-        Error per step in the maximum norm.
-    coarser : list of float, optional
-        Slow times at which another motion ended its steps; this one takes two or more for each.
-
-    Attributes
-    ----------
-    amplitudes : ndarray
-    points : int
-    tau : float
-    ends : list of float
-        Slow times at which steps ended, from 0 on.
-    accepted, rejected : int
-        Steps so far.
+    The error of a step is at most `tolerance` in the maximum norm.  Where another motion ended its
+    steps, `coarser`, this one takes two or more for each of them.  `ends` are the slow times at
+    which its own steps ended, from 0 on; `accepted` and `rejected` count them.
     """
 
     def __init__(self, equation, amplitudes, points, tolerance, coarser=None):

@@ -112,29 +112,10 @@ class Evolution(NamedTuple):
 def solve(scene, times, cells, tolerance, levels=None, coarser=None):
     """Solve the logarithmic KdV–Burgers equation of a periodic scene once.
 
-    Parameters
-    ----------
-    scene : mapping
-        A checked periodic scene.
-    times : sequence of float
-        Times t of the chain, in any order, at least 0.
-    cells : int
-        N, the points on which the run goes on once the kinks of the start are smooth.
-    tolerance : float
-        Error per step, in y; the logarithm is cut off below it.
-    levels : int, optional
-        L: the run begins on 2^L times as many points; `START_LEVELS` if none is given.
-    coarser : Evolution, optional
-        A run whose steps are all halved here.
-
-    Returns
-    -------
-    Evolution
-
-    Raises
-    ------
-    SolveError
-        If the step size collapses.
+    Scene, times and errors are as of `log_burgers.solution.solve`; `cells` are the N points on
+    which the run goes on once the kinks of the start are smooth, 2^`levels` times as many before
+    that.  The `tolerance` is the error per step, in y, and the logarithm is cut off below it.  All
+    steps of `coarser`, an `Evolution`, are halved.
     """
     times = np.asarray(times, dtype=float)
     levels = START_LEVELS if levels is None else levels

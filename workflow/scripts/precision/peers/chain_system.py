@@ -19,24 +19,13 @@ STEP_LIMIT = 10_000_000
 
 @dataclass(frozen=True)
 class ChainSystem:
-    """A motion to solve.
+    """A motion to solve."""
 
-    Attributes
-    ----------
-    gamma, end : float
-        Damping and final time.
-    contacts, velocities : ndarray, shape (N,)
-        u_1 … u_N and velocities at t = 0.
-    left : float
-        Compression δ held at the left end; unused on a ring.
-    ring : bool
-    """
-
-    gamma: float
-    end: float
-    contacts: np.ndarray
-    velocities: np.ndarray
-    left: float = 0.0
+    gamma: float  # damping
+    end: float  # final time
+    contacts: np.ndarray  # u_1 … u_N at t = 0
+    velocities: np.ndarray  # likewise
+    left: float = 0.0  # compression δ held at the left end; unused on a ring
     ring: bool = False
 
     @property
@@ -104,12 +93,7 @@ def numpy_right_hand_side(system):
 
 
 class SparseJacobian:
-    """Derivative of the right-hand side, [[γD, 1], [D, 0]] with D tridiagonal (cyclic on a ring).
-
-    Parameters
-    ----------
-    system : ChainSystem
-    """
+    """Derivative of the right-hand side, [[γD, 1], [D, 0]]; D is tridiagonal, on a ring cyclic."""
 
     def __init__(self, system):
         self.system = system

@@ -10,29 +10,17 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Run:
-    """One solve.
+    """One solve."""
 
-    Attributes
-    ----------
-    fields : mapping of str to ndarray
-        The solution, under the names of the reference; empty without a result.
-    seconds, cpu_seconds : float
-        Wall-clock and processor time of the solve alone.
-    right_hand_sides, steps : float
-        Work; NaN where the tool does not report it.
-    message : str
-        Empty, or why there is no result or an uncertain one.
-    absent : bool
-        Whether the method is not installed.
-    """
-
+    # The solution, under the names of the reference; empty without a result.
     fields: Mapping[str, np.ndarray] = field(default_factory=dict)
-    seconds: float = np.nan
-    cpu_seconds: float = np.nan
-    right_hand_sides: float = np.nan
+    seconds: float = np.nan  # wall-clock time of the solve alone
+    cpu_seconds: float = np.nan  # processor time, likewise
+    right_hand_sides: float = np.nan  # NaN where the tool does not report it
     steps: float = np.nan
-    message: str = ""
-    absent: bool = False
+    grid: float = np.nan  # cells or points; NaN where the method chooses them or has none
+    message: str = ""  # why there is no result or an uncertain one
+    absent: bool = False  # whether the method is not installed
 
 
 class Stopwatch:

@@ -7,8 +7,6 @@ LAMMPS, a discrete-element code, a tolerance is the step.
 
 from functools import partial
 
-import numpy as np
-
 from granular_fronts.chain.recording import collect
 from granular_fronts.chain.run import (
     FIRST_STEP,
@@ -31,7 +29,7 @@ from peers import (
 )
 from peers.chain_system import front_initiation
 from peers.record import Run, Stopwatch
-from problems.problem import Problem, read_reference
+from problems.problem import Problem, read_reference, stored_state
 
 OURS = "strain_form"
 FIELDS = ("relative_displacement", "velocity")
@@ -48,19 +46,14 @@ PEERS = {
 def make_problem(problem, states):
     """The driven chain of one entry of ``precision.chain``, with its stored reference."""
     gamma, end = problem["gamma"], problem["end_time"]
-    found = np.flatnonzero((states["gamma"] == gamma) & (states["t"] == end))
-    if not found.size:
-        raise ValueError(
-            f"No reference is stored for gamma = {gamma} at t = {end}: add it to "
-            "tools/references/make_chain_reference.py, or choose a stored state."
-        )
+    state = stored_state(states, "chain", gamma=gamma, t=end)
     system = front_initiation(gamma, end)
     scene = chain_scene(
         system,
         boundary={"kind": "pressure", "left": system.left, "right": 0.0},
         start={"kind": "rest"},
     )
-    reference = read_reference(states.isel(state=found[0]), FIELDS)
+    reference = read_reference(state, FIELDS)
     codes = {
         name: partial(_run_peer, solve, system) for name, solve in lammps_chain.METHODS.items()
     }

@@ -24,9 +24,10 @@ from granular_fronts.fronts.shooting.solve import shoot_front
 from granular_fronts.numerics.interpolation import interpolate_all
 from peers import scipy_fronts
 from peers.record import Run, Stopwatch
-from problems.problem import Problem, read_reference
+from problems.problem import Problem, read_reference, stored_state
 
 ALPHA = 1.5
+FIELDS = ("relative_displacement", "velocity")
 # Exponent of the slowest tail at the end of the window that the peers are given.
 DECAY = 32.0
 
@@ -34,18 +35,12 @@ DECAY = 32.0
 def make_problem(problem, states):
     """The front of one entry of ``precision.fronts``, with its stored reference."""
     gamma, bead = problem["gamma"], states["bead"].values
-    found = np.flatnonzero(states["gamma"] == gamma)
-    if not found.size:
-        raise ValueError(
-            f"No reference front is stored for gamma = {gamma}: add it to "
-            "tools/references/make_front_reference.py, or choose a stored one."
-        )
-    fields = ("relative_displacement", "velocity")
+    state = stored_state(states, "front", gamma=gamma)
     behind = max(-bead[0], math.ceil(DECAY / tail_roots(ALPHA, gamma)[0].real))
     peers = scipy_fronts.METHODS.items()
     return Problem(
         ours="profile",
-        reference=read_reference(states.isel(state=found[0]), fields),
+        reference=read_reference(state, FIELDS),
         methods={
             "profile": partial(_run_profile, gamma, bead),
             "profile_on_grid": partial(_run_profile_on_grid, gamma, bead),
@@ -92,5 +87,5 @@ def _run_shooting(gamma, bead, tolerance):
     if not shot.converged:
         return Run(message=shot.reason)
     inside = np.clip(bead, shot.bead[0], shot.bead[-1]) - shot.bead[0]
-    fields = {name: getattr(shot, name)[inside] for name in ("relative_displacement", "velocity")}
+    fields = {name: getattr(shot, name)[inside] for name in FIELDS}
     return Run(fields, **watch.times, right_hand_sides=shot.counts["right_hand_sides"])

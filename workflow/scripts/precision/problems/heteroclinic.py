@@ -12,22 +12,17 @@ from granular_fronts.continuum.log_kdv_burgers.slow_manifold import STIFF_DAMPIN
 from granular_fronts.continuum.log_kdv_burgers.traced_orbit import USUAL_STEPS, trace_orbit
 from peers import scipy_heteroclinic
 from peers.record import Run, Stopwatch
-from problems.problem import Problem, read_reference
+from problems.problem import Problem, read_reference, stored_state
 
 
 def make_problem(problem, states):
     """The orbit of one entry of ``precision.heteroclinic``, with its stored reference."""
     mu, s = problem["mu"], states["s"].values
-    found = np.flatnonzero(states["mu"] == mu)
-    if not found.size:
-        raise ValueError(
-            f"No reference front is stored for mu = {mu}: add it to "
-            "tools/references/make_heteroclinic_reference.py, or choose a stored one."
-        )
+    state = stored_state(states, "heteroclinic", mu=mu)
     peers = scipy_heteroclinic.METHODS.items()
     return Problem(
         ours="slow_manifold" if mu >= STIFF_DAMPING else "taylor_series",
-        reference=read_reference(states.isel(state=found[0]), ("rescaled_force", "slope")),
+        reference=read_reference(state, ("rescaled_force", "slope")),
         methods={
             "taylor_series": partial(_run_taylor_series, mu, s),
             "slow_manifold": partial(_run_slow_manifold, mu, s),

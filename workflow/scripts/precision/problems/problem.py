@@ -1,6 +1,7 @@
 """A problem with its answer, and how far a run is from it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -9,37 +10,21 @@ from peers.record import Run
 
 
 class Reference(NamedTuple):
-    """The answer for one field.
+    """The answer for one field."""
 
-    Attributes
-    ----------
-    values, low : ndarray
-        Nearest doubles, and what double leaves of the accurate values.
-    error : float
-        Largest error of `values + low`.
-    """
-
-    values: np.ndarray
-    low: np.ndarray
-    error: float
+    values: np.ndarray  # nearest doubles
+    low: np.ndarray  # what double leaves of the accurate values
+    error: float  # largest error of `values + low`
 
 
 class Problem(NamedTuple):
-    """What is solved, and by whom.
+    """What is solved, and by whom."""
 
-    Attributes
-    ----------
-    ours : str
-        The method that this project stands for.
-    reference : mapping of str to Reference
-        One for each field of the solution.
-    methods : mapping of str to callable
-        Each takes a tolerance and returns a `Run`.
-    """
-
-    ours: str
-    reference: Mapping[str, Reference]
-    methods: Mapping[str, Callable[[float], Run]]
+    ours: str  # the method that this project stands for
+    reference: Mapping[str, Reference]  # one for each field of the solution
+    methods: Mapping[str, Callable[[float], Run]]  # each takes a tolerance
+    # Of methods that the configuration gives grids or steps for.
+    tolerances: Mapping[str, Sequence[float]] = MappingProxyType({})
 
     @property
     def reference_error(self):
@@ -65,6 +50,18 @@ def errors_of(run, reference):
         largest = max(largest, sup)
     limit = max(expected.error for expected in reference.values())
     return {"error": max(largest, limit), "below_reference": float(largest < limit), **errors}
+
+
+def stored_state(states, family, **wanted):
+    """The entry of a family's stored reference with the wanted coordinates, or a refusal."""
+    same = np.logical_and.reduce([states[name] == value for name, value in wanted.items()])
+    if not same.any():
+        listed = " and ".join(f"{name} = {value}" for name, value in wanted.items())
+        raise ValueError(
+            f"No reference is stored for {listed}: add it to "
+            f"tools/references/make_{family}_reference.py, or choose a stored one."
+        )
+    return states.isel(state=int(np.argmax(same)))
 
 
 def read_reference(state, names):

@@ -3,22 +3,15 @@
 The start is stored beside that state, so that every method has the same one to the last digit.
 """
 
-import numpy as np
-
 from peers.chain_system import ChainSystem
 from problems import chain
-from problems.problem import Problem, read_reference
+from problems.problem import Problem, read_reference, stored_state
 
 
 def make_problem(problem, states):
     """The ring of one entry of ``precision.ring``, up to its stored state."""
     end = problem["end_time"]
-    found = np.flatnonzero(states["t"] == end)
-    if not found.size:
-        raise ValueError(
-            f"No reference of the ring is stored for t = {end}: add it to "
-            "tools/references/make_ring_reference.py, or choose a stored state."
-        )
+    state = stored_state(states, "ring", t=end)
     contacts, velocities = (states[f"{name}_start"].values for name in chain.FIELDS)
     system = ChainSystem(float(states["gamma"]), end, contacts, velocities, ring=True)
     scene = chain.chain_scene(
@@ -26,5 +19,5 @@ def make_problem(problem, states):
         boundary={"kind": "ring"},
         start={"kind": "given", "relative_displacement": contacts, "velocity": velocities},
     )
-    reference = read_reference(states.isel(state=found[0]), chain.FIELDS)
+    reference = read_reference(state, chain.FIELDS)
     return Problem(chain.OURS, reference, chain.methods_for(scene, system))

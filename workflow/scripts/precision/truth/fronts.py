@@ -8,6 +8,7 @@ part in where it ends.
 
 import math
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from scipy.linalg import lapack
@@ -25,64 +26,61 @@ LEFT_OUT = 1e-17
 ENOUGH = 0.5
 
 
-def hertz(r, order, alpha, factor):
+def hertz(r, order, alpha, stiffness=1):
     """V' (order 1) or V'' of (−r)₊^(α+1)/(α + 1)."""
     u = np.maximum(-r, Number(0))
-    return factor * (-(u**alpha) if order == 1 else alpha * u ** (alpha - 1))
+    return stiffness * (-(u**alpha) if order == 1 else alpha * u ** (alpha - 1))
 
 
-def toda(r, order, rate, factor):
+def power(r, order, beta, gamma):
+    """W' or W'' of a viscous power."""
+    return hertz(r, order, beta, gamma)
+
+
+def linear(r, order, gamma):
+    """W' or W'' of a dashpot."""
+    return gamma * (r if order == 1 else np.ones_like(r))
+
+
+def toda(r, order, rate=1, strength=1):
     """V' or V'' of the Toda potential."""
-    return factor * (-np.expm1(-rate * r) if order == 1 else rate * np.exp(-rate * r))
+    return strength * (-np.expm1(-rate * r) if order == 1 else rate * np.exp(-rate * r))
 
 
-def fpu(r, order, quadratic, cubic, quartic):
+def fpu(r, order, quadratic=1, cubic=0, quartic=0):
     """V' or V'' of the Fermi–Pasta–Ulam potential."""
     if order == 1:
         return quadratic * r + cubic * r**2 + quartic * r**3
     return quadratic + 2 * cubic * r + 3 * quartic * r**2
 
 
-def morse(r, order, rate, factor):
+def morse(r, order, rate=1, depth=1):
     """V' or V'' of the Morse potential."""
     decay = np.exp(-rate * r)
     if order == 1:
-        return -2 * factor * rate * decay * np.expm1(-rate * r)
-    return 2 * factor * rate**2 * decay * (2 * decay - 1)
+        return -2 * depth * rate * decay * np.expm1(-rate * r)
+    return 2 * depth * rate**2 * decay * (2 * decay - 1)
 
 
-def lennard_jones(r, order, distance, factor):
+def lennard_jones(r, order, distance=1, depth=1):
     """V' or V'' of the Lennard-Jones potential with its minimum at r = 0."""
     s = 1 + r / distance
     if order == 1:
-        return -12 * factor / distance * (s**-13 - s**-7)
-    return 12 * factor / distance**2 * (13 * s**-14 - 7 * s**-8)
+        return -12 * depth / distance * (s**-13 - s**-7)
+    return 12 * depth / distance**2 * (13 * s**-14 - 7 * s**-8)
 
 
 SHAPES = {
-    "hertz": (hertz, ("alpha", "stiffness")),
-    "power": (hertz, ("beta", "gamma")),
-    "toda": (toda, ("rate", "strength")),
-    "fpu": (fpu, ("quadratic", "cubic", "quartic")),
-    "morse": (morse, ("rate", "depth")),
-    "lennard_jones": (lennard_jones, ("distance", "depth")),
+    shape.__name__: shape for shape in (hertz, power, linear, toda, fpu, morse, lennard_jones)
 }
 
 
 def _force_of(mapping, elastic=None):
     """``force(r, order)`` of a described potential."""
-    kind = mapping["kind"]
-    if kind == "linear":
-        gamma = Number(mapping["gamma"])
-        return lambda r, order: gamma * (r if order == 1 else np.ones_like(r))
-    if kind == "proportional":
-        gamma = Number(mapping["gamma"])
-        return lambda r, order: gamma * elastic(r, order)
-    shape, names = SHAPES[kind]
-    default = {"quadratic": 1.0, "cubic": 0.0, "quartic": 0.0, "stiffness": 1.0, "rate": 1.0}
-    default |= {"strength": 1.0, "depth": 1.0, "distance": 1.0}
-    parameters = [Number(mapping.get(name, default.get(name))) for name in names]
-    return lambda r, order: shape(r, order, *parameters)
+    given = {name: Number(value) for name, value in mapping.items() if name != "kind"}
+    if mapping["kind"] == "proportional":
+        return lambda r, order: given["gamma"] * elastic(r, order)
+    return partial(SHAPES[mapping["kind"]], **given)
 
 
 class TrueFront:

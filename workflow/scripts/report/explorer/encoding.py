@@ -12,7 +12,7 @@ Zero stays zero, and no sign changes: a contact that is closed in the data is no
 The code -32768 stands for a missing value.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -21,32 +21,19 @@ LARGEST_CODE = 2**15 - 1
 MISSING = -LARGEST_CODE - 1
 
 
-class Encoded(NamedTuple):
-    """An array as whole numbers: `codes` of its shape, and of each row the step."""
-
-    codes: np.ndarray
-    steps: np.ndarray
-    error: float
-    """Largest difference of a decoded value to the one given."""
-
-    def for_page(self) -> dict[str, Any]:
-        """What the page is given of it, under the names that its scripts use."""
-        return {"codes": self.codes, "steps": self.steps}
-
-
-def encode(values: npt.ArrayLike) -> Encoded:
-    """Round each row of an array to whole numbers of its own step."""
+def encode(values: npt.ArrayLike) -> dict[str, Any]:
+    """Round each row of an array: its codes, its steps, and the largest error of rounding."""
     given = np.asarray(values, dtype=float)
     present = np.nan_to_num(given)
     steps = np.abs(present).max(axis=-1) / LARGEST_CODE
     # A row of zeros has no step.
     multiples = present / np.where(steps > 0.0, steps, 1.0)[..., None]
     codes = np.where(np.isnan(given), MISSING, np.rint(multiples)).astype(np.int16)
-    rounded = Encoded(codes, steps, 0.0)
-    return rounded._replace(error=float(np.nan_to_num(np.abs(decode(rounded) - given)).max()))
+    encoded = {"codes": codes, "steps": steps}
+    return encoded | {"rounding": float(np.nan_to_num(np.abs(decode(encoded) - given)).max())}
 
 
-def decode(encoded: Encoded) -> np.ndarray:
-    """The values that the page shows, as its scripts compute them."""
-    values = encoded.codes * encoded.steps[..., None]
-    return np.where(encoded.codes == MISSING, np.nan, values)
+def decode(encoded: dict[str, Any]) -> np.ndarray:
+    """Return the values that the page shows, as its scripts compute them."""
+    values = encoded["codes"] * encoded["steps"][..., None]
+    return np.where(encoded["codes"] == MISSING, np.nan, values)

@@ -15,8 +15,8 @@ from bokeh.models import (
 from bokeh.palettes import Viridis256
 from bokeh.plotting import figure
 
-from explorer.encoding import Encoded, encode
-from explorer.panels import CURSOR_COLOUR, Part, announce_taps, new_panel
+from explorer.encoding import encode
+from explorer.panels import CURSOR_COLOUR, announce_taps, new_panel
 from granular_fronts.output.style import (
     ALARM_COLOUR,
     CHAIN_COLOUR,
@@ -37,49 +37,43 @@ READINGS = (
     "beads_behind",
     "translation_defect",
     *(f"distance_{name}" for name in CONTINUUM_LOOKS),
+    "tail_root_real",
+    "tail_root_imaginary",
 )
+MULTIPLIERS = ("multiplier_real", "multiplier_imaginary")
+CONTINUUM = tuple(f"relative_displacement_{name}" for name in CONTINUUM_LOOKS)
+DISPLACEMENTS = ("relative_displacement", *CONTINUUM)
 SMALLEST_OVERSHOOT = 1e-6
 
 
-def encode_fronts(collection: xr.Dataset) -> dict[str, Encoded]:
-    """Profiles and multipliers, a row for each front."""
-    names = ["relative_displacement", "multiplier_real", "multiplier_imaginary"]
-    names += [f"relative_displacement_{name}" for name in CONTINUUM_LOOKS]
-    return {name: encode(_rows_of(collection[name])) for name in names}
-
-
-def _rows_of(variable: xr.DataArray) -> np.ndarray:
-    """The values of a variable with one row for each front, α after α."""
-    return variable.values.reshape(-1, *variable.shape[2:])
-
-
-def fronts_for_page(collection: xr.Dataset, encoded: dict[str, Encoded]) -> dict[str, Any]:
-    """What the script of the fronts is given."""
-    xi = _rows_of(collection["xi"])
+def fronts_for_page(collection: xr.Dataset) -> dict[str, Any]:
+    """Return what the script of the fronts is given, a row for each front, α after α."""
+    rows = {
+        name: variable.values.reshape(-1, *variable.shape[2:])
+        for name, variable in collection.variables.items()
+        if variable.dims[:2] == ("alpha", "gamma")
+    }
     return {
         "alpha": collection["alpha"].values,
         "gamma": collection["gamma"].values,
-        "first": np.ascontiguousarray(xi[:, 0]),
-        "last": np.ascontiguousarray(xi[:, -1]),
-        "verdict": _rows_of(collection["verdict"]).tolist(),
-        **{
-            name: _rows_of(collection[name])
-            for name in (*READINGS, "tail_root_real", "tail_root_imaginary")
-        },
-        **{name: array.for_page() for name, array in encoded.items()},
+        "first": np.ascontiguousarray(rows["xi"][:, 0]),
+        "last": np.ascontiguousarray(rows["xi"][:, -1]),
+        "verdict": rows["verdict"].tolist(),
+        **{name: rows[name] for name in READINGS},
+        **{name: encode(rows[name]) for name in (*DISPLACEMENTS, *MULTIPLIERS)},
     }
 
 
-def draw_fronts(fronts: dict[str, Any], plane: xr.Dataset) -> Part:
-    """The panels of the fronts."""
+def draw_fronts(fronts: dict[str, Any], plane: xr.Dataset) -> tuple[list[figure], dict[str, Any]]:
+    """Draw the panels of the fronts; return them and what their script is given."""
     atlas, chosen = _draw_atlas(fronts, plane)
-    front, curves = draw_profile()
+    front, curves = _draw_profile()
     tail, roots = _draw_complex("tail", "Re λ", "Im λ")
     square = {"x_range": DataRange1d(), "y_range": DataRange1d(), "match_aspect": True}
     spectrum, multipliers = _draw_complex("spectrum", "Re z", "Im z", **square)
     circle = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 181))
     spectrum.line(circle.real, circle.imag, color="#8a949e", line_width=1)
-    arguments = {
+    return [atlas, front, tail, spectrum], {
         "fronts": fronts,
         "front_panel": front,
         "tail_panel": tail,
@@ -88,7 +82,6 @@ def draw_fronts(fronts: dict[str, Any], plane: xr.Dataset) -> Part:
         "roots": roots,
         "multipliers": multipliers,
     }
-    return Part({panel.name: panel for panel in (atlas, front, tail, spectrum)}, arguments)
 
 
 def _draw_atlas(fronts: dict[str, Any], plane: xr.Dataset) -> tuple[figure, ColumnDataSource]:
@@ -150,7 +143,7 @@ def _ticks_between(low: float, high: float) -> list[float]:
     return [float(f"{tick:.0e}") for tick in ticks if low <= tick <= high]
 
 
-def draw_profile() -> tuple[figure, ColumnDataSource]:
+def _draw_profile() -> tuple[figure, ColumnDataSource]:
     """The exact front and the continuum fronts."""
     source = ColumnDataSource({name: [] for name in ("xi", "exact", *CONTINUUM_LOOKS)})
     panel = new_panel("front", 420, "ξ = n − ct", "relative displacement u", y_range=(-0.1, 1.9))

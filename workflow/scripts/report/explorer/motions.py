@@ -1,28 +1,22 @@
 """Motions of chains and rings over space and time: their data for the page, and their panels."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
-from bokeh.models import ColorBar, ColumnDataSource, HoverTool, LinearColorMapper, Span
+from bokeh.models import ColorBar, ColumnDataSource, HoverTool, LinearColorMapper
 from bokeh.plotting import figure
 
-from explorer.encoding import Encoded, encode
-from explorer.panels import Part, add_cursor, announce_taps, new_panel, palette
+from explorer.encoding import encode
+from explorer.panels import add_cursor, announce_taps, new_panel, palette
 from granular_fronts.output.panels import contacts_open
 from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, compression_map, velocity_map
 
 FIELDS = ("relative_displacement", "velocity")
 
 
-def encode_motion(data: xr.Dataset) -> dict[str, Encoded]:
-    """Both fields of a motion, a row for each time."""
-    return {field: encode(data[f"{field}_grid"]) for field in FIELDS}
-
-
-def motion_for_page(data: xr.Dataset, encoded: Mapping[str, Encoded]) -> dict[str, Any]:
-    """What the script of the motions is given of one."""
+def motion_for_page(data: xr.Dataset) -> dict[str, Any]:
+    """Return what the script of the motions is given of one."""
     velocity = data["velocity_grid"]
     return {
         "times": data["t_grid"].values.astype(float),
@@ -32,32 +26,29 @@ def motion_for_page(data: xr.Dataset, encoded: Mapping[str, Encoded]) -> dict[st
         "largest": float(data["relative_displacement_grid"].max()),
         "slowest": float(velocity.min()),
         "fastest": float(velocity.max()),
-        **{
-            field: {
-                **encoded[field].for_page(),
-                "error": float(data[f"{field}_grid"].attrs["error_estimate"]),
-            }
-            for field in FIELDS
-        },
+    } | {
+        field: encode(values) | {"error": float(values.attrs["error_estimate"])}
+        for field in FIELDS
+        for values in [data[f"{field}_grid"]]
     }
 
 
-def draw_motions(motions: Mapping[str, Mapping[str, Any]]) -> Part:
-    """The panels of the motions."""
+def draw_motions(motions: dict[str, Any]) -> tuple[list[figure], dict[str, Any]]:
+    """Draw the panels of the motions; return them and what their script is given."""
     profile = ColumnDataSource({"n": [], "u": [], "v": []})
     gaps = ColumnDataSource({"n": [], "u": []})
-    compression = draw_profile("relative_displacement", "relative displacement uₙ", "u", profile)
+    compression = _draw_profile("relative_displacement", "relative displacement uₙ", "u", profile)
     compression.scatter(
         "n", "u", source=gaps, marker="inverted_triangle", size=6, color=ALARM_COLOUR
     )
-    speed = draw_profile("velocity", "velocity ẋₙ", "v", profile)
+    speed = _draw_profile("velocity", "velocity ẋₙ", "v", profile)
     speed.x_range = compression.x_range
     beads, bead_arguments = _draw_beads()
-    spacetime, spacetime_arguments = draw_spacetime()
+    spacetime, spacetime_arguments = _draw_spacetime()
     panels = [beads, compression, speed, spacetime]
-    cursors: list[Span] = [add_cursor(panel, "height") for panel in panels[1:]]
-    arguments = {
-        "motions": dict(motions),
+    cursors = [add_cursor(panel, "height") for panel in panels[1:]]
+    return panels, {
+        "motions": motions,
         "panels": {panel.name: panel for panel in panels},
         "profile": profile,
         "gaps": gaps,
@@ -66,10 +57,9 @@ def draw_motions(motions: Mapping[str, Mapping[str, Any]]) -> Part:
         **bead_arguments,
         **spacetime_arguments,
     }
-    return Part({panel.name: panel for panel in panels}, arguments)
 
 
-def draw_profile(name: str, label: str, field: str, source: ColumnDataSource) -> figure:
+def _draw_profile(name: str, label: str, field: str, source: ColumnDataSource) -> figure:
     """One field along the chain at one time."""
     panel = new_panel(name, 220, "bead n", label)
     panel.line("n", field, source=source, color=CHAIN_COLOUR, line_width=1)
@@ -105,7 +95,7 @@ def _draw_beads() -> tuple[figure, dict[str, Any]]:
     return panel, {"beads": beads, "openings": openings, "bead_colours": colours}
 
 
-def draw_spacetime() -> tuple[figure, dict[str, Any]]:
+def _draw_spacetime() -> tuple[figure, dict[str, Any]]:
     """A field over bead number and time, gaps in a colour of their own."""
     colours = LinearColorMapper(palette=palette(compression_map()), low=0, high=1)
     # One value, so that the script knows the type of a picture.

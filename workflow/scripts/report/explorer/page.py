@@ -4,9 +4,9 @@ Bokeh draws the panels and is part of the page.  The controls are the browser's 
 have a name, a value in words and keys for readers who see no picture; Bokeh's sliders have none.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from decimal import ROUND_CEILING, Context
-from typing import Any, NamedTuple
+from typing import Any
 
 import bokeh
 import jinja2
@@ -18,9 +18,8 @@ from bokeh.events import DocumentReady
 from bokeh.models import CustomJS
 from bokeh.resources import INLINE
 
-from explorer.encoding import Encoded
-from explorer.fronts import draw_fronts, encode_fronts, fronts_for_page
-from explorer.motions import FIELDS, draw_motions, encode_motion, motion_for_page
+from explorer.fronts import CONTINUUM, MULTIPLIERS, draw_fronts, fronts_for_page
+from explorer.motions import FIELDS, draw_motions, motion_for_page
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
@@ -30,61 +29,63 @@ SYMBOLS = {"alpha": "α", "beta": "β", "gamma": "γ"}
 
 TWO_DIGITS_UP = Context(prec=2, rounding=ROUND_CEILING)
 
+FRONT_ARRAYS = {
+    "relative displacement of exact fronts": ["relative_displacement"],
+    "relative displacement of continuum fronts": CONTINUUM,
+    "multipliers": MULTIPLIERS,
+}
+
 TITLE = "Fronts in granular chains, to explore"
 
 
-class Sources(NamedTuple):
-    """What the page is made from: motions on a space–time grid, fronts, and the plane of both."""
-
-    motions: list[xr.Dataset]
-    collection: xr.Dataset
-    plane: xr.Dataset
-
-    def all(self) -> list[xr.Dataset]:
-        """Every dataset."""
-        return [*self.motions, self.collection, self.plane]
-
-
 def make_page(
-    template: str, scripts: Mapping[str, str], sources: Sources, reference: Mapping[str, Any]
+    template: str,
+    scripts: Mapping[str, str],
+    motions: list[xr.Dataset],
+    collection: xr.Dataset,
+    plane: xr.Dataset,
+    reference: Mapping[str, Any],
 ) -> str:
-    """The text of the page; `scripts` are shared.js, motions.js and fronts.js by their stems."""
-    motions = {data.attrs["scene"]: encode_motion(data) for data in sources.motions}
-    fronts = encode_fronts(sources.collection)
-    parts = {
-        "motions": draw_motions(
-            {
-                data.attrs["scene"]: motion_for_page(data, motions[data.attrs["scene"]])
-                for data in sources.motions
-            }
-        ),
-        "fronts": draw_fronts(fronts_for_page(sources.collection, fronts), sources.plane),
-    }
+    """Return the text of the page, from the arguments of `write_explorer` as they were read.
+
+    The texts of shared.js, motions.js and fronts.js come by their stems.
+    """
+    moving = {data.attrs["scene"]: motion_for_page(data) for data in motions}
+    fronts = fronts_for_page(collection)
     document = Document(title=TITLE)
-    for part in parts.values():
-        for panel in part.panels.values():
+    for name, (panels, arguments) in {
+        "motions": draw_motions(moving),
+        "fronts": draw_fronts(fronts, plane),
+    }.items():
+        for panel in panels:
             document.add_root(panel)
-    callbacks = [
-        CustomJS(args=part.arguments, code=f"{scripts['shared']}\n{scripts[name]}")
-        for name, part in parts.items()
-    ]
-    document.js_on_event(DocumentReady, *callbacks)
-    variables = {
-        "sources": [_describe_source(data, reference) for data in sources.all()],
-        "scenes": [describe_scene(data) for data in sources.motions],
-        "errors": list(_errors(sources, motions, fronts)),
-        "collection": sources.collection,
-        "code_version": code_version(),
-        "bokeh_version": bokeh.__version__,
-        "made_from": [source_of(data) for data in sources.all()],
-    }
+        script = CustomJS(args=arguments, code=f"{scripts['shared']}\n{scripts[name]}")
+        document.js_on_event(DocumentReady, script)
     environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=True)
+    sources = [*motions, collection, plane]
+    errors = [
+        _describe_error(f"{field}, {scene}", [data[f"{field}_grid"]], [moving[scene][field]])
+        for data in motions
+        for scene in [data.attrs["scene"]]
+        for field in FIELDS
+    ] + [
+        _describe_error(words, [collection[one] for one in names], [fronts[one] for one in names])
+        for words, names in FRONT_ARRAYS.items()
+    ]
     return file_html(
         document,
         INLINE,
         TITLE,
         template=environment.from_string(template),
-        template_variables=variables,
+        template_variables={
+            "sources": [_describe_source(data, reference) for data in sources],
+            "scenes": [describe_scene(data) for data in motions],
+            "errors": errors,
+            "collection": collection,
+            "code_version": code_version(),
+            "bokeh_version": bokeh.__version__,
+            "made_from": [source_of(data) for data in sources],
+        },
     )
 
 
@@ -133,32 +134,13 @@ def _numbers_in_words(parameters: Mapping[str, Any]) -> str:
     )
 
 
-def _errors(
-    sources: Sources,
-    motions: Mapping[str, Mapping[str, Encoded]],
-    fronts: Mapping[str, Encoded],
-) -> Iterator[dict[str, str]]:
-    """For each array of the page the largest error of its solver and that of rounding it."""
-    for data in sources.motions:
-        for field in FIELDS:
-            encoded = motions[data.attrs["scene"]][field]
-            yield _row(f"{field}, {data.attrs['scene']}", [data[f"{field}_grid"]], [encoded])
-    by_kind: dict[str, list[str]] = {
-        "relative displacement of exact fronts": ["relative_displacement"],
-        "relative displacement of continuum fronts": [
-            name for name in fronts if name.startswith("relative_displacement_")
-        ],
-        "multipliers": ["multiplier_real", "multiplier_imaginary"],
-    }
-    for words, names in by_kind.items():
-        yield _row(words, [sources.collection[name] for name in names], [fronts[n] for n in names])
-
-
-def _row(words: str, solved: Iterable[xr.DataArray], encoded: Iterable[Encoded]) -> dict[str, str]:
-    """One row of the table of errors, which are rounded up to two digits."""
+def _describe_error(
+    words: str, solved: list[xr.DataArray], encoded: list[dict[str, Any]]
+) -> dict[str, str]:
+    """Name the largest error of some arrays' solver and of rounding them, both rounded up."""
     up = TWO_DIGITS_UP.create_decimal
     return {
         "array": words.replace("_", " "),
         "solver": f"{up(max(variable.attrs['error_estimate'] for variable in solved)):.1e}",
-        "rounding": f"{up(max(array.error for array in encoded)):.1e}",
+        "rounding": f"{up(max(array['rounding'] for array in encoded)):.1e}",
     }

@@ -1,6 +1,6 @@
-"""What the panels of the page share: how a figure looks, and what its script is given."""
+"""What the panels of the page share."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import matplotlib.colors
 from bokeh.events import Tap
@@ -10,13 +10,6 @@ from matplotlib.colors import Colormap
 
 CURSOR_COLOUR = "#b35900"
 TOOLS = "box_zoom,reset,save"
-
-
-class Part(NamedTuple):
-    """One half of the page."""
-
-    panels: dict[str, figure]
-    arguments: dict[str, Any]
 
 
 def new_panel(name: str, height: int, x_label: str, y_label: str, **options: Any) -> figure:

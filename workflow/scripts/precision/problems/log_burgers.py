@@ -1,0 +1,132 @@
+"""The rings of James (2021), section 4.3, to their end by the logarithmic Burgers equation (50).
+
+Four schemes; a tolerance is the width of a cell over that of the ring, or the longest step:
+
+upwind          the paper's explicit scheme;
+finite_volumes  ours, with finer cells at the start;
+uniform_cells   ours without them, which shows what the kinks of the start cost;
+fourier         the method of the equation with a third derivative (55), here without it, which
+                shares no scheme with ours.
+
+The start (49) has kinks; a smooth start of similar width shows the orders away from them.  The
+reference, finite volumes on fine cells, is computed and not stored, since it may be evaluated
+wherever a scheme has its points; its error is its distance to the Fourier method, also refined.
+"""
+
+from functools import partial
+
+import numpy as np
+
+from granular_fronts.continuum.log_burgers.solution import SMALLEST_ARGUMENT, START_LEVELS, solve
+from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.continuum.log_kdv_burgers.fourier_waves import Equation, values_at
+from granular_fronts.continuum.log_kdv_burgers.solution import follow
+from granular_fronts.model.amplitude_scaling import scaling_of
+from granular_fronts.reference_methods import upwind
+from peers.record import Run, Stopwatch
+from problems.problem import Problem, Reference
+
+# Error per step over the sixth power of the cell width: neither space nor time is wasted.
+TOLERANCE_PER_WIDTH = 0.05
+EVALUATED_POINTS = 8192
+# Of the Fourier method: its error per step is this power of its longest step, and its start is on
+# 2⁴ times as many points.
+FOURIER_ORDER, FOURIER_LEVELS = 4, 4
+SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
+
+
+def make_problem(problem, _states=None):
+    """One ring of ``precision.log_burgers`` with its `scene`, from a `smooth` start or its own."""
+    scene, fine = problem["scene"], problem["reference"]
+    if problem["smooth"]:
+        scene = scene | {"start": _smooth_start()}
+    accurate = solve(scene, 1.0, [scene["end_time"]], fine["cells"], fine["tolerance"])
+    independent = _run_fourier(scene, accurate, fine["points"], fine["longest_step"])
+    error = float(np.abs(independent.fields["rescaled_force"]).max())
+    widths = [1.0 / cells for cells in problem["cells"]]
+    methods = {
+        "upwind": partial(_run_upwind, scene, accurate),
+        "finite_volumes": partial(_run_cells, scene, accurate, START_LEVELS),
+        "uniform_cells": partial(_run_cells, scene, accurate, 0),
+        "fourier": partial(_run_fourier, scene, accurate, fine["points"]),
+    }
+    tolerances = {
+        "upwind": [1.0 / points for points in problem["upwind_points"]],
+        "finite_volumes": widths,
+        "uniform_cells": widths,
+        "fourier": problem["longest_steps"],
+    }
+    chosen = ("finite_volumes", "fourier") if problem["smooth"] else methods
+    return Problem(
+        ours="finite_volumes",
+        # The fields of a run are its distances to the reference.
+        reference={"rescaled_force": Reference(np.zeros(1), np.zeros(1), error)},
+        methods=methods,
+        tolerances={method: tolerances[method] for method in chosen},
+    )
+
+
+def _run_upwind(scene, accurate, width):
+    """The paper's scheme."""
+    points, half_length, end = round(1.0 / width), accurate.half_length, _end_of(scene)
+    with Stopwatch() as watch:
+        values = make_start(scene["start"]).values(upwind.grid(half_length, points), half_length)
+        found = upwind.evolve_upwind(values, half_length, end)
+    fields = _distances(accurate, found.xi, found.values)
+    return Run(fields, **watch.times, right_hand_sides=found.steps, steps=found.steps, grid=points)
+
+
+def _run_cells(scene, accurate, levels, width):
+    """Finite volumes."""
+    cells = round(1.0 / width)
+    tolerance = TOLERANCE_PER_WIDTH * (2.0 * accurate.half_length / cells) ** 6
+    with Stopwatch() as watch:
+        evolution = solve(scene, 1.0, [scene["end_time"]], cells, tolerance, levels)
+    xi = upwind.grid(accurate.half_length, EVALUATED_POINTS)
+    return Run(
+        _distances(accurate, xi, evolution.rescaled_force(0, xi)),
+        **watch.times,
+        right_hand_sides=evolution.counts["right_hand_sides"],
+        steps=evolution.counts["steps_accepted"],
+        grid=cells,
+    )
+
+
+def _run_fourier(scene, accurate, points, longest_step):
+    """The Fourier method, of four right-hand sides per step, on ξ = ξ̃ + τ."""
+    half_length, end = accurate.half_length, _end_of(scene)
+    equation = Equation(half_length, 1.0, 0.0, SMALLEST_ARGUMENT)
+    # `follow` takes half of the steps that it is shown.
+    doubled = np.arange(0.0, end + 4.0 * longest_step, 2.0 * longest_step).tolist()
+    tolerance = longest_step**FOURIER_ORDER
+    with Stopwatch() as watch:
+        start = make_start(scene["start"])
+        kept, motion = follow(
+            equation, start, [end], points, tolerance, FOURIER_LEVELS, coarser=doubled
+        )
+    xi = upwind.grid(half_length, points)
+    return Run(
+        _distances(accurate, xi, values_at(kept[0], half_length, xi + end)),
+        **watch.times,
+        right_hand_sides=4 * (motion.accepted + motion.rejected),
+        steps=motion.accepted,
+        grid=points,
+    )
+
+
+def _end_of(scene):
+    """τ at the end."""
+    return scaling_of(scene).slow_rate * scene["end_time"]
+
+
+def _distances(accurate, xi, values):
+    """Distances of Y to the reference at the points of a scheme."""
+    return {"rescaled_force": values - accurate.rescaled_force(0, xi)}
+
+
+def _smooth_start():
+    """An analytic bump of height 1: exp of a cosine."""
+    angle = np.pi * np.linspace(-1.0, 1.0, SMOOTH_POINTS)
+    force = np.exp(SMOOTH_SHARPNESS * (np.cos(angle) - 1.0))
+    force[-1] = force[0]
+    return {"kind": "given", "rescaled_force": force}
