@@ -43,7 +43,7 @@ onstart:
     hold_results_folder()
 
 
-include: "workflow/rules/questions.smk"
+include: "workflow/rules/parameters.smk"
 include: "workflow/rules/products.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/kernels.smk"
@@ -70,8 +70,8 @@ rule all:
         report="<results>/report.html",
         verdict="<results>/checks.txt",
         # Nothing is up to date while something that it was made from is missing.
-        figures=DRAWN_FILES,
-        tables=WRITTEN_FILES,
+        figures=FIGURE_FILES,
+        tables=TABLE_FILES,
         datasets=DATASETS,
     message:
         "Done: open {input.report}."

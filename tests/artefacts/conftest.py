@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from dataset_parameters import default_parameters
 from granular_fronts.output import datasets
 from granular_fronts.output.departures import physical_departures
 from granular_fronts.scenes.yaml_files import read_yaml
-from questions import questions
 
 PROJECT = Path(__file__).parents[2]
 
@@ -42,11 +42,11 @@ def configuration(request):
 def as_in_the_paper(configuration):
     """Skip a test that expects the paper's parameters where some of its datasets have others."""
     default = read_yaml(PROJECT / "config/default.yaml")
-    asked, reference = questions(configuration), questions(default)
+    present, reference = default_parameters(configuration), default_parameters(default)
 
     def check(*names):
         for name in names:
-            if physical_departures(asked[name], reference[name]):
+            if physical_departures(present[name], reference[name]):
                 pytest.skip(f"{name} has other parameters than the paper")
 
     return check

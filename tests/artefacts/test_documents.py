@@ -8,8 +8,8 @@ import update_documents as updating
 from conftest import PROJECT
 from test_tables import read_table
 
+from dataset_parameters import default_parameters
 from granular_fronts.scenes.yaml_files import read_yaml
-from questions import questions
 
 UPDATE = "call workflow/scripts/report/update_documents.py, as make readme does"
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -18,7 +18,9 @@ NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 @pytest.fixture
 def default(configuration):
     """Skip a test of pages, which show the default configuration, where another is computed."""
-    if questions(configuration) != questions(read_yaml(PROJECT / "config" / "default.yaml")):
+    if default_parameters(configuration) != default_parameters(
+        read_yaml(PROJECT / "config" / "default.yaml")
+    ):
         pytest.skip("the pages show the default configuration")
 
 

@@ -6,34 +6,37 @@ import pytest
 from conftest import listed_as_made, read_dataset
 from figure_samples import SAMPLES
 
-from granular_fronts.output.datasets import read_origins
-from granular_fronts.output.provenance import disagreements, read_record
-from questions import questions
+from dataset_parameters import default_parameters
+from granular_fronts.output.datasets import read_sources
+from granular_fronts.output.files import read_json
+from granular_fronts.output.provenance import disagreements
 
 FIGURES = pytest.mark.parametrize("stem", listed_as_made("figures"))
 
 
 def test_all_belongs_together_and_answers_the_configuration(results, configuration):
-    asked = questions(configuration)
+    parameters = default_parameters(configuration)
+    sources = read_sources(results / "data", parameters)
+    assert len(sources) == len(parameters)
     stems = [*listed_as_made("figures"), *listed_as_made("tables")]
-    records = [results / f"{stem}.json" for stem in stems]
-    assert not list(disagreements(records, read_origins(results / "data", asked), asked))
+    for stem in stems:
+        assert not list(disagreements(results / f"{stem}.json", parameters, sources))
 
 
 @FIGURES
 def test_pictures_are_whole_and_name_what_they_were_drawn_from(results, stem):
-    made_from = read_record(results / f"{stem}.json")["made_from"]
+    made_from = read_json(results / f"{stem}.json")["made_from"]
     for ending, start, end in (("png", b"\x89PNG", b"IEND"), ("pdf", b"%PDF", b"%%EOF")):
         content = (results / f"{stem}.{ending}").read_bytes()
         assert content.startswith(start)
         assert end in content[-12:]
-        for origin in made_from:
-            assert "{scene}:{question}:{data}".format(**origin).encode() in content
+        for source in made_from:
+            assert ":".join(source.values()).encode() in content
 
 
 @FIGURES
 def test_texts_are_filled(results, stem):
-    record = read_record(results / f"{stem}.json")
+    record = read_json(results / f"{stem}.json")
     caption = (results / f"{stem}.rst").read_text(encoding="utf-8")
     for text in (caption, record["title"], record["alt"]):
         assert text.strip()
@@ -43,7 +46,7 @@ def test_texts_are_filled(results, stem):
 @FIGURES
 def test_data_have_the_variables_that_the_tests_of_figures_draw(results, stem):
     """Those tests draw samples, which hold for the workflow only if its datasets are alike."""
-    scenes = [each["scene"] for each in read_record(results / f"{stem}.json")["made_from"]]
+    scenes = [each["scene"] for each in read_json(results / f"{stem}.json")["made_from"]]
     files = [file for scene in scenes for file in results.glob(f"data/*/{scene}.nc")]
     made = [variables_of(read_dataset(file)) for file in files]
     number = stem.removeprefix("figures/").split("_")[0]

@@ -10,7 +10,8 @@ from projects import ROOT
 import granular_fronts as gf
 from granular_fronts.accuracy import certain_sign
 from granular_fronts.output.datasets import read_dataset, write_dataset
-from granular_fronts.output.provenance import digest, origin, read_record
+from granular_fronts.output.files import read_json
+from granular_fronts.output.provenance import digest, source_of
 
 BEADS = 40
 
@@ -30,7 +31,7 @@ def dataset(tmp_path_factory):
 @pytest.fixture(scope="module")
 def folder(dataset):
     files = {name: dataset.with_name(f"front.{name}") for name in ("gif", "pdf", "png")}
-    animate_front(dataset, **files, record=dataset.with_name("front.json"))
+    animate_front(dataset, **files, provenance=dataset.with_name("front.json"))
     return dataset.parent
 
 
@@ -57,8 +58,8 @@ def test_the_still_shows_the_front_before_and_after_its_reflection(dataset):
 
 
 def test_the_record_names_data_and_files(dataset, folder):
-    record = read_record(folder / "front.json")
-    assert record["made_from"] == [origin(read_dataset(dataset).attrs)]
+    record = read_json(folder / "front.json")
+    assert record["made_from"] == [source_of(read_dataset(dataset))]
     assert record["files"] == {
         f"front.{ending}": digest((folder / f"front.{ending}").read_bytes())
         for ending in ("gif", "pdf", "png")
@@ -67,7 +68,7 @@ def test_the_record_names_data_and_files(dataset, folder):
 
 def test_equal_data_give_equal_pictures(dataset, folder, tmp_path):
     files = {name: tmp_path / f"front.{name}" for name in ("gif", "pdf", "png")}
-    animate_front(dataset, **files, record=tmp_path / "front.json")
+    animate_front(dataset, **files, provenance=tmp_path / "front.json")
     for path in files.values():
         assert path.read_bytes() == (folder / path.name).read_bytes()
 

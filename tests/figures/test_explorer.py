@@ -18,7 +18,8 @@ from explorer.encoding import decode, encode
 from explorer.fronts import MULTIPLIERS, READINGS
 from explorer.motions import FIELDS, motion_for_page
 from explorer.page import FRONT_ARRAYS, describe_scene
-from granular_fronts.output.provenance import digest, origin, read_record
+from granular_fronts.output.files import read_json
+from granular_fronts.output.provenance import digest, source_of
 
 NUMBERS = st.floats(-1e200, 1e200, allow_subnormal=False) | st.just(np.nan)
 ROUNDING = 1.0 + 1e-10
@@ -164,12 +165,12 @@ def test_page_is_one_file_that_says_what_it_was_made_from(written):
     assert re.findall(r"<script[^>]*\ssrc=|<(?:img|iframe|object)\b|@import|url\(", markup) == []
     assert re.findall(r'<link[^>]*href="(?!data:)', markup) == []
     assert re.search(r"<script[^>]*\ssrc=", html) is None
-    origins = [origin(one.attrs) for one in data.values()]
+    sources = [source_of(one) for one in data.values()]
     [kept] = re.findall(r'id="made-from">(.*?)</script>', html)
-    assert json.loads(kept) == origins
-    record = read_record(page.with_suffix(".json"))
+    assert json.loads(kept) == sources
+    record = read_json(page.with_suffix(".json"))
     assert record["files"] == {page.name: digest(page.read_bytes())}
-    assert record["made_from"] == sorted(origins, key=lambda made_from: made_from["scene"])
+    assert record["made_from"] == sorted(sources, key=lambda made_from: made_from["scene"])
     assert record["code_version"] in html
     assert "beads is 20 instead of 21" in html
     assert "not one of the paper's" in unescape(html)

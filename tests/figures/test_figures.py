@@ -10,10 +10,10 @@ import matplotlib.pyplot as plt
 import pytest
 from chains import driven_scene
 
-from figure_step import make_step
+from figure_step import write_figure
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
-from granular_fronts.output.provenance import read_record
+from granular_fronts.output.files import read_json
 
 BEADS = 24
 
@@ -35,14 +35,15 @@ def path(tmp_path_factory):
     return path
 
 
-ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst", "record": "json"}
+ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst", "provenance": "json"}
 
 
 def make_files(path, stem, caption, reference=None):
     """Run the step of figure 3, with a caption and a title of the test's."""
     template = stem.with_suffix(".template")
     template.write_text(caption, encoding="utf-8")
-    make_step(importlib.import_module("plot_fig03").plot_fig03)(
+    write_figure(
+        importlib.import_module("plot_fig03").plot_fig03,
         data=path,
         template=template,
         title="Damping {{ data.law.gamma }}",
@@ -69,9 +70,9 @@ def test_files_name_the_data_and_texts_are_filled_with_what_was_computed(path, t
     scene = configuration_of(read_dataset(path))
     make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", {"scene": scene})
     assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
-    record = read_record(tmp_path / "fig.json")
+    record = read_json(tmp_path / "fig.json")
     assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
-    digests = {"question": attributes["config_digest"], "data": attributes["data_digest"]}
+    digests = {name: attributes[name] for name in ("config_digest", "data_digest")}
     assert record["made_from"] == [{"scene": "scene"} | digests]
     keyword = ":".join(record["made_from"][0].values()).encode()
     for ending in ("pdf", "png"):

@@ -73,16 +73,6 @@ def marks(axes):
     return [line for line in axes.get_lines() if line.get_transform() is not axes.transData]
 
 
-# What a motion says of its contacts.
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_a_motion_says_how_many_contacts_it_has_and_whether_they_open(motions, name):
-    attributes = motions[name].attrs
-    assert attributes["contacts"] == (24 if name in ("ring", "toda") else 23)
-    assert attributes["contacts_open"] == OPENING[name]
-
-
 # Fronts and sweeps.
 
 
@@ -117,6 +107,8 @@ def test_a_sweep_shows_the_overshoot_of_every_front_that_has_one():
     assert sweep["overshoot"][2] < 1e-12 < sweep["overshoot"][1]
     assert_curve(line, sweep["gamma"], [*sweep["overshoot"].values[:2], np.nan])
     assert_labels(axes, r"$\gamma$", r"overshoot $\max u/\delta - 1$", "linear log")
+    [text] = gf.plot.sweep(sweep.isel(gamma=[2])).texts
+    assert text.get_text() == "no overshoot"
 
 
 def test_a_sweep_of_any_law_goes_through_a_factor():
@@ -130,8 +122,10 @@ def test_a_sweep_of_any_law_goes_through_a_factor():
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_a_chain_is_drawn_at_each_snapshot(motions, name):
+def test_a_chain_is_drawn_at_each_snapshot_with_its_open_contacts(motions, name):
     motion = motions[name]
+    assert motion.attrs["contacts"] == (24 if name in ("ring", "toda") else 23)
+    assert motion.attrs["contacts_open"] == OPENING[name]
     upper, lower = gf.plot.chain(motion)
     u = contacts(motion, motion["relative_displacement"])
     for row in range(3):
@@ -141,19 +135,12 @@ def test_a_chain_is_drawn_at_each_snapshot(motions, name):
     assert_labels(upper, "$n$", "$u_n$")
     assert_labels(lower, "$n$", r"$\dot x_n$")
     assert legend(lower)[:3] == ["$t = 12$", "$t = 24$", "$t = 60$"]
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_open_contacts_are_marked_at_each_snapshot(motions, name):
-    motion = motions[name]
-    upper, _ = gf.plot.chain(motion)
-    u = contacts(motion, motion["relative_displacement"])
+    drawn = marks(upper)
     if not OPENING[name]:
         # Toda's contacts pull, so that an extended one is not open.
-        assert marks(upper) == []
+        assert drawn == []
         assert float(u.min()) < 0.0
         return
-    drawn = marks(upper)
     for row, line in enumerate(drawn):
         np.testing.assert_array_equal(line.get_xdata(), u["bead"][opened(u)[row]])
         assert line.get_color() == curves(upper)[row].get_color()
@@ -185,6 +172,9 @@ def test_gaps_do_not_hide_the_compressions(motions):
     wide["relative_displacement"][-1, 3] = -50.0
     largest = float(wide["relative_displacement"].max())
     assert gf.plot.chain(wide)[0].get_ylim() == pytest.approx((-1.1 * largest, 1.1 * largest))
+    # Narrower gaps leave no space unused.
+    narrow = wide.clip(-0.01, largest).assign_attrs(wide.attrs)
+    assert gf.plot.chain(narrow)[0].get_ylim()[0] == pytest.approx(-0.01 - 0.05 * (largest + 0.01))
     held = wide.assign_attrs(contacts_open=0)
     assert gf.plot.chain(held)[0].get_ylim()[0] < -50.0
 
@@ -207,7 +197,7 @@ def test_space_and_time_are_coloured_with_gaps_in_red(motions):
 # Moving pictures.
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", ["pressure", "toda"])
 def test_each_frame_shows_its_time(motions, name):
     motion = motions[name]
     figure, show = moving_chain(motion)
@@ -218,12 +208,10 @@ def test_each_frame_shows_its_time(motions, name):
         assert_curve(curves(upper)[0], u["bead"], u[row])
         assert_curve(curves(lower)[0], motion["bead"], motion["velocity_grid"][row])
         assert upper.get_title("left") == f"$t = {4 * row}$"
-        if OPENING[name]:
-            [line] = marks(upper)
+        assert len(marks(upper)) == OPENING[name]
+        for line in marks(upper):
             np.testing.assert_array_equal(line.get_xdata(), u["bead"][opened(u)[row]])
             assert np.all(line.get_ydata() == MARK_HEIGHT)
-        else:
-            assert marks(upper) == []
     assert_labels(upper, "", "compression $u_n$")
     assert_labels(lower, "bead $n$", r"velocity $\dot x_n$")
 
@@ -232,17 +220,15 @@ def test_a_moving_picture_has_the_frames_asked_for(motions, tmp_path):
     movie = gf.plot.animate(motions["pressure"], frames=4)
     assert movie.rows == [0, 5, 10, 15]
     assert gf.plot.animate(motions["pressure"]).rows == list(range(16))
-    for ending in ("gif", "png", "webp"):
+    for ending in ("GIF", "png", "webp"):
         movie.write(tmp_path / f"front.{ending}")
         with Image.open(tmp_path / f"front.{ending}") as written:
             assert written.n_frames == 4
             assert written.size[0] == int(120 * TEXT_WIDTH)
             assert written.info["loop"] == 0
-    with pytest.raises(InputError, match=r"file is '\.mp4', but must be one of \.gif"):
-        movie.write(tmp_path / "front.mp4")
-    movie.write(tmp_path / "capital.GIF")
-    with pytest.raises(InputError, match="must be a file in a folder that exists"):
-        movie.write(tmp_path / "nowhere" / "front.gif")
+    for refused in ("front.mp4", "nowhere/front.gif"):
+        with pytest.raises(InputError, match=re.escape(refused[-4:])):
+            movie.write(tmp_path / refused)
 
 
 def test_what_changes_in_a_moving_picture_is_drawn_as_in_a_whole_one(motions):
@@ -275,8 +261,17 @@ def test_few_colours_keep_open_contacts_red(motions, tmp_path):
     assert reds[openings.argmax()] > reds[0]
 
 
-def test_a_notebook_shows_a_moving_picture_by_itself(motions):
+# Notebooks.
+
+
+def test_a_notebook_shows_figures_and_moving_pictures_and_keeps_its_looks(motions, fronts):
+    """It shows figures that pyplot keeps; a moving picture is the value of its cell."""
+    before = dict(matplotlib.rcParams)
+    axes = [gf.plot.front(fronts["powers"]), gf.plot.chain(motions["pressure"])[0]]
+    axes.append(gf.plot.space_time(motions["pressure"])[0])
     page = gf.plot.animate(motions["pressure"], frames=2)._repr_html_()
+    assert [plt.figure(number) for number in plt.get_fignums()] == [each.figure for each in axes]
+    assert dict(matplotlib.rcParams) == before
     source, alternative = re.fullmatch(
         r'<img src="data:image/gif;base64,(.+)" alt="(.+)">', page
     ).groups()
@@ -285,37 +280,17 @@ def test_a_notebook_shows_a_moving_picture_by_itself(motions):
     assert "from t = 0 to t = 60." in alternative
 
 
-# Notebooks.
-
-
-def test_looks_of_other_figures_stay(motions, fronts):
-    before = dict(matplotlib.rcParams)
-    gf.plot.front(fronts["powers"])
-    gf.plot.chain(motions["pressure"])
-    gf.plot.space_time(motions["pressure"])
-    gf.plot.animate(motions["pressure"], frames=1)
-    assert dict(matplotlib.rcParams) == before
-
-
-def test_a_notebook_shows_the_figures(motions, fronts):
-    """It shows those that pyplot keeps; a moving picture is shown as the value of its cell."""
-    axes = [gf.plot.front(fronts["powers"]), gf.plot.chain(motions["toda"])[0]]
-    gf.plot.animate(motions["toda"], frames=1)
-    assert [plt.figure(number) for number in plt.get_fignums()] == [each.figure for each in axes]
-
-
 # What cannot be drawn.
 
 
 @pytest.mark.parametrize(
     ("draw", "given", "words"),
     [
-        (gf.plot.front, 3, "front is 3, .* gf.solve_front"),
+        (gf.plot.front, 3, "front is 3"),
         (gf.plot.front, xr.Dataset(), r"relative_displacement on \(xi\)"),
-        (gf.plot.sweep, None, "sweep is None, .* gf.sweep_fronts"),
+        (gf.plot.sweep, None, "sweep is None"),
         (gf.plot.sweep, xr.Dataset(), r"overshoot on \(gamma\)"),
-        (gf.plot.chain, [1], r"motion is \[1\], .* gf.simulate_chain"),
-        (gf.plot.chain, xr.Dataset(), r"on \(t, bead\): .* snapshots: \[10\] in its record"),
+        (gf.plot.chain, xr.Dataset(), r"on \(t, bead\): .* snapshots: \[10\]"),
         (gf.plot.space_time, xr.Dataset(), r"relative_displacement_grid .* grid: \{step: 1\}"),
         (gf.plot.animate, xr.Dataset(), r"relative_displacement_grid .* grid: \{step: 1\}"),
     ],
@@ -326,10 +301,8 @@ def test_what_cannot_be_drawn_is_refused_by_its_name(draw, given, words):
 
 
 def test_what_has_nothing_to_show_says_so(motions, fronts):
-    [text] = gf.plot.sweep(gf.sweep_fronts(1.5, [0.6, 0.7])).texts
-    assert text.get_text() == "no overshoot"
     unsolved = fronts["powers"].assign_attrs(converged=0, reason="it is too steep")
-    with pytest.raises(InputError, match=r"has not converged \(it is too steep\)"):
+    with pytest.raises(InputError, match="it is too steep"):
         gf.plot.front(unsolved)
     with pytest.raises(InputError, match="axes is 'x'"):
         gf.plot.front(fronts["powers"], axes="x")

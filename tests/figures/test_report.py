@@ -11,11 +11,11 @@ from projects import ROOT
 from write_report import write_report
 
 from granular_fronts.output.datasets import read_dataset, write_dataset
-from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.provenance import source_of, write_provenance
 from granular_fronts.output.tables import write_table
 
 PNG = b"\x89PNG\r\n\x1a\n"
-QUESTIONS = {
+PARAMETERS = {
     "chain/scene": {"law": {"gamma": 0.06}},
     "precision/speed_error": {"repeats": 3},
 }
@@ -29,7 +29,7 @@ def make_figure(results, stem, data):
         file.write_bytes(content)
     record = files[0].with_suffix(".json")
     texts = {"title": f"Title of {stem}", "alt": f"Seen in {stem}"}
-    write_record(record, files, [origin(data.attrs)], **texts)
+    write_provenance(record, files, [data], **texts)
     return record
 
 
@@ -44,10 +44,10 @@ def make_table(results, name, data):
 @pytest.fixture
 def results(tmp_path):
     """A results folder with a figure and a table for each of two datasets."""
-    for name, question in QUESTIONS.items():
+    for name, parameters in PARAMETERS.items():
         file = tmp_path / f"data/{name}.nc"
         dataset = xr.Dataset({"velocity": ((), 1.0, {"error_estimate": 0.0})})
-        write_dataset(dataset, file, scene_id=file.stem, config=question)
+        write_dataset(dataset, file, scene_id=file.stem, config=parameters)
         data = read_dataset(file)
         figure, table = ("fig01_front", "paper_numbers")
         if name.startswith("precision"):
@@ -60,7 +60,7 @@ def results(tmp_path):
     return tmp_path
 
 
-def write(results, asked=None, asked_on_demand=None, on_demand=True, pages=()):
+def write(results, on_demand=True, pages=(), **parameters):
     """Write the report and return its text."""
     names = ["figures/fig14_speed_error.json", "tables/speed_verdicts.json"] if on_demand else []
     names += pages
@@ -70,9 +70,7 @@ def write(results, asked=None, asked_on_demand=None, on_demand=True, pages=()):
         figures=[results / "figures/fig01_front.json"],
         tables=[results / "tables/paper_numbers.json"],
         on_demand=[results / name for name in names],
-        asked=asked or {"chain/scene": QUESTIONS["chain/scene"]},
-        asked_on_demand=asked_on_demand
-        or {"precision/speed_error": QUESTIONS["precision/speed_error"]},
+        parameters=PARAMETERS | parameters,
         results=results,
         benchmarks=[results / "job.tsv", results / "other.tsv"],
         verdict=results / "verdict.txt",
@@ -96,7 +94,7 @@ def test_page_holds_pictures_captions_tables_and_links(results):
     assert re.search(r"all jobs\s*</td>\s*<td[^>]*>\s*3\.5\s*</td>", page)
     made_from = json.loads(re.search(r'id="made-from">(.*?)</script>', page, re.DOTALL)[1])
     data = read_dataset(results / "data/chain/scene.nc")
-    assert made_from["fig01_front"]["made_from"] == [origin(data.attrs)]
+    assert made_from["fig01_front"]["made_from"] == [source_of(data)]
 
 
 def test_what_files_hold_is_shown_and_never_run(results):
@@ -108,7 +106,7 @@ def test_what_files_hold_is_shown_and_never_run(results):
     data = read_dataset(results / "data/chain/scene.nc")
     files = [record.with_suffix(f".{ending}") for ending in ("pdf", "png", "rst")]
     title = "</script><script>run()</script>"
-    write_record(record, files, [origin(data.attrs)], title=title, alt="")
+    write_provenance(record, files, [data], title=title, alt="")
     page = write(results)
     assert "<script>run()" not in page
     assert "<em>run</em>" not in page
@@ -118,14 +116,14 @@ def test_what_files_hold_is_shown_and_never_run(results):
 
 
 def test_page_leaves_out_and_names_what_answers_another_configuration(results):
-    page = write(results, asked_on_demand={"precision/speed_error": {"repeats": 5}})
+    page = write(results, **{"precision/speed_error": {"repeats": 5}})
     assert "Seen in fig14_speed_error" not in page
     assert re.search(r"that are there now:\s+fig14_speed_error, speed_verdicts", page)
 
 
 def test_page_of_parts_that_disagree_is_refused(results):
-    with pytest.raises(ValueError, match="chain/scene answer another configuration"):
-        write(results, asked={"chain/scene": {"law": {"gamma": 0.21}}})
+    with pytest.raises(ValueError, match="answers another configuration of scene scene"):
+        write(results, **{"chain/scene": {"law": {"gamma": 0.21}}})
     assert not (results / "report.html").exists()
 
 
@@ -133,10 +131,10 @@ def test_report_links_to_the_page_to_explore_where_it_is_of_the_data_that_are_th
     assert "explore.html" not in write(results)
     page, record = results / "explore.html", results / "explore.json"
     page.write_text("A page.")
-    made_from = origin(read_dataset(results / "data/chain/scene.nc").attrs)
-    write_record(record, [page], [made_from])
+    data = read_dataset(results / "data/chain/scene.nc")
+    write_provenance(record, [page], [data])
     assert '<a href="explore.html">' in write(results, pages=["explore.json"])
-    write_record(record, [page], [made_from | {"data": "0"}])
+    write_provenance(record, [page], [data.assign_attrs(data_digest="0")])
     text = write(results, pages=["explore.json"])
     assert '<a href="explore.html">' not in text
     assert re.search(r"Left out[^<]*explore", text)

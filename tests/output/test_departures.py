@@ -2,39 +2,39 @@
 
 import copy
 
-from granular_fronts.output.departures import departures
+import pytest
+
+from granular_fronts.output.departures import departures, describe, physical_departures
 
 SCENE = {
     "law": {"alpha": 1.5, "gamma": 0.06},
     "beads": 420,
-    "boundary": {"kind": "pressure", "left": 0.1},
+    "tolerance": {"relative": 1e-13},
     "record": {"snapshots": [450], "probes": {}},
 }
 
 
-def test_equal_scenes_have_no_departures_and_numbers_compare_by_value():
-    assert departures(copy.deepcopy(SCENE), SCENE) == []
-    assert departures({**SCENE, "beads": 420.0}, SCENE) == []
-
-
 def test_each_departure_is_named_with_both_values_in_the_order_of_the_reference():
-    asked = copy.deepcopy(SCENE)
-    asked["law"]["gamma"] = 0.21
-    asked["record"]["snapshots"] = [450, 500]
-    asked["end_time"] = 7
-    del asked["beads"]
-    assert departures(asked, SCENE) == [
+    given = copy.deepcopy(SCENE)
+    assert departures(given | {"beads": 420.0}, SCENE) == []
+    given |= {"law": {"alpha": 1.5, "gamma": 0.21}, "tolerance": {"relative": 1e-9}, "end_time": 7}
+    given["record"]["snapshots"] = [450, 500]
+    del given["beads"]
+    found = departures(given, SCENE)
+    assert found == [
         ("law.gamma", 0.21, 0.06),
         ("beads", None, 420),
+        ("tolerance.relative", 1e-9, 1e-13),
         ("record.snapshots", [450, 500], [450]),
         ("end_time", 7, None),
     ]
+    assert physical_departures(given, SCENE) == [*found[:2], *found[3:]]
+    assert describe(found).endswith("relative is 1e-09 instead of 1e-13; and 2 more")
 
 
-def test_an_empty_mapping_differs_from_a_filled_one_and_from_none():
-    assert departures({"probes": {}}, {"probes": {}}) == []
-    assert departures({}, {"probes": {}}) == [("probes", None, {})]
-    assert departures({"probes": {"step": 1}}, {"probes": {}}) == [
-        ("probes", None, {}),
-        ("probes.step", 1, None),
-    ]
+@pytest.mark.parametrize(
+    ("given", "keys"),
+    [({"probes": {}}, []), ({}, ["probes"]), ({"probes": {"step": 1}}, ["probes", "probes.step"])],
+)
+def test_an_empty_mapping_differs_from_a_filled_one_and_from_none(given, keys):
+    assert [key for key, *_ in departures(given, {"probes": {}})] == keys

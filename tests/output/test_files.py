@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from projects import ROOT
 
 from granular_fronts.arguments import new_file
 from granular_fronts.errors import InputError, NoSpaceError
@@ -14,38 +15,26 @@ from granular_fronts.output.files import HOST, complete_file, remove_leftovers
 ABOVE_ANY_PROCESS = 2**22 + 1
 """Linux numbers no process above 2^22."""
 
+ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT / "src")}
 
-def fill(path, text="all of it"):
+
+def fill(path, error=None):
     with complete_file(path) as unfinished:
-        unfinished.write_text(text)
+        unfinished.write_text("all of it")
+        if error:
+            raise error
 
 
-def test_a_failed_write_leaves_nothing(tmp_path):
-    def fail():
-        with complete_file(tmp_path / "result.txt") as unfinished:
-            unfinished.write_text("half")
-            raise RuntimeError("something else")
-
-    with pytest.raises(RuntimeError, match="something else"):
-        fail()
-    assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir, lambda path: path.symlink_to("/dev/null")])
-def test_only_a_file_is_replaced(tmp_path, make):
-    target = tmp_path / "result.nc"
-    make(target)
-    with pytest.raises(InputError, match=r"result\.nc is no file that can be replaced"):
-        fill(target)
-    with pytest.raises(InputError, match="must be a file in a folder that exists"):
-        new_file("path", target)
-    assert not target.is_file()
-    assert list(tmp_path.iterdir()) == [target]
-
-
-def test_an_interrupted_write_keeps_the_old_file(tmp_path):
+def test_a_file_is_replaced_when_its_successor_is_complete_and_not_before(tmp_path):
     target = tmp_path / "result.txt"
+    fill(target)
     target.write_text("old")
+    # Another error of the netCDF library is not taken for a full disk.
+    for error in (RuntimeError("something else"), OSError("NetCDF: HDF error")):
+        with pytest.raises(type(error), match=str(error)) as caught:
+            fill(target, error)
+        assert not isinstance(caught.value, NoSpaceError)
+        assert target.read_text() == "old"
     with complete_file(target) as unfinished:
         unfinished.write_text("new")
         assert target.read_text() == "old"
@@ -53,80 +42,66 @@ def test_an_interrupted_write_keeps_the_old_file(tmp_path):
     assert list(tmp_path.iterdir()) == [target]
 
 
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir, lambda path: path.symlink_to("/dev/null")])
+def test_only_a_file_is_replaced(tmp_path, make):
+    target = tmp_path / "result.nc"
+    make(target)
+    with pytest.raises(InputError, match=r"result\.nc is no file"):
+        fill(target)
+    with pytest.raises(InputError, match="must be a file"):
+        new_file("path", target)
+    assert not target.is_file()
+    assert list(tmp_path.iterdir()) == [target]
+
+
 SLEEPER = """
-import sys, time
-from pathlib import Path
+import sys
 from granular_fronts.output.files import complete_file
-with complete_file(Path(sys.argv[1])) as unfinished:
+with complete_file(sys.argv[1]) as unfinished:
     unfinished.write_text("half")
     print("begun", flush=True)
-    time.sleep(60)
+    sys.stdin.read()
 """
 
 
-@pytest.fixture
-def writer(tmp_path):
-    """A process that is in the middle of writing result.txt."""
-    command = [sys.executable, "-c", SLEEPER, str(tmp_path / "result.txt")]
-    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "src")}
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
-    assert process.stdout.readline() == "begun\n"
-    yield process
-    process.kill()
-    process.communicate()
-
-
-def test_what_a_killed_writer_leaves_is_removed_by_the_next(tmp_path, writer):
-    writer.kill()
-    writer.wait()
+def test_what_a_killed_writer_leaves_is_removed_and_what_a_running_one_has_begun_is_not(tmp_path):
+    target = tmp_path / "result.txt"
+    command = [sys.executable, "-c", SLEEPER, str(target)]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes, text=True, env=ENVIRONMENT) as writer:
+        assert writer.stdout.readline() == "begun\n"
+        begun = tmp_path / f"unfinished-{HOST}-{writer.pid}-result.txt"
+        fill(target)
+        remove_leftovers(tmp_path)
+        assert begun.exists()
+        writer.kill()
     other = tmp_path / f"unfinished-{HOST}-{ABOVE_ANY_PROCESS}-other.txt"
     other.touch()
-    assert len(list(tmp_path.iterdir())) == 2
-    fill(tmp_path / "result.txt")
-    assert {file.name for file in tmp_path.iterdir()} == {"result.txt", other.name}
+    fill(target)
+    assert set(tmp_path.iterdir()) == {target, other}
     remove_leftovers(tmp_path)
-    assert [file.name for file in tmp_path.iterdir()] == ["result.txt"]
-
-
-def test_what_a_running_writer_has_begun_is_left_alone(tmp_path, writer):
-    begun = tmp_path / f"unfinished-{HOST}-{writer.pid}-result.txt"
-    fill(tmp_path / "result.txt")
-    remove_leftovers(tmp_path)
-    assert begun.exists()
-
-
-def write_to_full_disk(path, error):
-    """Every write to /dev/full fails as on a disk without space."""
-    with complete_file(path) as unfinished:
-        unfinished.symlink_to("/dev/full")
-        if error:
-            raise error
-        unfinished.write_text("too much")
+    assert list(tmp_path.iterdir()) == [target]
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
 @pytest.mark.parametrize("error", [None, RuntimeError("NetCDF: HDF error")], ids=["system", "HDF"])
 def test_full_disk_is_named_with_its_folder(tmp_path, error):
-    with pytest.raises(NoSpaceError) as caught:
-        write_to_full_disk(tmp_path / "result.nc", error)
-    sentence = f"There is no space left in {tmp_path}: free some and run the same command again."
-    assert str(caught.value) == sentence
-    assert not list(tmp_path.iterdir())
+    """Every write to /dev/full fails as on a disk without space."""
 
+    def write():
+        with complete_file(tmp_path / "result.nc") as unfinished:
+            unfinished.symlink_to("/dev/full")
+            if error:
+                raise error
+            unfinished.write_text("too much")
 
-def test_another_error_is_not_taken_for_a_full_disk(tmp_path):
-    def fail():
-        with complete_file(tmp_path / "result.nc"):
-            raise OSError("NetCDF: HDF error")
-
-    with pytest.raises(OSError, match="HDF error") as caught:
-        fail()
-    assert not isinstance(caught.value, NoSpaceError)
+    with pytest.raises(NoSpaceError, match=f"no space left in {tmp_path}"):
+        write()
     assert not list(tmp_path.iterdir())
 
 
 LIMITED = """
-import resource, signal, sys
+import resource, sys
 import numpy as np, xarray as xr
 from granular_fronts.errors import NoSpaceError
 from granular_fronts.output.files import complete_file
@@ -143,7 +118,6 @@ except NoSpaceError as error:
 def test_netcdf_file_that_may_not_grow_is_named(tmp_path):
     """The netCDF library alone says no more than "HDF error"."""
     command = [sys.executable, "-c", LIMITED, str(tmp_path / "result.nc")]
-    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "src")}
-    run = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert f"There is no space left in {tmp_path}" in run.stdout, run.stderr
+    run = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    assert f"no space left in {tmp_path}" in run.stdout, run.stderr
     assert not list(tmp_path.iterdir())

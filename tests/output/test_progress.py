@@ -4,13 +4,16 @@ import io
 import re
 import sys
 import types
-from contextlib import redirect_stderr, suppress
+from contextlib import redirect_stderr
 
 import pytest
+from chains import driven_scene
 
 from granular_fronts.chain import simulate
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output import progress
+
+SCENE = driven_scene(0.1, 10, 12.5)
 
 
 @pytest.fixture
@@ -32,6 +35,13 @@ def terminal(at_once):
     return redirect_stderr(Terminal())
 
 
+def follow(times, end_time):
+    """Show some times of a motion; None among them stops it."""
+    with progress.time_bar("solving", end_time) as show_time:
+        for time in times:
+            show_time(time)
+
+
 @pytest.mark.parametrize(
     ("end_time", "time", "words"),
     [
@@ -42,30 +52,9 @@ def terminal(at_once):
     ],
 )
 def test_times_are_rounded(terminal, end_time, time, words):
-    interrupted = suppress(KeyboardInterrupt)
-    with terminal as shown, interrupted, progress.time_bar("solving", end_time) as show_time:
-        show_time(time)
-        raise KeyboardInterrupt
+    with terminal as shown, pytest.raises(TypeError):
+        follow([time, None], end_time)
     assert shown.getvalue().split("\r")[-1].count(words) == 1
-
-
-def test_every_item_is_counted_once(terminal):
-    with terminal as shown:
-        assert list(progress.counted(iter("abc"), "solving", "point")) == list("abc")
-    last = shown.getvalue().split("\r")[-1]
-    assert "solving: 100%" in last
-    assert "3/3" in last
-
-
-SCENE = {
-    "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1},
-    "beads": 10,
-    "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
-    "start": {"kind": "rest"},
-    "end_time": 12.5,
-    "tolerance": {"relative": 1e-8, "absolute": 1e-10},
-    "record": {"snapshots": [12.5]},
-}
 
 
 def test_bar_of_a_chain_names_its_scene(terminal):
@@ -78,25 +67,30 @@ def test_bar_of_a_chain_names_its_scene(terminal):
     assert not re.search(r"\d\.\d{4}", bars)
 
 
-@pytest.mark.usefixtures("at_once")
-def test_nothing_is_shown_where_messages_go_into_a_file(capsys):
-    simulate_chain(SCENE, "weak")
-    assert list(progress.counted("abc", "solving", "point")) == list("abc")
+def count_three():
+    """Pass three items through a bar."""
+    assert list(progress.counted(iter("abc"), "solving", "point")) == list("abc")
+
+
+def test_items_are_counted_on_a_terminal_and_nothing_is_shown_in_a_file(terminal, capsys):
+    with terminal as shown:
+        count_three()
+    assert re.search("solving: 100%.* 3/3 ", shown.getvalue().split("\r")[-1])
+    count_three()
     assert capsys.readouterr() == ("", "")
+
+
+def test_a_notebook_without_widgets_shows_the_bar_of_the_terminal(at_once, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "ipykernel", types.ModuleType("ipykernel"))
+    monkeypatch.setattr(progress, "_has_widgets", lambda: False)
+    count_three()
+    assert "solving: 100%" in capsys.readouterr().err
 
 
 def test_least_time_of_a_long_scene_is_said_before(monkeypatch, capsys):
     monkeypatch.setattr(simulate, "LONG", 0.0)
     simulate_chain(SCENE, "weak")
     assert capsys.readouterr() == ("", "Scene weak takes at least 0 s on one core.\n")
-
-
-@pytest.mark.usefixtures("at_once")
-def test_a_notebook_without_widgets_shows_the_bar_of_the_terminal(monkeypatch, capsys):
-    monkeypatch.setitem(sys.modules, "ipykernel", types.ModuleType("ipykernel"))
-    monkeypatch.setattr(progress, "_has_widgets", lambda: False)
-    assert list(progress.counted("abc", "solving", "point")) == list("abc")
-    assert "solving: 100%" in capsys.readouterr().err
 
 
 def test_a_bar_that_did_not_fail_has_reached_its_end(monkeypatch, terminal):
@@ -110,10 +104,3 @@ def test_a_bar_that_did_not_fail_has_reached_its_end(monkeypatch, terminal):
         with pytest.raises(TypeError):
             follow([time, None], end_time)
     assert [bar.n for bar in bars] == [end_time, time]
-
-
-def follow(times, end_time):
-    """Show some times of a motion."""
-    with progress.time_bar("solving", end_time) as show_time:
-        for time in times:
-            show_time(time)

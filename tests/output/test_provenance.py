@@ -1,4 +1,4 @@
-"""Records say what a figure or a table was made from, and disagreements are found."""
+"""Provenance says what a figure or a table was made from, and disagreements are found."""
 
 import json
 import os
@@ -12,93 +12,96 @@ import yaml
 from altered_files import is_altered
 from projects import ROOT
 
+from dataset_parameters import default_parameters, parameters_on_demand, shown_front
 from granular_fronts.errors import InputError
-from granular_fronts.output.datasets import read_dataset, read_origins, write_dataset
+from granular_fronts.output.datasets import read_dataset, read_sources, write_dataset
+from granular_fronts.output.files import read_json
 from granular_fronts.output.provenance import (
+    code_version,
+    config_digest,
     data_digest,
+    digest,
     disagreements,
-    origin,
-    question_digest,
-    read_record,
+    source_of,
 )
 from granular_fronts.output.tables import write_table
-from questions import questions, questions_on_demand
 
 SCENE = {"law": {"alpha": 1.5, "gamma": 0.06}, "beads": 4}
+OTHER = SCENE | {"beads": 5}
 NAME = "chain/scene"
 
 
 def make_data(folder, scene=SCENE, shift=0.0):
-    """A small dataset, and a table of its numbers."""
+    """A small dataset."""
     velocity = xr.Variable("bead", np.arange(4.0) + shift, {"error_estimate": 0.0})
     dataset = xr.Dataset({"velocity": velocity}, {"bead": [1, 2, 3, 4]})
     write_dataset(dataset, folder / "data" / f"{NAME}.nc", scene_id="scene", config=scene)
 
 
-def make_table(folder):
-    """A table of the numbers in the dataset, with its record."""
-    dataset = read_dataset(folder / "data" / f"{NAME}.nc")
-    table = pd.DataFrame({"velocity": dataset["velocity"]})
-    write_table(table, table, folder / "table.csv", folder / "table.md", [dataset])
-    return folder / "table.json"
-
-
-def found(folder, asked=SCENE):
-    origins = read_origins(folder / "data", [NAME])
-    return list(disagreements([folder / "table.json"], origins, {NAME: asked}))
-
-
 @pytest.fixture
 def results(tmp_path):
+    """A dataset, and a table of its numbers."""
     make_data(tmp_path)
-    make_table(tmp_path)
+    dataset = read_dataset(tmp_path / "data" / f"{NAME}.nc")
+    table = pd.DataFrame({"velocity": dataset["velocity"]})
+    write_table(table, table, tmp_path / "table.csv", tmp_path / "table.md", [dataset])
     return tmp_path
+
+
+def found(folder, scene=SCENE):
+    sources = read_sources(folder / "data", [NAME, "chain/absent"])
+    return list(disagreements(folder / "table.json", {NAME: scene, "chain/absent": {}}, sources))
 
 
 def test_what_belongs_together_agrees(results):
     assert found(results) == []
+    file = results / "table.json"
+    provenance = read_json(file)
+    assert provenance["code_version"] == code_version()
+    assert provenance["files"] == {
+        name: digest((results / name).read_bytes()) for name in ("table.csv", "table.md")
+    }
+    dataset = read_dataset(results / "data" / f"{NAME}.nc")
+    assert provenance["made_from"] == [source_of(dataset)]
+    assert source_of(dataset)["config_digest"] == config_digest(SCENE)
+    assert list(disagreements(file, {"chain/another": OTHER})) == []
 
 
-def test_record_names_its_files_and_the_origin_of_its_numbers(results):
-    record = read_record(results / "table.json")
-    assert list(record["files"]) == ["table.csv", "table.md"]
-    attributes = read_dataset(results / "data" / f"{NAME}.nc").attrs
-    assert record["made_from"] == [origin(attributes)]
-    assert record["made_from"][0]["question"] == question_digest(SCENE)
-
-
-def test_other_configuration_is_found(results):
-    [sentence] = found(results, SCENE | {"beads": 5})
-    assert sentence == "The data chain/scene answer another configuration: run the workflow again."
-
-
-def test_missing_data_are_found(results):
-    (results / "data" / f"{NAME}.nc").unlink()
-    missing, unknown = found(results)
-    assert missing.startswith("The data chain/scene are missing")
-    assert unknown.startswith("table was made from other data of scene scene")
-
-
-@pytest.mark.parametrize("change", [{"shift": 1e-15}, {"scene": SCENE | {"beads": 5}}])
-def test_table_of_older_data_is_found(results, change):
-    make_data(results, **change)
-    sentences = found(results, change.get("scene", SCENE))
-    assert sentences == [
-        "table was made from other data of scene scene than lie there now: run the workflow again."
-    ]
-
-
-def test_changed_file_is_found(results):
-    with (results / "table.csv").open("a") as table:
+def append_to_table(folder):
+    with (folder / "table.csv").open("a") as table:
         table.write("1\n")
-    [sentence] = found(results)
-    assert "table.csv is not the file that its record describes" in sentence
 
 
-def test_digest_of_a_question_ignores_the_order_of_keys_alone():
+ANSWERS_ANOTHER, OTHER_DATA = "another configuration of scene scene", "other data of scene scene"
+
+
+@pytest.mark.parametrize(
+    ("change", "scene", "words"),
+    [
+        (lambda folder: None, OTHER, ANSWERS_ANOTHER),
+        (lambda folder: make_data(folder, OTHER), OTHER, ANSWERS_ANOTHER),
+        (lambda folder: make_data(folder, OTHER), SCENE, OTHER_DATA),
+        (lambda folder: make_data(folder, shift=1e-15), SCENE, OTHER_DATA),
+        (lambda folder: (folder / "data" / f"{NAME}.nc").unlink(), SCENE, OTHER_DATA),
+        (append_to_table, SCENE, "table.csv is not the file"),
+        (lambda folder: (folder / "table.md").unlink(), SCENE, "table.md is not the file"),
+    ],
+)
+def test_what_does_not_belong_together_is_found(results, change, scene, words):
+    change(results)
+    [sentence] = found(results, scene)
+    assert words in sentence
+
+
+def test_damaged_provenance_is_named(results):
+    (results / "table.json").write_text('{"files": {')
+    with pytest.raises(InputError, match=r"table\.json is damaged"):
+        found(results)
+
+
+def test_digest_of_parameters_ignores_the_order_of_keys_alone():
     swapped = {"beads": 4, "law": {"gamma": 0.06, "alpha": 1.5}}
-    assert question_digest(SCENE) == question_digest(swapped)
-    assert question_digest(SCENE) != question_digest(SCENE | {"beads": 5})
+    assert config_digest(SCENE) == config_digest(swapped) != config_digest(OTHER)
 
 
 def test_digest_of_data_sees_values_names_and_shapes():
@@ -109,11 +112,12 @@ def test_digest_of_data_sees_values_names_and_shapes():
             dataset,
             dataset.assign(a=("x", [1.0, np.nextafter(2.0, 3.0)])),
             dataset.rename(a="b"),
-            dataset.assign(a=("y", [1.0])),
+            dataset.assign(a=(("y", "z"), [[1.0, 2.0]])),
+            dataset.assign(a=("x", [1, 2])),
             dataset.assign(word=((), "fpu")),
         )
     }
-    assert len(digests) == 5
+    assert len(digests) == 6
     assert data_digest(dataset) == data_digest(dataset.assign_attrs(solver="other"))
 
 
@@ -125,32 +129,30 @@ def test_data_read_back_have_the_digest_they_were_written_with(tmp_path):
     write_dataset(given, tmp_path / "scene.nc", scene_id="scene", config={})
     dataset = read_dataset(tmp_path / "scene.nc")
     assert dataset.attrs["data_digest"] == data_digest(given) == data_digest(dataset)
+    assert data_digest(given) == data_digest(given.assign(value=("case", [np.nan, -0.0])))
 
 
 @pytest.mark.parametrize(
-    ("seconds", "altered"), [(0.0, False), (1.5, False), (-3.0, True), (3.0, True), (86400.0, True)]
+    ("seconds", "altered"), [(0.0, False), (1.5, False), (-3.0, True), (3.0, True)]
 )
-def test_file_whose_time_is_not_the_one_that_was_noted_is_altered(results, seconds, altered):
+def test_file_whose_time_is_not_the_one_that_was_noted_is_altered(tmp_path, seconds, altered):
     """An archive may round a time to two seconds."""
-    file = results / "table.csv"
+    file = tmp_path / "table.csv"
+    file.touch()
     noted = SimpleNamespace(endtime=file.stat().st_mtime)
     os.utime(file, (noted.endtime + seconds,) * 2)
     assert is_altered(str(file), noted) == altered
-    assert not is_altered(str(results / "absent.csv"), noted)
+    assert not is_altered(str(tmp_path / "absent.csv"), noted)
+    assert not is_altered(str(file), None)
 
 
-def test_damaged_record_is_named(results):
-    (results / "table.json").write_text('{"files": {')
-    with pytest.raises(InputError, match=r"table\.json is damaged .*: delete it and run the work"):
-        found(results)
-
-
-def test_every_dataset_of_a_figure_answers_a_question():
-    configuration = yaml.safe_load((ROOT / "config/default.yaml").read_text(encoding="utf-8"))
+def test_every_dataset_of_a_figure_has_parameters(default):
     figures = yaml.safe_load((ROOT / "workflow/figures.yaml").read_text(encoding="utf-8"))
-    asked = questions(configuration) | questions_on_demand(configuration)
+    parameters = default_parameters(default) | parameters_on_demand(default)
     for described in figures.values():
         for named in described["data"].values():
             if isinstance(named, str) and not named.startswith("campaigns/"):
-                assert named in asked
-    json.dumps(asked)
+                assert named in parameters
+    assert parameters["chain/initiation_overdamped"]["law"]["gamma"] == 0.65
+    assert shown_front(default).keys() > {"name", "gamma"}
+    json.dumps(parameters)

@@ -27,7 +27,7 @@ from granular_fronts.studies import (
     fronts_compared,
     jump_conditions_measured,
 )
-from step import is_held, load_yaml_or_leaf
+from step import load_yaml_or_leaf
 
 TODA = {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}}
 MANY_BEADS = {
@@ -139,13 +139,6 @@ def test_an_iteration_that_does_not_settle_says_so(monkeypatch):
     front = solve_front(1.5, 0.3, method="shooting")
     assert not front.attrs["converged"]
     assert "not settled after 1 Gauss-Newton steps" in front.attrs["reason"]
-
-
-def test_a_lock_is_free_when_nobody_holds_it(tmp_path):
-    lock = tmp_path / ".lock"
-    assert is_held(lock)
-    lock.touch()
-    assert not is_held(lock)
 
 
 def test_a_process_of_another_user_runs(monkeypatch):

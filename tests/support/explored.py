@@ -54,6 +54,6 @@ def write_page(folder):
         plane=files["critical_damping"],
         reference={"flying": SCENE | {"beads": 21}, "critical_damping": {}},
         page=folder / "explore.html",
-        record=folder / "explore.json",
+        provenance=folder / "explore.json",
     )
     return folder / "explore.html", {name: read_dataset(file) for name, file in files.items()}

@@ -47,21 +47,23 @@ def lend_kernels(copy):
 
 
 def load_step(script):
-    """Import a script without running it; its step carries the script's name, or draws a figure."""
-    from figure_step import make_step
-
+    """Import a script without running it, and return its step, which carries the script's name."""
     spec = importlib.util.spec_from_file_location(script.stem, script)
     module = importlib.util.module_from_spec(spec)
     sys.modules[script.stem] = module
     spec.loader.exec_module(module)
-    function = getattr(module, script.stem)
-    return make_step(function) if script.stem.startswith("plot_") else function
+    return getattr(module, script.stem)
 
 
 def snakemake(*arguments, folder=ROOT):
     """Call the workflow in a folder and wait for its end."""
     command = [sys.executable, "-m", "snakemake", "--cores", "2", *map(str, arguments)]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def rules_due(plan):
+    """Names of the rules that a dry run would run."""
+    return set(re.findall(r"^(\w+) +\d+$", plan.stdout, re.MULTILINE)) - {"total"}
 
 
 def jobs_due(*arguments, folder=ROOT):

@@ -12,7 +12,7 @@ from crates import violations
 from projects import ROOT, lend_kernels, snakemake
 from write_crate import describe_run, jobs_behind
 
-from granular_fronts.output.datasets import read_origins
+from granular_fronts.output.datasets import read_sources
 
 # The validator's own, and those of the libraries that it stands on.
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
@@ -131,5 +131,5 @@ def test_record_of_a_run_is_valid_whole_and_enough_to_repeat_it(finished, tmp_pa
     run = snakemake(*again, folder=unpacked)
     assert run.returncode == 0, run.stderr
     scene = ["chain/initiation_overdamped"]
-    kept, made = (read_origins(unpacked / place / "data", scene) for place in ("results", "again"))
+    kept, made = (read_sources(unpacked / place / "data", scene) for place in ("results", "again"))
     assert kept == made != {}

@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -9,15 +10,32 @@ from pathlib import Path
 
 import pytest
 from projects import ROOT, snakemake
-from run_lock import lock_folder
-from test_workflow import Job
 
 from granular_fronts.numerics.compiled import CheckedFiles
-from step import describe_fault, run_step
+from run_lock import VARIABLE, lock_folder
+from step import argument_types, describe_fault, from_workflow, load_yaml_or_leaf, run_step
 
 DEFAULT = ROOT / "config" / "default.yaml"
 HELP = ROOT / "workflow" / "scripts" / "study.py"
-LOST = "/some/file cannot be read or written"
+PATHS = ("src", "workflow/lib", "tests/support", "tests/workflow")
+ENVIRONMENT = os.environ | {"PYTHONPATH": os.pathsep.join(str(ROOT / path) for path in PATHS)}
+
+
+class Group(dict):
+    """Snakemake's named files: iterating gives the values, items() the names too."""
+
+    def __iter__(self):
+        return iter(self.values())
+
+
+class Job:
+    """What Snakemake puts into a script, as far as a step needs it."""
+
+    def __init__(self, log, **params):
+        self.params = Group(params)
+        self.input = Group(files=["a.nc", "b.nc"], modules=["c.py"])
+        self.output = Group(page="d.html")
+        self.log = [str(log)]
 
 
 def run_failing(step, log, **params):
@@ -40,9 +58,9 @@ def test_log_of_a_refusal_begins_with_the_call_and_ends_with_the_sentence(tmp_pa
     assert " refuse: page=d.html, scene={'beads': [0, 1, 2," in lines[0]
     assert len(lines[0]) < 160
     story = "\n".join(lines)
-    for words in ["to stdout\nto stderr\nsolving: 100%\npast Python\n", "Traceback"]:
+    for words in ["to stdout\nto stderr\n", "past Python\n", "Traceback"]:
         assert words in story
-    assert "10%\r" not in story
+    assert "solving" not in story
     sentence = "d.html cannot be written: name another."
     assert lines[-1] == sentence
     shown = capfd.readouterr()
@@ -63,26 +81,24 @@ def test_unexpected_error_is_named_last(tmp_path, capfd):
 
 
 @pytest.mark.parametrize(
-    ("number", "sentence"),
+    ("number", "words"),
     [
-        (
-            errno.ENOSPC,
-            "There is no space left in /some: free some and run the same command again",
-        ),
-        (errno.ENOENT, f"{LOST} (No such file or directory): name another"),
-        (errno.EISDIR, f"{LOST} (Is a directory): name another"),
+        (errno.ENOSPC, "no space left in /some: free some"),
+        (errno.ENOENT, "/some/file cannot be read or written (No such file or directory)"),
+        (errno.EISDIR, "/some/file cannot be read or written (Is a directory)"),
     ],
 )
-def test_fault_of_a_file_is_a_sentence_even_without_a_log(tmp_path, capfd, number, sentence):
+def test_fault_of_a_file_is_a_sentence_even_without_a_log(tmp_path, capfd, number, words):
     def fill(page: Path) -> None:
         """Fail as a write outside of the project's own functions does."""
         raise OSError(number, os.strerror(number), "/some/file")
 
-    run_failing(fill, tmp_path / "log")
-    assert capfd.readouterr().err == f"{sentence}.\n"
-    with pytest.raises(SystemExit, match="1"):
-        run_step(fill, Job("/dev/full"))
-    assert capfd.readouterr().err == f"{sentence}.\n"
+    for log in (tmp_path / "log", "/dev/full"):
+        with pytest.raises(SystemExit, match="1"):
+            run_step(fill, Job(log))
+        shown = capfd.readouterr().err
+        assert words in shown
+        assert shown.count("\n") == 1
 
 
 def test_folder_of_kernels_is_named_where_its_disk_is_full(tmp_path):
@@ -110,69 +126,109 @@ def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path,
     assert capfd.readouterr().err == "half"
 
 
-def test_mapping_by_hand_that_lacks_a_key_is_a_sentence(monkeypatch):
+def test_rule_gives_a_step_what_it_takes(tmp_path):
+    def step(files: list[Path], page: Path, scene: dict) -> None:
+        """Take some of what the rule names."""
+
+    assert from_workflow(argument_types(step), Job(tmp_path / "log", scene={"beads": 2})) == {
+        "files": [Path("a.nc"), Path("b.nc")],
+        "page": Path("d.html"),
+        "scene": {"beads": 2},
+    }
+
+
+def test_leaf_of_a_file_is_read_from_the_command_line():
+    assert load_yaml_or_leaf(f"{DEFAULT}:scenes.chain.initiation_overdamped.law") == {
+        "alpha": 1.5,
+        "beta": 1.5,
+        "gamma": 0.65,
+    }
+    assert load_yaml_or_leaf("{alpha: 1.5}") == {"alpha": 1.5}
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("{a: 1}", r"scene is not what measure takes \('beads'\)"),
+        (f"{DEFAULT}:scenes.chian", "stops at chian: choose one of chain,"),
+    ],
+)
+def test_wrong_mapping_by_hand_is_a_sentence(monkeypatch, capsys, given, words):
     def measure(scene: dict) -> None:
         """Measure."""
         scene["beads"]
 
-    monkeypatch.setattr(sys, "argv", ["measure", "--scene", "{a: 1}"])
-    with pytest.raises(SystemExit, match=r"scene is not what measure takes \('beads'\): take it"):
+    monkeypatch.setattr(sys, "argv", ["measure", "--scene", given])
+    with pytest.raises(SystemExit) as ended:
         run_step(measure)
+    assert re.search(words, f"{ended.value}{capsys.readouterr().err}")
 
 
 @pytest.mark.parametrize("arguments", [["-m", "granular_fronts.scenes", DEFAULT], [HELP, "--help"]])
 def test_program_whose_output_nobody_reads_ends_in_silence(arguments):
     reader, writer = os.pipe()
     os.close(reader)
-    environment = os.environ | {"PYTHONPATH": f"{ROOT}/src:{ROOT}/workflow/lib"}
     command = [sys.executable, *arguments]
-    run = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, env=environment)
+    run = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, env=ENVIRONMENT)
     os.close(writer)
     assert (run.returncode, run.stderr) == (-signal.SIGPIPE, b"")
 
 
 INTERRUPTED = """
 import sys
-import time
-sys.path.insert(0, {tests!r})
 from pathlib import Path
-from test_workflow import Job
-from step import describe_fault, run_step
+from test_step import Job
+from step import run_step
 
 def wait(page: Path):
-    "Wait for Ctrl-C."
     raise KeyboardInterrupt
 
-run_step(wait, Job({log!r}))
+run_step(wait, Job(sys.argv[1]))
 """
 
 
 def test_interrupted_step_says_how_to_go_on(tmp_path):
     """A process of its own, whose descriptors are real ones."""
-    code = INTERRUPTED.format(tests=str(Path(__file__).parent), log=str(tmp_path / "log"))
-    paths = os.pathsep.join(str(ROOT / name) for name in ("src", "workflow/lib", "tests/support"))
-    run = subprocess.run(
-        [sys.executable, "-c", code],
-        env={**os.environ, "PYTHONPATH": paths},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    command = [sys.executable, "-c", INTERRUPTED, str(tmp_path / "log")]
+    run = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, check=False)
     sentence = "Interrupted: run the same command again to go on."
-    assert run.returncode == 130
-    assert run.stderr == f"{sentence}\n"
+    assert (run.returncode, run.stderr) == (130, f"{sentence}\n")
     assert (tmp_path / "log").read_text().splitlines()[-1] == sentence
 
 
+WAITING = """
+import sys
+from run_lock import end_with_run
+end_with_run()
+print("begun", flush=True)
+sys.stdin.read()
+"""
+
+
+def test_one_run_holds_a_folder_and_its_jobs_end_with_it(tmp_path, monkeypatch):
+    monkeypatch.setenv(VARIABLE, "")
+    held = lock_folder(tmp_path / "results")
+    command = [sys.executable, "-c", WAITING]
+    environment = ENVIRONMENT | {VARIABLE: os.environ[VARIABLE]}
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes, text=True, env=environment) as job:
+        assert job.stdout.readline() == "begun\n"
+        with pytest.raises(SystemExit, match="Another run is at work in"):
+            lock_folder(tmp_path / "results")
+        assert job.poll() is None
+        os.close(held)
+        assert job.wait(timeout=30.0) == 1
+    os.close(lock_folder(tmp_path / "results"))
+
+
 @pytest.mark.slow
-def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path):
+def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path, monkeypatch):
+    monkeypatch.setenv(VARIABLE, "")
     target = tmp_path / "data/continuum/log_burgers_fronts.nc"
-    arguments = ["--config", f"results={tmp_path}", "--", target]
     held = lock_folder(tmp_path)
-    run = snakemake(*arguments)
+    run = snakemake("--config", f"results={tmp_path}", "--", target)
+    os.close(held)
     assert run.returncode == 1
-    assert f"Another run is at work in {tmp_path}: wait for its end" in run.stderr
+    assert f"Another run is at work in {tmp_path}" in run.stderr
     assert "Traceback" not in run.stderr
     assert not target.exists()
-    held.close()
-    assert snakemake(*arguments).returncode == 0

@@ -3,14 +3,11 @@ import re
 import subprocess
 import sys
 import tomllib
-from pathlib import Path
 
 import pytest
 import yaml
 from packaging.requirements import Requirement
-from projects import ROOT, jobs_due, snakemake
-
-from step import from_command_line, from_workflow, load_yaml_or_leaf, run_step
+from projects import ROOT, jobs_due, rules_due, snakemake
 
 FOLDER = ROOT / "workflow/scripts"
 SCRIPTS = sorted([*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
@@ -18,12 +15,6 @@ FIGURES = yaml.safe_load((ROOT / "workflow/figures.yaml").read_text(encoding="ut
 DRAWN = [figure for figure, described in FIGURES.items() if not described.get("on_demand")]
 TARGETS = ["all", "figures", *DRAWN, "tables", "report", "check_results", "fig14", "precision"]
 TARGETS += ["fig15", "hard_cases", "honesty", "ring_limit", "crate", "explore"]
-
-
-@pytest.fixture
-def nowhere(tmp_path):
-    """A results folder with nothing in it, so that every job of a dry run is due."""
-    return f"results={tmp_path / 'results'}"
 
 
 @pytest.fixture(scope="module")
@@ -47,13 +38,13 @@ def test_figure_solves_only_its_own_scene(plan):
     assert solved == {"initiate_front scene: initiation_overdamped"}
 
 
-def test_report_never_causes_a_measurement(nowhere):
-    results = Path(nowhere.partition("=")[2])
-    measured = results / "figures" / "fig14_speed_error.png"
-    measured.parent.mkdir(parents=True)
+def test_report_never_causes_a_measurement(tmp_path):
+    measured = tmp_path / "figures" / "fig14_speed_error.png"
+    measured.parent.mkdir()
     measured.write_bytes(b"")
-    run = snakemake("--dry-run", "--config", nowhere, "--", "report")
+    run = snakemake("--dry-run", "--config", f"results={tmp_path}", "--", "report")
     assert run.returncode == 0, run.stderr
+    assert "write_report" in rules_due(run)
     assert "measure_precision" not in run.stdout
 
 
@@ -62,23 +53,16 @@ def test_lint_finds_nothing():
     assert run.returncode == 0, run.stdout
 
 
-def test_impossible_configuration_is_refused_before_any_job(nowhere, tmp_path):
+def test_impossible_configuration_is_refused_before_any_job(tmp_path):
     override = tmp_path / "override.yaml"
     scenes = {"chain": {"initiation_overdamped": {"law": {"gamma": -0.5}}}}
     override.write_text(yaml.safe_dump({"scenes": scenes}))
-    run = snakemake("--configfile", override, "--config", nowhere)
+    run = snakemake("--configfile", override, "--config", f"results={tmp_path / 'results'}")
     assert run.returncode != 0
     assert "Scene initiation_overdamped: law.gamma is -0.5" in run.stderr
     assert "Traceback" not in run.stderr
     assert "File " not in run.stderr
     assert not (tmp_path / "results").exists()
-
-
-def rules_due(project):
-    """Dry-run the finished smoke run; return the names of the rules that are due."""
-    run = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=project)
-    assert run.returncode == 0, run.stderr
-    return set(re.findall(r"^(\w+) +\d+$", run.stdout, re.MULTILINE)) - {"total"}
 
 
 @pytest.mark.slow
@@ -93,7 +77,9 @@ def test_smoke_run_makes_everything(finished):
         "compute_heteroclinic/",
     ]:
         assert words in page
-    assert not rules_due(finished)
+    plan = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=finished)
+    assert plan.returncode == 0, plan.stderr
+    assert not rules_due(plan)
 
 
 @pytest.mark.slow
@@ -126,17 +112,6 @@ def test_own_report_of_snakemake_shows_every_figure_with_its_caption(finished, t
         caption = finished / f"results/smoke/figures/{figure}_{FIGURES[figure]['name']}.rst"
         first_words = re.search(r"Figure \w+\.", caption.read_text(encoding="utf-8"))[0]
         assert first_words in shown
-
-
-@pytest.mark.slow
-def test_changed_damping_solves_only_its_scene(finished, tmp_path):
-    changed = "initiation_overdamped"
-    override = tmp_path / "override.yaml"
-    override.write_text(yaml.safe_dump({"scenes": {"chain": {changed: {"law": {"gamma": 0.3}}}}}))
-    configuration = ["--configfile", "config/smoke.yaml", override]
-    run = snakemake("--dry-run", *configuration, folder=finished)
-    assert re.search(r"^initiate_front +1$", run.stdout, re.MULTILINE)
-    assert f"Solving the chain of scene {changed}" in run.stdout
 
 
 # Each script in a process of its own, split off one that has loaded the package.
@@ -183,93 +158,26 @@ def test_scripts_run_alone_and_explain_their_arguments():
         assert arguments_of(script) <= set(re.findall(r"^  --(\w+)", shown[script.name], re.M))
 
 
-def test_leaf_of_a_file_is_read_from_the_command_line():
-    leaf = f"{ROOT}/config/default.yaml:scenes.chain.initiation_overdamped.law"
-    assert load_yaml_or_leaf(leaf) == {"alpha": 1.5, "beta": 1.5, "gamma": 0.65}
-    assert load_yaml_or_leaf("{alpha: 1.5}") == {"alpha": 1.5}
-
-
-def test_wrong_leaf_is_refused_in_a_sentence(monkeypatch, capsys):
-    def step(scene: dict) -> None:
-        """Take a scene."""
-
-    leaf = f"{ROOT}/config/default.yaml:scenes.chian"
-    monkeypatch.setattr(sys, "argv", ["step", "--scene", leaf])
-    with pytest.raises(SystemExit):
-        from_command_line(step)
-    assert "stops at chian: choose one of chain," in capsys.readouterr().err
-
-
-class Group(dict):
-    """Snakemake's named files: iterating gives the values, items() the names too."""
-
-    def __iter__(self):
-        return iter(self.values())
-
-
-class Job:
-    """What Snakemake puts into a script, as far as a step needs it."""
-
-    def __init__(self, log, **params):
-        self.params = Group(params)
-        self.input = Group(files=["a.nc", "b.nc"], modules=["c.py"])
-        self.output = Group(page="d.html")
-        self.log = [str(log)]
-
-
-def test_rule_gives_a_step_what_it_asks_for(tmp_path):
-    def step(files: list[Path], page: Path, scene: dict) -> None:
-        """Take some of what the rule names."""
-
-    assert from_workflow(step, Job(tmp_path / "log", scene={"beads": 2})) == {
-        "files": [Path("a.nc"), Path("b.nc")],
-        "page": Path("d.html"),
-        "scene": {"beads": 2},
-    }
-
-
-def test_refusal_of_a_step_is_a_sentence_and_its_origin_is_in_the_log(tmp_path, capfd):
-    def step(page: Path) -> None:
-        """Refuse."""
-        raise ValueError(f"{page} cannot be written: name another.")
-
-    with pytest.raises(SystemExit, match="1"):
-        run_step(step, Job(tmp_path / "log"))
-    assert capfd.readouterr().err == "d.html cannot be written: name another.\n"
-    assert "Traceback" in (tmp_path / "log").read_text()
-
-
-def test_environment_pins_every_dependency_within_its_range():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    asked = project["project"]["dependencies"] + project["build-system"]["requires"]
-    for extra in project["project"]["optional-dependencies"].values():
-        asked += extra
-    pinned = {}
-    for name, version in re.findall(
-        r"^([\w.-]+)==([\w.]+)", (ROOT / "environment.txt").read_text(), re.MULTILINE
-    ):
-        pinned.setdefault(name, []).append(version)
-    for requirement in map(Requirement, asked):
-        versions = pinned[requirement.name.lower()]
-        assert all(requirement.specifier.contains(version) for version in versions)
-
-
 def pinned_in(file):
-    return set(re.findall(r"^([\w.-]+==[\w.]+)", (ROOT / file).read_text(), re.MULTILINE))
+    """The versions of each package that a file pins, which names no package index."""
+    text = (ROOT / file).read_text()
+    assert "://" not in text
+    pinned = {}
+    for name, version in re.findall(r"^([\w.-]+)==([\w.]+)", text, re.MULTILINE):
+        pinned.setdefault(name, set()).add(version)
+    return pinned
 
 
-def test_what_builds_the_manual_is_pinned_as_everything_else():
-    """Both files are installed into one environment."""
-    here, there = pinned_in("docs-environment.txt"), pinned_in("environment.txt")
-    names = {pin.split("==")[0] for pin in there}
-    assert {pin for pin in here if pin.split("==")[0] in names} <= there
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    for requirement in map(Requirement, project["dependency-groups"]["docs"]):
-        versions = [pin.split("==")[1] for pin in here if pin.startswith(f"{requirement.name}==")]
-        assert versions
-        assert all(requirement.specifier.contains(version) for version in versions)
-
-
-@pytest.mark.parametrize("file", ["environment.txt", "docs-environment.txt"])
-def test_environment_names_no_package_index(file):
-    assert "://" not in (ROOT / file).read_text()
+def test_environments_pin_every_dependency_within_its_range_and_agree():
+    """The project's and the one that builds the manual are installed into one environment."""
+    here, manual = pinned_in("environment.txt"), pinned_in("docs-environment.txt")
+    described = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    project = described["project"]
+    required = [*project["dependencies"], *described["build-system"]["requires"]]
+    required += [one for extra in project["optional-dependencies"].values() for one in extra]
+    for pinned, requirements in (here, required), (manual, described["dependency-groups"]["docs"]):
+        for requirement in map(Requirement, requirements):
+            versions = pinned[requirement.name.lower()]
+            assert all(requirement.specifier.contains(version) for version in versions)
+    for name in here.keys() & manual.keys():
+        assert manual[name] <= here[name]

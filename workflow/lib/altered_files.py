@@ -27,11 +27,11 @@ def make_altered_files_again() -> None:
     FilePersistence.params_changed = changed
 
 
-def is_altered(path: str, record: Any) -> bool:
+def is_altered(path: str, metadata: Any) -> bool:
     """Whether the time of a file is not the one that was noted when its job had ended."""
-    if record is None or record.endtime is None or not os.path.exists(path):
+    if metadata is None or metadata.endtime is None or not os.path.exists(path):
         return False
-    return abs(os.stat(path).st_mtime - record.endtime) > MARGIN
+    return abs(os.stat(path).st_mtime - metadata.endtime) > MARGIN
 
 
 def _is_empty(path: str) -> bool:

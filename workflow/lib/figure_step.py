@@ -1,4 +1,4 @@
-"""Run a script that draws a figure: datasets in; picture, caption and record out.
+"""Run a script that draws a figure: datasets in; picture, caption and provenance out.
 
 A plot script holds one function that is given datasets and returns a figure, and ends with ::
 
@@ -18,7 +18,6 @@ import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
-from inspect import Parameter, Signature, signature
 from pathlib import Path
 from typing import Any
 
@@ -30,11 +29,12 @@ from matplotlib.figure import Figure
 from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.provenance import write_provenance
 from granular_fronts.output.style import save_figure
-from step import run_step
+from step import argument_types, run_step
 
-OUTPUTS = ("pdf", "png", "caption", "record")
+PATHS = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
+"""What a step is given for an argument of the function that draws."""
 
 
 def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
@@ -47,73 +47,57 @@ def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.
     """
-    run_step(make_step(draw), snakemake)
+    paths = {name: PATHS[kind] for name, kind in argument_types(draw).items()}
+    run_step(write_figure, snakemake, paths, draw=draw)
 
 
-def make_step(draw: Callable[..., Figure]) -> Callable[..., None]:
-    """Make the step that reads the datasets of a figure and writes its files.
+def write_figure(  # noqa: PLR0913 - what its rule names
+    draw: Callable[..., Figure],
+    template: Path,
+    title: str,
+    alt: str,
+    reference: dict,
+    pdf: Path,
+    png: Path,
+    caption: Path,
+    provenance: Path,
+    **paths: Any,
+) -> None:
+    """Read the datasets of a figure, draw it, and write its files.
 
-    It is given a path for each dataset, `template`, `title`, `alt`, `reference`, and `OUTPUTS`.
+    Parameters
+    ----------
+    draw : callable
+        What draws the figure from its datasets.
+    template : Path
+        Jinja template of the caption.
+    title, alt : str
+        Jinja texts: the heading, and what a reader who cannot see the picture should know.
+    reference : dict
+        The paper's parameters by scene.
+    pdf, png, caption, provenance : Path
+        The files to write.
+    **paths
+        For each argument of `draw` the file of a dataset, or a list.
     """
-
-    def step(template: Path, title: str, alt: str, reference: dict, **paths: Any) -> None:
-        outputs = {name: paths.pop(name) for name in OUTPUTS}
-        data = {name: read(path) for name, path in paths.items()}
-        every = [dataset for given in data.values() for dataset in listed(given)]
-        origins = [origin(dataset.attrs) for dataset in every]
-        matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
-        save_figure(draw(**data), outputs["pdf"], outputs["png"], origins)
-        computed = {name: _configurations(given) for name, given in data.items()}
-        notes = _departure_notes(every, reference)
-        caption = fill(template.read_text(encoding="utf-8"), computed, finalize=_without_markup)
-        text = "\n\n".join([caption.strip(), *notes])
-        with complete_file(outputs["caption"]) as unfinished:
-            unfinished.write_text(f"{text}\n", encoding="utf-8")
-        files = [outputs[name] for name in ("pdf", "png", "caption")]
-        write_record(
-            outputs["record"], files, origins, title=fill(title, computed), alt=fill(alt, computed)
-        )
-
-    step.__name__, step.__module__ = draw.__name__, draw.__module__
-    step.__doc__ = draw.__doc__
-    # What `inspect.signature` reads in place of the function.
-    step.__signature__ = _step_signature(draw)  # type: ignore[attr-defined]
-    return step
+    data = {name: _for_each(read_dataset, path) for name, path in paths.items()}
+    every = [
+        one for given in data.values() for one in (given if isinstance(given, list) else [given])
+    ]
+    matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
+    save_figure(draw(**data), pdf, png, every)
+    computed = {name: _for_each(configuration_of, given) for name, given in data.items()}
+    words = fill(template.read_text(encoding="utf-8"), computed, finalize=_without_markup)
+    text = "\n\n".join([words.strip(), *_departure_notes(every, reference)])
+    with complete_file(caption) as unfinished:
+        unfinished.write_text(f"{text}\n", encoding="utf-8")
+    facts = {"title": fill(title, computed), "alt": fill(alt, computed)}
+    write_provenance(provenance, [pdf, png, caption], every, **facts)
 
 
-def _step_signature(draw: Callable[..., Figure]) -> Signature:
-    """The parameters of a step: paths for the datasets of `draw`, texts, and files to write."""
-    paths = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
-    asked = {
-        name: paths[parameter.annotation]
-        for name, parameter in signature(draw, eval_str=True).parameters.items()
-    }
-    asked |= {"template": Path, "title": str, "alt": str, "reference": dict}
-    asked |= dict.fromkeys(OUTPUTS, Path)
-    return Signature(
-        [
-            Parameter(name, Parameter.KEYWORD_ONLY, annotation=annotation)
-            for name, annotation in asked.items()
-        ],
-        return_annotation=None,
-    )
-
-
-def read(path: Path | list[Path]) -> xr.Dataset | list[xr.Dataset]:
-    """Read one dataset or several."""
-    return [read_dataset(one) for one in path] if isinstance(path, list) else read_dataset(path)
-
-
-def listed(given: xr.Dataset | list[xr.Dataset]) -> list[xr.Dataset]:
-    """One dataset or several, as a list."""
-    return given if isinstance(given, list) else [given]
-
-
-def _configurations(given: xr.Dataset | list[xr.Dataset]) -> Any:
-    """What one dataset or several were computed with."""
-    if isinstance(given, list):
-        return [configuration_of(dataset) for dataset in given]
-    return configuration_of(given)
+def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
+    """What a function makes of one thing, or of each in a list."""
+    return [function(one) for one in given] if isinstance(given, list) else function(given)
 
 
 def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], str] = str) -> str:

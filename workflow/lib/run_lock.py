@@ -1,29 +1,47 @@
-"""One run at a time in a results folder, by a lock that ends with its process.
+"""One run at a time in a results folder, and no job that outlives its run.
 
 Snakemake's own lock is a file that a killed run leaves behind, and that only a flag removes. The
 lock of the operating system (``flock``) is released when the process that holds it ends, however
-it ends, so that after a crash the same command goes on.
+it ends, so that after a crash the same command goes on. Jobs on the same machine wait for the same
+lock: who gets it has outlived its run, and ends before it writes over what a later run has made.
 """
 
 import fcntl
+import os
+import threading
+from contextlib import suppress
 from pathlib import Path
-from typing import TextIO
+
+VARIABLE = "GRANULAR_FRONTS_RUN_LOCK"  # Of the environment: names the locked file to jobs.
 
 
-class FolderInUseError(Exception):
-    """Another run works in the results folder; the message is for people."""
+def lock_folder(folder: Path) -> int:
+    """Lock a results folder until the process ends or the returned descriptor is closed.
 
-
-def lock_folder(folder: Path) -> TextIO:
-    """Lock a results folder until the process ends or the returned file is closed."""
+    Raises SystemExit with a sentence for people if another run works there.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    lock = (folder / ".lock").open("w", encoding="utf-8")
+    file = os.path.abspath(folder / ".lock")
+    lock = os.open(file, os.O_RDWR | os.O_CREAT, 0o666)
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        lock.close()
-        raise FolderInUseError(
+        os.close(lock)
+        raise SystemExit(
             f"Another run is at work in {folder}: wait for its end, or name another folder "
             "(--config results=...)."
         ) from None
+    os.environ[VARIABLE] = file
     return lock
+
+
+def end_with_run() -> None:
+    """End this process when the run that started it has ended, however it did."""
+    if file := os.environ.get(VARIABLE):
+        threading.Thread(target=_end_after, args=[file], daemon=True).start()
+
+
+def _end_after(file: str) -> None:
+    with suppress(FileNotFoundError), open(file, encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_SH)  # Waits until the run releases it.
+        os._exit(1)

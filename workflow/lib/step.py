@@ -14,36 +14,34 @@ terminal shows.
 """
 
 import argparse
-import fcntl
 import gc
-import logging
 import os
 import re
 import sys
-import threading
-import time
 import traceback
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout, suppress
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from datetime import datetime
 from inspect import signature
 from pathlib import Path
 from textwrap import shorten
-from typing import Any, TextIO
+from typing import Any, BinaryIO, TextIO
 
 from granular_fronts.errors import InputError, NoSpaceError, end_with_reader
 from granular_fronts.output.files import is_full
 from granular_fronts.scenes.yaml_files import parse_yaml, read_yaml
-
-LOGGER = logging.getLogger("granular_fronts")
+from run_lock import end_with_run
 
 EXIT_INTERRUPTED = 130  # What a program ends with that Ctrl-C has stopped.
-RUN_LOCK = "GRANULAR_FRONTS_RUN_LOCK"  # Names the file that the run holds locked, see common.smk.
-SECONDS_BETWEEN_LOOKS = 0.5
 LONGEST_ARGUMENT = 80  # Characters that the log file shows of an argument.
 
 
-def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
+def run_step(
+    function: Callable[..., None],
+    snakemake: Any = None,
+    inputs: Mapping[str, Any] | None = None,
+    **given: Any,
+) -> None:
     """Call a step function with the workflow's or the command line's values.
 
     Parameters
@@ -53,22 +51,28 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
         log file of the rule also keeps where it came from.
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.
+    inputs : mapping, optional
+        Types of arguments that the step takes beside those that it names, by their names.
+    **given
+        Arguments of the step that neither a rule nor the command line gives.
     """
-    if lock := os.environ.get(RUN_LOCK):
-        threading.Thread(target=_end_with_run, args=[Path(lock)], daemon=True).start()
-    arguments = from_workflow(function, snakemake) if snakemake else from_command_line(function)
+    end_with_run()
+    if snakemake:
+        arguments = from_workflow({**argument_types(function), **(inputs or {})}, snakemake)
+    else:
+        arguments = from_command_line(function, inputs or {}, given)
     file = next(iter(snakemake.log), None) if snakemake else None
-    with _copied_output(file) as write_to_log, _messages_on_terminal():
+    with _copied_output(file) as write_to_log:
         write_to_log(_describe_call(function, arguments))
         try:
-            function(**arguments)
+            function(**given, **arguments)
         except KeyboardInterrupt:
             write_to_log(traceback.format_exc())
-            LOGGER.error("Interrupted: run the same command again to go on.")
+            print("Interrupted: run the same command again to go on.", file=sys.stderr)
             sys.exit(EXIT_INTERRUPTED)
         except (ValueError, OSError) as error:
             write_to_log(traceback.format_exc())
-            LOGGER.error("%s", describe_fault(error))
+            print(describe_fault(error), file=sys.stderr)
             sys.exit(1)
         except Exception as error:
             mappings = [name for name, value in arguments.items() if isinstance(value, dict)]
@@ -78,31 +82,10 @@ def run_step(function: Callable[..., None], snakemake: Any = None) -> None:
                     "take it from a file, for example config/default.yaml:dotted.key."
                 )
             traceback.print_exc()
-            LOGGER.error("%s", _describe_unexpected(error))
+            print(_describe_unexpected(error), file=sys.stderr)
             sys.exit(1)
     # Python looks for garbage when it ends, without this among all that was imported.
     gc.freeze()
-
-
-def _end_with_run(lock: Path) -> None:
-    """End this process when the run that started it has ended, however it did.
-
-    A job that outlives a killed run could write over what a later run has made for another
-    configuration.
-    """
-    while is_held(lock):
-        time.sleep(SECONDS_BETWEEN_LOOKS)
-    os._exit(1)
-
-
-def is_held(lock: Path) -> bool:
-    """Whether some process holds a file locked; so it seems where the file is gone."""
-    try:
-        with lock.open(encoding="utf-8") as file:
-            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except (FileNotFoundError, BlockingIOError):
-        return True
-    return False
 
 
 def _describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> str:
@@ -131,7 +114,13 @@ def describe_fault(error: ValueError | OSError) -> str:
     return f"{error.filename} cannot be read or written ({error.strerror}): name another."
 
 
-def from_workflow(function: Callable[..., None], snakemake: Any) -> dict[str, Any]:
+def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
+    """Types of the arguments that a function names."""
+    parameters = signature(function, eval_str=True).parameters.values()
+    return {one.name: one.annotation for one in parameters if one.kind is not one.VAR_KEYWORD}
+
+
+def from_workflow(types: Mapping[str, Any], snakemake: Any) -> dict[str, Any]:
     """Pick the arguments of a step from a rule's named input, output and params.
 
     What else the rule lists is there to order and to repeat jobs.
@@ -145,14 +134,19 @@ def from_workflow(function: Callable[..., None], snakemake: Any) -> dict[str, An
         list[Path]: lambda files: [Path(file) for file in files],
     }
     return {
-        name: convert.get(parameter.annotation, lambda value: value)(given[name])
-        for name, parameter in signature(function, eval_str=True).parameters.items()
+        name: convert.get(kind, lambda value: value)(given[name])
+        for name, kind in types.items()
         if name in given
     }
 
 
-def from_command_line(function: Callable[..., None]) -> dict[str, Any]:
-    """Read the arguments of a step; its signature and docstring make the command line."""
+def from_command_line(
+    function: Callable[..., None], inputs: Mapping[str, Any], given: Collection[str] = ()
+) -> dict[str, Any]:
+    """Read the arguments of a step; its signature and docstring make the command line.
+
+    The `inputs` are the types of further arguments by their names; those `given` are left out.
+    """
     # Only the command line needs it, and a job should start fast.
     import jsonargparse
 
@@ -164,10 +158,12 @@ def from_command_line(function: Callable[..., None]) -> dict[str, Any]:
     parser = jsonargparse.ArgumentParser(
         parser_mode="yaml_or_leaf",
         formatter_class=HelpFormatter,
-        description=sys.modules[function.__module__].__doc__,
+        description=sys.modules["__main__"].__doc__,
         epilog="A mapping is given as YAML text, or as file.yaml:dotted.key to take it from there.",
     )
-    parser.add_function_arguments(function, as_group=False)
+    for name, kind in inputs.items():
+        parser.add_argument(f"--{name}", type=kind, required=True)
+    parser.add_function_arguments(function, as_group=False, skip=set(given))
     return parser.parse_args().as_dict()
 
 
@@ -195,17 +191,6 @@ def load_yaml_or_leaf(text: str) -> Any:
 
 
 @contextmanager
-def _messages_on_terminal() -> Iterator[None]:
-    """Show the project's warnings and errors while the block runs."""
-    terminal = logging.StreamHandler()
-    LOGGER.addHandler(terminal)
-    try:
-        yield
-    finally:
-        LOGGER.removeHandler(terminal)
-
-
-@contextmanager
 def _copied_output(file: str | None) -> Iterator[Callable[[str], None]]:
     """Copy what the block prints into a log file, and give what writes to that file alone.
 
@@ -214,29 +199,24 @@ def _copied_output(file: str | None) -> Iterator[Callable[[str], None]]:
     if file is None:
         yield lambda text: None
         return
-    with ExitStack() as stack:
-        log = stack.enter_context(_open_log(file))
-
-        def write_to_log(text: str) -> None:
-            with suppress(OSError):
-                log.write(text.encode())
-
-        terminals = [os.dup(descriptor) for descriptor in (1, 2)]
-        for descriptor, terminal in enumerate(terminals, start=1):
+    terminals = os.dup(1), os.dup(2)
+    with (
+        _open_log(file) as log,
+        open(terminals[0], "w", encoding="utf-8", buffering=1) as output,
+        open(terminals[1], "w", encoding="utf-8", buffering=1) as errors,
+        redirect_stdout(_CopyingStream(output, log)),
+        redirect_stderr(_CopyingStream(errors, log)),
+    ):
+        for descriptor in (1, 2):
             os.dup2(log.fileno(), descriptor)
-            stack.callback(os.close, terminal)
-            stack.callback(os.dup2, terminal, descriptor)
-        for terminal, redirect in zip(terminals, (redirect_stdout, redirect_stderr), strict=True):
-            shown = stack.enter_context(
-                open(terminal, "w", encoding="utf-8", buffering=1, closefd=False)
-            )
-            copying = CopyingStream(shown, write_to_log)
-            stack.callback(copying.end_line)
-            stack.enter_context(redirect(copying))
-        yield write_to_log
+        try:
+            yield lambda text: _write(log, text)
+        finally:
+            for descriptor, terminal in enumerate(terminals, start=1):
+                os.dup2(terminal, descriptor)
 
 
-def _open_log(file: str) -> Any:
+def _open_log(file: str) -> BinaryIO:
     """Open a log file, or nothing where there is no space for one."""
     try:
         return open(file, "wb", buffering=0)
@@ -244,23 +224,21 @@ def _open_log(file: str) -> Any:
         return open(os.devnull, "wb", buffering=0)
 
 
-class CopyingStream:
-    """A stream to the terminal whose lines are copied, of a progress bar its last state."""
+def _write(log: BinaryIO, text: str) -> None:
+    with suppress(OSError):
+        log.write(text.encode())
 
-    def __init__(self, terminal: TextIO, copy: Callable[[str], None]):
-        self._terminal, self._copy, self._line = terminal, copy, ""
+
+class _CopyingStream:
+    """A stream to the terminal that is copied into a log file, progress bars left out."""
+
+    def __init__(self, terminal: TextIO, log: BinaryIO):
+        self._terminal, self._log = terminal, log
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._terminal, name)
 
     def write(self, text: str) -> int:
-        """Write to the terminal, and copy the lines that end here."""
-        *lines, self._line = (self._line + text).split("\n")
-        for line in lines:
-            self._copy(line.rpartition("\r")[2] + "\n")
+        if "\r" not in text:
+            _write(self._log, text)
         return self._terminal.write(text)
-
-    def end_line(self) -> None:
-        """Copy the line that has not ended."""
-        if self._line:
-            self._copy(self._line.rpartition("\r")[2] + "\n")

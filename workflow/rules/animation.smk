@@ -8,10 +8,10 @@ rule animate_front:
         gif="<results>/animation/front.gif",
         pdf="<results>/animation/front.pdf",
         png="<results>/animation/front.png",
-        record="<results>/animation/front.json",
+        provenance="<results>/animation/front.json",
     params:
         code=code("animate_front"),
-        asked=asked("chain/initiation_underdamped"),
+        parameters=parameters("chain/initiation_underdamped"),
     log:
         "<logs>/animate_front.log",
     benchmark:

@@ -11,8 +11,8 @@ rule check_results:
             project("docs", "proofs.md"),
         ],
         datasets=DATASETS,
-        figures=DRAWN_FILES,
-        tables=WRITTEN_FILES,
+        figures=FIGURE_FILES,
+        tables=TABLE_FILES,
     output:
         verdict="<results>/checks.txt",
     params:

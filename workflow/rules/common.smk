@@ -33,7 +33,7 @@ if " " in sys.executable:
 
 from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
-from run_lock import FolderInUseError, lock_folder
+from run_lock import VARIABLE, lock_folder
 
 MODULES = module_files(
     *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", "")))])
@@ -65,13 +65,9 @@ def environment(wildcards):
     return "../envs/main.yaml" if shutil.which("conda") else None
 
 
-# A job ends when the run does that holds this file locked, see `step`. A job on another machine
-# is not watched, since locks need not reach that far.
-RUN_LOCK = "GRANULAR_FRONTS_RUN_LOCK"
+# A job on another machine is not ended with its run, since locks need not reach that far.
 if not workflow.is_main_process:
-    os.environ.pop(RUN_LOCK, None)
-
-HELD = []
+    os.environ.pop(VARIABLE, None)
 
 
 def hold_results_folder():
@@ -79,15 +75,10 @@ def hold_results_folder():
 
     Who only asks for help writes nothing there.
     """
-    if not any(job.output for job in workflow.dag.needrun_jobs()):
-        return
-    for error in folder_errors(config["results"]):
-        sys.exit(error)
-    try:
-        HELD.append(lock_folder(Path(config["results"])))
-    except FolderInUseError as error:
-        sys.exit(str(error))
-    os.environ.update({RUN_LOCK: os.path.abspath(HELD[-1].name)})
+    if any(job.output for job in workflow.dag.needrun_jobs()):
+        for error in folder_errors(config["results"]):
+            sys.exit(error)
+        lock_folder(Path(config["results"]))
 
 
 # Of a timing, which must run alone: Snakemake cuts it down to the cores of the call.

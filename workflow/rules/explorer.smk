@@ -4,8 +4,8 @@
 EXPLORED = [
     f"{folder}/{scene}"
     for folder in ("chain", "periodic")
-    for scene, asked_of_scene in config["scenes"][folder].items()
-    if "grid" in asked_of_scene["record"]
+    for scene, described in config["scenes"][folder].items()
+    if "grid" in described["record"]
 ]
 EXPLORED_FRONTS = ["fronts/collection", "fronts/critical_damping"]
 
@@ -22,11 +22,11 @@ rule write_explorer:
         plane=rules.study_critical_damping.output.dataset,
     output:
         page="<results>/explore.html",
-        record="<results>/explore.json",
+        provenance="<results>/explore.json",
     params:
         code=code("write_explorer"),
         reference=reference(*EXPLORED),
-        asked=asked(*EXPLORED, *EXPLORED_FRONTS),
+        parameters=parameters(*EXPLORED, *EXPLORED_FRONTS),
     log:
         "<logs>/write_explorer.log",
     benchmark:

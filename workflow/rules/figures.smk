@@ -20,14 +20,14 @@ for figure in FIGURES:
                 labels={"figure": number_of(figure), "title": FIGURES[figure]["title"]},
             ),
             caption=f"<results>/{stem_of(figure)}.rst",
-            record=f"<results>/{stem_of(figure)}.json",
+            provenance=f"<results>/{stem_of(figure)}.json",
         params:
             code=code("figure_step", script_of(figure)),
             script=script_of(figure),
             title=verbatim(FIGURES[figure]["title"]),
             alt=verbatim(FIGURES[figure]["alt"]),
             reference=reference(*datasets_of(figure)),
-            asked=asked(*datasets_of(figure)),
+            parameters=parameters(*datasets_of(figure)),
         log:
             f"<logs>/plot_{figure}.log",
         benchmark:
@@ -51,7 +51,7 @@ for figure in FIGURES:
 
 rule figures:
     input:
-        DRAWN_FILES,
-        [data_file(dataset) for figure in DRAWN for dataset in datasets_of(figure)],
+        FIGURE_FILES,
+        [data_file(dataset) for figure in DEFAULT_FIGURES for dataset in datasets_of(figure)],
     message:
         "All figures are drawn."

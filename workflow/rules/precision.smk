@@ -62,12 +62,12 @@ rule tabulate_speed_error:
         verdicts_markdown="<results>/tables/speed_verdicts.md",
         runs_csv="<results>/tables/speed_runs.csv",
         runs_markdown="<results>/tables/speed_runs.md",
-        record="<results>/tables/speed_error.json",
-        verdicts_record="<results>/tables/speed_verdicts.json",
-        runs_record="<results>/tables/speed_runs.json",
+        provenance="<results>/tables/speed_error.json",
+        verdicts_provenance="<results>/tables/speed_verdicts.json",
+        runs_provenance="<results>/tables/speed_runs.json",
     params:
         code=code("tabulate_speed_error"),
-        asked=asked("precision/speed_error"),
+        parameters=parameters("precision/speed_error"),
     log:
         "<logs>/tabulate_speed_error.log",
     benchmark:

@@ -5,12 +5,11 @@ TABLES = load_yaml("workflow", "tables.yaml")
 FOLDERS = {family: folder for folder, family in FAMILIES.items()}
 
 
-def made_at_once(described):
-    """Return the names of those that a plain call makes; the others wait until they are asked for."""
-    return [name for name, one in described.items() if not one.get("on_demand")]
-
-
-DRAWN, WRITTEN = made_at_once(FIGURES), made_at_once(TABLES)
+# A plain call makes these; the others wait until a command names them.
+DEFAULT_FIGURES, DEFAULT_TABLES = (
+    [name for name, one in described.items() if not one.get("on_demand")]
+    for described in (FIGURES, TABLES)
+)
 
 
 def data_file(dataset):
@@ -60,7 +59,7 @@ def number_of(figure):
 
 
 def figure_files(figure):
-    """Return the picture in two formats, its caption, and the record of what it was drawn from."""
+    """Return the picture in two formats, its caption, and its provenance."""
     return [f"<results>/{stem_of(figure)}.{ending}" for ending in ("pdf", "png", "rst", "json")]
 
 
@@ -76,7 +75,7 @@ def campaign_chunks_behind(figure):
 
 
 def table_files(table):
-    """Return the table in two formats, and the record of what it was made from."""
+    """Return the table in two formats, and its provenance."""
     return [f"<results>/tables/{table}.{ending}" for ending in ("csv", "md", "json")]
 
 
@@ -86,7 +85,7 @@ MEASURES = [name for name in MODULES if name.endswith("measures")]
 
 def tabulated_from(table):
     """Return the datasets behind a table: those that it names, or all that a plain call makes."""
-    return TABLES[table].get("data", list(questions(config)))
+    return TABLES[table].get("data", list(default_parameters(config)))
 
 
 def table_inputs(table):
@@ -98,19 +97,19 @@ def table_inputs(table):
 
 
 def table_params(table):
-    """Return what a table depends on beside its files: code, and what is asked of its data."""
+    """Return what a table depends on beside its files: code, and the parameters of its data."""
     script, datasets = TABLES[table]["script"], tabulated_from(table)
     if "statements" not in TABLES[table]:
-        return {"code": code(script), "asked": asked(*datasets)}
+        return {"code": code(script), "parameters": parameters(*datasets)}
     return {
         "code": code(script, *MEASURES),
         "reference": reference(*datasets),
-        "asked": asked(*datasets),
+        "parameters": parameters(*datasets),
     }
 
 
-DRAWN_FILES = [file for figure in DRAWN for file in figure_files(figure)]
-WRITTEN_FILES = [file for table in WRITTEN for file in table_files(table)]
+FIGURE_FILES = [file for figure in DEFAULT_FIGURES for file in figure_files(figure)]
+TABLE_FILES = [file for table in DEFAULT_TABLES for file in table_files(table)]
 
 
 def verbatim(text):
@@ -118,20 +117,20 @@ def verbatim(text):
     return lambda wildcards: text
 
 
-def records_on_demand():
-    """Return the records of what was made on demand.
+def made_on_demand():
+    """Return the provenance files of what was made on demand.
 
     The report shows what is there when the workflow starts, and never causes a measurement.
     """
-    stems = [stem_of(figure) for figure in FIGURES if figure not in DRAWN]
-    stems += [f"tables/{table}" for table in TABLES if table not in WRITTEN]
+    stems = [stem_of(figure) for figure in FIGURES if figure not in DEFAULT_FIGURES]
+    stems += [f"tables/{table}" for table in TABLES if table not in DEFAULT_TABLES]
     # The page to explore.
     stems.append("explore")
     files = [os.path.join(config["results"], f"{stem}.json") for stem in stems]
     return [file for file in files if os.path.exists(file)]
 
 
-ON_DEMAND = records_on_demand()
+ON_DEMAND = made_on_demand()
 
 
 def datasets_on_demand():
@@ -145,4 +144,4 @@ def datasets_on_demand():
         for dataset in datasets
         if dataset.startswith("campaigns/") and os.path.exists(project("config", f"{dataset}.yaml"))
     }
-    return [*questions_on_demand(config), *sorted(campaigns)]
+    return [*parameters_on_demand(config), *sorted(campaigns)]

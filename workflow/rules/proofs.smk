@@ -5,7 +5,7 @@ last one, after it has proved again from their files those that are there.
 """
 
 from proof_chunks import chunk_name, proof_chunks
-from questions import shown_front
+from dataset_parameters import shown_front
 
 PROOFS = config["proofs"]
 CHUNKS = {
@@ -105,13 +105,13 @@ rule tabulate_proofs:
     output:
         csv="<results>/tables/proofs.csv",
         markdown="<results>/tables/proofs.md",
-        record="<results>/tables/proofs.json",
+        provenance="<results>/tables/proofs.json",
         margins_csv="<results>/tables/proof_margins.csv",
         margins_markdown="<results>/tables/proof_margins.md",
-        margins_record="<results>/tables/proof_margins.json",
+        margins_provenance="<results>/tables/proof_margins.json",
     params:
         code=code("tabulate_proofs"),
-        asked=asked("proofs/fronts", "proofs/intervals"),
+        parameters=parameters("proofs/fronts", "proofs/intervals"),
     log:
         "<logs>/tabulate_proofs.log",
     benchmark:

@@ -5,9 +5,9 @@ rule write_report:
     input:
         template=project("workflow", "report", "page.html.j2"),
         texts=project("workflow", "tables.yaml"),
-        figures=[f"<results>/{stem_of(figure)}.json" for figure in DRAWN],
-        tables=[f"<results>/tables/{name}.json" for name in WRITTEN],
-        files=DRAWN_FILES + WRITTEN_FILES,
+        figures=[f"<results>/{stem_of(figure)}.json" for figure in DEFAULT_FIGURES],
+        tables=[f"<results>/tables/{name}.json" for name in DEFAULT_TABLES],
+        files=FIGURE_FILES + TABLE_FILES,
         datasets=DATASETS,
         benchmarks=[
             rules.compile_kernels.benchmark,
@@ -20,7 +20,7 @@ rule write_report:
             STUDY_BENCHMARKS,
             rules.tabulate_fronts.benchmark,
             rules.tabulate_critical_damping.benchmark,
-            [f"<benchmarks>/plot_{figure}.tsv" for figure in DRAWN],
+            [f"<benchmarks>/plot_{figure}.tsv" for figure in DEFAULT_FIGURES],
             rules.tabulate_materials.benchmark,
             rules.tabulate_jump_conditions.benchmark,
             rules.tabulate_paper_numbers.benchmark,
@@ -34,9 +34,8 @@ rule write_report:
         code=code("write_report"),
         configuration=config,
         results=subpath(output.page, parent=True),
-        asked=asked(*questions(config)),
         on_demand=ON_DEMAND,
-        asked_on_demand=asked(*datasets_on_demand()),
+        parameters=parameters(*default_parameters(config), *datasets_on_demand()),
         contents=contents(ON_DEMAND),
     log:
         "<logs>/write_report.log",
@@ -52,8 +51,8 @@ rule report:
     input:
         rules.write_report.output,
         # A page is not up to date while something that it shows is missing.
-        DRAWN_FILES,
-        WRITTEN_FILES,
+        FIGURE_FILES,
+        TABLE_FILES,
         DATASETS,
     message:
         "The report is written: {input[0]}."

@@ -15,7 +15,7 @@ for study, described in studies().items():
             code=code("study", described["function"].rpartition(".")[0]),
             function=described["function"],
             study=study,
-            section=question(f"{described['folder']}/{study}"),
+            section=parameters_of(f"{described['folder']}/{study}"),
         log:
             f"<logs>/study/{study}.log",
         benchmark:
@@ -31,5 +31,5 @@ for study, described in studies().items():
 STUDY_BENCHMARKS = [
     f"<benchmarks>/study/{study}.tsv"
     for study, described in studies().items()
-    if f"{described['folder']}/{study}" in questions(config)
+    if f"{described['folder']}/{study}" in default_parameters(config)
 ]

@@ -14,7 +14,7 @@ for table in [name for name, described in TABLES.items() if "script" in describe
         output:
             csv=f"<results>/tables/{table}.csv",
             markdown=f"<results>/tables/{table}.md",
-            record=f"<results>/tables/{table}.json",
+            provenance=f"<results>/tables/{table}.json",
         params:
             **table_params(table),
             script=script_file(TABLES[table]["script"]),
@@ -36,11 +36,11 @@ rule tabulate_fronts:
         properties_markdown="<results>/tables/front_properties.md",
         errors_csv="<results>/tables/front_errors.csv",
         errors_markdown="<results>/tables/front_errors.md",
-        properties_record="<results>/tables/front_properties.json",
-        errors_record="<results>/tables/front_errors.json",
+        properties_provenance="<results>/tables/front_properties.json",
+        errors_provenance="<results>/tables/front_errors.json",
     params:
         code=code("tabulate_fronts"),
-        asked=asked("fronts/survey"),
+        parameters=parameters("fronts/survey"),
     log:
         "<logs>/tabulate_fronts.log",
     benchmark:
@@ -62,7 +62,7 @@ rule ring_limit:
 
 rule tables:
     input:
-        WRITTEN_FILES,
+        TABLE_FILES,
         DATASETS,
     message:
         "All tables are written."

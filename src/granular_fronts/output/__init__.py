@@ -1,1 +1,1 @@
-"""What leaves the project: datasets, tables, figures, and the record of their origin."""
+"""What leaves the project: datasets, tables, figures, and their provenance."""

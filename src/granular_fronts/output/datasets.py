@@ -25,10 +25,10 @@ import yaml
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.provenance import (
     code_version,
+    config_digest,
     data_digest,
     digest,
-    origin,
-    question_digest,
+    source_of,
 )
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
@@ -95,7 +95,7 @@ def write_dataset(
         "history": f"written by granular_fronts {code_version()}",
         "scene": scene_id,
         "config": json.dumps(config, sort_keys=True),
-        "config_digest": question_digest(config),
+        "config_digest": config_digest(config),
         "data_digest": data_digest(described),
         "software": ", ".join(f"{name} {importlib.metadata.version(name)}" for name in _PACKAGES),
         "code_version": code_version(),
@@ -137,16 +137,16 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
         raise DatasetError(
             f"{path} holds scene {loaded.attrs['scene']}, but {scene_id} is expected: {remedy}"
         )
-    asked = digest(str(loaded.attrs["config"]).encode())
-    if (asked, data_digest(loaded)) != (loaded.attrs["config_digest"], loaded.attrs["data_digest"]):
+    digests = digest(str(loaded.attrs["config"]).encode()), data_digest(loaded)
+    if digests != (loaded.attrs["config_digest"], loaded.attrs["data_digest"]):
         raise DatasetError(f"{path} was altered after it was written: {remedy}")
     return loaded
 
 
-def read_origins(folder: Path, names: Iterable[str]) -> dict[str, dict[str, str]]:
-    """What identifies each dataset of a folder, by name; one that is missing is left out."""
-    files = {name: Path(folder, f"{name}.nc") for name in names}
-    return {name: origin(read_dataset(path).attrs) for name, path in files.items() if path.exists()}
+def read_sources(folder: Path, names: Iterable[str]) -> list[dict[str, str]]:
+    """The sources, see `provenance`, of those datasets of a folder that are there."""
+    files = [Path(folder, f"{name}.nc") for name in names]
+    return [source_of(read_dataset(path)) for path in files if path.exists()]
 
 
 def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:

@@ -12,16 +12,16 @@ ABSENT = None  # stands for a leaf that only the other mapping has
 NAMED_DEPARTURES = 3  # by a sentence, before it counts the others
 
 
-def departures(asked: Any, reference: Any) -> list[tuple[str, Any, Any]]:
+def departures(configuration: Any, reference: Any) -> list[tuple[str, Any, Any]]:
     """Dotted key, value and reference value of each leaf in which two configurations differ.
 
     Numbers compare by value, so that 5 and 5.0 are the same.  A leaf that only one of them has is
-    `ABSENT` in the other.  The order is that of the reference, then what only `asked` has.
+    `ABSENT` in the other.  The order is that of the reference, then what only `configuration` has.
 
     >>> departures({"law": {"gamma": 0.21}}, {"law": {"gamma": 0.06}, "beads": 420})
     [('law.gamma', 0.21, 0.06), ('beads', None, 420)]
     """
-    values, references = dict(leaves(asked)), dict(leaves(reference))
+    values, references = dict(leaves(configuration)), dict(leaves(reference))
     return [
         (key, values.get(key, ABSENT), references.get(key, ABSENT))
         for key in references | values
@@ -38,9 +38,10 @@ def leaves(configuration: Any, key: str = "") -> Iterator[tuple[str, Any]]:
         yield key, configuration
 
 
-def physical_departures(asked: Any, reference: Any) -> list[tuple[str, Any, Any]]:
-    """The departures that change the question, not how accurately it is answered: no tolerances."""
-    return [each for each in departures(asked, reference) if "tolerance" not in each[0].split(".")]
+def physical_departures(configuration: Any, reference: Any) -> list[tuple[str, Any, Any]]:
+    """The departures that change the problem, not how accurately it is solved: no tolerances."""
+    every = departures(configuration, reference)
+    return [each for each in every if "tolerance" not in each[0].split(".")]
 
 
 def describe(differences: list[tuple[str, Any, Any]]) -> str:

@@ -1,23 +1,21 @@
-"""What a figure, a table or the report was made from, and whether that is what is asked now.
+"""What each file of results was made from, and whether that is what is there now.
 
-A dataset answers a question: the part of the configuration that its rule was given.  Both are known
-by digests, the first 16 hexadecimals of a SHA-256,
+A dataset names in its attributes its scene and two digests, each the first 16 hexadecimals of a
+SHA-256,
 
-    question = digest of the configuration, as JSON with sorted keys,
-    data     = digest of the values of all variables, with their names, types and shapes,
+    config_digest   of its parameters, a part of the configuration, as JSON with sorted keys,
+    data_digest     of the values of all variables, with their names, types and shapes.
 
-and the triple of scene, question and data is the *origin* of whatever is made from the dataset.
-Each figure and each table has a *record* beside it, a JSON file that names the digest of each of
-its files, the origins of all datasets that it was made from, and the version of the code.  With the
-records a finished folder can be checked without running anything: every file must be the one of its
-record, every origin must be that of the dataset that lies there now, and every dataset must answer
-what is asked now.
+These three are its *source* for whatever is made from it.  Beside each figure and table lies its
+provenance, a JSON file of the same stem: the digest of each of its files (`files`), the sources of
+all datasets behind it (`made_from`) and the version of the code (`code_version`).  Whoever shows
+the figure, or starts from a folder of results, compares these with what is there now.
 """
 
 import hashlib
 import json
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -36,9 +34,9 @@ def digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()[:DIGEST_LENGTH]
 
 
-def question_digest(configuration: Any) -> str:
+def config_digest(parameters: Any) -> str:
     """Digest of a part of the configuration; the order of keys does not count."""
-    return digest(json.dumps(configuration, sort_keys=True).encode())
+    return digest(json.dumps(parameters, sort_keys=True).encode())
 
 
 @cache
@@ -65,63 +63,75 @@ def data_digest(dataset: Any) -> str:
     return found.hexdigest()[:DIGEST_LENGTH]
 
 
-def origin(attributes: Mapping[str, Any]) -> dict[str, str]:
-    """What identifies a dataset, by its attributes, among all that ever had its name."""
-    return {
-        "scene": str(attributes["scene"]),
-        "question": str(attributes["config_digest"]),
-        "data": str(attributes["data_digest"]),
-    }
+def source_of(dataset: Any) -> dict[str, str]:
+    """What tells an xarray.Dataset from all that ever had its name: its scene and both digests."""
+    return {key: str(dataset.attrs[key]) for key in ("scene", "config_digest", "data_digest")}
 
 
-def write_record(
-    path: Path, files: Iterable[Path], origins: Iterable[Mapping[str, str]], **facts: Any
+def write_provenance(
+    path: Path, files: Iterable[Path], datasets: Iterable[Any], **facts: Any
 ) -> None:
-    """Write the record of a figure or a table, after its files.
+    """Write the provenance of files, after them.
 
-    `origins` are those of every dataset that it was made from; `facts` is what else is worth
-    keeping, for example a title.
+    Parameters
+    ----------
+    path : Path
+        The JSON file, in the folder of the files.
+    files : iterable of Path
+    datasets : iterable of xarray.Dataset
+        All that the files were made from, as `read_dataset` returns them.
+    **facts
+        What else is worth keeping, for example a title.
     """
-    record = {
+    provenance = {
         "files": {file.name: digest(file.read_bytes()) for file in files},
-        "made_from": sorted(map(dict, origins), key=lambda made_from: made_from["scene"]),
+        "made_from": sorted(map(source_of, datasets), key=lambda source: source["scene"]),
         "code_version": code_version(),
         **facts,
     }
     with complete_file(path) as unfinished:
         unfinished.write_text(
-            json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+            json.dumps(provenance, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
         )
 
 
-def read_record(path: Path) -> dict[str, Any]:
-    """Read what `write_record` wrote."""
-    return read_json(path)
-
-
 def disagreements(
-    records: Iterable[Path], origins: Mapping[str, Mapping[str, str]], asked: Mapping[str, Any]
+    path: Path,
+    parameters: Mapping[str, Any],
+    sources: Collection[Mapping[str, str]] | None = None,
 ) -> Iterator[str]:
-    """Compare what lies in a results folder with itself and with what is asked now.
+    """Compare the provenance of a figure or a table with what is there now.
 
-    `origins` are those of the datasets that lie there now, and `asked` the parts of the
-    configuration that they must answer, by the same names.  A sentence for each disagreement.
+    Parameters
+    ----------
+    path : Path
+        The JSON file that `write_provenance` wrote.
+    parameters : mapping
+        The present parameters of datasets by name, ``folder/scene``. Others are not compared.
+    sources : collection of mapping, optional
+        Those of the datasets that lie there now; not compared if it is left out.
+
+    Yields
+    ------
+    str
+        What does not agree, without a full stop.
+
+    Raises
+    ------
+    InputError
+        If the JSON file is damaged.
     """
-    for name, configuration in asked.items():
-        if name not in origins:
-            yield f"The data {name} are missing: run the workflow again."
-        elif origins[name]["question"] != question_digest(configuration):
-            yield f"The data {name} answer another configuration: run the workflow again."
-    present = list(origins.values())
-    for path in records:
-        record = read_record(path)
-        for name, expected in record["files"].items():
-            file = path.with_name(name)
-            if not file.exists() or digest(file.read_bytes()) != expected:
-                yield f"{file} is not the file that its record describes: delete it and run again."
-        for made_from in record["made_from"]:
-            if made_from not in present:
-                yield (
-                    f"{path.stem} was made from other data of scene {made_from['scene']} than lie "
-                    "there now: run the workflow again."
-                )
+    provenance = read_json(path)
+    for name, expected in provenance["files"].items():
+        file = path.with_name(name)
+        if not file.exists() or digest(file.read_bytes()) != expected:
+            yield f"{file} is not the file that its provenance describes"
+    present = {
+        name.rpartition("/")[2]: config_digest(described) for name, described in parameters.items()
+    }
+    for source in provenance["made_from"]:
+        scene, answered = source["scene"], source.get("config_digest")
+        if present.get(scene, answered) != answered:
+            yield f"{path} answers another configuration of scene {scene}"
+        elif sources is not None and source not in sources:
+            yield f"{path} was made from other data of scene {scene} than lie there now"

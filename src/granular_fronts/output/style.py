@@ -6,7 +6,7 @@ the curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -21,6 +21,7 @@ from matplotlib.figure import Figure
 from matplotlib.rcsetup import cycler
 
 from granular_fronts.output.files import complete_file
+from granular_fronts.output.provenance import source_of
 
 TEXT_WIDTH = 6.9
 DOTS_PER_INCH = 200
@@ -134,12 +135,13 @@ def velocity_map() -> Colormap:
     return matplotlib.colormaps["viridis_r"]
 
 
-def save_figure(figure: Figure, pdf: Path, png: Path, origins: Iterable[Mapping[str, str]]) -> None:
+def save_figure(figure: Figure, pdf: Path, png: Path, datasets: Iterable[Any]) -> None:
     """Save both formats, each appearing under its name only when complete.
 
-    The PDF carries no date, so that equal data give equal files.
+    Their keywords are the sources of the datasets, see `provenance`.  The PDF carries no date, so
+    that equal data give equal files.
     """
-    keywords = " ".join("{scene}:{question}:{data}".format(**origin) for origin in origins)
+    keywords = " ".join(":".join(source_of(dataset).values()) for dataset in datasets)
     # `savefig` would draw each format twice and arrange the panels anew for each.
     with complete_file(png) as unfinished:
         FigureCanvasAgg(figure).print_png(unfinished, metadata={"Keywords": keywords})

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.provenance import write_provenance
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -23,14 +23,13 @@ def write_table(
 ) -> None:
     """Write a table with all digits as CSV and rounded as Markdown, each when it is complete.
 
-    The record of the datasets it was made from (`provenance`) is the JSON file of the same stem.
+    Their provenance is the JSON file of the same stem.
     """
     with complete_file(csv) as unfinished:
         table.to_csv(unfinished, index=False)
     with complete_file(markdown) as unfinished:
         rounded.to_markdown(unfinished, index=False, disable_numparse=True)
-    origins = [origin(dataset.attrs) for dataset in sources]
-    write_record(csv.with_suffix(".json"), [csv, markdown], origins)
+    write_provenance(csv.with_suffix(".json"), [csv, markdown], sources)
 
 
 def round_floats(table: pd.DataFrame, digits: int) -> pd.DataFrame:

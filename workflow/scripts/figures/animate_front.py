@@ -8,7 +8,7 @@ import xarray as xr
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.plot import animate, chain
-from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.provenance import write_provenance
 from granular_fronts.output.style import DOTS_PER_INCH, save_figure
 from step import run_step
 
@@ -20,8 +20,8 @@ STILLS = (0.6, 1.15, 1.6)
 """Times of the still, in the same unit: before the reflection, and twice after it."""
 
 
-def animate_front(dataset: Path, gif: Path, pdf: Path, png: Path, record: Path) -> None:
-    """Write the moving picture, the same at three times for print, and their record.
+def animate_front(dataset: Path, gif: Path, pdf: Path, png: Path, provenance: Path) -> None:
+    """Write the moving picture, the same at three times for print, and what they were made from.
 
     Parameters
     ----------
@@ -31,21 +31,20 @@ def animate_front(dataset: Path, gif: Path, pdf: Path, png: Path, record: Path) 
         The moving picture.
     pdf, png : Path
         The still.
-    record : Path
-        What they were made from.
+    provenance : Path
+        The JSON file that says what they were made from.
     """
     plt.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
     motion = read_dataset(dataset)
     crossing = float(motion["arrival_time"].max())
-    origins = [origin(motion.attrs)]
     with complete_file(gif) as unfinished:
         animate(motion.sel(t_grid=slice(0.0, CROSSINGS * crossing)), FRAMES).write(unfinished)
     chain(at_times(motion, [share * crossing for share in STILLS]))
     figure = plt.gcf()
     figure.set_dpi(DOTS_PER_INCH)
-    save_figure(figure, pdf, png, origins)
+    save_figure(figure, pdf, png, [motion])
     plt.close(figure)
-    write_record(record, [gif, pdf, png], origins)
+    write_provenance(provenance, [gif, pdf, png], [motion])
 
 
 def at_times(motion: xr.Dataset, times: list[float]) -> xr.Dataset:

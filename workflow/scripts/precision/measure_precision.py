@@ -11,6 +11,7 @@ import importlib
 import json
 import os
 import platform
+import sys
 from collections.abc import Mapping
 from itertools import product
 from pathlib import Path
@@ -28,7 +29,7 @@ from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.progress import counted
 from peers.record import Run
 from problems.problem import Problem, errors_of
-from step import LOGGER, run_step
+from step import run_step
 
 # A longer run is timed once: what disturbs it for a moment is a small part of it.
 SECONDS_WORTH_REPEATING = 3.0
@@ -73,7 +74,7 @@ def measure_precision(
             {"problem": name} | row for row in measure(name, problem, present, settings["repeats"])
         ]
     for method, reason in absent.items():
-        LOGGER.warning("%s is left out: %s.", method, reason)
+        print(f"{method} is left out: {reason}.", file=sys.stderr)
     measured = to_dataset(rows, facts)
     measured.attrs = {
         "absent": json.dumps(absent),

@@ -8,7 +8,7 @@ from pathlib import Path
 from explorer.page import make_page
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import origin, write_record
+from granular_fronts.output.provenance import write_provenance
 from step import run_step
 
 LARGEST_PAGE = 5_000_000
@@ -22,9 +22,9 @@ def write_explorer(
     plane: Path,
     reference: dict,
     page: Path,
-    record: Path,
+    provenance: Path,
 ) -> None:
-    """Fill the template of the page, and write the record of what it was made from.
+    """Fill the template of the page, and write what it was made from.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def write_explorer(
         Datasets of fronts and of the plane that they are chosen in.
     reference : dict
         What the paper computes, by scene.
-    page, record : Path
+    page, provenance : Path
         The HTML and the JSON file to write.
 
     Raises
@@ -58,7 +58,7 @@ def write_explorer(
         )
     with complete_file(page) as unfinished:
         unfinished.write_text(html, encoding="utf-8")
-    write_record(record, [page], [origin(data.attrs) for data in [*moving, fronts, atlas]])
+    write_provenance(provenance, [page], [*moving, fronts, atlas])
 
 
 if __name__ == "__main__":

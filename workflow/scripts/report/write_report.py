@@ -4,7 +4,7 @@ The page holds everything in itself, so it can be mailed or archived as one file
 the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
 click, hence this one.
 
-Nothing is shown that does not belong together: the step compares the records of all figures and
+Nothing is shown that does not belong together: the step compares the provenance of all figures and
 tables with the data that lie there and with the configuration, and ends with a sentence where they
 disagree. What is made on demand is left out, and named, where it answers another configuration.
 """
@@ -21,9 +21,9 @@ import yaml
 from docutils.core import publish_parts
 from tabulate import tabulate
 
-from granular_fronts.output.datasets import read_origins
-from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import disagreements, read_record
+from granular_fronts.output.datasets import read_sources
+from granular_fronts.output.files import complete_file, read_json
+from granular_fronts.output.provenance import disagreements
 from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
 
@@ -34,8 +34,7 @@ def write_report(  # noqa: PLR0913 - what its rule names
     figures: list[Path],
     tables: list[Path],
     on_demand: list[Path],
-    asked: dict,
-    asked_on_demand: dict,
+    parameters: dict,
     results: Path,
     benchmarks: list[Path],
     verdict: Path,
@@ -51,11 +50,11 @@ def write_report(  # noqa: PLR0913 - what its rule names
     texts : Path
         Titles and captions of the tables, a YAML file.
     figures, tables : list of Path
-        Records of figures and tables, in the order of the page; their files lie beside them.
+        Provenance of figures and tables, in the order of the page; their files lie beside it.
     on_demand : list of Path
-        Records of what was made on demand.
-    asked, asked_on_demand : dict
-        The parts of the configuration that the datasets must answer, by their names.
+        Provenance of what was made on demand.
+    parameters : dict
+        The present parameters of the datasets, by their names.
     results : Path
         The folder that holds data, figures and tables.
     benchmarks : list of Path
@@ -72,15 +71,14 @@ def write_report(  # noqa: PLR0913 - what its rule names
     ValueError
         If figures, tables, data and configuration do not belong together.
     """
-    origins = read_origins(results / "data", [*asked, *asked_on_demand])
-    if found := list(disagreements([*figures, *tables], origins, asked)):
-        raise ValueError("\n".join(found))
-    every = asked | asked_on_demand
-    shown = [
-        record
-        for record in on_demand
-        if not any(disagreements([record], origins, _questions_behind(record, origins, every)))
-    ]
+    sources = read_sources(results / "data", parameters)
+    outdated = {
+        file: list(disagreements(file, parameters, sources))
+        for file in [*figures, *tables, *on_demand]
+    }
+    if found := [words for file in [*figures, *tables] for words in outdated[file]]:
+        raise ValueError("\n".join(f"{words}: delete it and run again." for words in found))
+    shown = [file for file in on_demand if not outdated[file]]
     # A figure alone has a caption of its own.
     figures = sorted([*figures, *_records_with(".rst", shown)])
     tables = [*tables, *_records_with(".csv", shown)]
@@ -90,10 +88,10 @@ def write_report(  # noqa: PLR0913 - what its rule names
         figures=[_describe_figure(record) for record in figures],
         tables=[_describe_table(record, described[record.stem]) for record in tables],
         pages=[record.with_suffix(".html").name for record in _records_with(".html", shown)],
-        outdated=[record.stem for record in on_demand if record not in shown],
+        outdated=[file.stem for file in on_demand if file not in shown],
         run_times=_tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
-        made_from={record.stem: read_record(record) for record in [*figures, *tables]},
+        made_from={file.stem: read_json(file) for file in [*figures, *tables]},
         configuration=_dump_configuration(configuration),
     )
     with complete_file(page) as unfinished:
@@ -107,13 +105,6 @@ def _dump_configuration(configuration: dict) -> str:
     return yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, default_flow_style=None)
 
 
-def _questions_behind(record: Path, origins: dict, asked: dict) -> dict[str, Any]:
-    """The part of `asked` that the datasets behind a record must answer."""
-    scenes = {made_from["scene"] for made_from in read_record(record)["made_from"]}
-    names = [name for name, origin in origins.items() if origin["scene"] in scenes]
-    return {name: asked[name] for name in names}
-
-
 def _records_with(ending: str, records: list[Path]) -> list[Path]:
     """Those records beside which a file with some ending lies."""
     return [record for record in records if record.with_suffix(ending).exists()]
@@ -121,7 +112,7 @@ def _records_with(ending: str, records: list[Path]) -> list[Path]:
 
 def _describe_figure(record: Path) -> dict[str, Any]:
     """What the page shows of a figure."""
-    described = read_record(record)
+    described = read_json(record)
     picture = b64encode(record.with_suffix(".png").read_bytes()).decode("ascii")
     return {
         "name": record.stem,

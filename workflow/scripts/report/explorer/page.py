@@ -23,7 +23,7 @@ from explorer.motions import FIELDS, draw_motions, motion_for_page
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.departures import describe, physical_departures
-from granular_fronts.output.provenance import code_version, origin
+from granular_fronts.output.provenance import code_version, source_of
 
 SYMBOLS = {"alpha": "α", "beta": "β", "gamma": "γ"}
 
@@ -84,7 +84,7 @@ def make_page(
             "collection": collection,
             "code_version": code_version(),
             "bokeh_version": bokeh.__version__,
-            "made_from": [origin(data.attrs) for data in sources],
+            "made_from": [source_of(data) for data in sources],
         },
     )
 
@@ -97,7 +97,7 @@ def _describe_source(data: xr.Dataset, reference: Mapping[str, Any]) -> dict[str
     else:
         departures = "not one of the paper's"
     return {
-        **origin(data.attrs),
+        **source_of(data),
         "departures": departures,
         "software": data.attrs["software"],
         "configuration": yaml.safe_dump(asked, sort_keys=False, allow_unicode=True),

@@ -1,8 +1,8 @@
-"""What each dataset of the workflow answers: the part of the configuration its rule is given.
+"""The parameters of each dataset: the part of the configuration that its rule is given.
 
-A figure or a table depends on the questions behind its data, not on the data alone: when a job
-fails, Snakemake has already removed the dataset, and with it every trace that what was drawn
-earlier belongs to another question.
+A figure or a table depends on the parameters of its data, not on the data alone: when a job fails,
+Snakemake has already removed the dataset, and with it every trace that what was drawn earlier
+belongs to others.
 """
 
 from collections.abc import Mapping
@@ -17,21 +17,21 @@ FAMILIES = {
 """Folder of the data of each family of scenes, and the key of the family under ``scenes``."""
 
 
-def questions(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Each dataset that a merged configuration asks for, and the part of it that it answers."""
-    asked = {
+def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of each dataset of the default targets, from a merged configuration."""
+    parameters = {
         f"{folder}/{name}": scene
         for folder, family in FAMILIES.items()
         for name, scene in configuration["scenes"][family].items()
     }
-    asked["continuum/log_burgers_fronts"] = {"exponents": configuration["front_exponents"]}
-    asked |= {f"fronts/{name}": part for name, part in configuration["exact_fronts"].items()}
-    asked |= {f"laws/{name}": part for name, part in configuration["laws"].items()}
-    return asked
+    parameters["continuum/log_burgers_fronts"] = {"exponents": configuration["front_exponents"]}
+    parameters |= {f"fronts/{name}": part for name, part in configuration["exact_fronts"].items()}
+    parameters |= {f"laws/{name}": part for name, part in configuration["laws"].items()}
+    return parameters
 
 
-def questions_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Datasets that are computed only when they are asked for by name, as `questions`."""
+def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of the datasets that only targets named in the command need."""
     return {
         "fronts/collection": configuration["explorer"],
         "precision/speed_error": {
