@@ -42,9 +42,6 @@ TERMS = {
     "total_velocity": "velocity_grid",
 }
 
-# How many contacts the samples of a mean leave out at the left and at the right end.
-NEAR_ENDS = ((0, 0), (0, 1), (1, 0))
-
 
 class Solution(NamedTuple):
     """One integration of a scene."""
@@ -164,8 +161,9 @@ def _error_of_sum(scene, dataset, refined, name):
         # The rounding of the rates adds up as time goes on.
         error += scene["end_time"] * rounding_floor(dataset["velocity_grid"])
         if scene["boundary"]["kind"] != "ring":
-            # The mean is that of x_1 - x_N; the beads near both ends are further samples.
-            change = (refined[TERMS[name]] - dataset[TERMS[name]]).values[:, :-1]
-            ends = [change[:, i : change.shape[1] - j].sum(axis=1) for i, j in NEAR_ENDS]
+            # The mean is that of x_1 - x_N; the neighbours of these beads give further samples.
+            u, other = (one[TERMS[name]].values[:, :-1] for one in (dataset, refined))
+            total = (other - u).sum(axis=1)
+            ends = (total, total - (other - u)[:, 0], total - (other - u)[:, -1])
             error += np.abs(ends).max() / scene["beads"]
     return error
