@@ -64,7 +64,7 @@ def test_blocks_are_replaced_and_nothing_else(updated):
 def test_chosen_numbers_are_shown_and_all_verdicts_counted(updated):
     readme, performance, _ = updated
     for quantity in updating.SHOWN:
-        assert ["", quantity, "0.56", "0.562341", "< 1e-10", "reproduced", ""] in cells(readme)
+        assert ["", quantity, "0.56", "0.562341", "< 3e-11", "reproduced", ""] in cells(readme)
     assert not any("fronts exist" in row for row in cells(readme))
     assert "all 12 numbers and statements: reproduced 10, holds 2." in readme
     assert ["", "ring", "1e-09", "use it", ""] in cells(performance)

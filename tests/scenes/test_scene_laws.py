@@ -172,6 +172,12 @@ def of(kind, **parameters):
         (scene(TODA), of("lennard_jones", distance=0.2), "boundary.left is 0.3 | 0.2 only"),
         (scene(TODA), of("hertz", alpha=0.5), "law.alpha is 0.5, below 1"),
         (scene(TODA), of("hertz", alpha=300), "law.elastic | energies of about 1e-157 | 1e±140"),
+        (
+            scene(TODA),
+            {"boundary": pressed(1e-200) | {"right": 0.0}},
+            "law.elastic | about 1e-200 | energies of about 1e-323 | 1e±140\n"
+            "law.viscous | about 1e-200 | 1e±140",
+        ),
         (scene(SHORT), {"boundary": pressed(-0.1)}, "boundary.left is -0.1 | limit 0"),
         (
             scene(SHORT),

@@ -132,7 +132,9 @@ def test_peer_finds_the_front_of_the_lattice_or_says_why_not(name):
         assert "no convergence" in run.message
         return
     expected = evaluate_front(front, bead)
-    np.testing.assert_allclose(run.fields["relative_displacement"], expected, atol=1e-6)
+    # A peer stops within ten times its tolerance; where exactly is a matter of the processor.
+    found = run.fields["relative_displacement"]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-5)
     assert run.fields["velocity"][0] == pytest.approx(1.0, abs=0.02)
     assert run.right_hand_sides > 0
 
