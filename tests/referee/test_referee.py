@@ -233,7 +233,10 @@ def test_readings_are_what_they_are_called(folder, motion):
 
 
 def test_overdamped_front_has_no_reading():
-    assert np.isnan(excess_damping(1.0, np.array([0.9, 1.0, 1.1]), np.array([1.0, 1.001, 1.002])))
+    factors = np.array([0.9, 1.0, 1.1])
+    for rise in (1e-3, -1e-5):
+        assert np.isnan(excess_damping(1.0, factors, 1.0 + rise * np.array([-1.0, 0.0, 1.0])))
+    assert excess_damping(1.0, factors, np.array([1.001, 1.0, 0.999])) == pytest.approx(0.0)
     assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
 
 
@@ -263,7 +266,10 @@ def test_figure_shows_answer_and_results(folder, problem):
         u = result.x[:, contact - 1] - result.x[:, contact]
         np.testing.assert_array_equal(line.get_ydata(), u)
     assert len({tuple(line.get_color()) for line in lines[1:]}) == len(results)
-    np.testing.assert_array_equal(error.get_lines()[0].get_ydata(), [one.error for one in findings])
+    errors, line = error.get_lines()
+    np.testing.assert_array_equal(errors.get_ydata(), [one.error for one in findings])
+    slopes = line.get_ydata() / line.get_xdata()
+    np.testing.assert_allclose(slopes, findings[-1].error / findings[-1].step, rtol=1e-12)
 
 
 TABLE = "t,bead,x,v\n0,1,0,0\n0,2,0,0\n"
