@@ -16,7 +16,7 @@ from granular_fronts.referee.__main__ import main
 from granular_fronts.referee.answers import states
 from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
-from granular_fronts.referee.lammps_deck import damping_model, write_deck
+from granular_fronts.referee.lammps_deck import _farthest, damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems, read_settings
 from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
 from granular_fronts.referee.results_files import Result, read_result
@@ -230,6 +230,11 @@ def test_readings_are_what_they_are_called(folder, motion):
         u = answer["relative_displacement"].sel(contact=answer.sizes["bead"] // 2).values / 0.1
         peak = u[np.argmax((u[1:-1] > u[:-2]) & (u[1:-1] > u[2:]) & (u[1:-1] > 0.5)) + 1]
         assert peak <= reading < 1.01 * peak
+
+
+def test_beads_stay_in_the_box_of_a_deck(problem):
+    x = half_steps(problem, 0.25).x
+    assert abs(x - x[0]).max() < _farthest(problem.scene)
 
 
 def test_overdamped_front_has_no_reading():
