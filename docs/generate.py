@@ -163,11 +163,11 @@ def _variables() -> str:
 def _figures(results: Path) -> str:
     """Every figure that was drawn, with the caption of what was computed."""
     lines = ["# Figures"]
-    for record in sorted((results / "figures").glob("*.json")):
-        texts = json.loads(record.read_text(encoding="utf-8"))
-        caption = record.with_suffix(".rst").read_text(encoding="utf-8").strip()
+    for provenance in sorted((results / "figures").glob("*.json")):
+        texts = json.loads(provenance.read_text(encoding="utf-8"))
+        caption = provenance.with_suffix(".rst").read_text(encoding="utf-8").strip()
         lines += ["", f"## {texts['title']}", ""]
-        lines += [f"![{texts['alt']}](../../results/figures/{record.stem}.png)", ""]
+        lines += [f"![{texts['alt']}](../../results/figures/{provenance.stem}.png)", ""]
         # Captions are reStructuredText.
         lines += ["```{eval-rst}", caption, "```"]
     return "\n".join(lines) + "\n"

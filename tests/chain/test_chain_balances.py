@@ -18,7 +18,7 @@ BALANCES = {"snapshots": [], "balances": True}
 def check_balances(scene, energy):
     """Σẋ_n follows its law up to rounding and the energy up to the given share of its largest."""
     solution = solve(scene, scene["tolerance"])
-    assert solution.drifts["momentum_drift"] < 2.0e-14
+    assert solution.drifts["momentum_drift"] < 1.0e-14
     assert solution.drifts["energy_drift"] < energy
     return solution
 

@@ -96,15 +96,15 @@ def test_our_error_at_the_tolerances_of_the_paper(gamma, end, most):
     assert error < most
 
 
-@pytest.mark.parametrize(
-    ("gamma", "end", "factor"), [(0.06, 700.0, 2.0), (0.65, 700.0, 2.0), (0.06, 2600.0, 5.0)]
-)
+@pytest.mark.parametrize(("gamma", "end"), [(0.06, 700.0), (0.65, 700.0), (0.06, 2600.0)])
 @pytest.mark.parametrize("relative", [1e-8, 1e-10, 1e-12])
-def test_error_estimate_is_the_error(gamma, end, factor, relative):
+def test_error_estimate_is_the_error(gamma, end, relative):
     """Before and after contact loss, from where on last bits decide about the size of an error."""
     dataset = simulate_chain(initiation(gamma, end, relative))
     fields = [dataset[name] for name in ("relative_displacement", "velocity")]
     estimate = max(field.attrs["error_estimate"] for field in fields)
     error = np.abs(np.concatenate([field[-1] for field in fields]) - state_of(gamma, end)).max()
+    # Here the processor decides: the ratio is 0.96 on one, 0.36 on another.
+    factor = 5.0 if (end, relative) == (2600.0, 1e-10) else 2.0
     assert 1.0 / factor < estimate / error < factor
     assert error < 100.0 * relative

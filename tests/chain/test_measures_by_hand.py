@@ -348,7 +348,6 @@ def test_every_measure_behind_a_statement_is_called_by_a_test():
         (ROOT / "tests" / folder / f"test_{name}.py").read_text(encoding="utf-8")
         for folder, name in [
             ("output", "measures"),
-            ("output", "measures_of_findings"),
             ("studies", "ring_against_equations"),
         ]
     )

@@ -26,7 +26,8 @@ WINGS = (
 )
 """From the bottom up: each may import those before it, and itself."""
 
-FILES = {name: file for name, file in module_files(ROOT / "src").items() if "." in name}
+MODULES = module_files(ROOT / "src")
+FILES = {name: file for name, file in MODULES.items() if "." in name}
 IMPORTS = {name: named_in(file) & FILES.keys() for name, file in FILES.items()}
 
 
@@ -49,6 +50,7 @@ def test_packages_import_nothing_when_they_are_imported():
     packages = [name for name, file in FILES.items() if file.stem == "__init__"]
     assert "granular_fronts.chain" in packages
     assert not any(IMPORTS[name] for name in packages)
+    assert not named_in(MODULES["granular_fronts"]) & FILES.keys()
 
 
 def test_picture_of_the_architecture_is_that_of_the_code():

@@ -22,8 +22,8 @@ LONG = {
         "gf.sweep_fronts(1.5, np.geomspace(0.02, 2.0, 200_000))",
     ),
     "chain": (
-        "gf.simulate_chain(driven_scene(0.1, 20, 10.0))",
-        "gf.simulate_chain(driven_scene(0.1, 100_000, 1e5))",
+        "gf.simulate_chain(driven_scene(0.1, 20, 10.0, **PRESSED))",
+        "gf.simulate_chain(driven_scene(0.1, 100_000, 1e5, **PRESSED))",
     ),
     "orbit": (
         "gf.heteroclinic(50.0, np.linspace(-5.0, 2.0, 30))",
@@ -41,6 +41,11 @@ from chains import driven_scene
 from granular_fronts.continuum.log_burgers.solution import solve
 from granular_fronts.continuum.compilation import RING
 
+# All beads move from the start, and balances are kept.
+PRESSED = {{
+    "boundary": {{"kind": "pressure", "left": 0.5, "right": 0.5}},
+    "record": {{"snapshots": [], "balances": True}},
+}}
 {short}
 print("begins", flush=True)
 while True:

@@ -1,5 +1,6 @@
 """Progress bars: rounded numbers, the scene's name, and one place that makes them."""
 
+import importlib.util
 import io
 import re
 import sys
@@ -85,6 +86,12 @@ def test_a_notebook_without_widgets_shows_the_bar_of_the_terminal(at_once, monke
     monkeypatch.setattr(progress, "_has_widgets", lambda: False)
     count_three()
     assert "solving: 100%" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("found", [None, "a place"])
+def test_widgets_are_looked_for(monkeypatch, found):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: found)
+    assert progress._has_widgets() == (found is not None)
 
 
 def test_least_time_of_a_long_scene_is_said_before(monkeypatch, capsys):

@@ -1,5 +1,7 @@
-"""Proofs are tested where python-flint is installed."""
+"""Proofs are tested where python-flint is installed, and reported as skipped where it is not."""
 
-from importlib.util import find_spec
+import pytest
 
-collect_ignore_glob = [] if find_spec("flint") else ["test_*.py"]
+
+def pytest_pycollect_makemodule():
+    pytest.importorskip("flint")

@@ -93,6 +93,7 @@ LIES = {
     "coefficients reversed": front(lambda f: f[:, ::-1].copy()),
     "no powers of s": changed("profile", lambda f: f[:0]),
     "a front that varies with gamma": changed("profile", lambda f: np.append(f, 0.1 * f, 0)),
+    "a front without powers of s": changed("profile", lambda f: f[0]),
     "a cell lost": front(lambda f: f[1:]),
     "not a number": front(at((100, 3), np.nan)),
     "single precision": front(lambda f: f.astype(np.float32)),

@@ -181,7 +181,7 @@ def of(kind, **parameters):
         (
             compressed({"kind": "ring"}),
             {"boundary": {"kind": "piston", "velocity": 0.0}, "start": REST},
-            "boundary.right is 0 | between 0.01 and 2",
+            "boundary.right is 0 | between 0.01 and 2\nstart.relative_displacement of a",
         ),
         (
             compressed({"kind": "ring"}),
@@ -193,7 +193,7 @@ def of(kind, **parameters):
 def test_impossible_law_of_a_scene_is_refused(base, changes, words):
     with pytest.raises(InputError, match=r"^Scene mine: ") as caught:
         check_scene("chain", base | changes, "mine")
-    assert_refused(str(caught.value).splitlines()[0], words)
+    assert_refused(str(caught.value), words)
 
 
 @pytest.mark.parametrize(("velocity", "size"), [(1e-3, -3.0), (0.1, -2.0), (10.0, 1.0)])

@@ -120,13 +120,7 @@ class Page:
 def browser(profile):
     """A browser with a profile in a folder of its own."""
     here_out, here_in = os.pipe(), os.pipe()
-    command = [
-        CHROMIUM,
-        *OPTIONS,
-        "--remote-debugging-pipe",
-        f"--user-data-dir={profile}",
-        "about:blank",
-    ]
+    command = [CHROMIUM, *OPTIONS, f"--user-data-dir={profile}", "about:blank"]
     process = subprocess.Popen(
         [sys.executable, "-c", START, str(here_out[0]), str(here_in[1]), *command],
         pass_fds=(here_out[0], here_in[1]),

@@ -49,8 +49,9 @@ def refusal(configuration):
     return str(caught.value)
 
 
-def assert_refused(sentence, words):
-    """A sentence names keys, values and limits (words between bars), and the way out."""
-    assert re.fullmatch(r"[^\n]+: [^\n]+[.?]", sentence)
-    for word in words.split(" | "):
-        assert word in sentence
+def assert_refused(sentences, words):
+    """A sentence for each fault, a line each: keys, values, limits (between bars), the way out."""
+    for sentence, named in zip(sentences.splitlines(), words.splitlines(), strict=True):
+        assert re.fullmatch(r".+: .+[.?]", sentence)
+        for word in named.split(" | "):
+            assert word in sentence

@@ -33,7 +33,6 @@ SMOKE = ["--configfile", "config/smoke.yaml"]
 SCENE = "initiation_underdamped"
 DATA = f"results/smoke/data/chain/{SCENE}.nc"
 FIGURE = f"results/smoke/figures/fig01_{SCENE}.json"
-TABLE = "results/smoke/tables/paper_numbers.json"
 PAGE = "results/smoke/explore.json"
 # The chain is compiled and its file written within it; the file of the scene is larger.
 LARGEST_FILE = 60_000

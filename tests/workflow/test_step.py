@@ -12,7 +12,7 @@ import pytest
 from projects import ROOT, snakemake
 
 from granular_fronts.numerics.compiled import CheckedFiles
-from run_lock import VARIABLE, lock_folder
+from run_lock import LOCK_VARIABLE, lock_folder
 from step import argument_types, describe_fault, from_workflow, load_yaml_or_leaf, run_step
 
 DEFAULT = ROOT / "config" / "default.yaml"
@@ -206,14 +206,14 @@ sys.stdin.read()
 
 
 def test_one_run_holds_a_folder_and_its_jobs_end_with_it(tmp_path, monkeypatch):
-    monkeypatch.setenv(VARIABLE, "")
+    monkeypatch.setenv(LOCK_VARIABLE, "")
     held = lock_folder(tmp_path / "results")
     command = [sys.executable, "-c", WAITING]
-    environment = ENVIRONMENT | {VARIABLE: os.environ[VARIABLE]}
+    environment = ENVIRONMENT | {LOCK_VARIABLE: os.environ[LOCK_VARIABLE]}
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
     with subprocess.Popen(command, **pipes, text=True, env=environment) as job:
         assert job.stdout.readline() == "begun\n"
-        with pytest.raises(SystemExit, match="Another run is at work in"):
+        with pytest.raises(SystemExit, match="Another run, or a job that it left, is at work in"):
             lock_folder(tmp_path / "results")
         assert job.poll() is None
         os.close(held)
@@ -223,12 +223,12 @@ def test_one_run_holds_a_folder_and_its_jobs_end_with_it(tmp_path, monkeypatch):
 
 @pytest.mark.slow
 def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path, monkeypatch):
-    monkeypatch.setenv(VARIABLE, "")
+    monkeypatch.setenv(LOCK_VARIABLE, "")
     target = tmp_path / "data/continuum/log_burgers_fronts.nc"
     held = lock_folder(tmp_path)
     run = snakemake("--config", f"results={tmp_path}", "--", target)
     os.close(held)
     assert run.returncode == 1
-    assert f"Another run is at work in {tmp_path}" in run.stderr
+    assert f"Another run, or a job that it left, is at work in {tmp_path}" in run.stderr
     assert "Traceback" not in run.stderr
     assert not target.exists()

@@ -6,7 +6,11 @@ belongs to others.
 """
 
 from collections.abc import Mapping
+from functools import reduce
+from operator import getitem
 from typing import Any
+
+from granular_fronts.scenes.study import studies
 
 FAMILIES = {
     "chain": "chain",
@@ -24,16 +28,13 @@ def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
         for folder, family in FAMILIES.items()
         for name, scene in configuration["scenes"][family].items()
     }
-    parameters["continuum/log_burgers_fronts"] = {"exponents": configuration["front_exponents"]}
-    parameters |= {f"fronts/{name}": part for name, part in configuration["exact_fronts"].items()}
-    parameters |= {f"laws/{name}": part for name, part in configuration["laws"].items()}
-    return parameters
+    return parameters | _of_studies(configuration, on_demand=False)
 
 
 def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Parameters of the datasets that only targets named in the command need."""
     return {
-        "fronts/collection": configuration["explorer"],
+        **_of_studies(configuration, on_demand=True),
         "precision/speed_error": {
             f"precision_{family}": problems
             for family, problems in precision_problems(configuration).items()
@@ -44,6 +45,17 @@ def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
         "proofs/intervals": configuration["proofs"]["intervals"],
         "proofs/shown_front": shown_front(configuration),
     }
+
+
+def _of_studies(configuration: Mapping[str, Any], on_demand: bool) -> dict[str, Any]:
+    """Parameters of the datasets of studies."""
+    parameters = {}
+    for name, study in studies().items():
+        if study.get("on_demand", False) is on_demand:
+            section = reduce(getitem, study["section"].split("."), configuration)
+            given = {study["argument"]: section} if "argument" in study else section
+            parameters[f"{study['folder']}/{name}"] = given
+    return parameters
 
 
 def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:

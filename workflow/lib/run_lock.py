@@ -12,7 +12,7 @@ import threading
 from contextlib import suppress
 from pathlib import Path
 
-VARIABLE = "GRANULAR_FRONTS_RUN_LOCK"  # Of the environment: names the locked file to jobs.
+LOCK_VARIABLE = "GRANULAR_FRONTS_RUN_LOCK"  # Of the environment: names the locked file to jobs.
 
 
 def lock_folder(folder: Path) -> int:
@@ -28,16 +28,16 @@ def lock_folder(folder: Path) -> int:
     except BlockingIOError:
         os.close(lock)
         raise SystemExit(
-            f"Another run is at work in {folder}: wait for its end, or name another folder "
-            "(--config results=...)."
+            f"Another run, or a job that it left, is at work in {folder}: wait for its end, or "
+            "name another folder (--config results=...)."
         ) from None
-    os.environ[VARIABLE] = file
+    os.environ[LOCK_VARIABLE] = file
     return lock
 
 
 def end_with_run() -> None:
     """End this process when the run that started it has ended, however it did."""
-    if file := os.environ.get(VARIABLE):
+    if file := os.environ.get(LOCK_VARIABLE):
         threading.Thread(target=_end_after, args=[file], daemon=True).start()
 
 

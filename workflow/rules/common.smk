@@ -33,7 +33,7 @@ if " " in sys.executable:
 
 from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
-from run_lock import VARIABLE, lock_folder
+from run_lock import LOCK_VARIABLE, lock_folder
 
 MODULES = module_files(
     *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", "")))])
@@ -67,7 +67,7 @@ def environment(wildcards):
 
 # A job on another machine is not ended with its run, since locks need not reach that far.
 if not workflow.is_main_process:
-    os.environ.pop(VARIABLE, None)
+    os.environ.pop(LOCK_VARIABLE, None)
 
 
 def hold_results_folder():

@@ -26,6 +26,13 @@ def parameters_of(dataset):
     return campaign_of(name).given if folder == "campaigns" else PARAMETERS[dataset]
 
 
+def is_complete(provenance):
+    """Whether a JSON file is the provenance of files that all are there."""
+    described = read_json(provenance)
+    files = described.get("files", {}) if isinstance(described, dict) else {}
+    return bool(files) and all(provenance.with_name(name).exists() for name in files)
+
+
 def check_history():
     """Refuse results of other parameters or code of which Snakemake has no history.
 
@@ -38,6 +45,8 @@ def check_history():
     for file in sorted(
         file for place in places for file in glob(f"{config['results']}/{place}.json")
     ):
+        if not is_complete(Path(file)):
+            continue  # Snakemake makes again what is missing.
         found = list(disagreements(Path(file), PARAMETERS))
         if read_json(file).get("code_version") != code_version():
             found.append(f"{file} was made by another version of the code")

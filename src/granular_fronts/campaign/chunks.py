@@ -103,7 +103,7 @@ def _known_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
     for file in sorted(files):
         try:
             chunk = _find_request(file)
-        except DatasetError:
+        except (DatasetError, TypeError):
             continue  # Its points are solved again.
         same_parameters = {*chunk.lines, *chunk.fast} == {*campaign.grid}
         same_settings = (chunk.kind, chunk.settings) == (campaign.kind_name, campaign.settings)

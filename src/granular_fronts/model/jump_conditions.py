@@ -176,7 +176,8 @@ def _conditions(potential, R_minus, R_plus, mass, dissipation):
         0.0 - speed * R_minus,
         0.0 - speed * R_plus,
         abs(area.value),
-        area.error,
+        # [[R]] rounds and is cubed: three halves of a unit, and one of the cube and the product.
+        area.error + 2.5 * EPSILON * abs(area.value),
         *sounds,
     )
 

@@ -15,6 +15,7 @@ the figure, or starts from a folder of results, compares these with what is ther
 import hashlib
 import json
 import math
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -126,12 +127,12 @@ def disagreements(
         file = path.with_name(name)
         if not file.exists() or digest(file.read_bytes()) != expected:
             yield f"{file} is not the file that its provenance describes"
-    present = {
-        name.rpartition("/")[2]: config_digest(described) for name, described in parameters.items()
-    }
+    present = defaultdict(set)  # A scene may share its name with a dataset of another folder.
+    for name, described in parameters.items():
+        present[name.rpartition("/")[2]].add(config_digest(described))
     for source in provenance["made_from"]:
         scene, answered = source["scene"], source.get("config_digest")
-        if present.get(scene, answered) != answered:
+        if answered not in present.get(scene, {answered}):
             yield f"{path} answers another configuration of scene {scene}"
         elif sources is not None and source not in sources:
             yield f"{path} was made from other data of scene {scene} than lie there now"

@@ -143,6 +143,8 @@ def _decades_of_energy(potential: Any, size: float) -> float:
     low, high = potential.domain
     at_rest = potential.value(0.0) if low < 0.0 < high else 0.0
     energy = abs(float(potential.value(-(10.0**size)) - at_rest))
+    if energy == 0.0 and potential.shape:  # Functions that are given may be flat.
+        energy = math.ulp(0.0)
     return math.log10(min(energy, sys.float_info.max)) if energy else -math.inf
 
 

@@ -39,7 +39,10 @@ def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
             found.append((name.split()[0], stated, true, times))
     ratios = np.array([row[-1] for row in found])
     above = ", ".join(f"{np.mean(ratios > limit):.2%} above {limit}" for limit in (2, 10))
-    print(f"{len(found)} numbers: {above}, largest {ratios.max():.3g}")
+    silent = np.mean([np.isinf(row[1]) for row in found])
+    print(
+        f"{len(found)} numbers: {above}, largest {ratios.max():.3g}, {silent:.2%} without a claim"
+    )
     columns = ("variable", "stated_error", "true_error", "ratio")
     measured = pd.DataFrame(found, columns=columns).rename_axis("number").to_xarray()
     measured = measured.set_coords("variable")

@@ -80,14 +80,14 @@ def write_report(  # noqa: PLR0913 - what its rule names
         raise ValueError("\n".join(f"{words}: delete it and run again." for words in found))
     shown = [file for file in on_demand if not outdated[file]]
     # A figure alone has a caption of its own.
-    figures = sorted([*figures, *_records_with(".rst", shown)])
-    tables = [*tables, *_records_with(".csv", shown)]
+    figures = sorted([*figures, *_with_file(".rst", shown)])
+    tables = [*tables, *_with_file(".csv", shown)]
     described = read_yaml(texts)
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
-        figures=[_describe_figure(record) for record in figures],
-        tables=[_describe_table(record, described[record.stem]) for record in tables],
-        pages=[record.with_suffix(".html").name for record in _records_with(".html", shown)],
+        figures=[_describe_figure(provenance) for provenance in figures],
+        tables=[_describe_table(provenance, described[provenance.stem]) for provenance in tables],
+        pages=[provenance.with_suffix(".html").name for provenance in _with_file(".html", shown)],
         outdated=[file.stem for file in on_demand if file not in shown],
         run_times=_tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
@@ -105,34 +105,38 @@ def _dump_configuration(configuration: dict) -> str:
     return yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, default_flow_style=None)
 
 
-def _records_with(ending: str, records: list[Path]) -> list[Path]:
-    """Those records beside which a file with some ending lies."""
-    return [record for record in records if record.with_suffix(ending).exists()]
+def _with_file(ending: str, provenances: list[Path]) -> list[Path]:
+    """The files of provenance beside which a file with some ending lies."""
+    return [provenance for provenance in provenances if provenance.with_suffix(ending).exists()]
 
 
-def _describe_figure(record: Path) -> dict[str, Any]:
+def _describe_figure(provenance: Path) -> dict[str, Any]:
     """What the page shows of a figure."""
-    described = read_json(record)
-    picture = b64encode(record.with_suffix(".png").read_bytes()).decode("ascii")
+    described = read_json(provenance)
+    picture = b64encode(provenance.with_suffix(".png").read_bytes()).decode("ascii")
     return {
-        "name": record.stem,
-        "number": record.stem.partition("_")[0].removeprefix("fig").lstrip("0"),
+        "name": provenance.stem,
+        "number": provenance.stem.partition("_")[0].removeprefix("fig").lstrip("0"),
         "title": described["title"],
         "alt": described["alt"],
         "image": f"data:image/png;base64,{picture}",
-        "caption": _render(record.with_suffix(".rst").read_text(encoding="utf-8")),
-        "files": [f"{record.parent.name}/{record.stem}.{ending}" for ending in ("pdf", "png")],
+        "caption": _render(provenance.with_suffix(".rst").read_text(encoding="utf-8")),
+        "files": [
+            f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in ("pdf", "png")
+        ],
     }
 
 
-def _describe_table(record: Path, described: dict[str, str]) -> dict[str, Any]:
+def _describe_table(provenance: Path, described: dict[str, str]) -> dict[str, Any]:
     """What the page shows of a table."""
     return {
-        "name": record.stem,
+        "name": provenance.stem,
         "title": described["title"],
         "caption": _render(described["caption"]),
-        "html": _tabulate_csv(record.with_suffix(".csv")),
-        "files": [f"{record.parent.name}/{record.stem}.{ending}" for ending in ("csv", "md")],
+        "html": _tabulate_csv(provenance.with_suffix(".csv")),
+        "files": [
+            f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in ("csv", "md")
+        ],
     }
 
 

@@ -48,7 +48,7 @@ def make_problem(problem, states):
     gamma, end = problem["gamma"], problem["end_time"]
     state = stored_state(states, "chain", gamma=gamma, t=end)
     system = front_initiation(gamma, end)
-    scene = chain_scene(
+    scene = scene_of_system(
         system,
         boundary={"kind": "pressure", "left": system.left, "right": 0.0},
         start={"kind": "rest"},
@@ -60,7 +60,7 @@ def make_problem(problem, states):
     return Problem(OURS, reference, methods_for(scene, system) | codes)
 
 
-def chain_scene(system, boundary, start):
+def scene_of_system(system, boundary, start):
     """A system as a scene of this project, which records the final state only."""
     return {
         "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},

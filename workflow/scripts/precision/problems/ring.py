@@ -14,7 +14,7 @@ def make_problem(problem, states):
     state = stored_state(states, "ring", t=end)
     contacts, velocities = (states[f"{name}_start"].values for name in chain.FIELDS)
     system = ChainSystem(float(states["gamma"]), end, contacts, velocities, ring=True)
-    scene = chain.chain_scene(
+    scene = chain.scene_of_system(
         system,
         boundary={"kind": "ring"},
         start={"kind": "given", "relative_displacement": contacts, "velocity": velocities},
