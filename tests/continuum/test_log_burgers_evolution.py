@@ -9,7 +9,8 @@ from rings import assert_order, at_end, coarsen, scene_with
 import granular_fronts as gf
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.continuum.log_burgers.equation import log_burgers_front
-from granular_fronts.continuum.log_burgers.solution import START_LEVELS, solve
+from granular_fronts.continuum.log_burgers.finite_volumes import Equation
+from granular_fronts.continuum.log_burgers.solution import START_LEVELS, _smoothing_time, solve
 from granular_fronts.continuum.log_burgers.starts import make_start
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model.amplitude_scaling import scaling_of
@@ -144,6 +145,12 @@ def test_datasets_state_an_error_that_holds():
     assert estimate < 1.0e-3
     unlimited = evolve_unlimited(scene)
     assert 1e-3 < np.abs(unlimited - dataset)["rescaled_force"].max() < 0.2
+
+
+def test_cells_are_joined_when_diffusion_has_smoothed_kinks():
+    """The time is that of the heat equation, s²/ν for a width s."""
+    one, two = (_smoothing_time(Equation(1.5, 0.04, 0.0, width), 3.0) for width in (0.01, 0.02))
+    assert (one, two) == pytest.approx((0.03**2 / 0.3, 0.06**2 / 0.3), rel=1e-12)
 
 
 # What is refused.

@@ -286,6 +286,24 @@ def test_cut_off_of_the_logarithm_changes_less_than_the_tolerance():
     assert np.abs(ends[0] - ends[1]).max() < 1e-6
 
 
+def test_refined_run_has_twice_the_points_at_all_times():
+    scene, times = scene_with("weak"), [0.0, 3.0, 30.0]
+    coarse = solve(scene, times, 256, 1e-4)
+    fine = solve(scene, times, 512, 1e-5, coarser=coarse)
+    points = [[2 * (row.size - 1) for row in found.amplitudes] for found in (coarse, fine)]
+    assert points == [[1024, 512, 256], [2048, 1024, 512]]
+
+
+def test_error_of_long_steps_is_stated_too():
+    """On these points, nearly all of it."""
+    scene = scene_with("weak", end_time=5.0, record__snapshots=[5.0])
+    scene["equations"]["dispersive"] = {"cells": 512, "tolerance": 1e-3}
+    force = gf.evolve_log_kdv_burgers(scene)["rescaled_force"]
+    exact = solve(scene, [5.0], 1024, 1e-7).rescaled_force(0, force["xi"].values)
+    error = np.abs(force.values[0] - exact).max()
+    assert 0.9 * force.attrs["error_estimate"] < error < 1.2 * force.attrs["error_estimate"]
+
+
 def test_rows_do_not_depend_on_the_order_of_times():
     scene = scene_with("weak")
     forward, backward = solve(scene, [5.0, 30.0], 256, 1e-5), solve(scene, [30.0, 5.0], 256, 1e-5)

@@ -9,6 +9,7 @@ from html import unescape
 import numpy as np
 import pytest
 import write_explorer as script
+import xarray as xr
 from explored import write_page
 from hypothesis import given
 from hypothesis import strategies as st
@@ -17,7 +18,7 @@ from hypothesis.extra.numpy import arrays
 from explorer.encoding import decode, encode
 from explorer.fronts import MULTIPLIERS, READINGS
 from explorer.motions import FIELDS, motion_for_page
-from explorer.page import FRONT_ARRAYS, describe_scene
+from explorer.page import FRONT_ARRAYS, _describe_error, describe_scene
 from granular_fronts.output.files import read_json
 from granular_fronts.output.provenance import digest, source_of
 
@@ -156,6 +157,12 @@ def test_stated_errors_are_the_largest_rounded_up(written):
         for shown, error in zip(stated[words], (solver, rounding), strict=True):
             # Two digits, the next that is no smaller.
             assert 0.0 <= shown - error < 0.1 * 10.0 ** np.floor(np.log10(error)) * ROUNDING
+
+
+def test_largest_of_several_errors_is_stated():
+    solved = [xr.DataArray(0.0, attrs={"error_estimate": error}) for error in (1e-9, 1.01e-3, 1e-6)]
+    stated = _describe_error("any_field", solved, [{"rounding": 1e-9}, {"rounding": 2.01e-5}])
+    assert stated == {"array": "any field", "solver": "1.1e-3", "rounding": "2.1e-5"}
 
 
 def test_page_is_one_file_that_says_what_it_was_made_from(written):

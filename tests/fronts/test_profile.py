@@ -12,10 +12,13 @@ from granular_fronts.fronts.profile.long_wave_front import long_wave_front
 from granular_fronts.fronts.profile.newton import Unknowns
 from granular_fronts.fronts.profile.solve import (
     Window,
+    _reason_against,
     choose_window,
     make_grid,
     rate_ahead,
+    refine,
     solve_on_grid,
+    solve_profile,
 )
 from granular_fronts.numerics.band import factorise, substitute
 from granular_fronts.numerics.interpolation import interpolate_all, largest
@@ -170,6 +173,20 @@ def test_a_window_too_short_shows_in_the_speed():
     assert defects[1] < 1e-2 * defects[0]
     assert defects[2] < 1e-2 * defects[1]
     assert defects[3] <= 1e-15
+
+
+def test_refined_front_has_a_finer_grid_and_a_longer_window():
+    front = solve_profile(power_problem(1.5, 0.5, 1.5))
+    finer = refine(front)
+    assert front.spacing / finer.spacing >= 1.4
+    np.testing.assert_allclose(finer.xi[[0, -1]], 1.1 * front.xi[[0, -1]], rtol=0, atol=0.5)
+
+
+def test_a_front_whose_value_at_the_middle_comes_again_is_another():
+    front = solve_profile(power_problem(1.5, 0.5, 1.5))
+    assert not _reason_against(front)
+    twice = front._replace(s=np.where(front.xi == 2.0, 0.6, front.s))
+    assert "again ahead" in _reason_against(twice)
 
 
 def test_front_of_long_waves_is_that_of_the_papers_equation():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import granular_fronts as gf
+from granular_fronts.fronts.solve import FIELDS
 from granular_fronts.model.amplitude_scaling import scaling_of
 from truth import evolutions, fronts, hold
 
@@ -43,6 +44,27 @@ def test_reference_knows_the_dissipated_power():
     front = gf.solve_front(law=law, states=(-1.0, 0.0))
     power = fronts.TrueFront(front, law, -1.0, 0.0).measures()["dissipated_power"]
     assert abs(power - fronts.Number(1) / 10) < 2e-18
+
+
+@pytest.mark.parametrize("name", FRONTS)
+def test_errors_of_measures_follow_from_that_of_the_strain(name):
+    """An error η of the strain moves levels by η/|R'| and slopes by η/(4h), or more."""
+    law, states = FRONTS[name]
+    front = gf.solve_front(law=law, states=states).attrs
+    error = front["error_estimate"] * (1.0 - 1e-12)
+    assert front["overshoot_error"] >= error
+    assert front["width_10_90_error"] >= error / front["slope"]
+    assert front["slope_error"] >= 0.25 * error / front["spacing"]
+
+
+def test_errors_scale_with_the_jump():
+    """With β = (α + 1)/2 fronts of all sizes have one shape, and the same relative errors."""
+    law = powers(1.5, 1.25, 0.3)
+    large, small = (gf.solve_front(law=law, states=(-size, 0.0)) for size in (1.0, 1e-3))
+    for name in FIELDS:
+        large_error, small_error = (front[name].attrs["error_estimate"] for front in (large, small))
+        scale = 1e-3 ** (1.25 if name == "velocity" else 1.0)
+        assert small_error == pytest.approx(scale * large_error, rel=0.5)
 
 
 @pytest.mark.slow

@@ -61,6 +61,10 @@ def test_sweep_agrees_with_single_fronts_in_any_order(name):
     assert (np.diff(ordered["width_10_90"]) > 0.0).all()
     assert (np.diff(ordered["overshoot"]) < 1e-14).all()
     assert min(sweep[f"{name}_error"].min() for name in ("width_10_90", "slope")) > 0.0
+    # An error of the strain is one of the overshoot, and moves a level by it over the slope.
+    error = sweep["error_estimate"] * (1.0 - 1e-12)
+    assert (sweep["overshoot_error"] >= error).all()
+    assert (sweep["width_10_90_error"] >= error / sweep["slope"]).all()
     for damping in shuffled[::5]:
         point = sweep.sel({axis: damping})
         if by_law:
@@ -133,6 +137,13 @@ def test_a_front_without_values_has_not_converged(monkeypatch, found, reason):
     assert fronts["converged"].values.tolist() == [0]
     assert reason in str(fronts["reason"].values[0])
     assert np.isnan(fronts["width_10_90"]).all()
+
+
+def test_no_number_of_an_inaccurate_front_is_kept(monkeypatch):
+    monkeypatch.setattr(sweeps, "ACCEPTED_ERROR", 1e-30)
+    fronts = gf.sweep_fronts(1.5, [0.5])
+    assert "errs by about" in str(fronts["reason"].values[0])
+    assert all(np.isnan(fronts[name]).all() for name in sweeps.MEASURES)
 
 
 def test_impossible_sweeps_are_refused():

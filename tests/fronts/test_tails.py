@@ -58,6 +58,13 @@ def test_no_root_is_missing(alpha, gamma):
     assert winding(alpha, gamma, right, height) == expected
 
 
+@pytest.mark.parametrize(("alpha", "gamma"), LAWS)
+def test_the_lowest_roots_do_not_depend_on_how_many_are_sought(alpha, gamma):
+    many = gf.tail_roots(alpha, gamma, count=60)
+    for count in (1, 3, 13):
+        np.testing.assert_array_equal(gf.tail_roots(alpha, gamma, count=count), many[:count])
+
+
 @pytest.mark.parametrize(("alpha", "gamma"), [(1.1, 0.16), (1.1, 0.3), (1.5, 0.05), (4.0, 3.0)])
 def test_half_strips_hold_the_number_of_roots_that_was_proved(alpha, gamma):
     far = 2.0 / gamma + 8.0

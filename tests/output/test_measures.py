@@ -114,9 +114,20 @@ def gaussian_sweep(defect=0.0, mu=0.0):
 def test_residual_finds_an_orbit_that_is_none():
     exact = continuum.residual_of_orbits(gaussian_sweep(), 0.0)
     assert exact.value < 1e-7
-    assert exact.value <= 1.1 * exact.error
+    assert exact.value == pytest.approx(exact.error, rel=0.1)
     assert continuum.residual_of_orbits(gaussian_sweep(1e-3), 0.0).value > 1e-4
     assert continuum.residual_of_orbits(gaussian_sweep(mu=0.1), 0.0).value > 0.05
+
+
+def test_transition_is_where_the_squared_frequency_vanishes():
+    """ω² = 1 − μ²/4, which is that of (59) linearised about y = 1."""
+    mu = np.array([0.5, 1.0, 1.5, 2.5])
+    frequency = np.sqrt(np.maximum(1.0 - 0.25 * mu**2, 0.0))
+    fields = {"angular_frequency": frequency, "angular_frequency_error": np.full(4, 1e-6)}
+    sweep = xr.Dataset({name: ("mu", values) for name, values in fields.items()}, {"mu": mu})
+    assert continuum.transition(sweep).value == pytest.approx(2.0, rel=1e-12)
+    # dμ = dω² / (μ/2), with the largest 2ω dω.
+    assert continuum.transition(sweep).error == pytest.approx(2e-6 * frequency[0], rel=1e-12)
 
 
 def test_steepness_is_taken_ahead_of_where_the_front_first_reaches_one():

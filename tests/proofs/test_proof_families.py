@@ -48,6 +48,8 @@ def test_two_intervals_are_one_family(known):
     assert first_falls["name"] == "the first P falls over (−1, 1)"
     assert last["name"] == "the front before is a translate"
     assert last["left"] == pytest.approx(0.788, rel=0.01)
+    # Z₁, a change of the inverse by 1.8e-8 and one of the shift by 1.3e-8.
+    assert last["left"] - float(known[0].Z1.mid()) == pytest.approx(3.05e-8, rel=0.2)
     assert max(one["error"] for one in records) < 1e-6
 
 

@@ -16,7 +16,7 @@ from granular_fronts.referee.__main__ import main
 from granular_fronts.referee.answers import states
 from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
-from granular_fronts.referee.lammps_deck import damping_model, write_deck
+from granular_fronts.referee.lammps_deck import _farthest, damping_model, write_deck
 from granular_fronts.referee.problems import in_words, load_problems, read_settings
 from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
 from granular_fronts.referee.results_files import Result, read_result
@@ -232,8 +232,16 @@ def test_readings_are_what_they_are_called(folder, motion):
         assert peak <= reading < 1.01 * peak
 
 
+def test_beads_stay_in_the_box_of_a_deck(problem):
+    x = half_steps(problem, 0.25).x
+    assert abs(x - x[0]).max() < _farthest(problem.scene)
+
+
 def test_overdamped_front_has_no_reading():
-    assert np.isnan(excess_damping(1.0, np.array([0.9, 1.0, 1.1]), np.array([1.0, 1.001, 1.002])))
+    factors = np.array([0.9, 1.0, 1.1])
+    for rise in (1e-3, -1e-5):
+        assert np.isnan(excess_damping(1.0, factors, 1.0 + rise * np.array([-1.0, 0.0, 1.0])))
+    assert excess_damping(1.0, factors, np.array([1.001, 1.0, 0.999])) == pytest.approx(0.0)
     assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
 
 
@@ -263,7 +271,10 @@ def test_figure_shows_answer_and_results(folder, problem):
         u = result.x[:, contact - 1] - result.x[:, contact]
         np.testing.assert_array_equal(line.get_ydata(), u)
     assert len({tuple(line.get_color()) for line in lines[1:]}) == len(results)
-    np.testing.assert_array_equal(error.get_lines()[0].get_ydata(), [one.error for one in findings])
+    errors, line = error.get_lines()
+    np.testing.assert_array_equal(errors.get_ydata(), [one.error for one in findings])
+    slopes = line.get_ydata() / line.get_xdata()
+    np.testing.assert_allclose(slopes, findings[-1].error / findings[-1].step, rtol=1e-12)
 
 
 TABLE = "t,bead,x,v\n0,1,0,0\n0,2,0,0\n"

@@ -10,6 +10,7 @@ from scipy.integrate import quad
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.model.collision import restitution
+from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.studies.half_step_damping import (
     collision_loss,
     excess_by_table,
@@ -88,6 +89,15 @@ def test_motion_of_the_scheme_has_its_root():
     assert math.pi / spacing == pytest.approx(root.imag, rel=0.02)
     assert abs(plain.imag / root.imag - 1.0) > 0.05
     assert decay == pytest.approx(root.real, rel=0.05)
+
+
+def test_loss_of_a_collision_is_the_mean_over_the_phases_of_a_step():
+    step, phases = 0.2 * UNIT, (np.arange(400) + 0.5) / 400
+    starts = ([-phase * step, 0.0] for phase in phases)
+    ends = [integrate(Chain(1.5, 1.5, 0.1), x, [1.0, 0.0], step, 20).v[-1] for x in starts]
+    losses = 1.0 - np.diff(ends, axis=1)[:, 0]
+    half = abs(losses[:200].mean() - losses.mean())
+    assert collision_loss(CASE, step) == pytest.approx(losses.mean(), abs=0.1 * half)
 
 
 def test_damping_added_to_the_accurate_chain_is_read_as_such():

@@ -8,7 +8,11 @@ from configurations import DEFAULT
 
 import granular_fronts as gf
 from granular_fronts.scenes.yaml_files import load_configuration
-from granular_fronts.studies.jump_conditions_measured import measure_jumps, travelling_speed
+from granular_fronts.studies.jump_conditions_measured import (
+    _settling,
+    measure_jumps,
+    travelling_speed,
+)
 
 SCENE = load_configuration(DEFAULT)["laws"]["jump_conditions"]
 CASES = SCENE["cases"]
@@ -70,6 +74,12 @@ def test_driven_fronts_are_within_their_errors():
             errors = found[f"{name}_error"] + found[f"{quantity}_expected_error"]
             assert (np.abs(found[name] - found[f"{quantity}_expected"]) <= errors).all(), name
             assert (found[f"{name}_error"] < (1e-6 if way == "driven" else 1e-12)).all(), name
+
+
+def test_a_change_that_vanishes_by_chance_is_not_the_error():
+    """The inverse square of the way changes by 3 and then by 3/4."""
+    assert _settling(4.0, 1.0, 0.25).error == pytest.approx(0.75)
+    assert _settling(4.0, 1.0, 1.0).error == pytest.approx(0.75)
 
 
 def test_a_slow_front_on_a_short_way_states_a_larger_error():

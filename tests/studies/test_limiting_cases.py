@@ -8,6 +8,7 @@ import pytest
 from granular_fronts.chain.equations import Boundary
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solitary_waves import gaussian, solitary_wave
+from granular_fronts.model.collision import restitution
 from granular_fronts.model.laws import make_law
 from granular_fronts.reference_methods import position_forms
 from granular_fronts.studies import choice_of_variables
@@ -100,6 +101,18 @@ def test_opening_costs_the_runge_kutta_method_its_order(monkeypatch):
     in_w, _ = observed_order(position_forms.XW, law, "runge_kutta_4")
     assert 1.2 < in_velocities < 1.8
     assert 2.0 < in_w < 3.0
+
+
+def test_the_order_is_that_of_most_gaps(monkeypatch):
+    """One pair in which an opening falls badly does not count."""
+    parting = -restitution(0.3, 1.5, 1.5)
+
+    def part_pairs(_system, _scheme, steps):
+        return parting + np.append(np.full(100, steps**-2.0), steps**-0.5)
+
+    monkeypatch.setattr(choice_of_variables, "_part_pairs", part_pairs)
+    order, _ = observed_order(position_forms.XV, make_law(alpha=1.5, gamma=0.3), "euler")
+    assert order == pytest.approx(2.0, rel=1e-6)
 
 
 def test_w_far_behind_a_front_is_conserved():

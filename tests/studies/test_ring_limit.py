@@ -54,7 +54,7 @@ def test_fourier_series_and_beads_are_the_same_chain(profile):
     for name in ("relative_displacement", "velocity"):
         # The first of the places is n = 0, which on the ring is n = N.
         found = np.roll(getattr(wave, name)[0], -1)
-        np.testing.assert_allclose(found, getattr(beads, name)[0], atol=2e-8)
+        np.testing.assert_allclose(found, getattr(beads, name)[0], rtol=0, atol=2e-10)
     u, velocity = start
     assert wave.relative_displacement[0].sum() == pytest.approx(u.sum(), rel=1e-13)
     assert wave.velocity[0].sum() == pytest.approx(velocity.sum(), rel=1e-13)

@@ -80,6 +80,18 @@ def integrals(f, n):
     return halves[::2] + halves[1::2]
 
 
+def inverse_defect(g, p, ng, kernel, smooth, jumps):
+    """A bound of ‖g − k − k*g‖₁ and ‖g‖₁, g constant on cells of width 1/ng from −p on.
+
+    The kernel k varies by `smooth` where it is continuous and by `jumps` in all elsewhere.
+    """
+    e = -np.convolve(integrals(kernel, ng), g)
+    e[ng:-ng] += g
+    e[p * ng : (p + 2) * ng] -= kernel((np.arange(-ng, ng) + 0.5) / ng)
+    norm = abs(g).sum() / ng
+    return abs(e).sum() / ng + (smooth + (smooth + jumps) * norm) / (2 * ng), norm
+
+
 class Mesh:
     """Cells narrower than those of a certificate, and convolutions as matrices there."""
 
