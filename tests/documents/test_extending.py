@@ -4,6 +4,7 @@ import shlex
 import sys
 
 import numpy as np
+import pandas as pd
 import pytest
 from pages import EXTENDING, carry_out, commands, run
 from projects import copy_project, lend_kernels, snakemake
@@ -13,7 +14,12 @@ from granular_fronts.output.datasets import read_dataset
 
 pytestmark = pytest.mark.slow
 
-SUBJECTS = ("A figure, in three", "A study, in three", "A scene's option, in two")
+SUBJECTS = (
+    "A figure, in three",
+    "A study, in three",
+    "A table, in two",
+    "A scene's option, in two",
+)
 
 
 def command(word):
@@ -30,7 +36,8 @@ def project(tmp_path_factory):
     for subject in SUBJECTS:
         places = [name for name in carry_out(copy, subject) if "/" in name]
         assert len(places) == numbers[subject.split()[-1]]
-    outcome = snakemake(*command("fig26")[2:], command("front_width")[-1], folder=copy)
+    wanted = [command(word)[-1] for word in ("fig26", "front_width.nc", "front_width.md")]
+    outcome = snakemake("-c2", *wanted, folder=copy)
     assert outcome.returncode == 0, outcome.stderr
     return copy
 
@@ -43,11 +50,14 @@ def test_a_figure_is_added_in_three_places(project):
     assert "α = 1.5, 1.1" in caption
 
 
-def test_a_study_is_added_in_three_places(project):
-    found = read_dataset(project / command("front_width")[-1])["front_width"]
+def test_a_study_is_added_in_three_places_and_its_table_in_two(project):
+    found = read_dataset(project / command("front_width.nc")[-1])["front_width"]
     for gamma, width in zip((0.3, 1.0), found.values, strict=True):
         assert width == pytest.approx(gf.solve_front(1.5, gamma).attrs["width_10_90"], rel=1e-12)
     assert found.attrs["long_name"] == "distance from 90 to 10 per cent, in beads"
+    table = pd.read_csv(project / "results/tables/front_width.csv")
+    np.testing.assert_array_equal(table["front_width"], found.values)
+    assert table["front_width_error"].max() == found.attrs["error_estimate"]
     impossible = project / "impossible.yaml"
     impossible.write_text("exact_fronts: {front_width: {gammas: [0.3, 0]}}", encoding="utf-8")
     outcome = snakemake("--configfile", impossible, "-n", folder=project)

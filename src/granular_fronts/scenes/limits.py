@@ -58,6 +58,11 @@ def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
     if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
         return
     most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
+    above = [
+        (f"{_show_memory(memory)} of memory", _show_memory(MOST_MEMORY), memory > MOST_MEMORY),
+        (f"{show_time(seconds)} on one core", show_time(LONGEST_TIME), seconds > LONGEST_TIME),
+    ]
+    sizes, limits, _ = zip(*(one for one in above if one[-1]), strict=True)
     keys = [
         f"{key} = {functools.reduce(operator.getitem, key.split('.'), section)}"
         for key in (*most.large, *most.small)
@@ -66,8 +71,7 @@ def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
     remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
     yield (
         f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
-        f"{_show_memory(memory)} of memory and {show_time(seconds)} on one core, above the "
-        f"limit of {_show_memory(MOST_MEMORY)} or {show_time(LONGEST_TIME)}: "
+        f"{' and '.join(sizes)}, above the limit of {' or '.join(limits)}: "
         f"{', or '.join(remedies)}."
     )
 
