@@ -56,15 +56,15 @@ def test_jobs_are_found_from_the_last_result_and_told_with_what_they_read_and_wr
     sources = [Path(name) for name in [*NEEDED, "given.txt"]]
     scripts = dict.fromkeys(["early", "late"], "given.txt")
     crate = describe_run(small, sources, RESULTS, "results: results\n", scripts, jobs)
-    told = crate.get("#job-late")
-    assert [file.id for file in told["object"]] == ["given.txt", "results/early.txt"]
-    assert (told["result"].id, told["description"]) == ("results/late.txt", "late")
-    assert crate.get("results/benchmarks/late.tsv")["about"] == told
+    job = crate.get("#job-late")
+    assert [file.id for file in job["object"]] == ["given.txt", "results/early.txt"]
+    assert (job["result"].id, job["description"]) == ("results/late.txt", "late")
+    assert crate.get("results/benchmarks/late.tsv")["about"] == job
     assert crate.get("#control-late")["instrument"].id == "#step-late"
-    assert crate.get("#step-late")["workExample"] == told["instrument"] == crate.get("given.txt")
+    assert crate.get("#step-late")["workExample"] == job["instrument"] == crate.get("given.txt")
     whole, root = crate.get("#run"), crate.root_dataset
     assert whole["startTime"] == early.start.isoformat()
-    assert whole["endTime"] == told["endTime"] == late.end.isoformat()
+    assert whole["endTime"] == job["endTime"] == late.end.isoformat()
     assert [file.id for file in whole["result"]] == ["results/early.txt", "results/late.txt"]
     assert root["license"].id == "https://spdx.org/licenses/BSD-3-Clause"
     assert root["author"]["name"] in (ROOT / "CITATION.cff").read_text("utf-8")
@@ -121,8 +121,8 @@ def test_record_of_a_run_is_valid_whole_and_enough_to_repeat_it(finished, tmp_pa
         assert entities[name]["sha256"] == hashlib.sha256(content).hexdigest()
     folder = results / "benchmarks"
     ran = {path.relative_to(folder).with_suffix("").as_posix() for path in folder.rglob("*.tsv")}
-    told = {name.removeprefix("#job-") for name in entities if name.startswith("#job-")}
-    assert told == ran - {"write_crate"}
+    described = {name.removeprefix("#job-") for name in entities if name.startswith("#job-")}
+    assert described == ran - {"write_crate"}
     (results / "tables/findings.md").unlink()
     due = snakemake("--dry-run", *smoke, folder=finished).stdout
     assert re.search(r"^tabulate_findings +1$(.|\n)*^write_crate +1$", due, re.MULTILINE)

@@ -65,7 +65,7 @@ def data_digest(dataset: Any) -> str:
 
 
 def source_of(dataset: Any) -> dict[str, str]:
-    """What tells an xarray.Dataset from all that ever had its name: its scene and both digests."""
+    """The identity of an xarray.Dataset: its scene and both digests."""
     return {key: str(dataset.attrs[key]) for key in ("scene", "config_digest", "data_digest")}
 
 
