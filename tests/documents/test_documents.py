@@ -101,6 +101,17 @@ def test_python_example_runs(code, capsys):
     assert "±" in capsys.readouterr().out
 
 
+def test_readme_prints_what_it_shows(capsys):
+    """The number to all its digits, the error to its order, which depends on the machine."""
+    [code], [shown] = blocks(README, "python"), blocks(README, "text")
+    exec(code, {})
+    (text, error), (shown, known) = (
+        words.split(" ± ") for words in (capsys.readouterr().out, shown)
+    )
+    assert text == shown
+    assert float(known) / 10 < float(error) < float(known) * 10
+
+
 def test_a_number_is_checked_as_shown(capsys, monkeypatch):
     """That of the table; only where the workflow has run."""
     if not (ROOT / "results" / "report.html").exists():

@@ -7,12 +7,18 @@ from projects import ROOT
 
 README = """# Title
 
+<!-- score -->
+stale
+<!-- end of score -->
 <!-- numbers -->
 stale
 <!-- end of numbers -->
 End.
 """
 PERFORMANCE = """Before.
+<!-- durations -->
+stale
+<!-- end of durations -->
 <!-- speed -->
 stale
 <!-- end of speed -->
@@ -24,8 +30,10 @@ def updated(tmp_path):
     """Both documents and the copied picture after an update from a small results folder."""
     results, readme = tmp_path / "results", tmp_path / "README.md"
     performance, proofs = tmp_path / "performance.md", tmp_path / "proofs.md"
-    for folder in (results / "tables", results / "animation", tmp_path / "docs"):
-        folder.mkdir(parents=True)
+    for folder in ("results/tables", "results/animation", "results/benchmarks/study", "docs"):
+        (tmp_path / folder).mkdir(parents=True)
+    for job, seconds in (("study/piston", 3), ("study/survey", 4), ("plot_fig01", 1)):
+        (results / "benchmarks" / f"{job}.tsv").write_text(f"s\th:m:s\n{seconds}\t0\n")
     rows = [(quantity, "0.56", 0.562341325, 3e-12, "reproduced") for quantity in updating.SHOWN]
     rows += [("fronts exist", "", 1.0, 0.0, "holds")] * 2
     columns = ["quantity", "printed", "computed", "numerical error", "verdict"]
@@ -55,19 +63,26 @@ def cells(text):
 def test_blocks_are_replaced_and_nothing_else(updated):
     readme, performance, picture = updated
     assert "stale" not in readme + performance
-    assert readme.startswith("# Title\n\n<!-- numbers -->\n|")
+    assert readme.startswith("# Title\n\n<!-- score -->\nVerdicts on 12 ")
+    assert "<!-- end of score -->\n<!-- numbers -->\n|" in readme
     assert readme.endswith("<!-- end of numbers -->\nEnd.\n")
-    assert performance.startswith("Before.\n<!-- speed -->\n|")
+    assert performance.startswith("Before.\n<!-- durations -->\n|")
     assert picture.read_bytes() == b"picture"
 
 
 def test_chosen_numbers_are_shown_and_all_verdicts_counted(updated):
     readme, performance, _ = updated
     for quantity in updating.SHOWN:
-        assert ["", quantity, "0.56", "0.562341", "< 3e-11", "reproduced", ""] in cells(readme)
+        assert ["", quantity, "0.56", "0.562341", "< 1e-10", "reproduced", ""] in cells(readme)
     assert not any("fronts exist" in row for row in cells(readme))
-    assert "all 12 numbers and statements: reproduced 10, holds 2." in readme
+    assert "12 numbers and statements of the paper: **10** reproduced · **2** holds." in readme
     assert ["", "ring", "1e-09", "use it", ""] in cells(performance)
+
+
+def test_durations_are_sums_of_jobs(updated):
+    _, performance, _ = updated
+    assert ["", "solve scenes and studies", "2", "7", "4", ""] in cells(performance)
+    assert ["", "draw figures", "1", "1", "1", ""] in cells(performance)
 
 
 def test_prose_on_proofs_has_the_bounds_of_its_table():
