@@ -153,6 +153,16 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     assert names["record"]["numbers"]["overshoot"] > 1.0136
 
 
+def test_gallery_shows_every_figure():
+    """Those on demand, whose pictures may be missing, by their numbers."""
+    figures = yaml.safe_load((ROOT / "workflow" / "figures.yaml").read_text(encoding="utf-8"))
+    usual = {f"{n}_{f['name']}" for n, f in figures.items() if not f.get("on_demand")}
+    page = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"figure} \.\./results/figures/(\w+)\.png", page)) <= usual
+    numbers = {name.removeprefix("fig").lstrip("0") for name in figures}
+    assert set(re.findall(r"Figure (\d+b?)", page)) == numbers
+
+
 def test_shown_campaign_is_possible():
     from granular_fronts.campaign.definition import check_campaign
 
