@@ -60,7 +60,7 @@ def test_table_of_checks(measured):
             number = cell.removesuffix(" %")
             assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
     excess = measured["excess_overshoot"].sel(beta=1.5, gamma=0.05)
-    [printed] = re.findall(r"t_c/20, .* a front with (\d+) % too much", README.read_text("utf-8"))
+    [printed] = re.findall(r"t_c/20\$, .* a front with (\d+) % too much", README.read_text("utf-8"))
     assert round(100.0 * excess.sel(step=0.05, method="nearest").item()) == int(printed)
     fine = excess.sel(step=slice(0.0201, None))
     percent = tuple(sorted((100.0 * fine).round().values))
