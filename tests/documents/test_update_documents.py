@@ -1,5 +1,7 @@
 """README and manual take numbers and the moving picture from the last run, and keep the rest."""
 
+import re
+
 import pandas as pd
 import pytest
 import update_documents as updating
@@ -90,10 +92,8 @@ def test_prose_on_proofs_has_the_bounds_of_its_table():
     shapes = {row[1]: row[5] for row in cells(updating.block(page, "proved"))}
     above = {name: float(shapes[name].split(" > ")[1]) for name in ("figure_1", "hertz_0_2")}
     words = " ".join(page.split())
-    assert f"the first with a maximum above {1.0 + above['figure_1']:.4f}, " in words
-    assert (
-        f"at γ = 0.2 the enclosed one overshoots, by more than {100 * above['hertz_0_2']:.2f} %."
-        in words
-    )
+    assert f"maximum above {1.0 + above['figure_1']:.4f}" in words
+    [printed] = re.findall(r"= 0\.2\b\$? [^.]*overshoots,? by more than (\d+\.\d\d) %", words)
+    assert printed == f"{100 * above['hertz_0_2']:.2f}"
     for name in ("figure_3", "hertz_0_3", "hertz_0_3333"):
         assert shapes[name].startswith("monotone")
