@@ -101,6 +101,17 @@ def test_python_example_runs(code, capsys):
     assert "±" in capsys.readouterr().out
 
 
+def test_readme_prints_what_it_shows(capsys):
+    """The number to all its digits, the error to its order, which depends on the machine."""
+    [code], [shown] = blocks(README, "python"), blocks(README, "text")
+    exec(code, {})
+    (text, error), (shown, known) = (
+        words.split(" ± ") for words in (capsys.readouterr().out, shown)
+    )
+    assert text == shown
+    assert float(known) / 10 < float(error) < float(known) * 10
+
+
 def test_a_number_is_checked_as_shown(capsys, monkeypatch):
     """That of the table; only where the workflow has run."""
     if not (ROOT / "results" / "report.html").exists():
@@ -140,6 +151,16 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     exec(dashpots, names)
     assert names["record"]["proved"]
     assert names["record"]["numbers"]["overshoot"] > 1.0136
+
+
+def test_gallery_shows_every_figure():
+    """Those on demand, whose pictures may be missing, by their numbers."""
+    figures = yaml.safe_load((ROOT / "workflow" / "figures.yaml").read_text(encoding="utf-8"))
+    usual = {f"{n}_{f['name']}" for n, f in figures.items() if not f.get("on_demand")}
+    page = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"figure} \.\./results/figures/(\w+)\.png", page)) <= usual
+    numbers = {name.removeprefix("fig").lstrip("0") for name in figures}
+    assert set(re.findall(r"Figure (\d+b?)", page)) == numbers
 
 
 def test_shown_campaign_is_possible():

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from half_steps import half_steps, write_dump
-from pages import commands, run
+from pages import README, commands, run
 from projects import ROOT
 from write_referee import write_referee
 
@@ -59,7 +59,10 @@ def test_table_of_checks(measured):
                 continue
             number = cell.removesuffix(" %")
             assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
-    fine = measured["excess_overshoot"].sel(beta=1.5, gamma=0.05).sel(step=slice(0.0201, None))
+    excess = measured["excess_overshoot"].sel(beta=1.5, gamma=0.05)
+    [printed] = re.findall(r"t_c/20\$, .* a front with (\d+) % too much", README.read_text("utf-8"))
+    assert round(100.0 * excess.sel(step=0.05, method="nearest").item()) == int(printed)
+    fine = excess.sel(step=slice(0.0201, None))
     percent = tuple(sorted((100.0 * fine).round().values))
     assert percent == numbers(r"it is (\S+) to (\S+) % of the damping with β = 3/2 and γ = 0.05")
 

@@ -1,5 +1,6 @@
 """Put numbers and the moving picture of a run into the README, times and proofs into the manual."""
 
+import math
 import shutil
 from pathlib import Path
 
@@ -24,6 +25,15 @@ SHOWN = (
 )
 """The quantities that the README shows, one of each kind and the one that does not hold."""
 
+JOBS = {
+    "compile kernels, once": ("compile_",),
+    "solve scenes and studies": ("initiate_", "compare_", "compute_", "shoot_", "study"),
+    "draw figures": ("plot_",),
+    "write tables and report": ("tabulate_", "write_report"),
+    "test the finished files": ("check_results",),
+}
+"""Parts of a plain call, by how the names of their rules begin."""
+
 
 def update_documents(readme: Path, performance: Path, proofs: Path, results: Path) -> None:
     """Replace the marked tables of the documents, and the moving picture of the README.
@@ -31,14 +41,16 @@ def update_documents(readme: Path, performance: Path, proofs: Path, results: Pat
     Parameters
     ----------
     readme, performance, proofs : Path
-        Files with a block between ``<!-- name -->`` and ``<!-- end of name -->``: numbers of the
-        paper, times, and what is proved.
+        Files with blocks between ``<!-- name -->`` and ``<!-- end of name -->``: verdicts and
+        numbers of the paper, times, and what is proved.
     results : Path
         Folder of a finished run of the target all; of precision, animation and proofs, what was
         not made stays as it is.
     """
     for page, name, table, make_block in (
+        (readme, "score", "paper_numbers", score),
         (readme, "numbers", "paper_numbers", paper_numbers),
+        (performance, "durations", "paper_numbers", durations),
         (performance, "speed", "speed_verdicts", speed),
         (proofs, "proved", "proofs", proved),
     ):
@@ -51,9 +63,8 @@ def update_documents(readme: Path, performance: Path, proofs: Path, results: Pat
 
 
 def paper_numbers(results: Path) -> str:
-    """Numbers of the paper beside ours, and how many statements hold, as Markdown."""
-    statements = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
-    table = statements.set_index("quantity").loc[list(SHOWN)].reset_index()
+    """Ten numbers of the paper and ours, as Markdown."""
+    table = _statements(results).set_index("quantity").loc[list(SHOWN)].reset_index()
     shown = pd.DataFrame(
         {
             "quantity": table["quantity"],
@@ -63,15 +74,38 @@ def paper_numbers(results: Path) -> str:
             "verdict": table["verdict"],
         }
     )
-    rows = shown.to_markdown(index=False, disable_numparse=True)
-    counts = statements["verdict"].value_counts()
-    verdicts = ", ".join(f"{verdict} {count}" for verdict, count in counts.items())
-    return f"{rows}\n\nVerdicts on all {len(statements)} numbers and statements: {verdicts}."
+    return shown.to_markdown(index=False, disable_numparse=True)
+
+
+def score(results: Path) -> str:
+    """How many numbers and statements of the paper got which verdict, as Markdown."""
+    verdicts = _statements(results)["verdict"]
+    listed = " · ".join(f"**{n}** {verdict}" for verdict, n in verdicts.value_counts().items())
+    return f"Verdicts on {len(verdicts)} numbers and statements of the paper: {listed}."
+
+
+def _statements(results: Path) -> pd.DataFrame:
+    return pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
 
 
 def bound(error: float) -> str:
-    """Ten times an error, to one digit: another machine may find several times as much."""
-    return f"< {10.0 * error:.0e}"
+    """A power of ten above ten times an error: another machine may find several times as much."""
+    return f"< 1e{math.ceil(math.log10(10.0 * error)):03d}"
+
+
+def durations(results: Path) -> str:
+    """Jobs of a plain call and the seconds that they took, as Markdown."""
+    folder = results / "benchmarks"
+    jobs = [
+        (file.relative_to(folder).parts[0], pd.read_csv(file, sep="\t")["s"].iloc[-1])
+        for file in folder.rglob("*.tsv")
+    ]
+    rows = []
+    for what, rules in JOBS.items():
+        taken = [seconds for rule, seconds in jobs if rule.startswith(rules)]
+        rows.append((what, len(taken), f"{sum(taken):.0f}", f"{max(taken, default=0.0):.0f}"))
+    columns = ["what", "jobs", "seconds, all jobs", "seconds, longest job"]
+    return pd.DataFrame(rows, columns=columns).to_markdown(index=False, disable_numparse=True)
 
 
 def speed(results: Path) -> str:
@@ -87,7 +121,8 @@ def proved(results: Path) -> str:
 
 def _replace_block(text: str, name: str, content: str) -> str:
     """The text with what stands between the marks of a block replaced."""
-    return text.replace(block(text, name), content)
+    mark = f"<!-- {name} -->\n"
+    return text.replace(mark + block(text, name), mark + content)
 
 
 def block(text: str, name: str) -> str:
