@@ -120,6 +120,9 @@ def test_a_front_on_another_grid_is_refused(changed):
     """Local polynomials would go through points that are not where they seem to be."""
     front = gf.solve_front(1.5, 0.3)
     assert gf.evaluate_front(front.copy(), -1.0) == front["relative_displacement"].sel(xi=-1.0)
+    single = front.assign(strain=front["strain"].astype("float32"))
+    with pytest.raises(InputError, match="strain in single precision"):
+        gf.evaluate_front(single, -1.0, "strain")
     with pytest.raises(InputError, match="thin, crop or shift the values"):
         gf.evaluate_front(changed(front), -1.0)
 

@@ -269,7 +269,7 @@ def test_without_flint_a_sentence_says_how_to_install_it():
     assert "pip install 'granular-fronts[proofs]'" in done.stderr.splitlines()[-1]
 
 
-MISSING, BROKEN = "there is no file {}", "{} is no file of arrays as prove_front"
+MISSING, BROKEN = "{} is missing or not a regular file", "{} is no file of arrays as prove_front"
 NO_CERTIFICATES = {
     "nothing": (lambda file: None, MISSING),
     "a folder": (Path.mkdir, MISSING),

@@ -79,12 +79,17 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
     scene = check_scene("chain", scene, name)
-    seconds = sum(part.seconds for part in size_of_chain(scene))
-    if seconds > LONG:
-        print(f"Scene {name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
+    announce_time(scene, f"Scene {name}")
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(scene, solution, refined)
+
+
+def announce_time(scene, name):
+    """Say how long a scene takes at least, if that is long."""
+    seconds = sum(part.seconds for part in size_of_chain(scene))
+    if seconds > LONG:
+        print(f"{name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
 
 
 def simulate_once(scene, name="given"):

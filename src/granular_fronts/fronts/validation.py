@@ -110,6 +110,11 @@ def check_grid(front):
     behind, ahead = (-front.attrs.get(f"state_{end}", math.nan) for end in ("behind", "ahead"))
     off_grid = np.abs(xi - spacing * (np.arange(xi.size) - middle)).max()
     off_state = np.abs(u[[0, middle, -1]] - [behind, 0.5 * (behind + ahead), ahead]).max()
+    if rounded := [name for name, values in front.variables.items() if values.dtype == "float32"]:
+        raise InputError(
+            f"front holds {', '.join(rounded)} in single precision, but errors are stated for "
+            "double: give the front as solve_front returns it."
+        )
     if not (off_grid <= SAME * spacing and off_state <= SAME * max(abs(behind), abs(ahead))):
         raise InputError(
             f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but a front of "

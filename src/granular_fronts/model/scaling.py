@@ -172,12 +172,6 @@ class Scaling:
         }
 
 
-def sphere_mass(radius: float, density: float) -> float:
-    """Mass in kg of a sphere with a radius in metres and a density in kg/m³."""
-    radius, density = _positive(radius=radius, density=density).values()
-    return 4.0 / 3.0 * math.pi * radius**3 * density
-
-
 def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float) -> float:
     """Stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
 

@@ -138,8 +138,12 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
         axes.semilogy(sweep[damping], overshoot, ".-")
         if overshoot.isnull().all():
             axes.text(0.5, 0.5, "no overshoot", transform=axes.transAxes, ha="center")
-        unit = r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
-        axes.set(xlabel=DAMPINGS[damping], ylabel=unit)
+        named = (
+            r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
+        )
+        if "width_10_90" not in sweep:  # No fronts, but chains of a campaign.
+            named = sweep["overshoot"].attrs["long_name"]
+        axes.set(xlabel=DAMPINGS[damping], ylabel=named)
     return axes
 
 

@@ -37,7 +37,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from decimal import Decimal, InvalidOperation
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -152,15 +152,6 @@ def evaluate(
         "verdict": verdict,
         "remark": remark,
     }
-
-
-def unexpected_verdicts(rows: Iterable[Mapping[str, Any]]) -> list[str]:
-    """A sentence for each verdict that differs from the expected one, other parameters left out."""
-    return [
-        f"{row['quantity']}: the verdict is {row['verdict']!r}, expected is {row['expected']!r}."
-        for row in rows
-        if row["verdict"] not in (row["expected"], OTHER_PARAMETERS)
-    ]
 
 
 def range_of_criterion(criterion: str) -> Range:

@@ -14,7 +14,7 @@ LARGEST = 2**30  # bytes of all its arrays
 def load(path):
     """The arrays of a file, of which nothing is known."""
     if not Path(path).is_file():
-        raise NotProvedError(f"there is no file {path}")
+        raise NotProvedError(f"{path} is missing or not a regular file")
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             if sum(member.file_size for member in file.zip.infolist()) <= LARGEST:

@@ -91,14 +91,13 @@ def log_burgers_front(xi: npt.ArrayLike, alpha: float | None = None) -> np.ndarr
         with np.errstate(over="ignore"):
             return np.exp2(-np.exp(xi))
     alpha = _check_alpha(alpha)
-    reduction = -np.expm1((1.0 - alpha) * np.log(2.0))
-    taken = np.exp(np.minimum(xi + np.log(reduction), 0.0))
+    taken = np.exp(np.minimum(xi - front_end(alpha), 0.0))
     with np.errstate(divide="ignore"):
         return np.exp(alpha / (alpha - 1.0) * np.log1p(-taken))
 
 
 def front_end(alpha):
-    """ξ₀ of eq. (46), from which on the front is zero."""
+    """Return ξ₀ of eq. (46); the front is zero beyond it."""
     alpha = _check_alpha(alpha)
     return -np.log(-np.expm1((1.0 - alpha) * np.log(2.0)))
 
