@@ -215,7 +215,7 @@ def size_of_chain(scene: Mapping) -> Iterator[Part]:
 
 
 def _motion_time(scene: Mapping, beads: float) -> float:
-    """Time that the steps of a motion take."""
+    """Return the time that the steps of a motion take."""
     size, boundary = decades_of_displacement(scene), scene["boundary"]
     # Beads that nothing holds fly apart, and long steps follow them.
     flies_apart = boundary["kind"] == "pressure" and not (boundary["left"] or boundary["right"])

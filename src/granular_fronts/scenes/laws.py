@@ -35,7 +35,7 @@ DECADES_PER_UNIT = 8
 
 
 def is_short(law: object) -> bool:
-    """Whether a law is given by its exponents."""
+    """Return whether a law is given by its exponents."""
     return isinstance(law, Mapping) and "alpha" in law
 
 
@@ -51,7 +51,7 @@ def law_errors(section: Mapping) -> Iterator[str]:
 
 
 def made_law(law: Any) -> Any:
-    """The `model.laws.Law` of a long form, or one that is made already; else an InputError."""
+    """Return `model.laws.Law` of a long form, or one that is made already; else an InputError."""
     if is_of_potentials(law):
         from granular_fronts.model.laws import make_law
 
@@ -74,7 +74,7 @@ def _made(text: str) -> Any:
 
 
 def exponent_of(law: Any) -> float | None:
-    """Exponent α of a Hertz potential, None for other elastic potentials."""
+    """Return the exponent α of a Hertz potential, None for other elastic potentials."""
     if is_short(law):
         return law["alpha"]
     elastic = made_law(law).elastic
@@ -87,7 +87,7 @@ def domain_of(law: Any) -> tuple[float, float]:
 
 
 def decades_of_impact(law: Any, velocity: float, most: int) -> float:
-    """Size of the strain that a velocity makes of contacts at rest, within 10^±most.
+    """Return the size of the strain that a velocity makes of contacts at rest, within 10^±most.
 
     A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
     the law (28), or stretches them as far where that takes less.
@@ -126,7 +126,7 @@ def damping_rate(law: Any, size: float) -> float:
 
 
 def decades_of_energy(law: Any, size: float) -> dict[str, float]:
-    """Sizes of V and W at a compression of 10^size, by key of the law."""
+    """Return the sizes of V and W at a compression of 10^size, by key of the law."""
     if is_short(law):
         return {key: (law[key] + 1.0) * size for key in ("alpha", "beta") if key in law}
     made = made_law(law)
@@ -135,7 +135,7 @@ def decades_of_energy(law: Any, size: float) -> dict[str, float]:
 
 
 def _decades_of_energy(potential: Any, size: float) -> float:
-    """The same of one potential, −∞ where it is 0."""
+    """Return the same of one potential, −∞ where it is 0."""
     if potential.factor == 0.0 or -(10.0**size) <= potential.domain[0]:
         return -math.inf
     if potential.kind in ("hertz", "power"):
@@ -149,12 +149,12 @@ def _decades_of_energy(potential: Any, size: float) -> float:
 
 
 def decades(value: float) -> float:
-    """Decimal logarithm of a size."""
+    """Return the decimal logarithm of a size."""
     return math.log10(abs(value)) if value else -math.inf
 
 
 def decades_of_displacement(scene: Mapping) -> float:
-    """Size of the largest relative displacement that drives a scene with a law."""
+    """Return the size of the largest relative displacement that drives a scene with a law."""
     if "displacement" in scene:
         return decades(scene["displacement"])
     boundary, start = scene["boundary"], scene["start"]

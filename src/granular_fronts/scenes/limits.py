@@ -42,12 +42,12 @@ class Part(NamedTuple):
 
 
 def grid_part(large: tuple[str, ...], small: tuple[str, ...], numbers: float) -> Part:
-    """The part of a grid of so many numbers, each of which takes its time."""
+    """Return the part of a grid of so many numbers, each of which takes its time."""
     return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
 
 
 def points_of(axis: Mapping) -> float:
-    """How many points a range has, from its start to its stop."""
+    """Return how many points a range has, from its start to its stop."""
     return (axis["stop"] - axis["start"]) / axis["step"]
 
 
@@ -77,7 +77,7 @@ def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
 
 
 def _show_memory(memory: float) -> str:
-    """Bytes in words, for example ``16 GiB``."""
+    """Return the bytes in words, for example ``16 GiB``."""
     for unit in ("bytes", "KiB", "MiB"):
         if memory < 1000.0:
             return f"{memory:.0f} {unit}"
@@ -86,7 +86,7 @@ def _show_memory(memory: float) -> str:
 
 
 def show_time(seconds: float) -> str:
-    """A duration in words, for example ``30 days``."""
+    """Return a duration in words, for example ``30 days``."""
     for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
         if seconds >= 2.0 * length:
             return f"{_show_number(seconds / length)} {unit}"

@@ -70,7 +70,7 @@ def _grids_hold_edge(scene: Mapping) -> Iterator[str]:
 
 
 def _grids(scene: Mapping) -> dict[str, int]:
-    """Cells or points of the equations that a scene names, by their keys."""
+    """Return the cells or points of the equations that a scene names, by their keys."""
     return {
         f"equations.{name}.{key}": settings[key]
         for name, settings in scene["equations"].items()

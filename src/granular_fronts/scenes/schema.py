@@ -116,7 +116,7 @@ def load_schema(name: str) -> dict[str, Any]:
 
 
 def _count_values(value: object) -> int:
-    """Number of values at any depth."""
+    """Return the number of values at any depth."""
     inside = value.values() if isinstance(value, Mapping) else value
     return 1 + (sum(map(_count_values, inside)) if isinstance(inside, list | ValuesView) else 0)
 

@@ -84,7 +84,7 @@ def steps_fit_ranges(section: Mapping) -> Iterator[str]:
 
 
 def section_label(path: str) -> str:
-    """What stands before a key of a section in a sentence, for example ``Scene weak: ``."""
+    """Return what stands before a key of a section in a sentence, for example ``Scene weak: ``."""
     names = path.split(".")
     return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
 
@@ -128,7 +128,7 @@ def _errors_of_need(need: Need, place: str, found: Any) -> Iterator[str]:
 
 
 def _look_up(section: Any, key: str) -> Any:
-    """The value at a dotted key, or None."""
+    """Return the value at a dotted key, or None."""
     for name in key.split("."):
         if not isinstance(section, Mapping) or name not in section:
             return None

@@ -27,7 +27,7 @@ def find_file(name: str, *folders: str) -> Path:
 
 @functools.cache
 def studies() -> dict[str, dict[str, Any]]:
-    """Every study of ``workflow/studies.yaml`` by its name."""
+    """Return every study of ``workflow/studies.yaml`` by its name."""
     return read_yaml(find_file("studies.yaml"))
 
 
@@ -44,7 +44,7 @@ def add_sections(schema: dict[str, Any]) -> None:
 
 
 def _expand(short: Mapping[str, Any]) -> dict[str, Any]:
-    """The JSON Schema of its short form."""
+    """Return the JSON Schema of its short form."""
     rules = dict(short)
     if "parameters" in rules:
         parts = {name: _expand(part) for name, part in rules.pop("parameters").items()}
