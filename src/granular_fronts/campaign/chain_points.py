@@ -67,7 +67,7 @@ class _Motion(NamedTuple):
 
 
 def _measure(point, settings, beads, refined):
-    """Values of a point, and their errors where it is solved again."""
+    """Return the values of a point, and their errors where it is solved again."""
     motion = _solve_point(point, settings.get("law"), settings["tolerance"])
     if refined:
         return _with_errors(refined_by(_solve_in_halves, motion), beads)
@@ -105,7 +105,7 @@ UNITS = {
 
 
 def _in_units(variables, motion):
-    """Variables of the chain as measures in units of δ and 1/c."""
+    """Return the variables of the chain as measures in units of δ and 1/c."""
     return {
         name: variables[variable] * motion.length**length * motion.speed**speed
         for name, (variable, length, speed) in UNITS.items()
@@ -113,7 +113,7 @@ def _in_units(variables, motion):
 
 
 def _measures(motion, beads):
-    """Measures of one chain in units of δ and 1/c, and its final u at the given beads."""
+    """Return measures of one chain in units of δ and 1/c, and its final u at the given beads."""
     recording, count = motion.run.recording, motion.scene["beads"]
     speed = fitted_speed(recording.arrival[TIME, 1 : count + 1])
     peak = recording.first_peak[VALUE, count // 2]
@@ -135,7 +135,7 @@ def _measures(motion, beads):
 
 
 def _with_errors(motions, beads):
-    """Measures of a chain with their errors, by name, from the chain and its refinement."""
+    """Return measures of a chain with their errors, by name, from the chain and its refinement."""
     found, refined = motions.map(lambda motion: _measures(motion, beads))
     recordings = motions.map(lambda motion: motion.run.recording)
     motion = motions.usual

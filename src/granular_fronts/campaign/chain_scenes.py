@@ -30,7 +30,7 @@ def time_errors(grid: Mapping[str, tuple], tolerance: float) -> Iterator[str]:
 
 
 def normalised_scene(point, tolerance):
-    """The scene of a point in units of δ and 1/c."""
+    """Return the scene of a point in units of δ and 1/c."""
     alpha, beta, delta = point["alpha"], point["beta"], point["delta"]
     beads = int(point["beads"])
     gamma = point["gamma"] * delta ** (beta - 0.5 * (alpha + 1.0))

@@ -56,11 +56,11 @@ class Chunk(NamedTuple):
         return len(next(iter(self.fast.values()))) * len(next(iter(self.lines.values()), [None]))
 
     def as_json(self) -> str:
-        """The request, always written the same way."""
+        """Return the request, always written the same way."""
         return json.dumps(self._asdict(), sort_keys=True)
 
     def points(self) -> dict[str, np.ndarray]:
-        """Every parameter at every point, arrays of shape (lines, fast)."""
+        """Return every parameter at every point, arrays of shape (lines, fast)."""
         [(fast, values)] = self.fast.items()
         lines = len(next(iter(self.lines.values()), [None]))
         given = {name: np.array(column)[:, None] for name, column in self.lines.items()}
@@ -72,7 +72,7 @@ class Chunk(NamedTuple):
 
 
 def chunks_of(campaign: Campaign, folder: Path, chunk_points: int) -> dict[str, Chunk]:
-    """The chunks that a campaign consists of, by name: those of a folder, and new ones.
+    """Return the chunks that a campaign consists of, by name: those of a folder, and new ones.
 
     Only new chunks have at most so many points.  Nothing is written.
     """
@@ -128,7 +128,7 @@ def write_request(chunk: Chunk, folder: Path) -> None:
 
 
 def locate(chunk: Chunk, campaign: Campaign) -> np.ndarray:
-    """Flat index into the grid of a campaign of each point (lines, fast), −1 outside it."""
+    """Return flat index into the grid of a campaign of each point (lines, fast), −1 outside it."""
     [(fast, _)] = chunk.fast.items()
     index, outside = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1), dtype=bool)
     for name, values in campaign.grid.items():

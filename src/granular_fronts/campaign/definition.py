@@ -82,7 +82,7 @@ class Campaign(NamedTuple):
         return math.prod(self.shape)
 
     def points_per_chunk(self, chunk_seconds: float) -> int:
-        """Most points of a job that should take so much processor time."""
+        """Return most points of a job that should take so much processor time."""
         usual = max(1, round(chunk_seconds / self.kind.seconds_per_point))
         return self.chunk_points or usual
 

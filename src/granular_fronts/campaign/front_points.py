@@ -39,7 +39,7 @@ def solve_chunk(points, settings, activity):
 
 
 def _measure(point, dampings, settings, xi):
-    """Values, errors and reasons of the fronts that differ in their damping."""
+    """Return the values, errors and reasons of the fronts that differ in their damping."""
     with double_precision("A front of this law", "bring its numbers and states nearer to 1"):
         sweep, front = _fronts(point, dampings, settings.get("law"))
     reasons = np.array(sweep["reason"].values, dtype=object)
@@ -55,7 +55,7 @@ def _measure(point, dampings, settings, xi):
 
 
 def _fronts(point, dampings, law):
-    """The sweep along the dampings, and a function that solves one front by itself."""
+    """Return the sweep along the dampings, and a function that solves one front by itself."""
     if law is None:
         alpha, beta = point["alpha"], point["beta"]
         return sweep_fronts(alpha, dampings, beta), functools.partial(solve_front, alpha, beta=beta)
@@ -65,7 +65,7 @@ def _fronts(point, dampings, law):
 
 
 def _error(sweep, name):
-    """Largest error of a scalar over the solved fronts, NaN for what is an error itself."""
+    """Return largest error of a scalar over the solved fronts, NaN for what is an error itself."""
     if name in EXACT_TO_ROUNDING:
         return np.spacing(np.nanmax(sweep[name].values, initial=0.0))
     if f"{name}_error" not in sweep:

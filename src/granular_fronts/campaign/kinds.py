@@ -66,16 +66,16 @@ class Kind(NamedTuple):
     of_formula: tuple[str, ...] = ()
 
     def of_start(self, start) -> "Kind":
-        """The kind without the parameters that a given start does not have."""
+        """Return the kind without the parameters that a given start does not have."""
         listed = start and start["profile"] == "given"
         return self._without(self.of_formula if listed else ())
 
     def of_choice(self, given) -> "Kind":
-        """The kind without the parameters in whose place others are given, by their names."""
+        """Return kind without the parameters in whose place others are given, by their names."""
         return self._without({name for group in self.one_of for name in group}.difference(given))
 
     def of_law(self, varied) -> "Kind":
-        """The kind for any law of which named numbers vary, such as ``elastic_rate``."""
+        """Return the kind for any law of which named numbers vary, such as ``elastic_rate``."""
         numbers = {
             name: Parameter(f"law.{name.replace('_', '.', 1)}", -math.inf) for name in varied
         }

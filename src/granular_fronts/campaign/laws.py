@@ -23,7 +23,7 @@ def varied_numbers(names) -> list[str]:
 
 
 def law_at(law: Mapping, point: Mapping) -> dict:
-    """The law of a campaign at one of its points, as a scene would give it."""
+    """Return the law of a campaign at one of its points, as a scene would give it."""
     parts = {part: dict(potential) for part, potential in law.items()}
     for name in varied_numbers(point):
         part, _, number = name.partition("_")

@@ -36,7 +36,7 @@ def selected(dataset, error, *, slow_time=1.0, **place):
 
 
 def fitted_order(dataset, error, **place):
-    """Order in ε of an error."""
+    """Return the order in ε of an error."""
     epsilon, found, alpha = selected(dataset, error, **place)
     near = alpha <= LARGEST_EXPONENT
     line = linregress(np.log(epsilon[near]), np.log(found[near]))
@@ -44,7 +44,7 @@ def fitted_order(dataset, error, **place):
 
 
 def error_of_ring(dataset, error, *, slow_time=1.0, **place):
-    """An error of one ring, with what the solvers add to it."""
+    """Return an error of one ring, with what the solvers add to it."""
     value = dataset[error].sel(slow_time=slow_time, **place)
     return Estimate(abs(float(value)), float(dataset[error].attrs["error_estimate"]))
 
@@ -60,23 +60,23 @@ def smallest_ratio(dataset, error, other, *, slow_time=1.0, **place):
 
 
 def start_over_model(slow, leading, error, **place):
-    """An error after the start (51) over the same after a start on the slow manifold."""
+    """Return an error after the start (51) over the same after a start on the slow manifold."""
     return error_of_ring(leading, error, **place) / error_of_ring(slow, error, **place)
 
 
 def error_ratio(dataset, error, other, **place):
-    """An error of one ring over another."""
+    """Return an error of one ring over another."""
     return error_of_ring(dataset, error, **place) / error_of_ring(dataset, other, **place)
 
 
 def growth(dataset, error, *, first, last, **place):
-    """An error of one ring at the slow time `last` over that at `first`."""
+    """Return an error of one ring at the slow time `last` over that at `first`."""
     late, early = (error_of_ring(dataset, error, slow_time=time, **place) for time in (last, first))
     return late / early
 
 
 def error_over_ratio(dataset, error, **place):
-    """An error of one ring over its ε/γc."""
+    """Return an error of one ring over its ε/γc."""
     return error_ratio(dataset, error, "ratio_of_ring", **place)
 
 
@@ -91,12 +91,12 @@ def largest_over_exponent(dataset, error, *, slow_time=1.0, least_mu=0.0, most_m
 
 
 def smallest_order(damping, gamma):
-    """Smallest order of the three equations, over rings at fixed γc and at fixed γ."""
+    """Return the smallest order of the three equations, over rings at fixed γc and at fixed γ."""
     return min(_orders(damping, gamma))
 
 
 def largest_order(damping, gamma):
-    """The largest of these."""
+    """Return the largest of these."""
     return max(_orders(damping, gamma))
 
 
@@ -108,19 +108,19 @@ def _orders(damping, gamma):
 
 
 def best_up_to(dataset, error):
-    """Largest γ up to which an equation has the smallest error for every α up to `NEAR`."""
+    """Return the γ up to which an equation has the smallest error, for every α up to `NEAR`."""
     gamma, best = _best(dataset, error)
     return Estimate(float(gamma[np.logical_and.accumulate(best)].max()), ROUNDING)
 
 
 def best_from(dataset, error):
-    """Smallest γ from which on it has."""
+    """Return the smallest γ from which on it has."""
     gamma, best = _best(dataset, error)
     return Estimate(float(gamma[::-1][np.logical_and.accumulate(best[::-1])].min()), ROUNDING)
 
 
 def _best(dataset, error):
-    """γ of a map, and whether an equation is best there for every α, at τ = 1."""
+    """Return γ of a map, and whether an equation is best there for every α, at τ = 1."""
     rings = dataset.sel(slow_time=1.0)
     rings = rings.where(rings["alpha"] <= NEAR, drop=True)
     least = np.min([np.abs(rings[one]) for one in EQUATION_ERRORS], axis=0)

@@ -49,7 +49,7 @@ def solve_chunk(points, settings, activity):
 
 
 def _measure(ring, slow_times, settings, xi):
-    """Values and errors of one ring at its slow times."""
+    """Return the values and errors of one ring at its slow times."""
     times, place = np.unique(slow_times, return_inverse=True)
     made = make_ring(ring, settings["start"])
     measured = compare(made, times, settings["tolerance"], xi)
@@ -57,7 +57,7 @@ def _measure(ring, slow_times, settings, xi):
 
 
 def make_ring(point, start):
-    """The `Ring` of a point and a campaign's start, in units of δ and 1/c.
+    """Return the `Ring` of a point and a campaign's start, in units of δ and 1/c.
 
     An InputError says that the wave does not fit into the ring, or is none.
     """
@@ -85,7 +85,7 @@ def make_ring(point, start):
 
 
 def _half_beads(point, scaling):
-    """The given p, or that of the ring whose length is nearest to the one asked for."""
+    """Return the given p, or that of the ring whose length is nearest to the one asked for."""
     if "half_beads" in point:
         return int(point["half_beads"])
     wanted = point["half_length"]
