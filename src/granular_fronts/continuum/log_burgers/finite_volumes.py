@@ -70,12 +70,12 @@ class Work(NamedTuple):
 
 
 def make_work(cells):
-    """Work space for a number of cells."""
+    """Return the work space for a number of cells."""
     return Work(np.zeros(cells + 2 * GHOSTS), np.zeros(cells + 1), np.zeros(cells + 1))
 
 
 def symbols(angle):
-    """What the differences of this scheme make of a wave of a given angle per cell.
+    """Return what the differences of this scheme make of a wave of a given angle per cell.
 
     −Δ² times the discrete second derivative, and Δ/i times the first, each of the shape of
     `angle`.
@@ -128,7 +128,7 @@ def evaluate_rates(equation, averages, work, rates):
 
 @subroutine
 def advection_and_diffusion(equation, smallest, largest):
-    """Largest c²/D and largest D over values between two extremes.
+    """Return the largest c²/D and largest D over values between two extremes.
 
     Both c = dF/dv and D = α v^(α−1) grow with v, and c²/D is largest at one of the ends.
     """
@@ -176,7 +176,7 @@ def _polynomial_weights():
 
 
 def point_values(averages, half_length, xi, floor):
-    """Values of v at any points, taken modulo 2ℓ, of seventh order in the cell width.
+    """Return the values of v at any points, taken modulo 2ℓ, of seventh order in the cell width.
 
     The polynomial of degree 6 has the averages of the nearest seven cells, and is raised to the
     floor where it is below.

@@ -56,7 +56,7 @@ class Evolution(NamedTuple):
     largest_shortfall: float
 
     def rescaled_force(self, row, xi):
-        """Rescaled force at the points ξ̃ (any shape, taken modulo 2ℓ) at the time of a row.
+        """Return the rescaled force at the points ξ̃ (any shape, modulo 2ℓ) at the time of a row.
 
         The start itself is not reconstructed from its averages, since it has kinks.
         """
@@ -70,7 +70,7 @@ class Evolution(NamedTuple):
         return values.reshape(points.shape) ** self.alpha
 
     def facts(self):
-        """Attributes that say how the equation was solved."""
+        """Return the attributes that say how the equation was solved."""
         return {
             "solver": f"{SOLVER}, {2 ** start_levels(self.alpha)} times finer cells at the start",
             **self.counts,
@@ -132,7 +132,7 @@ def solve(scene, alpha, times, cells, tolerance, levels=None, smooth_cells=SMOOT
 
 
 def start_levels(alpha):
-    """L that the exponent of an equation needs; only (40), α above 1, has a foot."""
+    """Return L that the exponent of an equation needs; only (40), α above 1, has a foot."""
     return START_LEVELS if alpha == 1.0 else LEVELS_WITH_FOOT
 
 

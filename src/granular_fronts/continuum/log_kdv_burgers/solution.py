@@ -100,7 +100,7 @@ class Evolution(NamedTuple):
         return values.reshape(points.shape)
 
     def facts(self):
-        """Attributes that say how the equation was solved."""
+        """Return the attributes that say how the equation was solved."""
         return {
             "solver": SOLVER,
             **self.counts,

@@ -61,7 +61,7 @@ def survey_heteroclinic(scene, name="given"):
 
 
 def survey_fronts(dampings, s):
-    """Fronts for a list of dampings, and how each approaches (1, 0)."""
+    """Return the fronts for a list of dampings, and how each approaches (1, 0)."""
     fronts = [heteroclinic(mu, s) for mu in dampings]
     mu = xr.DataArray(np.asarray(dampings, dtype=float), dims="mu", name="mu")
     survey = xr.concat(fronts, dim=mu, join="outer", combine_attrs="drop")
@@ -116,7 +116,7 @@ def measure_rates(mu):
 
 
 def _sample_potential(limit, step):
-    """W on −limit ≤ y ≤ limit."""
+    """Return W on −limit ≤ y ≤ limit."""
     y = regular_points(-limit, limit, step)
     values = potential(y)
     attributes = error_attributes(values, values, "one unit of the last digit")
@@ -124,7 +124,7 @@ def _sample_potential(limit, step):
 
 
 def _draw_portrait(mu, starts, span, step, limit):
-    """Trajectories of (57) through given points, forwards and backwards in s."""
+    """Return the trajectories of (57) through given points, forwards and backwards in s."""
     after = regular_points(0.0, span, step)
     s = np.concatenate([-after[:0:-1], after])
 
@@ -152,7 +152,7 @@ def _draw_portrait(mu, starts, span, step, limit):
 
 
 def _follow_trajectory(mu, start, s, limit, tolerance):
-    """One trajectory of (57) from s = 0 on, until it leaves the window."""
+    """Return one trajectory of (57) from s = 0 on, until it leaves the window."""
 
     def leaves(_s, state, _mu):
         return np.abs(state).max() - limit

@@ -59,7 +59,7 @@ POINT = record_type(*((name, float) for name in "svep"))
 
 
 def make_point(s, v, e, p):
-    """A point from four numbers."""
+    """Return a point from four numbers."""
     return np.array((s, v, e, p), POINT)[()]
 
 
@@ -94,7 +94,7 @@ def _position_series(mu, v, p):
 
 @kernel
 def series_slope(series, x):
-    """Derivative of a polynomial, constant coefficient first."""
+    """Return the derivative of a polynomial, constant coefficient first."""
     value = 0.0
     for k in range(series.size - 1, 0, -1):
         value = value * x + k * series[k]
@@ -103,7 +103,7 @@ def series_slope(series, x):
 
 @subroutine
 def _step_of_series(series, scale, tolerance):
-    """Length at which each of the last two terms is at most tolerance × scale."""
+    """Return the length at which each of the last two terms is at most tolerance × scale."""
     length = LONGEST_STEP
     for k in range(series.size - 2, series.size):
         if series[k] != 0.0:
@@ -175,7 +175,7 @@ def evaluate_steps(starts, jets, end, s, p, v):
 
 @kernel
 def locate(series, level, end):
-    """The x in [end, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
+    """Return x in [end, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
     left, right = end, 0.0
     x = 0.5 * end
     for _ in range(200):
