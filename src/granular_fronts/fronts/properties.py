@@ -39,7 +39,7 @@ from granular_fronts.numerics.quadrature import kernel_weights
 
 
 def velocity(profile, order):
-    """Velocity ẋ at the points of a profile, shape (points,)."""
+    """Return the velocity ẋ at the points of a profile, shape (points,)."""
     problem, site = profile.problem, kernel_weights(profile.spacing, order).site
     width = site.size // 2
     forces = make_forces(profile.s.size, width)
@@ -57,7 +57,7 @@ def measure(profile):
 
 
 def errors_of_measures(values, others, sensitivities, error):
-    """Errors of measures, of which a refined front has others, from the error of s."""
+    """Return the errors of measures, of which a refined front has others, from the error of s."""
     return np.max(
         [np.abs(values - others), sensitivities * error, EPSILON * np.abs(values)], axis=0
     )
@@ -72,7 +72,7 @@ way from behind; and the dissipated power.
 
 @kernel
 def measures(problem, spacing, s):
-    """The numbers named in `MEASURES`, and after them their sensitivities."""
+    """Return the numbers named in `MEASURES`, and after them their sensitivities."""
     jump = abs(problem.jump)
     (rise, before), (fall, after) = find_level(s, 0.9, 1.0, 0.0), find_level(s, 0.1, 1.0, 0.0)
     slopes = derivative(s, 1.0, 0.0) / spacing

@@ -34,7 +34,7 @@ class SolitaryWave(NamedTuple):
 
 
 def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
-    """The solitary wave of speed 1; a refined grid checks it."""
+    """Return the solitary wave of speed 1; a refined grid checks it."""
     rate = 2.0 * np.sqrt(3.0 * (1.0 - 1.0 / alpha))
     half = np.ceil(max(HALF_PERIOD / rate, 4.0))
     points = int(2 * half * points_per_bead)

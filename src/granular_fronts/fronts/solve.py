@@ -80,7 +80,7 @@ def solve_front(
     law: Law | Mapping[str, Any] | None = None,
     states: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """A travelling front: of two powers, or of any law between two states.
+    """Return a travelling front: of two powers, or of any law between two states.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def solve_front(
 def evaluate_front(
     front: xr.Dataset, xi: npt.ArrayLike, name: str = "relative_displacement"
 ) -> np.ndarray:
-    """The relative displacement, the velocity or the strain of a front anywhere.
+    """Return the relative displacement, the velocity or the strain of a front anywhere.
 
     Parameters
     ----------
@@ -248,7 +248,7 @@ METHODS = {"profile": _by_profile, "shooting": _by_shooting}
 
 
 def _describe(method, sought, solution, refined):
-    """The dataset of a front, its errors the differences to the refined one."""
+    """Return the dataset of a front, its errors the differences to the refined one."""
     problem = sought.problem
     size = problem.size
     positions, middle = _positions(solution.xi, refined.xi)
@@ -287,7 +287,7 @@ def _describe(method, sought, solution, refined):
 
 
 def _describe_failure(method, sought, reason):
-    """The dataset of a front that was not found: NaN at ξ = 0."""
+    """Return the dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
     unknown = ("residual", "speed_defect", "error_estimate", "spacing", *MEASURES)
     unknown += tuple(f"{name}_error" for name in ("speed_defect", *MEASURES))
@@ -316,7 +316,7 @@ def _dataset(method, sought, xi, fields, residuals, **attributes):
 
 
 def describe_front(law, behind, ahead):
-    """Law and states as attributes of a dataset."""
+    """Return the law and states as attributes of a dataset."""
     described = {
         "law": json.dumps(law.describe(), default=str),
         "state_behind": behind,

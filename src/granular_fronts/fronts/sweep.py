@@ -83,7 +83,7 @@ def sweep_fronts(
     states: Sequence[float] | None = None,
     factors: npt.ArrayLike | None = None,
 ) -> xr.Dataset:
-    """Measures of the exact fronts for many dampings.
+    """Measure the exact fronts of many dampings.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ def _describe(problem, name, places, values, others, estimate, reasons):
 
 
 def _split(values):
-    """Measures and their sensitivities, each of shape (4, fronts)."""
+    """Return the measures and their sensitivities, each of shape (4, fronts)."""
     return values.T[:4], values.T[4:8]
 
 
@@ -230,7 +230,7 @@ def _estimates(problem, values, others):
 
 
 def follow(start, dampings, order):
-    """Values of the fronts that follow from a first one, on its grid, by decreasing damping.
+    """Return values of the fronts that follow from a first one, on its grid, by decreasing damping.
 
     The shape is (fronts, columns), up to the first front that fails a check.
     """
@@ -293,7 +293,7 @@ def _follow_on_grid(first_problem, dampings, grid, differences, decay, start, va
 
 @subroutine
 def _slowest_tail(problem, damping):
-    """Real and imaginary part of the exponent of the tail behind that decays most slowly."""
+    """Return real and imaginary part of the exponent of the slowest tail behind."""
     end = problem.behind
     tail_damping = damping * end.q_slope / end.p_slope
     root = lowest_roots_of_all(end.p_slope, tail_damping, int64(1))[0]
@@ -302,7 +302,7 @@ def _slowest_tail(problem, damping):
 
 @subroutine
 def _is_front(problem, grid, unknowns, residual):
-    """Whether a solution passes the checks of `profile.solve`."""
+    """Return whether a solution passes the checks of `profile.solve`."""
     s, rounding = unknowns.s, problem.magnification
     at_rest = max(abs(s[0] - 1.0), abs(s[-1])) <= AT_REST * rounding
     damping_number = problem.damping * problem.behind.q

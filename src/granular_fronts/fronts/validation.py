@@ -16,7 +16,7 @@ SAME = 1e-9  # by how much an untouched front may be off, over its spacing or it
 
 
 def check_law(alpha, gamma, beta=None):
-    """The law of a front as three floats, beta = alpha by default."""
+    """Return the law of a front as three floats, beta = alpha by default."""
     alpha = check_alpha(alpha)
     gamma = scalar(
         "gamma",
@@ -28,7 +28,7 @@ def check_law(alpha, gamma, beta=None):
 
 
 def check_alpha(alpha):
-    """The exponent alpha as a float above 1."""
+    """Return the exponent alpha as a float above 1."""
     return scalar(
         "alpha",
         alpha,
@@ -39,7 +39,7 @@ def check_alpha(alpha):
 
 
 def check_beta(alpha, beta=None):
-    """The exponent beta as a float of at least 1, alpha by default."""
+    """Return the exponent beta as a float of at least 1, alpha by default."""
     return scalar(
         "beta",
         alpha if beta is None else beta,
@@ -49,7 +49,7 @@ def check_beta(alpha, beta=None):
 
 
 def check_right_state(right_state):
-    """The relative displacement ahead, as a float in [0, 1)."""
+    """Return the relative displacement ahead, as a float in [0, 1)."""
     return scalar(
         "right_state",
         right_state,
@@ -74,7 +74,7 @@ def is_given_by_law(powers, parts):
 
 
 def check_given_law(law, states):
-    """A law, and the strains R_b and R_a that its front joins."""
+    """Return a law, and the strains R_b and R_a that its front joins."""
     for name, value in (("law", law), ("states", states)):
         if value is None:
             raise InputError(
@@ -91,7 +91,7 @@ def check_given_law(law, states):
 
 
 def check_front_of_powers(front):
-    """A front as data of two powers, from compression 1 into a chain at rest."""
+    """Return a front as data of two powers, from compression 1 into a chain at rest."""
     check_front(front)
     if not {"alpha", "beta", "gamma"} <= front.attrs.keys() or front.attrs.get("right_state"):
         raise InputError(
@@ -124,7 +124,7 @@ def check_grid(front):
 
 
 def check_front(front):
-    """A front as data, unless it says itself that it has not converged."""
+    """Return a front as data, unless it says itself that it has not converged."""
     instance("front", front, xr.Dataset, "take one from solve_front")
     needed = {"relative_displacement", "velocity", "xi"}
     if missing := sorted(needed - {*front.attrs, *front.variables}):

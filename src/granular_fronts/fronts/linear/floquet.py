@@ -150,7 +150,7 @@ def multipliers(u, d, alpha, gamma, beta):
 
 
 def monodromy_matrix(u, d, alpha, gamma, beta):
-    """Derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
+    """Return the derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
 
     It acts on (u_1, d_1, u_2, d_2, …) of consecutive beads.
     """
@@ -168,7 +168,7 @@ def monodromy_matrix(u, d, alpha, gamma, beta):
 
 
 def flow_residual(u, d, alpha, gamma, beta):
-    """Largest change of a state by flow-then-shift: how far it is from a front."""
+    """Return the largest change of a state by flow-then-shift: how far it is from a front."""
     change, _ = _flow(PowerLaw(alpha, beta, gamma), u, d)
     state = np.pad([u, d], [(0, 0), (0, 1)])
     return float(np.abs(np.diff(state, axis=1) + change[:, 2:-1]).max())
@@ -194,14 +194,14 @@ def compressed_chain_multipliers(alpha, gamma, beta, q):
 
 
 def reflection_radius(alpha, beads_behind):
-    """Largest multiplier beside that of translation, by the reflections of long waves."""
+    """Return largest multiplier beside that of translation, by the reflections of long waves."""
     speed = math.sqrt(alpha)
     rate = (alpha - 1.0) / speed * math.log((speed + 1.0) / (speed - 1.0))
     return math.exp(-rate / beads_behind)
 
 
 def _at_beads(front, beta, gamma):
-    """The front at integer ξ, as u and d."""
+    """Return the front at integer ξ, as u and d."""
     xi = front["xi"].values
     bead = np.round(xi).astype(int)
     whole = np.abs(xi - bead) < INTEGER_XI

@@ -42,17 +42,17 @@ class LongWaveFront(NamedTuple):
     x: np.ndarray
 
     def evaluate(self, xi):
-        """Values of s at any ξ, 1-D."""
+        """Return the values of s at any ξ, 1-D."""
         return 1.0 / (1.0 + np.exp(np.interp(xi, self.xi, self.x)))
 
 
 def long_wave_front(problem):
-    """The front of long waves; none, with ξ infinite or falling, where p crosses its chord."""
+    """Return front of long waves; none, with ξ infinite or falling, where p crosses its chord."""
     return LongWaveFront(integrate(problem, X), X)
 
 
 def at_least_critically_damped(problem):
-    """The problem, or where its damping is weak the same with about critical damping."""
+    """Return the problem, or where its damping is weak the same with about critical damping."""
     stiffness, viscosity = problem.behind.p_slope, problem.behind.q_slope
     critical = math.sqrt(stiffness * (stiffness - 1.0) / 3.0) / viscosity
     return problem._replace(damping=max(problem.damping, critical))
@@ -60,7 +60,7 @@ def at_least_critically_damped(problem):
 
 @kernel(error_model="numpy")
 def integrate(problem, x):
-    """ξ at the points x, by the trapezoidal rule; 0 in the middle."""
+    """Return ξ at the points x, by the trapezoidal rule; 0 in the middle."""
     s, rest = 1.0 / (1.0 + np.exp(x)), 1.0 / (1.0 + np.exp(-x))
     p, q, slope, q_slope, mean_slope = [np.empty(x.size) for _ in range(5)]
     evaluate(problem, s, p, q)

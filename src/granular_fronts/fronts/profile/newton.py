@@ -118,7 +118,7 @@ def iterate(problem, grid, tolerance, unknowns, history):
 
 @kernel
 def make_forces(points, width):
-    """Room for p and q."""
+    """Return the room for p and q."""
     return Forces(np.zeros(points + 2 * width), np.zeros(points + 2 * width))
 
 
@@ -161,7 +161,7 @@ def residuals(problem, grid, unknowns, forces, residual):
 
 @kernel
 def largest_convolution(problem, grid, s):
-    """Largest value of hat * p + jump * q for any weights."""
+    """Return the largest value of hat * p + jump * q for any weights."""
     forces = make_forces(s.size, grid.hat.size // 2)
     fill_forces(problem, s, forces)
     nothing = Unknowns(np.zeros(s.size), np.ones(1))
@@ -202,14 +202,14 @@ def _assemble(problem, grid, unknowns, forces, prefix, band, border, column):
 
 @subroutine(fastmath=True)
 def _speed_slope(grid, unknowns, forces, equation):
-    """Derivative of one equation with respect to σ."""
+    """Return the derivative of one equation with respect to σ."""
     viscous = product(grid.jump, forces.q[equation:])
     return 2.0 * unknowns.speed[0] * unknowns.s[equation] - viscous
 
 
 @subroutine
 def _steady_points(s, middle, tolerance):
-    """How many points at the left end have s = 1 within a tolerance."""
+    """Return how many points at the left end have s = 1 within a tolerance."""
     for k in range(middle):
         if abs(s[k] - 1.0) > tolerance:
             return k

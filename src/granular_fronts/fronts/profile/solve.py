@@ -87,7 +87,7 @@ class Window(NamedTuple):
         return self.behind + self.ahead
 
     def longer(self, behind=1.0, ahead=1.0):
-        """The window stretched by two factors."""
+        """Return the window stretched by two factors."""
         return Window(self.behind * behind, self.ahead * ahead)
 
 
@@ -108,12 +108,12 @@ class Profile(NamedTuple):
         return float(self.spacing) * np.arange(-self.middle, self.s.size - self.middle)
 
     def evaluate(self, xi):
-        """Values of s at any positions, 1-D."""
+        """Return the values of s at any positions, 1-D."""
         return interpolate_all(self.s, xi / float(self.spacing), 1.0, 0.0, self.middle)
 
 
 def solve_profile(problem):
-    """The front of a problem from nothing; with a `reason` if it is not the front."""
+    """Return the front of a problem from nothing; with a `reason` if it is not the front."""
     with np.errstate(all="ignore"):
         # A problem beyond double precision has no length.
         window = choose_window(problem)
@@ -152,12 +152,12 @@ def solve_profile(problem):
 
 
 def _no_profile(problem, reason):
-    """A record without a front, which was not looked for."""
+    """Return a record without a front, which was not looked for."""
     return Profile(problem, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
 
 
 def refine(profile):
-    """The same front on a finer grid, by another order, on a longer window."""
+    """Return the same front on a finer grid, by another order, on a longer window."""
     spacing = float(profile.spacing)
     window = Window(spacing * profile.middle, spacing * (profile.s.size - profile.middle))
     return solve_on_grid(
@@ -170,7 +170,7 @@ def refine(profile):
 
 
 def solve_coarse(problem, window):
-    """The front on the coarse grid, from the long-wave front or else from stronger damping."""
+    """Return front on the coarse grid, from the long-wave front or else from stronger damping."""
     direct = _from_long_wave(problem, window)
     if not direct.reason:
         return direct
@@ -210,7 +210,7 @@ def _solve_coarse_from(start, problem, window):
 
 
 def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
-    """The front on one grid, from values of s that `start` gives for any ξ.
+    """Return the front on one grid, from values of s that `start` gives for any ξ.
 
     The iteration ends at changes of the strain below the tolerance, relative to the larger state.
     """
@@ -265,7 +265,7 @@ def _reason_against(profile):
 
 
 def _needed_stretch(profile):
-    """Factors by which the window is too short behind and ahead, 1.0 where it is not."""
+    """Return the factors by which the window is too short behind and ahead, 1.0 where it is not."""
     at_rest = AT_REST * profile.problem.magnification
     behind = np.abs(profile.s[: 4 + profile.s.size // 200] - 1.0).max()
     ahead = np.abs(profile.s[-4:]).max()
@@ -273,33 +273,33 @@ def _needed_stretch(profile):
 
 
 def quadrature_defect(profile):
-    """Largest difference of the right-hand sides by rules of orders 20 and 16."""
+    """Return the largest difference of the right-hand sides by rules of orders 20 and 16."""
     grid = make_grid(profile.spacing, profile.middle, differences_of_rules(profile.spacing, ORDER))
     return newton.largest_convolution(profile.problem, grid, profile.s)
 
 
 @functools.cache
 def differences_of_rules(spacing, order):
-    """Weights of an order less those of order 16."""
+    """Return the weights of an order less those of order 16."""
     rule, other = (kernel_weights(spacing, of) for of in (order, OTHER_ORDER))
     more = (rule.hat.size - other.hat.size) // 2
     return Weights(*(a - np.pad(b, more) for a, b in zip(rule, other, strict=True)))
 
 
 def make_grid(spacing, middle, weights):
-    """The grid as compiled code takes it."""
+    """Return the grid as compiled code takes it."""
     return Grid(float(spacing), middle, weights.hat, weights.jump)
 
 
 def _expected_spacing(coarse):
-    """Spacing at which the defect is expected to be at round-off."""
+    """Return the spacing at which the defect is expected to be at round-off."""
     allowed = DEFECT * coarse.problem.magnification
     ratio = allowed / max(quadrature_defect(coarse), 1e-30)
     return rational(float(coarse.spacing) * min(max(ratio ** (1.0 / ASSUMED_POWER), 0.2), 2.0))
 
 
 def choose_window(problem):
-    """Window of a problem, from the tails of its front."""
+    """Return the window of a problem, from the tails of its front."""
     root = lowest_roots_of_all(problem.behind.p_slope, problem.tail_damping, 1)[0]
     return Window(DECAY / root.real, _length_ahead(problem))
 
@@ -311,7 +311,7 @@ def _length_ahead(problem):
 
 
 def rate_ahead(problem):
-    """κ of the tail ahead, s ~ e^(−κξ); infinite where s falls faster, p'(0) = q'(0) = 0."""
+    """Return κ of the tail ahead, s ~ e^(−κξ); infinite where s falls faster, p'(0) = q'(0) = 0."""
     stiffness, viscosity = problem.ahead.p_slope, problem.damping * problem.ahead.q_slope
     if stiffness == viscosity == 0.0:
         return math.inf
@@ -325,7 +325,7 @@ def _coarse_spacing(problem, window):
 
 
 def rational(spacing):
-    """The spacing at or below this one that is a whole number of sites or divides a site."""
+    """Return the spacing at or below this one that is a whole number of sites or divides a site."""
     if spacing >= 1.0:
         return Fraction(math.floor(spacing))
     return Fraction(1, math.ceil(1.0 / spacing))

@@ -91,14 +91,14 @@ class Stages(NamedTuple):
 
 @subroutine
 def _make_stages(law, columns):
-    """Slopes and forces of nothing, for M + 2 columns."""
+    """Return the slopes and forces of nothing, for M + 2 columns."""
     k = np.zeros((rk.STAGES, columns))
     g = np.zeros((rk.STAGES, columns)) if law.alpha != law.beta else k
     return Stages(k, g, np.zeros(columns), np.zeros(columns))
 
 
 def make_weights(law, h):
-    """Weights of a step h for a law."""
+    """Return the weights of a step h for a law."""
     rows = slice(0, rk.STAGES + 1)
     a, a_squared = rk.A[rows, : rk.STAGES], rk.A_SQUARED[rows, : rk.STAGES]
     on_k, on_g = h * h * a_squared, h * law.gamma * a
@@ -108,12 +108,12 @@ def make_weights(law, h):
 
 
 def stage_times(duration, steps):
-    """Times of all stages, shape (steps, 12)."""
+    """Return the times of all stages, shape (steps, 12)."""
     return (np.arange(steps)[:, np.newaxis] + rk.C[: rk.STAGES]) * (duration / steps)
 
 
 def make_stiffness(law, steps, columns):
-    """Room for the stiffnesses of a flow; one array serves both where β = α."""
+    """Return the room for the stiffnesses of a flow; one array serves both where β = α."""
     elastic = np.zeros((steps, rk.STAGES, columns))
     return Stiffness(elastic, elastic.copy() if law.alpha != law.beta else elastic)
 
@@ -178,7 +178,7 @@ def _forces(exponent, u, force, stiffness):
 
 @kernel(fastmath=_CONTRACT)
 def flow(law, weights, driver, u, d, stiffness):
-    """Changes of u and d of a window in the time of all steps, shape (2, M + 2).
+    """Return the changes of u and d of a window in the time of all steps, shape (2, M + 2).
 
     The driver holds u_0 at the times of all stages, shape (steps, 12); the stiffnesses are written.
     The change is summed apart from the state, so that it is not rounded to the last digit of 1 in
@@ -229,7 +229,7 @@ def _push(law, weights, driver, stiffness, u, d, stages):
 
 @kernel
 def derivative(law, weights, stiffness, spread):
-    """Derivative of the flow by its start, as a band of shape (M + 2, 2 spread + 1, 2, 2).
+    """Return derivative of the flow by its start, as a band of shape (M + 2, 2 spread + 1, 2, 2).
 
     Entry [n, o, i, j] is that of (u, d)[i] of contact n by (u, d)[j] of contact n + o − spread.
     """
@@ -253,7 +253,7 @@ def derivative(law, weights, stiffness, spread):
 
 @kernel
 def derivative_by_driver(law, weights, driver, stiffness):
-    """Derivative of (u, d) by changes of the driver, shape (changes, 2, M + 2)."""
+    """Return the derivative of (u, d) by changes of the driver, shape (changes, 2, M + 2)."""
     columns = stiffness.elastic.shape[2]
     stages, moved = _make_stages(law, columns), np.zeros((driver.shape[0], 2, columns))
     for i in range(driver.shape[0]):
@@ -262,7 +262,7 @@ def derivative_by_driver(law, weights, driver, stiffness):
 
 
 def spread_of(law, steps, compression):
-    """How many contacts a perturbation crosses in a bead-time of a chain compressed by u.
+    """Return how many contacts a perturbation crosses in a bead-time of a chain compressed by u.
 
     Contacts further away receive less than `FORGOTTEN` of it; u is at least the largest of the
     window.

@@ -39,12 +39,12 @@ SMALL_TAIL, LARGEST_TAIL = 1.0e-8, 1.0e-2  # u − 1 at the first bead that more
 
 
 def tail_length(roots):
-    """Distance behind the front from which the squares of the modes are lost in rounding."""
+    """Return distance behind the front from which the squares of the modes are lost in rounding."""
     return -0.5 * math.log(NEGLIGIBLE_SQUARE) / roots[0].real
 
 
 def slow_roots(alpha, gamma, beta):
-    """The roots that matter where a window ends, one of each conjugate pair."""
+    """Return the roots that matter where a window ends, one of each conjugate pair."""
     number = 4
     roots = tail_roots(alpha, gamma, beta, number)
     while roots[-1].real <= FASTER * roots[0].real:
@@ -68,7 +68,7 @@ def _separate(roots):
 
 
 def modes(law, roots, xi):
-    """Relative displacement u − 1 and strain rate d of each real mode, 1 in size at ξ = 0.
+    """Return relative displacement u − 1 and strain rate d of each real mode, 1 in size at ξ = 0.
 
     The shape is (modes, 2) + that of xi, which counts from the driven contact; a complex root has
     two modes.
@@ -85,7 +85,7 @@ def modes(law, roots, xi):
 
 
 def choose_beads(law, roots):
-    """Beads behind and ahead of the centre that the tails need, at most `MOST_BEADS`."""
+    """Return the beads behind and ahead of the centre that the tails need, at most `MOST_BEADS`."""
     with np.errstate(all="ignore"):
         # A law beyond double precision has no length.
         length = tail_length(roots) + _length_ahead(law)
@@ -125,7 +125,7 @@ def _beads_behind(roots):
 
 
 def _length_ahead(law):
-    """Distance from u = 1/2 to where u is lost in rounding, from above."""
+    """Return the distance from u = 1/2 to where u is lost in rounding, from above."""
     if law.beta == 1.0:
         return UNTOUCHED_P / rate_of_tail_ahead(0.0, law.gamma, 1.0)
     growth = math.log(min(law.alpha, law.beta))
