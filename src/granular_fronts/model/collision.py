@@ -91,7 +91,7 @@ SAMPLES = 64  # Compressions at which a law is checked to repel.
 
 
 def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> float:
-    """Coefficient of restitution e of two equal beads, to an error below 1e-12.
+    """Return the coefficient of restitution e of two equal beads, to an error below 1e-12.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> 
 
 
 def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = None) -> float:
-    """γ for which two equal beads part with the coefficient of restitution e, 0 < e ≤ 1.
+    """Return γ for which two equal beads part with the coefficient of restitution e, 0 < e ≤ 1.
 
     It belongs to v₀ = relative velocity of the impact, and has a relative error of about 1e-12. An
     InputError says that e or an exponent is impossible.
@@ -147,13 +147,13 @@ def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = N
 
 
 def weak_damping_slope(alpha=1.5, beta=None):
-    """Limit of γ/(1 − e) as e → 1; 0.4380245 for α = β = 3/2."""
+    """Return the limit of γ/(1 − e) as e → 1; 0.4380245 for α = β = 3/2."""
     nu = _reduced_exponent(alpha, beta)
     return 2.0 / (_strength(1.0, alpha, nu) * float(euler_beta(nu + 1.0, 0.5)))
 
 
 def _reduced_exponent(alpha, beta=None):
-    """ν = β/(α + 1), β = α by default."""
+    """Return ν = β/(α + 1), β = α by default."""
     alpha = scalar("alpha", alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", alpha if beta is None else beta, least=1.0, advice="give an exponent")
     return beta / (alpha + 1.0)
@@ -181,7 +181,7 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
 # Remembers the one integration that all strong dampings lead to.
 @functools.lru_cache(maxsize=32)
 def _integrated(nu, strength, largest_step):
-    """Logarithm of e of the reduced collision by integration from its start."""
+    """Return the logarithm of e of the reduced collision by integration from its start."""
 
     def damping(log_radius, sine):
         return strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)
@@ -193,7 +193,7 @@ def _integrated(nu, strength, largest_step):
 
 
 def _log_restitution_by(damping, method, least, creeps=False):
-    """Logarithm of e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances.
+    """Return logarithm of e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances.
 
     Below `least` ln ρ counts as −∞; where a motion `creeps` the beads never part once θ' ≤ 0.
     """
@@ -207,7 +207,7 @@ def _steepest(nu):
 
 
 def _slow_strength(nu):
-    """G above which the start is forgotten on the slow curve, for ν above 1/2.
+    """Return G above which the start is forgotten on the slow curve, for ν above 1/2.
 
     The neighbours of the curve approach it by exp(−Λ), Λ ≈ (ν 2^(1 − 1/ν) G^(1/ν) − 1)/(2 − 1/ν).
     """
@@ -217,7 +217,7 @@ def _slow_strength(nu):
 
 
 def _approach(damping, method, least, creeps):
-    """θ and ln ρ just past θ = π/2, or where they stay for ever."""
+    """Return θ and ln ρ just past θ = π/2, or where they stay for ever."""
 
     def slopes(_, state):
         theta, log_radius = state
@@ -249,7 +249,7 @@ def _part(damping, theta, log_radius, method):
 
 
 def _strength(gamma, alpha, nu):
-    """G of the reduced collision."""
+    """Return G of the reduced collision."""
     return 4.0 * gamma * ((alpha + 1.0) / 4.0) ** nu
 
 
@@ -272,7 +272,7 @@ class Collision(NamedTuple):
 
 
 def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
-    """Collision of two equal beads of mass 1 by any law that repels in compression.
+    """Collide two equal beads of mass 1 by any law that repels in compression.
 
     Parameters
     ----------
@@ -314,7 +314,7 @@ def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
 
 
 def _collide_powers(law, velocity):
-    """The collision by the exponents, in units in which velocity and stiffness are 1."""
+    """Return the collision by the exponents, in units in which velocity and stiffness are 1."""
     (alpha,), stiffness = law.elastic.parameters, law.elastic.factor
     if law.viscous.factor == 0.0:
         return Collision(1.0, 0.0)
@@ -325,7 +325,7 @@ def _collide_powers(law, velocity):
 
 
 def _largest_compression(law, velocity):
-    """The compression u with 4V(−u) = v₀², which is not exceeded."""
+    """Return the compression u with 4V(−u) = v₀², which is not exceeded."""
     energy, low = 0.25 * velocity**2, law.domain[0]
     rest = float(law.elastic.value(0.0))
 
@@ -353,7 +353,7 @@ def _largest_compression(law, velocity):
 
 
 def _damping_of(law, velocity, largest):
-    """The function g(ln(ρ/v₀), sin θ) of a law."""
+    """Return the function g(ln(ρ/v₀), sin θ) of a law."""
     rest, no_slope = float(law.elastic.value(0.0)), float(law.viscous.first(0.0))
     # From exp(−50) of the largest compression, where nothing is felt, to a rounding beyond it.
     limits = math.log(largest) - 50.0, math.log(1.01 * largest)

@@ -117,7 +117,7 @@ def jump_conditions(
     mass: float = 1.0,
     dissipation: Potential | None = None,
 ) -> JumpConditions:
-    """Speed, direction, velocities and losses of a front between two states.
+    """Return the speed, direction, velocities and losses of a front between two states.
 
     The conditions are necessary; they do not say that a front exists.
 
@@ -183,7 +183,7 @@ def _conditions(potential, R_minus, R_plus, mass, dissipation):
 
 
 def signed_area(potential, R_minus, R_plus):
-    """S of eq. (17), the signed area (19) between the force and its chord, an `Estimate`."""
+    """Return S of eq. (17), the signed area (19) between the force and its chord, an `Estimate`."""
     jump = R_plus - R_minus
 
     def from_third_derivative():
@@ -213,7 +213,7 @@ def _mean_stiffness(potential, R_minus, R_plus):
 
 
 def _squared_speed(potential, R_minus, R_plus):
-    """[[V']]/[[R]] of eq. (13)."""
+    """Return [[V']]/[[R]] of eq. (13)."""
     jump = R_plus - R_minus
     return _first_good(
         [
@@ -229,7 +229,7 @@ def _difference(function, R_minus, R_plus):
 
 
 def _mean(function):
-    """∫ of a function from 0 to 1 by Gauss quadrature, its error from a cut in two."""
+    """Return ∫ of a function from 0 to 1 by Gauss quadrature, its error from a cut in two."""
     whole, _ = _quadrature(function, 0.0, 1.0)
     (left, size_left), (right, size_right) = (
         _quadrature(function, *panel) for panel in ((0.0, SPLIT), (SPLIT, 1.0))
@@ -239,14 +239,14 @@ def _mean(function):
 
 
 def _quadrature(function, start, stop):
-    """Integral from start to stop, and the integral of the absolute values."""
+    """Return the integral from start to stop, and the integral of the absolute values."""
     half = 0.5 * (stop - start)
     terms = half * WEIGHTS * function(start + half * (1.0 + NODES))
     return float(terms.sum()), float(np.abs(terms).sum())
 
 
 def _first_good(ways):
-    """The first way that is good enough, in an order of trust, or else the best of all."""
+    """Return the first way that is good enough, in an order of trust, or else the best of all."""
     estimates = []
     for way in ways:
         estimate = way()
@@ -293,7 +293,7 @@ def _sound_speed(potential, R, mass):
 
 
 def _potentials(law, dissipation):
-    """V and W (None if W is not given) of a law or of a potential."""
+    """Return V and W (None if W is not given) of a law or of a potential."""
     if dissipation is not None:
         instance("dissipation", dissipation, Potential, "make one with granular_fronts.Potential")
     if isinstance(law, Potential):
@@ -308,7 +308,7 @@ def _potentials(law, dissipation):
 
 
 def _check_states(*potentials, **states):
-    """Two different states inside the domains of the potentials, as floats."""
+    """Return two different states inside the domains of the potentials, as floats."""
     for potential in potentials:
         if potential is None:
             continue

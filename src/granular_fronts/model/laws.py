@@ -89,7 +89,7 @@ class Law:
         return max(low, viscous_low), min(high, viscous_high)
 
     def with_damping(self, factor: float) -> Law:
-        """The law with W multiplied by a number of 0 or more."""
+        """Return the law with W multiplied by a number of 0 or more."""
         return replace(self, viscous=self.viscous.scaled(factor))
 
     def describe(self) -> dict[str, Any]:
@@ -118,7 +118,7 @@ class Law:
 
 
 def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) -> Law:
-    """A law from the mapping of a configuration, or from the same as keywords.
+    """Return a law from the mapping of a configuration, or from the same as keywords.
 
     Parameters
     ----------

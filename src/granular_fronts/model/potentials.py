@@ -145,7 +145,7 @@ class Potential:
 
     @classmethod
     def _of(cls, **attributes):
-        """A potential with these attributes, unchecked."""
+        """Return a potential with these attributes, unchecked."""
         potential = object.__new__(cls)
         potential.__dict__.update(attributes)
         return potential
@@ -160,7 +160,7 @@ class Potential:
         kinks: Sequence[float] = (),
         name: str | None = None,
     ) -> Potential:
-        """A potential from a SymPy expression, which is differentiated for the user.
+        """Return a potential from a SymPy expression, which is differentiated for the user.
 
         Parameters
         ----------
@@ -236,15 +236,15 @@ class Potential:
         return None if self.kind == GIVEN else KINDS[self.kind].shape
 
     def value(self, r: npt.ArrayLike) -> np.ndarray:
-        """V(r), from an array of r to an array of the same shape."""
+        """Return V(r), from an array of r to an array of the same shape."""
         return self.derivative(r, 0)
 
     def first(self, r: npt.ArrayLike) -> np.ndarray:
-        """V'(r)."""
+        """Return V'(r)."""
         return self.derivative(r, 1)
 
     def second(self, r: npt.ArrayLike) -> np.ndarray:
-        """V''(r)."""
+        """Return V''(r)."""
         return self.derivative(r, 2)
 
     @property
@@ -254,7 +254,7 @@ class Potential:
         return functools.partial(self.derivative, order=3) if known else None
 
     def derivative(self, r: npt.ArrayLike, order: int) -> np.ndarray:
-        """The derivative of an order from 0 to 3; 3 only where `third` is known."""
+        """Return the derivative of an order from 0 to 3; 3 only where `third` is known."""
         r = np.asarray(r, dtype=float)
         with np.errstate(all="ignore"):
             if self.functions is not None:
@@ -262,11 +262,11 @@ class Potential:
             return self.factor * KINDS[self.kind].shape(r, order, self.parameters)
 
     def scaled(self, factor: float) -> Potential:
-        """The potential times a number of 0 or more."""
+        """Return the potential times a number of 0 or more."""
         return self.with_factor(self.factor * factor)
 
     def with_factor(self, factor: float) -> Potential:
-        """The same functions with another factor."""
+        """Return the same functions with another factor."""
         return self._of(**vars(self) | {"factor": factor})
 
     def ratio_to(self, other: Potential) -> float | None:
@@ -280,7 +280,7 @@ class Potential:
         return self.factor / other.factor if mine == others and other.factor > 0.0 else None
 
     def describe(self) -> dict[str, Any]:
-        """The mapping of which `make_potential` makes it; a note for a user's own functions."""
+        """Return mapping of which `make_potential` makes it; a note for a user's own functions."""
         if self.kind == GIVEN:
             return {
                 "kind": GIVEN,
@@ -320,7 +320,7 @@ def make_potential(kind: str, **parameters: float) -> Potential:
 
 
 def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
-    """The entry of a name, or a sentence that says what it is not, with the nearest name."""
+    """Return the entry of a name, or a sentence that says what it is not, with the nearest name."""
     if isinstance(name, str) and name in known:
         return known[name]
     near = difflib.get_close_matches(str(name), known, n=1)
@@ -331,7 +331,7 @@ def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
 def checked_parameters(
     kind: str, known: Mapping[str, Parameter], given: Mapping[str, Any]
 ) -> dict[str, float]:
-    """The parameters of a kind by name, checked; those left out have their defaults."""
+    """Return the parameters of a kind by name, checked; those left out have their defaults."""
     for name in given:
         look_up(name, f"parameter of {kind}", known)
     missing = [name for name in known if name not in given and known[name].default is None]
@@ -350,12 +350,12 @@ def checked_parameters(
 
 
 def _hashable(function):
-    """A callable, in a function if it has no hash, as polynomials of numpy have none."""
+    """Return a callable, in a function if it has no hash, as polynomials of numpy have none."""
     if function is None or isinstance(function, Hashable):
         return function
     return lambda r: function(r)
 
 
 def _on_arrays(function):
-    """A function that gives an array even where SymPy found a constant."""
+    """Return a function that gives an array even where SymPy found a constant."""
     return lambda r: np.zeros_like(r) + function(r)

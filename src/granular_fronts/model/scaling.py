@@ -151,11 +151,11 @@ class Scaling:
         return math.copysign(1.0 / self.time, self.alpha - 1.0)
 
     def to_physical(self, value: Value, quantity: str) -> Value:
-        """A dimensionless displacement, velocity, time, force or energy in SI units."""
+        """Return a dimensionless displacement, velocity, time, force or energy in SI units."""
         return value * self._scale(quantity)
 
     def to_dimensionless(self, value: Value, quantity: str) -> Value:
-        """A value in SI units made dimensionless; the inverse of `to_physical`."""
+        """Return a value in SI units made dimensionless; the inverse of `to_physical`."""
         return value / self._scale(quantity)
 
     def _scale(self, quantity: str) -> float:
@@ -173,7 +173,7 @@ class Scaling:
 
 
 def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float) -> float:
-    """Stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
+    """Return the stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
 
     The radius is in metres, Young's modulus in pascals; Poisson's ratio lies between −1 and 1/2.
     """
@@ -191,7 +191,7 @@ def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float)
 def velocity_of_compression(
     delta: float, mass: float, stiffness: float, alpha: float = 1.5
 ) -> float:
-    """v₀ in m/s that makes the length scale the compression δ in metres, |v_p| of (22)."""
+    """Return v₀ in m/s that makes the length scale the compression δ in metres, |v_p| of (22)."""
     given = _positive(delta=delta, mass=mass, stiffness=stiffness, alpha=alpha)
     delta, mass, stiffness, alpha = given.values()
     return math.sqrt(stiffness / mass) * delta ** ((alpha + 1.0) / 2.0)
@@ -211,7 +211,7 @@ def damping_from_restitution(
     alpha: float = 1.5,
     beta: float | None = None,
 ) -> float:
-    """γ₀ in s m^(α − β) from the restitution e of two equal beads, 0 < e ≤ 1.
+    """Return γ₀ in s m^(α − β) from the restitution e of two equal beads, 0 < e ≤ 1.
 
     They meet with the relative velocity `impact_velocity` in m/s.
     """
@@ -221,7 +221,7 @@ def damping_from_restitution(
 
 
 def _positive(**values: float) -> dict[str, float]:
-    """The values as floats above 0, by name, in the order given."""
+    """Return the values as floats above 0, by name, in the order given."""
     return {
         name: scalar(name, value, above=0.0, advice="give one in SI units")
         for name, value in values.items()
