@@ -45,13 +45,13 @@ class DatasetError(ValueError):
 
 @cache
 def long_names() -> dict[str, str]:
-    """What the variables and coordinates of all datasets are, in words."""
+    """Return what the variables and coordinates of all datasets are, in words."""
     return yaml.safe_load(LONG_NAMES.read_text(encoding="utf-8"))
 
 
 @cache
 def long_name(variable: str) -> str:
-    """What a variable or coordinate is, in words, from its name and suffix."""
+    """Return what a variable or coordinate is, in words, from its name and suffix."""
     known = [name for name in long_names() if variable == name or variable.startswith(f"{name}_")]
     if not known:
         raise KeyError(f"{variable} has no long_name: add it, or an entry in {LONG_NAMES.name}.")
@@ -144,18 +144,18 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
 
 
 def read_sources(folder: Path, names: Iterable[str]) -> list[dict[str, str]]:
-    """The sources, see `provenance`, of those datasets of a folder that are there."""
+    """Return the sources, see `provenance`, of those datasets of a folder that are there."""
     files = [Path(folder, f"{name}.nc") for name in names]
     return [source_of(read_dataset(path)) for path in files if path.exists()]
 
 
 def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:
-    """The part of the configuration that a dataset was computed with."""
+    """Return the part of the configuration that a dataset was computed with."""
     return json.loads(dataset.attrs["config"])
 
 
 def _plain(value: Any) -> Any:
-    """An attribute value that netCDF can hold."""
+    """Return an attribute value that netCDF can hold."""
     return value.item() if isinstance(value, np.generic) else value
 
 

@@ -13,7 +13,7 @@ NAMED_DEPARTURES = 3  # by a sentence, before it counts the others
 
 
 def departures(configuration: Any, reference: Any) -> list[tuple[str, Any, Any]]:
-    """Dotted key, value and reference value of each leaf in which two configurations differ.
+    """Return dotted key, value and reference value of each leaf in which two configurations differ.
 
     Numbers compare by value, so that 5 and 5.0 are the same.  A leaf that only one of them has is
     `ABSENT` in the other.  The order is that of the reference, then what only `configuration` has.
@@ -39,13 +39,13 @@ def leaves(configuration: Any, key: str = "") -> Iterator[tuple[str, Any]]:
 
 
 def physical_departures(configuration: Any, reference: Any) -> list[tuple[str, Any, Any]]:
-    """The departures that change the problem, not how accurately it is solved: no tolerances."""
+    """Return departures that change the problem, not how accurately it is solved: no tolerances."""
     every = departures(configuration, reference)
     return [each for each in every if "tolerance" not in each[0].split(".")]
 
 
 def describe(differences: list[tuple[str, Any, Any]]) -> str:
-    """The first departures in words, with both values."""
+    """Return the first departures in words, with both values."""
     named = [_describe_one(*difference) for difference in differences[:NAMED_DEPARTURES]]
     more = len(differences) - len(named)
     return "; ".join([*named, f"and {more} more"] if more else named)

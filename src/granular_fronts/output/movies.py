@@ -120,14 +120,14 @@ class Movie:
 
     @staticmethod
     def _with_few_colours(frames: list[Image.Image]) -> list[Image.Image]:
-        """The frames in the most frequent colours of all, the same in each."""
+        """Return the frames in the most frequent colours of all, the same in each."""
         sample = np.concatenate([np.asarray(frame) for frame in frames[-1::-FRAMES_PER_SAMPLE]])
         # Other methods mix the rare red of open contacts with the colours of the lines.
         palette = Image.fromarray(sample).quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
         return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
 
     def _repr_html_(self) -> str:
-        """The picture itself, so that a page needs no other file and no network."""
+        """Return the picture itself, so that a page needs no other file and no network."""
         with TemporaryDirectory() as folder:
             path = Path(folder, "movie.gif")
             self.write(path)
@@ -136,7 +136,7 @@ class Movie:
 
 
 def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[Artist]]]:
-    """A figure of a motion on its space-time grid, and what shows a row of the grid in it.
+    """Return a figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
     Relative displacements are above, velocities below, both against the bead number; contacts that
     are open are marked at the lower edge, where the law lets them open.  What shows a row returns

@@ -272,13 +272,13 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
 
 
 def _new_axes() -> Axes:
-    """The one panel of a new figure that a notebook shows."""
+    """Return the one panel of a new figure that a notebook shows."""
     _, panels = new_figure(2.8, [["panel"]], plt.figure)
     return panels["panel"]
 
 
 def _visible_range(front: xr.Dataset) -> tuple[float, float]:
-    """The ξ between which a front is seen to differ from the states on its sides."""
+    """Return the ξ between which a front is seen to differ from the states on its sides."""
     xi, u = front["xi"].values, front["relative_displacement"].values
     seen = VISIBLE * abs(u[-1] - u[0])
     first = np.flatnonzero(np.abs(u - u[0]) > seen)[0]
@@ -287,7 +287,7 @@ def _visible_range(front: xr.Dataset) -> tuple[float, float]:
 
 
 def _on_grid(motion: xr.Dataset) -> xr.Dataset:
-    """A motion that has a space-time grid."""
+    """Return a motion that has a space-time grid."""
     return _holding(
         "motion",
         motion,
@@ -306,7 +306,7 @@ def _holding(
     source: str,
     record: str = "",
 ) -> xr.Dataset:
-    """A dataset with some variables on some dimensions."""
+    """Return a dataset with some variables on some dimensions."""
     way = f"give what gf.{source} returns" + (f" with {record} in its record" if record else "")
     found = instance(name, dataset, xr.Dataset, way)
     for variable in variables:

@@ -24,7 +24,7 @@ SIGNIFICANT_DIGITS = 3
 
 
 def count_bar(description: str, total: int, unit: str) -> tqdm:
-    """A bar over a number of things, a context that has a method ``update(count)``."""
+    """Return a bar over a number of things, a context that has a method ``update(count)``."""
     return _bar(total=total, desc=description, unit=unit)
 
 
@@ -54,7 +54,7 @@ def time_bar(description: str, end_time: float) -> Iterator[Callable[[float], No
 
 
 def _bar(**settings: Any) -> tqdm:
-    """The bar of a notebook where one runs, else that of a terminal where there is one."""
+    """Return the bar of a notebook where one runs, else that of a terminal where there is one."""
     in_notebook = "ipykernel" in sys.modules
     if in_notebook and _has_widgets():
         from tqdm.notebook import tqdm
@@ -65,7 +65,7 @@ def _bar(**settings: Any) -> tqdm:
 
 
 def _has_widgets() -> bool:
-    """Whether widgets are installed, without which tqdm has no bar for notebooks."""
+    """Return whether widgets are installed, without which tqdm has no bar for notebooks."""
     from importlib.util import find_spec
 
     return find_spec("ipywidgets") is not None

@@ -31,18 +31,18 @@ DIGEST_LENGTH = 16
 
 
 def digest(content: bytes) -> str:
-    """The first 16 hexadecimals of the SHA-256 of some bytes."""
+    """Return the first 16 hexadecimals of the SHA-256 of some bytes."""
     return hashlib.sha256(content).hexdigest()[:DIGEST_LENGTH]
 
 
 def config_digest(parameters: Any) -> str:
-    """Digest of a part of the configuration; the order of keys does not count."""
+    """Return the digest of a part of the configuration; the order of keys does not count."""
     return digest(json.dumps(parameters, sort_keys=True).encode())
 
 
 @cache
 def code_version() -> str:
-    """Version of the package and digest of its code, the same on every machine."""
+    """Return the version of the package and digest of its code, the same on every machine."""
     return f"{granular_fronts.__version__}+{code_digest(SOURCES.rglob('*.py'), SOURCES)}"
 
 
@@ -65,7 +65,7 @@ def data_digest(dataset: Any) -> str:
 
 
 def source_of(dataset: Any) -> dict[str, str]:
-    """The identity of an xarray.Dataset: its scene and both digests."""
+    """Return the identity of an xarray.Dataset: its scene and both digests."""
     return {key: str(dataset.attrs[key]) for key in ("scene", "config_digest", "data_digest")}
 
 

@@ -80,7 +80,7 @@ class Range(NamedTuple):
 
 
 def scenes_of(statement: Mapping[str, Any]) -> list[str]:
-    """Names of the scenes that a statement is about, as a list."""
+    """Return the names of the scenes that a statement is about, as a list."""
     scene = statement["scene"]
     return [scene] if isinstance(scene, str) else scene
 
@@ -104,7 +104,7 @@ def criterion_of(statement: Mapping[str, Any]) -> str:
 
 
 def verdict_on(statement: Mapping[str, Any], measured: Estimate) -> str:
-    """Reproduced or not, holds or does not hold, undecided, or not judged."""
+    """Return the reproduced or not, holds or does not hold, undecided, or not judged."""
     if "not_judged" in statement:
         return NOT_JUDGED
     answer = judge(range_of_criterion(criterion_of(statement)), measured)
@@ -178,7 +178,7 @@ def range_of_criterion(criterion: str) -> Range:
 
 
 def half_unit(printed: str) -> str:
-    """Half a unit of the last digit of a printed number, as text: "0.005" of "0.56"."""
+    """Return half a unit of the last digit of a printed number, as text: "0.005" of "0.56"."""
     try:
         exponent = Decimal(printed).as_tuple().exponent
     except InvalidOperation:
@@ -192,7 +192,7 @@ def half_unit(printed: str) -> str:
 
 
 def judge(allowed: Range, measured: Estimate) -> bool | None:
-    """Whether a number lies in a range; None where its numerical error leaves that open."""
+    """Return whether a number lies in a range; None where its numerical error leaves that open."""
     value, error = measured
     half_width = 0.5 * (allowed.high - allowed.low)
     # Also where one of them is not a number.

@@ -120,7 +120,7 @@ def new_figure(
 
 
 def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
-    """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
+    """Return rows of a mosaic with a panel for each name; the last one ends with empty places."""
     filled = [*names, *["."] * (-len(names) % columns)]
     return [filled[first : first + columns] for first in range(0, len(filled), columns)]
 
