@@ -12,7 +12,7 @@ LARGEST = 2**30  # bytes of all its arrays
 
 
 def load(path):
-    """The arrays of a file, of which nothing is known."""
+    """Return the arrays of a file, of which nothing is known."""
     if not Path(path).is_file():
         raise NotProvedError(f"{path} is missing or not a regular file")
     try:
@@ -53,5 +53,5 @@ def require_lengths(have, want):
 
 
 def both_ends(data, name):
-    """Both ends of the interval of α or γ, as balls."""
+    """Return both ends of the interval of α or γ, as balls."""
     return [arb(fmpq(*map(int, data[name][k : k + 2]))) for k in (0, 2)]

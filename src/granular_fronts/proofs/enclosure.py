@@ -19,7 +19,7 @@ BEADS_AHEAD = 8  # of the window, to which both bounds of the tail are continued
 
 
 def enclosure_dataset(path):
-    """What a certificate proves of its front; NotProvedError if that is nothing.
+    """Return what a certificate proves of its front; NotProvedError if that is nothing.
 
     In the middles of the cells, on `xi`: `approximation` ū, bounds of the `error` of u and of the
     `residual`; on `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u, the latter

@@ -11,7 +11,7 @@ JOINED = "the front before is a translate"  # the last inequality of a junction
 
 
 def records_dataset(records):
-    """What is proved: a row for each record, NaN for numbers that are not proved.
+    """Return what is proved: a row for each record, NaN for numbers that are not proved.
 
     A record is as from `check_certificate` or `families.record`, with `path`, `name`, `alpha`,
     `beta` (by default α) and `seconds`, the processor time.  `overshoot_bound` is below max u − 1;

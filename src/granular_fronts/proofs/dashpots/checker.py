@@ -81,7 +81,7 @@ class DashpotFront(Contraction):
         return [behind] * (before * self.n) + inside + [ahead] * (after * self.n)
 
     def force(self, j):
-        """P̄ on cell j, and a bound of |ū₊^α − P̄|."""
+        """Return P̄ on cell j, and a bound of |ū₊^α − P̄|."""
         if not self.u_low[j] > SMALL_STRAIN:
             return arb_poly([0]), power(abs(self.u_high[j]), self.alpha)
         u, m = self.u[j], TAYLOR_ORDER
@@ -93,7 +93,7 @@ class DashpotFront(Contraction):
         return arb_poly(P.coeffs()), abs(rest[m])
 
     def integrated(self):
-        """û on all cells, from differences of antiderivatives of ū and P̄."""
+        """Return û on all cells, from differences of antiderivatives of ū and P̄."""
         n, h = self.n, arb(1) / self.n
         behind, ahead = [arb_poly([1])] * n, [arb_poly([0])] * n
         strain, force = (
@@ -131,7 +131,7 @@ class DashpotFront(Contraction):
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 
     def Z2(self, r):  # noqa: N802
-        """The largest ρ |a(ū + w) − a(ū)| with |w| ≤ ρ r."""
+        """Return the largest ρ |a(ū + w) − a(ū)| with |w| ≤ ρ r."""
         cells = [*zip(self.rho, self.u_low, self.u_high, strict=True)]
         cells += [(self.rho_behind, arb(1), arb(1)), (self.rho_ahead, arb(0), arb(0))]
         return largest(rho * self.rise(low, high, rho * r) for rho, low, high in cells)
