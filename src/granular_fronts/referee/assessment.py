@@ -42,7 +42,7 @@ def find(problem, answer, result):
 
 
 def _matching_rows(problem, answer, result):
-    """Rows of a result at the times of the answer."""
+    """Return the rows of a result at the times of the answer."""
     name = f"{problem.name} with step {result.step:g}"
     beads = problem.scene["beads"]
     if result.x.shape[1] != beads:
@@ -93,7 +93,7 @@ class Order(NamedTuple):
 
 
 def observed_order(findings):
-    """The order that the errors of two or more steps show."""
+    """Return the order that the errors of two or more steps show."""
     steps, errors = (np.log([getattr(one, name) for one in findings]) for name in ("step", "error"))
     slopes = np.diff(errors) / np.diff(steps)
     scatter = abs(slopes[-1] - slopes[-2]) if slopes.size > 1 else np.nan

@@ -61,7 +61,7 @@ run ${{steps}}
 
 
 def write_deck(name, title, scene, interval):
-    """The input file of a chain.
+    """Return the input file of a chain.
 
     The scene has α = 3/2, β of 3/2, 5/4 or 1, a free right end, and beads that just touch at t = 0;
     `name` begins the name of the file that LAMMPS writes, `interval` lies between two states in it.
@@ -88,7 +88,7 @@ def write_deck(name, title, scene, interval):
 
 
 def damping_model(law):
-    """LAMMPS's name of a viscous force and its coefficient; an InputError if it has none."""
+    """Return LAMMPS's name of a viscous force and its coefficient; an InputError if it has none."""
     alpha, beta, gamma = (float(law[name]) for name in ("alpha", "beta", "gamma"))
     if alpha == 1.5 and beta == 1.5:
         return "viscoelastic", 6.0 * gamma

@@ -68,7 +68,7 @@ class Problem(NamedTuple):
 
 
 def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
-    """State all problems of the section ``referee`` of config/referee.yaml, by their names.
+    """Return state all problems of the section ``referee`` of config/referee.yaml, by their names.
 
     An InputError says in a sentence what is wrong, such as a law that LAMMPS does not have.
     """
@@ -109,7 +109,7 @@ def _scene_of(
     damping: float,
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """One problem as `simulate_chain` takes it."""
+    """Return one problem as `simulate_chain` takes it."""
     delta, beads = settings["displacement"], chain["beads"]
     pressed = motion in ("front", "contact_loss")
     velocity = [0.0 if pressed else delta ** (0.5 * (ALPHA + 1.0)), *[0.0] * (beads - 1)]
@@ -130,7 +130,7 @@ def _scene_of(
 
 
 def in_words(problem: Problem) -> str:
-    """A problem in plain words and numbers, for any code."""
+    """Return a problem in plain words and numbers, for any code."""
     scene, delta = problem.scene, problem.displacement
     law = scene["law"]
     velocity = scene["start"]["velocity"][0]
@@ -154,7 +154,7 @@ def in_words(problem: Problem) -> str:
 
 
 def read_settings(file: Path | str) -> dict[str, Any]:
-    """The section ``referee`` of a file, as `load_problems` takes it.
+    """Return the section ``referee`` of a file, as `load_problems` takes it.
 
     An InputError has a sentence for each thing that is wrong in its YAML, keys and values.
     """

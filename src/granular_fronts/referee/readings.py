@@ -30,19 +30,19 @@ NAMES = {
 
 
 def scale_of(problem):
-    """What a reading is divided by: δ, or the velocity of the beads behind a front."""
+    """Return what a reading is divided by: δ, or the velocity of the beads behind a front."""
     if problem.motion in ("front", "striker"):
         return problem.displacement
     return velocity_scale(problem)
 
 
 def velocity_scale(problem):
-    """δ^((α + 1)/2)."""
+    """Return δ^((α + 1)/2)."""
     return problem.displacement ** (0.5 * (problem.scene["law"]["alpha"] + 1.0))
 
 
 def read_motion(problem, t, u, v):
-    """The number that says the damping, from u (T, N − 1) and v (T, N); NaN without a peak."""
+    """Return number that says the damping, from u (T, N − 1) and v (T, N); NaN without a peak."""
     if problem.motion == "contact_loss":
         found = float(v[-1, -1])
     elif problem.motion == "collision":
@@ -63,7 +63,7 @@ def excess_damping(reading, factors, table):
 
 
 def first_peak(t, u, rate):
-    """First maximum of u, after it has come to half its largest value; NaN without one."""
+    """Return first maximum of u, after it has come to half its largest value; NaN without one."""
     falls = (u[1:] > 0.5 * u.max()) & (rate[1:] < 0.0) & (rate[:-1] >= 0.0)
     if not falls.any():
         return np.nan

@@ -72,7 +72,7 @@ def _read_name(path, problems):
 
 
 def _lammps_rows(path):
-    """Rows (t, bead, x, v) of a dump with ``dump_modify time yes``."""
+    """Return the rows (t, bead, x, v) of a dump with ``dump_modify time yes``."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     rows, time, at = [], None, 0
     while at < len(lines):
@@ -99,7 +99,7 @@ def _lammps_rows(path):
 
 
 def _table_rows(path):
-    """Rows (t, bead, x, v) of a table; lines that begin with # are comments."""
+    """Return the rows (t, bead, x, v) of a table; lines that begin with # are comments."""
     with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
         lines = (line for line in file if not line.startswith("#"))
         reader = csv.DictReader(lines, skipinitialspace=True)
@@ -123,7 +123,7 @@ def _table_rows(path):
 
 
 def _number(path, text=""):
-    """A finite number."""
+    """Return a finite number."""
     try:
         found = float(text)
     except (TypeError, ValueError):
@@ -153,6 +153,6 @@ def _by_time_and_bead(path, rows):
 
 
 def _displacements(x):
-    """Displacements: x, less the places where beads just touch if it holds positions."""
+    """Return the displacements: x, less the places where beads just touch if it holds positions."""
     beads = np.arange(x.shape[1])
     return x - beads if np.mean(np.diff(x[0])) > 0.5 else x
