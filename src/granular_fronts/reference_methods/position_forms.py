@@ -59,7 +59,7 @@ class System(NamedTuple):
 
 
 def make_system(form: int, law: Law, boundary: Boundary, beads: int, turn: float = 0.0) -> System:
-    """A chain in positions; on a ring `turn` is the sum of all relative displacements."""
+    """Return a chain in positions; on a ring `turn` is the sum of all relative displacements."""
     order = 1 if form == XW else 2
     contacts = Contacts(
         form,
@@ -92,7 +92,7 @@ def pack(
 
 
 def unpack(system, y):
-    """Relative displacements and velocities, both of shape (N,), from a state vector."""
+    """Return the relative displacements and velocities, both of shape (N,), from a state vector."""
     x, rate = np.split(y, 2)
     u = np.append(x[:-1] - x[1:], system.contacts.right)
     if system.boundary.ring:
@@ -103,14 +103,14 @@ def unpack(system, y):
 
 
 def right_hand_side(system, y):
-    """Time derivative of a state vector."""
+    """Return the time derivative of a state vector."""
     result = np.empty_like(y)
     _derivative(system.contacts, y, result)
     return result
 
 
 def integrate_fixed(system, y, h, steps):
-    """`steps` steps of constant size h, from and to a state vector."""
+    """Return `steps` steps of constant size h, from and to a state vector."""
     return _integrate_fixed(system.contacts, y, h, steps)
 
 
