@@ -86,7 +86,7 @@ def compare_variables(alpha, betas, gamma):
 
 
 def slope(x, y):
-    """Slope of a line through the logarithms, and how much it differs between two halves."""
+    """Return slope of a line through the logarithms, and how much it differs between two halves."""
     middle = x.size // 2
     whole, first, second = (
         power_of(x[part], y[part]) for part in (slice(None), slice(middle + 1), slice(middle, None))
@@ -129,7 +129,7 @@ def _part_pairs(system, scheme, steps):
 
 
 def conserved_velocity_drift(alpha, gamma):
-    """Largest |w_n − v_p| far behind a front, at all times, and the error of the chain."""
+    """Return largest |w_n − v_p| far behind a front, at all times, and the error of the chain."""
     compressed = np.arange(BEADS) < COMPRESSED
     scene = pressed_chain(
         kuwabara_kono(alpha, gamma),

@@ -44,7 +44,7 @@ def continuum_fronts(alpha, gamma, xi):
 
 
 def _heteroclinic_front(alpha, gamma, xi):
-    """Relative displacement and velocity of the heteroclinic front, with u(0) = 1/2."""
+    """Return the relative displacement and velocity of the heteroclinic front, with u(0) = 1/2."""
     amplitude = amplitude_of_chain(alpha, gamma)
     mu, stretch = amplitude.mu, amplitude.s_per_bead
     # The phase lies ahead of s = 0, so that the orbit's tail alone fixes it.

@@ -16,7 +16,7 @@ DEFINITIONS = ("tail", "double-root", "long-wave", "overshoot")
 
 
 def map_critical_damping(exponents, dampings, cut):
-    """Overshoot over the plane, and every definition of critical damping over the exponent.
+    """Return overshoot over the plane, and every definition of critical damping over the exponent.
 
     `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not
     found, and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not

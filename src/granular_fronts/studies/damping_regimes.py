@@ -22,7 +22,7 @@ ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equa
 
 
 def evaluate_regimes(alpha, betas, decades, points):
-    """γ and e against velocity for several exponents β of the viscous force.
+    """Return γ and e against velocity for several exponents β of the viscous force.
 
     `gamma` and `restitution` on (beta, velocity_ratio), so many decades to both sides of v_c;
     `critical_gamma` on (beta,).

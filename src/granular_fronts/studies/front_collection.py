@@ -81,7 +81,7 @@ def collect_plane(alpha, gamma):
 
 
 def _collect_front(alpha, gamma):
-    """One front, as a mapping of names to dimensions and values."""
+    """Return one front, as a mapping of names to dimensions and values."""
     front = solve_converged(alpha, gamma)
     roots = tail_roots(alpha, gamma, count=ROOTS)
     multipliers, of_spectrum = largest_multipliers(front)
@@ -98,7 +98,7 @@ def _collect_front(alpha, gamma):
 
 
 def largest_multipliers(front):
-    """The multipliers of a front, NaN where no window holds it, and what is said of them."""
+    """Return the multipliers of a front, NaN where no window holds it, and what is said of them."""
     spectrum = front_multipliers(front)
     found = {name: spectrum.attrs[name] for name in SCALARS}
     multipliers = np.full(MULTIPLIERS, complex(np.nan, np.nan))
@@ -111,7 +111,7 @@ def largest_multipliers(front):
 
 
 def window(front, root):
-    """Places ξ, shape (PLACES,), that show a front whose tail is governed by a root."""
+    """Return the places ξ, shape (PLACES,), that show a front whose tail is governed by a root."""
     xi, u = front["xi"].values, front["relative_displacement"].values
     first, last = xi[np.abs(u - 1.0) > SHOWN][0], xi[u > SHOWN][-1]
     if root.imag > 0.0:
@@ -121,7 +121,7 @@ def window(front, root):
 
 
 def parts(name, dimension, values):
-    """Real and imaginary parts, which netCDF can hold."""
+    """Return the real and imaginary parts, which netCDF can hold."""
     return {
         f"{name}_real": ((dimension,), values.real),
         f"{name}_imaginary": ((dimension,), values.imag),
@@ -129,7 +129,7 @@ def parts(name, dimension, values):
 
 
 def _with_errors(collection):
-    """The collection with error estimates at its curves."""
+    """Return the collection with error estimates at its curves."""
     continuum = [f"relative_displacement_{name}" for name in (LOGARITHMIC, UNLIMITED, HETEROCLINIC)]
     fronts, defects = (float(collection[name].max()) for name in ("error", "translation_defect"))
     for names, error, method in (

@@ -44,7 +44,7 @@ def survey_fronts(exponents, dampings):
 
 
 def survey_plane(alpha, gamma):
-    """Survey of exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    """Return survey of exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
     return survey_fronts(alpha, np.geomspace(**gamma))
 
 
@@ -85,17 +85,17 @@ def over_plane(exponents, dampings, solve, what):
 
 
 def _survey_front(alpha, gamma):
-    """One point of the survey, as a mapping of names to dimensions and values."""
+    """Return one point of the survey, as a mapping of names to dimensions and values."""
     return without_dimensions(properties_of(solve_converged(alpha, gamma)))
 
 
 def without_dimensions(numbers):
-    """Numbers by name as variables without dimensions of their own."""
+    """Return the numbers by name as variables without dimensions of their own."""
     return {name: ((), value) for name, value in numbers.items()}
 
 
 def solve_converged(alpha, gamma):
-    """A front, or a NoFrontError with the reason why there is none."""
+    """Return a front, or a NoFrontError with the reason why there is none."""
     front = solve_front(alpha, gamma)
     if not front.attrs["converged"]:
         raise NoFrontError(f"alpha = {alpha}, gamma = {gamma}: {front.attrs['reason']}.")
@@ -103,7 +103,7 @@ def solve_converged(alpha, gamma):
 
 
 def properties_of(front):
-    """What the survey keeps of a front, as a mapping of numbers."""
+    """Return what the survey keeps of a front, as a mapping of numbers."""
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     root = tail_roots(alpha, gamma, count=1)[0]
     return {
@@ -118,7 +118,7 @@ def properties_of(front):
 
 
 def distances(front):
-    """Largest difference of each continuum front to an exact one, as `distance_<front>`."""
+    """Return largest difference of each continuum front to an exact one, as `distance_<front>`."""
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     # (45) is the continuum front that comes to rest last.
     last = math.log(REST / math.log(2.0)) * alpha * gamma / (alpha - 1.0)

@@ -105,7 +105,7 @@ def drive_front(alpha, gamma, bead, name="driven"):
 
 
 def normalised_damping(scene):
-    """γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
+    """Return γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
     law = scene["law"]
     return law["gamma"] * make_slow_scales(**law, delta=scene["displacement"]).speed
 
@@ -118,7 +118,7 @@ def _solve(alpha, gamma, method, name):
 
 
 def _with_distance(variable, front, field):
-    """A variable with its largest difference to the exact front."""
+    """Return a variable with its largest difference to the exact front."""
     (dimension,) = variable.dims
     exact = evaluate_front(front, variable[dimension].values, field)
     distance = float(np.abs(variable.values - exact).max())

@@ -111,7 +111,7 @@ def measure_half_step_damping(**scene):
 
 
 def _measure_excess(case, steps):
-    """Error, peak and excess damping of one chain at three or more falling steps."""
+    """Return the error, peak and excess damping of one chain at three or more falling steps."""
     chains = [accurate_chain(case._replace(gamma=factor * case.gamma)) for factor in FACTORS]
     table = [reading.peak for reading, _ in chains]
     exact, estimate = chains[FACTORS.index(1.0)]
@@ -138,7 +138,7 @@ def _measure_excess(case, steps):
 
 
 def excess_by_table(peaks, factors, table):
-    """γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table."""
+    """Return γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table."""
     inside = (peaks <= max(table)) & (peaks >= min(table))
     # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
     logarithm = KroghInterpolator(table, np.log(factors))
@@ -146,7 +146,7 @@ def excess_by_table(peaks, factors, table):
 
 
 def excess_of_tail(case, step):
-    """γ of the front whose tail decays like that of the scheme, over γ, less 1."""
+    """Return γ of the front whose tail decays like that of the scheme, over γ, less 1."""
     root = tail_root(case, step)
 
     def slower(factor):
@@ -157,7 +157,7 @@ def excess_of_tail(case, step):
 
 
 def tail_root(case, step):
-    """The root of the scheme's dispersion relation that the slowest one for h = 0 becomes."""
+    """Return root of the scheme's dispersion relation that the slowest one for h = 0 becomes."""
     root = complex(tail_roots(case.alpha, case.gamma, case.beta, count=1)[0])
     damping = case.beta * case.gamma
     for h in np.linspace(0.0, step, CONTINUATION + 1)[1:]:
@@ -171,7 +171,7 @@ def tail_root(case, step):
 
 
 def _measure_checks(case, steps):
-    """The four checks on (step,), each as a relative error under `<name>_defect`."""
+    """Return the four checks on (step,), each as a relative error under `<name>_defect`."""
     exact, estimate = accurate_chain(case)
     loss = 1.0 - restitution(case.gamma, case.alpha, case.beta)
     found = {name: [] for name in ("restitution", "momentum", "energy", "speed")}
@@ -200,7 +200,7 @@ def collision_loss(case, step):
 
 
 def energy_defect(case, motion):
-    """Energy, and what the forces of the scheme dissipate, less the work; over the work."""
+    """Return energy, and what the forces of the scheme dissipate, less the work; over the work."""
     step = motion.t[1]
     u = np.maximum(-np.diff(motion.x, axis=1), 0.0)
     rate = -np.diff(motion.v, axis=1)

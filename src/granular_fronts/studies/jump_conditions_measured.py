@@ -87,7 +87,7 @@ def measure_jumps(cases, beads, tolerance):
 
 
 def _measure(name, case, beads, tolerance):
-    """Everything of one lattice, by the name of the variable, and its profile."""
+    """Return everything of one lattice, by the name of the variable, and its profile."""
     law = make_law(elastic=case["elastic"], viscous=case["dissipation"])
     states = tuple(map(float, case["states"]))
     theory = jump_conditions(law, *states)
@@ -119,7 +119,7 @@ def _measure(name, case, beads, tolerance):
 
 
 def _exact_speed(front):
-    """Speed at which the profile equation has the front."""
+    """Return the speed at which the profile equation has the front."""
     speed, defect, error = (front.attrs[f"speed{end}"] for end in ("", "_defect", "_defect_error"))
     return _rounded(speed * (1.0 + defect), speed * error)
 
@@ -133,7 +133,7 @@ def _signed(sign, estimate):
 
 
 def travelling_speed(law, front):
-    """Speed of an exact front of a law in a chain."""
+    """Return the speed of an exact front of a law in a chain."""
     xi, speed = front["xi"].values, front.attrs["speed"]
     first = math.floor(xi[0])
     sites = np.arange(first, TRAVEL + math.ceil(xi[-1]) + 1.0)
@@ -197,7 +197,7 @@ def _scene(law, front, u, velocity, tolerance, snapshots):
 
 
 def _settling(early, halfway, late):
-    """The last of three values, at a quarter, half and the whole of the way, and its error.
+    """Return the last of three values, at a quarter, half and the whole of the way, and its error.
 
     What follows the inverse square changes four times as much in the first doubling of the way; a
     change that happens to vanish in the second is caught by this.
@@ -207,7 +207,7 @@ def _settling(early, halfway, late):
 
 
 def _room_behind(law, behind, speed, beads):
-    """Contacts behind the ramp, so that no reflection from the end catches the front.
+    """Return the contacts behind the ramp, so that no reflection from the end catches the front.
 
     Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     """
@@ -217,7 +217,7 @@ def _room_behind(law, behind, speed, beads):
 
 
 def _measure_at(motion, law, front):
-    """Velocity jump and power of a front over some contacts, means over the snapshots."""
+    """Return velocity jump and power of a front over some contacts, means over the snapshots."""
     strain = -motion["relative_displacement"].sel(bead=front).values[:, :-1]
     rate = np.diff(motion["velocity"].sel(bead=front).values, axis=1)
     power = (law.viscous.second(strain) * rate**2).sum(axis=1)
@@ -225,7 +225,7 @@ def _measure_at(motion, law, front):
 
 
 def _speed(times, time_error):
-    """Sites passed per time, from the times of neighbouring sites and their error."""
+    """Return the sites passed per time, from the times of neighbouring sites and their error."""
     sites = np.arange(times.size) - 0.5 * (times.size - 1)
     slowness = float(sites @ times / (sites @ sites))
     error = time_error * float(np.abs(sites).sum() / (sites @ sites))

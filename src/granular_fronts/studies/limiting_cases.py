@@ -44,7 +44,7 @@ ERROR_METHOD = "of the chain, or the change that leaving out every other bead ma
 
 
 def measure_limiting_cases(**section):
-    """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
+    """Return the waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
     `section` stands under `laws: limiting_cases:` of the configuration; its pressed chains must be
     longer than the waves run, and are also seen at a quarter of the time.  `oscillation` on
@@ -100,7 +100,7 @@ def press_chain(alpha, gamma, beads, times):
 
 
 def oscillation_behind(profile):
-    """Range of u over a part of the way of a wave behind its front, and its error."""
+    """Return the range of u over a part of the way of a wave behind its front, and its error."""
     way = last_fall(profile, np.arange(1.0, profile.size + 1.0), 0.5)
     part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
     found = estimate(np.ptp(part), np.ptp(part[::2]))
@@ -109,7 +109,7 @@ def oscillation_behind(profile):
 
 
 def wave_width(profile):
-    """Distance from 90 to 10 per cent, in beads, and its error."""
+    """Return the distance from 90 to 10 per cent, in beads, and its error."""
     places = np.arange(1.0, profile.size + 1.0)
     return estimate(
         *(

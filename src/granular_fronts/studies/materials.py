@@ -36,7 +36,7 @@ ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equa
 
 
 def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
-    """Restitution, damping and fronts of beads of several materials, all in SI units.
+    """Return the restitution, damping and fronts of beads of several materials, all in SI units.
 
     Each has `gamma` as printed for impacts at v₀, `mass`, `radius`, `youngs_modulus` and
     `poisson_ratio`.  On (material,) `gamma_printed`, `restitution` by the linear rule, `gamma`
@@ -67,7 +67,7 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
 
 
 def _evaluate(bead, impact_velocity, piston_velocities, forces):
-    """Everything of one material, by the name of the variable."""
+    """Return everything of one material, by the name of the variable."""
     mass = bead["mass"]
     stiffness = sphere_stiffness(bead["radius"], bead["youngs_modulus"], bead["poisson_ratio"])
     e = 1.0 - bead["gamma"] / weak_damping_slope(ALPHA)

@@ -17,7 +17,7 @@ SCALARS = (
 
 
 def compute_multipliers(fronts, beads_behind):
-    """Multipliers of every front, by name, in windows with so many beads behind it.
+    """Return the multipliers of every front, by name, in windows with so many beads behind it.
 
     `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), those of the compressed
     chain behind on (scene, branch, wavenumber); a NoFrontError if there is none.

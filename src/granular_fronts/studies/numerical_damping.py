@@ -63,7 +63,7 @@ def measure_numerical_damping(alpha, displacement, order, profile):
 
 
 def measure_order(case, thetas, steps):
-    """Distances of the θ-method, θ > 1/2, to damped chains and to the conservative one.
+    """Return the distances of the θ-method, θ > 1/2, to damped chains and to the conservative one.
 
     `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step); on
     (theta,) the observed `order` of the first distance at the last two of three or more falling
@@ -98,7 +98,7 @@ def measure_order(case, thetas, steps):
 
 
 def _last_orders(distances, steps):
-    """Observed orders at the last two steps, on (theta,)."""
+    """Return the observed orders at the last two steps, on (theta,)."""
     orders = observed_orders(distances[:, -3:], steps[-3:])
     change = float(np.abs(orders[:, 1] - orders[:, 0]).max())
     return "theta", orders[:, 1], {"error_estimate": change, "error_method": ORDER_METHOD}
@@ -135,7 +135,7 @@ def theta_chain(case, theta, step):
 
 
 def _two_stage_chain(case, theta, step):
-    """Relative displacements at the end by the explicit scheme of two stages."""
+    """Return the relative displacements at the end by the explicit scheme of two stages."""
     law = make_law(alpha=case.alpha, gamma=0.0)
     boundary = Boundary(ring=False, left=case.displacement, right=0.0)
     at_rest = np.zeros(case.beads)
@@ -147,7 +147,7 @@ def _two_stage_chain(case, theta, step):
 
 
 def damped_chain(case, gamma):
-    """Relative displacements of the Kuwabara-Kono chain at the end, and their error."""
+    """Return the relative displacements of the Kuwabara-Kono chain at the end, and their error."""
     velocity = np.zeros(case.beads)
     velocity[0] = 0.5 * gamma * case.displacement**case.alpha
     scene = pressed_chain(

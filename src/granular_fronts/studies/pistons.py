@@ -98,12 +98,12 @@ class DrivenFront(NamedTuple):
 
 
 def repetition(alpha):
-    """λ, the factor in distance and time after which a disturbance repeats itself; α > 1."""
+    """Return λ, the factor in distance and time after which a disturbance repeats itself; α > 1."""
     return (math.sqrt(alpha) + 1.0) / (math.sqrt(alpha) - 1.0)
 
 
 def limit(far, near, alpha):
-    """Limit of a quantity from its values `near` the piston and λ times as `far` from it."""
+    """Return limit of a quantity from its values `near` the piston and λ times as `far` from it."""
     weight = repetition(alpha) ** 2
     return (weight * far + near) / (weight + 1.0)
 
@@ -144,7 +144,7 @@ def front_width(profile):
 
 
 def _limiting_speed(arrivals, distances, width, alpha):
-    """Speed from arrival times; contact n is n − 1/2 beads away from the piston."""
+    """Return the speed from arrival times; contact n is n − 1/2 beads away from the piston."""
     passed = np.isfinite(arrivals.values)
     arrival = CubicSpline(arrivals["bead"].values[passed] - 0.5, arrivals.values[passed])
 
@@ -173,13 +173,13 @@ def _limit_behind(field, first, places, width, alpha):
 
 
 def _last(limits, shifted, error):
-    """The limit from the farthest measurement, with the error of the integration."""
+    """Return the limit from the farthest measurement, with the error of the integration."""
     changes = np.abs(limits - limits[0]).max() + np.abs(shifted - limits).max()
     return Estimate(float(limits[0]), float(changes + error))
 
 
 def measure_pistons(cases, velocity, ramps, beads, tolerance):
-    """Fronts of several laws, each driven with several ramps.
+    """Return the fronts of several laws, each driven with several ramps.
 
     `front_speed`, `compression_behind` and `velocity_behind` on (law, ramp), each with its
     `…_error` and `…_expected`, and `velocity_drift`.
@@ -201,7 +201,7 @@ def measure_pistons(cases, velocity, ramps, beads, tolerance):
 
 
 def _gather(fronts, path, attributes):
-    """Variable of one number of each front, named by its dotted path."""
+    """Return the variable of one number of each front, named by its dotted path."""
     read = operator.attrgetter(path)
     values = np.array([[read(front) for front in row] for row in fronts])
     return ("law", "ramp"), values, dict(attributes)

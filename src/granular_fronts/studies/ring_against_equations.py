@@ -80,7 +80,7 @@ def compare_with_chain(scene, name="given"):
 
 
 def make_chain_scene(scene):
-    """The chain scene of a checked periodic scene, with the start of section 4.3."""
+    """Return the chain scene of a checked periodic scene, with the start of section 4.3."""
     scaling = scaling_of(scene)
     force = make_start(scene["start"]).values(
         start_positions(scene, bead_numbers(scene)), scaling.half_length(scene["half_beads"])
@@ -97,17 +97,17 @@ def make_chain_scene(scene):
 
 
 def bead_numbers(scene):
-    """1 … 2p − 1."""
+    """Return 1 … 2p − 1."""
     return np.arange(1, 2 * scene["half_beads"])
 
 
 def start_positions(scene, site):
-    """ξ = ε(n − p) of bead numbers that need not be whole."""
+    """Return ξ = ε(n − p) of bead numbers that need not be whole."""
     return scaling_of(scene).epsilon * (np.asarray(site, dtype=float) - scene["half_beads"])
 
 
 def _solve_equation(scene, equation, chain):
-    """What one equation says, and how far from it the chain is."""
+    """Return what one equation says, and how far from it the chain is."""
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     grid = regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
     solutions = solve_refined(scene, equation, np.concatenate([snapshots, grid]))
@@ -130,7 +130,7 @@ def _solve_equation(scene, equation, chain):
 
 
 def _forces(scene, solution, rows, sites):
-    """Rescaled force of an equation at bead numbers at the times of some rows."""
+    """Return the rescaled force of an equation at bead numbers at the times of some rows."""
     scaling = scaling_of(scene)
     shift = scaling.epsilon * scaling.frame_speed * solution.times[rows]
     xi = start_positions(scene, sites) - shift[:, None]
@@ -147,7 +147,7 @@ def _fields(scene):
 
 
 def _distances(chain, values, finer, scale):
-    """Distances of a chain's field to an equation's, and what both solvers contribute.
+    """Return the distances of a chain's field to an equation's, and what both solvers contribute.
 
     A gap counts as no compression; velocities keep their sign.
     """
@@ -164,7 +164,7 @@ def _distances(chain, values, finer, scale):
 
 
 def _solve_upwind(scene, dataset):
-    """What the paper's scheme says of (50), on its own points, at the snapshot times."""
+    """Return what the paper's scheme says of (50), on its own points, at the snapshot times."""
     scaling = scaling_of(scene)
     half_length = scaling.half_length(scene["half_beads"])
     xi = upwind.grid(half_length, scene["equations"]["upwind"]["points"])

@@ -115,16 +115,16 @@ class Resolution(NamedTuple):
     equation_tolerance: float
 
     def points(self, half_length):
-        """Points of a Fourier series on the ring, even."""
+        """Return the points of a Fourier series on the ring, even."""
         return 2 * math.ceil(half_length * self.wave_number / math.pi)
 
     def cells(self, half_length):
-        """Cells of an equation on the ring, even."""
+        """Return the cells of an equation on the ring, even."""
         return 2 * math.ceil(half_length / self.cell)
 
 
 def resolutions(tolerance):
-    """The usual resolution for a tolerance, and the finer one."""
+    """Return the usual resolution for a tolerance, and the finer one."""
     usual = Resolution(12.0, 8, 0.125, tolerance, tolerance)
     return usual, Resolution(16.0, 4, 0.0625, 0.1 * tolerance, 0.1 * tolerance)
 
@@ -146,7 +146,7 @@ def _loss_times(last):
 
 
 def compare(ring, slow_times, tolerance, xi=None):
-    """Values and error estimates at slow times above 0, by the names of `campaign.kinds`.
+    """Return values and error estimates at slow times above 0, by the names of `campaign.kinds`.
 
     `xi` are places ξ̃ of the moving frame at which u/δ of the chain is wanted too.
     """
@@ -178,7 +178,7 @@ def compare(ring, slow_times, tolerance, xi=None):
 
 
 def follow(ring, times, usual, finer):
-    """The chain at some times, and more accurately at the same places."""
+    """Return the chain at some times, and more accurately at the same places."""
     points = usual.points(ring.half_length)
     if not ring.has_kinks and ring.beads > points:
         smooth = partial(_follow_smooth, ring, times)
@@ -190,7 +190,7 @@ def follow(ring, times, usual, finer):
 
 
 def _follow_smooth(ring, times, resolution):
-    """The chain by Fourier coefficients, at several places for each."""
+    """Return the chain by Fourier coefficients, at several places for each."""
     points = resolution.points(ring.half_length)
     places = resolution.places * points
     site = ring.beads * np.arange(places) / places
@@ -201,7 +201,7 @@ def _follow_smooth(ring, times, resolution):
 
 
 def _follow_beads(ring, times, resolution):
-    """The chain bead by bead."""
+    """Return the chain bead by bead."""
     site = np.arange(1.0, ring.beads + 1.0)
     tolerance = resolution.chain_tolerance
     scene = chain_scene(
@@ -231,7 +231,7 @@ def _start_at(ring, site):
 
 
 def _facts(ring, motions, slow_times):
-    """Numbers of the ring itself, the same at every slow time."""
+    """Return the numbers of the ring itself, the same at every slow time."""
     rate, scaling = ring.scaling.slow_rate, ring.scaling
     facts = {
         "epsilon_of_ring": Refined(scaling.epsilon, scaling.epsilon),
@@ -259,13 +259,13 @@ def _profiles(ring, motion, times, kept, xi):
 
 
 def _error_of(both):
-    """Difference of numbers that were computed twice, at least their rounding."""
+    """Return the difference of numbers that were computed twice, at least their rounding."""
     with np.errstate(invalid="ignore"):
         return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
 
 
 def _solve(ring, equation, times, resolution, coarser=None):
-    """One equation on the ring; without kinks the start needs no finer cells."""
+    """Return one equation on the ring; without kinks the start needs no finer cells."""
     return evolution.solve(
         ring.scene,
         equation,
@@ -293,7 +293,7 @@ def velocity_residuals(ring, motion, rows):
 
 
 def _centred(rows):
-    """Each row less its mean."""
+    """Return each row less its mean."""
     return rows - rows.mean(axis=1, keepdims=True)
 
 
@@ -306,13 +306,13 @@ def _force(ring, motion, solution, rows):
 
 
 def _compressions(ring, motion, force, rows):
-    """Compressions of the chain and of an equation at some rows; a gap counts as none."""
+    """Return compressions of the chain and of an equation at some rows; a gap counts as none."""
     chain = np.maximum(motion.relative_displacement[rows], 0.0)
     return chain, ring.scaling.displacement(np.maximum(force, 0.0))
 
 
 def _losses(ring, motion, solution, slow_times, rows):
-    """Slow times at which an equation has lost so much, NaN if after `slow_times`."""
+    """Return the slow times at which an equation has lost so much, NaN if after `slow_times`."""
     times, sup = ring.scaling.slow_rate * solution.times[rows], np.array([])
     if rows.size:
         _, force = _force(ring, motion, solution, rows)
@@ -325,7 +325,7 @@ def _losses(ring, motion, solution, slow_times, rows):
 
 
 def _errors(ring, motion, solution, rows):
-    """All other errors of one solution of an equation, at some rows of its times."""
+    """Return all other errors of one solution of an equation, at some rows of its times."""
     scaling = ring.scaling
     xi, force = _force(ring, motion, solution, rows)
     chain, u = _compressions(ring, motion, force, rows)
@@ -355,17 +355,17 @@ def _errors(ring, motion, solution, rows):
 
 
 def largest(chain, model):
-    """Largest difference at each time."""
+    """Return the largest difference at each time."""
     return np.abs(chain - model).max(axis=1)
 
 
 def root_mean_square(chain, model):
-    """Root mean square of the difference at each time."""
+    """Return the root mean square of the difference at each time."""
     return np.sqrt(((chain - model) ** 2).mean(axis=1))
 
 
 def heights(rows):
-    """Largest value at each time."""
+    """Return the largest value at each time."""
     return np.array([_height(row) for row in np.atleast_2d(rows)])
 
 
@@ -377,7 +377,7 @@ def _height(row):
 
 
 def relative_decay(model, chain, start):
-    """Loss of height since the start, of the model over that of the chain, minus 1."""
+    """Return the loss of height since the start, of the model over that of the chain, minus 1."""
     [first] = heights(start)
     with np.errstate(divide="ignore", invalid="ignore"):
         return (first - heights(model)) / (first - heights(chain)) - 1.0
@@ -395,7 +395,7 @@ def _lead(model, chain):
 
 
 def _last_fall(row, level):
-    """Index, interpolated, of the last fall of a row through a level; NaN without one."""
+    """Return index, interpolated, of the last fall of a row through a level; NaN without one."""
     try:
         return last_fall(row, np.arange(row.size), level)
     except IndexError:

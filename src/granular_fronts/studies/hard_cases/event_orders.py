@@ -52,14 +52,14 @@ def _parting_velocity():
 
 
 def _median_of(method, rungs, parting):
-    """Medians over the gaps of the steps taken and of the errors made."""
+    """Return the medians over the gaps of the steps taken and of the errors made."""
     runs = np.array([[method(gap, rung) for gap in PHASES] for rung in rungs])
     steps, velocity = runs[..., 0], runs[..., 1]
     return np.median(steps, axis=1), np.median(np.abs(velocity - parting), axis=1)
 
 
 def located(gap, tolerance):
-    """Steps and parting velocity of the strain form."""
+    """Return the steps and parting velocity of the strain form."""
     accuracy = {"relative": tolerance, "absolute": 1.0e-2 * tolerance}
     solution = solve(collision(LAW, gap), accuracy)
     velocity = solution.dataset["velocity"].values[-1]
@@ -67,7 +67,7 @@ def located(gap, tolerance):
 
 
 def blind(form, gap, steps):
-    """Steps and parting velocity of a plain form with fixed steps."""
+    """Return the steps and parting velocity of a plain form with fixed steps."""
     run = prepare(collision(LAW, gap))
     u, velocity = np.array([-gap, 0.0]), np.array([1.0, 0.0])
     system, y = position_forms.pack(form, run.law, run.boundary, u, velocity)
