@@ -96,7 +96,7 @@ def write_figure(  # noqa: PLR0913 - what its rule names
 
 
 def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
-    """What a function makes of one thing, or of each in a list."""
+    """Return what a function makes of one thing, or of each in a list."""
     return [function(one) for one in given] if isinstance(given, list) else function(given)
 
 
@@ -110,7 +110,7 @@ def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], s
 
 
 def _without_markup(value: Any) -> str:
-    """A value of a data file as words of a caption, whatever reStructuredText it holds."""
+    """Return a value of a data file as words of a caption, whatever reStructuredText it holds."""
     return re.sub(r"([_*`|\\])", r"\\\1", re.sub(r"\s+", " ", str(value)))
 
 

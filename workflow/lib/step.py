@@ -89,7 +89,7 @@ def run_step(
 
 
 def _describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> str:
-    """The first line of a log file: when which step started, and with which arguments."""
+    """Return the first line of a log file: when which step started, and with which arguments."""
     given = (
         f"{name}={shorten(str(value), LONGEST_ARGUMENT, placeholder=' …')}"
         for name, value in arguments.items()
@@ -98,13 +98,13 @@ def _describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> 
 
 
 def _describe_unexpected(error: Exception) -> str:
-    """The sentence for an error that no sentence was written for."""
+    """Return the sentence for an error that no sentence was written for."""
     reason = " ".join(str(error).split())
     return f"The step failed unexpectedly, {type(error).__name__}: {reason}"
 
 
 def describe_fault(error: ValueError | OSError) -> str:
-    """The sentence for what was given, or for a file that cannot be read or written."""
+    """Return the sentence for what was given, or for a file that cannot be read or written."""
     if isinstance(error, ValueError | NoSpaceError):
         return str(error)
     if is_full(error):
@@ -115,7 +115,7 @@ def describe_fault(error: ValueError | OSError) -> str:
 
 
 def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
-    """Types of the arguments that a function names."""
+    """Return the types of the arguments that a function names."""
     parameters = signature(function, eval_str=True).parameters.values()
     return {one.name: one.annotation for one in parameters if one.kind is not one.VAR_KEYWORD}
 

@@ -47,7 +47,7 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
 
 
 def _describe_work(merged: xr.Dataset) -> str:
-    """One sentence on points, failures and the processor time they took."""
+    """Return one sentence on points, failures and the processor time they took."""
     attributes = merged.attrs
     return (
         f"Campaign {attributes['scene']}: {attributes['points']:,} points, "
@@ -67,7 +67,7 @@ def _count_points(merged: xr.Dataset) -> pd.DataFrame:
 
 
 def _describe_scalars(merged: xr.Dataset) -> pd.DataFrame:
-    """Range of every recorded scalar over the points that have one."""
+    """Return the range of every recorded scalar over the points that have one."""
     rows = []
     for name, variable in merged.data_vars.items():
         if variable.dims == merged["status"].dims and "error_estimate" in variable.attrs:

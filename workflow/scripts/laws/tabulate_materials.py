@@ -40,7 +40,7 @@ RESTS_ON = {
 
 
 def _make_row(one: xr.Dataset, kind: str, dimension: str, value: float) -> dict[str, Any]:
-    """One row of the table, as a dict."""
+    """Return one row of the table, as a dict."""
     front = one.sel({dimension: value})
     gamma = float(front[f"gamma_front_{kind}"])
     unit = "m/s behind the front" if kind == "piston" else "N of pressure"

@@ -72,7 +72,7 @@ def find_measure(name: str) -> Callable[..., Estimate]:
 
 
 def _rounded(value: float, form: str) -> str:
-    """A number as text; a dash where there is none."""
+    """Return a number as text; a dash where there is none."""
     return "–" if math.isnan(value) else format(value, form)
 
 

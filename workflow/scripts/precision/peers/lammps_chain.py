@@ -44,13 +44,13 @@ def solve(system, step, _atol, integrator):
 
 
 def find_command():
-    """The command beside this Python, or on the path; None if there is none."""
+    """Return the command beside this Python, or on the path; None if there is none."""
     beside = Path(sys.executable).with_name("lmp")
     return str(beside) if beside.exists() else shutil.which("lmp")
 
 
 def _deck_of(system):
-    """The input file, which writes the first and the last state."""
+    """Return the input file, which writes the first and the last state."""
     scene = {
         "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
         "beads": system.beads,
@@ -62,12 +62,12 @@ def _deck_of(system):
 
 
 def _relative_displacements(x):
-    """u_1 … u_N, the last one that of the free end."""
+    """Return u_1 … u_N, the last one that of the free end."""
     return np.append(x[:-1] - x[1:], 0.0)
 
 
 def _times_of(report):
-    """Times of the loop, as LAMMPS reports them: without setup and reading of its input."""
+    """Return times of the loop, as LAMMPS reports them: without setup and reading of its input."""
     seconds = float(re.search(r"^Loop time of (\S+) on 1 procs", report, re.MULTILINE).group(1))
     share = re.search(r"^(\S+)% CPU use", report, re.MULTILINE).group(1)
     return {"seconds": seconds, "cpu_seconds": 0.01 * float(share) * seconds}

@@ -51,7 +51,7 @@ class Shooting:
         return np.concatenate([u[1:-1], -np.gradient(u)[1:-1] - self.gamma * change])
 
     def rates(self, _, state):
-        """Time derivative of (u, d)."""
+        """Return the time derivative of (u, d)."""
         u, d = np.split(state, 2)
         force = np.concatenate([[1.0], np.maximum(u, 0.0), [0.0]])
         force *= np.sqrt(force)
@@ -59,7 +59,7 @@ class Shooting:
         return np.concatenate([d + self.gamma * change, change])
 
     def equations(self, state):
-        """All equations, shape (2 contacts + 1,)."""
+        """Return all equations, shape (2 contacts + 1,)."""
         flow = solve_ivp(
             self.rates,
             (0.0, 1.0),
@@ -82,7 +82,7 @@ class Shooting:
         return np.append(values[-1], values[1:-1])
 
     def fields(self, state):
-        """u_n and velocities of the stored contacts."""
+        """Return u_n and velocities of the stored contacts."""
         u, d = np.split(state, 2)
         force = np.maximum(u, 0.0) ** 1.5
         w = np.flip(np.cumsum(np.flip(d)))
@@ -91,7 +91,7 @@ class Shooting:
 
 
 def solve_least_squares(problem, tolerance):
-    """Levenberg–Marquardt; returns the state and why it is none."""
+    """Solve by Levenberg–Marquardt; return the state and why it failed."""
     answer = least_squares(
         problem.equations,
         problem.start(),
@@ -104,14 +104,14 @@ def solve_least_squares(problem, tolerance):
 
 
 def _solve_hybr(problem, tolerance):
-    """Powell's hybrid method of MINPACK."""
+    """Solve by Powell's hybrid method of MINPACK."""
     options = {"xtol": tolerance}
     answer = root(problem.square_equations, problem.start(), method="hybr", options=options)
     return answer.x, "" if answer.success else " ".join(answer.message.split())
 
 
 def _solve_krylov(problem, tolerance):
-    """Newton's method with Krylov subspaces."""
+    """Solve by Newton's method with Krylov subspaces."""
     try:
         state = newton_krylov(
             problem.square_equations, problem.start(), f_tol=tolerance, maxiter=MOST_ITERATIONS

@@ -27,19 +27,19 @@ FIRST_NODES, MOST_NODES = 201, 200_000
 
 
 def planar(_, state, mu):
-    """(57)."""
+    """Return the right-hand side of (57)."""
     y, z = state
     return np.array([z, mu * z - y * np.log(np.maximum(np.abs(y), 1e-300))])
 
 
 def logarithmic(_, state, mu):
-    """The same in p = -ln y and v = p'."""
+    """Return the same in p = -ln y and v = p'."""
     p, v = state
     return np.array([v, v * v + mu * v - p])
 
 
 def _tail_slope(p, mu):
-    """The v of the stable manifold at a large p."""
+    """Return the v of the stable manifold at a large p."""
     return np.sqrt(p + 0.5 + 0.25 * mu**2) - 0.5 * mu
 
 
@@ -119,7 +119,7 @@ def _trace(right_hand_side, start, half, fields, s, options, tail_atol, front_at
 
 
 def _run_bvp(mu, s, tolerance):
-    """Collocation of fourth order on both sides of y(0) = ½."""
+    """Solve by collocation of fourth order on both sides of y(0) = ½."""
     p = np.linspace(np.log(2.0), BVP_END, FIRST_NODES)
     length = np.trapezoid(1.0 / _tail_slope(p, mu), p)
     lengths = np.array([s[0], max(s[-1], length)])

@@ -33,7 +33,7 @@ DECAY = 32.0
 
 
 def make_problem(problem, states):
-    """The front of one entry of ``precision.fronts``, with its stored reference."""
+    """Return the front of one entry of ``precision.fronts``, with its stored reference."""
     gamma, bead = problem["gamma"], states["bead"].values
     state = stored_state(states, "front", gamma=gamma)
     behind = max(-bead[0], math.ceil(DECAY / tail_roots(ALPHA, gamma)[0].real))
@@ -51,7 +51,7 @@ def make_problem(problem, states):
 
 
 def _run_profile(gamma, bead, _tolerance):
-    """The profile equation from nothing, window and grid included."""
+    """Solve the profile equation from nothing, window and grid included."""
     with Stopwatch() as watch:
         profile = solve_profile(power_problem(ALPHA, gamma, ALPHA))
         fields = {} if profile.reason else values_at(profile, bead)
@@ -59,7 +59,7 @@ def _run_profile(gamma, bead, _tolerance):
 
 
 def _run_profile_on_grid(gamma, bead, spacing):
-    """The same on a grid of a given spacing."""
+    """Solve the profile equation on a grid of a given spacing."""
     problem = power_problem(ALPHA, gamma, ALPHA)
     with Stopwatch() as watch:
         window = choose_window(problem)
@@ -71,7 +71,7 @@ def _run_profile_on_grid(gamma, bead, spacing):
 
 
 def values_at(profile, bead):
-    """Relative displacements and velocities of a profile at whole ξ."""
+    """Return the relative displacements and velocities of a profile at whole ξ."""
     xi, middle = bead.astype(float), profile.middle
     positions = xi / float(profile.spacing)
     return {
@@ -81,7 +81,7 @@ def values_at(profile, bead):
 
 
 def _run_shooting(gamma, bead, tolerance):
-    """Shooting by Gauss-Newton with the exact derivative of the flow."""
+    """Shoot by Gauss-Newton with the exact derivative of the flow."""
     with Stopwatch() as watch:
         shot = shoot_front(ALPHA, gamma, tolerance=tolerance)
     if not shot.converged:

@@ -67,7 +67,7 @@ def make_problem(problem, _states=None):
 
 
 def _run_upwind(scene, accurate, width):
-    """The paper's scheme."""
+    """Run the paper's scheme."""
     points, half_length, end = round(1.0 / width), accurate.half_length, _end_of(scene)
     with Stopwatch() as watch:
         values = make_start(scene["start"]).values(upwind.grid(half_length, points), half_length)
@@ -77,7 +77,7 @@ def _run_upwind(scene, accurate, width):
 
 
 def _run_cells(scene, accurate, levels, width):
-    """Finite volumes."""
+    """Run the finite volumes."""
     cells = round(1.0 / width)
     tolerance = TOLERANCE_PER_WIDTH * (2.0 * accurate.half_length / cells) ** 6
     with Stopwatch() as watch:
@@ -93,7 +93,7 @@ def _run_cells(scene, accurate, levels, width):
 
 
 def _run_fourier(scene, accurate, points, longest_step):
-    """The Fourier method, of four right-hand sides per step, on ξ = ξ̃ + τ."""
+    """Run the Fourier method, with four right-hand sides per step, on ξ = ξ̃ + τ."""
     half_length, end = accurate.half_length, _end_of(scene)
     equation = Equation(half_length, 1.0, 0.0, SMALLEST_ARGUMENT)
     # `follow` takes half of the steps that it is shown.
@@ -115,17 +115,17 @@ def _run_fourier(scene, accurate, points, longest_step):
 
 
 def _end_of(scene):
-    """τ at the end."""
+    """Return τ at the end."""
     return scaling_of(scene).slow_rate * scene["end_time"]
 
 
 def _distances(accurate, xi, values):
-    """Distances of Y to the reference at the points of a scheme."""
+    """Return the distances of Y to the reference at the points of a scheme."""
     return {"rescaled_force": values - accurate.rescaled_force(0, xi)}
 
 
 def _smooth_start():
-    """An analytic bump of height 1: exp of a cosine."""
+    """Return an analytic bump of height 1: exp of a cosine."""
     angle = np.pi * np.linspace(-1.0, 1.0, SMOOTH_POINTS)
     force = np.exp(SMOOTH_SHARPNESS * (np.cos(angle) - 1.0))
     force[-1] = force[0]

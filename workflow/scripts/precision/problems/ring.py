@@ -9,7 +9,7 @@ from problems.problem import Problem, read_reference, stored_state
 
 
 def make_problem(problem, states):
-    """The ring of one entry of ``precision.ring``, up to its stored state."""
+    """Return the ring of one entry of ``precision.ring``, up to its stored state."""
     end = problem["end_time"]
     state = stored_state(states, "ring", t=end)
     contacts, velocities = (states[f"{name}_start"].values for name in chain.FIELDS)
