@@ -1,8 +1,8 @@
-"""What the checks of a scene ask of its law: that it is possible, and the sizes that it makes.
+"""Check that the law of a scene is possible, and estimate the sizes of its motion.
 
-The short form of a law, by its exponents, needs no more than arithmetic.  The long form, by the
-kinds of its potentials, and a `Law` from Python are evaluated: only then are `model.laws` and with
-it numpy imported, since the workflow checks its configuration at each start.
+The short form of a law, by its exponents, needs only arithmetic.  The long form, by the kinds of
+its potentials, and a `Law` from Python are evaluated.  Only then is numpy imported, since the
+workflow checks its configuration at each start.
 
 A scene is driven by relative displacements of about δ, with energies of about δ^(α + 1).  Sizes are
 decimal logarithms, −∞ for none.

@@ -1,8 +1,7 @@
-"""Limits of what one job may take, and the sentence for a section that asks for more.
+"""Limits of memory and time of one job, and the sentence for a section that exceeds them.
 
-The estimates of memory and time are lower bounds, mostly by orders of magnitude, since they decide
-only what is refused: what ends within half a day is not refused, and what takes days is, before it
-starts.
+The estimates of memory and time are lower bounds, mostly by orders of magnitude.  They decide only
+what is refused.  A job of half a day is accepted; a job of days is refused before it starts.
 """
 
 import functools
@@ -17,7 +16,7 @@ MOST_VALUES = 1_000_000
 """Values of a configuration, a campaign or a scene: to check so many takes half a minute."""
 
 BYTES_PER_NUMBER = 8
-LARGEST = 1.0e300  # stands for what overflows
+LARGEST = 1.0e300  # replaces what overflows
 
 NUMBERS_PER_BEAD = 64  # state and stages of the integrator, and what is followed at each bead
 COLUMNS_PER_ROW = 4  # numbers kept for each bead and time: two fields and what they are made from

@@ -1,4 +1,4 @@
-"""Scenes of the family ``periodic``: a ring beside its amplitude equations, section 4.3."""
+"""Scenes of the family ``periodic``: a ring and its amplitude equations, section 4.3."""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -1,6 +1,6 @@
 """Studies as ``workflow/studies.yaml`` lists them: each with its section of the configuration.
 
-What the keys of a section may be stands there too, in a short form of JSON Schema that is expanded
+The same file describes the keys of a section in a short form of JSON Schema, which is expanded
 here.
 """
 
@@ -20,7 +20,7 @@ _BOUNDS = {
 
 
 def find_file(name: str, *folders: str) -> Path:
-    """A file of the workflow, of which an installed package carries a copy beside this module."""
+    """Return a file of the workflow; an installed package has a copy in this folder."""
     copy = Path(__file__).with_name(name)
     return copy if copy.exists() else Path(__file__).parents[3].joinpath("workflow", *folders, name)
 
