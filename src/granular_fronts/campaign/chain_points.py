@@ -1,19 +1,19 @@
 r"""Points of a driven chain: constant pressure on a chain at rest, James (2021), section 3.3.
 
 Every point is solved in its own units of length δ and time 1/c, with :math:`c = \delta^{(\alpha -
-1)/2}` of eq. (21).  There the pressure is δ = 1, the front has speed 1 behind which u = 1, and the
-damping is, from eq. (29) with :math:`v_0 = v_p = \delta^{(\alpha+1)/2}`,
+1)/2}` of eq. (21).  There the pressure is δ = 1, and the front has speed 1 and u = 1 behind it.
+The damping follows from eq. (29) with :math:`v_0 = v_p = \delta^{(\alpha+1)/2}`,
 
 .. math:: \hat\gamma = \gamma\, \delta^{\beta - (\alpha + 1)/2} .
 
 One tolerance then means the same at every δ, and the recorded numbers compare across the grid.  A
-law by the kinds of its potentials has no such units; it is solved in its own, and what is recorded
-is divided by δ and by :math:`c = (-V'(-\delta)/\delta)^{1/2}`, eq. (13), the speed of a front into
-contacts at rest.  The motion ends after `crossings` times N/c, in which the front crosses the
-chain.
+law by the kinds of its potentials has no such units.  It is solved in its own units.  Lengths are
+divided by δ, and speeds by :math:`c = (-V'(-\delta)/\delta)^{1/2}`, the speed (13) of a front into
+contacts at rest.  The front crosses the chain in the time N/c, and the motion ends after
+`crossings` such times.
 
-Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chunk, is solved again
-with two steps for each of the first run; see `chain.event_errors`.
+Errors.  One point in `REFINED_EVERY`, and always the first and last of a chunk, is solved again
+with steps halved.  See `chain.event_errors`.
 """
 
 import functools

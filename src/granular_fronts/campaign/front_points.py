@@ -1,9 +1,9 @@
 """Points of exact fronts: of two powers with δ = c = 1, James (2021), section 6, or of any law.
 
 Fronts of one law are swept along the damping, each from the ones before it, whichever axis is the
-fast one; see `fronts.sweep` for the method and its error estimates.  The slowest
-tail is a root of the dispersion relation and knows nothing of the solution; a front is monotone
-where it is real.
+fast one.  The method and its error estimates are those of `fronts.sweep`.  The slowest tail is a
+root of the dispersion relation, independent of the solution.  A front is monotone where this root
+is real.
 """
 
 import functools
@@ -27,7 +27,7 @@ PROFILE = "relative_displacement"
 
 
 def solve_chunk(points, settings, activity):
-    """Solve fronts to round-off, those of one law together; a profile is in ξ."""
+    """Solve fronts to round-off, all of one law together; a profile is in ξ."""
     damping = "damping" if "law" in settings else "gamma"
     xi = KINDS["front"].profile_points(settings["profile"])
     sizes = dict.fromkeys(settings["scalars"], ()) | ({} if xi is None else {PROFILE: (xi.size,)})

@@ -1,7 +1,7 @@
 """Points of the heteroclinic orbit of section 5: one damping μ each.
 
-Overshoot and width are taken from the orbit itself, traced once as usual and once by series of
-another order; rates from its extrema.  See `continuum.log_kdv_burgers.heteroclinic`.
+Overshoot and width are taken from the orbit, traced once as usual and once by series of another
+order.  Rates are taken from its extrema.  See `continuum.log_kdv_burgers.heteroclinic`.
 """
 
 import functools

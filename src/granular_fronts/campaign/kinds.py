@@ -1,9 +1,9 @@
-"""The kinds of campaign: which parameters each has, what it records, and where it is solved.
+"""The kinds of campaign: their parameters, what they record, and which module solves them.
 
-A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module.
-`points` holds an array of shape (lines, fast) for each parameter of the kind, `settings` are those
-of a `Campaign`, and `activity` heads the progress bar; the answer is a `Solved`.  This module
-imports nothing heavy, since every campaign is checked against it before any job.
+A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module. `points`
+holds an array of shape (lines, fast) for each parameter of the kind.  `settings` are those of a
+`Campaign`, and `activity` heads the progress bar.  The result is a `Solved`.  This module imports
+nothing heavy, since every campaign is checked against it before any job.
 """
 
 import math

@@ -18,7 +18,7 @@ def name_of(axis: str) -> str:
 
 
 def varied_numbers(names) -> list[str]:
-    """Those of some names of a grid that are numbers of a law."""
+    """Return the names of a grid that are numbers of a law."""
     return [name for name in names if name.partition("_")[0] in PARTS]
 
 

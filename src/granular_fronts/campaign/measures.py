@@ -1,9 +1,9 @@
-r"""Numbers measured on campaigns of rings: orders in ε, and errors one beside the other.
+r"""Numbers measured on campaigns of rings: orders in ε, and comparisons of errors.
 
 The order of an equation is the slope of :math:`\ln e` against :math:`\ln\varepsilon`, with e its
-error at one slow time, by least squares over the rings with :math:`\alpha \le 1.1`.  Its error is
-twice the standard error of the slope, since terms of the next order bend the line by far more than
-the solvers add.
+error at one slow time.  It is fitted by least squares over the rings with :math:`\alpha \le 1.1`.
+Its error is twice the standard error of the slope.  Terms of the next order bend the line by far
+more than the errors of the solvers.
 """
 
 import numpy as np
@@ -114,7 +114,7 @@ def best_up_to(dataset, error):
 
 
 def best_from(dataset, error):
-    """Return the smallest γ from which on it has."""
+    """Return the smallest γ above which an equation has the smallest error."""
     gamma, best = _best(dataset, error)
     return Estimate(float(gamma[::-1][np.logical_and.accumulate(best[::-1])].min()), ROUNDING)
 

@@ -1,8 +1,8 @@
-"""From the solved points of a chunk to its file, and from the files of all chunks to the grid.
+"""Write the solved points of a chunk into its file, and merge all chunks into the grid.
 
-The file of a chunk holds its variables on (line, point); its `config` attribute is its request, so
+The file of a chunk holds its variables on (line, point).  Its `config` attribute is its request, so
 that it can be placed without any other file.  The merged file has the varied parameters as
-dimensions and, beside the recorded variables,
+dimensions, the recorded variables, and
 
 - `status` (a flag): 0 solved, 1 failed;
 - `reason`: number of a sentence in `reason_text`, 0 where the point is solved.
