@@ -72,7 +72,7 @@ def parse_yaml(text: str, file: Path | str) -> Any:
     except (yaml.YAMLError, ValueError) as error:
         raise InputError(_syntax_error(file, error)) from None
     errors += [
-        f"{_position(file, key.start_mark)}: the key {key.value} stands twice in one "
+        f"{_position(file, key.start_mark)}: the key {key.value} is given twice in one "
         "mapping, and one of its values would be ignored: keep one."
         for key in loader.repeated
     ]
