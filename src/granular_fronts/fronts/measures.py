@@ -1,7 +1,8 @@
 """What the paper says of fronts in numbers, measured on exact fronts.
 
-A measure takes the dataset of a front scene (see `comparison`), of the curves of critical damping
-(see `damping_map`) or of families of fronts (see `trends`), and returns an `Estimate`.
+A measure takes a dataset and returns an `Estimate`.  The dataset is a front scene (see
+`comparison`), the curves of critical damping (see `damping_map`) or families of fronts (see
+`trends`).
 """
 
 import numpy as np
@@ -62,7 +63,7 @@ def distance(front, field, limit):
 
 
 def tail_over_long_wave(curves, alpha):
-    """Return the critical damping of the lattice, by its tail, over that of section 5, μ = 2."""
+    """Return the critical damping of the lattice, by its tail, over the one of section 5, μ = 2."""
     one = curves.sel(alpha=alpha)
     ratio = float(one["critical_damping_tail"] / one["critical_damping_long_wave"])
     return Estimate(ratio, FEW_DIGITS * ratio)
@@ -112,7 +113,7 @@ def gaussian_distance(trends, exponent):
 
 
 def solitary_force(trends, exponent):
-    """Return the largest force u^α of a solitary wave over e^(1/2), that of the Gaussian."""
+    """Return the largest force u^α of a solitary wave over e^(1/2), the value of the Gaussian."""
     peak = trends["solitary_peak"].sel(exponent=exponent)
     force = float(peak) ** exponent / np.exp(0.5)
     return Estimate(float(force), exponent * float(force) * peak.attrs["error_estimate"])

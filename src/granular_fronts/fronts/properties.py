@@ -1,4 +1,4 @@
-r"""What is measured on a front: velocity, overshoot, width, slope, dissipated power.
+r"""Measure a front: velocity, overshoot, width, slope, dissipated power.
 
 Velocity.  In the notation of `profile.equation`
 
@@ -13,12 +13,12 @@ eq. (31).
 Dissipated power.  All contacts together dissipate :math:`\int W''(R)\,(cR')^2 d\xi`, in normalised
 variables :math:`c^3 (R_b - R_a)^2 \int q'(s)\, s'^2 d\xi`.  The balance (6) across the front fixes
 it, eq. (16), whatever W; for a Hertz chain at rest ahead it is (α − 1)/(2(α + 1)).  The integral is
-a sum over the grid, whose error for a smooth function that is constant at both ends is smaller than
+a sum over the grid.  For a smooth function that is constant at both ends its error is smaller than
 any power of h.
 
-Errors.  A number is as wrong as what it is read from.  Where s errs by up to η, its largest value
-errs by η, and the place of a level by η/|s'|; a slope by η/4h, since a part of η is rounding, which
-differs from point to point; and the dissipated power, by parts, by about
+Errors.  A number is as wrong as what it is read from.  Let s err by up to η.  Then its largest
+value errs by η, and the place of a level by η/|s'|.  A slope errs by η/4h, since a part of η is
+rounding, which differs from point to point.  The dissipated power errs, by parts, by about
 :math:`c^3 (R_b - R_a)^2 \eta` times the total variation of :math:`q's'`.  No error is below this,
 and none below the change of the number in the refined front.
 """
@@ -64,9 +64,9 @@ def errors_of_measures(values, others, sensitivities, error):
 
 
 MEASURES = ("overshoot", "width_10_90", "slope", "dissipated_power")
-"""By how much the strain passes the state behind, 0 for a monotone front; sites between 90 % and
-10 % of the way to the state behind, the last time the strain passes them; the steepest slope on the
-way from behind; and the dissipated power.
+"""How far the strain passes the state behind, 0 for a monotone front.  The sites between 90 % and
+10 % of the way to the state behind, where the strain passes them last.  The steepest slope on the
+way from behind.  The dissipated power.
 """
 
 

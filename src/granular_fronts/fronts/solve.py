@@ -1,4 +1,4 @@
-"""Exact fronts of a chain as data: the public face of this wing.
+"""Exact fronts of a chain as data: the public functions.
 
 Two powers are given by their exponents and γ, in units where the compression behind is 1; γ from a
 run at another δ with β = α is multiplied by δ^((α − 1)/2), James (2021), eq. (30).  Any law is
@@ -80,7 +80,7 @@ def solve_front(
     law: Law | Mapping[str, Any] | None = None,
     states: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return a travelling front: of two powers, or of any law between two states.
+    """Solve a travelling front of two powers, or of any law between two states.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def solve_front(
         Exponent of the damping force, at least 1; alpha by default.
     method : {"profile", "shooting"}
         By the advance–delay equation, see `profile.equation`; or by the motion of a window of
-        beads, see `shooting`, which knows two powers and a chain at rest ahead only.
+        beads, see `shooting`.  Shooting knows only two powers and a chain at rest ahead.
     right_state : float, optional
         Compression r ahead of a front of two powers from compression 1, 0 ≤ r < 1; the speed is
         c = ((1 − r^α)/(1 − r))^(1/2), eq. (14).
@@ -135,7 +135,7 @@ def solve_front(
         given, (behind, ahead) = check_given_law(law, states)
         if right_state > 0.0:
             raise InputError(
-                f"right_state is {right_state} beside a law, whose states say what is ahead: leave "
+                f"right_state is {right_state}, but the states of the law say what is ahead: leave "
                 "it out."
             )
         sought = _Sought(given, behind, ahead, front_problem(given, behind, ahead))
@@ -153,7 +153,7 @@ def solve_front(
 def evaluate_front(
     front: xr.Dataset, xi: npt.ArrayLike, name: str = "relative_displacement"
 ) -> np.ndarray:
-    """Return the relative displacement, the velocity or the strain of a front anywhere.
+    """Evaluate the relative displacement, the velocity or the strain of a front anywhere.
 
     Parameters
     ----------
@@ -166,8 +166,8 @@ def evaluate_front(
     Returns
     -------
     ndarray
-        Shape of `xi`, by local polynomials through 20 points; beyond the grid its first and its
-        last value, which are those of both states to round-off.
+        Shape of `xi`, by local polynomials through 20 points.  Beyond the grid it has the values of
+        both states, to round-off.
 
     Raises
     ------
@@ -213,7 +213,7 @@ def _by_shooting(sought):
     if not (law.is_power and sought.behind == -1.0):
         raise InputError(
             f"law is {json.dumps(law.describe(), default=str)} and the states are "
-            f"{sought.behind:g} and {sought.ahead:g}, but shooting takes the law (28) alone, "
+            f"{sought.behind:g} and {sought.ahead:g}, but shooting takes only the law (28), "
             'from compression 1 into a chain at rest: use method "profile".'
         )
     if sought.ahead < 0.0:

@@ -1,14 +1,14 @@
 """Many exact fronts: one after the other along the damping, each from the ones before it.
 
 The fronts are solved from strong to weak damping on one grid, compiled.  The window follows the
-tail, and the start of each front is extrapolated from those before (`numerics.extrapolation`), so
-that for close neighbours two steps of Newton's iteration are left.  Where the iteration does not
-settle, the grid becomes too coarse or a front fails another check, the sweep starts anew at that
-damping with a window and a grid of its own, and so does a front whose error turns out too large.
-Where this fails too, the values are NaN with a reason, and the sweep goes on.
+tail, and the start of each front is extrapolated from those before (`numerics.extrapolation`).  For
+close neighbours two steps of Newton's iteration are left.  If the iteration does not settle, the
+grid becomes too coarse or another check fails, the sweep starts anew at that damping, with a window
+and a grid of its own.  So it does for a front whose error is too large.  If this fails too, the
+values are NaN with a reason, and the sweep goes on.
 
-Accuracy.  Every stretch is swept a second time on a finer grid, by another order, on a longer
-window (`profile.solve.refine`); the differences are the error estimates.
+Accuracy.  Every stretch is swept again on a finer grid, by another order, on a longer window
+(`profile.solve.refine`).  The differences are the error estimates.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def sweep_fronts(
         `tail_frequency`, real and imaginary part of the slowest tail exponent; `error_estimate` of
         the strain, the one that explains the changes of overshoot, width and dissipated power, or
         where that is too large the difference of the strain itself; `converged` (0 or 1) and
-        `reason`.  Units are those of the law.
+        `reason`.  Units belong to the law.
 
     Raises
     ------
@@ -272,7 +272,7 @@ def _follow_on_grid(first_problem, dampings, grid, differences, decay, start, va
     remember(start, center - grid.middle, 0.0, past[0])
     for k in range(dampings.size):
         problem = with_damping(first_problem, dampings[k])
-        # The front that the sweep starts from is that of the first damping.
+        # The sweep starts from the front of the first damping.
         known = max(k, 1)
         first, margin = center - middles[k], int(MARGIN / grid.spacing)
         s = predict(past, known, places[:known], places[k], first, margin)

@@ -1,4 +1,4 @@
-"""Which fronts exist: the arguments of this wing, validated before anything is computed.
+"""Validate the arguments of fronts before anything is computed.
 
 James (2021), section 2.  Every function returns plain numbers, or raises an `InputError`.
 """
@@ -97,7 +97,7 @@ def check_front_of_powers(front):
         raise InputError(
             f"front has the law {front.attrs.get('law')} and joins R = "
             f"{front.attrs.get('state_behind')} to {front.attrs.get('state_ahead')}, but its "
-            "multipliers are known for two powers from compression 1 into a chain at rest only: "
+            "multipliers are known only for two powers from compression 1 into a chain at rest: "
             "give such a front, scaled by eq. (30)."
         )
     return front
@@ -117,9 +117,9 @@ def check_grid(front):
         )
     if not (off_grid <= SAME * spacing and off_state <= SAME * max(abs(behind), abs(ahead))):
         raise InputError(
-            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but a front of "
-            f"solve_front steps by {spacing:g} sites, is half-way at xi = 0 and at rest at both "
-            "ends: evaluate it as it was solved, and thin, crop or shift the values."
+            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but "
+            f"solve_front steps by {spacing:g} sites, from rest to rest, half-way at xi = 0: "
+            "evaluate the front as it was solved, and thin, crop or shift the values."
         )
 
 

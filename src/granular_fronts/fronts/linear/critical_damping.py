@@ -30,8 +30,8 @@ Long waves.  As α → 1 the double root tends to λ = 6g and :math:`g = ((1 - 1
 value μ = 2 of the logarithmic KdV–Burgers equation (James 2021, section 5).
 
 Overshoot.  What is seen is whether max u exceeds 1.  Near critical damping the overshoot falls like
-the tail over half a period of it, so that it is far below any visible size before the tail ceases
-to oscillate: this meaning needs a cut.
+the tail over half a period.  It is far below any visible size before the tail ceases to oscillate,
+so this meaning needs a cut.
 """
 
 import functools
@@ -62,7 +62,7 @@ LARGEST_ALPHA = 1e50  # up to it the products of the equations of the crossing d
 def critical_damping(
     alpha: float, beta: float | None = None, definition: str = "tail", cut: float = 1e-3
 ) -> float:
-    """Return the damping from which on fronts do not oscillate, in the sense asked for; δ = c = 1.
+    """Return the damping above which fronts do not oscillate, in a given sense, for δ = c = 1.
 
     Parameters
     ----------
@@ -71,17 +71,18 @@ def critical_damping(
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
     definition : {"tail", "double-root", "long-wave", "overshoot"}
-        What happens there: the slowest exponent of the tail turns from complex to real ("tail");
-        two real exponents appear as a double one (only for α ≤ α*); they do in the long-wave
-        limit, μ = 2; or the overshoot max u − 1 of the exact front falls below the cut.
+        The sense.  At "tail" the slowest exponent of the tail turns from complex to real.  At
+        "double-root" two real exponents appear as a double one, only for α ≤ α*.  At "long-wave"
+        they do so in the long-wave limit, μ = 2.  At "overshoot" the overshoot max u − 1 of the
+        exact front falls below the cut.
     cut : float, optional
         Overshoot that counts as none, from 1e-8 to 0.1; for "overshoot" only.
 
     Returns
     -------
     float
-        γ, for "tail" and "double-root" to a few units of the last digit, for "overshoot" with a
-        relative error below 1e-10 at the default cut, which grows like 1e-14/cut.
+        γ.  For "tail" and "double-root" it is exact to a few units of the last digit.  For
+        "overshoot" its relative error grows like 1e-14/cut and is below 1e-10 at the default cut.
 
     Raises
     ------
@@ -149,7 +150,7 @@ def _crossing_real_part(z):
 
 
 def _slope_of_line(x, z):
-    """Return αg from both equations; one alone fails where its coefficient vanishes."""
+    """Return αg from both equations, since each fails where its coefficient vanishes."""
     a, b, c, d = _equations(x, z)
     return (a * c + b * d) / (c * c + d * d)
 

@@ -152,7 +152,7 @@ def lowest_roots_of_all(alpha, damping, count):
 
 @subroutine
 def _sort_by_real_part(roots):
-    """Sort in place, NaN last, by insertion: all but the last few stand in order already."""
+    """Sort in place by insertion, NaN last: all but the last few are in order already."""
     for i in range(1, roots.size):
         root, k = roots[i], i
         while k > 0 and (roots[k - 1].real > root.real or math.isnan(roots[k - 1].real)):
@@ -199,8 +199,8 @@ def _log_slope(x):
 def _newton(x, alpha, damping, known):
     """Find a root of α(1 − gλ)S(λ) − 1 by Newton's iteration from x, but not the known one.
 
-    Beside a multiple root it never settles; the place where the function came down to rounding
-    stands in, which is as much as can be known of such a root.
+    Near a multiple root it never settles.  Then the root is the place where the function falls to
+    rounding, and no more can be known of it.
     """
     nearest, smallest = complex(math.nan, math.nan), NEGLIGIBLE
     for _ in range(NEWTON_STEPS):
@@ -244,7 +244,7 @@ def _strip_root(alpha, damping, strip):
 
 @subroutine
 def _lowest_strip(alpha, damping, roots):
-    """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one beside a pair."""
+    """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one and a pair."""
     low = _where_bell_falls(alpha * damping, 0.0, BEND)
     high = _where_bell_falls(alpha * damping, FLAT, BEND)
     end = 1.0 / damping
@@ -265,7 +265,7 @@ def _lowest_strip(alpha, damping, roots):
 
 @subroutine
 def _complex_root(alpha, damping, known):
-    """Return the root with 0 ≤ Im λ < 2π beside the known real one.
+    """Return a root with 0 ≤ Im λ < 2π other than the known real one.
 
     It is first sought where it lies for long waves, then where it lies for large damping.  Of some
     45000 laws with α − 1 from 1e-6 to 100 and γ from 1e-4 to 1e4, many of them next to a double

@@ -36,13 +36,13 @@ integrated with :math:`\dot x \to -cR_a` ahead (eq. (12)), is
     \dot x(\xi) = -cR_a - c\,(R_b - R_a)
         \Bigl[\int_{\xi-1}^{\xi} p(s)\,d\xi' - q(s(\xi)) + q(s(\xi - 1))\Bigr] .
 
-Which fronts are sought.  Those that the jump conditions admit, which run into the state where sound
-is slower than the front, p'(0) < 1, and away from one where it is faster, p'(1) > 1 (Lax); both
-slopes of p and q are finite there, and W acts behind, q'(1) > 0: otherwise nothing leads the front
+Which fronts are sought.  The jump conditions admit them.  They run into the state where sound is
+slower than the front, p'(0) < 1, and away from one where it is faster, p'(1) > 1 (Lax).  Both
+slopes of p and q are finite there.  W acts behind, q'(1) > 0; otherwise nothing leads the front
 exponentially to the state behind.
 
-Compiled code knows a law by its row maps (`model.passes`), in the compression u = −r; rounding of u
-is magnified in s by :math:`\max(|R_a|, |R_b|)/|R_b - R_a|`, or not at all.
+Compiled code knows a law by its row maps (`model.passes`), in the compression u = −r.  Rounding of
+u is magnified in s by :math:`\max(|R_a|, |R_b|)/|R_b - R_a|`, or not at all.
 """
 
 import math
@@ -169,7 +169,7 @@ def _force(potential, behind, ahead, speeds):
     parameters = [row_parameters(potential, order) for order in (1, 2)]
     scale = 1.0 / (speeds * (ahead - behind))
     force_behind, force_ahead = _two_forces(first, parameters[0], -behind, -ahead)
-    # Where V'' jumps, as at the end of a contact, the slope is that of the compressed side.
+    # Where V'' jumps, as at the end of a contact, the slope is taken on the compressed side.
     slopes = potential.second(np.array([behind, ahead])) / speeds
     force = Force(first, second, *parameters, force_ahead, scale)
     return force, (scale * (force_behind - force_ahead), float(slopes[0])), (0.0, float(slopes[1]))

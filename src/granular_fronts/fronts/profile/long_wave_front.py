@@ -15,10 +15,10 @@ It is solved for ξ by one integral, with the variable x in :math:`s = 1/(1 + e^
 
 .. math:: \xi = \int_0^x \frac{q'(s)\, s\,(1 - s)}{s - p(s)}\,dx .
 
-Next to both ends :math:`p(1) - p(s)` and p(s) lose their digits; slopes of p stand in for them.
-The front is good for strong damping.  Where damping is weak it is never steeper than the one at
-about critical damping, where the slowest tail of long waves has a double root,
-:math:`q'(1)^2 = p'(1)\,(p'(1) - 1)/3`; that one serves as a start there.
+Next to both ends :math:`p(1) - p(s)` and p(s) lose their digits; slopes of p replace them. The
+front is good for strong damping.  For weak damping it is never steeper than at about critical
+damping, where the slowest tail of long waves has a double root, :math:`q'(1)^2 = p'(1)\,(p'(1) -
+1)/3`.  That front is the start for weak damping.
 """
 
 import math
@@ -32,7 +32,7 @@ from granular_fronts.numerics.compiled import kernel
 # Up to 36, beyond which s is 1 to the last digit and the integrand has no value.
 X = np.linspace(-36.0, 36.0, 721)
 
-CLOSE = 1.0e-5  # distance of s from an end below which a slope of p stands for a difference of p
+CLOSE = 1.0e-5  # distance of s from an end below which a slope of p replaces a difference of p
 
 
 class LongWaveFront(NamedTuple):

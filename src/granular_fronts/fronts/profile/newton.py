@@ -1,12 +1,12 @@
 """Newton's iteration for the discretised profile equation of `equation`, compiled.
 
 Unknowns are the values s at all grid points of the window, and the speed σ in units of the exact
-one: with the weights of the two convolutions the equations are σ² s = hat * p + σ jump * q.  On the
-left the linearised operator has index +1: without further conditions it is solved by a family, the
-shifts of the front.  The phase condition, s = 1/2 at ξ = 0, picks one, and one equation is left
-over, the one at the far left, which determines σ.  In the matrix the equations 1 … middle therefore
-stand one row higher than their unknowns, the phase condition stands in row `middle`, and equation 0
-and the column of σ make the border.  Thus ordered, the band matrix has well-conditioned factors
+one.  With the weights of the two convolutions the equations are σ² s = hat * p + σ jump * q.  On
+the left the linearised operator has index +1: without further conditions it is solved by a family,
+the shifts of the front.  The phase condition, s = 1/2 at ξ = 0, picks one, and one equation is left
+over, the one at the far left, which determines σ.  In the matrix the equations 1 … middle are
+therefore one row higher than their unknowns.  The phase condition is in row `middle`, and equation
+0 and the column of σ make the border.  Thus ordered, the band matrix has well-conditioned factors
 without pivoting: the shift turns the index of its left part into zero.  Ordered without the shift,
 it would be singular to working precision, with solutions that satisfy all equations and are false.
 """

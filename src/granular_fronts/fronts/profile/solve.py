@@ -1,18 +1,18 @@
 r"""The exact profile of a front, from nothing: windows, grids and starts.
 
-Discretisation.  s of `equation` is sought at the points of a uniform grid, 1 and 0 beyond the
-window, and the integrals are replaced by the rules of `numerics.quadrature` with local polynomials
+Discretisation.  s of `equation` is sought at the points of a uniform grid; beyond the window it is
+1 and 0.  The integrals are replaced by the rules of `numerics.quadrature` with local polynomials
 through 20 points.  The unknowns are these values and the speed, the conditions all equations and
 s(0) = 1/2 (`newton`).  The weights sum to one exactly as the kernel does, so that the discrete
-equations have the speed of the jump conditions: that it comes out to round-off says that the window
-is long enough, not that the grid is fine enough.
+equations have the speed of the jump conditions.  If the solution has this speed to round-off, its
+window is long enough; the grid may still be too coarse.
 
 Two grids.  The equation is solved on a coarse grid, from the front of long waves, and then on a
-fine one, whose spacing follows from the difference of two quadrature rules on the coarse solution.
-A third grid, finer, with another order and a longer window, gives the error estimate.
+fine one.  The fine spacing follows from the difference of two quadrature rules on the coarse
+solution. A third grid, finer, with another order and a longer window, gives the error estimate.
 
-Where the front of long waves does not lead to the front, one of stronger damping is solved first
-and followed back, by steps as long as Newton's iteration allows.
+If the front of long waves does not lead to the front, one of stronger damping is solved first.  It
+is followed back by steps as long as Newton's iteration allows.
 
 Tails.  Near either state :math:`s \sim e^{\lambda\xi}` with
 
@@ -24,10 +24,10 @@ the dispersion relation of `fronts.linear.tails` with α = p' and αg = q'.  Beh
 long-wave front describes.  These lengths are estimates: the solution itself shows whether its ends
 are at rest (`_needed_stretch`).
 
-Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α: there by a
-factor that grows like a tower, and the sharpest part needs some (6 + 4.3α) points per site for the
-last digits; a wide front with small α − 1 needs fewer.  A solution on a coarse grid shows it: the
-difference of its convolutions by rules of two orders falls with the spacing like a known power.
+Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α.  For these it
+falls by a factor that grows like a tower, and its sharpest part needs some (6 + 4.3α) points per
+site.  A wide front with small α − 1 needs fewer.  The spacing is found on a coarse grid, where the
+difference of convolutions by rules of two orders falls with the spacing like a known power.
 """
 
 import functools
@@ -98,7 +98,7 @@ class Profile(NamedTuple):
     spacing: Fraction  # in sites
     middle: int  # index of ξ = 0, where s = 1/2
     s: np.ndarray  # shape (points,)
-    speed_defect: float  # relative deviation of the speed from that of the jump conditions
+    speed_defect: float  # relative deviation from the speed of the jump conditions
     residuals: np.ndarray  # the largest before each Newton step and after the last, on all grids
     reason: str = ""  # why this is not a front
 
@@ -122,8 +122,8 @@ def solve_profile(problem):
         return _no_profile(
             problem,
             f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
-            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and the force between the "
-            "states away from a linear one (alpha and right_state away from 1)",
+            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and alpha and right_state "
+            "away from 1, where the force is linear",
         )
     profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
@@ -280,7 +280,7 @@ def quadrature_defect(profile):
 
 @functools.cache
 def differences_of_rules(spacing, order):
-    """Return the weights of an order less those of order 16."""
+    """Return the weights of an order less the weights of order 16."""
     rule, other = (kernel_weights(spacing, of) for of in (order, OTHER_ORDER))
     more = (rule.hat.size - other.hat.size) // 2
     return Weights(*(a - np.pad(b, more) for a, b in zip(rule, other, strict=True)))

@@ -17,13 +17,14 @@ in its strain form
     U_i = u + c_i h\, d + \sum_j \bigl( h\gamma\, a_{ij}\, g_j + h^2 (A^2)_{ij}\, k_j \bigr),
     \qquad k_j = \Delta_d (U_j)_+^\alpha,\; g_j = \Delta_d (U_j)_+^\beta .
 
-The step is fixed, so that the computed map is a smooth function of its start where u > 0 and its
-derivative is the derivative of a formula: the error of the derivative is rounding, whatever S.
+The step is fixed, so that the computed map is a smooth function of its start where u > 0.  Its
+derivative is the derivative of a formula and errs by rounding only, whatever S.
 
-Rounding.  A front of α near 1 forgives an error of its forces, which pushes two neighbours apart
-and changes neither Σ d nor Σ n d, but magnifies an error of these sums by 1/(α − 1) times the
-length of the window.  Neighbouring forces are almost equal, so that their difference is exact: the
-Laplacian is taken as the difference of two, and small changes are summed before they are added.
+Rounding.  An error of a force pushes two neighbours apart and changes neither Σ d nor Σ n d, which
+a front of α near 1 forgives.  It magnifies an error of these sums by 1/(α − 1) times the length of
+the window.  Neighbouring forces are almost equal, so that their difference is exact.  So the
+Laplacian is the difference of two such differences, and small changes are summed before they are
+added.
 
 Tangent.  A perturbation (δu, δd) obeys the same formulae with
 
@@ -84,7 +85,7 @@ class Stages(NamedTuple):
     """What a step computes with: slopes of all stages, one stage value, and its forces."""
 
     k: np.ndarray  # Laplacians of the elastic force, shape (12, M + 2)
-    g: np.ndarray  # those of the viscous force; the same array where β = α
+    g: np.ndarray  # of the viscous force; the same array where β = α
     value: np.ndarray  # shape (M + 2,)
     force: np.ndarray
 
@@ -231,7 +232,7 @@ def _push(law, weights, driver, stiffness, u, d, stages):
 def derivative(law, weights, stiffness, spread):
     """Return derivative of the flow by its start, as a band of shape (M + 2, 2 spread + 1, 2, 2).
 
-    Entry [n, o, i, j] is that of (u, d)[i] of contact n by (u, d)[j] of contact n + o − spread.
+    Entry [n, o, i, j] derives (u, d)[i] of contact n by (u, d)[j] of contact n + o − spread.
     """
     steps, _, columns = stiffness.elastic.shape
     stride, last = 2 * spread + 1, columns - 2

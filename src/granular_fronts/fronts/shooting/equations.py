@@ -132,7 +132,7 @@ def jacobian(window, stiffness):
 
 
 def _phase_row(window):
-    """Return the row of the phase condition: after those of its contact."""
+    """Return the row of the phase condition, after the rows of its contact."""
     return 2 * (TIED_CONTACTS + window.centre)
 
 
@@ -228,8 +228,8 @@ def _damped(window, unknowns, step, norm, tolerance):
 def _move(window, unknowns, step):
     """Add a step, but let no contact that is stiff fall more than tenfold.
 
-    For α near 1 the toe of the front stays stiff down to u = 1e-12 and less; a step that took u
-    below zero there would cut it off.
+    For α near 1 the toe of the front stays stiff down to u = 1e-12 and less.  A step that took u
+    below zero would cut it off.
     """
     moved = unknowns + step
     before, after = (split(window, each)[1][:, 0] for each in (unknowns, moved))

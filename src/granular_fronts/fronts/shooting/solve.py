@@ -7,10 +7,10 @@ They are solved from an `initial_guess`, in a `window` as long as the tails need
 `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is checked.
 
 Accuracy.  The residual falls to a few units of the last digit.  For α near 1 one combination of the
-equations, the conserved sums over the window, hardly depends on u, and `bead_flow` takes care of
-the rounding in it: the front is found to 1e-12 from α = 1.02 on.
+equations, the conserved sums over the window, hardly depends on u.  `bead_flow` takes care of the
+rounding in it, and the front is found to 1e-12 for α ≥ 1.02.
 
-Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
+Steps.  The flow is repeated with twice the steps.  If it differs by more than `FLOW_ERROR`, the
 steps are doubled and the solve goes on.
 
 Between.  While a window flows, contact n passes through all of the front between n and n − 1,
@@ -66,7 +66,7 @@ class Shot(NamedTuple):
     reason: str  # why or why not, in words
     residuals: np.ndarray  # the largest before every Gauss-Newton step and after the last
     step_sizes: np.ndarray  # the largest change of an unknown in every step
-    counts: dict  # right_hand_sides are those of the flow, tangents apart
+    counts: dict  # right_hand_sides belong to the flow, without tangents
     flow_error: float  # largest change of the flow over a bead-time when its steps are doubled
     window: Window
     unknowns: np.ndarray
@@ -78,8 +78,8 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
     `beads` are those behind and ahead of bead 0, by default as many as the tails need.  `guess`, a
     `Guess` or `Shot`, is by default a continuum front, or where that fails the front of a stronger
     damping; `tolerance` is the largest residual of any equation.  An InputError says that the law
-    has no front or the window is too short for its tail, a NoFrontError that the front would need
-    too many beads or steps.
+    has no front or that the window is too short for its tail.  A NoFrontError says that the front
+    would need too many beads or steps.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     law = PowerLaw(alpha, beta, gamma)

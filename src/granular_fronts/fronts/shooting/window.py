@@ -11,9 +11,9 @@ Behind.  Linearised at u = 1 a front is a sum of modes (James 2021, section 6)
     \lambda^2 = \alpha\,\bigl(1 - \tfrac{\beta\gamma}{\alpha}\lambda\bigr)\,(2\cosh\lambda - 2),
     \qquad \operatorname{Re}\lambda > 0 .
 
-The window is closed where the squares of the slowest modes are lost in rounding, half as far behind
-the front as where the modes themselves are.  Roots with more than `FASTER` times the smallest real
-part have died out there.
+The window is closed where the squares of the slowest modes are lost in rounding.  The modes
+themselves are lost twice as far behind the front.  Roots with more than `FASTER` times the smallest
+real part have died out there.
 
 Ahead.  u falls super-exponentially.  For β > 1, :math:`p = -\ln u` grows at least by the factor
 min(α, β) from bead to bead once the overdamped front of `initial_guess` has come to its end; for β
@@ -70,8 +70,8 @@ def _separate(roots):
 def modes(law, roots, xi):
     """Return relative displacement u − 1 and strain rate d of each real mode, 1 in size at ξ = 0.
 
-    The shape is (modes, 2) + that of xi, which counts from the driven contact; a complex root has
-    two modes.
+    The shape is (modes, 2) + the shape of xi, which counts from the driven contact.  A complex root
+    has two modes.
     """
     xi = np.asarray(xi, dtype=float)
     basis = []
