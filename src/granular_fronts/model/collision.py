@@ -8,9 +8,9 @@ Two equal beads meet with the relative velocity :math:`v_0`, which is the refere
     \ddot u = -2\,\bigl(u_+^\alpha + \gamma\tfrac{d}{dt}u_+^\beta\bigr), \qquad u(0) = 0,\quad
     \dot u(0) = 1,
 
-until u returns to zero, with the velocity :math:`-e`.  The law is taken as it is written: shortly
+until u returns to zero, with the velocity :math:`-e`.  The law is taken as it is written.  Shortly
 before they part the beads attract each other, since the viscous force is then the larger one.  (A
-contact that ends where its force vanishes gives a smaller loss, but belongs to another law.)
+contact that ends where its force vanishes loses less, but belongs to another law.)
 
 One exponent.  With :math:`p = \dot u + 2\gamma u_+^\beta`, twice the w of (31), :math:`\dot p =
 -2u_+^\alpha`, so that p falls from 1 to :math:`-e`; with :math:`Y = 4u_+^{\alpha+1}/(\alpha+1)`
@@ -20,7 +20,7 @@ One exponent.  With :math:`p = \dot u + 2\gamma u_+^\beta`, twice the w of (31),
     \frac{dY}{dp} = -2p + G\,Y^\nu, \qquad \nu = \frac{\beta}{\alpha+1}, \quad
     G = 4\gamma\Bigl(\frac{\alpha+1}{4}\Bigr)^{\nu},
 
-from :math:`Y(1) = 0` to :math:`Y(-e) = 0`: e depends on ν and G alone.  In polar coordinates
+from :math:`Y(1) = 0` to :math:`Y(-e) = 0`: e depends only on ν and G.  In polar coordinates
 :math:`p = \rho\cos\theta`, :math:`\sqrt Y = \rho\sin\theta` both ends are known, θ = 0 and π, and
 
 .. math::

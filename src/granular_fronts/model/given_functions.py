@@ -1,7 +1,7 @@
 """Checks of a user's functions before they make a potential.
 
-A function of the strain is given arrays; a derivative is compared with a difference quotient of
-fourth order of the function before it, at nodes inside the interval.
+A function of the strain must take arrays.  Each derivative is compared with a difference quotient
+of fourth order of the function before it, at nodes inside the interval.
 """
 
 import itertools

@@ -30,7 +30,7 @@ Close states.  The differences above lose all digits as :math:`[\![R]\!] \to 0`.
       = -\tfrac12 [\![R]\!]^3 \int_0^1 s(1-s)\,V'''(r(s))\,ds .
 
 The last is the signed area (19), and shows σ = −sign([[R]] V''') where V''' has one sign.  Gauss
-quadrature on one interval and on two estimates its own error, so that a kink between the states is
+quadrature on one interval and on two estimates its own error.  So a kink between the states is
 noticed, and the differences are taken there instead.
 """
 
@@ -117,21 +117,21 @@ def jump_conditions(
     mass: float = 1.0,
     dissipation: Potential | None = None,
 ) -> JumpConditions:
-    """Return the speed, direction, velocities and losses of a front between two states.
+    """Compute speed, direction, velocities and losses of a front between two states.
 
     The conditions are necessary; they do not say that a front exists.
 
     Parameters
     ----------
     law : Law, Mapping or Potential
-        A law, or the mapping of which `granular_fronts.make_law` makes one; or V alone.
+        A law, a mapping for `granular_fronts.make_law`, or only V.
     R_minus, R_plus : float
         States at n → −∞ and n → +∞; negative in compression.
     mass : float, optional
         m, above 0.
     dissipation : Potential, optional
-        W beside V alone. None stands for some convex potential that acts between the states, which
-        is all that the results depend on; a law without damping makes a conservative chain.
+        W, if law is only V.  None means some convex potential that acts between the states; the
+        results depend on nothing else.  A law without damping makes a conservative chain.
 
     Returns
     -------
@@ -302,7 +302,7 @@ def _potentials(law, dissipation):
     if dissipation is not None:
         raise InputError(
             f"dissipation is {dissipation.name}, but the law has a viscous potential already, "
-            f"{law.viscous.name}: leave dissipation out, or give the elastic potential alone."
+            f"{law.viscous.name}: leave dissipation out, or give only the elastic potential."
         )
     return law.elastic, law.viscous
 
@@ -371,13 +371,12 @@ def _check_dissipation(potential, dissipation, area, R_minus, R_plus):
         return
     if abs(area.value) > area.error:
         raise InputError(
-            "Nothing dissipates between the states, and the signed area of eq. (20) is "
-            f"{area.value:.6g} where a front of a conservative chain needs 0, as it never is where "
-            "V''' has one sign (James 2021, Remark 4): add dissipation."
+            "Nothing dissipates between the states.  A front of a conservative chain then needs "
+            f"the signed area (20) to be 0, but it is {area.value:.6g}, as always where V''' has one "
+            "sign (James 2021, Remark 4): add dissipation."
         )
     raise InputError(
-        "Nothing dissipates between the states and the signed area of eq. (20) is 0: if a front "
-        f"of speed {math.sqrt(max(_squared_speed(potential, R_minus, R_plus).value, 0.0)):.6g} "
-        "(for mass 1) exists it may run either way, and no direction follows (James 2021, "
-        "Remark 4): add dissipation."
+        "Nothing dissipates between the states, and the signed area (20) is 0.  If a front of "
+        f"speed {math.sqrt(max(_squared_speed(potential, R_minus, R_plus).value, 0.0)):.6g} "
+        "(for mass 1) exists, it may run either way (James 2021, Remark 4): add dissipation."
     )

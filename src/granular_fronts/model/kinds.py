@@ -1,13 +1,13 @@
 r"""Named potentials of a contact: one function and one entry for each kind.
 
 A potential of a named kind is :math:`a\,\varphi(r; p)`: a factor, which the configuration calls
-stiffness, strength, depth or γ, and a shape φ with parameters p.  One function
-``shape(r, order, p)`` gives φ, φ', φ'' and φ''' for the orders 0 to 3.  It is written of
-arithmetic, of the functions below and of those of numpy that take numbers as well as arrays, such
-as `cosh` and `maximum`.  Theory applies it to arrays; `model.passes` compiles it for single
-numbers, so that chains and exact fronts have the same law.
+stiffness, strength, depth or γ, and a shape φ with parameters p.  One function ``shape(r, order,
+p)`` gives φ, φ', φ'' and φ''' for the orders 0 to 3.  It uses arithmetic, the functions below, and
+functions of numpy that take numbers as well as arrays, such as `cosh` and `maximum`.  Theory
+applies it to arrays; `model.passes` compiles it for single numbers, so that chains and exact fronts
+have the same law.
 
-A further kind needs its function and its entry in `ELASTIC` here, and nothing elsewhere: then
+A further kind needs its function and its entry in `ELASTIC` here, and nothing elsewhere.  Then
 configuration, scenes, exact fronts, jump conditions, collisions and campaigns know it.  All shapes
 with a minimum have it at r = 0, where the chain is at rest.
 """

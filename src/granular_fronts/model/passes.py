@@ -15,19 +15,18 @@ A map is a C function, reached by its address from kernels that need not be comp
     void map(double *u, double *result, int64 first, int64 last, double *parameters)
 
 for the contacts first … last, both included; `result` is another row than `u`.  Maps of named kinds
-are compiled once for all parameters and cached on disk; those of a user's functions are compiled in
-a fraction of a second for each potential.  Where a law does not hold they give no finite number, so
-that no run leaves its domain unnoticed.
+are compiled once for all parameters and cached on disk.  Maps of a user's functions are compiled in
+a fraction of a second for each potential.  Outside the domain of a law they give no finite number,
+so that no run leaves it unnoticed.
 
 Compilation freezes the values of the variables outside a user's function, while Python sees them
-change.  Whenever a map is asked for, its numbers are compared with those of the function itself, so
-that no run mixes two laws.
+change.  At each request for a map its numbers are compared with the function itself, so that no run
+mixes two laws.
 
-Vector code.  Powers of a contact are products with a square root where the exponent is 1/2, 1, 3/2,
-2 or 5/2, and the vector code of `numerics.vector_functions` elsewhere; so are exponentials.
-Compressions up to `NEGLIGIBLE` exert no force: they could not influence another bead in double
-precision, and arithmetic on the subnormal numbers that their powers lead to is a hundred times
-slower.
+Vector code.  Powers of a contact are products with a square root for the exponents 1/2, 1, 3/2, 2
+and 5/2.  Other powers and exponentials use the vector code of `numerics.vector_functions`.
+Compressions up to `NEGLIGIBLE` exert no force.  They could not influence another bead in double
+precision, and arithmetic on the subnormal numbers of their powers is a hundred times slower.
 """
 
 import ctypes
@@ -64,9 +63,9 @@ ROW_MAP = types.void(ROW, ROW, types.int64, types.int64, ROW)
 
 _NAMED = {"fastmath": {"contract"}, "error_model": "numpy"}
 _USER = {"fastmath": {"contract", "afn"}, "error_model": "numpy"}
-"""Arithmetic of a user's functions: a multiply and an add may fuse, and a power whose constant
-exponent is a multiple of 1/2 becomes products and a square root, ten times faster and good to about
-as many units of the last place as its exponent."""
+"""Arithmetic of a user's functions: a multiply and an add may fuse.  A power with a multiple of 1/2
+as constant exponent becomes products and a square root, ten times faster.  It errs by about as many
+units of the last place as its exponent."""
 
 
 def row_map(potential, order):

@@ -10,12 +10,11 @@ granular chains is (4), the generalised Hertz potential for both:
 .. math:: V(r) = \frac{k}{\alpha+1}(-r)_+^{\alpha+1}, \qquad
           W(r) = \frac{\gamma_0 k}{\beta+1}(-r)_+^{\beta+1} .
 
-A `Potential` is either of the two: of a named kind (see `model.kinds`), of a user's own functions,
-or of a SymPy expression.  Its functions take and return arrays; `model.passes` compiles them for
-chains.  Potentials with a minimum have it at r = 0, where the chain is at rest; the units are the
-user's.
+A `Potential` is V or W.  It has a named kind (see `model.kinds`), a user's own functions, or a
+SymPy expression.  Its functions take and return arrays; `model.passes` compiles them for chains.
+Potentials with a minimum have it at r = 0, where the chain is at rest; the units are the user's.
 
-This module imports nothing heavier than numpy; SymPy is needed for expressions alone.
+This module imports nothing heavier than numpy; only expressions need SymPy.
 """
 
 from __future__ import annotations
@@ -93,8 +92,8 @@ class Potential:
     Raises
     ------
     InputError
-        If a function is not vectorised or returns no finite numbers inside the interval, or if a
-        derivative disagrees with a finite difference of the function before it.
+        If a function is not vectorised, returns no finite numbers inside the interval, or disagrees
+        with a finite difference of the function before it.
 
     Examples
     --------
@@ -167,7 +166,7 @@ class Potential:
         expression : sympy.Expr
             V, an expression of one symbol.
         symbol : sympy.Symbol
-            The one that stands for r.
+            The symbol of r.
         interval, kinks : tuple of float
             As for `Potential`.
         name : str, optional
@@ -180,8 +179,8 @@ class Potential:
         Raises
         ------
         InputError
-            If it is no expression of SymPy, as a text is not, which would run as Python; if it has
-            other symbols or no numbers, or fails the check of `Potential`.
+            If it is no expression of SymPy (a text would run as Python), has other symbols or no
+            numbers, or fails the check of `Potential`.
         ModuleNotFoundError
             Without SymPy.
 
@@ -201,7 +200,7 @@ class Potential:
                 name="sympy",
             ) from error
         instance("expression", expression, sympy.Expr, "make one of sympy.Symbol('r')")
-        instance("symbol", symbol, sympy.Symbol, "give the one that stands for r")
+        instance("symbol", symbol, sympy.Symbol, "give the symbol of r")
         others = sorted(map(str, expression.free_symbols - {symbol}))
         if others:
             raise InputError(
