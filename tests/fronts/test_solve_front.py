@@ -160,7 +160,7 @@ IMPOSSIBLE = [
     ({"states": (-1, 0)}, "law is missing"),
     (TODA | {"states": (-1, 0, 1)}, "states holds 3 numbers"),
     (TODA | {"alpha": 1.5}, "alpha and law are given together"),
-    (TODA | {"right_state": 0.1}, "right_state is 0.1 beside a law"),
+    (TODA | {"right_state": 0.1}, "right_state is 0.1, but the states"),
     (TODA | {"method": "shooting"}, r"shooting takes the law \(28\)"),
     (TODA | {"law": 1.5}, "law is 1.5"),
     # Between these states there is no front, or none that is sought.
