@@ -100,7 +100,7 @@ def _half_beads(point, scaling):
     if abs(found - wanted) > LENGTH_TOLERANCE * wanted:
         raise InputError(
             f"half_length is {wanted:g}, but beads are ε = {scaling.epsilon:.3g} apart in xi, and "
-            f"the nearest ring has {found:.3g}: lengthen the ring, lower alpha or raise the damping."
+            f"the nearest ring has {found:.3g}: lengthen it, lower alpha or raise the damping."
         )
     return half_beads
 
