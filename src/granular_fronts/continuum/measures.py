@@ -68,8 +68,8 @@ def _steepness_error(dataset):
 def residual_of_orbits(dataset, smallest_mu):
     """Return the largest defect of z' = μz − y ln y, which is (59), on the orbits from some μ on.
 
-    z' comes from differences of order 6, whose error is what is left where the orbit is exact: over
-    twice the spacing the defect is 2⁶ times as large, which the error estimate assumes.
+    z' comes from differences of order 6, and their error is all that is left for an exact orbit.
+    Over twice the spacing the defect is 2⁶ times as large, which the error estimate assumes.
     """
     sweep = _each_mu(dataset.sel(mu=dataset["mu"] >= smallest_mu))
     fine, coarse = np.max([_orbit_defects(orbit) for orbit in sweep], axis=0)
@@ -136,7 +136,7 @@ def flux_distance(dataset, alpha, smallest=0.0):
 
 
 def profile_distance(dataset, alpha):
-    """Return the largest distance of u/δ of the front (46) to that of (45)."""
+    """Return the largest distance of u/δ between the fronts (46) and (45)."""
     return _sampled_maximum(abs(dataset["front"].sel(alpha=alpha) - dataset["front_limit"]))
 
 

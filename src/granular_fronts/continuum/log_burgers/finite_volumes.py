@@ -10,7 +10,7 @@ laws for :math:`v = y^{1/\alpha}`,
          = v\,\Bigl(\alpha\,\frac{v^{\alpha-1} - 1}{\alpha - 1} - 1\Bigr),
 
 whose limit :math:`\alpha \to 1^+` is :math:`F = v\ln v - v` with linear diffusion, that is, the
-advective form (50), since :math:`\partial F = \ln v\;\partial v`.  Here `alpha` = 1 stands for the
+advective form (50), since :math:`\partial F = \ln v\;\partial v`.  Here `alpha` = 1 means the
 limit.
 
 Discretisation.  The unknowns are averages of v over N equal cells of a ring of length
@@ -29,8 +29,8 @@ Both are of sixth order in the cell width :math:`\Delta`.  A flux leaves one cel
 next, so that the mean of v is kept to round-off whatever the flux.
 
 Small values.  Below `floor` the logarithm (or the power) in F is frozen at the floor.  This changes
-F by at most floor/e, which for a floor of 1e-16 is below the rounding of F itself, and makes a
-start that vanishes identically harmless.
+F by at most floor/e, for a floor of 1e-16 less than the rounding of F.  It makes a start that
+vanishes identically harmless.
 
 Lower bound.  The exact solution stays above the smallest value of its start, a reconstruction need
 not.  `lift` fills cells that fell below the bound from the nearest cells that can spare it, and so
@@ -55,7 +55,7 @@ DIFFUSION_RADIUS = 272.0 / 45.0
 class Equation(NamedTuple):
     """What is solved, and on which cells."""
 
-    alpha: float  # exponent of (40), above 1; exactly 1 stands for its limit (41)
+    alpha: float  # exponent of (40), above 1; exactly 1 means its limit (41)
     floor: float  # where logarithm and power are frozen; positive
     bound: float  # lower bound of v, at least 0
     width: float  # of a cell

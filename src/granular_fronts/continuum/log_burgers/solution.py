@@ -12,16 +12,16 @@ pairs of cells are joined, by their exact mean, whenever
 
 .. math:: \tau = (s\Delta)^2 / D_{min},
 
-where :math:`\Delta` is the present width, s = `SMOOTH_CELLS`, and
-:math:`D_{min} = \alpha v_{min}^{\alpha-1}` the least diffusivity, 1 for the logarithmic equation.
-Each level covers a quarter of the time of the next, so that all of them together cost little, and
-the error of the kink falls by :math:`8^L`.
+where :math:`\Delta` is the present width, s = `SMOOTH_CELLS`, and :math:`D_{min} = \alpha
+v_{min}^{\alpha-1}` the least diffusivity, 1 for the logarithmic equation. Each level covers a
+quarter of the time of the next, so that all together cost little, and the error of the kink falls
+by :math:`8^L`.
 
 Foot of the wave.  A front (46) of (40) ends on zero as :math:`v \sim (\xi_0 - \xi)^{1/(\alpha-1)}`,
 for :math:`\alpha = 3/2` with a jump of its second derivative.  The floor of the start rounds it
-only over :math:`D_{min}`, a hundredth of a cell.  About the foot, and nowhere else, the error
-therefore stays of second order, and no start, however fine, changes that: two levels are enough,
-and a third would last long, since :math:`D_{min}` is small.
+only over :math:`D_{min}`, a hundredth of a cell.  Only about the foot the error therefore stays of
+second order, however fine the start.  Two levels are enough, and a third would last long, since
+:math:`D_{min}` is small.
 """
 
 from typing import NamedTuple

@@ -13,8 +13,8 @@ which with :math:`q = 1/\alpha` is an incomplete beta function,
 
 so that a kink inside a cell costs nothing.
 
-A given start is a list of y at equally spaced points from −ℓ to ℓ, both ends included and equal; in
-between it is the trigonometric polynomial through the points, whose averages are exact too.
+A given start is a list of y at equally spaced points from −ℓ to ℓ, both ends included and equal.
+In between it is the trigonometric polynomial through the points, whose averages are exact too.
 """
 
 from typing import NamedTuple

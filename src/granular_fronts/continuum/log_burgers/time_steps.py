@@ -22,8 +22,8 @@ stable if its polynomial is at most 1 on
 .. math:: z(\theta) = -b\,\frac{G(\theta)}{G(\pi)} - i\sqrt{\frac{p\,b}{G(\pi)}}\,S(\theta),
 
 that is, if :math:`p \le p(b)`.  Along the real axis the method is stable further out per stage than
-the classical one of fourth order, and its region is wide too, so that the diffusion of a fine grid
-and the advection of a coarse one both leave it long steps.  `PARABOLA` holds :math:`p(b)` for the
+the classical one of fourth order, and its region is wide.  So its steps are long for the diffusion
+of a fine grid and for the advection of a coarse one.  `PARABOLA` holds :math:`p(b)` for the
 :math:`b` of `DIFFUSION_NUMBERS`, measured when the module is imported.
 """
 
@@ -37,7 +37,7 @@ from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.records import make_record, record_type
 
 STAGES = 10
-# Ten times the weights of order 3 less those of order 4, which are all 1/10.
+# Ten times the weights of order 3 less the weights of order 4, which are all 1/10.
 EMBEDDED_DIFFERENCE = (1.0, -1.0, -1.0, 2.0, -1.0, -1.0, 1.0, -1.0, 2.0, -1.0)
 DIFFUSION_NUMBERS = np.arange(12.0, 1.5, -0.5)
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0

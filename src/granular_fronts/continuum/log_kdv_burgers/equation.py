@@ -34,8 +34,8 @@ Variables.  In :math:`p = -\ln y`, :math:`v = p' = -z/y` and
     p' = v, \qquad v' = v^2 + \mu v - p = \tfrac12 + e + \mu v, \qquad e' = 2v\,(e + \mu v) .
 
 Everything is quadratic.  Without damping e = 0 on the orbit and v grows linearly, which is the
-Gaussian :math:`y = \exp(\tfrac12 - s^2/4)` of Remark 8; with weak damping e is small and keeps its
-relative accuracy, where the difference v² − p − ½ would lose it.
+Gaussian :math:`y = \exp(\tfrac12 - s^2/4)` of Remark 8; with weak damping e is small.  It keeps its
+relative accuracy, which the difference v² − p − ½ would lose.
 """
 
 import math

@@ -17,7 +17,7 @@ and the step, with all :math:`\varphi` at z,
     u^+ = e^z u + h[\varphi_1 - 3\varphi_2 + 4\varphi_3] N_1
         + h[2\varphi_2 - 4\varphi_3](N_2 + N_3) + h[4\varphi_3 - \varphi_2] N_4 .
 
-Error.  With :math:`N(u^+)` in place of :math:`N_4` the last formula is of third order; the
+Error.  With :math:`N(u^+)` in place of :math:`N_4` the last formula is of third order.  The
 difference of both is kept below the tolerance in the maximum norm.  :math:`N(u^+)` is the
 :math:`N_1` of the next step, so that a step costs four fluxes.
 
@@ -74,7 +74,7 @@ class Weights(NamedTuple):
 
 
 def _weights_of_step(equation, points, h):
-    """Return the weights for a step of length h; those of fluxes contain −iκh."""
+    """Return the weights for a step of length h; the weights of fluxes contain −iκh."""
     kappa = wave_numbers(equation, points)
     z, derivative = h * linear_rates(equation, kappa), -1j * h * kappa
     half, half_1, half_2, _ = phi_functions(0.5 * z)

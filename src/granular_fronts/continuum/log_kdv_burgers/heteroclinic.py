@@ -8,12 +8,12 @@ above zero.  For μ = 0 the orbit is the homoclinic Gaussian of Remark 8, and y 
 sides.
 
 Turning points.  For 0 < μ < 2 the front oscillates about 1.  Each extremum is a zero of v, located
-on the series; its deviation y − 1 is known with relative accuracy, so that a turn is resolved as
-long as y − 1 is: down to one unit of the last digit of 1.
+on the series.  Its deviation y − 1 is known with relative accuracy, so that turns are resolved down
+to one unit of the last digit of 1.
 
-Accuracy.  The same orbit is computed a second time, by series of another order over steps of other
-lengths, or with fewer terms of the expansion.  The largest difference is the error estimate of each
-variable; it comes from an independent refinement, and where it vanishes the last digit stands in.
+Accuracy.  The same orbit is computed again, by series of another order over steps of other lengths,
+or with fewer terms of the expansion.  The largest difference is the error estimate of each
+variable; where it vanishes, the last digit replaces it.
 """
 
 from __future__ import annotations
@@ -97,8 +97,8 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     Raises
     ------
     InputError
-        If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
-        underflow of y, or over more turns than can be followed.
+        If mu is below 0 or not finite.  If s is not a finite list of numbers, reaches beyond the
+        underflow of y, or over too many turns.
     """
     mu = check_mu(mu)
     s = None if s is None else sequence("s", s, advice="leave that point out")

@@ -48,7 +48,7 @@ PORTRAIT_REFINEMENT = 100.0
 
 
 def survey_heteroclinic(scene, name="given"):
-    """Fronts, their approach to (1, 0), and what figure 8 shows beside them; see the module."""
+    """Return the fronts, their approach to (1, 0), and what else figure 8 shows; see the module."""
     scene = check_scene("heteroclinic", scene, name)
     parts = [survey_fronts(scene["mu"], regular_points(**scene["profile"]))]
     if "well" in scene:
@@ -87,10 +87,9 @@ _RATES = ("growth_rate", "growth_rate_error", "angular_frequency", "angular_freq
 def measure_rates(mu):
     """Growth rate and frequency at which the front leaves (1, 0), each followed by its error.
 
-    They are read off the last extrema of an oscillating front, or off v/p of a monotone one;
-    errors are the changes since the extrema, or the deviation, before.  NaN where neither is to
-    be had: for μ below `SMALLEST_MEASURED_MU`, and next to 2 with fewer than four small
-    extrema.
+    They follow from the last extrema of an oscillating front, or from v/p of a monotone one.
+    Errors are the changes since the extrema, or the deviation, before.  NaN where neither is to be
+    had: for μ below `SMALLEST_MEASURED_MU`, and next to 2 with fewer than four small extrema.
     """
     nothing = (math.nan,) * 4
     if mu >= CRITICAL_DAMPING:

@@ -2,8 +2,8 @@ r"""The heteroclinic orbit for weak and moderate damping, traced from the far en
 
 The orbit starts on the expansion of the stable manifold (`slow_manifold`) beyond the p at which
 :math:`y = e^{-p}` underflows, and Taylor steps (`taylor`) carry it towards (1, 0).  At y = ½, which
-is s = 0 by definition, the clock is set to zero and the steps start anew, so that the s of every
-later step is an exact number, however many turns follow.
+is s = 0 by definition, s is set to zero and the steps start anew.  So the s of every later step is
+exact, however many turns follow.
 """
 
 import math
