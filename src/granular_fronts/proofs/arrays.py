@@ -1,4 +1,4 @@
-"""The arrays of a certificate: read, and of the kinds and shapes that they must have."""
+"""Read the arrays of a certificate, and check their kinds and shapes."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ LARGEST = 2**30  # bytes of all its arrays
 
 
 def load(path):
-    """Return the arrays of a file, of which nothing is known."""
+    """Return the arrays of a file, about which nothing is assumed."""
     if not Path(path).is_file():
         raise NotProvedError(f"{path} is missing or not a regular file")
     try:

@@ -120,7 +120,7 @@ def describe(front, alpha, interval, n, fine, drift):
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
     half = float(interval[1] - interval[0]) / 2
     nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
-    # The front at hand is that of the node in the middle.
+    # The given front belongs to the node in the middle.
     fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
     near_one = max(stored.NEAR_ONE, LOST_IN_CURVATURE * half**2)
     behind = stored.beads(-xi[abs(u - 1) > near_one][0])

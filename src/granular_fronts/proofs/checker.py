@@ -1,9 +1,9 @@
-"""Check the certificate of a front in ball arithmetic, with python-flint and NumPy alone.
+"""Check the certificate of a front in ball arithmetic, with only python-flint and NumPy.
 
-The theorem and its proof are in `existence`, the operator A and the bounds of `bound_inverse` in
-`right_inverse`, what follows in `consequences` and `rear_expansion`.  A certificate holds exact
-doubles and integers, of which nothing is assumed.  A comparison of balls holds if it holds for all
-of their points; wherever one does not, and whatever else happens, nothing is proved.
+The theorem and its proof are in `existence`; the operator A and the bounds of `bound_inverse` are
+in `right_inverse`.  The conclusions are in `consequences` and `rear_expansion`.  A certificate
+holds exact doubles and integers, and nothing is assumed about them.  A comparison of balls holds if
+it holds for all of their points.  If one fails, or anything else goes wrong, nothing is proved.
 """
 
 from pathlib import Path
@@ -72,20 +72,20 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Returns
     -------
     dict
-        `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
-        parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
-        from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
-        are `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ and
-        `amplitude_low`, `amplitude_high` of A or B, and as 1 `monotone`, `oscillates` (behind, so
-        that max u* > 1) and `critical` (monotone from some γ on, and not below), with dashpots
-        `tail_start` (x₁, rounded up), `tail_low` and `tail_high` (the exponentials that bound u*
-        ahead have these values at x₁); `inequalities`, dicts of `name`, `left` and `right` (left <
-        right, rounded outwards) and their `margin`.
+        `proved` (bool) and, where it is False, `reason`.  `alpha` and `gamma` bound the parameters
+        for which the `statements` hold; `error` bounds the distance of u* from ū.  `numbers` always
+        holds `radius` (of the ball of y).  Where proved it holds `overshoot` (max u* is above it),
+        bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds `amplitude_low`, `amplitude_high` of A
+        or B.  The value 1 marks `monotone`, `oscillates` (behind, so that max u* > 1) and
+        `critical` (monotone above some γ, and not below).  Dashpots have `tail_start` (x₁, rounded
+        up), and `tail_low`, `tail_high`, the values at x₁ of exponentials that bound u* ahead.
+        `inequalities` are dicts of `name`, `left`, `right` (left < right, rounded outwards) and
+        their `margin`.
 
     Raises
     ------
     InputError
-        If `path` is no path.  A file that is missing or damaged is one that proves nothing.
+        If `path` is no path.  A missing or damaged file proves nothing.
     """
     path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}

@@ -1,4 +1,4 @@
-"""One continuous family of fronts: how the fronts of neighbouring intervals of γ are joined.
+"""Join the fronts of neighbouring intervals of γ to one continuous family.
 
 On the interval of one certificate H and g are fixed, P̄ and, as K is continuous in L¹, also ū, A and
 Q depend continuously on γ in norm, and r does not depend on γ.  So the fixed point y* of a uniform
@@ -23,10 +23,10 @@ L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at mos
 Hence y = 0, c = 0. ∎
 
 Shifting the second branch by τ, and each following one by the sum of the shifts before it, makes
-the family continuous over all intervals; what is proved of each front (positivity, decrease ahead,
+the family continuous over all intervals.  What is proved of each front (positivity, decrease ahead,
 the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
-certificates, this holds for each α; as φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
-below h with that φ and so depends continuously on α: the family is continuous in α and γ.
+certificates, this holds for each α.  As φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
+below h with that φ.  So τ depends continuously on α, and the family is continuous in α and γ.
 """
 
 import math
@@ -42,8 +42,8 @@ from granular_fronts.proofs.consequences import shape
 def prove_family(paths):
     """Prove that the fronts of certificates, in the order of γ, form one continuous family.
 
-    Yields the `record` of each, whose inequalities are its own and those of its junction with the
-    one before; NotProvedError at the first that is not proved or not joined.
+    Yield the `record` of each, with the inequalities of its front and of its junction with the one
+    before.  A NotProvedError names the first that is not proved or not joined.
     """
     last = None
     for path in paths:
@@ -119,7 +119,7 @@ class _Side:
         self.pieces, self.strains = front.at(arb(s))
 
     def place(self, j):
-        """Return the place of a cell among those of the front, or None outside."""
+        """Return the place of a cell among the cells of the front, or None outside."""
         k = j // self.parts + self.front.left * self.front.n
         return k if 0 <= k < len(self.strains) else None
 
