@@ -1,8 +1,8 @@
 """Accurate answers to the problems, each with its error, as netCDF and CSV.
 
-A problem is solved by the chain's own integrator, and again with a tolerance a tenth of it; the
-largest difference is the error (see `chain.simulate`).  The reading of the damping (`readings`) is
-made at several dampings around the given one, so that a run can be compared with each.
+A problem is solved by the chain's integrator, and again with two steps for each.  The largest
+difference is the error (see `chain.simulate`).  The number that depends on the damping (`readings`)
+is computed at several dampings around the given one.  So a result can be compared with each.
 """
 
 import csv
@@ -21,8 +21,8 @@ LAST_BEADS = 3  # whose velocities at the end are listed
 def solve(problem):
     """Return the accurate answer to a problem.
 
-    `relative_displacement` is on (t, contact), `velocity` on (t, bead), `reading` on (factor,),
-    dampings over γ; `value` and `value_error` are on (quantity,).
+    `relative_displacement` is on (t, contact) and `velocity` on (t, bead).  `reading` is on
+    (factor,), dampings over γ; `value` and `value_error` are on (quantity,).
     """
     motion = simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)

@@ -1,4 +1,4 @@
-"""How far results are from the answer: errors, order, the damping they look like, and advice."""
+"""Assess results: errors, order, apparent damping, and advice."""
 
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ class Finding(NamedTuple):
     """What one result shows.
 
     `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
-    states; `reading` and `excess` are those of `readings`, NaN where there is none.
+    states; `reading` and `excess` come from `readings`; NaN if undefined.
     """
 
     step: float
@@ -64,7 +64,7 @@ def _matching_rows(problem, answer, result):
 def _check_start(problem, step, u, v):
     """Check that a motion starts as the problem: beads touch and have its velocities.
 
-    Codes that keep velocities of half steps start with that of half a step before or after.
+    Codes that keep velocities of half steps start with a velocity half a step before or after.
     """
     name = f"{problem.name} with step {step:g} does not start as the problem"
     farthest = float(np.abs(u).max())
@@ -77,7 +77,7 @@ def _check_start(problem, step, u, v):
     pressure = problem.displacement ** problem.scene["law"]["alpha"]
     if off > 0.5 * step * pressure + SAME_START * velocity_scale(problem):
         raise InputError(
-            f"{name}: at t = 0 a velocity is {off:.3g} from that of the problem; bead 1 has "
+            f"{name}: at t = 0 a velocity is {off:.3g} off; in the problem bead 1 has "
             f"{problem.scene['start']['velocity'][0]:.6g} and the others rest."
         )
 

@@ -35,7 +35,7 @@ No other force acts, both ends are free, and nothing rotates.
 
 Two neighbours that overlap by u > 0 repel each other with the force
     u^(3/2) + {gamma!r} * {beta:g} * u^({less:g}) * du/dt,
-which becomes attractive just before they part and is not cut off there; without overlap it is zero.
+which becomes attractive just before they part and is not cut off there. It is zero without overlap.
 
 Compute the motion up to t = {end_time:g}, with two steps or more, and write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
@@ -48,9 +48,9 @@ columns t, bead, x, v, where x is the displacement from the start. Or let LAMMPS
 class Problem(NamedTuple):
     """A motion to compute.
 
-    `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ,
-    `interval` the time between two states that are compared; `factors` are the dampings over γ at
-    which a reading of the damping is made.
+    `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ, and
+    `interval` is the time between two states that are compared.  `factors` are the dampings over γ
+    at which the number of `readings` is computed.
     """
 
     name: str
@@ -68,7 +68,7 @@ class Problem(NamedTuple):
 
 
 def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
-    """Return state all problems of the section ``referee`` of config/referee.yaml, by their names.
+    """Return all problems of the section ``referee`` of config/referee.yaml, by their names.
 
     An InputError says in a sentence what is wrong, such as a law that LAMMPS does not have.
     """

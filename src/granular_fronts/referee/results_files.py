@@ -1,8 +1,8 @@
-"""What a code made of a problem: dumps of LAMMPS, or tables with the columns t, bead, x, v.
+"""Read the results of a code: dumps of LAMMPS, or tables with the columns t, bead, x, v.
 
-The name of a file says what it is about, PROBLEM_STEP.dump or PROBLEM_STEP.csv, for example
-``front_steel_dashpot_0.05.csv``.  In a table x is the displacement of a bead from where it would
-just touch, or its position in diameters with bead 1 at 0; times and beads may come in any order.
+A file is named PROBLEM_STEP.dump or PROBLEM_STEP.csv, for example ``front_steel_dashpot_0.05.csv``.
+In a table x is the displacement of a bead from where it just touches, or its position in diameters
+with bead 1 at 0.  Times and beads may come in any order.
 """
 
 import csv
