@@ -33,7 +33,7 @@ class Contacts(NamedTuple):
 
     form: int  # XW or XV.
     ring: bool
-    # Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of all
+    # Relative displacements u_0 and u_N held at the ends.  On a ring `right` is −L, the sum of all
     # relative displacements over one turn, and `left` is unused.
     left: float
     right: float
@@ -115,7 +115,7 @@ def integrate_fixed(system, y, h, steps):
 
 
 def integrate_by_stages(system, y, h, steps, nodes, weights):
-    """`steps` steps of constant size h of a method whose stages each use the one before alone.
+    """Take `steps` steps of constant size h, by a method whose stages each use only the one before.
 
     Euler's method has the nodes [0] and weights [1], the classical one of order 4 the nodes
     [0, 1/2, 1/2, 1] and weights [1, 2, 2, 1]/6.
