@@ -1,1 +1,1 @@
-"""What the workflow computes by combining the wings."""
+"""Studies: what the workflow computes by combining chains, fronts and equations."""

@@ -6,14 +6,14 @@ Lipschitz for β < 2, and a jump for β = 1.  It is :math:`\propto h^{\min(\alph
 (x, w): bounded, and for β > 1 going to zero, the derivative of an open contact.
 
 Order.  Two beads meet and part under Euler's method and the classical Runge-Kutta method of order 4
-with fixed steps.  Where in a step a contact opens or closes decides the error of one run, so that
-the median over several gaps between the beads counts; the order is the slope of its logarithm.  The
-velocity with which the beads part is known from the reduced collision (`collision`).
+with fixed steps.  The place in a step where a contact opens or closes decides the error of one run.
+So the median over several gaps between the beads is taken; the order is the slope of its logarithm.
+The velocity with which the beads part is known from the reduced collision (`collision`).
 
 Conservation.  Behind a front in an infinite chain the limit of :math:`w_n` is conserved and equal
-to that of :math:`\dot x_n` (34).  A chain whose left part is at the compression 1 and the velocity
-of (22), with pressure 1 on its end, is the left half of an infinite one for as long as waves have
-not come back to its first beads.
+to that of :math:`\dot x_n` (34).  Consider a chain whose left part has the compression 1 and the
+velocity of (22), with pressure 1 on its end.  It is the left half of an infinite chain until waves
+come back to its first beads.
 """
 
 import numpy as np
@@ -39,7 +39,7 @@ SCHEMES = {
     "euler": (np.array([0.0]), np.array([1.0])),
     "runge_kutta_4": (np.array([0.0, 0.5, 0.5, 1.0]), np.array([1.0, 2.0, 2.0, 1.0]) / 6.0),
 }
-"""Nodes and weights of methods in which each stage uses the one before it alone."""
+"""Nodes and weights of methods in which each stage uses only the one before it."""
 
 FREE = Boundary(ring=False)
 """Ends of a chain on which nothing presses."""
@@ -116,7 +116,7 @@ def observed_order(form, law, scheme):
 def _part_pairs(system, scheme, steps):
     """Relative velocities ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
 
-    The pairs stand in one chain, too far apart to meet.
+    The pairs are in one chain, too far apart to meet.
     """
     place = (COLLISION_END + GAPS.max()) * (np.arange(GAPS.size) - GAPS.size // 2)
     start = np.stack([place - GAPS, place], axis=1).ravel()

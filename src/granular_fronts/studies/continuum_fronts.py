@@ -1,6 +1,6 @@
 r"""The three continuum fronts of the paper, in the frame of the exact front.
 
-With δ = c = 1 a front of the chain with :math:`\beta = \alpha` depends on α and γ alone and falls
+With δ = c = 1 a front of the chain with :math:`\beta = \alpha` depends only on α and γ, and falls
 from 1 to 0 as a function of :math:`\xi = n - t`.  The amplitude equations approximate it by
 
 - (45), (47): :math:`u = 2^{-e^{\varepsilon\xi}}`, the logarithmic Burgers equation, with
@@ -47,7 +47,7 @@ def _heteroclinic_front(alpha, gamma, xi):
     """Return the relative displacement and velocity of the heteroclinic front, with u(0) = 1/2."""
     amplitude = amplitude_of_chain(alpha, gamma)
     mu, stretch = amplitude.mu, amplitude.s_per_bead
-    # The phase lies ahead of s = 0, so that the orbit's tail alone fixes it.
+    # The phase lies ahead of s = 0, so that only the orbit's tail fixes it.
     start = compute_orbit(mu, 0.0).s_at(alpha * math.log(2.0))
     s = start + stretch * xi
     orbit = compute_orbit(mu, min(float(s.min()), 0.0))

@@ -1,15 +1,16 @@
 r"""Fronts over the plane of exponent and damping as curves: profiles, tails, multipliers.
 
-In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends on α and γ alone.  At each point
+In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends only on α and γ.  At each point
 of a grid the exact front is kept with all that `granular_fronts.studies.front_survey` says of it,
-beside
+and
 
 - u of the three continuum fronts (`granular_fronts.studies.continuum_fronts`) at the same ξ,
 - the roots λ that describe its tail, those that decay slowest first,
 - its Floquet multipliers of largest modulus.
 
-The places ξ = n − ct of a front are at equal distances over a window of its own, from where its
-tail is within `SHOWN` of 1, or after `OSCILLATIONS` oscillations, to where u has fallen to `SHOWN`.
+The places ξ = n − ct of a front are at equal distances over a window of its own.  It begins where
+the tail is within `SHOWN` of 1, or after `OSCILLATIONS` oscillations, and ends where u has fallen
+to `SHOWN`.
 
 Errors.  Profiles carry the error of the exact fronts, the largest difference to a finer solution.
 The multiplier of translation is 1 exactly; its distance from 1 measures each spectrum
@@ -47,7 +48,7 @@ SCALARS = (
     "spectral_radius_without_translation",
     "verdict",
 )
-"""What is kept of a spectrum beside its multipliers."""
+"""What is kept of a spectrum in addition to its multipliers."""
 
 SHOWN = 1e-3
 """Distance from 1, or from 0, at which a front counts as there."""
@@ -65,12 +66,12 @@ DIGITS = 4.0
 def collect_fronts(exponents, dampings):
     """Solve a front with δ = c = 1 at each exponent α > 1 and damping γ > 0 and keep its curves.
 
-    On (alpha, gamma, place): `xi`, `relative_displacement` of the exact front and with a suffix
-    that of each continuum front.  On (alpha, gamma, root): `tail_root_real` and
-    `_imaginary`.  On (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, that of
-    translation first, then by decreasing modulus, NaN beyond the last.  On (alpha, gamma):
-    `beads_behind`, `translation_defect`, `spectral_radius_without_translation`, `verdict` in
-    words, and what `survey_fronts` keeps.
+    On (alpha, gamma, place): `xi`, and `relative_displacement` of the exact front and, with a
+    suffix, of each continuum front.  On (alpha, gamma, root): `tail_root_real` and `_imaginary`. On
+    (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, translation first, then by
+    decreasing modulus, NaN beyond the last.  On (alpha, gamma): `beads_behind`,
+    `translation_defect`, `spectral_radius_without_translation`, `verdict` in words, and what
+    `survey_fronts` keeps.
     """
     return _with_errors(over_plane(exponents, dampings, _collect_front, "collection of fronts"))
 

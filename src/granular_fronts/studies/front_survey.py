@@ -1,7 +1,7 @@
 r"""Exact fronts over the plane of exponent and damping, and how far continuum fronts are from them.
 
-In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends on α and γ alone.  At each point
-of a grid the front is solved, its properties are kept, and each continuum front of
+In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends only on α and γ.  At each point
+of a grid the front is solved and its properties are kept.  Each continuum front of
 `granular_fronts.studies.continuum_fronts` is compared with it: `distance_<front>` is the largest
 absolute difference of u over all ξ where either front has not come to rest.
 """
@@ -29,7 +29,7 @@ POINTS = 8001
 """Points at which two fronts are compared, between where both have come to rest."""
 
 REST = 40.0
-"""−ln u of (45) from which on it is at rest, far below round-off."""
+"""−ln u of (45) above which it is at rest, far below round-off."""
 
 
 def survey_fronts(exponents, dampings):
@@ -95,7 +95,7 @@ def without_dimensions(numbers):
 
 
 def solve_converged(alpha, gamma):
-    """Return a front, or a NoFrontError with the reason why there is none."""
+    """Return a front, or raise a NoFrontError with the reason."""
     front = solve_front(alpha, gamma)
     if not front.attrs["converged"]:
         raise NoFrontError(f"alpha = {alpha}, gamma = {gamma}: {front.attrs['reason']}.")

@@ -45,10 +45,10 @@ BISECTION = {"error_estimate": 1.0e-11, "error_method": "width of the last inter
 def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponents, mu):
     """Return the tails, critical dampings, widths and solitary waves along families of fronts.
 
-    `tail_frequency` on (beta, piston_velocity), velocities over that of critical damping, is 0
-    for a monotone tail.  `critical_gamma` and `width_of_displacement`, for β = α and a fixed γ,
-    are on (displacement,); `width_of_exponent` at a fixed μ, `solitary_peak`, the largest u,
-    and `gaussian_distance`, over the peak, on (exponent,).  Raises NoFrontError.
+    `tail_frequency` on (beta, piston_velocity), velocities over the one of critical damping, is 0
+    for a monotone tail.  `critical_gamma` and `width_of_displacement`, for β = α and a fixed γ, are
+    on (displacement,); `width_of_exponent` at a fixed μ, `solitary_peak`, the largest u, and
+    `gaussian_distance`, over the peak, on (exponent,).  Raises NoFrontError.
     """
     frequencies = [
         [tail_frequency(alpha, beta, velocity) for velocity in piston_velocities] for beta in betas

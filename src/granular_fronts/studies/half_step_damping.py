@@ -7,8 +7,8 @@ this does can be read as another γ, by two observables.
 - *Overshoot*: the γ for which the accurate chain has the first peak of u that the scheme has, at
   the contact in the middle.  Near a peak ü < 0, so that the additional force is repulsive and the
   peak lower, as damping makes it.
-- *Tail*: the γ for which the oscillations behind an exact front decay as those of the scheme do.
-  A wave :math:`u = 1 + Ae^{\lambda(n-t)}` of the scheme has
+- *Tail*: the γ for which the oscillations behind an exact front decay as in the scheme. A wave
+  :math:`u = 1 + Ae^{\lambda(n-t)}` of the scheme has
 
   .. math::
 
@@ -23,7 +23,7 @@ of the size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitione
 says less: for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency;
 decay changes only at order hγ².
 
-Beside both stand the checks that discrete-element codes are given, as relative errors:
+The checks that discrete-element codes are given are added, as relative errors:
 
 - *restitution*: 1 − e of a collision of two beads that meet at the velocity 1, mean over the phase
   of the first contact within a step;
@@ -65,7 +65,7 @@ CONTINUATION = 20
 TAIL_ERROR = 1.0e-12
 TAIL_METHOD = "rounding of the roots"
 
-READING_METHOD = "change of the reading that leaving out one tabulated damping makes"
+READING_METHOD = "change when one tabulated damping is left out"
 
 
 ERRORS = {
@@ -146,7 +146,7 @@ def excess_by_table(peaks, factors, table):
 
 
 def excess_of_tail(case, step):
-    """Return γ of the front whose tail decays like that of the scheme, over γ, less 1."""
+    """Return γ of the front whose tail decays as in the scheme, over γ, less 1."""
     root = tail_root(case, step)
 
     def slower(factor):

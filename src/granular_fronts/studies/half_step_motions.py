@@ -92,7 +92,7 @@ def read_motion(case, motion):
 def passing(motion, contact, event):
     """Return time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
 
-    Between two steps u is that of `cubic_between`.
+    Between two steps u is taken from `cubic_between`.
     """
     u = motion.x[:, contact - 1] - motion.x[:, contact]
     rate = motion.v[:, contact - 1] - motion.v[:, contact]

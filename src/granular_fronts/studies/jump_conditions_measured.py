@@ -1,30 +1,29 @@
 r"""The jump conditions of section 2 of James (2021) against fronts that are solved and driven.
 
 For any V and W the speed (13), the direction (17), the jump of the velocity (12) and the power lost
-(16) follow from the two states alone.  They are measured here in three ways.
+(16) follow from the two states.  They are measured here in three ways.
 
 Exact front (`fronts.solve`): its speed is an unknown of the equations, and its power an integral
-over the profile.  The discrete equations imply (13) as the exact ones do, so that this speed shows
+over the profile.  The discrete equations imply (13) as the exact ones do.  So this speed shows
 whether the front reaches both states, and the power whether it is resolved.  Error: change on a
 finer grid, by another order, on a longer window, and rounding.
 
-Travelling front: the exact front, put into a chain of beads (`chain.simulate`), travels; its speed
-is the slope of the times at which the contacts pass the middle between the states.  No code is
-shared with the profile.  Error: what the error of these times can do to the slope, and rounding.
+Travelling front: the exact front is put into a chain of beads (`chain.simulate`) and travels.  Its
+speed is the slope of the times at which the contacts pass the middle between the states.  No code
+is shared with the profile.  Error: what the error of these times can do to the slope, and rounding.
 
-Driven front: the chain starts from a short straight ramp between the two states, each bead with
-the velocity −c times the mean strain of its two contacts.  Such a start leaves nothing behind:
-strain and velocity are conserved and would all be in the front, were it not for the inner structure
-that the front has to find.  (A sharp jump would open the contacts of a softening law.)  This
-transient dies out algebraically, about as the inverse square of the distance, which is why driven
-speeds are no better than they are.  The speed is the slope of the times of passage over the
-second half of the way; the jump of the velocity and the power are measured at its end, over the
-passage of one bead and the contacts of the front.  Error: the change on the last doubling of the
-way, which for the inverse square is three times the error that is left, or a quarter of the change
-on the doubling before, and rounding.
-Weakly nonlinear or strongly damped fronts form slowly, at an exponential rate; they need a longer
-way, or have larger errors.  The chain behind the ramp is so long that nothing that its held end
-reflects reaches the front.
+Driven front: the chain starts from a short straight ramp between the two states.  Each bead has the
+velocity −c times the mean strain of its two contacts.  Strain and velocity are conserved and would
+all be in the front, but the front must first find its inner structure.  (A sharp jump would open
+the contacts of a softening law.)  This transient dies out algebraically, about as the inverse
+square of the distance, and limits the accuracy of driven speeds.  The speed is the slope of the
+times of passage over the second half of the way.  The jump of the velocity and the power are
+measured at its end, over the passage of one bead and the contacts of the front.  Error: the change
+on the last doubling of the way, or a quarter of the change on the doubling before, and rounding.
+For the inverse square the change is three times the error that is left. Weakly nonlinear or
+strongly damped fronts form slowly, at an exponential rate; they need a longer way, or have larger
+errors.  The chain behind the ramp is so long that nothing that its held end reflects reaches the
+front.
 
 A front that runs to smaller n is measured in the reflected chain, with the states exchanged.
 """
@@ -65,11 +64,10 @@ def measure_jumps(cases, beads, tolerance):
     """Measure the fronts of several lattices; driven ones run over `beads`.
 
     Each case has `elastic` and `dissipation`, kinds of potentials with their parameters
-    (`model.kinds`), and `states`, R₋ and R₊.  On (law,): `state_minus`, `state_plus`,
-    `direction`, and `speed_…`, `velocity_jump_…` and `power_…` with the endings `expected`,
-    `exact`, `travelling` and `driven` as far as they are measured, each with its `…_error`; on
-    (law, xi) the `profile` of the exact front.  Raises InputError or NoFrontError where there
-    is none.
+    (`model.kinds`), and `states`, R₋ and R₊.  On (law,): `state_minus`, `state_plus`, `direction`,
+    and `speed_…`, `velocity_jump_…` and `power_…`, each with its `…_error`.  Their endings are
+    `expected`, `exact`, `travelling` and `driven`, as far as they are measured.  On (law, xi) it
+    holds the `profile` of the exact front.  Raises InputError or NoFrontError where there is none.
     """
     rows = [_measure(name, case, beads, tolerance) for name, case in cases.items()]
     variables = {}
@@ -199,8 +197,8 @@ def _scene(law, front, u, velocity, tolerance, snapshots):
 def _settling(early, halfway, late):
     """Return the last of three values, at a quarter, half and the whole of the way, and its error.
 
-    What follows the inverse square changes four times as much in the first doubling of the way; a
-    change that happens to vanish in the second is caught by this.
+    What follows the inverse square changes four times as much in the first doubling of the way.
+    This catches a change that happens to vanish in the second.
     """
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
     return Estimate(late, change + 8.0 * EPSILON * abs(late))

@@ -134,7 +134,7 @@ def _power_of(values):
 
 
 def front_speed(dataset, law, ramp):
-    """Return the front speed ahead of a piston over that of (23)."""
+    """Return the front speed ahead of a piston over the speed (23)."""
     return _over_expected(dataset, "front_speed", law, ramp)
 
 
@@ -147,7 +147,7 @@ def largest_piston_defect(dataset):
 
 
 def compression_behind(dataset, law, ramp):
-    """Return the compression behind the front of a piston over that of (22)."""
+    """Return the compression behind the front of a piston over the compression (22)."""
     return _over_expected(dataset, "compression_behind", law, ramp)
 
 

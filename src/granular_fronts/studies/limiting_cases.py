@@ -1,9 +1,9 @@
 r"""Limits of the theory of fronts and of its continuum limit; James (2021), sections 2 to 4.
 
 No front.  A chain at rest is pressed from t = 0 on.  Without damping (W = 0, remark 4) the
-oscillations behind the wave fill a region that grows with it: the range of u over 0.5 to 0.8 of its
-way does not fall, while any damping makes it vanish.  With a quadratic V (α = 1, remark 3) the wave
-spreads: its width grows like :math:`t^{1/2}`, while that of a front of α > 1 settles.
+oscillations behind the wave fill a region that grows with it.  The range of u over 0.5 to 0.8 of
+its way does not fall, while any damping makes it vanish.  With a quadratic V (α = 1, remark 3) the
+wave spreads: its width grows like :math:`t^{1/2}`, while that of a front of α > 1 settles.
 
 Softening.  For α < 1 the speed (14) between the strains −1 and :math:`R_+ \to 0^-` tends to the −1
 of (21): the front runs towards the compressed beads.
@@ -46,12 +46,11 @@ ERROR_METHOD = "of the chain, or the change that leaving out every other bead ma
 def measure_limiting_cases(**section):
     """Return the waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
-    `section` stands under `laws: limiting_cases:` of the configuration; its pressed chains must be
-    longer than the waves run, and are also seen at a quarter of the time.  `oscillation` on
-    (gamma, t) and `width` on (alpha, t) are in units of the compression and in beads;
-    `softening_speed` is on (strain_ahead,), `contact_time` and `indentation` on
-    (impact_velocity,), and `ring_distance` on (exponent,), the root mean square of the distance of
-    u/δ to the equation.
+    `section` is `laws: limiting_cases:` of the configuration.  Its pressed chains must be longer
+    than the waves run, and are also measured at a quarter of the time.  `oscillation` on (gamma, t)
+    and `width` on (alpha, t) are in units of the compression and in beads; `softening_speed` is on
+    (strain_ahead,), `contact_time` and `indentation` are on (impact_velocity,).  `ring_distance` on
+    (exponent,) is the root mean square distance of u/δ to the equation.
     """
     raise_if_any([*pressed_chains_hold_waves(section)])
     alpha, rings = section["alpha"], section["rings"]
@@ -138,7 +137,7 @@ def collide(alpha, velocity):
 
 
 def ring_distance(alpha, rings):
-    """Root mean square of u/δ of a ring less that of (41) at the slow time, and its error."""
+    """Return the root mean square distance of u/δ to (41) at the slow time, and its error."""
     scales = make_slow_scales(alpha, rings["gamma"], 1.0)
     end = rings["slow_time"] / scales.slow_rate
     compared = compare_with_chain(

@@ -19,8 +19,8 @@ SCALARS = (
 def compute_multipliers(fronts, beads_behind):
     """Return the multipliers of every front, by name, in windows with so many beads behind it.
 
-    `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), those of the compressed
-    chain behind on (scene, branch, wavenumber); a NoFrontError if there is none.
+    `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), and for the compressed
+    chain behind on (scene, branch, wavenumber).  Without a front it is a NoFrontError.
     """
     return xr.concat(
         [_spectra_of(law, beads_behind) for law in fronts.values()],
@@ -30,7 +30,7 @@ def compute_multipliers(fronts, beads_behind):
 
 
 def _spectra_of(law, windows):
-    """Multipliers of one front in every window, and those of the compressed chain behind it."""
+    """Return the multipliers of a front in every window, and of the compressed chain behind it."""
     front = solve_converged(**law)
     found = [front_multipliers(front, beads_behind=behind) for behind in windows]
     spectra = xr.concat(

@@ -1,19 +1,19 @@
-r"""The θ-method on a conservative chain beside the damped chain it stands for.
+r"""The θ-method on a conservative chain, compared with the damped chain that it resembles.
 
 The method with step h damps like the Kuwabara-Kono law with :math:`\gamma = (2\theta - 1)h` (see
-`reference_methods.theta_method`).  Both chains are pressed at one end; the damped one is solved
+`reference_methods.theta_method`).  Both chains are pressed at one end.  The damped one is solved
 accurately and starts as the method's own modified equation does: rest of the method, v = 0, means
 :math:`\dot x_1 = \tfrac\gamma2\delta^\alpha`.  Their distance at the end,
 
 .. math:: \max_n |u_n^{\theta} - u_n^{\gamma}|/\delta,
 
-falls as h² where h alone is made smaller and γ falls with it; the distance of the method to the
+falls as h² where h is made smaller and γ falls with it.  The distance of the method to the
 conservative chain falls as h only.  The order sets in late: behind a front of damping γ about 1/γ
 oscillations follow, and their shifts add up.
 
 Other schemes.  To first order in h any Runge-Kutta method of order 1 solves :math:`\dot y = f +
-(\sum_i b_i c_i - \tfrac12)h\,f'f`, so that the class which damps like this is that of all schemes
-with :math:`\sum_i b_i c_i = \theta`.  The explicit one of two stages,
+(\sum_i b_i c_i - \tfrac12)h\,f'f`, so that all schemes with :math:`\sum_i b_i c_i = \theta`
+damp like this.  The explicit one of two stages,
 
 .. math:: y' = y + h f\bigl(y + \theta h f(y)\bigr),
 
@@ -65,9 +65,9 @@ def measure_numerical_damping(alpha, displacement, order, profile):
 def measure_order(case, thetas, steps):
     """Return the distances of the θ-method, θ > 1/2, to damped chains and to the conservative one.
 
-    `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step); on
-    (theta,) the observed `order` of the first distance at the last two of three or more falling
-    steps, and `order_two_stages` of the explicit scheme of two stages.
+    `gamma`, `damping_distance` and `conservative_distance`, relative to δ, are on (theta, step).
+    On (theta,) is the observed `order` of the first distance at the last two of three or more
+    falling steps.  `order_two_stages` belongs to the explicit scheme of two stages.
     """
     conservative, rounding = damped_chain(case, 0.0)
     shape = (len(thetas), len(steps))

@@ -11,8 +11,8 @@ velocity, :math:`v' \pm c_s u'` is constant along rays to the right and to the l
 
 .. math:: v' = \tfrac{\alpha+1}{2}\,c\,u' .
 
-A ray that leaves the front at the distance n from the piston comes back to it at the distance λn,
-and its amplitude has changed by the factor :math:`-\rho`, with
+A ray that leaves the front at the distance n from the piston comes back to it at the distance λn.
+Its amplitude has changed by the factor :math:`-\rho`, with
 
 .. math::
 
@@ -74,7 +74,7 @@ WINDOW = 1.25
 """Ratio of the distances between which the slowness is measured."""
 
 BEHIND = 0.25
-"""Distance from the piston at which compression and velocity are measured, that of the front 1."""
+"""Distance from the piston at which compression and velocity are measured; the front is at 1."""
 
 FRONT = (0.01, 0.99)
 """Compressions over δ between which the front is."""

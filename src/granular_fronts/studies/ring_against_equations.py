@@ -12,14 +12,14 @@ give :math:`u_n` and :math:`\dot x_n` by (51) at :math:`\tilde\xi = \varepsilon(
 modulo the length of the ring.
 
 Distances are taken over all N beads: `sup` is the largest absolute difference and `rms` the root
-mean square, of the compressions :math:`u_{n,+}/\delta` and of
-:math:`\dot x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that
-gaps count as no compression here; how deep they are is recorded by itself.  Beside the distances
-stands `floor`, what the solvers contribute to `sup`: the error estimate of the chain plus the
-difference of the equation to its refined run at the same beads and time (`evolution`).
+mean square, of the compressions :math:`u_{n,+}/\delta` and of :math:`\dot
+x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that gaps count
+as no compression here.  Their depth is recorded separately.  In addition `floor` is what the
+solvers contribute to `sup`.  It is the error estimate of the chain plus the difference of the
+equation to its refined run at the same beads and time (`evolution`).
 
-The paper's own scheme is run too where the scene names its points, since the percentages it
-quotes contain the error of that scheme.
+The paper's own scheme is run too if the scene names its points, since the percentages that the
+paper quotes contain its error.
 """
 
 import numpy as np
@@ -45,7 +45,7 @@ FLOOR_METHOD = "of the two solutions compared, carried through"
 
 
 def compare_with_chain(scene, name="given"):
-    """Solve a periodic scene as a chain and by those of equations (50) and (40) that it names.
+    """Solve a periodic scene as a chain and by the equations that it names, of (50) and (40).
 
     Parameters
     ----------
@@ -58,8 +58,8 @@ def compare_with_chain(scene, name="given"):
     -------
     xarray.Dataset
         The chain's `relative_displacement` and `velocity` on (t, bead) and on (t_grid, bead), and
-        its extremes; those of each equation on (t, site), site being a bead number that need not be
-        whole; distances and floors on (t_grid).
+        its extremes.  The fields of each equation are on (t, site), where a site is a bead number
+        that need not be whole.  Distances and floors are on (t_grid).
 
     Raises
     ------

@@ -1,13 +1,13 @@
 r"""How far a ring of beads is from its amplitude equations, as α → 1.
 
-A ring is followed as the chain itself and by three equations for the rescaled force y, all from the
-same start and in units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55), which
-in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
+A ring is followed as the chain itself and by three equations for the rescaled force y.  All have
+the same start and the units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55),
+which in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
 
-The chain is followed bead by bead, or, where a smooth wave needs fewer points than there are beads,
-by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
-contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap counts as
-no compression, since no equation for u^α can have one.
+The chain is followed bead by bead.  A smooth wave that needs fewer points than there are beads is
+followed by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many
+places.  A contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap
+counts as no compression, since no equation for u^α can have one.
 
 Errors at a slow time τ, each against the chain at its beads, or at those places:
 
@@ -21,18 +21,18 @@ Errors at a slow time τ, each against the chain at its beads, or at those place
 Heights and places are interpolated alike in the two waves that are compared, so that what
 interpolation adds all but cancels.
 
-From velocities to first order the mean difference is taken off: a constant is momentum of the whole
-ring, which no formula in y knows.  The formulas are measured too, without any equation and all
-without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier series:
+The mean difference of velocities to first order is subtracted, since a constant is momentum of the
+whole ring, which no formula in y knows.  The formulas are measured too, without any equation and
+all without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier series:
 `residual_leading` of (51), `residual_printed` of (43), and `residual_first_order` of the whole
 first order (`model.amplitude_scaling`).
 
-A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ,
-by linear interpolation between the times of `_loss_times`.
+A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ.
+It is interpolated linearly between the times of `_loss_times`.
 
-Accuracy.  Chain and equation are solved a second time with more coefficients or cells and a tenth
-of the tolerance, and everything is measured again, at fewer places and on every other of
-`_loss_times`, so that what interpolation adds is part of the difference, the error estimate.
+Accuracy.  Chain and equation are solved again with more coefficients or cells and a tenth of the
+tolerance.  Everything is measured again, at fewer places and on every other of `_loss_times`.  The
+difference is the error estimate, so that it contains the error of interpolation.
 """
 
 import math
@@ -377,7 +377,7 @@ def _height(row):
 
 
 def relative_decay(model, chain, start):
-    """Return the loss of height since the start, of the model over that of the chain, minus 1."""
+    """Return the loss of height since the start, model over chain, minus 1."""
     [first] = heights(start)
     with np.errstate(divide="ignore", invalid="ignore"):
         return (first - heights(model)) / (first - heights(chain)) - 1.0

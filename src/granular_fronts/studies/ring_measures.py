@@ -4,11 +4,11 @@ A measure takes the dataset of a periodic scene (see `studies.ring_against_equat
 an `Estimate`.
 
 Shock.  The ring is cut open half a turn behind and ahead of :math:`p + \tilde c t`, where the
-centre of the start would be; the shock stands where the last fall of u through δ/2 lies, by linear
-interpolation between beads (or sites of the equation).
+centre of the start would be.  The shock is where u last falls through δ/2, by linear interpolation
+between beads (or sites of the equation).
 
-Errors are those of the recorded variables, carried through to first order; where a position is
-interpolated between beads, the change that leaving out every other bead makes is added.
+Errors of the recorded variables are carried through to first order.  For a position between beads,
+the change without every other bead is added.
 """
 
 import numpy as np
@@ -97,7 +97,7 @@ def shock_speed_equation(dataset):
 
 
 def shock_speed_ratio(dataset):
-    """Speed of the chain's shock over that of the equation's, between the last two snapshots."""
+    """Return the speed of the chain's shock over the equation's, between the last two snapshots."""
     return shock_speed(dataset) / shock_speed_equation(dataset)
 
 
@@ -133,7 +133,7 @@ def aftershock_distance(dataset):
 def profile_correlation(dataset):
     """Return correlation of max(u, 0), chain with equation, over all beads at the last snapshot.
 
-    Gaps count as u = 0: the equation has none, as section 1 says.
+    Gaps count as u = 0, since the equation has no gaps, as section 1 says.
     """
     chain, equation = (dataset[name].isel(t=-1) for name in (CHAIN, EQUATION))
 
@@ -182,7 +182,7 @@ def damping_parameter(dataset):
 
 
 def plateau_ratio(first, second):
-    """Return the plateau of the start of the second scene over that of the first, in beads."""
+    """Return the plateau of the start, in beads, second scene over first."""
     lengths = [
         scene_of(dataset)["start"]["half_width"] / scales(dataset).epsilon
         for dataset in (first, second)
@@ -196,7 +196,7 @@ def _final_peak(dataset):
 
 
 def peak_ratio(first, second):
-    """Return the largest u/δ at the last snapshot of the second scene over that of the first."""
+    """Return the largest u/δ at the last snapshot, second scene over first."""
     return _final_peak(second) / _final_peak(first)
 
 
@@ -242,8 +242,8 @@ def bump_height(dataset):
 def bump_velocity(dataset):
     """Return the velocity, in beads per time, of the largest u while it exceeds δ by more than 1 %.
 
-    The first such stretch of time is taken, and a line fitted to the vertex of the parabola through
-    the three highest beads; the error is twice the standard error of the slope.
+    In the first such stretch of time a line is fitted to the vertex of the parabola through the
+    three highest beads.  The error is twice the standard error of the slope.
     """
     u = dataset["relative_displacement_grid"]
     high = u.max("bead").values > (1.0 + NOTICEABLE) * scales(dataset).delta

@@ -18,8 +18,8 @@ Pulse and front are analytic and, for b > 0, bounded away from zero, where the e
 singular.  They are handed on as values at equally spaced points, between which the trigonometric
 polynomial through them differs by less than rounding.
 
-The velocities of a start are y itself, (51), or those on the slow manifold to first order
-(`model.amplitude_scaling`), so that what runs to the left is of the order ε².
+The velocities of a start are y itself, (51), or lie on the slow manifold to first order
+(`model.amplitude_scaling`).  Then waves to the left are of the order ε².
 """
 
 import math

@@ -1,7 +1,7 @@
 r"""Order of convergence through a contact that closes and opens, with and without location.
 
-Two beads meet, and part; what is asked for is the velocity with which they part.  Three methods use
-the same eighth-order pair:
+Two beads meet and part; the result is the velocity with which they part.  Three methods use the
+same eighth-order pair:
 
 - `strain_form`: adaptive steps that end at the events (`chain.contact_events`);
 - `positions_and_w`: fixed steps in (x, w), blind to the events; the right-hand side is
@@ -12,9 +12,9 @@ the same eighth-order pair:
 Where in a step an event falls decides the error of that one run.  Each problem is therefore solved
 for several gaps between the beads, which shift the events against the steps, and the median counts.
 
-The slope of error against steps is the order for fixed steps.  For adaptive ones it flatters the
-pair, since the first steps and those graded towards the events are about as many at any tolerance;
-a slope of 8 or more says that the events do not cost the order.
+The slope of error against steps is the order for fixed steps.  For adaptive methods it flatters the
+pair, since the first steps and the steps graded towards events are about as many at any tolerance.
+A slope of 8 or more says that the events do not cost the order.
 """
 
 import numpy as np

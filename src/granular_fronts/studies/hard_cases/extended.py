@@ -2,8 +2,8 @@
 
 The unknowns are the positions x_n and the generalised velocities w_n, James (2021), eqs. (31) and
 (32), in 80-bit arithmetic.  Within a step the slopes are a Chebyshev polynomial, found by Picard
-iteration; its last coefficients measure the error, and it gives the state at every time.  Where a
-contact opens or closes, a force is not smooth: steps shrink towards that instant, and the one that
+iteration.  Its last coefficients measure the error, and it gives the state at every time.  Where a
+contact opens or closes, a force is not smooth.  Steps shrink towards that instant, and the one that
 straddles it is so short that the force does nothing in it.
 
 Hard cases are judged by it, and, from outside the package, the stated errors of random chains.
@@ -309,7 +309,7 @@ class Motion:
         return self.compression(states), self.slopes(times, states)[:, : self.beads]
 
     def passages(self, level: float | None = None) -> Passages:
-        """All passages of any contact through a level; through u' = 0 where there is none."""
+        """Return all passages of any contact through a level, or else through u' = 0."""
         found = [self._passages_of(step, level) for step in self.steps]
         return Passages(*map(np.concatenate, zip(*found, strict=True)))
 
