@@ -1,8 +1,8 @@
 """The parameters of each dataset: the part of the configuration that its rule is given.
 
-A figure or a table depends on the parameters of its data, not on the data alone: when a job fails,
-Snakemake has already removed the dataset, and with it every trace that what was drawn earlier
-belongs to others.
+A figure or a table depends on its data and on their parameters.  When a job fails, Snakemake has
+already removed the dataset, and with it every trace that an earlier figure belongs to other
+parameters.
 """
 
 from collections.abc import Mapping

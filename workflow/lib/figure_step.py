@@ -9,9 +9,9 @@ Under Snakemake this file runs for every figure; the rule names the script and t
 hand, run the script, with the files to read and to write and the texts: ``python
 workflow/scripts/figures/plot_fig01.py --help``.
 
-The caption is a Jinja template.  Its variables are the names of the datasets, and each stands for
-the configuration that the dataset was computed with, so that a caption cannot speak of other values
-than the picture shows.  Where these are not the paper's, the caption ends with the difference.
+The caption is a Jinja template.  Its variables are the names of the datasets.  Each is the
+configuration of its dataset, so that a caption cannot name other values than the picture shows.
+Where these are not the paper's, the caption ends with the difference.
 """
 
 import re

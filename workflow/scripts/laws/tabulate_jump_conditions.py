@@ -26,7 +26,7 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
     dataset : Path
         The study of jump conditions.
     csv, markdown : Path
-        Tables to write: all numbers in full precision, and distances from theory for reading.
+        Tables to write: all numbers in full precision, and distances from theory for people.
     """
     data = read_dataset(dataset, "jump_conditions")
     cases = configuration_of(data)["cases"]

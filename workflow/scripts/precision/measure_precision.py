@@ -1,10 +1,10 @@
 """Speed against error: our solvers and other people's on the same problems, side by side.
 
 The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
-the machine hits all of them; before that each has run once, to compile and to fill the caches. Of
-the repeats the least time counts. Errors are measured against a reference, outside the timing, and
-none is reported below the error of the reference. A method that is not installed is named and left
-out; one that fails is kept, without an error but with its reason.
+the machine hits all of them.  Each has run once before, to compile and to fill the caches. Of the
+repeats the least time counts. Errors are measured against a reference, outside the timing, and none
+is reported below the error of the reference. A method that is not installed is named and left out.
+A method that fails is kept, without an error but with its reason.
 """
 
 import importlib
@@ -87,7 +87,7 @@ def measure_precision(
 
 
 def tolerances_of(problem: Problem, settings: Mapping[str, Any]) -> dict[str, list[float]]:
-    """Return the tolerances asked of each method, the loosest first."""
+    """Return the tolerances of each method, the loosest first."""
     own = {**settings.get("own_tolerances", {}), **problem.tolerances}
     return {
         method: sorted(own.get(method) or settings["tolerances"], reverse=True)

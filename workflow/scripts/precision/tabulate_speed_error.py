@@ -141,9 +141,9 @@ def _time_to_reach(chosen: xr.Dataset, level: float) -> float:
 def judge(data: xr.Dataset, level: float) -> str:
     """Return a sentence on what to use for one problem to reach one error.
 
-    Nothing is said where the reference is no better than the error, nor of the level that has a
-    time limit where there is none.  A method on a given grid is named beside the one that finds its
-    grid itself, which is what a user calls.
+    Nothing is said where the reference is no better than the error, nor of a level without its time
+    limit.  A method on a given grid is named together with the one that finds its grid itself,
+    which users call.
     """
     unlimited = level == LIMITED_LEVEL and np.isnan(float(data["time_limit"]))
     if unlimited or level < float(data["reference_error"]):

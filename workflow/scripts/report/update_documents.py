@@ -51,7 +51,7 @@ def update_documents(readme: Path, performance: Path, proofs: Path, results: Pat
 
 
 def paper_numbers(results: Path) -> str:
-    """Numbers of the paper beside ours, and how many statements hold, as Markdown."""
+    """Return the numbers of the paper and ours, and how many statements hold, as Markdown."""
     statements = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
     table = statements.set_index("quantity").loc[list(SHOWN)].reset_index()
     shown = pd.DataFrame(
@@ -86,12 +86,12 @@ def proved(results: Path) -> str:
 
 
 def _replace_block(text: str, name: str, content: str) -> str:
-    """The text with what stands between the marks of a block replaced."""
+    """Return the text with the part between the marks of a block replaced."""
     return text.replace(block(text, name), content)
 
 
 def block(text: str, name: str) -> str:
-    """What stands between the marks of a block."""
+    """Return the text between the marks of a block."""
     return text.split(f"<!-- {name} -->\n")[1].split(f"\n<!-- end of {name} -->")[0]
 
 

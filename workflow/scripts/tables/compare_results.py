@@ -58,10 +58,10 @@ def compare_results(before: Path, after: Path, report: Path) -> None:
 
 
 def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
-    """Return change of each variable that states its error and stands on the same points in both.
+    """Return the change of each variable that states its error and has the same points in both.
 
-    Each row has `variable`, `change`, `error` and `over_stated_error`, those of the element that
-    has changed most in units of its error.
+    Each row has `variable`, `change`, `error` and `over_stated_error`, for the element that has
+    changed most in units of its error.
     """
     return [
         {"variable": name, **_change_of(before, after, str(name))}
@@ -77,7 +77,7 @@ def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
 def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, float]:
     """Return the largest change of one variable over its stated errors.
 
-    A number that is missing on one side alone has changed without bound.
+    A number that is missing on only one side has changed without bound.
     """
     old, new = before[name].values, after[name].values
     errors = _stated_error(before, name) + _stated_error(after, name)

@@ -115,7 +115,7 @@ class SparseJacobian:
         return self._matrix(np.ones(self._order.size))
 
     def values(self, state):
-        """Return the entries by columns, those of a column by rows."""
+        """Return the entries by columns, and within a column by rows."""
         beads, gamma = self.system.beads, self.system.gamma
         contacts = self.system._all_contacts(state[:beads])
         stiffness = 1.5 * np.sqrt(np.maximum(contacts, 0.0))

@@ -3,7 +3,7 @@
 Traps met: numbalsoda hands back what it has when it gives up (NaN from lsoda), and only its flag
 shows it. Its step limit between two output times is 10 000, and lifted here. In contacts and
 momenta (u, w) instead of (x, w) its dop853 was 10 % faster at errors above 1e-9 and 8 % slower
-below 1e-11: the choice of unknowns does not decide the comparison.
+below 1e-11.  The choice of unknowns does not decide the comparison.
 """
 
 from functools import cache, partial

@@ -14,7 +14,7 @@ class Run:
 
     # The solution, under the names of the reference; empty without a result.
     fields: Mapping[str, np.ndarray] = field(default_factory=dict)
-    seconds: float = np.nan  # wall-clock time of the solve alone
+    seconds: float = np.nan  # wall-clock time of only the solve
     cpu_seconds: float = np.nan  # processor time, likewise
     right_hand_sides: float = np.nan  # NaN where the tool does not report it
     steps: float = np.nan

@@ -1,6 +1,6 @@
 """CVODE of SUNDIALS (scikit-sundae) on the chain, with a numpy right-hand side.
 
-Both methods solve for each new state by Newton's method; they are given the Jacobian and a sparse
+Both methods solve for each new state by Newton's method.  They use the Jacobian and a sparse
 factorisation, since the dense default costs (2N)³.
 """
 

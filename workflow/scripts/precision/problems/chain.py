@@ -1,8 +1,8 @@
 """Front initiation of James (2021), section 3.3, up to a stored long-double state.
 
 Our integrator solves it in strain form, and the same pair in (x, w) and (x, ẋ), without window and
-event location.  An absolute tolerance is a hundredth of the relative one for every method; of
-LAMMPS, a discrete-element code, a tolerance is the step.
+event location.  An absolute tolerance is a hundredth of the relative one for every method.  For
+LAMMPS, a discrete-element code, the tolerance is the step.
 """
 
 from functools import partial

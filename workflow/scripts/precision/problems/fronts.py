@@ -1,7 +1,8 @@
 """Exact fronts of the lattice, James (2021), section 6: u_n and velocities at whole ξ = n.
 
-Ours are the profile equation on the grid that it chooses itself, the same on a given grid, whose
-spacing stands for a tolerance, and shooting, whose tolerance is that of the residual.
+Ours are the profile equation on the grid that it chooses itself, the same on a given grid, and
+shooting.  The spacing of the given grid takes the place of a tolerance; shooting has a tolerance of
+the residual.
 """
 
 import math

@@ -1,6 +1,6 @@
 """The front of the logarithmic KdV–Burgers equation, James (2021), section 5.2.
 
-What is asked for are y and y' at given s.  Ours are the Taylor series traced from the tail, and for
+The results are y and y' at given s.  Ours are the Taylor series traced from the tail, and for
 strong damping the expansion of the slow manifold, which knows no tolerance.
 """
 

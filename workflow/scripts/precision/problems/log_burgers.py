@@ -1,6 +1,6 @@
 """The rings of James (2021), section 4.3, to their end by the logarithmic Burgers equation (50).
 
-Four schemes; a tolerance is the width of a cell over that of the ring, or the longest step:
+Four schemes; a tolerance is the width of a cell over the length of the ring, or the longest step:
 
 upwind          the paper's explicit scheme;
 finite_volumes  ours, with finer cells at the start;
@@ -9,8 +9,8 @@ fourier         the method of the equation with a third derivative (55), here wi
                 shares no scheme with ours.
 
 The start (49) has kinks; a smooth start of similar width shows the orders away from them.  The
-reference, finite volumes on fine cells, is computed and not stored, since it may be evaluated
-wherever a scheme has its points; its error is its distance to the Fourier method, also refined.
+reference, finite volumes on fine cells, is computed and not stored, since it must be evaluated at
+the points of each scheme.  Its error is its distance to the Fourier method, also refined.
 """
 
 from functools import partial

@@ -20,7 +20,7 @@ class Reference(NamedTuple):
 class Problem(NamedTuple):
     """What is solved, and by whom."""
 
-    ours: str  # the method that this project stands for
+    ours: str  # the method of this project
     reference: Mapping[str, Reference]  # one for each field of the solution
     methods: Mapping[str, Callable[[float], Run]]  # each takes a tolerance
     # Of methods that the configuration gives grids or steps for.
@@ -33,7 +33,7 @@ class Problem(NamedTuple):
 
 
 def errors_of(run, reference):
-    """Return the errors of a run against the answer, none smaller than that of the answer itself.
+    """Return the errors of a run against the answer, at least the error of the answer.
 
     `error`, the largest of all fields; `below_reference`, whether the answer is too coarse to
     measure it; `<field>_error_sup` and `<field>_error_rms`.  Empty for a run without a result.

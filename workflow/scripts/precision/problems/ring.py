@@ -1,6 +1,6 @@
 """The ring of James (2021), section 4.3, α = 3/2, up to a stored long-double state.
 
-The start is stored beside that state, so that every method has the same one to the last digit.
+The start is stored with that state, so that every method has the same one to the last digit.
 """
 
 from peers.chain_system import ChainSystem

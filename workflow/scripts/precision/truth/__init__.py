@@ -1,8 +1,8 @@
 """What is true, by programs that are independent of the package that they judge.
 
 Each module has ``cases(seed, count)``, which yields of random problems the name of a number, its
-stated error, its true one and the largest value it was found among.  They stand beside the scripts
-and not in the package, so that rules and tests run the same cases and the package cannot use them.
+stated error, its true one and the largest value it was found among.  They belong to the scripts and
+not to the package.  So rules and tests run the same cases, and the package cannot use them.
 """
 
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ from collections.abc import Iterable
 import numpy as np
 
 UNITS_OF_ROUNDING = 4
-# Share of numbers of which nothing may be claimed though they are what they should be.
+# Share of correct numbers about which nothing can be claimed.
 MOST_SILENT = 0.01
 
 

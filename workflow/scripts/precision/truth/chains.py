@@ -1,4 +1,4 @@
-"""Random chains: what the package states of its errors beside the errors themselves."""
+"""Random chains: the errors that the package states, and the true errors."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -123,8 +123,8 @@ def _truths(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str
 def events(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str, Any]:
     """Return the arrivals, first peaks, extremes and the first gap.
 
-    Where two extremes are as large within the stated error, time and bead may be those of either:
-    the nearer one counts.
+    Where two extremes are equal within the stated error, time and bead may belong to either; the
+    nearer one counts.
     """
     turns, opened = motion.passages(), motion.passages(0.0)
     true: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""The amplitude equations on a ring by other steps, and how wrong those of the package are.
+"""The amplitude equations on a ring by other steps, and the true errors of the package.
 
 The equations are solved for Fourier amplitudes by the exponential steps of Cox and Matthews, J.
 Comput. Phys. 176 (2002) 430-455, with coefficients that are means over circles, each step taken

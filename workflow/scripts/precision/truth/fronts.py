@@ -1,4 +1,4 @@
-"""Fronts in extended precision by Fourier's method, and how wrong those of the package are.
+"""Fronts in extended precision by Fourier's method, and the true errors of the package.
 
 The profile equation is solved again on a longer window and a finer grid.  Its convolutions are
 multiplications of Fourier amplitudes, its forces are written once more, and the residual is taken
