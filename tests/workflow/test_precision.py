@@ -256,7 +256,7 @@ def test_families_are_joined_without_loss(merged):
 
 def test_same_problem_in_two_families_is_refused(merged, tmp_path):
     family = tmp_path / "precision_chain.nc"
-    with pytest.raises(ValueError, match="Problem one stands in two families"):
+    with pytest.raises(ValueError, match="Problem one is in two families"):
         merging.merge_precision([family, family], tmp_path / "never.nc")
 
 
