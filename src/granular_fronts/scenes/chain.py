@@ -147,7 +147,7 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
     if alpha is not None and alpha < 1 and smallest <= 0:
         yield (
-            f"law.alpha is {alpha}, below 1, but the smallest relative displacement at the start is "
+            f"law.alpha is {alpha}, below 1, but the smallest relative displacement at first is "
             f"{smallest}, where such a contact is infinitely stiff: take alpha of 1 or more, or a "
             "start compressed everywhere."
         )
