@@ -1,4 +1,4 @@
-"""Campaigns: thousands of parameter points from one file, cut into jobs and merged.
+"""Campaigns of thousands of parameter points: one file, cut into jobs and merged.
 
 A campaign is a grid, the product of its axes, over the parameters of one kind of problem.  The last
 axis listed is the fast one; a *line* is all of the fast axis at one point of the others.

@@ -29,7 +29,7 @@ from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import TIME, VALUE
 from granular_fronts.chain.recording import extremes_of_all, fitted_speed
-from granular_fronts.chain.run import Integration, integrate, integrate_in_halves, prepare
+from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
 from granular_fronts.chain.simulate import announce_time
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
@@ -57,9 +57,9 @@ def solve_chunk(points, settings, activity):
 
 
 class _Motion(NamedTuple):
-    """An integration that has ended, its scene, ends of steps, units of length and speed."""
+    """A run that has ended, its scene, ends of steps, units of length and speed."""
 
-    run: Integration
+    run: Run
     scene: dict
     ends: np.ndarray
     length: float
