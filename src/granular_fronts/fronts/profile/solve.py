@@ -152,7 +152,7 @@ def solve_profile(problem):
 
 
 def _no_profile(problem, reason):
-    """Return a record without a front, which was not looked for."""
+    """Return a profile without a front, with the reason."""
     return Profile(problem, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
 
 
