@@ -5,8 +5,8 @@ since `time` means clock time to CF tools.  A recording with coordinates of its 
 as a suffix on variable and coordinates alike: `relative_displacement_grid` on (`t_grid`, `bead`),
 `relative_displacement_steady` on (`t_steady`, `bead_steady`).
 
-Every variable says how wrong it can be (`error_estimate`, an estimate of its largest absolute
-error, and `error_method`); every file says which scene it belongs to (`scene`, `config` as JSON),
+Every variable says how wrong it can be: `error_estimate` is an estimate of its largest absolute
+error, by `error_method`.  Every file says which scene it belongs to (`scene`, `config` as JSON),
 how it was solved, and with which versions (`software`, `code_version`).  A file appears under its
 name only when it is complete.
 """
@@ -82,8 +82,8 @@ def write_dataset(
         Final name of the netCDF file.
     scene_id : str
     config : mapping
-        The part of the configuration that was computed, stored as JSON with its digest; a `Law` in
-        it is stored as it describes itself.
+        The part of the configuration that was computed, stored as JSON with its digest.  A `Law` in
+        it is stored by its description.
     """
     config = json.loads(json.dumps(config, default=lambda law: law.describe()))
     described = name_variables(dataset.copy())
@@ -120,8 +120,8 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
     Raises
     ------
     DatasetError
-        If the file is missing, damaged, not one of this project's, or of another scene, or if its
-        values or its configuration are not those that were written.
+        If the file is missing, damaged, foreign or of another scene, or if its values or its
+        configuration were changed.
     """
     remedy = "delete it and run the workflow again."
     if not Path(path).exists():

@@ -1,7 +1,7 @@
 """Files that appear under their name only when they are complete, and a full disk named as such.
 
 A file is written under the name ``unfinished-HOST-PID-NAME`` and renamed once all of it is on the
-disk.  A process that is killed leaves its unfinished file behind; the next one on that machine that
+disk.  A killed process leaves its unfinished file behind.  The next process on that machine that
 writes the same file removes it.
 """
 

@@ -64,9 +64,8 @@ def draw_spacetime(
 ) -> None:
     """Colour the (n, t) plane by values on (t_grid, bead), bead number across and time upwards.
 
-    Colours are those of compressions unless others are given.  Of the `limits` of their scale None
-    is the extreme of the data; `extend` says where the colour bar goes on beyond them, as in
-    matplotlib.
+    Colours show compressions unless others are given.  Of the `limits` of their scale None is the
+    extreme of the data; `extend` says where the colour bar goes on beyond them, as in matplotlib.
     """
     image = axes.pcolormesh(
         values["bead"],
@@ -99,7 +98,7 @@ def draw_plane(
 
 
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
-    """u(ξ) of an exact front; `look` is that of the line, as in `matplotlib.axes.Axes.plot`."""
+    """u(ξ) of an exact front; `look` describes the line, as in `matplotlib.axes.Axes.plot`."""
     axes.plot(front["xi"], front["relative_displacement"], "-", **look)
     axes.set(xlabel=r"$\xi = n - ct$", ylabel=r"$u/\delta$")
 

@@ -1,8 +1,8 @@
 r"""Pictures of datasets in one line, with labels, for notebooks: `granular_fronts.plot`.
 
-The panels are those of the figures (`granular_fronts.output.panels`); nothing is computed.  All
-numbers are dimensionless, in units of the law: of the paper's, James (2021), eq. (27).  Looks are
-set for each picture alone, so that a notebook's other figures stay as they are.
+The panels are the same as in the figures (`granular_fronts.output.panels`); nothing is computed.
+All numbers are dimensionless, in units of the law: of the paper's, James (2021), eq. (27).  Looks
+are set for each picture separately, so that a notebook's other figures stay as they are.
 
 =================  ============================================================================
 `front`            u(ξ) of an exact front
@@ -66,14 +66,14 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
     front : xarray.Dataset
         From `granular_fronts.solve_front`, of any law.
     axes : matplotlib.axes.Axes, optional
-        Where to draw, beside what is there; a new figure by default, which shows the ξ at which u
+        Where to add the curve; a new figure by default.  A new figure shows the ξ at which u
         differs from the states on either side by 0.1 per cent of the jump or more.
 
     Returns
     -------
     matplotlib.axes.Axes
-        With u in units of the compression δ behind the front where the law is the paper's,
-        otherwise in those of the law.
+        With u in units of the compression δ behind the front for the paper's law, and in units of
+        the law otherwise.
 
     Raises
     ------
@@ -110,13 +110,13 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
     sweep : xarray.Dataset
         From `granular_fronts.sweep_fronts`, of any law.
     axes : matplotlib.axes.Axes, optional
-        Where to draw, beside what is there; a new figure by default.
+        Where to add the curve; a new figure by default.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Fronts that overshoot by less than 1e-12, the error that a front may have, leave a gap, as
-        do those that were not found.
+        Fronts leave a gap if they were not found or overshoot by less than 1e-12, the error that a
+        front may have.
 
     Raises
     ------

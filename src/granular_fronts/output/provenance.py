@@ -1,4 +1,4 @@
-"""What each file of results was made from, and whether that is what is there now.
+"""What each file of results was made from, and whether this is still the same.
 
 A dataset names in its attributes its scene and two digests, each the first 16 hexadecimals of a
 SHA-256,
@@ -6,10 +6,11 @@ SHA-256,
     config_digest   of its parameters, a part of the configuration, as JSON with sorted keys,
     data_digest     of the values of all variables, with their names, types and shapes.
 
-These three are its *source* for whatever is made from it.  Beside each figure and table lies its
-provenance, a JSON file of the same stem: the digest of each of its files (`files`), the sources of
-all datasets behind it (`made_from`) and the version of the code (`code_version`).  Whoever shows
-the figure, or starts from a folder of results, compares these with what is there now.
+These three are its *source* for whatever is made from it.  Each figure and table has its provenance
+in the same folder, a JSON file of the same stem.  It holds the digest of each of its files
+(`files`), the sources of all datasets behind it (`made_from`) and the version of the code
+(`code_version`).  Whoever shows the figure, or starts from a folder of results, compares these with
+the present files.
 """
 
 import hashlib
@@ -101,7 +102,7 @@ def disagreements(
     parameters: Mapping[str, Any],
     sources: Collection[Mapping[str, str]] | None = None,
 ) -> Iterator[str]:
-    """Compare the provenance of a figure or a table with what is there now.
+    """Compare the provenance of a figure or a table with the present files.
 
     Parameters
     ----------
@@ -110,7 +111,7 @@ def disagreements(
     parameters : mapping
         The present parameters of datasets by name, ``folder/scene``. Others are not compared.
     sources : collection of mapping, optional
-        Those of the datasets that lie there now; not compared if it is left out.
+        Sources of the present datasets; not compared if left out.
 
     Yields
     ------

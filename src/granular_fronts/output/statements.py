@@ -15,22 +15,22 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 - `not_judged`: why there is no verdict, for a statement that cannot be judged;
 - `remark`: what a reader should know.
 
-A statement of the paper holds for the paper's parameters.  Where a dataset belongs to other
-parameters than those of the reference configuration, its statement is measured but not judged;
-tolerances may differ.
+A statement of the paper holds for the paper's parameters.  If a dataset does not have the
+parameters of the reference configuration, its statement is measured but not judged; tolerances may
+differ.
 
-A statement allows a range of values: a printed number x, all that rounds to it; a printed
-inequality, one side of its limit; words, what a criterion says, in one of the forms ::
+A statement allows a range of values.  A printed number allows all that rounds to it, and a printed
+inequality one side of its limit.  Words allow what a criterion says, in one of the forms ::
 
     1 within 0.01        0.4 to 0.6        at least 0        above 0        at most 1        below 1
 
 An explanation may follow after a comma.  `above` and `below`, like the printed signs > and <, leave
 out the limit itself.
 
-The measured value v with the numerical error e stands for all numbers from v − e to v + e.  The
+The measured value v with the numerical error e means all numbers from v − e to v + e.  The
 statement is true if all of them are in the range, and false if none is.  It stays undecided if only
-some are, if e is negative or larger than half the width of the range, or if v or e is not a number:
-the error never counts in favour of either answer.
+some are.  It also does so if e is negative or larger than half the width of the range, or if v or e
+is not a number.  The error never counts in favour of either answer.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ def evaluate(
     datasets: Mapping[str, xr.Dataset],
     references: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Measure a statement and judge it: a row of a table, beside what the statement says.
+    """Measure a statement and judge it; return the statement and the result as a row of a table.
 
     Datasets, which carry their configuration, and reference configurations go by scene name.
     """

@@ -1,8 +1,8 @@
 """The one place for figure looks: sizes, colours, colour maps, saving.
 
 The paper names the colours of its probes (black, blue, green, light blue, magenta, brown).  The
-shades here keep those names and differ in lightness, and each has a line style of its own, so that
-the curves stay apart in grey print and for colour-blind readers.
+shades here keep those names and differ in lightness, and each has its own line style.  So the
+curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
