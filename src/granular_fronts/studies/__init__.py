@@ -1,1 +1,1 @@
-"""Studies: what the workflow computes by combining chains, fronts and equations."""
+"""What the workflow computes by combining chains, fronts and equations."""
