@@ -27,7 +27,7 @@ import xarray as xr
 
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.progress import counted
-from peers.record import Run
+from peers.runs import Run
 from problems.problem import Problem, errors_of
 from step import run_step
 

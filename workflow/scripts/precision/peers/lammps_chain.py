@@ -16,7 +16,7 @@ import numpy as np
 from granular_fronts.errors import SolveError
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
-from peers.record import Run
+from peers.runs import Run
 
 NAME = "chain"
 

@@ -11,7 +11,7 @@ from functools import cache, partial
 import numpy as np
 
 from peers.chain_system import STEP_LIMIT, compiled_kernel, kernel_parameters
-from peers.record import Run, Stopwatch, missing_package
+from peers.runs import Run, Stopwatch, missing_package
 
 # Data of the callback: calls, N, parameters of the kernel, scratch for the forces.
 _HEAD = 6

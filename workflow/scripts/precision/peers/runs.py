@@ -1,4 +1,4 @@
-"""What a solve gives back, ours or a peer's."""
+"""The result of a run of one method, ours or a peer's."""
 
 import importlib.util
 import time
@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Run:
-    """One solve."""
+    """One run of a method on a problem."""
 
     # The solution, under the names of the reference; empty without a result.
     fields: Mapping[str, np.ndarray] = field(default_factory=dict)

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from peers.record import Run
+from peers.runs import Run
 
 SCRIPT = Path(__file__).with_name("scilab.sce")
 

@@ -20,7 +20,7 @@ from peers.chain_system import (
     kernel_parameters,
     numpy_right_hand_side,
 )
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 
 RTOL_FLOOR = 100 * np.finfo(float).eps
 

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import NoConvergence, least_squares, newton_krylov, root
 
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 
 AHEAD = 6
 FLOW_OVER_SOLVER, FLOW_FLOOR = 1e-4, 1e-13

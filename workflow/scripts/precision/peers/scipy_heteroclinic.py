@@ -17,7 +17,7 @@ from functools import partial
 import numpy as np
 from scipy.integrate import solve_bvp, solve_ivp
 
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 
 RTOL_FLOOR = 100 * np.finfo(float).eps
 ABSOLUTE_OVER_RELATIVE = 1e-2

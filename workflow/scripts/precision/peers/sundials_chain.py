@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from peers.chain_system import STEP_LIMIT, SparseJacobian, numpy_right_hand_side
-from peers.record import Run, Stopwatch, missing_package
+from peers.runs import Run, Stopwatch, missing_package
 
 
 def _run_cvode(system, rtol, atol, method):

@@ -28,7 +28,7 @@ from peers import (
     sundials_chain,
 )
 from peers.chain_system import front_initiation
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
 OURS = "strain_form"

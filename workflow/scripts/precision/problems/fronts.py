@@ -24,7 +24,7 @@ from granular_fronts.fronts.properties import velocity
 from granular_fronts.fronts.shooting.solve import shoot_front
 from granular_fronts.numerics.interpolation import interpolate_all
 from peers import scipy_fronts
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
 ALPHA = 1.5

@@ -11,7 +11,7 @@ import numpy as np
 from granular_fronts.continuum.log_kdv_burgers.slow_manifold import STIFF_DAMPING, slow_orbit
 from granular_fronts.continuum.log_kdv_burgers.traced_orbit import USUAL_STEPS, trace_orbit
 from peers import scipy_heteroclinic
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
 

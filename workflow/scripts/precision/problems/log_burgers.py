@@ -23,7 +23,7 @@ from granular_fronts.continuum.log_kdv_burgers.fourier_waves import Equation, va
 from granular_fronts.continuum.log_kdv_burgers.solution import follow
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.reference_methods import upwind
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, Reference
 
 # Error per step over the sixth power of the cell width: neither space nor time is wasted.

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from peers.record import Run
+from peers.runs import Run
 
 
 class Reference(NamedTuple):
