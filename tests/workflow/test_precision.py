@@ -19,7 +19,7 @@ from update_documents import speed
 from dataset_parameters import precision_problems
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems import chain, fronts, heteroclinic, log_burgers, ring
 from problems.problem import Problem, Reference, errors_of
 
