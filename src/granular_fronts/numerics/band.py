@@ -63,7 +63,7 @@ def substitute(band, lower, prefix, skipped, x):
 
 @subroutine
 def _compact(i, prefix, skipped):
-    """Where the factors of row i are."""
+    """Return where the factors of row i are."""
     return i if i < prefix else max(prefix - 1, i - skipped)
 
 
