@@ -12,10 +12,10 @@ ends of the step.  Hence:
 
 - a step that takes a contact through a kink is accepted only if κ is below the tolerance;
 - **closing**, where κ is larger at the end of the step (the force of an open contact is zero, so
-  that everything before t* is smooth): the step is cut to end just after t*, by so little that κ is
-  below the tolerance; the next step starts on the singular side, where the stages do see the
+  that everything before t* is smooth).  The step is cut to end just after t*, by so little that κ
+  is below the tolerance.  The next step starts on the singular side, where the stages do see the
   singularity and the ordinary controller works;
-- **opening**, where κ is larger at its start (the singular side lies before t*): the steps are
+- **opening**, where κ is larger at its start (the singular side lies before t*).  The steps are
   graded towards t*, each going the fraction `APPROACH` of the way, until the step that crosses it
   is short enough.  The geometric sequence costs about a dozen steps per opening.
 
@@ -40,7 +40,7 @@ MOST_TRIALS, SMALLEST_SHARE = 8, 0.1
 
 @subroutine
 def _passes_kink(table, kink, last):
-    """Whether any of the contacts 1 … last passes the kink between the ends of the step."""
+    """Return whether any of the contacts 1 … last passes the kink between the ends of the step."""
     passages = 0
     for n in range(uint64(1), uint64(last + 1)):
         passages += (table[U, n] - kink) * (table[NEW_U, n] - kink) < 0.0
@@ -49,7 +49,7 @@ def _passes_kink(table, kink, last):
 
 @subroutine
 def passes_any_kink(chain, table, last):
-    """Whether any of the contacts 1 … last passes any kink of the law."""
+    """Return whether any of the contacts 1 … last passes any kink of the law."""
     passages = 0
     for i in range(chain.law.kink_count):
         passages += _passes_kink(table, chain.law.kinks[i], last)
@@ -58,7 +58,7 @@ def passes_any_kink(chain, table, last):
 
 @subroutine
 def _forces_at(chain, table, u):
-    """F and G of one compression."""
+    """Return F and G of one compression."""
     law, probe = chain.law, chain.probe
     probe[0] = u
     call_row_map(law.elastic, probe, probe[1:], 0, 0, law.elastic_parameters)
@@ -70,7 +70,7 @@ def _forces_at(chain, table, u):
 
 @subroutine
 def _contribution(chain, table, u, kink, h):
-    """κ: the most that the force of this compression adds to u within a step h."""
+    """Return κ: the most that the force of this compression adds to u within a step h."""
     force, damping = _forces_at(chain, table, u)
     force_at_kink, damping_at_kink = _forces_at(chain, table, kink)
     return h * abs(damping - damping_at_kink) + h * h * abs(force - force_at_kink)
@@ -111,7 +111,7 @@ def _time_to_kink(u, rate, new_u, h):
 
 @subroutine
 def _rate_of(chain, table, d_row, stage, n):
-    """Rate of change of u_n where d stands in a row and the slopes are those of a stage."""
+    """Return the rate of change of u_n from d in a row and the slopes of a stage."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     return table[d_row, n] + chain.law.gamma * table[slopes + SLOT[stage], n]
 

@@ -72,13 +72,13 @@ class FourierRing(NamedTuple):
         return circulant(irfft(-4.0 * np.sin(0.5 * self.wave_numbers) ** 2, self.points))
 
     def strain_rates(self, u, velocity):
-        """Values of d = w_n − w_{n+1} from those of u and ẋ, eq. (31)."""
+        """Return the values of d = w_n − w_{n+1} from those of u and ẋ, eq. (31)."""
         shift, force = np.exp(1j * self.wave_numbers), rfft(u**self.alpha)
         rates = (1.0 - shift) * (rfft(velocity) - self.gamma * (1.0 / shift - 1.0) * force)
         return irfft(rates, self.points)
 
     def velocities(self, u, d, mean):
-        """Values of ẋ from those of u and d, and the mean of ẋ."""
+        """Return the values of ẋ from those of u and d, and the mean of ẋ."""
         shift, force = np.exp(1j * self.wave_numbers), rfft(u**self.alpha)
         velocity = self.gamma * (1.0 / shift - 1.0) * force
         velocity[1:] += rfft(d)[1:] / (1.0 - shift[1:])
@@ -109,7 +109,7 @@ def solve_fourier_ring(
 
 
 def _integrate(ring, start, times, tolerance):
-    """Values of u and d at the given times, and the smallest u after any step."""
+    """Return the values of u and d at the given times, and the smallest u after any step."""
     points, matrix, smallest = ring.points, ring.second_difference, start[: ring.points].min()
     weights = np.full(points, 1.0 / points)
 
@@ -135,7 +135,7 @@ def _integrate(ring, start, times, tolerance):
 
 
 def _resampled(values, points):
-    """The same wave at another number of places, the waves that both resolve."""
+    """Return the same wave at another number of places, the waves that both resolve."""
     kept = (min(values.size, points) + 1) // 2
     coefficients = np.zeros(points // 2 + 1, dtype=complex)
     coefficients[:kept] = rfft(values)[:kept]

@@ -13,9 +13,9 @@ Variables of the dataset (names and units are given once, in `granular_fronts.ou
 Attributes: `contacts`, how many contacts move, N − 1, or N on a ring; `contacts_open`, 1 where the
 law lets contacts open, since no force holds extended ones, and 0 where it does not.
 
-The last bead's entry of a relative displacement is the held value at the right end, or on a ring
-the contact that closes it.  A piston is bead 1: its velocity is the prescribed one, and the first
-relative displacement is that of its contact.
+The last bead's entry of a relative displacement is the held value at the right end.  On a ring it
+is the contact that closes it.  A piston is bead 1: its velocity is prescribed, and the first
+relative displacement belongs to its contact.
 """
 
 import numpy as np
@@ -38,7 +38,7 @@ MONITORS = np.arange(11, -1, -1)
 
 
 def _grid_times(scene):
-    """Times of the space-time grid, empty if the scene records none."""
+    """Return the times of the space-time grid, empty if the scene records none."""
     if "grid" not in scene["record"]:
         return np.empty(0)
     return regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
@@ -51,7 +51,7 @@ def monitor_times(scene):
 
 
 def _probe_samples(scene):
-    """Times and beads of each probe set by name, and those of all samples, set after set."""
+    """Return times and beads of each probe set by name, and of all samples, set after set."""
     probes = {
         name: (regular_points(probe["start"], probe["stop"], probe["step"]), probe["beads"])
         for name, probe in scene["record"].get("probes", {}).items()
@@ -109,7 +109,7 @@ def _stops(scene, snapshots):
 
 
 def collect(scene, run):
-    """The dataset of everything that a run of a scene has recorded."""
+    """Return the dataset of everything that a run of a scene has recorded."""
     recording, next_ = run.recording, run.recording.next
     if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
@@ -178,11 +178,11 @@ def fitted_speed(arrival: np.ndarray) -> float:
 
 
 def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, float]:
-    """Slope of bead number over arrival time in the middle of the chain, and its error.
+    """Return the slope of bead number over arrival time in the middle of the chain, and its error.
 
     Both arguments have the shape (N,), with NaN where the front has not arrived; errors of times
-    count in the worst case.  The slope is NaN if fewer than two beads were passed there, or if
-    neither end was passed first, as on a ring with two waves.
+    count in the worst case.  The slope is NaN if fewer than two beads were passed there.  It is NaN
+    too if neither end was passed first, as on a ring with two waves.
     """
     first, last = (int(fraction * arrival.size) for fraction in SPEED_RANGE)
     passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
@@ -227,7 +227,7 @@ def extremes_of_all(recording, contacts):
 
 
 def rounding_of(recording, contacts):
-    """One unit in the last place of the largest |u| of the motion."""
+    """Return one unit in the last place of the largest |u| of the motion."""
     return rounding_floor(
         [event[END, 1 : contacts + 1] for event in (recording.largest, recording.smallest)]
     )
