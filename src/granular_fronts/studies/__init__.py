@@ -1,1 +1,1 @@
-"""What the workflow computes by combining chains, fronts and equations."""
+"""What the workflow computes from chains and fronts together."""
