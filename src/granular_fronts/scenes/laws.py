@@ -62,7 +62,7 @@ def made_law(law: Any) -> Any:
 
 
 def is_of_potentials(law: object) -> bool:
-    """Whether a law is a mapping with a potential that is made already, as Python can give it."""
+    """Return whether a law is a mapping with a potential that Python has made already."""
     return isinstance(law, Mapping) and any(hasattr(part, "domain") for part in law.values())
 
 
@@ -108,7 +108,7 @@ def decades_of_impact(law: Any, velocity: float, most: int) -> float:
 
 
 def front_speed(law: Any, size: float) -> float:
-    """Speed of a front into contacts at rest, (V'(−u)/−u)^½ for a compression u = 10^size."""
+    """Return the front speed into contacts at rest, (V'(−u)/−u)^½ for u = 10^size."""
     if is_short(law):
         return 10.0 ** (0.5 * (law["alpha"] - 1.0) * size)
     elastic, u = made_law(law).elastic, 10.0**size
@@ -118,7 +118,7 @@ def front_speed(law: Any, size: float) -> float:
 
 
 def damping_rate(law: Any, size: float) -> float:
-    """Largest rate at which damping acts at a compression of 10^size, 4G' of the viscous force."""
+    """Return the largest rate of damping at u = 10^size, 4G' of the viscous force."""
     if is_short(law):
         return 4.0 * law["gamma"] * law["beta"] * 10.0 ** ((law["beta"] - 1.0) * size)
     viscous, u = made_law(law).viscous, 10.0**size

@@ -51,7 +51,7 @@ class _Loader(SafeLoader):
 
 
 def read_yaml(file: Path | str) -> Any:
-    """What a YAML file holds, or an InputError that names file, line, column and what to do."""
+    """Read a YAML file, or raise an InputError that names file, line, column and remedy."""
     try:
         with Path(file).open("rb") as stream:
             content = stream.read(LONGEST_FILE + 1)
@@ -64,7 +64,7 @@ def read_yaml(file: Path | str) -> Any:
 
 
 def parse_yaml(text: str, file: Path | str) -> Any:
-    """The contents of a YAML text; `file`, where it comes from, begins the sentences of errors."""
+    """Return the contents of a YAML text; sentences of errors begin with `file`."""
     try:
         errors = [*_event_errors(text, file)]
         loader = _Loader(text)
