@@ -75,7 +75,7 @@ def _error(sweep, name):
 
 
 def _profiles(front, dampings, xi, reasons):
-    """Profiles of fronts solved once more, each by itself, and their errors; adds to reasons."""
+    """Return profiles of fronts, each solved once more, and their errors; extend the reasons."""
     profiles = np.full((dampings.size, xi.size), np.nan)
     errors = np.full(dampings.size, np.nan)
     for index, damping in enumerate(dampings):

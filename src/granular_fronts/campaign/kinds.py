@@ -87,7 +87,7 @@ class Kind(NamedTuple):
         return self._replace(parameters=kept)
 
     def profile_points(self, profile) -> "np.ndarray | None":
-        """Where a profile is recorded, evenly spaced from its start to its stop, if one is."""
+        """Return the evenly spaced points of a recorded profile, or None."""
         import numpy as np
 
         if profile is None:

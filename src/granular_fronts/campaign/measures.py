@@ -27,7 +27,7 @@ EQUATION_ERRORS = tuple(
 
 
 def selected(dataset, error, *, slow_time=1.0, **place):
-    """ε, the absolute error of a name, and α of a campaign's rings at one τ, by increasing α.
+    """Return ε, the absolute error of a name and α of rings at one τ, by increasing α.
 
     `place` holds values of further axes; so it does below.
     """
@@ -50,7 +50,7 @@ def error_of_ring(dataset, error, *, slow_time=1.0, **place):
 
 
 def smallest_ratio(dataset, error, other, *, slow_time=1.0, **place):
-    """Smallest ratio of one error to another over the rings with α up to `LARGEST_EXPONENT`."""
+    """Return the smallest ratio of two errors over rings with α up to `LARGEST_EXPONENT`."""
     rings = dataset.sel(slow_time=slow_time, **place)
     rings = rings.where(rings["alpha"] <= LARGEST_EXPONENT, drop=True)
     ratios = np.abs(rings[error] / rings[other])
@@ -81,7 +81,7 @@ def error_over_ratio(dataset, error, **place):
 
 
 def largest_over_exponent(dataset, error, *, slow_time=1.0, least_mu=0.0, most_mu=np.inf):
-    """Largest error over 1 − 1/α of all rings with α up to `LARGEST_EXPONENT` and μ in a range."""
+    """Return the largest error over 1 − 1/α, for α up to `LARGEST_EXPONENT` and μ in a range."""
     rings = dataset.sel(slow_time=slow_time)
     rings = rings.where(rings["alpha"] <= LARGEST_EXPONENT, drop=True)
     mu, kappa = np.sqrt(12.0 / rings["ratio_of_ring"]), 1.0 - 1.0 / rings["alpha"]
