@@ -52,7 +52,7 @@ def _each_mu(dataset):
 
 
 def _steepness(front):
-    """Smallest −y'/(y(1 − y)) of a front, from where it first reaches 1 on, far from both ends."""
+    """Return the smallest −y'/(y(1 − y)) of a front, after it first reaches 1, far from ends."""
     y, slope = front["rescaled_force"].values, front["slope"].values
     reached = np.flatnonzero(y >= 1.0)
     ahead = np.arange(y.size) > (reached[-1] if reached.size else -1)
@@ -129,7 +129,7 @@ def transition(dataset):
 
 
 def flux_distance(dataset, alpha, smallest=0.0):
-    """Largest |f_α(y) − y ln y| for y from `smallest` to 1, over the largest |y ln y|, 1/e."""
+    """Return the largest |f_α(y) − y ln y|, y from `smallest` to 1, over 1/e."""
     flux, limit = dataset["flux"].sel(alpha=alpha), dataset["flux_limit"]
     difference = abs(flux - limit).where(dataset["force"] >= smallest)
     return _sampled_maximum(difference * math.e)

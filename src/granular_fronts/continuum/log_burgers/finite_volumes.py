@@ -167,7 +167,7 @@ def lift(averages, bound):
 
 @functools.cache
 def _polynomial_weights():
-    """Monomial coefficients, on |s| ≤ 1/2 of a cell, from the averages of it and its neighbours."""
+    """Return monomial coefficients on a cell, |s| ≤ 1/2, from averages around it."""
     cells = np.arange(-GHOSTS, GHOSTS + 1)
     powers = np.arange(1, cells.size + 1)
     left, right = cells[:, None] - 0.5, cells[:, None] + 0.5

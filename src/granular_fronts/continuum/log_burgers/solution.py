@@ -137,7 +137,7 @@ def start_levels(alpha):
 
 
 def _make_equation(alpha, averages, lowest, width):
-    """The equation of the kernels; y ≥ `lowest` bounds averages from below, wherever cells lie."""
+    """Return the equation of the kernels; y ≥ `lowest` bounds averages from below anywhere."""
     smallest = float(averages.min())
     if smallest < 0.0:
         raise SolveError(
@@ -151,7 +151,7 @@ def _make_equation(alpha, averages, lowest, width):
 
 
 def _smoothing_time(equation, smooth_cells):
-    """Slow time at which the least diffusivity has smoothed a kink over a number of cells."""
+    """Return the slow time at which the least diffusivity smooths a kink over some cells."""
     least_diffusivity = equation.alpha * equation.floor ** (equation.alpha - 1.0)
     return (smooth_cells * equation.width) ** 2 / least_diffusivity
 

@@ -68,7 +68,7 @@ class Given(NamedTuple):
         return (np.exp(1j * np.multiply.outer(phase, wave_numbers)) @ amplitudes).real
 
     def averages(self, cells, half_length, alpha):
-        """Averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,); ℓ plays no part."""
+        """Return averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,)."""
         wave_numbers, amplitudes = self._amplitudes(1.0 / alpha)
         # Parts of cells that are fine enough for every wave.
         parts = -(-2 * wave_numbers.size // cells)

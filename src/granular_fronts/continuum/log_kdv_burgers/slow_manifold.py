@@ -76,7 +76,7 @@ def expand(mu, terms):
 
 @kernel
 def state_on_manifold(mu, h, v):
-    """Both p and e of the point of the manifold with the given v ≥ 0, from the coefficients h of H.
+    """Return p and e of the point of the manifold with v ≥ 0, from the coefficients h of H.
 
     Each has relative accuracy; e also as μ → 0.
     """

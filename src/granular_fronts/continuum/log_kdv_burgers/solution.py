@@ -87,7 +87,7 @@ class Evolution(NamedTuple):
     smallest_value: float
 
     def rescaled_force(self, row, moving_xi):
-        """Rescaled force at the points ξ̃ = ξ − τ (any shape, modulo 2ℓ) at the time of a row.
+        """Return the rescaled force at ξ̃ = ξ − τ (any shape, modulo 2ℓ) at the time of a row.
 
         It keeps its sign: where it is below 0, the wave of the equation pulls.  The start itself is
         not the sum of its waves, since it has kinks.
@@ -143,7 +143,7 @@ def solve(scene, times, cells, tolerance, levels=None, coarser=None):
 
 
 def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, coarser=None):
-    """Amplitudes of a start at slow times, in any order, and the motion at the last of them."""
+    """Return amplitudes of a start at slow times, in any order, and the motion at the last."""
     points = cells * 2**levels
     amplitudes = start_amplitudes(start, equation.half_length, points)
     motion = Motion(equation, amplitudes, points, tolerance, coarser)
@@ -164,5 +164,5 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, c
 
 
 def _extinction_time(equation, points):
-    """Slow time at which diffusion has extinguished the waves that these points do not resolve."""
+    """Return the slow time at which diffusion has removed the waves that are not resolved."""
     return EXTINCTION / (equation.diffusion * wave_numbers(equation, points)[-1] ** 2)

@@ -85,7 +85,7 @@ _RATES = ("growth_rate", "growth_rate_error", "angular_frequency", "angular_freq
 
 
 def measure_rates(mu):
-    """Growth rate and frequency at which the front leaves (1, 0), each followed by its error.
+    """Return growth rate and frequency with which the front leaves (1, 0), and their errors.
 
     They follow from the last extrema of an oscillating front, or from v/p of a monotone one.
     Errors are the changes since the extrema, or the deviation, before.  NaN where neither is to be

@@ -57,7 +57,7 @@ class TracedOrbit(NamedTuple):
     at_rest: bool
 
     def evaluate(self, s):
-        """Both p and v at each s, which the trace must cover or which lie beyond its rest."""
+        """Return p and v at each s, which must be traced or lie beyond the rest of the orbit."""
         p, v = np.empty(s.size), np.empty(s.size)
         ahead = s >= 0.0
         for steps, part in ((self.tail, ahead), (self.front, ~ahead)):
