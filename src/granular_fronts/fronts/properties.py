@@ -52,7 +52,7 @@ def velocity(profile, order):
 
 
 def measure(profile):
-    """The numbers of `MEASURES` of a profile, and how they feel an error of s; shape (4,) each."""
+    """Return `MEASURES` of a profile and their sensitivity to an error of s; shape (4,) each."""
     return np.split(measures(profile.problem, float(profile.spacing), profile.s), 2)
 
 

@@ -59,5 +59,5 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
 
 
 def gaussian(alpha, xi):
-    """Relative displacement u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
+    """Return u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
     return np.exp((0.5 - 3.0 * (1.0 - 1.0 / alpha) * xi**2) / alpha)

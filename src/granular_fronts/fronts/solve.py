@@ -208,7 +208,7 @@ def _settled(profile):
 
 
 def _by_shooting(sought):
-    """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
+    """Return a front and its refinement by shooting, on a grid for local polynomials."""
     law = sought.law
     if not (law.is_power and sought.behind == -1.0):
         raise InputError(
@@ -329,7 +329,7 @@ def describe_front(law, behind, ahead):
 
 
 def _positions(grid, xi):
-    """Positions in units of the spacing of a grid, 0 at ξ = 0, and the index of that point."""
+    """Return positions in units of the spacing of a grid, 0 at ξ = 0, and the index of ξ = 0."""
     middle = int(np.argmin(np.abs(grid)))
     return xi / grid[middle + 1], middle
 

@@ -151,7 +151,7 @@ def _sweep(problem, dampings):
 
 
 def _stretch(problem, dampings):
-    """Fronts from the first damping on, as far as one grid carries; their values on two grids."""
+    """Return the fronts from the first damping on that one grid carries; values on two grids."""
     nothing = np.empty((0, len(COLUMNS)))
     start = solve_profile(problem._replace(damping=dampings[0]))
     if start.reason:
@@ -171,7 +171,7 @@ def _stretch(problem, dampings):
 
 
 def _alone(problem):
-    """One front on a window and a grid of its own: values on two grids, error of the strain."""
+    """Return one front on its own window and grid: values on two grids, error of the strain."""
     start = solve_profile(problem)
     finer = refine(start) if not start.reason else start
     damping = np.array([problem.damping])
@@ -219,7 +219,7 @@ def _split(values):
 
 
 def _estimates(problem, values, others):
-    """Error of the strain of every front that explains the differences of overshoot, width, power.
+    """Return the error of the strain that explains the changes of overshoot, width and power.
 
     The slope feels rounding, which differs from point to point, more than any other error.
     """

@@ -61,7 +61,7 @@ def check_right_state(right_state):
 
 
 def is_given_by_law(powers, parts):
-    """Whether a front is given by a law with its states; if not, by numbers of two powers."""
+    """Return whether a front is given by a law with states, and not by numbers of two powers."""
     powers, parts = (
         [name for name, value in form.items() if value is not None] for form in (powers, parts)
     )

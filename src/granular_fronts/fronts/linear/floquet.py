@@ -72,7 +72,7 @@ INTEGER_XI = 1.0e-9  # distance from an integer
 def front_multipliers(
     front: xr.Dataset, *, beads_behind: int | None = None, beads_ahead: int | None = None
 ) -> xr.DataArray:
-    """Floquet multipliers of a front, the eigenvalues of its monodromy matrix, in a finite window.
+    """Compute Floquet multipliers of a front, eigenvalues of its monodromy matrix in a window.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def front_multipliers(
 
 
 def multipliers(u, d, alpha, gamma, beta):
-    """Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus."""
+    """Return eigenvalues of `monodromy_matrix`, next to 1 first, then by decreasing modulus."""
     values = np.linalg.eigvals(monodromy_matrix(u, d, alpha, gamma, beta)).astype(complex)
     translation = np.argmin(np.abs(values - 1.0))
     others = np.delete(values, translation)
@@ -174,7 +174,7 @@ def flow_residual(u, d, alpha, gamma, beta):
 
 
 def _flow(law, u, d):
-    """Change in a bead-time, and stiffnesses; one contact more, at rest, becomes the last one."""
+    """Return the change in a bead-time, and stiffnesses; a contact at rest is added at the end."""
     start = np.zeros((2, u.size + 3))
     start[:, 1:-2] = u, d
     stiffness = bead_flow.make_stiffness(law, STEPS, u.size + 3)
@@ -184,7 +184,7 @@ def _flow(law, u, d):
 
 
 def compressed_chain_multipliers(alpha, gamma, beta, q):
-    """Essential spectrum behind a front: both multipliers of each wavenumber, shape (2, …)."""
+    """Return the essential spectrum behind a front, two multipliers per wavenumber, (2, …)."""
     q = np.asarray(q, dtype=float)
     kappa = 2.0 - 2.0 * np.cos(q)
     half = 0.5 * beta * gamma * kappa

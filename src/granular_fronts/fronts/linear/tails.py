@@ -76,7 +76,7 @@ SMALLEST_RATE, LARGEST_RATE = 1e-12, 512.0
 
 
 def tail_roots(alpha: float, gamma: float, beta: float | None = None, count: int = 6) -> np.ndarray:
-    """Exponents λ of the tail behind a front, u − 1 ~ e^(λξ), those that decay slowest first.
+    """Return exponents λ of the tail behind a front, u − 1 ~ e^(λξ), the slowest decay first.
 
     Parameters
     ----------
@@ -301,7 +301,7 @@ def _gap(x, alpha, damping):
 
 @subroutine
 def _meeting(above, below, alpha, damping):
-    """The x between two points where the line α(1 − gx) crosses the bell 1/S(x), by bisection."""
+    """Return x between two points where the line α(1 − gx) crosses the bell 1/S(x)."""
     while True:
         x = 0.5 * (above + below)
         if x in (above, below):

@@ -62,7 +62,7 @@ ROUND_OFF = 1e-11
 
 @kernel(error_model="numpy")
 def iterate(problem, grid, tolerance, unknowns, history):
-    """Newton's iteration from the unknowns to the solution: the steps taken, and how it ended.
+    """Iterate from the unknowns to the solution; return the steps taken and how it ended.
 
     It settles when the next change would be below the tolerance.  The history, one longer than the
     steps allowed, receives the largest residual before each step and after the last.

@@ -241,7 +241,7 @@ def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
 
 
 def _reason_against(profile):
-    """Why a solution of the equations is not the front sought, in words; empty if it may be."""
+    """Return in words why a solution is not the front sought; empty if it may be."""
     problem, s, residual = profile.problem, profile.s, profile.residuals[-1]
     rounding = problem.magnification
     if residual > RESIDUAL_TOLERANCE * rounding * (1.0 + problem.damping_number):
@@ -319,7 +319,7 @@ def rate_ahead(problem):
 
 
 def _coarse_spacing(problem, window):
-    """Spacing of the first grid: a third of the points of a sharp front, and not too many."""
+    """Return the spacing of the first grid: a third of a sharp front's points, not too many."""
     per_site = 2.0 + 1.6 * problem.behind.p_slope
     return rational(max(1.0 / per_site, window.length / POINTS_COARSE))
 

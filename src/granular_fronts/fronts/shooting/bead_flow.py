@@ -279,7 +279,7 @@ def spread_of(law, steps, compression):
 
 @kernel
 def _contact_column(law, weights, stiffness, contact):
-    """What one contact, moved in u and then in d, does to all: shape (4, M + 2), absolute."""
+    """Return the change of all contacts by one, moved in u, then in d: (4, M + 2), absolute."""
     steps, _, columns = stiffness.elastic.shape
     stages = _make_stages(law, columns)
     driver, moved = np.zeros((steps, rk.STAGES)), np.zeros((4, columns))

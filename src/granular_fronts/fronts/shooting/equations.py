@@ -188,7 +188,7 @@ class Attempt(NamedTuple):
 
 
 def descend(window, unknowns, tolerance):
-    """Gauss-Newton steps until no residual exceeds the tolerance and the steps have died out."""
+    """Take Gauss-Newton steps until residuals are within the tolerance and steps die out."""
     rows, stiffness = residual(window, unknowns)
     residuals, step_sizes, flows = [largest(rows)], [], 1
     reason = f"not settled after {MOST_STEPS} Gauss-Newton steps"

@@ -56,7 +56,7 @@ def slow_roots(alpha, gamma, beta):
 
 
 def _separate(roots):
-    """Roots moved apart to a relative distance of `SEPARATION` where they almost coincide."""
+    """Return the roots, moved apart to a relative distance of at least `SEPARATION`."""
     distance = SEPARATION * roots[0].real
     close = (roots.imag > 0.0) & (roots.imag < distance)
     apart = np.where(close, roots.real + 1j * distance, roots)
@@ -98,7 +98,7 @@ def choose_beads(law, roots):
 
 
 def check_window(roots, behind, ahead):
-    """Beads behind and ahead, unless the window ends where the tail is not yet a sum of modes."""
+    """Return the beads behind and ahead, if the tail at the end is a sum of modes."""
     advice = f"the tail decays like exp({roots[0].real:.3g} xi): give more, or leave beads out"
     needed = _beads_behind(roots)
     return (
@@ -108,7 +108,7 @@ def check_window(roots, behind, ahead):
 
 
 def missing_beads(roots, relative_displacement):
-    """Beads missing behind, where the tail of a front is larger than its slowest root predicts.
+    """Return the beads missing behind, if the tail is larger than its slowest root predicts.
 
     Near critical damping a tail is an exponential times a polynomial.  None are missing where the
     square of u − 1 is small enough at the first bead, or u is no tail there.
