@@ -91,7 +91,7 @@ class SlowScales(NamedTuple):
         return self.velocity_scale * y
 
     def corrected_velocity(self, y, slope, flux):
-        """Velocity ẋ_n to first order, up to a constant, from y, ∂y/∂ξ and the flux y ln y of (41).
+        """Return ẋ_n to first order, up to a constant, from y, ∂y/∂ξ and the flux y ln y of (41).
 
         With `flux` equal to `slope`, as in a stationary wave, this is (43).
         """

@@ -160,7 +160,7 @@ def _reduced_exponent(alpha, beta=None):
 
 
 def log_restitution(nu, strength, largest_step=LARGEST_STEP):
-    """Logarithm of e of the reduced collision, for ν above 0 and G; −∞ if the beads do not part.
+    """Return ln e of the reduced collision for ν above 0 and G; −∞ if the beads do not part.
 
     A smaller bound on the integrator's steps in θ checks the result.
     """
@@ -202,7 +202,7 @@ def _log_restitution_by(damping, method, least, creeps=False):
 
 
 def _steepest(nu):
-    """Largest value of sin^(2ν)θ cos θ; for ν < 1/2 θ' = 0 below it if G times it is 2 or more."""
+    """Return max sin^(2ν)θ cos θ; for ν < 1/2 θ' = 0 below it if G times it is 2 or more."""
     return (2.0 * nu / (1.0 + 2.0 * nu)) ** nu / math.sqrt(1.0 + 2.0 * nu)
 
 
@@ -235,7 +235,7 @@ def _approach(damping, method, least, creeps):
 
 
 def _part(damping, theta, log_radius, method):
-    """Logarithm of ρ at θ = π; from π/2 on θ grows at a rate above 2 and serves as the variable."""
+    """Return ln ρ at θ = π; from π/2 on θ grows at a rate above 2 and is the variable."""
 
     def slope(theta, log_radius):
         sine = max(math.sin(theta), 0.0)

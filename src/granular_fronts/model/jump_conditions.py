@@ -267,7 +267,7 @@ def _at(function, R):
 
 
 def _stiffnesses(potential, R_minus, R_plus):
-    """V'' at the nodes between the states, once all that is needed of V is known to be finite."""
+    """Return V'' at the nodes between the states, after checking that V is finite."""
     between = R_minus + 0.5 * (1.0 + NODES) * (R_plus - R_minus)
     and_ends = np.array([R_minus, *between, R_plus])
     _finite(potential, "V", potential.value, and_ends)

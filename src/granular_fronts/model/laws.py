@@ -93,7 +93,7 @@ class Law:
         return replace(self, viscous=self.viscous.scaled(factor))
 
     def describe(self) -> dict[str, Any]:
-        """The mapping of which `make_law` makes the law, as configurations and data files have it.
+        """Return the mapping from which `make_law` makes the law, as in configurations and files.
 
         A note replaces a user's own functions, which a file cannot hold.
         """

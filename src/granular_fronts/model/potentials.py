@@ -269,7 +269,7 @@ class Potential:
         return self._of(**vars(self) | {"factor": factor})
 
     def ratio_to(self, other: Potential) -> float | None:
-        """The number a for which this potential is a times the other one; None if there is none."""
+        """Return the number a for which this potential is a times the other one, or None."""
         mine, others = (
             (potential.shape, potential.parameters, potential.functions)
             for potential in (self, other)
@@ -294,7 +294,7 @@ class Potential:
 
 
 def make_potential(kind: str, **parameters: float) -> Potential:
-    """A potential of a named kind, with its parameters; those that have a default may be left out.
+    """Make a potential of a named kind; parameters with a default may be left out.
 
     An InputError says that there is no such kind or parameter, or that a value is out of range.
 

@@ -198,7 +198,7 @@ def velocity_of_compression(
 
 
 def velocity_of_force(force: float, mass: float, stiffness: float, alpha: float = 1.5) -> float:
-    """v₀ in m/s of a chain pressed by a force in newtons, through its compression (F/k)^(1/α)."""
+    """Return v₀ in m/s of a chain pressed by a force in newtons, by its compression (F/k)^(1/α)."""
     force, k, alpha = _positive(force=force, stiffness=stiffness, alpha=alpha).values()
     return velocity_of_compression((force / k) ** (1.0 / alpha), mass, stiffness, alpha)
 
