@@ -27,7 +27,7 @@ def double_of(typing_context, bits):
 
 @intrinsic
 def multiply_add(typing_context, a, b, c):
-    """The sum a b + c, rounded once: with c = −fl(a b) it is the rounding error of the product."""
+    """Return a b + c, rounded once; with c = −fl(a b) the rounding error of the product."""
 
     def generate(context, builder, signature, arguments):
         return builder.fma(*arguments)

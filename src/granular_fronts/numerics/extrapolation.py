@@ -67,7 +67,7 @@ def extrapolation_weights(places, place):
 
 @subroutine
 def _lagrange_weights(places, place):
-    """Values at `place` of the polynomials that are 1 at one of the places and 0 at the others."""
+    """Return the values at `place` of polynomials, each 1 at one of the places, else 0."""
     weights = np.ones(places.size)
     for i in range(places.size):
         for j in range(places.size):

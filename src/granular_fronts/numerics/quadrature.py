@@ -68,7 +68,7 @@ def _one_sided(spacing, order):
 
 @functools.cache
 def _moments(order, end):
-    """∫_0^end L(t) dt and ∫_0^end t L(t) dt of all cardinal polynomials L over one denominator.
+    """Return ∫_0^end L(t) dt and ∫_0^end t L(t) dt of cardinal polynomials, one denominator.
 
     The result is the array of numerators, shape (2, order), and the denominator.
     """

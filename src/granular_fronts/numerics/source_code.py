@@ -18,7 +18,7 @@ KEPT = "code_digests.json"
 
 
 def cache_root() -> Path:
-    """The folder of all that is derived from the sources: NUMBA_CACHE_DIR or the user's cache."""
+    """Return the folder of what is derived from sources: NUMBA_CACHE_DIR or the user's cache."""
     user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
     return Path(os.environ.get("NUMBA_CACHE_DIR", user_cache / "granular_fronts"))
 
