@@ -69,7 +69,7 @@ class Balances:
         self._note("energy", stored - work, now.energy)
 
     def drifts(self):
-        """Largest drifts relative to Σ|ẋ_n| and to the largest energy; NaN where not tracked.
+        """Return the largest relative drifts of momentum and energy; NaN where not tracked.
 
         With a piston the first is the drift of its velocity.
         """

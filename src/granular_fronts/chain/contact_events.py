@@ -78,7 +78,7 @@ def _contribution(chain, table, u, kink, h):
 
 @subroutine
 def _compression_allowed(chain, table, u, kink, h, allowed):
-    """A compression between u and the kink whose κ is at most `allowed`, and not much smaller.
+    """Return a compression near the kink with κ at most `allowed`, but not much smaller.
 
     κ is taken for a power of the distance from the kink, with the exponent of the last two trials.
     """
@@ -96,7 +96,7 @@ def _compression_allowed(chain, table, u, kink, h, allowed):
 
 @subroutine
 def _time_to_kink(u, rate, new_u, h):
-    """First zero in (0, h) of the parabola with value u and slope `rate` at 0, value new_u at h."""
+    """Return the first zero in (0, h) of the parabola with u and `rate` at 0 and new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
     root = math.sqrt(max(rate * rate - 4.0 * curvature * u, 0.0))
     # Of the two equal forms of the root, the one without cancellation: u and new_u differ in sign,

@@ -169,7 +169,7 @@ def generalised_velocities(
 def energy(
     u: np.ndarray, velocity: np.ndarray, boundary: Boundary, potential: Potential
 ) -> np.ndarray:
-    """H(v, u): kinetic energy of the velocities, ẋ or w, and elastic one of the moving contacts."""
+    """Return H(v, u), the kinetic energy of ẋ or w and the elastic energy of moving contacts."""
     moving = u if boundary.ring else u[..., :-1]
     kinetic = 0.5 * np.sum(velocity**2, axis=-1)
     return kinetic + np.sum(potential.value(-moving), axis=-1)

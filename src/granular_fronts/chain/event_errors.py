@@ -132,14 +132,14 @@ def _error_of_time(own, other, error):
 
 
 def _of_several(differences, through, time):
-    """Errors of events of one kind, from their differences and, if these are few, from samples."""
+    """Return the errors of events of one kind from differences or, if these are few, samples."""
     several = _near(time[np.newaxis], differences[np.newaxis], time)
     is_few = np.count_nonzero(np.isfinite(differences)) <= FEW
     return np.fmax(several, through) if is_few else several
 
 
 def _near(times, errors, time):
-    """Largest error near each contact at a time of its own, shape (contacts,); NaN without time."""
+    """Return the largest error near each contact at its own time, shape (contacts,), or NaN."""
     wide, contacts = [(0, 0), (NEAR, NEAR)], errors.shape[1]
     times, errors = (np.pad(rows, wide, constant_values=np.nan) for rows in (times, errors))
     largest = np.where(np.isfinite(time), 0.0, np.nan)
@@ -151,7 +151,7 @@ def _near(times, errors, time):
 
 
 def _of_first_opening(samples, deepest, own, other, found, refined):
-    """Errors of time and bead of the first opening; infinite if none is certain to happen."""
+    """Return the errors of time and bead of the first opening; infinite if it is uncertain."""
     names = ("first_gap_time", "first_gap_bead")
     if np.isnan(found["first_gap_time"]):
         return dict.fromkeys(names, np.nan)

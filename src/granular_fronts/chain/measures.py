@@ -27,7 +27,7 @@ def _applied_displacement(dataset):
 
 
 def predicted_speed(dataset):
-    """Speed of a front into an uncompressed chain, James (2021), eq. (21), with k = m = 1."""
+    """Return the speed (21) of a front into an uncompressed chain, James (2021), k = m = 1."""
     speed = _applied_displacement(dataset) ** ((scene_of(dataset)["law"]["alpha"] - 1.0) / 2.0)
     return rounded(speed)
 
@@ -38,7 +38,7 @@ def front_speed(dataset):
 
 
 def force_overshoot(dataset):
-    """Largest elastic force of the passing front, in the middle of the chain, over the pressure."""
+    """Return the largest elastic force of the passing front at mid-chain, over the pressure."""
     alpha = scene_of(dataset)["law"]["alpha"]
     peaks = dataset["first_peak"]
     peak = float(peaks.sel(bead=dataset.sizes["bead"] // 2)) / _applied_displacement(dataset)
@@ -106,7 +106,7 @@ def smallest_velocity(dataset):
 
 
 def smallest_velocity_behind(dataset):
-    """Smallest velocity over v_p, on the space-time grid, of beads that the front has passed.
+    """Return the smallest velocity over v_p, on the grid, of beads that the front has passed.
 
     The error is the change that leaving out every other time makes.
     """
@@ -172,7 +172,7 @@ def second_arrival_time(dataset):
 
 
 def openings_after_the_widest_gap(dataset):
-    """Number of contacts seen to open after the time of the smallest relative displacement."""
+    """Return how many contacts are seen to open after the smallest relative displacement."""
     start = float(dataset["smallest_relative_displacement_time"])
     u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
     signs = certain_sign(u).sel(t_grid=slice(start, None)).values
@@ -228,14 +228,14 @@ def _width_ratio(dataset, late, early):
 
 
 def _width(grid, dataset, t):
-    """Distance in beads over which u falls from 0.9 δ to 0.1 δ at the grid time nearest to t."""
+    """Return the beads over which u falls from 0.9 δ to 0.1 δ at the grid time next to t."""
     profile = grid.sel(t_grid=t, method="nearest").values / _applied_displacement(dataset)
     ends = (last_fall(profile, grid["bead"].values, level) for level in (0.1, 0.9))
     return next(ends) - next(ends)
 
 
 def last_fall(profile: np.ndarray, places: np.ndarray, level: float) -> float:
-    """Last of the rising places at which a profile falls through a level, by linear interpolation.
+    """Return the last place, interpolated, at which a profile falls through a level.
 
     An IndexError says that it does not.
     """

@@ -228,21 +228,21 @@ def _rate_rows(chain):
 
 @subroutine(forceinline=True)
 def rates(table, rows, n):
-    """Rate of change of u_n at the start and at the end of the step, from its `_rate_rows`."""
+    """Return the rate of change of u_n at the start and end of the step, from `_rate_rows`."""
     factor, start, end = rows
     return table[D, n] + factor * table[start, n], table[NEW_D, n] + factor * table[end, n]
 
 
 @subroutine(forceinline=True)
 def _cubic_slope(u, new_u, rate, new_rate, h):
-    """Coefficients a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
+    """Return a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
     mean = (new_u - u) / h
     return 3.0 * (rate + new_rate - 2.0 * mean), 6.0 * mean - 4.0 * rate - 2.0 * new_rate
 
 
 @subroutine
 def next_passage(chain, table, h, recording, first, last):
-    """First of the contacts first … last that may arrive at the level; beyond `last` if none."""
+    """Return the first of the contacts that may arrive at the level, or one beyond `last`."""
     side, level, arrival = recording.side, recording.level, recording.arrival
     rows = _rate_rows(chain)
     none = found = last + 1

@@ -45,7 +45,7 @@ def _grid_times(scene):
 
 
 def monitor_times(scene):
-    """Times between t = 0 and the end at which two runs are compared, if events are recorded."""
+    """Return the times at which two runs are compared, if events are recorded."""
     events = {"arrival_level", "extremes"} & set(scene["record"])
     return np.ldexp(float(scene["end_time"]), -MONITORS) if events else np.empty(0)
 
@@ -62,7 +62,7 @@ def _probe_samples(scene):
 
 
 def make_recording(scene, ahead, u):
-    """Arrays for everything the scene asks for; what is located on the way is NaN until it is.
+    """Return arrays for all that the scene records; what is located on the way begins as NaN.
 
     `ahead` is the compression ahead of the active window, and `u`, shape (columns,), the row of
     compressions at t = 0.
@@ -102,7 +102,7 @@ def make_recording(scene, ahead, u):
 
 
 def _stops(scene, snapshots):
-    """Times on which steps land: snapshots, the end of a piston's ramp, the end of the motion."""
+    """Return the times on which steps land: snapshots, end of a piston's ramp, end of motion."""
     end_time, ramp = float(scene["end_time"]), float(scene["boundary"].get("ramp", 0.0))
     inside = np.append(snapshots, ramp)
     return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
@@ -173,7 +173,7 @@ def _probes(scene, run):
 
 
 def fitted_speed(arrival: np.ndarray) -> float:
-    """Slope of bead number over arrival time in the middle of the chain; see `speed_and_error`."""
+    """Return the slope of bead number over arrival time at mid-chain; see `speed_and_error`."""
     return speed_and_error(arrival, np.zeros_like(arrival))[0]
 
 
@@ -206,7 +206,7 @@ def _arrivals(scene, recording):
 
 
 def extremes_of_all(recording, contacts):
-    """Largest and smallest u of all contacts and times, and the first opening, by variable."""
+    """Return the largest and smallest u of all contacts and times, and the first opening."""
     opening = recording.opening[TIME, 1 : contacts + 1]
     opens = np.isfinite(opening).any()
     first = int(np.nanargmin(opening)) if opens else 0
@@ -234,7 +234,7 @@ def rounding_of(recording, contacts):
 
 
 def candidates(event):
-    """Values, times and beads that may hold an extreme of all contacts: turns, rivals and ends."""
+    """Return values, times and beads that may hold an extreme: turns, rivals and ends."""
     value, time = event[[VALUE, RIVAL, END]].ravel(), event[[TIME, RIVAL_TIME, END_TIME]].ravel()
     bead = np.tile(np.arange(1.0, event.shape[1] + 1.0), 3)
     there = np.isfinite(value)

@@ -139,7 +139,7 @@ def _sum_of_products(table, reach):
 
 @subroutine(forceinline=True)
 def _difference_forces(chain, table, slot, reach, with_power):
-    """Slopes of the present forces into a slot; returns the power dissipated, if asked for it.
+    """Write slopes of the present forces into a slot; return the dissipated power, if asked.
 
     It is the sum over beads in the energy balance of `equations`.  With a piston it begins with
     bead 2, and a G_1 is subtracted.
@@ -163,7 +163,7 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 @subroutine(forceinline=True)
 def take_slopes(chain, table, source, slot, reach, with_power):
-    """Slopes of the compressions in a row into a slot; returns the power, if asked for it."""
+    """Write slopes of the compressions of a row into a slot; return the power, if asked."""
     law, last = chain.law, min(reach, chain.contacts)
     call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
     if not law.single:
@@ -173,7 +173,7 @@ def take_slopes(chain, table, source, slot, reach, with_power):
 
 @subroutine(forceinline=True)
 def _take_stage(chain, table, row, h, reach, with_power):
-    """Slopes of stage `row` from those of the stages before it; returns the power, if asked for."""
+    """Write the slopes of stage `row` from earlier stages; return the power, if asked."""
     law, last = chain.law, min(reach, chain.contacts)
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
     elastic, weights = (ELASTIC_SLOPES + first, terms), chain.elastic_weights[row]
