@@ -166,7 +166,7 @@ def draw_chain_dots(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
 
 
 def draw_comparison(data: xr.Dataset) -> Figure:
-    """Figure of chain and logarithmic Burgers equation, a row for each snapshot after the start."""
+    """Draw chain and logarithmic Burgers equation, a row for each snapshot after the start."""
     rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
     figure, panels = new_figure(1.7 * len(rows) + 0.2, rows)
     for row, names in enumerate(rows, start=1):

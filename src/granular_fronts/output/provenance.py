@@ -48,7 +48,7 @@ def code_version() -> str:
 
 
 def data_digest(dataset: Any) -> str:
-    """Digest of all values of an xarray.Dataset with their names; attributes do not count."""
+    """Return the digest of all values of an xarray.Dataset with their names, not attributes."""
     found = hashlib.sha256()
     for name in sorted(dataset.variables):
         values = dataset.variables[name].values

@@ -86,7 +86,7 @@ def scenes_of(statement: Mapping[str, Any]) -> list[str]:
 
 
 def criterion_of(statement: Mapping[str, Any]) -> str:
-    """What a statement is judged by, in words and numbers; empty for one that is not judged."""
+    """Return the criterion of a statement in words and numbers; empty if it is not judged."""
     if "not_judged" in statement:
         return ""
     for key in ("printed", "criterion"):

@@ -110,7 +110,7 @@ def new_figure(
     mosaic: list[Any],
     make: Callable[..., Figure] = figure_for_files,
 ) -> tuple[Figure, dict[str, Axes]]:
-    """A figure of text width, with a height in inches, and the panels of a mosaic by their names.
+    """Make a figure of text width, with a height in inches, and a mosaic of named panels.
 
     It is made by `matplotlib.pyplot.figure` where a notebook shows it.
     """
