@@ -29,7 +29,7 @@ class Contraction(Inequalities):
         return largest(self.a(top) - self.a(top - w) for top in tops)
 
     def contract(self, Y0):
-        """The radius r of the theorem; a larger one, within which the solution is the only one."""
+        """Return the radius r of the theorem, and a larger one with only one solution."""
         self.require("Z1 < 1", self.Z1, arb(1))
         # A little above the least radius; and all quarter powers of 2 down from 1.
         near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))

@@ -222,7 +222,7 @@ def _statements(front, found):
 
 
 def _exchanged(front):
-    """Whether λ₂ decays more slowly than λ₁ at the lower end of γ, and faster at the upper end."""
+    """Return whether λ₂ decays more slowly than λ₁ at the lower end of γ, faster at the upper."""
     ahead = []
     for gamma in (front.middle - front.half, front.middle + front.half):
         law, rows = Law(front.alpha, gamma), front.data["roots"].tolist()

@@ -72,7 +72,7 @@ from scipy import fft, linalg
 
 
 def kernel(gamma, w, n):
-    """K e^(−ws) at (m + 1/2)/n, and its integrals over |s − m/n| < 1/(2n), in floating point."""
+    """Return K e^(−ws) at (m + 1/2)/n and its integrals over |s − m/n| < 1/(2n), as floats."""
 
     def values(s):
         return (1 - abs(s) + np.sign(s) * gamma) * np.exp(-w * s)
@@ -96,7 +96,7 @@ def rear_inverse(alpha, gamma, w, n, lost, half=0.0):
 
 
 def trimmed(rows, n, lost):
-    """Kernels on beads [−p, q]; p; q.  Beyond either end is at most `lost` of the first's ∫|g|."""
+    """Return kernels on beads [−p, q]; p; q.  Beyond lies at most `lost` of the first's ∫|g|."""
     g = rows[0]
     zero = len(g) // 2
     mass = np.cumsum(abs(g)) / n
@@ -124,7 +124,7 @@ def toeplitz(whole, cells):
 
 
 def window_correction(stiffness, gamma, n, zero, longer):
-    """H − 1 on the last cells, from ā in the middles of a window longer by `longer` cells behind.
+    """Return H − 1 on the last cells, from ā at middles of a window `longer` cells longer.
 
     The cell `zero` begins at ξ = 0.
     """

@@ -26,7 +26,7 @@ def beads(length):
 
 
 def window_stiffness(front, first, last, n):
-    """ā in the middles of the cells of [first, last], if the window's matrix fits into memory."""
+    """Return ā at the middles of the cells of [first, last], if its matrix fits into memory."""
     rows = (last - first) * n
     if rows > MOST_ROWS:
         raise InputError(

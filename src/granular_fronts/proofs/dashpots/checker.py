@@ -76,7 +76,7 @@ class DashpotFront(Contraction):
         self.require("p₊ < M + b + 1", reach, window + 1)
 
     def cells(self, behind, inside, ahead):
-        """One value on each cell of [−left, right], from those on the cells of [−behind, ahead]."""
+        """Return one value on each cell of [−left, right], from the cells of [−behind, ahead]."""
         before, after = self.left - self.sizes["behind"], self.right - self.sizes["ahead"]
         return [behind] * (before * self.n) + inside + [ahead] * (after * self.n)
 
