@@ -107,7 +107,7 @@ def _start_velocities(scene):
 
 
 def _farthest(scene):
-    """How far a bead moves at the most: at thrice the velocity of a front, or of the start."""
+    """Return a bound of a bead's path, at thrice the velocity of a front or of the start."""
     law, left = scene["law"], scene["boundary"]["left"]
     fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, _start_velocities(scene)))
     return 3.0 * fastest * scene["end_time"]
