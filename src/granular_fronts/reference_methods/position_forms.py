@@ -78,7 +78,7 @@ def make_system(form: int, law: Law, boundary: Boundary, beads: int, turn: float
 def pack(
     form: int, law: Law, boundary: Boundary, u: np.ndarray, velocity: np.ndarray
 ) -> tuple[System, np.ndarray]:
-    """A system and its state vector, shape (2 N,), from relative displacements and velocities.
+    """Return a system and its state, shape (2 N,), from relative displacements and velocities.
 
     Both have the shape (N,); with pressure at the ends u_N is the held value.
     """
@@ -159,7 +159,7 @@ def _derivative(contacts, y, result):
 
 @subroutine
 def _step(contacts, y, slopes, h, relative, absolute):
-    """One step of the pair; returns the new state and the error in units of the tolerance."""
+    """Take one step of the pair; return the new state and its error over the tolerance."""
     stage = np.empty_like(y)
     _derivative(contacts, y, slopes[0])
     for row in range(1, rk.STAGES):
