@@ -58,7 +58,7 @@ BEADS, COMPRESSED, FAR, END_TIME = 200, 150, 10, 16.0
 
 
 def compare_variables(alpha, betas, gamma):
-    """Smoothness, order and conservation in both sets of variables, for α > 1, 1 ≤ β ≤ 2 and γ > 0.
+    """Compare both sets of variables: smoothness, order and conservation, α > 1, 1 ≤ β ≤ 2.
 
     `quotient_power` on (variables, beta); `observed_order` on (variables, scheme) and
     `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
@@ -95,7 +95,7 @@ def slope(x, y):
 
 
 def quotient_power(form, law):
-    """Power of h in the difference quotient of the right-hand side where a contact closes."""
+    """Return the power of h in the difference quotient of the rates where a contact closes."""
     system, quotients = make_system(form, law, FREE, 2), []
     for compression in COMPRESSIONS:
         opened, closed = (
@@ -106,7 +106,7 @@ def quotient_power(form, law):
 
 
 def observed_order(form, law, scheme):
-    """Order of the velocity after a collision, and how far two halves of the steps disagree."""
+    """Return the order of the velocity after a collision, and the spread of two halves."""
     parting = -restitution(law.gamma, law.alpha, law.beta)
     system = make_system(form, law, FREE, 2 * GAPS.size)
     errors = [np.median(np.abs(_part_pairs(system, scheme, n) - parting)) for n in STEP_COUNTS]
@@ -114,7 +114,7 @@ def observed_order(form, law, scheme):
 
 
 def _part_pairs(system, scheme, steps):
-    """Relative velocities ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
+    """Return ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
 
     The pairs are in one chain, too far apart to meet.
     """

@@ -28,7 +28,7 @@ LOGARITHMIC, UNLIMITED, HETEROCLINIC = "logarithmic", "unlimited", "heteroclinic
 
 
 def continuum_fronts(alpha, gamma, xi):
-    """Relative displacement and velocity at ξ = n − t of each continuum front with δ = c = 1.
+    """Return relative displacement and velocity of each continuum front, ξ = n − t, δ = c = 1.
 
     A pair for each of `LOGARITHMIC`, `UNLIMITED` and `HETEROCLINIC`; an InputError unless α > 1
     and γ > 0.

@@ -42,5 +42,5 @@ def map_critical_damping(exponents, dampings, cut):
 
 
 def map_plane(alpha, gamma, overshoot_cut):
-    """Map over exponents in equal steps and dampings in equal ratios, as numpy takes them."""
+    """Map exponents in equal steps and dampings in equal ratios, as numpy takes them."""
     return map_critical_damping(np.linspace(**alpha), np.geomspace(**gamma), overshoot_cut)

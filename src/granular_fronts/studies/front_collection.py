@@ -77,7 +77,7 @@ def collect_fronts(exponents, dampings):
 
 
 def collect_plane(alpha, gamma):
-    """Collection over exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    """Collect fronts over exponents, a list, and dampings, as of `numpy.geomspace`."""
     return collect_fronts(alpha, np.geomspace(**gamma))
 
 

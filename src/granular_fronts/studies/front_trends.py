@@ -88,7 +88,7 @@ def tail_frequency(alpha, beta, velocity):
 
 
 def critical_gamma(alpha, displacement):
-    """γ of (28), β = α, at which the tail of a front from δ into rest ceases to oscillate."""
+    """Return γ of (28), β = α, at which the tail of a front from δ to rest stops oscillating."""
     elastic = make_potential("hertz", alpha=alpha)
     behind = np.array([-displacement])
     speed = jump_conditions(elastic, -displacement, 0.0).speed

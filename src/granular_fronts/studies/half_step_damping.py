@@ -189,7 +189,7 @@ def _measure_checks(case, steps):
 
 
 def collision_loss(case, step):
-    """1 − e of two beads that meet at the velocity 1, by the scheme; mean over the phases."""
+    """Return 1 − e of two beads that meet at the velocity 1 in the scheme; mean over phases."""
     chain = Chain(case.alpha, case.beta, case.gamma)
     steps = round(4.0 * collision_time(case.alpha) / step)
     apart = []

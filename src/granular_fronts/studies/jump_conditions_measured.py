@@ -145,7 +145,7 @@ def travelling_speed(law, front):
 
 
 def drive_front(law, front, beads, tolerance):
-    """Estimates of `speed`, `velocity_jump` (ahead less behind) and `power` of a front from a ramp.
+    """Estimate `speed`, `velocity_jump` (ahead less behind) and `power` of a front from a ramp.
 
     The exact front gives states, speed and lengths; the tolerance is in units of the jump.
     """
@@ -180,7 +180,7 @@ def drive_front(law, front, beads, tolerance):
 
 
 def _scene(law, front, u, velocity, tolerance, snapshots):
-    """A chain between the states of a front, from relative displacements and velocities given."""
+    """Return a chain between the states of a front, with given displacements and velocities."""
     behind, ahead = front.attrs["state_behind"], front.attrs["state_ahead"]
     return pressed_chain(
         law,

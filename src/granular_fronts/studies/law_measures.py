@@ -65,7 +65,7 @@ def excess_damping(dataset, observable, beta, gamma, steps_per_collision):
 
 
 def quotient_power(dataset, variables, beta):
-    """Power of h in the difference quotient of the right-hand side where a contact closes."""
+    """Return the power of h in the difference quotient of the rates where a contact closes."""
     return tabulated(dataset.sel(variables=variables, beta=beta), "quotient_power")
 
 
@@ -139,7 +139,7 @@ def front_speed(dataset, law, ramp):
 
 
 def largest_piston_defect(dataset):
-    """Largest relative distance of fronts of pistons to (22) and (23), in all that is measured."""
+    """Return the largest relative distance of fronts of pistons to (22) and (23)."""
     names = ("front_speed", "compression_behind", "velocity_behind")
     defects = [abs(dataset[name] / dataset[f"{name}_expected"] - 1.0) for name in names]
     errors = [dataset[f"{name}_error"] / dataset[f"{name}_expected"] for name in names]
@@ -162,7 +162,7 @@ def _over_expected(dataset, name, law, ramp):
 
 
 def signed_speed(dataset, law):
-    """Speed of the exact front of a law over |c| of (14), negative if it runs to smaller n."""
+    """Return the speed of a law's exact front over |c| of (14), negative towards smaller n."""
     case = dataset.sel(law=law)
     expected = abs(float(case["speed_expected"]))
     errors = (case[name].attrs["error_estimate"] for name in ("speed_exact", "speed_expected"))
@@ -170,7 +170,7 @@ def signed_speed(dataset, law):
 
 
 def worst_agreement(dataset, quantity):
-    """Largest distance to theory of all laws and ways of measuring, over the sum of their errors.
+    """Return the largest distance to theory over the sum of errors, of all laws and ways.
 
     At most 1 where every measurement agrees with the jump conditions.
     """
@@ -185,7 +185,7 @@ def worst_agreement(dataset, quantity):
 
 
 def largest_relative_distance(dataset, quantity, way):
-    """Largest distance of a quantity to theory, over it, of all laws, measured in one `way`."""
+    """Return the largest relative distance of a quantity to theory, of all laws in one `way`."""
     expected = dataset[f"{quantity}_expected"]
     distance = abs(dataset[f"{quantity}_{way}"] / expected - 1.0)
     errors = dataset[f"{quantity}_{way}_error"] / abs(expected)

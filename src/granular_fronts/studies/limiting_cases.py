@@ -91,7 +91,7 @@ def measure_limiting_cases(**section):
 
 
 def press_chain(alpha, gamma, beads, times):
-    """Relative displacements, shape (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
+    """Return relative displacements, (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
     law = kuwabara_kono(alpha, gamma)
     scene = pressed_chain(law, beads, times[-1], TOLERANCE, {"snapshots": times})
     motion = simulate_once(scene, f"pressed chain with alpha {alpha:g} and gamma {gamma:g}")
@@ -120,7 +120,7 @@ def wave_width(profile):
 
 
 def collide(alpha, velocity):
-    """Time of contact and largest compression of two beads that meet elastically, with errors."""
+    """Return time of contact and largest compression of an elastic collision, with errors."""
     scene = pressed_chain(
         kuwabara_kono(alpha, 0.0),
         2,

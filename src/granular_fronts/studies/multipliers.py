@@ -46,7 +46,7 @@ def _spectra_of(law, windows):
 
 
 def _split(values):
-    """Complex multipliers as real and imaginary parts, which netCDF can hold, and scalars."""
+    """Return complex multipliers as real and imaginary parts, for netCDF, and scalars."""
     parts = {"multiplier_real": values.real, "multiplier_imaginary": values.imag}
     scalars = {name: values.attrs[name] for name in SCALARS}
     return xr.Dataset(parts | scalars).drop_attrs()

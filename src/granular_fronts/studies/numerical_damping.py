@@ -54,7 +54,7 @@ class Case(NamedTuple):
 
 
 def measure_numerical_damping(alpha, displacement, order, profile):
-    """What `measure_order` finds on one chain, `compare_profiles` on another; as configured."""
+    """Run `measure_order` on one chain and `compare_profiles` on another, as configured."""
     many, one = (
         Case(alpha, displacement, part["beads"], part["end_time"]) for part in (order, profile)
     )
@@ -105,7 +105,7 @@ def _last_orders(distances, steps):
 
 
 def compare_profiles(case, theta, step):
-    """Relative displacements on (bead,) of the θ-method and of chains with and without damping."""
+    """Return relative displacements on (bead,) of the θ-method and both chains."""
     solved = {
         "method": theta_chain(case, theta, step),
         "damped": damped_chain(case, (2.0 * theta - 1.0) * step),
@@ -119,7 +119,7 @@ def compare_profiles(case, theta, step):
 
 
 def theta_chain(case, theta, step):
-    """Relative displacements of the θ-method at the end, and the error of its implicit solves."""
+    """Return the final relative displacements of the θ-method, and the error of its solves."""
     count = round(case.end_time / step)
     if abs(count * step - case.end_time) > 1.0e-9 * case.end_time:
         raise InputError(

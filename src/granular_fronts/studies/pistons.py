@@ -138,7 +138,7 @@ def push_chain(law, velocity, ramp, beads, tolerance):
 
 
 def front_width(profile):
-    """Beads from the last contact above the one level of `FRONT` to the last above the other."""
+    """Return the beads between the last contacts above the two levels of `FRONT`."""
     ahead, behind = (np.flatnonzero(profile > level)[-1] for level in FRONT)
     return int(ahead - behind)
 
@@ -160,7 +160,7 @@ def _limiting_speed(arrivals, distances, width, alpha):
 
 
 def _limit_behind(field, first, places, width, alpha):
-    """Limit of a field behind the front; its first bead or contact is `first` from the piston."""
+    """Return the limit of a field behind the front; its first bead or contact is `first`."""
     distances = first + np.arange(field.sizes["bead"] - 1)
     profiles = [CubicSpline(distances, row[: distances.size]) for row in field.values]
 

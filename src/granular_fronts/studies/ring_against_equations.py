@@ -138,7 +138,7 @@ def _forces(scene, solution, rows, sites):
 
 
 def _fields(scene):
-    """Each field of the chain, its scale, and what makes it of a rescaled force, eq. (51)."""
+    """Return each field of the chain, its scale, and its map from a rescaled force (51)."""
     scaling = scaling_of(scene)
     return (
         ("relative_displacement", scaling.delta, scaling.displacement),

@@ -140,7 +140,7 @@ class Motion(NamedTuple):
 
 
 def _loss_times(last):
-    """Slow times, up to and including the last of all, between which losses are interpolated."""
+    """Return the slow times, the last included, between which losses are interpolated."""
     count = math.floor(math.log(last / FIRST_LOSS_TIME) / math.log(LOSS_RATIO) + 1e-9)
     return FIRST_LOSS_TIME * LOSS_RATIO ** np.arange(count + 1)
 
@@ -248,7 +248,7 @@ def _facts(ring, motions, slow_times):
 
 
 def _profiles(ring, motion, times, kept, xi):
-    """Compressions of the chain at places of the moving frame, by lines between its beads."""
+    """Return the chain's compressions at places of the moving frame, by lines between beads."""
     rows = []
     for row in kept:
         moved = np.mod(ring.scaling.frame_speed * times[row], ring.beads)
@@ -278,7 +278,7 @@ def _solve(ring, equation, times, resolution, coarser=None):
 
 
 def velocity_residuals(ring, motion, rows):
-    """Largest difference of ẋ to each formula in the chain's own y, at some rows of its times."""
+    """Return the largest difference of ẋ to each formula in the chain's own y, at some times."""
     scaling, sites = ring.scaling, motion.site.size
     y = np.maximum(motion.relative_displacement[rows], 0.0) ** ring.alpha
     wave_numbers = 2.0 * np.pi * rfftfreq(sites, 2.0 * ring.half_length / sites)
@@ -298,7 +298,7 @@ def _centred(rows):
 
 
 def _force(ring, motion, solution, rows):
-    """Places ξ̃ of the chain and rescaled forces of an equation there, at some rows of its times."""
+    """Return places ξ̃ of the chain and rescaled forces of an equation there, at some times."""
     moved = np.mod(ring.scaling.frame_speed * solution.times[rows], ring.beads)
     xi = ring.scaling.epsilon * (motion.site - ring.half_beads - moved[:, None])
     force = [solution.rescaled_force(row, there) for row, there in zip(rows, xi, strict=True)]
@@ -403,7 +403,7 @@ def _last_fall(row, level):
 
 
 def first_passage(times, errors, level):
-    """First time at which an error that is 0 at time 0 exceeds a level; NaN if it does not."""
+    """Return the first time at which an error, 0 at time 0, exceeds a level, or NaN."""
     above = np.flatnonzero(errors > level)
     if not above.size:
         return np.nan

@@ -116,7 +116,7 @@ def shock_travel(dataset):
 
 
 def aftershock_distance(dataset):
-    """Largest |Δu|/δ, chain to equation, 3 to 20 beads behind the shock of each, last snapshot."""
+    """Return the largest |Δu|/δ 3 to 20 beads behind the shocks of both, last snapshot."""
     chain, equation = (dataset[name].isel(t=-1) for name in (CHAIN, EQUATION))
     behind = np.linspace(3.0, 20.0, 69)
 
@@ -151,14 +151,14 @@ def _speed(dataset, name):
 
 
 def _shock_place(dataset, profile):
-    """Position of the shock of a profile of u at one time, in beads, on the ring cut open."""
+    """Return the bead at the shock of a profile of u, on the ring cut open."""
     return estimate(
         *(last_fall(*reversed(_cut_open(dataset, profile, stride)), 0.5) for stride in (1, 2))
     )
 
 
 def _cut_open(dataset, profile, stride):
-    """Sites of every `stride`-th value of a profile, rising along the ring cut open, and u/δ."""
+    """Return the sites of every `stride`-th value, rising along the ring cut open, and u/δ."""
     (axis,) = profile.dims
     profile = profile[::stride]
     scene, scaling = scene_of(dataset), scales(dataset)
@@ -219,7 +219,7 @@ def smallest_velocity_of_equation(dataset):
 
 
 def bump_birthplace(dataset):
-    """Beads from where u first exceeds δ by more than 1 %, on the grid of times, to the shock."""
+    """Return the beads from the first u above δ by 1 %, on the grid of times, to the shock."""
     u = dataset["relative_displacement_grid"]
     level = (1.0 + NOTICEABLE) * scales(dataset).delta
     profile = u.isel(t_grid=int(np.argmax(u.max("bead").values > level)))

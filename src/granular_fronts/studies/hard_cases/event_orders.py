@@ -37,7 +37,7 @@ FORMS = {"positions_and_w": position_forms.XW, "positions_and_velocities": posit
 
 
 def measure_orders():
-    """Median number of steps and median error, rung by rung, under the names of the methods."""
+    """Return median steps and median error, rung by rung, under the names of the methods."""
     parting = _parting_velocity()
     curves = {"strain_form": _median_of(located, TOLERANCES, parting)}
     for name, form in FORMS.items():
@@ -46,7 +46,7 @@ def measure_orders():
 
 
 def _parting_velocity():
-    """Relative velocity after the collision, in extended precision; the gap plays no part."""
+    """Return the relative velocity after the collision, in extended precision, for any gap."""
     velocity = reference_state(collision(LAW, gap=0.0) | {"end_time": END_TIME / 2.0}).velocity
     return float(velocity[1] - velocity[0])
 
@@ -77,6 +77,6 @@ def blind(form, gap, steps):
 
 
 def fitted_order(steps, errors, floor=1.0e-12):
-    """Slope of the line through log error against log steps, over the errors above `floor`."""
+    """Return the slope of log error against log steps, over the errors above `floor`."""
     above = errors > floor
     return -power_of(steps[above], errors[above])

@@ -93,7 +93,7 @@ def force(kind: str, **parameters: float) -> Callable[[np.ndarray], np.ndarray]:
 
 
 def forces(law: Mapping[str, Any]) -> tuple[Callable, bool]:
-    """Elastic and viscous force as a function of the compression, and whether 0 is a kink."""
+    """Return elastic and viscous force as functions of u, and whether 0 is a kink."""
     if "alpha" in law:
         elastic = {"kind": "hertz", "alpha": law["alpha"], "stiffness": 1.0}
         viscous = {"kind": "power", "beta": law["beta"], "gamma": law["gamma"]}
