@@ -59,7 +59,7 @@ def _of_studies(configuration: Mapping[str, Any], on_demand: bool) -> dict[str, 
 
 
 def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Problems of each family; rings with their scenes, and once more from a smooth start."""
+    """Return the problems of each family; rings with scenes, also from a smooth start."""
     scenes, families = configuration["scenes"]["periodic"], dict(configuration["precision"])
     families["log_burgers"] = {
         f"{start}log_burgers_{name}": {**problem, "scene": scenes[name], "smooth": bool(start)}

@@ -58,7 +58,7 @@ def _describe_work(merged: xr.Dataset) -> str:
 
 
 def _count_points(merged: xr.Dataset) -> pd.DataFrame:
-    """How many points are solved, and how many failed for which reason, most frequent first."""
+    """Return how many points are solved or failed, and the reasons, most frequent first."""
     numbers, counts = np.unique(merged["reason"].values, return_counts=True)
     texts = merged["reason_text"].values
     rows = sorted(zip(numbers, counts, strict=True), key=lambda row: (row[0] > 0, -row[1]))

@@ -125,7 +125,7 @@ def _times_to_reach(data: xr.Dataset, level: float) -> dict[str, float]:
 
 
 def _time_to_reach(chosen: xr.Dataset, level: float) -> float:
-    """Milliseconds to an error of `level`, interpolated in the logarithms; NaN if never reached.
+    """Return the milliseconds to an error of `level`, interpolated in logarithms, or NaN.
 
     Of all runs the fastest with at most a given error counts, so that the curve is monotone.
     """
@@ -210,7 +210,7 @@ def _without_given_grids(times: dict[str, float]) -> dict[str, float]:
 
 
 def _rivals(times: dict[str, float], fastest: str, own: str) -> list[str]:
-    """Whom to compare the fastest with: the best of the other side, and the paper's own way."""
+    """Return rivals of the fastest: the best of the other side, and the paper's own way."""
     others = [method for method in times if method != fastest]
     if _is_peer(fastest):
         chosen = [own] if own in others else []

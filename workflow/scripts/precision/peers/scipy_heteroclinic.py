@@ -80,7 +80,7 @@ def _run_traced_logarithmic(mu, s, tolerance):
 
 
 def tail_start(mu, s):
-    """A p ahead of all s, from the tail of the orbit without damping, which is the steeper."""
+    """Return a p ahead of all s, from the steeper tail of the orbit without damping."""
     return 0.25 * (s[-1] + 3.0) ** 2 + TAIL_MARGIN / (1.0 + 0.01 * mu**2)
 
 

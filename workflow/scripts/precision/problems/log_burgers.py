@@ -36,7 +36,7 @@ SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
 
 
 def make_problem(problem, _states=None):
-    """One ring of ``precision.log_burgers`` with its `scene`, from a `smooth` start or its own."""
+    """Return one ring of ``precision.log_burgers`` with `scene`, `smooth` start or its own."""
     scene, fine = problem["scene"], problem["reference"]
     if problem["smooth"]:
         scene = scene | {"start": _smooth_start()}

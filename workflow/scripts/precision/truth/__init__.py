@@ -15,7 +15,7 @@ MOST_SILENT = 0.01
 
 
 def ratio(stated: float, true: float, largest: float) -> float:
-    """True over stated error, of what exceeds four units in the last place of the largest value."""
+    """Return true over stated error, if above four units in the last place of the largest."""
     if stated == np.inf:
         return 0.0  # Nothing is claimed.
     beyond = true - UNITS_OF_ROUNDING * float(np.spacing(largest))
@@ -25,7 +25,7 @@ def ratio(stated: float, true: float, largest: float) -> float:
 
 
 def hold(found: Iterable[tuple[str, float, float, float]], share: float = 1.0) -> bool:
-    """Whether stated errors are honest: a share within twice, all within ten times, few too wide.
+    """Return whether stated errors are honest: a share within twice, all within ten times.
 
     A problem that was refused has no numbers and is no honest answer.
     """

@@ -161,7 +161,7 @@ EQUATIONS = {
 
 
 def compare(equation, scene):
-    """(name, stated error, true error, largest value) of the answer at all times of a scene."""
+    """Return (name, stated error, true error, largest value) of the answer at all times."""
     found = EQUATIONS[equation](scene)["rescaled_force"]
     scales = scaling_of(scene)
     half_length = scales.half_length(scene["half_beads"])

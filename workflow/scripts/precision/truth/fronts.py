@@ -165,7 +165,7 @@ class TrueFront:
         self.site, self.back = np.exp(-1j * half) * sinc, np.exp(-2j * half)
 
     def pulse(self, function=lambda s: s):
-        """Amplitudes of a function of s, where s is 1 before the first point and 0 after the last.
+        """Return amplitudes of a function of s; s is 1 before the first point, 0 after the last.
 
         A state behind that were left to the first point would not be held by any equation.
         """
