@@ -38,7 +38,7 @@ _LIMITS = {
     "exclusiveMaximum": "but must be below {limit}: give a number below {limit}",
     "multipleOf": "no multiple of {limit}: give a multiple of {limit}",
 }
-"""What a sentence says of a number beyond a limit."""
+"""Words for a number beyond a limit."""
 
 LARGEST_WHOLE = 2**63 - 1
 """Largest whole number that an array can hold."""
