@@ -81,7 +81,7 @@ class Campaign(NamedTuple):
         return math.prod(self.shape)
 
     def points_per_chunk(self, chunk_seconds: float) -> int:
-        """Return most points of a job that should take so much processor time."""
+        """Return the most points of a job that should take so much processor time."""
         usual = max(1, round(chunk_seconds / self.kind.seconds_per_point))
         return self.chunk_points or usual
 
@@ -259,8 +259,8 @@ def _start_errors(given) -> Iterator[str]:
         )
     if start and ("rescaled_force" in start) != (start["profile"] == "given"):
         yield (
-            f"start has profile {start['profile']}, but rescaled_force belongs to profile given, "
-            "and to it alone: give both or neither."
+            f"start has profile {start['profile']}, but rescaled_force belongs only to profile "
+            "given: give both or neither."
         )
     if start and "rescaled_force" in start:
         first, *_, last = start["rescaled_force"]

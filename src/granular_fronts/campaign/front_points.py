@@ -1,9 +1,9 @@
 """Points of exact fronts: of two powers with δ = c = 1, James (2021), section 6, or of any law.
 
 Fronts of one law are swept along the damping, each from the ones before it, whichever axis is the
-fast one.  The method and its error estimates are those of `fronts.sweep`.  The slowest tail is a
-root of the dispersion relation, independent of the solution.  A front is monotone where this root
-is real.
+fast one.  `fronts.sweep` describes the method and its error estimates.  The slowest tail is a root
+of the dispersion relation, independent of the solution.  A front is monotone where this root is
+real.
 """
 
 import functools

@@ -1,7 +1,7 @@
 """The kinds of campaign: their parameters, what they record, and which module solves them.
 
 A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module. `points`
-holds an array of shape (lines, fast) for each parameter of the kind.  `settings` are those of a
+holds an array of shape (lines, fast) for each parameter of the kind.  `settings` belong to a
 `Campaign`, and `activity` heads the progress bar.  The result is a `Solved`.  This module imports
 nothing heavy, since every campaign is checked against it before any job.
 """

@@ -12,10 +12,10 @@ from scipy.stats import linregress
 from granular_fronts.accuracy import Estimate
 
 LARGEST_EXPONENT = 1.1
-"""Of the rings that a slope is fitted to."""
+"""Largest exponent of the rings that a slope is fitted to."""
 
 ROUNDING = 1.0e-12
-"""Of μ, which is computed."""
+"""Rounding of μ, which is computed."""
 
 NEAR = 1.2
 """Largest α of the rings on which equations are compared in the map."""
