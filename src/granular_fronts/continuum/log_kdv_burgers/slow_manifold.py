@@ -44,7 +44,7 @@ from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.polynomials import polynomial
 
 STIFF_DAMPING = 12.0
-"""From this μ on the whole orbit comes from the expansion."""
+"""Smallest μ at which the whole orbit comes from the expansion."""
 
 TERMS = 48
 FEWER_TERMS = 40
@@ -112,7 +112,7 @@ class SlowOrbit(NamedTuple):
         return _s_between(self, self.v_half, v)
 
     def turning_points(self):
-        """Return none: the orbit is monotone."""
+        """Return no extrema: the orbit is monotone."""
         return np.empty(0), np.empty(0)
 
     def counts(self):
