@@ -272,7 +272,7 @@ class Collision(NamedTuple):
 
 
 def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
-    """Return the collide two equal beads of mass 1 by any law that repels in compression.
+    """Collide two equal beads of mass 1 by any law that repels in compression.
 
     Parameters
     ----------

@@ -87,7 +87,7 @@ class Potential:
     scalar_functions : tuple of callable or None
         The same in the form that is compiled for single numbers.
     origin : Origin or None
-        Of a user's own potential, shared by its multiples alone.
+        Of a user's own potential, shared only by its multiples.
 
     Raises
     ------
