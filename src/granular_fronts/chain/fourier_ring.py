@@ -72,13 +72,13 @@ class FourierRing(NamedTuple):
         return circulant(irfft(-4.0 * np.sin(0.5 * self.wave_numbers) ** 2, self.points))
 
     def strain_rates(self, u, velocity):
-        """Return the values of d = w_n − w_{n+1} from those of u and ẋ, eq. (31)."""
+        """Return the values of d = w_n − w_{n+1} from u and ẋ, eq. (31)."""
         shift, force = np.exp(1j * self.wave_numbers), rfft(u**self.alpha)
         rates = (1.0 - shift) * (rfft(velocity) - self.gamma * (1.0 / shift - 1.0) * force)
         return irfft(rates, self.points)
 
     def velocities(self, u, d, mean):
-        """Return the values of ẋ from those of u and d, and the mean of ẋ."""
+        """Return the values of ẋ from u, d and the mean of ẋ."""
         shift, force = np.exp(1j * self.wave_numbers), rfft(u**self.alpha)
         velocity = self.gamma * (1.0 / shift - 1.0) * force
         velocity[1:] += rfft(d)[1:] / (1.0 - shift[1:])

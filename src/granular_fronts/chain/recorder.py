@@ -88,7 +88,7 @@ class Recording(NamedTuple):
     # Extremes of each contact, shape (7, columns); infinite where it has not turned.
     largest: np.ndarray
     smallest: np.ndarray
-    # Largest and smallest turn of all contacts so far, infinite if there is none.
+    # Largest and smallest turn of all contacts so far, or infinity.
     extremes: np.ndarray
     # Work space, of the polynomial of a contact.
     coefficients: np.ndarray
