@@ -37,16 +37,16 @@ MILLISECONDS = 60
 """For which a frame is shown."""
 
 ENDINGS = (".gif", ".png", ".webp")
-"""Of files that may hold a moving picture."""
+"""Endings of files that may hold a moving picture."""
 
 COLOURS = 32
 """Of lines and text, to which so few do no harm."""
 
 WORDS = {"relative_displacement": "compression", "velocity": "velocity"}
-"""What the fields are called, for readers who have no symbols yet."""
+"""Names of the fields, for readers who do not know the symbols yet."""
 
 FRAMES_PER_SAMPLE = 8
-"""Of which one is looked at for its colours."""
+"""One frame of so many is sampled for its colours."""
 
 
 class Movie:

@@ -46,7 +46,7 @@ VISIBLE = 1e-3
 """Share of the jump by which a front must differ from its states to be seen."""
 
 COLUMNS = 6
-"""Of a legend across a figure."""
+"""Columns of a legend across a figure."""
 
 LEAST_OVERSHOOT = 1e-12
 """Error up to which a front is called converged."""

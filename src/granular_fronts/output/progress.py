@@ -20,7 +20,7 @@ DELAY = 2.0
 """Seconds of work before a bar appears."""
 
 SIGNIFICANT_DIGITS = 3
-"""Of the end time; a time on the way has as many decimal places."""
+"""Digits of the end time; a time on the way has as many decimal places."""
 
 
 def count_bar(description: str, total: int, unit: str) -> tqdm:

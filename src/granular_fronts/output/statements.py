@@ -59,7 +59,7 @@ ANSWERS = {
     "words": (HOLDS, DOES_NOT_HOLD),
     "finding": (HOLDS, DOES_NOT_HOLD),
 }
-"""What to call a statement that is true, and one that is false."""
+"""Names of a true and of a false statement."""
 
 UNMEASURED = Estimate(math.nan, math.nan)
 
@@ -134,7 +134,7 @@ def evaluate(
     try:
         measured = function(*measured_on, **arguments)
     except (LookupError, ValueError, ArithmeticError):
-        # Other parameters may leave out what is measured; those of the paper may not.
+        # Other parameters may leave out what is measured; the paper's may not.
         if not differences:
             raise
         measured = UNMEASURED
