@@ -1,6 +1,6 @@
 """Ball arithmetic for the checker: bounds, polynomials on cells, the kernel and its inverses.
 
-A ball of python-flint contains the number that it stands for; an operation on balls contains all
+A ball of python-flint contains the number that it represents; an operation on balls contains all
 results.  `largest` and `above` are the only ways from balls to single numbers, both upwards.
 
 The kernel K(s) = 1 − |s| + γ sgn s on |s| < 1 is linear between its kinks −1, 0 and 1, which are

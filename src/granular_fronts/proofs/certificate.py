@@ -43,7 +43,7 @@ FAST = np.linspace(1.72, 1.96, 9)  # candidates of η in units of θ, below 2
 APART = 0.02  # least distance of η from all real parts, in units of η
 COARSE, LOST_COARSE = 20, 0.1  # cells per bead and ∫|g| cut off where candidates are ranked
 PLACE = 4  # beads behind x₀, where the remainder is to be small
-WEIGHT_OF_SLOW = 0.1  # of Γ_θ, which enters only the small c, beside Γ_η
+WEIGHT_OF_SLOW = 0.1  # of Γ_θ, which enters only the small c, relative to Γ_η
 
 Rational = float | str | Fraction  # a number as `rational` reads it
 
@@ -202,7 +202,7 @@ def _weights(alpha, gamma, roots):
 
 
 def rational(number, name="number", above=0):
-    """Return a fraction of at most 18 digits; a float stands for the decimal it is written as."""
+    """Return a fraction of at most 18 digits; a float means the decimal it is written as."""
     try:
         found = Fraction(_written(number))
         if found > above and max(found.numerator, found.denominator) < 10**18:

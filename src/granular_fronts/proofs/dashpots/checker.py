@@ -1,8 +1,8 @@
 """Check the certificate of a front with linear dashpots in ball arithmetic.
 
 The theorem and its proof are in `existence`, the operator A in `right_inverse`, bounds of it in
-`row_norms`, what follows in `ahead`.  A certificate holds exact doubles and integers, of which
-nothing is assumed.
+`row_norms`, what follows in `ahead`.  A certificate holds exact doubles and integers, and nothing
+is assumed about them.
 """
 
 from flint import arb, arb_poly, arb_series
