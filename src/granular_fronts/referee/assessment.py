@@ -148,7 +148,7 @@ def _advice(problem, finest, order, wanted):
         yield f"For an error of {wanted:g} take the step {step:.2g}."
         if round(order.value) == 1:
             yield (
-                "Order one is that of velocity Verlet whose viscous force sees the velocity of "
+                "Order one belongs to velocity Verlet whose viscous force sees the velocity of "
                 "half a step before. A predicted velocity makes it two: in LAMMPS fix mvv/dpd "
                 f"1.0, which the deck {problem.name}.lmp takes with -var integrator mvv."
             )

@@ -4,7 +4,7 @@
 front          overshoot: first peak of u between states, over δ, in the middle of the chain
 contact_loss   velocity of the last bead at the end, over δ^(5/4)
 striker        peak of u between states in the middle of the chain, over δ
-collision      velocity at which the beads part, over that of their impact: restitution
+collision      velocity at which the beads part, over their impact velocity: restitution
 =============  ================================================================================
 
 A peak is taken from the cubic between two states that has u and its rate at both.  With states 0.5
