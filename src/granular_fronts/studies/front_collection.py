@@ -55,7 +55,7 @@ SHOWN = 1e-3
 
 OSCILLATIONS = 8.0
 MARGIN = 0.1
-"""Of the window, on either side."""
+"""Margin of the window on either side."""
 
 TRANSLATION_METHOD = "largest distance of the multiplier of translation from 1"
 

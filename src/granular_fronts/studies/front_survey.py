@@ -44,7 +44,7 @@ def survey_fronts(exponents, dampings):
 
 
 def survey_plane(alpha, gamma):
-    """Return survey of exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    """Survey fronts over exponents, a list, and dampings, as of `numpy.geomspace`."""
     return survey_fronts(alpha, np.geomspace(**gamma))
 
 

@@ -57,7 +57,7 @@ FACTORS = (0.97, 1.0, 1.07, 1.17, 1.3)
 """Dampings over γ at which the peak of the accurate chain is known; between, a polynomial."""
 
 PHASES = 16
-"""Of the first contact of a collision, within a step."""
+"""Phases of the first contact of a collision within a step."""
 
 CONTINUATION = 20
 """Parts of a step along which a root is followed."""
@@ -76,7 +76,7 @@ ERRORS = {
     "order": ("order_error", ORDER_METHOD),
     "order_error": ("order_error", ORDER_METHOD),
 }
-"""Of each variable the one that holds the error of each chain, and how that was found."""
+"""For each variable, the one that holds the error of each chain, and the method."""
 
 
 def measure_half_step_damping(**scene):

@@ -17,7 +17,7 @@ damp like this.  The explicit one of two stages,
 
 .. math:: y' = y + h f\bigl(y + \theta h f(y)\bigr),
 
-stands beside the θ-method; large steps make it unstable, which is why it takes the smallest three.
+is compared with the θ-method.  Large steps make it unstable, so that it takes the smallest three.
 """
 
 from typing import NamedTuple

@@ -19,9 +19,9 @@ Its amplitude has changed by the factor :math:`-\rho`, with
     \lambda = \frac{c_s + c}{c_s - c} = \frac{\sqrt\alpha + 1}{\sqrt\alpha - 1}, \qquad
     \rho = \frac{\alpha + 1 - 2\sqrt\alpha}{\alpha + 1 + 2\sqrt\alpha} = \lambda^{-2} .
 
-Every disturbance, that of the front's slowness 1/c included, thus repeats itself at λ times the
-distance and time, with the factor :math:`-\lambda^{-2}`: it decays as :math:`n^{-2}`, and changes
-its sign again and again.
+Every disturbance, also of the front's slowness 1/c, thus repeats itself at λ times the distance and
+time, with the factor :math:`-\lambda^{-2}`: it decays as :math:`n^{-2}`, and changes its sign again
+and again.
 
 Measurement.  The same rule removes it.  If a quantity is :math:`q` at some distance and time and
 :math:`q_\lambda` at λ times both, its limit is
