@@ -34,7 +34,7 @@ from granular_fronts.output.style import save_figure
 from step import argument_types, run_step
 
 PATHS = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
-"""What a step is given for an argument of the function that draws."""
+"""Types of the step's arguments for those of the function that draws."""
 
 
 def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:

@@ -36,7 +36,7 @@ RESTS_ON = {
     "piston": "gamma, v_0",
     "force": "gamma, v_0, R; mass and elastic constants from handbooks",
 }
-"""What the damping of a front follows from; the paper prints only the mass of cork."""
+"""Sources of the damping of a front; the paper prints only the mass of cork."""
 
 
 def _make_row(one: xr.Dataset, kind: str, dimension: str, value: float) -> dict[str, Any]:
