@@ -11,6 +11,7 @@ import granular_fronts as gf
 from granular_fronts.model.collision import damping_for_restitution
 from granular_fronts.model.scaling import (
     damping_from_restitution,
+    sphere_mass,
     sphere_stiffness,
     velocity_of_compression,
     velocity_of_force,
@@ -130,7 +131,7 @@ def test_weak_damping_is_where_section_3_1_says(alpha, beta, where):
 
 
 def test_damping_follows_from_restitution():
-    mass, stiffness = 0.147, sphere_stiffness(0.0165, 2.0e11, 0.3)
+    mass, stiffness = sphere_mass(0.0165, 7800.0), sphere_stiffness(0.0165, 2.0e11, 0.3)
     damping = damping_from_restitution(0.9, 0.5, mass, stiffness)
     gamma = gf.Scaling(mass, stiffness, damping, 0.5).gamma
     assert gamma == pytest.approx(damping_for_restitution(0.9), rel=1e-14)
@@ -143,6 +144,8 @@ def test_sphere_agrees_with_hertz_in_two_steps():
     effective = modulus / (2.0 * (1.0 - poisson**2))
     expected = 4.0 / 3.0 * effective * math.sqrt(radius / 2.0)
     assert sphere_stiffness(radius, modulus, poisson) == pytest.approx(expected, rel=1e-15)
+    # A cube that holds the sphere has 6/π times its mass.
+    assert sphere_mass(radius, 2500.0) == pytest.approx(math.pi / 6 * 2500 * (2 * radius) ** 3)
 
 
 @pytest.mark.parametrize(
@@ -150,7 +153,7 @@ def test_sphere_agrees_with_hertz_in_two_steps():
     [
         (lambda: sphere_stiffness(0.01, -1.0, 0.3), "modulus is -1.0, .* above 0"),
         (lambda: sphere_stiffness(0.01, 1.0e9, 0.5), "poisson_ratio is 0.5, .* solid"),
-        (lambda: sphere_stiffness(math.nan, 1.0e9, 0.3), "radius is nan"),
+        (lambda: sphere_mass(0.01, math.nan), "density is nan"),
         (lambda: damping_from_restitution(1.2, 0.5, 0.1, 1e9), "e is 1.2, .* restitution"),
         (lambda: velocity_of_compression(-1e-6, 0.1, 1e9), "delta is -1e-06"),
         (lambda: velocity_of_force(0.0, 0.1, 1e9), "force is 0.0"),

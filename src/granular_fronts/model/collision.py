@@ -122,7 +122,7 @@ def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> 
 
 
 def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = None) -> float:
-    """Return γ for which two equal beads part with the coefficient of restitution e, 0 < e ≤ 1.
+    """γ for which two equal beads part with the coefficient of restitution e, 0 < e ≤ 1.
 
     It belongs to v₀ = relative velocity of the impact, and has a relative error of about 1e-12. An
     InputError says that e or an exponent is impossible.

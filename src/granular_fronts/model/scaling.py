@@ -172,8 +172,14 @@ class Scaling:
         }
 
 
+def sphere_mass(radius: float, density: float) -> float:
+    """Mass in kg of a sphere with a radius in metres and a density in kg/m³."""
+    radius, density = _positive(radius=radius, density=density).values()
+    return 4.0 / 3.0 * math.pi * radius**3 * density
+
+
 def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float) -> float:
-    """Return the stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
+    """Stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
 
     The radius is in metres, Young's modulus in pascals; Poisson's ratio lies between −1 and 1/2.
     """
@@ -211,7 +217,7 @@ def damping_from_restitution(
     alpha: float = 1.5,
     beta: float | None = None,
 ) -> float:
-    """Return γ₀ in s m^(α − β) from the restitution e of two equal beads, 0 < e ≤ 1.
+    """γ₀ in s m^(α − β) from the restitution e of two equal beads, 0 < e ≤ 1.
 
     They meet with the relative velocity `impact_velocity` in m/s.
     """

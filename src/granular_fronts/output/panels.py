@@ -64,8 +64,9 @@ def draw_spacetime(
 ) -> None:
     """Colour the (n, t) plane by values on (t_grid, bead), bead number across and time upwards.
 
-    Colours show compressions unless others are given.  Of the `limits` of their scale None is the
-    extreme of the data; `extend` says where the colour bar goes on beyond them, as in matplotlib.
+    Colours are those of compressions unless others are given.  Of the `limits` of their scale None
+    is the extreme of the data; `extend` says where the colour bar goes on beyond them, as in
+    matplotlib.
     """
     image = axes.pcolormesh(
         values["bead"],
@@ -166,7 +167,7 @@ def draw_chain_dots(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
 
 
 def draw_comparison(data: xr.Dataset) -> Figure:
-    """Draw chain and logarithmic Burgers equation, a row for each snapshot after the start."""
+    """Figure of chain and logarithmic Burgers equation, a row for each snapshot after the start."""
     rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
     figure, panels = new_figure(1.7 * len(rows) + 0.2, rows)
     for row, names in enumerate(rows, start=1):

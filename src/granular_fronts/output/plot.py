@@ -272,7 +272,7 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
 
 
 def _new_axes() -> Axes:
-    """Return the one panel of a new figure that a notebook shows."""
+    """The one panel of a new figure that a notebook shows."""
     _, panels = new_figure(2.8, [["panel"]], plt.figure)
     return panels["panel"]
 

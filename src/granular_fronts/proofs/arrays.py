@@ -13,8 +13,10 @@ LARGEST = 2**30  # bytes of all its arrays
 
 def load(path):
     """Return the arrays of a file, about which nothing is assumed."""
+    if not Path(path).exists():
+        raise NotProvedError(f"there is no file {path}")
     if not Path(path).is_file():
-        raise NotProvedError(f"{path} is missing or not a regular file")
+        raise NotProvedError(f"{path} is no regular file")
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             if sum(member.file_size for member in file.zip.infolist()) <= LARGEST:

@@ -85,7 +85,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Raises
     ------
     InputError
-        If `path` is no path.  A missing or damaged file proves nothing.
+        If `path` is no path.  A file that is missing or damaged is one that proves nothing.
     """
     path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}

@@ -51,7 +51,7 @@ def update_documents(readme: Path, performance: Path, proofs: Path, results: Pat
 
 
 def paper_numbers(results: Path) -> str:
-    """Return the numbers of the paper and ours, and how many statements hold, as Markdown."""
+    """Numbers of the paper beside ours, and how many statements hold, as Markdown."""
     statements = pd.read_csv(results / "tables" / "paper_numbers.csv", keep_default_na=False)
     table = statements.set_index("quantity").loc[list(SHOWN)].reset_index()
     shown = pd.DataFrame(
@@ -86,7 +86,7 @@ def proved(results: Path) -> str:
 
 
 def _replace_block(text: str, name: str, content: str) -> str:
-    """Return the text with the part between the marks of a block replaced."""
+    """The text with what stands between the marks of a block replaced."""
     return text.replace(block(text, name), content)
 
 

@@ -149,7 +149,7 @@ def _render(caption: str) -> str:
 
 
 def _tabulate_csv(table: Path) -> str:
-    """Turn a CSV file with a header into HTML, its numbers rounded for people."""
+    """Turn a CSV file with a header into HTML, its numbers rounded for reading."""
     cells = pd.read_csv(table, dtype=str, keep_default_na=False)
     for column in cells:
         digits = ".1e" if "error" in column else ".7g"

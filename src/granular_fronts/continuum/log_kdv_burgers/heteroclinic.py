@@ -97,8 +97,8 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     Raises
     ------
     InputError
-        If mu is below 0 or not finite.  If s is not a finite list of numbers, reaches beyond the
-        underflow of y, or over too many turns.
+        If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
+        underflow of y, or over more turns than can be followed.
     """
     mu = check_mu(mu)
     s = None if s is None else sequence("s", s, advice="leave that point out")

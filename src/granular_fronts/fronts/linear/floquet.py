@@ -96,8 +96,8 @@ def front_multipliers(
     Raises
     ------
     InputError
-        If the front has not converged, if its damping is too strong for the steps of the flow, or
-        if ξ = 0 or another integer is not among the points.
+        If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
+        another integer is not among the points.
     """
     check_front_of_powers(front)
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))
