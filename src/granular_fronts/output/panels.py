@@ -99,25 +99,25 @@ def draw_plane(
 
 
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
-    """u(ξ) of an exact front; `look` describes the line, as in `matplotlib.axes.Axes.plot`."""
+    """u(ξ) of an exact front; `look` is that of the line, as in `matplotlib.axes.Axes.plot`."""
     axes.plot(front["xi"], front["relative_displacement"], "-", **look)
     axes.set(xlabel=r"$\xi = n - ct$", ylabel=r"$u/\delta$")
 
 
 def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> Line2D:
-    """Return a field on (bead) at one time, a dot for each bead on a thin line of some look."""
+    """A field on (bead) at one time, a dot for each bead on a thin line of some look."""
     [line] = axes.plot(values["bead"], values, ".-", markersize=2.5, linewidth=0.6, **look)
     axes.set(xlabel="$n$", ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
     return line
 
 
 def contacts_open(motion: xr.Dataset) -> bool:
-    """Return whether the contacts of a motion may open, since no force holds extended ones."""
+    """Whether the contacts of a motion may open, since no force holds extended ones."""
     return bool(motion.attrs.get("contacts_open", 0))
 
 
 def moving_parts(motion: xr.Dataset, suffix: str = "") -> dict[str, xr.DataArray]:
-    """Return fields of a motion by their names, displacements without the held end, no contact."""
+    """The fields of a motion by their names, displacements without the held end, no contact."""
     fields = {field: motion[f"{field}{suffix}"] for field in FIELD_LABELS}
     contacts = slice(motion.attrs.get("contacts"))
     fields["relative_displacement"] = fields["relative_displacement"].isel(bead=contacts)
@@ -125,7 +125,7 @@ def moving_parts(motion: xr.Dataset, suffix: str = "") -> dict[str, xr.DataArray
 
 
 def open_contacts(u: xr.DataArray) -> np.ndarray:
-    """Return the numbers n of the contacts that are open, of relative displacements on (bead)."""
+    """Numbers n of the contacts that are open, of relative displacements on (bead)."""
     return u["bead"].values[certain_sign(u).values < 0]
 
 
@@ -184,7 +184,7 @@ def draw_comparison(data: xr.Dataset) -> Figure:
 def draw_rings(
     height: float, rings: Sequence[xr.Dataset], draw: Callable[[Axes, xr.Dataset, str, str], None]
 ) -> tuple[Figure, list[list[Axes]]]:
-    """Return the figure with a row for each ring and a column for each field, and the axes by rows.
+    """Figure with a row for each ring and a column for each field, and the axes by rows.
 
     Each panel is drawn by `draw(axes, ring, field, exponent in words)`.
     """
