@@ -35,6 +35,7 @@ rule help:
                 "name one or more targets, for example: snakemake -c2 fig01 tables",
                 *(f"  {target:14} {words}" for target, words in TARGETS_IN_WORDS.items()),
                 "after --configfile or --config, put -- before the targets.",
+                "any other name ends in Snakemake's own sentence, a MissingRuleException.",
             ]
         )
     localrule: True
