@@ -39,7 +39,7 @@ help: ## Print these targets, and those of the workflow where it is installed.
 test: lint ## Check style and types, and run the fast tests.
 	@echo "Running the tests (the slow ones: $(BIN)/pytest -m slow)."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
-	@$(BIN)/pytest -m timing
+	@$(BIN)/pytest -m timing $$(grep -rl --include="*.py" "pytest.mark.timing" tests)
 
 slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests."

@@ -70,6 +70,7 @@ def project(tmp_path_factory):
     return lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
 
 
+@pytest.mark.slow
 def test_what_cannot_be_computed_is_refused_before_any_job_and_a_dry_run_writes_nothing(tmp_path):
     bare = copy_project(tmp_path)
     write_campaign(bare, axes={"gamma": [0.3, 0.2]}, fixed={**CAMPAIGN["fixed"], "delta": 1.0})

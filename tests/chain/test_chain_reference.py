@@ -48,7 +48,7 @@ def state_of(gamma, end):
     return np.concatenate([expected.relative_displacement, expected.velocity])
 
 
-@pytest.mark.parametrize("gamma", [0.06, 0.65])
+@pytest.mark.parametrize("gamma", [pytest.param(0.06, marks=pytest.mark.slow), 0.65])
 def test_scipy_in_positions_agrees_before_contact_loss(gamma):
     found = by_scipy(initiation(gamma, 700.0), 1e-13, 1e-15)
     assert np.max(np.abs(found - state_of(gamma, 700.0))) < 1e-12

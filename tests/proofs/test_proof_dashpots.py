@@ -186,6 +186,7 @@ def test_norms_are_those_of_dense_matrices(front):
     assert floats(front.rho)[xi > M] == pytest.approx(gain_ahead * (1 + norm_ahead), rel=1e-8)
 
 
+@pytest.mark.slow
 def test_row_norms_on_a_finer_mesh(front):
     """From below: the bounds ρ of A are attained, and 1 − L A stays below Z₁.
 

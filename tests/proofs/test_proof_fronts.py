@@ -49,6 +49,7 @@ def test_other_fronts(case, tmp_path):
     assert check_certificate(tmp_path / "front.npz") == record
 
 
+@pytest.mark.slow
 def test_a_front_may_be_proved_without_the_expansion_behind(monkeypatch, tmp_path):
     checks = []
 

@@ -119,6 +119,7 @@ def test_what_the_referee_says_of_a_front():
     assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
 
 
+@pytest.mark.slow
 def test_single_collisions():
     names = [name for name in PROBLEMS if name.startswith("collision")]
     less = [-100.0 * found_by_half_steps(name, 0.1)[1][0].excess for name in names]

@@ -83,13 +83,13 @@ def assert_sentences(found):
         assert "Traceback" not in sentence
 
 
-@exactly_repeated(max_examples=200)
+@exactly_repeated(max_examples=100)
 @given(st.sampled_from([*leaves(DEFAULT)][1:]), edge_values)
 def test_any_change_of_the_configuration_is_accepted_or_refused_in_sentences(path, value):
     assert_sentences(sentences(check_configuration, replaced(DEFAULT, path, value)))
 
 
-@exactly_repeated(max_examples=80)
+@exactly_repeated(max_examples=40)
 @given(
     st.sampled_from([*leaves(DEFAULT)][1:]),
     edge_numbers,
@@ -105,7 +105,7 @@ def test_two_changes_are_accepted_or_refused_in_sentences(first, value, second, 
     assert_sentences(sentences(check_configuration, changed))
 
 
-@exactly_repeated(max_examples=150)
+@exactly_repeated(max_examples=100)
 @given(st.sampled_from([*leaves(CAMPAIGN)][1:]), edge_values)
 def test_any_change_of_a_campaign_is_accepted_or_refused_in_sentences(path, value):
     assert_sentences(sentences(check_campaign, replaced(CAMPAIGN, path, value), "mine"))

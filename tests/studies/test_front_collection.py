@@ -10,13 +10,17 @@ from granular_fronts.studies import front_collection
 from granular_fronts.studies.front_collection import MARGIN, OSCILLATIONS, SHOWN, collect_fronts
 
 ALPHAS, GAMMAS = (1.2, 1.5), (0.05, 0.3, 0.9)
-COLLECTION = collect_fronts(ALPHAS, GAMMAS)
 at_points = pytest.mark.parametrize(("alpha", "gamma"), list(itertools.product(ALPHAS, GAMMAS)))
 
 
+@pytest.fixture(scope="module")
+def collection():
+    return collect_fronts(ALPHAS, GAMMAS)
+
+
 @at_points
-def test_curves_are_those_of_the_front(alpha, gamma):
-    point, front = COLLECTION.sel(alpha=alpha, gamma=gamma), gf.solve_front(alpha, gamma)
+def test_curves_are_those_of_the_front(collection, alpha, gamma):
+    point, front = collection.sel(alpha=alpha, gamma=gamma), gf.solve_front(alpha, gamma)
     u, xi = point["relative_displacement"].values, point["xi"].values
     np.testing.assert_array_equal(u, gf.evaluate_front(front, xi))
     roots = point["tail_root_real"].values + 1j * point["tail_root_imaginary"].values
@@ -31,8 +35,8 @@ def test_curves_are_those_of_the_front(alpha, gamma):
 
 
 @at_points
-def test_window_shows_the_front_from_tail_to_foot(alpha, gamma):
-    point = COLLECTION.sel(alpha=alpha, gamma=gamma)
+def test_window_shows_the_front_from_tail_to_foot(collection, alpha, gamma):
+    point = collection.sel(alpha=alpha, gamma=gamma)
     u, xi = point["relative_displacement"].values, point["xi"].values
     np.testing.assert_allclose(np.diff(xi), xi[1] - xi[0], rtol=1e-9)
     assert 0.0 < u[-1] <= SHOWN
@@ -41,18 +45,18 @@ def test_window_shows_the_front_from_tail_to_foot(alpha, gamma):
     assert oscillations <= (1.0 + MARGIN) * OSCILLATIONS + MARGIN * xi[-1]
 
 
-def test_curves_are_as_far_apart_as_the_distances_say():
+def test_curves_are_as_far_apart_as_the_distances_say(collection):
     for name in ("logarithmic", "unlimited", "heteroclinic"):
-        curve = COLLECTION[f"relative_displacement_{name}"]
-        difference = curve - COLLECTION["relative_displacement"]
+        curve = collection[f"relative_displacement_{name}"]
+        difference = curve - collection["relative_displacement"]
         shown = np.abs(difference).max("place")
         # The largest distance may lie between two places.
         between = np.abs(difference.diff("place")).max("place")
-        assert (np.abs(shown - COLLECTION[f"distance_{name}"]) <= between).all()
+        assert (np.abs(shown - collection[f"distance_{name}"]) <= between).all()
         assert (between < 0.5 * shown).all()
         assert curve.attrs["error_estimate"] == 2.0**-52
     for name in ("relative_displacement", "multiplier_real", "tail_root_imaginary"):
-        assert 0.0 < COLLECTION[name].attrs["error_estimate"] < 1e-8
+        assert 0.0 < collection[name].attrs["error_estimate"] < 1e-8
 
 
 def test_front_that_no_window_holds_has_no_multipliers(monkeypatch):

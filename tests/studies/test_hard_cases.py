@@ -19,7 +19,7 @@ from granular_fronts.studies.hard_cases.extended import reference_state
 
 QUICK = ["delta_1e_8", "delta_1e8", "free_flight", "elastic_collision", "dashpot_collision"]
 QUICK += ["front_double_root", "front_triple_root", "front_crossing", "front_dashpot"]
-QUICK += ["alpha_1_001", "beta_1", "colliding_fronts", "mu_below_2", "mu_above_2"]
+QUICK += ["colliding_fronts", "mu_below_2", "mu_above_2"]
 QUICK += ["energy_of_openings"]
 SLOW = sorted(set(registry.CASES) - set(QUICK))
 

@@ -38,6 +38,7 @@ def test_figure_solves_only_its_own_scene(plan):
     assert solved == {"initiate_front scene: initiation_overdamped"}
 
 
+@pytest.mark.slow
 def test_report_never_causes_a_measurement(tmp_path):
     measured = tmp_path / "figures" / "fig14_speed_error.png"
     measured.parent.mkdir()

@@ -26,14 +26,21 @@ the time :math:`2\tau/(\gamma\varepsilon^2c^2)` so costs :math:`1/(\varepsilon\g
 A contact that opens ends the run: the force is no longer smooth.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from scipy.fft import irfft, rfft, rfftfreq
-from scipy.integrate import DOP853
 from scipy.linalg import circulant
 
 from granular_fronts.errors import SolveError
+from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.compiled import kernel, subroutine
+from granular_fronts.numerics.interrupts import interrupted
+
+FIRST_STEP = 1e-3
+SHORTEST_STEP = 1e-14  # In units of the time to be reached.
+SMALLEST_ERROR = 1e-12  # In units of the tolerance.
 
 OPEN = (
     "At t = {time:.6g} a contact of the ring opens, where its wave is not smooth: follow the beads "
@@ -100,38 +107,98 @@ def solve_fourier_ring(
         raise GapError(OPEN.format(time=0.0))
     start = np.concatenate([first, ring.strain_rates(first, speed)])
     states, smallest = _integrate(ring, start, times, tolerance)
-    pairs = [np.split(state, 2) for state in states]
+    velocities = [ring.velocities(*state, speed.mean()) for state in states]
     return Wave(
-        np.array([_resampled(u_then, u.size) for u_then, _ in pairs]),
-        np.array([_resampled(ring.velocities(*pair, speed.mean()), u.size) for pair in pairs]),
+        np.array([_resampled(u_then, u.size) for u_then, _ in states]),
+        np.array([_resampled(velocity_then, u.size) for velocity_then in velocities]),
         smallest,
     )
 
 
 def _integrate(ring, start, times, tolerance):
     """Return the values of u and d at the given times, and the smallest u after any step."""
-    points, matrix, smallest = ring.points, ring.second_difference, start[: ring.points].min()
-    weights = np.full(points, 1.0 / points)
-
-    def rates(_t, state):
-        force = matrix @ np.maximum(state[:points], 0.0) ** ring.alpha
-        change = state[points:] + ring.gamma * force
-        # Both means are zero, and their rounding would add up over a long time.
-        change -= change @ weights
-        force -= force @ weights
-        return np.concatenate([change, force])
-
-    solver = DOP853(rates, 0.0, start, times[-1], rtol=tolerance, atol=1e-2 * tolerance)
-    states = []
-    while len(states) < len(times):
-        if message := solver.step():
-            raise SolveError(f"At t = {solver.t:.6g} of a ring the step size collapsed: {message}")
-        smallest = min(smallest, solver.y[:points].min())
+    matrix, state, states = ring.second_difference, start.reshape(2, ring.points), []
+    t, h, smallest = 0.0, FIRST_STEP, start[: ring.points].min()
+    for stop in times:
+        t, h, least = _advance(matrix, ring.alpha, ring.gamma, state, (t, h, stop), tolerance)
+        smallest = min(smallest, least)
         if not smallest > 0.0:
-            raise GapError(OPEN.format(time=solver.t))
-        passed = times[len(states) : np.searchsorted(times, solver.t, side="right")]
-        states += map(solver.dense_output(), passed)
+            raise GapError(OPEN.format(time=t))
+        if t < stop:
+            raise SolveError(f"At t = {t:.6g} of a ring the step size collapsed to {h:.3g}.")
+        states.append(state.copy())
     return states, float(smallest)
+
+
+@kernel
+def _advance(matrix, alpha, gamma, state, clock, tolerance):
+    """Step u and d in place up to a stop, to a gap, or to where the steps become too short.
+
+    The clock holds time, step and stop; the result is the time, the next step and the smallest u.
+    """
+    t, h, stop = clock
+    slopes = np.empty((rk.STAGES, *state.shape))
+    smallest = np.inf
+    while t < stop and smallest > 0.0 and not interrupted():
+        landing = t + h >= stop
+        # Two equal steps to the stop rather than a long and a short one.
+        step = stop - t if landing else min(h, 0.5 * (stop - t))
+        if step < SHORTEST_STEP * stop and not landing:
+            break
+        for row in range(rk.STAGES):
+            stage = _combined(state, step * rk.A[row], slopes)
+            _rates(matrix, alpha, gamma, stage, slopes[row])
+        new = _combined(state, step * rk.B, slopes)
+        error = _error(state, new, slopes, step, tolerance)
+        accepted = error <= 1.0  # What is not a number is not.
+        factor = min(rk.LARGEST_FACTOR, rk.SAFETY * max(error, SMALLEST_ERROR) ** rk.ERROR_EXPONENT)
+        if accepted:
+            t = stop if landing else t + step
+            state[:] = new
+            smallest = min(smallest, new[0].min())
+        if not accepted or not landing:
+            h = step * (factor if factor > rk.SMALLEST_FACTOR else rk.SMALLEST_FACTOR)
+    return t, h, smallest
+
+
+@subroutine
+def _rates(matrix, alpha, gamma, state, result):
+    """Time derivatives of u and d."""
+    d, change, force = state[1], result[0], result[1]
+    force[:] = 0.0
+    for place in range(d.size):
+        power = max(state[0, place], 0.0) ** alpha
+        for other in range(d.size):
+            force[other] += matrix[place, other] * power
+    # Both means are zero, and their rounding would add up over a long time.
+    force -= force.mean()
+    change[:] = d + gamma * force
+    change -= change.mean()
+
+
+@subroutine
+def _combined(state, weights, slopes):
+    """The state and a weighted sum of slopes."""
+    result = state.copy()
+    for row in range(rk.STAGES):
+        weight = weights[row]
+        if weight != 0.0:
+            for part in range(2):
+                for place in range(state.shape[1]):
+                    result[part, place] += weight * slopes[row, part, place]
+    return result
+
+
+@subroutine
+def _error(old, new, slopes, step, tolerance):
+    """Error of a step in units of the tolerance, from both estimates as DOP853 weighs them."""
+    nothing = np.zeros_like(old)
+    scale = tolerance * (0.01 + np.maximum(np.abs(old), np.abs(new)))
+    fifth = np.sum((_combined(nothing, rk.ERROR_5, slopes) / scale) ** 2)
+    third = np.sum((_combined(nothing, rk.ERROR_3, slopes) / scale) ** 2)
+    if fifth == 0.0:
+        return 0.0
+    return step * fifth / math.sqrt((fifth + 0.01 * third) * old.size)
 
 
 def _resampled(values, points):
