@@ -107,14 +107,14 @@ def solve_front(
         `strain`, `relative_displacement` (its negative) and `velocity` on `xi` = n − ct, each with
         `error_estimate` and `error_method`.  The grid is uniform; the strain is half-way between
         R_b and R_a at ξ = 0, and equal to them beyond the grid, to round-off.  Velocities are −cR
-        behind and ahead, eq. (12); a uniform one may be added.
-        `residual_history` on `iteration`, the largest residual before each step and after the
-        last.  Attributes: `law` as JSON, `state_behind`, `state_ahead`, for two powers from
-        compression 1 `alpha`, `beta`, `gamma`, `right_state`; `method`, `speed`, `converged` (0 or
-        1) and `reason`, `residual`, `speed_defect` (the speed found over the exact one, less 1;
-        shooting prescribes it), `error_estimate` of the strain, `spacing` of the grid, `overshoot`,
-        `width_10_90`, `slope`, `dissipated_power`, and `…_error` of these four and of the defect.
-        Where converged is 0, all but the law and the reason are NaN.
+        behind and ahead, eq. (12); a uniform one may be added. `residual_history` on `iteration`,
+        the largest residual before each step and after the last.  Attributes: `law` as JSON,
+        `state_behind`, `state_ahead`, for two powers from compression 1 `alpha`, `beta`, `gamma`,
+        `right_state`; `method`, `speed`, `converged` (0 or 1) and `reason`, `residual`,
+        `error_estimate` of the strain, `spacing` of the grid.  `speed_defect` is the speed found
+        over the exact one, less 1 (shooting prescribes it).  Measures are `overshoot`,
+        `width_10_90`, `slope` and `dissipated_power`; these and the defect have an `…_error`. Where
+        converged is 0, all but the law and the reason are NaN.
 
     Raises
     ------

@@ -3,9 +3,9 @@
 The fronts are solved from strong to weak damping on one grid, compiled.  The window follows the
 tail, and the start of each front is extrapolated from those before (`numerics.extrapolation`).  For
 close neighbours two steps of Newton's iteration are left.  If the iteration does not settle, the
-grid becomes too coarse or another check fails, the sweep starts anew at that damping, with a window
-and a grid of its own.  So it does for a front whose error is too large.  If this fails too, the
-values are NaN with a reason, and the sweep goes on.
+grid becomes too coarse or another check fails, the sweep starts anew at that damping, with another
+window and grid.  So it does for a front whose error is too large.  If this fails too, the values
+are NaN with a reason, and the sweep goes on.
 
 Accuracy.  Every stretch is swept again on a finer grid, by another order, on a longer window
 (`profile.solve.refine`).  The differences are the error estimates.
@@ -105,10 +105,10 @@ def sweep_fronts(
     xarray.Dataset
         On `gamma`, or `factor` of a law, in the order given: `overshoot`, `width_10_90`, `slope`,
         `dissipated_power`, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
-        `tail_frequency`, real and imaginary part of the slowest tail exponent; `error_estimate` of
-        the strain, the one that explains the changes of overshoot, width and dissipated power, or
-        where that is too large the difference of the strain itself; `converged` (0 or 1) and
-        `reason`.  Units belong to the law.
+        `tail_frequency`, real and imaginary part of the slowest tail exponent; `converged` (0 or 1)
+        and `reason`.  The `error_estimate` of the strain explains the changes of overshoot, width
+        and dissipated power; where it is too large, it is the difference of the strain.  Units
+        belong to the law.
 
     Raises
     ------
