@@ -9,8 +9,8 @@ on the bits, and with :math:`s = f/(2+f)`, :math:`f = m - 1`,
 .. math:: \ln m = f - \tfrac12 f^2 + s\,(\tfrac12 f^2 + R(s^2)), \qquad
     R(z) = z P(z) \approx \frac{\ln(1+s) - \ln(1-s)}{s} - 2,
 
-where the minimax polynomial `P` of degree 6 is that of the C library fdlibm (Sun Microsystems,
-1993); the error is below one unit of the last place.
+where the minimax polynomial `P` of degree 6 comes from the C library fdlibm (Sun Microsystems,
+1993).  The error is below one unit of the last place.
 
 Exponential less one.  :math:`x = k\ln 2 + r` with :math:`|r| \le \tfrac12\ln 2`, and
 
@@ -124,7 +124,7 @@ def power(x, exponent):
     """Return x^exponent for a loop that is to be vectorised: no branch, no call.
 
     The error is below two units of the last place.  x is normal and the exponent below 2⁵⁰ in size,
-    which is not checked: any other gives a number without meaning.  The result is infinite from
+    which is not checked.  Any other gives a number without meaning.  The result is infinite from
     :math:`2^{1023.5}` on, and no less than about :math:`2^{-1022}`.
     """
     shifted = bits_of(x) + (ONE - ROOT_HALF)
