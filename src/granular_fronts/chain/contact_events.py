@@ -1,7 +1,7 @@
 r"""Opening and closing contacts: where a step must end so that the order of the method survives.
 
-A force :math:`u_+^\alpha` is smooth in time except where its contact opens or closes, and any force
-is so except where its compression passes a *kink* u*, which the law declares.  There, at the time
+A force :math:`u_+^\alpha` is smooth in time except where its contact opens or closes.  Any force is
+smooth except where its compression passes a *kink* u*, which the law declares.  There, at the time
 t*, a step of any high-order method that straddles t* is wrong by about
 
 .. math:: \kappa = h\,\lvert G(u) - G(u^*)\rvert + h^2\,\lvert F(u) - F(u^*)\rvert,

@@ -8,15 +8,15 @@ The dissipative chain in strain form with :math:`\beta = \alpha`, James (2021), 
 
 holds for every n, whole or not, if it holds for the functions :math:`u(n, t)` and :math:`d(n, t)`
 of a real number n of period N: each offset :math:`n_0 \in [0, 1)` is a chain by itself.  A start
-that is smooth in n stays so while all contacts are compressed, and then a few Fourier coefficients,
+that is smooth in n stays so while all contacts are compressed.  Then a few Fourier coefficients,
 far fewer than there are beads, hold all chains at once.  They obey the same equations with
 
 .. math:: \Delta_d \to -\omega_k^2, \qquad \omega_k = 2\sin(k/2), \qquad k = 2\pi j/N,
 
 exactly, and :math:`u^\alpha` is taken at M equally spaced places; on the values there
-:math:`\Delta_d` is a circulant matrix.  No long-wave expansion enters: this is the chain itself,
-not another model of it, up to the coefficients that are left out, which fall exponentially for an
-analytic wave.  The sum of u over the ring is kept to round-off.
+:math:`\Delta_d` is a circulant matrix.  No long-wave expansion enters: this is the chain itself and
+not another model of it.  The coefficients that are left out fall exponentially for an analytic
+wave.  The sum of u over the ring is kept to round-off.
 
 Cost.  The explicit steps of order 8 (DOP853) are as long as the shortest wave kept allows, about
 :math:`5/k_{max}`, against about 1 for the beads.  A wave of :math:`2\ell/\varepsilon` beads over

@@ -5,12 +5,12 @@ A stage needs, for every contact,
 .. math:: U_n = s_n + a\,o_n + \sum_{j<m} w_j\,k_{j,n}, \qquad F_n = F(U_n),
 
 with two rows s and o, m = 5 or 10 neighbouring rows k of slopes (`numerics.runge_kutta`), and the
-law F.  `sum_rows` forms the sum alone; a law then maps the row.  For a named law `stage_pass`
+law F.  `sum_rows` forms only the sum; a law then maps the row.  For a named law `stage_pass`
 compiles both into one loop, in which the loads of the sum hide behind the arithmetic of the law.
 
 Vectorisation.  Loops run over unsigned indices, since signed ones may wrap around the end of an
-array; sums are written in the order of the rows and may fuse multiply and add.  A test compares
-the time per bead with that of a bare loop of square roots, for nothing else guarantees it.
+array.  Sums are written in the order of the rows and may fuse multiply and add.  A test compares
+the time per bead with a bare loop of square roots, for nothing else guarantees it.
 """
 
 import functools
