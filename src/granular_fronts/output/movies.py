@@ -138,9 +138,9 @@ class Movie:
 def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[Artist]]]:
     """Return a figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
-    Relative displacements are above, velocities below, both against the bead number; contacts that
-    are open are marked at the lower edge, where the law lets them open.  What shows a row returns
-    the artists that it has changed.
+    Relative displacements are above, velocities below, both against the bead number.  Open contacts
+    are marked at the lower edge, if the law lets them open.  What shows a row returns the artists
+    that it has changed.
     """
     fields = moving_parts(motion, "_grid")
     opens = contacts_open(motion)
