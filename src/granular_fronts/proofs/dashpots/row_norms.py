@@ -91,7 +91,7 @@ def _matrix(front, a):
 
 
 def _variation(front, w, low, mid, high):
-    """Return inner_i, from bounds w of the functions and from those of ā on the cells."""
+    """Return inner_i, from bounds w of the functions and bounds of ā on the cells."""
     n, h = front.n, arb(1) / front.n
     jumps = array([0] * (2 * n + 1))
     jumps[[0, n, -1]] = array([1, 2, 1])
