@@ -18,10 +18,10 @@ this does can be read as another γ, by two observables.
   the dispersion relation of `fronts.linear.tails` for h → 0.
 
 The two differ, so that the error is no damping: no other γ makes up for it.  The error changes the
-peak by an amount of order hγ, as the damping itself does by one of order γ; the first is therefore
-of the size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail
-says less: for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency;
-decay changes only at order hγ².
+peak by an amount of order hγ, and the damping by one of order γ.  The first is therefore of the
+size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail says less:
+for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency; decay
+changes only at order hγ².
 
 The checks that discrete-element codes are given are added, as relative errors:
 

@@ -13,7 +13,7 @@ for a time :math:`\propto v_0^{(1-\alpha)/(1+\alpha)}` and reach a compression :
 v_0^{2/(\alpha+1)}`.
 
 Continuum.  Rings that start from the same rescaled force :math:`y^0(\xi)`, with the same γc, are
-followed to the same slow time τ for exponents that tend to 1: their distance to the logarithmic
+followed to the same slow time τ for exponents that tend to 1.  Their distance to the logarithmic
 Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations`).
 """
 

@@ -6,7 +6,7 @@ collision of two beads with this e then has another γ, the larger the damping t
 
 Fronts.  A Kuwabara-Kono front behind which the beads move at :math:`v_p` has, normalised to δ = c =
 1, :math:`\gamma = \gamma(v_0)\,(v_p/v_0)^{(\alpha-1)/(\alpha+1)}` (29), whatever the mass and the
-stiffness; for a given force behind it :math:`v_p \propto F^{(\alpha+1)/(2\alpha)}\,m^{-1/2}
+stiffness.  For a given force behind it :math:`v_p \propto F^{(\alpha+1)/(2\alpha)}\,m^{-1/2}
 k^{-1/(2\alpha)}` needs both, but γ only to the power −1/15 of k for α = 3/2.  A front oscillates
 below the critical damping of its tail (`fronts.linear.critical_damping`), which is lower than in
 the long-wave limit, where :math:`\mu = 2\sqrt3\,\gamma\,(1 - 1/\alpha)^{-1/2} = 2` (54).

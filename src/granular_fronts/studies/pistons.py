@@ -29,11 +29,12 @@ Measurement.  The same rule removes it.  If a quantity is :math:`q` at some dist
 .. math:: q_\infty = \frac{\lambda^2 q_\lambda + q}{\lambda^2 + 1},
 
 up to the spreading of the waves by damping and dispersion and to the width of the front, within
-which they are reflected: both are smaller by a power of n.  The slowness is taken from the times at
-which the front (u = δ/2) passes two beads, compression and velocity on the ray :math:`x = ct/4`
+which they are reflected.  Both are smaller by a power of n.  The slowness is taken from the times
+at which the front (u = δ/2) passes two beads, compression and velocity on the ray :math:`x = ct/4`
 behind it, where t counts from the time at which a piston without a ramp would have had to start.
-The error estimate adds the largest change of the limit over the last doubling of distance and time
-to its largest change there if :math:`q` is taken further ahead by the width of the front.
+The error estimate is a sum.  It adds the largest change of the limit over the last doubling of
+distance and time to its largest change there if :math:`q` is taken further ahead by the width of
+the front.
 """
 
 import math
