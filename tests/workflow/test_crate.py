@@ -82,7 +82,7 @@ def test_crate_of_a_run_is_valid_whole_and_enough_to_repeat_it(finished, tmp_pat
     with zipfile.ZipFile(results / "crate.zip") as archive:
         archive.extractall(unpacked)
         held = {*archive.namelist()} - {"ro-crate-metadata.json"}
-    assert violations(unpacked, tmp_path) == set()
+    assert violations(unpacked) == set()
     graph = json.loads((unpacked / "ro-crate-metadata.json").read_text("utf-8"))["@graph"]
     entities = {entity["@id"]: entity for entity in graph}
     assert held == {name for name, entity in entities.items() if "File" in entity["@type"]}
