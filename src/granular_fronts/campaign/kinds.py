@@ -105,7 +105,7 @@ class Solved(NamedTuple):
 
     values: dict[str, "np.ndarray"]  # NaN at points that failed
     reasons: "np.ndarray"  # why a point failed, a text; empty where it is solved
-    errors: dict[str, float]  # estimate of the largest absolute error, NaN if there is none
+    errors: dict[str, float]  # estimate of the largest absolute error, or NaN
     error_method: str
 
 
