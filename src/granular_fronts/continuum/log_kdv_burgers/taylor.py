@@ -194,7 +194,7 @@ def locate(series, level, end):
 
 @kernel
 def locate_turns(starts, jets, end, s, p):
-    """Fill s and p of the zeros of v, in the order of the steps; returns how many there are."""
+    """Fill s and p of the zeros of v, in the order of the steps; return how many there are."""
     count = 0
     derivative = np.empty(jets.shape[1] - 1)
     for step in range(starts.size):
