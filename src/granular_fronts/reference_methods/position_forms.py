@@ -124,7 +124,7 @@ def integrate_by_stages(system, y, h, steps, nodes, weights):
 
 
 def integrate_adaptive(system, y, h, end_time, relative, absolute):
-    """From 0 to `end_time` with error control; returns the state and the accepted steps.
+    """Integrate from 0 to `end_time` with error control; return the state and the accepted steps.
 
     The state is NaN if the step size collapses.
     """
