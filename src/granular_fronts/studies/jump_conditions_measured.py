@@ -66,7 +66,8 @@ def measure_jumps(cases, beads, tolerance):
     (`model.kinds`), and `states`, R₋ and R₊.  On (law,): `state_minus`, `state_plus`, `direction`,
     and `speed_…`, `velocity_jump_…` and `power_…`, each with its `…_error`.  Their endings are
     `expected`, `exact`, `travelling` and `driven`, as far as they are measured.  On (law, xi) it
-    holds the `profile` of the exact front.  Raises InputError or NoFrontError where there is none.
+    holds the `profile` of the exact front.  Without a front it raises an InputError or a
+    NoFrontError.
     """
     rows = [_measure(name, case, beads, tolerance) for name, case in cases.items()]
     variables = {}
