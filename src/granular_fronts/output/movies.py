@@ -37,16 +37,16 @@ MILLISECONDS = 60
 """For which a frame is shown."""
 
 ENDINGS = (".gif", ".png", ".webp")
-"""Endings of files that may hold a moving picture."""
+"""Of files that may hold a moving picture."""
 
 COLOURS = 32
 """Of lines and text, to which so few do no harm."""
 
 WORDS = {"relative_displacement": "compression", "velocity": "velocity"}
-"""Names of the fields, for readers who do not know the symbols yet."""
+"""What the fields are called, for readers who have no symbols yet."""
 
 FRAMES_PER_SAMPLE = 8
-"""One frame of so many is sampled for its colours."""
+"""Of which one is looked at for its colours."""
 
 
 class Movie:
@@ -120,14 +120,14 @@ class Movie:
 
     @staticmethod
     def _with_few_colours(frames: list[Image.Image]) -> list[Image.Image]:
-        """Return the frames in the most frequent colours of all, the same in each."""
+        """The frames in the most frequent colours of all, the same in each."""
         sample = np.concatenate([np.asarray(frame) for frame in frames[-1::-FRAMES_PER_SAMPLE]])
         # Other methods mix the rare red of open contacts with the colours of the lines.
         palette = Image.fromarray(sample).quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
         return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
 
     def _repr_html_(self) -> str:
-        """Return the picture itself, so that a page needs no other file and no network."""
+        """The picture itself, so that a page needs no other file and no network."""
         with TemporaryDirectory() as folder:
             path = Path(folder, "movie.gif")
             self.write(path)
@@ -136,11 +136,11 @@ class Movie:
 
 
 def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[Artist]]]:
-    """Return a figure of a motion on its space-time grid, and what shows a row of the grid in it.
+    """A figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
-    Relative displacements are above, velocities below, both against the bead number.  Open contacts
-    are marked at the lower edge, if the law lets them open.  What shows a row returns the artists
-    that it has changed.
+    Relative displacements are above, velocities below, both against the bead number; contacts that
+    are open are marked at the lower edge, where the law lets them open.  What shows a row returns
+    the artists that it has changed.
     """
     fields = moving_parts(motion, "_grid")
     opens = contacts_open(motion)

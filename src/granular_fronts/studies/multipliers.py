@@ -17,10 +17,10 @@ SCALARS = (
 
 
 def compute_multipliers(fronts, beads_behind):
-    """Return the multipliers of every front, by name, in windows with so many beads behind it.
+    """Multipliers of every front, by name, in windows with so many beads behind it.
 
-    `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), and for the compressed
-    chain behind on (scene, branch, wavenumber).  Without a front it is a NoFrontError.
+    `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), those of the compressed
+    chain behind on (scene, branch, wavenumber); a NoFrontError if there is none.
     """
     return xr.concat(
         [_spectra_of(law, beads_behind) for law in fronts.values()],
@@ -30,7 +30,7 @@ def compute_multipliers(fronts, beads_behind):
 
 
 def _spectra_of(law, windows):
-    """Return the multipliers of a front in every window, and of the compressed chain behind it."""
+    """Multipliers of one front in every window, and those of the compressed chain behind it."""
     front = solve_converged(**law)
     found = [front_multipliers(front, beads_behind=behind) for behind in windows]
     spectra = xr.concat(
@@ -46,7 +46,7 @@ def _spectra_of(law, windows):
 
 
 def _split(values):
-    """Return complex multipliers as real and imaginary parts, for netCDF, and scalars."""
+    """Complex multipliers as real and imaginary parts, which netCDF can hold, and scalars."""
     parts = {"multiplier_real": values.real, "multiplier_imaginary": values.imag}
     scalars = {name: values.attrs[name] for name in SCALARS}
     return xr.Dataset(parts | scalars).drop_attrs()

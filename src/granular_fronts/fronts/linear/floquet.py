@@ -88,10 +88,10 @@ def front_multipliers(
     Returns
     -------
     xarray.DataArray
-        Complex multipliers on `multiplier`, first the one of translation, then by decreasing
-        modulus. Attributes: translation_defect, its distance from 1;
-        spectral_radius_without_translation; reflection_radius, what the module's formula for long
-        waves gives; flow_residual; beads_behind, beads_ahead; verdict.
+        Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus.
+        Attributes: translation_defect, its distance from 1; spectral_radius_without_translation;
+        reflection_radius, what the module's formula for long waves gives; flow_residual;
+        beads_behind, beads_ahead; verdict.
 
     Raises
     ------
@@ -140,7 +140,7 @@ def front_multipliers(
 
 
 def multipliers(u, d, alpha, gamma, beta):
-    """Return eigenvalues of `monodromy_matrix`, next to 1 first, then by decreasing modulus."""
+    """Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus."""
     values = np.linalg.eigvals(monodromy_matrix(u, d, alpha, gamma, beta)).astype(complex)
     translation = np.argmin(np.abs(values - 1.0))
     others = np.delete(values, translation)
