@@ -1,7 +1,7 @@
 """Traveling fronts in dissipative granular chains, after James (2021).
 
-The public names below are imported when they are first used, so that checking a configuration or
-reading a help text does not wait for numpy and numba.
+A public name is imported at its first use.  So a check of a configuration, or a help text, does not
+wait for numpy and numba.
 """
 
 from importlib import import_module

@@ -1,10 +1,10 @@
 r"""How wrong a number can be: a value with its error, and the refinement that estimates it.
 
-An error estimate is the difference of a result to an independent refinement: the same problem
-solved again on a finer grid, by another order, or at a smaller tolerance (`with_refinement`).  Of a
-variable it is the largest difference over all points where both solutions are finite.  It is never
-smaller than the *rounding floor*, one unit in the last place of the largest value: two results may
-agree to the last bit by chance, and that bit is uncertain nevertheless.
+An error estimate is the difference between a result and an independent refinement.  The refinement
+solves the same problem on a finer grid, by another order, or at a smaller tolerance
+(`with_refinement`).  The error of a variable is the largest difference over all points where both
+solutions are finite.  It is never smaller than the *rounding floor*, one unit in the last place of
+the largest value.  Two results may agree to the last bit by chance, but that bit stays uncertain.
 
 Estimates propagate through sums, products and quotients to first order and in the worst case,
 
@@ -95,25 +95,25 @@ class Refined(NamedTuple):
     finer: Any
 
     def map(self, function: Callable[[Any], Any]) -> Refined:
-        """A function of both solutions."""
+        """Return a function of both solutions."""
         return Refined(function(self.usual), function(self.finer))
 
     def estimate(self, measure: Callable[[Any], float] = float) -> Estimate:
-        """A number measured on both solutions, with its error."""
+        """Return a number measured on both solutions, with its error."""
         return estimate(*self.map(measure))
 
 
 def with_refinement(solve: Callable[[Any], Any], usual: Any, finer: Any) -> Refined:
     """Solve a problem at two resolutions, so that the difference estimates the error.
 
-    A resolution is a tolerance, a grid, an order, or a record of these.  Where the refinement
-    fails, the sentence of its SolveError says so.
+    A resolution is a tolerance, a grid, an order, or several of these.  Where the refinement fails,
+    the sentence of its SolveError says so.
     """
     return refined_by(lambda _found: solve(finer), solve(usual))
 
 
 def refined_by(refine: Callable[[Any], Any], found: Any) -> Refined:
-    """A solution and its refinement, which starts from the solution; otherwise the same."""
+    """Return a solution and its refinement, which starts from the solution; otherwise the same."""
     try:
         return Refined(found, refine(found))
     except SolveError as error:
@@ -123,15 +123,15 @@ def refined_by(refine: Callable[[Any], Any], found: Any) -> Refined:
 
 
 def rounding_floor(values: npt.ArrayLike) -> float:
-    """One unit in the last place of the largest finite value; NaN where there is none."""
+    """Return one unit in the last place of the largest finite value; NaN without one."""
     return float(np.spacing(_largest(values)))
 
 
 def largest_difference(values: npt.ArrayLike, others: npt.ArrayLike) -> float:
-    """Error estimate of values computed twice: the largest difference, at least the rounding floor.
+    """Return the largest difference of values computed twice, at least the rounding floor.
 
-    NaN stands where there is nothing, an arrival that did not happen for example.  The result is
-    NaN where no pair is finite, and 0 where there are no values.
+    A missing value is NaN, for example an arrival that did not happen.  The result is NaN if no
+    pair is finite, and 0 if there are no values.
     """
     if np.size(values) == 0:
         return 0.0
@@ -140,17 +140,17 @@ def largest_difference(values: npt.ArrayLike, others: npt.ArrayLike) -> float:
 
 
 def estimate(value: float, other: float) -> Estimate:
-    """A number that was computed twice, with its error."""
+    """Return a number that was computed twice, with its error."""
     return Estimate(float(value), largest_difference(value, other))
 
 
 def rounded(value: float, units: float = 1.0) -> Estimate:
-    """A number from a closed formula, whose error is some units in its last place."""
+    """Return a number from a closed formula, whose error is some units in its last place."""
     return Estimate(float(value), units * rounding_floor(value))
 
 
 def recorded(variable: xr.DataArray) -> Estimate:
-    """A number that a variable without dimensions holds, with its `error_estimate`."""
+    """Return a number that a variable without dimensions holds, with its `error_estimate`."""
     return Estimate(float(variable), float(variable.attrs["error_estimate"]))
 
 
@@ -164,14 +164,14 @@ def certain_sign(variable: xr.DataArray) -> xr.DataArray:
 
 
 def tabulated(dataset: xr.Dataset, name: str) -> Estimate:
-    """A number of a dataset, with the error that stands in the variable beside it."""
+    """Return a number of a dataset with its error, which is the variable `<name>_error`."""
     return Estimate(float(dataset[name]), float(dataset[f"{name}_error"]))
 
 
 def estimated_variable(
     dims: str | tuple[str, ...], estimates: npt.ArrayLike, method: str, **attributes: Any
 ) -> Variable:
-    """A variable from estimates of the shape of `dims`, which carries the largest of their errors.
+    """Return a variable from estimates of the shape of `dims`, with the largest of their errors.
 
     `method` says how the errors were found; `attributes` are further ones, `long_name` for example.
     """
@@ -190,7 +190,7 @@ def estimated_variable(
 def variable_and_errors(
     name: str, dims: str | tuple[str, ...], estimates: npt.ArrayLike, method: str, meaning: str
 ) -> dict[str, Variable]:
-    """Variables `name` and `<name>_error`, from estimates; arguments as above."""
+    """Return the variables `name` and `<name>_error`, from estimates; arguments as above."""
     errors = np.array(estimates, dtype=float)[..., 1]
     return {
         name: estimated_variable(dims, estimates, method, long_name=meaning),
@@ -199,12 +199,12 @@ def variable_and_errors(
 
 
 def error_attributes(values: npt.ArrayLike, others: npt.ArrayLike, method: str) -> dict[str, Any]:
-    """`error_estimate` and `error_method` of a variable that was computed twice."""
+    """Return `error_estimate` and `error_method` of a variable that was computed twice."""
     return {"error_estimate": largest_difference(values, others), "error_method": method}
 
 
 def _largest(values: npt.ArrayLike) -> float:
-    """Largest finite absolute value; NaN where there is none."""
+    """Return the largest finite absolute value; NaN without one."""
     sizes = np.abs(np.asarray(values, dtype=float))
     largest = float(sizes.max(initial=0.0))
     if sizes.size and math.isfinite(largest):

@@ -1,10 +1,9 @@
-"""Arguments of functions: what a computation needs, or one sentence that says why it cannot be.
+"""Check arguments of functions, and say in one sentence what is wrong.
 
-A number, a count, an array of numbers, one of several names, an object of a kind, a path.  Each
-function below returns the argument as plain float, int, ndarray, ... and otherwise raises an
-`InputError` that names the argument, shows what was given, and says what is needed and the way out.
-Text, None, truth values, complex numbers, arrays where one number belongs, nan and inf are never
-numbers.
+Each function below checks one kind of argument, for example a number, a name or a path.  It returns
+the argument as plain float, int, ndarray, ... or raises an `InputError`.  The sentence names the
+argument, shows its value, and says what is needed and what to do. Text, None, truth values, complex
+numbers, nan and inf are never numbers; nor is an array where one number belongs.
 
 Only arrays need numpy, which is imported where one is checked: the workflow checks its
 configuration at each start without it.
@@ -41,14 +40,14 @@ def scalar(
     most: Limit = None,
     advice: str = "give such a number",
 ) -> float:
-    """A finite real number within limits.
+    """Return a finite real number within limits.
 
     Parameters
     ----------
     name : str
         What the sentence calls the argument.
     value : object
-        What was given; numpy scalars and arrays without dimensions are numbers too.
+        The argument; numpy scalars and arrays without dimensions are numbers too.
     above, least, below, most : float, optional
         Limits: larger than, at least, smaller than, at most.
     advice : str, optional
@@ -61,7 +60,7 @@ def scalar(
     Raises
     ------
     InputError
-        If it is none.
+        If the argument is no such number.
     """
     number = _real(value)
     if math.isfinite(number) and _lies_within(number, above, least, below, most):
@@ -78,7 +77,7 @@ def count(
     most: int | None = None,
     advice: str = "give such a number",
 ) -> int:
-    """A whole number; arguments and errors as of `scalar`."""
+    """Return a whole number; arguments and errors as of `scalar`."""
     number = _real(value)
     if number.is_integer() and _lies_within(number, None, least, None, most):
         return int(number)
@@ -96,7 +95,7 @@ def array(
     most: Limit = None,
     advice: str = "give such numbers",
 ) -> np.ndarray:
-    """Finite real numbers within limits, in an array of any shape; arguments as of `scalar`.
+    """Return finite real numbers within limits, in an array of any shape; arguments as of `scalar`.
 
     The sentence of the InputError shows the first number that is wrong.
     """
@@ -119,7 +118,7 @@ def array(
 
 
 def sequence(name: str, values: object, **limits: Any) -> np.ndarray:
-    """One number or more in a row, of one dimension; a number alone is a row of one."""
+    """Return one or more numbers as an array of one dimension."""
     import numpy as np
 
     found = np.atleast_1d(array(name, values, **limits))
@@ -131,7 +130,7 @@ def sequence(name: str, values: object, **limits: Any) -> np.ndarray:
 
 
 def choice(name: str, value: object, choices: Collection[str]) -> str:
-    """One of several names."""
+    """Return one of several names."""
     if isinstance(value, str) and value in choices:
         return value
     raise InputError(
@@ -140,7 +139,7 @@ def choice(name: str, value: object, choices: Collection[str]) -> str:
 
 
 def instance(name: str, value: object, kind: type[Kind], advice: str) -> Kind:
-    """An object of a kind; the advice says where to get one."""
+    """Return an object of a kind; the advice says where to get one."""
     if isinstance(value, kind):
         return value
     wanted = _with_article(kind.__name__)
@@ -148,14 +147,14 @@ def instance(name: str, value: object, kind: type[Kind], advice: str) -> Kind:
 
 
 def path(name: str, value: object) -> Path:
-    """The path of a file, which need not exist."""
+    """Return the path of a file, which need not exist."""
     if isinstance(value, (str, Path)) and str(value) and "\0" not in str(value):
         return Path(value)
     raise InputError(f"{name} is {shown(value)}, but must be a path: give the name of a file.")
 
 
 def new_file(name: str, value: object) -> Path:
-    """The path of a file that can be written, in a folder that exists; see `path`."""
+    """Return the path of a file that can be written, in a folder that exists; see `path`."""
     file = path(name, value)
     if (file.exists() and not file.is_file()) or not file.parent.is_dir():
         raise InputError(f"{name} is {file}, but must be a file in a folder that exists: name one.")
@@ -175,7 +174,7 @@ def double_precision(what: str, advice: str) -> Iterator[None]:
 
 
 def _real(value: Any) -> float:
-    """The number as a float, nan if it is none, infinite if it is too large for one."""
+    """Return a number as a float, infinite if it is too large; nan for anything else."""
     if getattr(value, "ndim", None) == 0:
         value = value.item()
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
@@ -187,7 +186,7 @@ def _real(value: Any) -> float:
 
 
 def _lies_within(found: Any, above: Limit, least: Limit, below: Limit, most: Limit) -> Any:
-    """Whether a number, or each of an array, keeps all limits that are given."""
+    """Return whether a number, or each of an array, keeps all limits that are given."""
     kept = found == found
     if above is not None:
         kept = kept & (found > above)
@@ -209,12 +208,12 @@ def _limits_in_words(above: Limit, least: Limit, below: Limit, most: Limit) -> s
 
 
 def _with_article(noun: str) -> str:
-    """A noun behind "a" or "an", by its first letter."""
+    """Return a noun behind "a" or "an", by its first letter."""
     return f"{'an' if noun[0] in 'AEIOUaeiou' else 'a'} {noun}"
 
 
 def shown(value: Any) -> str:
-    """What was given, short and on one line."""
+    """Return a value as short text on one line."""
     if getattr(value, "shape", ()):
         return f"an array of shape {tuple(value.shape)}"
     if getattr(value, "ndim", None) == 0:

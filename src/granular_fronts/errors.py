@@ -1,9 +1,9 @@
-"""Errors as sentences for people: the one place where the classes of errors are defined.
+"""Classes of errors, whose messages are sentences for people.
 
-A message names what was found, the limit it breaks and the way out.  The classes say who can help:
-an `InputError` is cured by another argument or configuration, a `SolveError` says where a
-computation ended that looked possible when it began.  Both are kinds of `ValueError`.  A
-`NoSpaceError` is no fault of either, and a kind of `OSError`.
+A message names the value, the limit that it breaks, and what to do.  An `InputError` asks for
+another argument or configuration.  A `SolveError` says where a computation failed that had looked
+possible.  Both are kinds of `ValueError`.  A `NoSpaceError`, of a full disk, is a kind of
+`OSError`.
 """
 
 import signal
@@ -14,19 +14,19 @@ from pathlib import Path
 
 
 class InputError(ValueError):
-    """An argument, or a configuration, that cannot be computed: its value, limit and way out."""
+    """An argument or a configuration that cannot be computed."""
 
 
 class SolveError(ValueError):
-    """A solve that stopped: where, and why."""
+    """A solve that stopped; the message says where and why."""
 
 
 class NoFrontError(SolveError):
-    """A front that was not found, and why."""
+    """A front that was not found; the message says why."""
 
 
 class NoSpaceError(OSError):
-    """A file that did not fit on its disk: in which folder."""
+    """A file that did not fit on its disk; the message names the folder."""
 
     def __init__(self, folder: Path | str):
         super().__init__(

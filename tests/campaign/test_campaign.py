@@ -53,7 +53,7 @@ REFUSED = [
     (gammas([1.0], mu=[1.0]), "axes.mu is given"),
     (gammas([1.0], gama=[1.0]), "did you mean gamma"),
     (gammas([-0.1, 1.0]), "axes.gamma reaches down to -0.1 | must be 0 or more"),
-    (gammas([1.0], alpha=[1.0, 1.5]), "alpha stands under axes and under fixed"),
+    (gammas([1.0], alpha=[1.0, 1.5]), "alpha is given under axes and under fixed"),
     (gammas([0.1, 1.0e12]), "units of δ and 1/c | law.gamma = 1000000000000.0"),
     (gammas([1.0e12, 2.0e12]), "law.gamma = 1000000000000.0"),
     (gammas({"linspace": [0.1, 1.0, 10**10]}), "axes.gamma = {'linspace' | 745 GiB"),

@@ -124,8 +124,8 @@ WAVE = {"alpha": 1.2, "delta": 1.0, "damping": 0.5}
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads stand ε = 8.33 apart"),
-        ({"damping": 0.1}, "half_length is 8.1, but beads stand ε = 1.67 apart"),
+        ({"damping": 0.02, "half_length": 12.5}, "half_width is 2, but beads are ε = 8.33 apart"),
+        ({"damping": 0.1}, "half_length is 8.1, but beads are ε = 1.67 apart"),
         ({"damping": 1e300}, "gamma c is 1e+300, but rings are followed for 0.001 to 1000"),
         ({"damping": 1e-9}, "gamma c is 1e-09"),
         ({"half_width": 9}, "half_width is 9, but half of the ring is"),

@@ -111,6 +111,13 @@ def test_a_sweep_shows_the_overshoot_of_every_front_that_has_one():
     assert text.get_text() == "no overshoot"
 
 
+def test_a_sweep_of_chains_is_named_by_what_it_measures():
+    """The first maximum at a bead is no overshoot of a front."""
+    named = ("gamma", [0.3, 0.1], {"long_name": "first maximum"})
+    axes = gf.plot.sweep(xr.Dataset({"overshoot": named}, {"gamma": [0.1, 0.2]}))
+    assert_labels(axes, r"$\gamma$", "first maximum", "linear log")
+
+
 def test_a_sweep_of_any_law_goes_through_a_factor():
     sweep = gf.sweep_fronts(law=TODA, states=(-2.0, 0.0), factors=[0.8, 1.0])
     axes = gf.plot.sweep(sweep)

@@ -120,13 +120,16 @@ def test_a_front_on_another_grid_is_refused(changed):
     """Local polynomials would go through points that are not where they seem to be."""
     front = gf.solve_front(1.5, 0.3)
     assert gf.evaluate_front(front.copy(), -1.0) == front["relative_displacement"].sel(xi=-1.0)
+    single = front.assign(strain=front["strain"].astype("float32"))
+    with pytest.raises(InputError, match="strain in single precision"):
+        gf.evaluate_front(single, -1.0, "strain")
     with pytest.raises(InputError, match="thin, crop or shift the values"):
         gf.evaluate_front(changed(front), -1.0)
 
 
 def test_multipliers_are_known_for_two_powers_from_rest_only():
     for front in (gf.solve_front(**TODA), gf.solve_front(1.5, 0.3, right_state=0.2)):
-        with pytest.raises(InputError, match="known for two powers from compression 1"):
+        with pytest.raises(InputError, match="known only for two powers from compression 1"):
             gf.front_multipliers(front)
 
 
@@ -157,8 +160,8 @@ IMPOSSIBLE = [
     ({"states": (-1, 0)}, "law is missing"),
     (TODA | {"states": (-1, 0, 1)}, "states holds 3 numbers"),
     (TODA | {"alpha": 1.5}, "alpha and law are given together"),
-    (TODA | {"right_state": 0.1}, "right_state is 0.1 beside a law"),
-    (TODA | {"method": "shooting"}, r"shooting takes the law \(28\)"),
+    (TODA | {"right_state": 0.1}, "right_state is 0.1, but the states"),
+    (TODA | {"method": "shooting"}, r"shooting takes only the law \(28\)"),
     (TODA | {"law": 1.5}, "law is 1.5"),
     # Between these states there is no front, or none that is sought.
     (TODA | {"states": (0.0, -2.0)}, r"leaves R = -2 behind it, eq\. \(17\): give \(-2, 0\)"),

@@ -31,7 +31,6 @@ from granular_fronts.output.statements import (
     evaluate,
     range_of_criterion,
     scenes_of,
-    unexpected_verdicts,
     verdict_on,
 )
 from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
@@ -205,14 +204,6 @@ def test_several_scenes_are_measured_together():
         OTHER_PARAMETERS,
         "law.alpha is 1.5 instead of 1.1",
     )
-
-
-@pytest.mark.parametrize("verdict", [NOT_REPRODUCED, UNDECIDED, NOT_JUDGED, HOLDS])
-def test_an_unexpected_verdict_is_named(verdict):
-    expected = [row_of(SPEED), row_of(SPEED, beads=40)]
-    assert unexpected_verdicts(expected) == []
-    (sentence,) = unexpected_verdicts([*expected, {**row_of(SPEED), "verdict": verdict}])
-    assert sentence == f"front speed: the verdict is {verdict!r}, expected is 'reproduced'."
 
 
 @pytest.mark.parametrize("statement", STATEMENTS, ids=lambda statement: statement["quantity"])

@@ -10,6 +10,7 @@ from contextlib import redirect_stderr
 import pytest
 from chains import driven_scene
 
+from granular_fronts.campaign import chain_points
 from granular_fronts.chain import simulate
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output import progress
@@ -98,6 +99,9 @@ def test_least_time_of_a_long_scene_is_said_before(monkeypatch, capsys):
     monkeypatch.setattr(simulate, "LONG", 0.0)
     simulate_chain(SCENE, "weak")
     assert capsys.readouterr() == ("", "Scene weak takes at least 0 s on one core.\n")
+    point = {"alpha": 1.5, "beta": 1.5, "gamma": 0.1, "delta": 1.0, "delta_right": 0.0}
+    chain_points._solve_point(point | {"beads": 20, "crossings": 0.1}, None, 1e-6)
+    assert capsys.readouterr().err == "A point of the campaign takes at least 0 s on one core.\n"
 
 
 def test_a_bar_that_did_not_fail_has_reached_its_end(monkeypatch, terminal):

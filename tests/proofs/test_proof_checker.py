@@ -270,10 +270,11 @@ def test_without_flint_a_sentence_says_how_to_install_it():
 
 
 MISSING, BROKEN = "there is no file {}", "{} is no file of arrays as prove_front"
+IRREGULAR = "{} is no regular file"
 NO_CERTIFICATES = {
     "nothing": (lambda file: None, MISSING),
-    "a folder": (Path.mkdir, MISSING),
-    "a pipe": (os.mkfifo, MISSING),
+    "a folder": (Path.mkdir, IRREGULAR),
+    "a pipe": (os.mkfifo, IRREGULAR),
     "an empty file": (Path.touch, BROKEN),
     "text": (lambda file: file.write_text("no arrays"), BROKEN),
     "half a certificate": (

@@ -333,7 +333,7 @@ def test_results_of_another_motion_are_named(folder, problem):
         ({"x": result.x[:, 1:]}, "has 15 beads, but the problem has 16"),
         (shorter, "has no state at t = 40, its last is at t = 39.5"),
         ({"x": result.x + 0.001 * np.arange(16)}, "at t = 0 beads are 0.001 from where they just"),
-        ({"v": result.v + 0.1}, "at t = 0 a velocity is 0.1 from that of the problem"),
+        ({"v": result.v + 0.1}, "at t = 0 a velocity is 0.1 off"),
         ({"v": 3.0 * late}, "at t = 0 a velocity is"),
     ):
         with pytest.raises(InputError, match=re.escape(sentence)):

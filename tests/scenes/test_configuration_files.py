@@ -74,13 +74,13 @@ BOMB = "a0: &a0 [x,x,x,x,x,x,x,x,x,x]\n" + "".join(
 
 YAML_REFUSED = [
     ("a: b: c", ", line 1, column 5"),
-    ("a: 1\nb: {c: 1, d: 2, c: 3}", ", line 2, column 17 | the key c stands twice"),
+    ("a: 1\nb: {c: 1, d: 2, c: 3}", ", line 2, column 17 | the key c is given twice"),
     ("[1, 2]", "holds no mapping"),
     ("a: \x00", "is no YAML"),
     ("a: 2026-13-45", "month must be in 1..12"),
     ("a: 1\ngamma: 1:30", ", line 2, column 8 | YAML reads 1:30 as 90"),
     ("a: {beads: 0420}", ", line 1, column 12 | YAML reads 0420 as 272"),
-    ("a: &a {b: *a}", ", line 1, column 11 | *a stands inside itself"),
+    ("a: &a {b: *a}", ", line 1, column 11 | *a contains itself"),
     ("{a: " * 100_000, ", column 397 | 100"),
     (BOMB, ", line 6, column 46 | 1,000,000"),
     ("__use_yte__: true\na: ?1 + 1", "__use_yte__"),
@@ -127,7 +127,7 @@ def test_command_line_says_where_a_file_is_wrong_and_what_mappings_need(tmp_path
     file = tmp_path / "mine.yaml"
     file.write_text("results: results/a\nresults: results/b\n", encoding="utf-8")
     snakemake = ["snakemake", "--cores", "1", "--dry-run", "fig04"]
-    place = f"{file}, line 2, column 1: the key results stands twice"
+    place = f"{file}, line 2, column 1: the key results is given twice"
     for command, words in (
         ([*snakemake, "--configfile", file], place),
         ([*snakemake, "--config", "scenes={chain: {a: {law: {gamma: 0.2}}}}"], "--configfile mine"),

@@ -10,7 +10,7 @@ from chains import smooth_ring
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.reference_methods.half_step import Chain, integrate
-from peers import lammps_chain, record, scilab_chain, scipy_fronts, scipy_heteroclinic
+from peers import lammps_chain, runs, scilab_chain, scipy_fronts, scipy_heteroclinic
 from peers.chain_system import ChainSystem, SparseJacobian, front_initiation, numpy_right_hand_side
 from problems.chain import PEERS
 
@@ -59,7 +59,7 @@ def test_start_and_jacobian_of_a_system(system):
 def test_an_absent_tool_says_so(monkeypatch):
     monkeypatch.setattr(scilab_chain.shutil, "which", lambda name: None)
     monkeypatch.setattr(lammps_chain, "find_command", lambda: None)
-    monkeypatch.setattr(record.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(runs.importlib.util, "find_spec", lambda name: None)
     tools = {"scilab_ode": "scilab-cli", "lammps_nve": "lmp", "numbalsoda_dop853": "numbalsoda"}
     tools |= {"sundials_bdf": "sksundae", "diffrax_dopri8": "jax"}
     for name, tool in tools.items():

@@ -19,7 +19,7 @@ from update_documents import speed
 from dataset_parameters import precision_problems
 from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems import chain, fronts, heteroclinic, log_burgers, ring
 from problems.problem import Problem, Reference, errors_of
 
@@ -256,7 +256,7 @@ def test_families_are_joined_without_loss(merged):
 
 def test_same_problem_in_two_families_is_refused(merged, tmp_path):
     family = tmp_path / "precision_chain.nc"
-    with pytest.raises(ValueError, match="Problem one stands in two families"):
+    with pytest.raises(ValueError, match="Problem one is in two families"):
         merging.merge_precision([family, family], tmp_path / "never.nc")
 
 

@@ -28,12 +28,12 @@ def make_altered_files_again() -> None:
 
 
 def is_altered(path: str, metadata: Any) -> bool:
-    """Whether the time of a file is not the one that was noted when its job had ended."""
+    """Return whether the time of a file is not the one that was noted when its job had ended."""
     if metadata is None or metadata.endtime is None or not os.path.exists(path):
         return False
     return abs(os.stat(path).st_mtime - metadata.endtime) > MARGIN
 
 
 def _is_empty(path: str) -> bool:
-    """Whether there is a file with nothing in it."""
+    """Return whether there is a file with nothing in it."""
     return os.path.exists(path) and os.path.getsize(path) == 0

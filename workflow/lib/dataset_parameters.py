@@ -1,8 +1,8 @@
 """The parameters of each dataset: the part of the configuration that its rule is given.
 
-A figure or a table depends on the parameters of its data, not on the data alone: when a job fails,
-Snakemake has already removed the dataset, and with it every trace that what was drawn earlier
-belongs to others.
+A figure or a table depends on its data and on their parameters.  When a job fails, Snakemake has
+already removed the dataset, and with it every trace that an earlier figure belongs to other
+parameters.
 """
 
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ FAMILIES = {
 
 
 def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters of each dataset of the default targets, from a merged configuration."""
+    """Return the parameters of each dataset of the default targets, from a merged configuration."""
     parameters = {
         f"{folder}/{name}": scene
         for folder, family in FAMILIES.items()
@@ -32,7 +32,7 @@ def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters of the datasets that only targets named in the command need."""
+    """Return the parameters of the datasets that only targets named in the command need."""
     return {
         **_of_studies(configuration, on_demand=True),
         "precision/speed_error": {
@@ -48,7 +48,7 @@ def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_studies(configuration: Mapping[str, Any], on_demand: bool) -> dict[str, Any]:
-    """Parameters of the datasets of studies."""
+    """Return the parameters of the datasets of studies."""
     parameters = {}
     for name, study in studies().items():
         if study.get("on_demand", False) is on_demand:
@@ -59,7 +59,7 @@ def _of_studies(configuration: Mapping[str, Any], on_demand: bool) -> dict[str, 
 
 
 def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Problems of each family; rings with their scenes, and once more from a smooth start."""
+    """Return the problems of each family; rings with scenes, also from a smooth start."""
     scenes, families = configuration["scenes"]["periodic"], dict(configuration["precision"])
     families["log_burgers"] = {
         f"{start}log_burgers_{name}": {**problem, "scene": scenes[name], "smooth": bool(start)}
@@ -70,6 +70,6 @@ def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def shown_front(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """The proved front that a figure shows, by its name and parameters."""
+    """Return the proved front that a figure shows, by its name and parameters."""
     proofs = configuration["proofs"]
     return {"name": proofs["shown"], **proofs["fronts"][proofs["shown"]]}

@@ -9,9 +9,9 @@ Under Snakemake this file runs for every figure; the rule names the script and t
 hand, run the script, with the files to read and to write and the texts: ``python
 workflow/scripts/figures/plot_fig01.py --help``.
 
-The caption is a Jinja template.  Its variables are the names of the datasets, and each stands for
-the configuration that the dataset was computed with, so that a caption cannot speak of other values
-than the picture shows.  Where these are not the paper's, the caption ends with the difference.
+The caption is a Jinja template.  Its variables are the names of the datasets.  Each is the
+configuration of its dataset, so that a caption cannot name other values than the picture shows.
+Where these are not the paper's, the caption ends with the difference.
 """
 
 import re
@@ -34,7 +34,7 @@ from granular_fronts.output.style import save_figure
 from step import argument_types, run_step
 
 PATHS = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
-"""What a step is given for an argument of the function that draws."""
+"""Types of the step's arguments for those of the function that draws."""
 
 
 def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
@@ -96,7 +96,7 @@ def write_figure(  # noqa: PLR0913 - what its rule names
 
 
 def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
-    """What a function makes of one thing, or of each in a list."""
+    """Return what a function makes of one thing, or of each in a list."""
     return [function(one) for one in given] if isinstance(given, list) else function(given)
 
 
@@ -110,7 +110,7 @@ def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], s
 
 
 def _without_markup(value: Any) -> str:
-    """A value of a data file as words of a caption, whatever reStructuredText it holds."""
+    """Return a value of a data file as words of a caption, whatever reStructuredText it holds."""
     return re.sub(r"([_*`|\\])", r"\\\1", re.sub(r"\s+", " ", str(value)))
 
 

@@ -23,7 +23,7 @@ def proof_chunks(family: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def chunk_name(chunk: Mapping[str, Any]) -> str:
-    """Both ends of a chunk, as its files are named."""
+    """Return both ends of a chunk, as its files are named."""
     return f"{chunk['low']}-{chunk['high']}"
 
 

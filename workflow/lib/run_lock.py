@@ -1,9 +1,9 @@
 """One run at a time in a results folder, and no job that outlives its run.
 
 Snakemake's own lock is a file that a killed run leaves behind, and that only a flag removes. The
-lock of the operating system (``flock``) is released when the process that holds it ends, however
-it ends, so that after a crash the same command goes on. Jobs on the same machine wait for the same
-lock: who gets it has outlived its run, and ends before it writes over what a later run has made.
+lock of the operating system (``flock``) is released when the process that holds it ends, however it
+ends.  So the same command goes on after a crash. Jobs on the same machine wait for the same lock.
+A job that gets it has outlived its run, and ends before it overwrites the files of a later run.
 """
 
 import fcntl

@@ -9,8 +9,8 @@ Under Snakemake the rule's named input, output and params become the arguments. 
 workflow/scripts/<script>.py --help`` lists them: the command line is made from the same function.
 
 The log file of a rule begins with the step and its arguments. It holds all that the step and its
-libraries print, and where a step fails its traceback; the last line is then the sentence that the
-terminal shows.
+libraries print.  If the step fails it holds the traceback, and its last line is the sentence that
+the terminal shows.
 """
 
 import argparse
@@ -47,12 +47,12 @@ def run_step(
     Parameters
     ----------
     function : callable
-        The step. A ValueError it raises, or a full disk, ends the run with its sentence alone; the
-        log file of the rule also keeps where it came from.
+        The step. A ValueError or a full disk ends the run with a sentence only; the log file of the
+        rule also keeps the traceback.
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.
     inputs : mapping, optional
-        Types of arguments that the step takes beside those that it names, by their names.
+        Types of further arguments that the step does not name, by their names.
     **given
         Arguments of the step that neither a rule nor the command line gives.
     """
@@ -89,7 +89,7 @@ def run_step(
 
 
 def _describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> str:
-    """The first line of a log file: when which step started, and with which arguments."""
+    """Return the first line of a log file: when which step started, and with which arguments."""
     given = (
         f"{name}={shorten(str(value), LONGEST_ARGUMENT, placeholder=' …')}"
         for name, value in arguments.items()
@@ -98,13 +98,13 @@ def _describe_call(function: Callable[..., None], arguments: dict[str, Any]) -> 
 
 
 def _describe_unexpected(error: Exception) -> str:
-    """The sentence for an error that no sentence was written for."""
+    """Return the sentence for an error that no sentence was written for."""
     reason = " ".join(str(error).split())
     return f"The step failed unexpectedly, {type(error).__name__}: {reason}"
 
 
 def describe_fault(error: ValueError | OSError) -> str:
-    """The sentence for what was given, or for a file that cannot be read or written."""
+    """Return the sentence for a wrong value, or for a file that cannot be read or written."""
     if isinstance(error, ValueError | NoSpaceError):
         return str(error)
     if is_full(error):
@@ -115,7 +115,7 @@ def describe_fault(error: ValueError | OSError) -> str:
 
 
 def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
-    """Types of the arguments that a function names."""
+    """Return the types of the arguments that a function names."""
     parameters = signature(function, eval_str=True).parameters.values()
     return {one.name: one.annotation for one in parameters if one.kind is not one.VAR_KEYWORD}
 
@@ -192,9 +192,9 @@ def load_yaml_or_leaf(text: str) -> Any:
 
 @contextmanager
 def _copied_output(file: str | None) -> Iterator[Callable[[str], None]]:
-    """Copy what the block prints into a log file, and give what writes to that file alone.
+    """Copy what the block prints into a log file, and give a function that writes only there.
 
-    What libraries print past Python, to the descriptors 1 and 2, goes into the log file alone.
+    What libraries print past Python, to the descriptors 1 and 2, goes only into the log file.
     """
     if file is None:
         yield lambda text: None

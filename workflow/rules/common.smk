@@ -1,4 +1,4 @@
-"""Where everything lies, and what several wings share."""
+"""Paths of all files, and functions that several rules share."""
 
 import hashlib
 import os

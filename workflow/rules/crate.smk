@@ -1,4 +1,4 @@
-"""The record of a run that others can rerun: a Workflow Run RO-Crate."""
+"""The crate of a run, which others can rerun: a Workflow Run RO-Crate."""
 
 
 include: "project_files.smk"
@@ -24,7 +24,7 @@ rule write_crate:
     benchmark:
         "<benchmarks>/write_crate.tsv"
     message:
-        "Writing the record of the run."
+        "Writing the crate of the run."
     script:
         "../scripts/report/write_crate.py"
 
@@ -34,4 +34,4 @@ rule crate:
         rules.write_crate.output,
         rules.all.input,
     message:
-        "The record of the run is written: {input[0]}."
+        "The crate of the run is written: {input[0]}."

@@ -5,7 +5,7 @@ TARGETS_IN_WORDS = {
     "figures": "All figures but 14 to 16, 20, 21 and 23 to 25, which only their own targets make.",
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
-    "crate": "The record of a finished run for others, a Workflow Run RO-Crate.",
+    "crate": "An archive of a finished run for others, a Workflow Run RO-Crate.",
     "explore": "One page to explore motions and fronts in a browser.",
     "check_results": "The tests of the finished files.",
     "animation": "A front in motion, as a moving picture and a still.",
@@ -35,6 +35,7 @@ rule help:
                 "name one or more targets, for example: snakemake -c2 fig01 tables",
                 *(f"  {target:14} {words}" for target, words in TARGETS_IN_WORDS.items()),
                 "after --configfile or --config, put -- before the targets.",
+                "any other name ends in Snakemake's own sentence, a MissingRuleException.",
             ]
         )
     localrule: True

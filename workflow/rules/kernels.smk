@@ -1,6 +1,6 @@
 """Compiled kernels; otherwise jobs that start together would each compile the same ones."""
 
-# For each stamp: the rule, the wings that it compiles, the wings that these stand on.
+# For each stamp: the rule, the packages that it compiles, and the packages that these import.
 STAMPS = {
     "chain": "<results>/kernels.json",
     "continuum": "<results>/continuum_kernels.json",
@@ -19,7 +19,7 @@ COMPILED = {
 
 
 def stamps(wings):
-    """Return the stamps of the kernels of some wings."""
+    """Return the stamps of the kernels of some packages."""
     return [STAMPS[wing] for wing in wings]
 
 

@@ -52,7 +52,7 @@ def check_history():
             found.append(f"{file} was made by another version of the code")
         if found:
             sys.exit(
-                f"{found[0]}, and the record of how it was made (.snakemake) is gone: "
+                f"{found[0]}, but Snakemake (.snakemake) no longer knows how it was made: "
                 f"remove {config['results']}, or name another folder (--config results=...)."
             )
 

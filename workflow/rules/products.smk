@@ -97,7 +97,7 @@ def table_inputs(table):
 
 
 def table_params(table):
-    """Return what a table depends on beside its files: code, and the parameters of its data."""
+    """Return what a table depends on except its files: code, and the parameters of its data."""
     script, datasets = TABLES[table]["script"], tabulated_from(table)
     if "statements" not in TABLES[table]:
         return {"code": code(script), "parameters": parameters(*datasets)}

@@ -1,4 +1,4 @@
-"""The files of the project that the record of a run holds."""
+"""The files of the project that the crate of a run holds."""
 
 # What others need to make the same results again, and to read about them.
 PROJECT_FILES = [
@@ -35,7 +35,7 @@ MADE_FOLDERS = {
 
 
 def project_files(wildcards):
-    """Return the files of the project that the record holds."""
+    """Return the files of the project that the crate holds."""
     found = [file for name in PROJECT_FILES for file in Path(PROJECT).glob(name)]
     return [
         project(file)

@@ -1,8 +1,8 @@
-"""Scenes, a dataset each: chains (section 3.3 of the paper), rings beside their amplitude equations
+"""Scenes, a dataset each: chains (section 3.3 of the paper), rings and their amplitude equations
 (section 4), heteroclinic orbits (section 5) and exact fronts of the lattice (section 6).
 """
 
-# For each family: the rule and its script, the wings whose kernels it needs, its priority, its words.
+# For each family: the rule and its script, the packages whose kernels it needs, its priority, its words.
 SOLVED_BY = {
     "chain": ("initiate_front", ["chain"], 0, "Solving the chain"),
     "periodic": (

@@ -1,4 +1,4 @@
-"""Tables: numbers read from the data, set beside those the paper prints.
+"""Tables: numbers read from the data, compared with the paper's.
 
 They are listed with their titles and captions in workflow/tables.yaml; a script that writes several
 has a rule of its own here.

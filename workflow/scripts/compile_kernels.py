@@ -1,4 +1,4 @@
-"""Compile the kernels of some wings, so that jobs that start together find them ready.
+"""Compile the kernels of some packages, so that jobs that start together find them ready.
 
 About twenty seconds once, then one:
 python workflow/scripts/compile_kernels.py --wings chain --stamp kernels.json

@@ -1,19 +1,19 @@
 r"""Points of a driven chain: constant pressure on a chain at rest, James (2021), section 3.3.
 
 Every point is solved in its own units of length δ and time 1/c, with :math:`c = \delta^{(\alpha -
-1)/2}` of eq. (21).  There the pressure is δ = 1, the front has speed 1 behind which u = 1, and the
-damping is, from eq. (29) with :math:`v_0 = v_p = \delta^{(\alpha+1)/2}`,
+1)/2}` of eq. (21).  There the pressure is δ = 1, and the front has speed 1 and u = 1 behind it.
+The damping follows from eq. (29) with :math:`v_0 = v_p = \delta^{(\alpha+1)/2}`,
 
 .. math:: \hat\gamma = \gamma\, \delta^{\beta - (\alpha + 1)/2} .
 
 One tolerance then means the same at every δ, and the recorded numbers compare across the grid.  A
-law by the kinds of its potentials has no such units; it is solved in its own, and what is recorded
-is divided by δ and by :math:`c = (-V'(-\delta)/\delta)^{1/2}`, eq. (13), the speed of a front into
-contacts at rest.  The motion ends after `crossings` times N/c, in which the front crosses the
-chain.
+law by the kinds of its potentials has no such units.  It is solved in its own units.  Lengths are
+divided by δ, and speeds by :math:`c = (-V'(-\delta)/\delta)^{1/2}`, the speed (13) of a front into
+contacts at rest.  The front crosses the chain in the time N/c, and the motion ends after
+`crossings` such times.
 
-Errors.  One point in `REFINED_EVERY`, at least the first and the last of a chunk, is solved again
-with two steps for each of the first run; see `chain.event_errors`.
+Errors.  One point in `REFINED_EVERY`, and always the first and last of a chunk, is solved again
+with steps halved.  See `chain.event_errors`.
 """
 
 import functools
@@ -29,7 +29,8 @@ from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import TIME, VALUE
 from granular_fronts.chain.recording import extremes_of_all, fitted_speed
-from granular_fronts.chain.run import Integration, integrate, integrate_in_halves, prepare
+from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
+from granular_fronts.chain.simulate import announce_time
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
 from granular_fronts.scenes.laws import energies_are_representable
@@ -56,9 +57,9 @@ def solve_chunk(points, settings, activity):
 
 
 class _Motion(NamedTuple):
-    """An integration that has ended, its scene, ends of steps, units of length and speed."""
+    """A run that has ended, its scene, ends of steps, units of length and speed."""
 
-    run: Integration
+    run: Run
     scene: dict
     ends: np.ndarray
     length: float
@@ -66,7 +67,7 @@ class _Motion(NamedTuple):
 
 
 def _measure(point, settings, beads, refined):
-    """Values of a point, and their errors where it is solved again."""
+    """Return the values of a point, and their errors where it is solved again."""
     motion = _solve_point(point, settings.get("law"), settings["tolerance"])
     if refined:
         return _with_errors(refined_by(_solve_in_halves, motion), beads)
@@ -81,6 +82,7 @@ def _solve_point(point, law, tolerance):
         raise_if_any([*energies_are_representable(scene)])
     else:
         scene, length, c = scene_of_law(point, law, tolerance)
+    announce_time(scene, "A point of the campaign")
     run = prepare(scene)
     return _Motion(run, scene, integrate(run, scene["tolerance"]), length, c)
 
@@ -103,7 +105,7 @@ UNITS = {
 
 
 def _in_units(variables, motion):
-    """Variables of the chain as measures in units of δ and 1/c."""
+    """Return the variables of the chain as measures in units of δ and 1/c."""
     return {
         name: variables[variable] * motion.length**length * motion.speed**speed
         for name, (variable, length, speed) in UNITS.items()
@@ -111,7 +113,7 @@ def _in_units(variables, motion):
 
 
 def _measures(motion, beads):
-    """Measures of one chain in units of δ and 1/c, and its final u at the given beads."""
+    """Return measures of one chain in units of δ and 1/c, and its final u at the given beads."""
     recording, count = motion.run.recording, motion.scene["beads"]
     speed = fitted_speed(recording.arrival[TIME, 1 : count + 1])
     peak = recording.first_peak[VALUE, count // 2]
@@ -133,7 +135,7 @@ def _measures(motion, beads):
 
 
 def _with_errors(motions, beads):
-    """Measures of a chain with their errors, by name, from the chain and its refinement."""
+    """Return measures of a chain with their errors, by name, from the chain and its refinement."""
     found, refined = motions.map(lambda motion: _measures(motion, beads))
     recordings = motions.map(lambda motion: motion.run.recording)
     motion = motions.usual

@@ -30,7 +30,7 @@ def time_errors(grid: Mapping[str, tuple], tolerance: float) -> Iterator[str]:
 
 
 def normalised_scene(point, tolerance):
-    """The scene of a point in units of δ and 1/c."""
+    """Return the scene of a point in units of δ and 1/c."""
     alpha, beta, delta = point["alpha"], point["beta"], point["delta"]
     beads = int(point["beads"])
     gamma = point["gamma"] * delta ** (beta - 0.5 * (alpha + 1.0))
@@ -46,7 +46,7 @@ def normalised_scene(point, tolerance):
 
 
 def scene_of_law(point, law, tolerance):
-    """The scene of a point with the campaign's law, checked, and its units of length and speed."""
+    """Return the checked scene of a point with its law, and its units of length and speed."""
     law, delta, beads = law_at(law, point), float(point["delta"]), int(point["beads"])
     c = front_speed(law, math.log10(delta))
     scene = {

@@ -1,15 +1,16 @@
-"""What of a campaign is still to be solved, cut into chunks that are worth a job each.
+"""Cut the points of a campaign that are still to be solved into chunks, one for each job.
 
 A chunk is a set of lines by a block of the fast axis.  Its *request* holds kind, settings and
-points, so that a job needs nothing else; it is named after a digest of them.  Chunks that were
-solved once are recognised by the points of their requests, wherever these stand in the grid now, so
-a campaign may grow along any axis, let an axis go, or turn a fixed parameter into one.
+points, so that a job needs nothing else; it is named after a digest of them.  Solved chunks are
+recognised by the points of their requests, wherever these are in the grid now.  So a campaign may
+grow along any axis, drop an axis, or turn a fixed parameter into one.
 
-The grid is divided into tiles of at most the wanted number of points, first across lines, and
-across the fast axis only where one line alone is longer than a tile.  The missing lines of a tile
+The grid is divided into tiles of at most the wanted number of points.  It is cut between lines
+first, and along the fast axis only if one line is longer than a tile.  The missing lines of a tile
 are grouped by which of their points are missing, and each group is a chunk.  So the other chunks
-stay the same while some are solved: a job on a cluster cuts the campaign anew and finds its own.
-The request of a chunk stays when its data are removed to be solved again, and with it the cut.
+stay the same while some are solved.  A job on a cluster cuts the campaign anew and finds its own
+chunk. The request of a chunk stays when its data are removed to be solved again, and with it the
+cut.
 """
 
 import hashlib
@@ -56,11 +57,11 @@ class Chunk(NamedTuple):
         return len(next(iter(self.fast.values()))) * len(next(iter(self.lines.values()), [None]))
 
     def as_json(self) -> str:
-        """The request, always written the same way."""
+        """Return the request, always written the same way."""
         return json.dumps(self._asdict(), sort_keys=True)
 
     def points(self) -> dict[str, np.ndarray]:
-        """Every parameter at every point, arrays of shape (lines, fast)."""
+        """Return every parameter at every point, arrays of shape (lines, fast)."""
         [(fast, values)] = self.fast.items()
         lines = len(next(iter(self.lines.values()), [None]))
         given = {name: np.array(column)[:, None] for name, column in self.lines.items()}
@@ -72,7 +73,7 @@ class Chunk(NamedTuple):
 
 
 def chunks_of(campaign: Campaign, folder: Path, chunk_points: int) -> dict[str, Chunk]:
-    """The chunks that a campaign consists of, by name: those of a folder, and new ones.
+    """Return the chunks of a campaign by name: known ones from a folder, and new ones.
 
     Only new chunks have at most so many points.  Nothing is written.
     """
@@ -83,7 +84,7 @@ def chunks_of(campaign: Campaign, folder: Path, chunk_points: int) -> dict[str, 
 def find_missing(campaign: Campaign, folder: Path) -> tuple[list[Chunk], np.ndarray]:
     """Lay the chunks of a folder over the grid of a campaign.
 
-    Returns the chunks that hold points of the grid, and an array of the shape of the grid, true
+    Return the chunks that hold points of the grid, and an array of the grid's shape.  It is true
     where no chunk holds the point.
     """
     missing = np.ones(campaign.size, dtype=bool)
@@ -112,7 +113,7 @@ def _known_chunks(campaign: Campaign, folder: Path) -> Iterator[Chunk]:
 
 
 def _find_request(file: Path) -> Chunk:
-    """The request that a file of solved points answers, from beside it or, if lost, from itself."""
+    """Return the request of a file of solved points; if it is lost, take it from the file."""
     request = file.with_suffix(".json")
     if request.exists():
         text = request.read_bytes()
@@ -122,13 +123,13 @@ def _find_request(file: Path) -> Chunk:
 
 
 def write_request(chunk: Chunk, folder: Path) -> None:
-    """Write the request of a chunk beside its data: it is read faster than these."""
+    """Write the request of a chunk into a file of its own, which is read faster than its data."""
     with complete_file(folder / f"{chunk.name}.json") as unfinished:
         unfinished.write_text(chunk.as_json(), encoding="utf-8")
 
 
 def locate(chunk: Chunk, campaign: Campaign) -> np.ndarray:
-    """Flat index into the grid of a campaign of each point (lines, fast), −1 outside it."""
+    """Return flat index into the grid of a campaign of each point (lines, fast), −1 outside it."""
     [(fast, _)] = chunk.fast.items()
     index, outside = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1), dtype=bool)
     for name, values in campaign.grid.items():

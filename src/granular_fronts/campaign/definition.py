@@ -1,11 +1,11 @@
-"""What a campaign file asks for: read, checked, its axes written out.
+"""Read and check a campaign file, and write its axes out.
 
-The schema ``workflow/schemas/campaign.schema.yaml`` says which keys there are; what depends on the
-kind, or ties two keys together, is checked here.  Each error is a sentence, before any job.
+The schema ``workflow/schemas/campaign.schema.yaml`` says which keys there are.  This module checks
+what depends on the kind or ties two keys together.  Each error is a sentence, before any job.
 
 The values of an axis are a list, or evenly or logarithmically spaced from start to stop.  Spaced
-values are rounded to `DIGITS` significant digits, since a point is recognised by its values, and
-those of ``linspace: [0, 1, 11]`` must be found again, to the last bit, in ``[0, 1, 21]``.
+values are rounded to `DIGITS` significant digits, since a point is recognised by its values.  So
+``linspace: [0, 1, 21]`` holds the values of ``[0, 1, 11]`` to the last bit.
 """
 
 import difflib
@@ -50,14 +50,13 @@ class Campaign(NamedTuple):
     given : Mapping
         The contents of the campaign file.
     grid : dict of str to tuple
-        Values of every parameter of the kind; those that do not vary come first and have one
-        value, the last is the fast axis.  The value None of beta stands for β = α.
+        Values of every parameter of the kind.  Parameters that do not vary come first and have one
+        value; the last is the fast axis.  For beta, None means β = α.
     axes : tuple of str
         The parameters that vary.
     settings : dict
-        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None), and
-        `law` where the campaign gives one by the kinds of its potentials, `start` where it gives
-        one.
+        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None); `law`
+        and `start` if the campaign gives them.
     chunk_points : int or None
         Most points of a chunk; None to choose it from what a point of the kind costs.
     """
@@ -82,7 +81,7 @@ class Campaign(NamedTuple):
         return math.prod(self.shape)
 
     def points_per_chunk(self, chunk_seconds: float) -> int:
-        """Most points of a job that should take so much processor time."""
+        """Return the most points of a job that should take so much processor time."""
         usual = max(1, round(chunk_seconds / self.kind.seconds_per_point))
         return self.chunk_points or usual
 
@@ -226,12 +225,12 @@ def _form_errors(given) -> Iterator[str]:
     """Say that a kind has no law, or that an axis varies a law that is not given."""
     if "law" in given:
         if KINDS[given["kind"]].beside_law is None:
-            yield f"law is given, but kind {given['kind']} has none: leave it out."
+            yield f"law is given, but kind {given['kind']} has no law: leave it out."
         return
     for axis in given["axes"]:
         if axis.startswith(PREFIX):
             yield (
-                f"axes.{axis} varies a number of the law, but there is none: give law, with its "
+                f"axes.{axis} varies a number of the law, but law is missing: give it with its "
                 "elastic potential."
             )
 
@@ -249,7 +248,7 @@ def _choice_errors(given) -> Iterator[str]:
 
 
 def _start_errors(given) -> Iterator[str]:
-    """Say that a start is missing, or is none, or is not what its profile says."""
+    """Say that a start is missing, not a wave, or not what its profile says."""
     starts, start = KINDS[given["kind"]].starts, given.get("start")
     if start and not starts:
         yield f"start is given, but kind {given['kind']} has only one: leave it out."
@@ -260,8 +259,8 @@ def _start_errors(given) -> Iterator[str]:
         )
     if start and ("rescaled_force" in start) != (start["profile"] == "given"):
         yield (
-            f"start has profile {start['profile']}, but rescaled_force belongs to profile given, "
-            "and to it alone: give both or neither."
+            f"start has profile {start['profile']}, but rescaled_force belongs only to profile "
+            "given: give both or neither."
         )
     if start and "rescaled_force" in start:
         first, *_, last = start["rescaled_force"]
@@ -301,7 +300,7 @@ def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
                 )
     for name in fixed:
         if name in axes:
-            yield f"{name} stands under axes and under fixed: leave one out."
+            yield f"{name} is given under axes and under fixed: leave one out."
     for name, parameter in kind.parameters.items():
         if parameter.default is ... and name not in axes and name not in fixed:
             yield f"{name} is missing: give it under axes or under fixed ({parameter.meaning})."

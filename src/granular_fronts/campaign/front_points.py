@@ -1,9 +1,9 @@
 """Points of exact fronts: of two powers with δ = c = 1, James (2021), section 6, or of any law.
 
 Fronts of one law are swept along the damping, each from the ones before it, whichever axis is the
-fast one; see `fronts.sweep` for the method and its error estimates.  The slowest
-tail is a root of the dispersion relation and knows nothing of the solution; a front is monotone
-where it is real.
+fast one.  `fronts.sweep` describes the method and its error estimates.  The slowest tail is a root
+of the dispersion relation, independent of the solution.  A front is monotone where this root is
+real.
 """
 
 import functools
@@ -27,7 +27,7 @@ PROFILE = "relative_displacement"
 
 
 def solve_chunk(points, settings, activity):
-    """Solve fronts to round-off, those of one law together; a profile is in ξ."""
+    """Solve fronts to round-off, all of one law together; a profile is in ξ."""
     damping = "damping" if "law" in settings else "gamma"
     xi = KINDS["front"].profile_points(settings["profile"])
     sizes = dict.fromkeys(settings["scalars"], ()) | ({} if xi is None else {PROFILE: (xi.size,)})
@@ -39,7 +39,7 @@ def solve_chunk(points, settings, activity):
 
 
 def _measure(point, dampings, settings, xi):
-    """Values, errors and reasons of the fronts that differ in their damping."""
+    """Return the values, errors and reasons of the fronts that differ in their damping."""
     with double_precision("A front of this law", "bring its numbers and states nearer to 1"):
         sweep, front = _fronts(point, dampings, settings.get("law"))
     reasons = np.array(sweep["reason"].values, dtype=object)
@@ -55,7 +55,7 @@ def _measure(point, dampings, settings, xi):
 
 
 def _fronts(point, dampings, law):
-    """The sweep along the dampings, and a function that solves one front by itself."""
+    """Return the sweep along the dampings, and a function that solves one front by itself."""
     if law is None:
         alpha, beta = point["alpha"], point["beta"]
         return sweep_fronts(alpha, dampings, beta), functools.partial(solve_front, alpha, beta=beta)
@@ -65,7 +65,7 @@ def _fronts(point, dampings, law):
 
 
 def _error(sweep, name):
-    """Largest error of a scalar over the solved fronts, NaN for what is an error itself."""
+    """Return largest error of a scalar over the solved fronts, NaN for what is an error itself."""
     if name in EXACT_TO_ROUNDING:
         return np.spacing(np.nanmax(sweep[name].values, initial=0.0))
     if f"{name}_error" not in sweep:
@@ -75,7 +75,7 @@ def _error(sweep, name):
 
 
 def _profiles(front, dampings, xi, reasons):
-    """Profiles of fronts solved once more, each by itself, and their errors; adds to reasons."""
+    """Return profiles of fronts, each solved once more, and their errors; extend the reasons."""
     profiles = np.full((dampings.size, xi.size), np.nan)
     errors = np.full(dampings.size, np.nan)
     for index, damping in enumerate(dampings):

@@ -1,7 +1,7 @@
 """Points of the heteroclinic orbit of section 5: one damping μ each.
 
-Overshoot and width are taken from the orbit itself, traced once as usual and once by series of
-another order; rates from its extrema.  See `continuum.log_kdv_burgers.heteroclinic`.
+Overshoot and width are taken from the orbit, traced once as usual and once by series of another
+order.  Rates are taken from its extrema.  See `continuum.log_kdv_burgers.heteroclinic`.
 """
 
 import functools
@@ -37,7 +37,7 @@ def solve_chunk(points, settings, activity):
 
 
 def _measure(mu, s):
-    """Each scalar of one orbit, and its profile, with an error."""
+    """Return each scalar of one orbit, and its profile, with an error."""
     orbits = refined_orbit(mu, past_all_turns(mu))
     rate, rate_error, frequency, frequency_error = measure_rates(mu)
     measured = {
@@ -53,12 +53,12 @@ def _measure(mu, s):
 
 
 def _overshoot(orbit):
-    """Largest y − 1 of an orbit, 0 where it is below the last digit of 1."""
+    """Return the largest y − 1 of an orbit, 0 where it is below the last digit of 1."""
     _, p = orbit.turning_points()
     overshoot = math.expm1(-p[0]) if p.size else 0.0
     return overshoot if overshoot > EPSILON else 0.0
 
 
 def _width(orbit):
-    """Distance in s from y = 0.9 to y = 0.1."""
+    """Return the distance in s from y = 0.9 to y = 0.1."""
     return orbit.s_at(math.log(10.0)) - orbit.s_at(-math.log(0.9))

@@ -1,9 +1,9 @@
-"""The kinds of campaign: which parameters each has, what it records, and where it is solved.
+"""The kinds of campaign: their parameters, what they record, and which module solves them.
 
-A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module.
-`points` holds an array of shape (lines, fast) for each parameter of the kind, `settings` are those
-of a `Campaign`, and `activity` heads the progress bar; the answer is a `Solved`.  This module
-imports nothing heavy, since every campaign is checked against it before any job.
+A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module. `points`
+holds an array of shape (lines, fast) for each parameter of the kind.  `settings` belong to a
+`Campaign`, and `activity` heads the progress bar.  The result is a `Solved`.  This module imports
+nothing heavy, since every campaign is checked against it before any job.
 """
 
 import math
@@ -66,16 +66,16 @@ class Kind(NamedTuple):
     of_formula: tuple[str, ...] = ()
 
     def of_start(self, start) -> "Kind":
-        """The kind without the parameters that a given start does not have."""
+        """Return the kind without the parameters that a given start does not have."""
         listed = start and start["profile"] == "given"
         return self._without(self.of_formula if listed else ())
 
     def of_choice(self, given) -> "Kind":
-        """The kind without the parameters in whose place others are given, by their names."""
+        """Return kind without the parameters in whose place others are given, by their names."""
         return self._without({name for group in self.one_of for name in group}.difference(given))
 
     def of_law(self, varied) -> "Kind":
-        """The kind for any law of which named numbers vary, such as ``elastic_rate``."""
+        """Return the kind for any law of which named numbers vary, such as ``elastic_rate``."""
         numbers = {
             name: Parameter(f"law.{name.replace('_', '.', 1)}", -math.inf) for name in varied
         }
@@ -87,7 +87,7 @@ class Kind(NamedTuple):
         return self._replace(parameters=kept)
 
     def profile_points(self, profile) -> "np.ndarray | None":
-        """Where a profile is recorded, evenly spaced from its start to its stop, if one is."""
+        """Return the evenly spaced points of a recorded profile, or None."""
         import numpy as np
 
         if profile is None:
@@ -105,7 +105,7 @@ class Solved(NamedTuple):
 
     values: dict[str, "np.ndarray"]  # NaN at points that failed
     reasons: "np.ndarray"  # why a point failed, a text; empty where it is solved
-    errors: dict[str, float]  # estimate of the largest absolute error, NaN if there is none
+    errors: dict[str, float]  # estimate of the largest absolute error, or NaN
     error_method: str
 
 

@@ -18,12 +18,12 @@ def name_of(axis: str) -> str:
 
 
 def varied_numbers(names) -> list[str]:
-    """Those of some names of a grid that are numbers of a law."""
+    """Return the names of a grid that are numbers of a law."""
     return [name for name in names if name.partition("_")[0] in PARTS]
 
 
 def law_at(law: Mapping, point: Mapping) -> dict:
-    """The law of a campaign at one of its points, as a scene would give it."""
+    """Return the law of a campaign at one of its points, as a scene would give it."""
     parts = {part: dict(potential) for part, potential in law.items()}
     for name in varied_numbers(point):
         part, _, number = name.partition("_")

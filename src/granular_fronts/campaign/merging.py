@@ -1,8 +1,8 @@
-"""From the solved points of a chunk to its file, and from the files of all chunks to the grid.
+"""Write the solved points of a chunk into its file, and merge all chunks into the grid.
 
-The file of a chunk holds its variables on (line, point); its `config` attribute is its request, so
+The file of a chunk holds its variables on (line, point).  Its `config` attribute is its request, so
 that it can be placed without any other file.  The merged file has the varied parameters as
-dimensions and, beside the recorded variables,
+dimensions, the recorded variables, and
 
 - `status` (a flag): 0 solved, 1 failed;
 - `reason`: number of a sentence in `reason_text`, 0 where the point is solved.
@@ -24,7 +24,7 @@ SOLVED, FAILED = 0, 1
 
 
 def chunk_dataset(chunk: Chunk, solved: Solved, seconds: float) -> xr.Dataset:
-    """The dataset of a chunk's file, from what its kind made of it in so much processor time."""
+    """Return dataset of a chunk's file, from what its kind made of it in so much processor time."""
     kind = KINDS[chunk.kind]
     coordinates = _profile_coordinate(kind, chunk.settings["profile"])
     dataset = xr.Dataset(coords=coordinates)
@@ -120,7 +120,7 @@ def _gather(campaign, files):
 
 
 def _read_chunk(file, campaign):
-    """The dataset of a chunk, and where its points lie on the grid."""
+    """Return the dataset of a chunk, and where its points lie on the grid."""
     data = read_dataset(file, scene_id=file.stem)
     chunk = Chunk(**json.loads(data.attrs["config"]))
     if (chunk.kind, chunk.settings) != (campaign.kind_name, campaign.settings):
@@ -132,7 +132,7 @@ def _read_chunk(file, campaign):
 
 
 def _number_reasons(reasons):
-    """Distinct sentences, the empty one first, and the number of each point's."""
+    """Return the distinct sentences, the empty one first, and the number of each point's."""
     texts = {"": 0}
     numbers = [texts.setdefault(str(reason), len(texts)) for reason in reasons.ravel()]
     return list(texts), np.array(numbers, dtype=np.int32).reshape(reasons.shape)
@@ -153,7 +153,7 @@ def _add_status(merged, campaign, reasons, texts):
 
 
 def _profile_coordinate(kind, profile):
-    """The coordinate of the recorded profile, none if there is no profile."""
+    """Return the coordinate of the recorded profile, none if there is no profile."""
     if profile is None:
         return {}
     name, meaning = kind.profile_along

@@ -21,9 +21,9 @@ def solve_groups(
     """Solve the points of a chunk of some shape (lines, fast).
 
     `sizes` names what is recorded, with its shape at one point.  A group is the index of its points
-    and a function without arguments, from which come values and errors (NaN where none is
-    estimated) of all that is recorded, and under ``reason`` why single points failed, if any did.
-    An InputError or a SolveError is the reason of all points of its group.
+    and a function without arguments.  The function returns values and errors (NaN where none is
+    estimated) of all that is recorded.  Under ``reason`` it says why single points failed, if any
+    did. An InputError or a SolveError is the reason of all points of its group.
     """
     values = {name: np.full((*shape, *size), np.nan) for name, size in sizes.items()}
     reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(sizes, np.nan)

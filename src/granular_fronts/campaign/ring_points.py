@@ -1,12 +1,12 @@
-r"""Points of waves on rings beside their amplitude equations, James (2021), sections 4.3 and 5.
+r"""Points of waves on rings and their amplitude equations, James (2021), sections 4.3 and 5.
 
 A point is a ring at one slow time τ.  Points that differ in nothing but `slow_time` belong to one
 ring, which is solved once, so that τ is best the fast axis.  Every ring is solved in units of
-length δ and time 1/c, in which a wave depends on α and γc alone; see `studies.ring_limit` for what
-is recorded and how errors are estimated.
+length δ and time 1/c, in which a wave depends only on α and γc.  `studies.ring_limit` says what is
+recorded and how errors are estimated.
 
-The damping is given by one of γ, γc, ε, ε/γc and μ, and the length of a ring by p or by its half in
-ξ, for which the nearest p is taken.
+The damping is given by one of γ, γc, ε, ε/γc and μ.  The length of a ring is given by p or by its
+half in ξ, for which the nearest p is taken.
 """
 
 import functools
@@ -30,9 +30,9 @@ SLOW_TIME = "slow_time"
 DAMPINGS = (0.001, 1000.0)
 """Smallest and largest γc."""
 PLACES_BETWEEN = 8
-"""At which a given start is looked at, for each of its values."""
+"""Places at which a given start is checked, for each of its values."""
 LENGTH_TOLERANCE = 0.05
-"""Part by which half of a ring may miss the length asked for, since beads are whole."""
+"""Share by which half of a ring may miss the given length, since beads are whole."""
 
 
 def solve_chunk(points, settings, activity):
@@ -49,7 +49,7 @@ def solve_chunk(points, settings, activity):
 
 
 def _measure(ring, slow_times, settings, xi):
-    """Values and errors of one ring at its slow times."""
+    """Return the values and errors of one ring at its slow times."""
     times, place = np.unique(slow_times, return_inverse=True)
     made = make_ring(ring, settings["start"])
     measured = compare(made, times, settings["tolerance"], xi)
@@ -57,9 +57,9 @@ def _measure(ring, slow_times, settings, xi):
 
 
 def make_ring(point, start):
-    """The `Ring` of a point and a campaign's start, in units of δ and 1/c.
+    """Return the `Ring` of a point and a campaign's start, in units of δ and 1/c.
 
-    An InputError says that the wave does not fit into the ring, or is none.
+    An InputError says that the wave is flat or does not fit into the ring.
     """
     alpha, delta = point["alpha"], point["delta"]
     given = {name: point[name] for name in ("damping", "epsilon", "ratio", "mu") if name in point}
@@ -85,7 +85,7 @@ def make_ring(point, start):
 
 
 def _half_beads(point, scaling):
-    """The given p, or that of the ring whose length is nearest to the one asked for."""
+    """Return the given p, or the p of the ring whose length is nearest to the given one."""
     if "half_beads" in point:
         return int(point["half_beads"])
     wanted = point["half_length"]
@@ -99,9 +99,8 @@ def _half_beads(point, scaling):
     found = scaling.half_length(half_beads)
     if abs(found - wanted) > LENGTH_TOLERANCE * wanted:
         raise InputError(
-            f"half_length is {wanted:g}, but beads stand ε = {scaling.epsilon:.3g} apart in xi, so "
-            f"that the nearest ring has {found:.3g}: lengthen the ring, lower alpha or raise the "
-            "damping."
+            f"half_length is {wanted:g}, but beads are ε = {scaling.epsilon:.3g} apart in xi, and "
+            f"the nearest ring has {found:.3g}: lengthen it, lower alpha or raise the damping."
         )
     return half_beads
 
@@ -121,12 +120,12 @@ def _check_given(wave, half_length):
 def _check_wave(profile, point, half_length, epsilon):
     """Raise unless a wave of the given width and base is one, and fits into the ring."""
     if point["base"] == 1.0:
-        raise InputError("base is 1, the height of the wave, so that there is none: lower it.")
+        raise InputError("base is 1, the height of the wave, which leaves no wave: lower it.")
     if profile == "plateau" and point["base"] > 1.0:
         raise InputError("base is the floor of equation (49), which must be below 1: lower it.")
     if point["half_width"] < epsilon:
         raise InputError(
-            f"half_width is {point['half_width']:g}, but beads stand ε = {epsilon:.3g} apart in "
+            f"half_width is {point['half_width']:g}, but beads are ε = {epsilon:.3g} apart in "
             "xi: widen the wave, lower alpha or raise the damping."
         )
     if point["half_width"] >= half_length:

@@ -1,9 +1,9 @@
 """Momentum law and energy balance of a run, James (2021), section 3.3 and eq. (6).
 
-The laws stand in the docstring of `equations`; energy is measured in u and w, where openings of
-contacts do no harm.  The work at the ends is exact: a constant force does work on the displacement
-of the bead it acts on, and that of a piston follows from momentum and positions.  The dissipated
-energy is integrated beside the motion, by the method of each step.
+`equations` states the laws.  Energy is measured in u and w, where openings of contacts do no harm.
+The work at the ends is exact.  A constant force does work on the displacement of its bead, and the
+work of a piston follows from momentum and positions.  The dissipated energy is integrated with the
+motion, by the method of each step.
 """
 
 import math
@@ -69,9 +69,9 @@ class Balances:
         self._note("energy", stored - work, now.energy)
 
     def drifts(self):
-        """Largest drifts relative to Σ|ẋ_n| and to the largest energy; NaN where not tracked.
+        """Return the largest relative drifts of momentum and energy; NaN where not tracked.
 
-        With a piston the first is that of its velocity.
+        With a piston the first is the drift of its velocity.
         """
         momentum = self._drift["momentum"] / (self._scale["momentum"] or 1.0)
         energy = self._drift["energy"] / (self._scale["energy"] or 1.0)
@@ -87,7 +87,7 @@ class Balances:
 
 
 def _measure(run):
-    """The state at the present time."""
+    """Return the state at the present time."""
     law, boundary = run.law, run.boundary
     u, d, positions = run.row(U).copy(), run.row(D), np.zeros(run.chain.beads)
     if not boundary.ring:

@@ -1,7 +1,7 @@
 r"""Opening and closing contacts: where a step must end so that the order of the method survives.
 
-A force :math:`u_+^\alpha` is smooth in time except where its contact opens or closes, and any force
-is so except where its compression passes a *kink* u*, which the law declares.  There, at the time
+A force :math:`u_+^\alpha` is smooth in time except where its contact opens or closes.  Any force is
+smooth except where its compression passes a *kink* u*, which the law declares.  There, at the time
 t*, a step of any high-order method that straddles t* is wrong by about
 
 .. math:: \kappa = h\,\lvert G(u) - G(u^*)\rvert + h^2\,\lvert F(u) - F(u^*)\rvert,
@@ -12,10 +12,10 @@ ends of the step.  Hence:
 
 - a step that takes a contact through a kink is accepted only if κ is below the tolerance;
 - **closing**, where κ is larger at the end of the step (the force of an open contact is zero, so
-  that everything before t* is smooth): the step is cut to end just after t*, by so little that κ is
-  below the tolerance; the next step starts on the singular side, where the stages do see the
+  that everything before t* is smooth).  The step is cut to end just after t*, by so little that κ
+  is below the tolerance.  The next step starts on the singular side, where the stages do see the
   singularity and the ordinary controller works;
-- **opening**, where κ is larger at its start (the singular side lies before t*): the steps are
+- **opening**, where κ is larger at its start (the singular side lies before t*).  The steps are
   graded towards t*, each going the fraction `APPROACH` of the way, until the step that crosses it
   is short enough.  The geometric sequence costs about a dozen steps per opening.
 
@@ -40,7 +40,7 @@ MOST_TRIALS, SMALLEST_SHARE = 8, 0.1
 
 @subroutine
 def _passes_kink(table, kink, last):
-    """Whether any of the contacts 1 … last passes the kink between the ends of the step."""
+    """Return whether any of the contacts 1 … last passes the kink between the ends of the step."""
     passages = 0
     for n in range(uint64(1), uint64(last + 1)):
         passages += (table[U, n] - kink) * (table[NEW_U, n] - kink) < 0.0
@@ -49,7 +49,7 @@ def _passes_kink(table, kink, last):
 
 @subroutine
 def passes_any_kink(chain, table, last):
-    """Whether any of the contacts 1 … last passes any kink of the law."""
+    """Return whether any of the contacts 1 … last passes any kink of the law."""
     passages = 0
     for i in range(chain.law.kink_count):
         passages += _passes_kink(table, chain.law.kinks[i], last)
@@ -58,7 +58,7 @@ def passes_any_kink(chain, table, last):
 
 @subroutine
 def _forces_at(chain, table, u):
-    """F and G of one compression."""
+    """Return F and G of one compression."""
     law, probe = chain.law, chain.probe
     probe[0] = u
     call_row_map(law.elastic, probe, probe[1:], 0, 0, law.elastic_parameters)
@@ -70,7 +70,7 @@ def _forces_at(chain, table, u):
 
 @subroutine
 def _contribution(chain, table, u, kink, h):
-    """κ: the most that the force of this compression adds to u within a step h."""
+    """Return κ: the most that the force of this compression adds to u within a step h."""
     force, damping = _forces_at(chain, table, u)
     force_at_kink, damping_at_kink = _forces_at(chain, table, kink)
     return h * abs(damping - damping_at_kink) + h * h * abs(force - force_at_kink)
@@ -78,7 +78,7 @@ def _contribution(chain, table, u, kink, h):
 
 @subroutine
 def _compression_allowed(chain, table, u, kink, h, allowed):
-    """A compression between u and the kink whose κ is at most `allowed`, and not much smaller.
+    """Return a compression near the kink with κ at most `allowed`, but not much smaller.
 
     κ is taken for a power of the distance from the kink, with the exponent of the last two trials.
     """
@@ -96,7 +96,7 @@ def _compression_allowed(chain, table, u, kink, h, allowed):
 
 @subroutine
 def _time_to_kink(u, rate, new_u, h):
-    """First zero in (0, h) of the parabola with value u and slope `rate` at 0, value new_u at h."""
+    """Return the first zero in (0, h) of the parabola with u and `rate` at 0 and new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
     root = math.sqrt(max(rate * rate - 4.0 * curvature * u, 0.0))
     # Of the two equal forms of the root, the one without cancellation: u and new_u differ in sign,
@@ -111,7 +111,7 @@ def _time_to_kink(u, rate, new_u, h):
 
 @subroutine
 def _rate_of(chain, table, d_row, stage, n):
-    """Rate of change of u_n where d stands in a row and the slopes are those of a stage."""
+    """Return the rate of change of u_n from d in a row and the slopes of a stage."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     return table[d_row, n] + chain.law.gamma * table[slopes + SLOT[stage], n]
 

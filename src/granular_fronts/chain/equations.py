@@ -43,17 +43,17 @@ Where F and G both grow with u no term of the sum is negative: the damping takes
 variables too.  On a ring P is absent and both sums run over all N beads and contacts.
 
 A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
-it exerts the unknown force :math:`f = T_1 + \dot V`.  In place of the momentum law stands
-:math:`\dot x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + F(\tilde\delta)`, its
-work needs no quadrature while the acceleration :math:`a = \dot V` is constant:
+it exerts the unknown force :math:`f = T_1 + \dot V`.  The momentum law is replaced by :math:`\dot
+x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + F(\tilde\delta)`, its work needs no
+quadrature while the acceleration :math:`a = \dot V` is constant:
 
 .. math::
 
     \int f\,V\,dt = \Bigl[ V \sum_n \dot x_n - a \sum_n x_n + F(\tilde\delta) x_1 \Bigr] .
 
 The viscous part of :math:`T_1` is no smoother than the power above.  In u and w the law therefore
-holds for :math:`H + V G(u_1)`, with V for the velocity of bead 1; the sum begins with
-bead 2, and :math:`a\,G(u_1)` is taken from it.
+holds for :math:`H + V G(u_1)`, with V for the velocity of bead 1.  The sum begins with bead 2, and
+:math:`a\,G(u_1)` is taken from it.
 """
 
 from typing import NamedTuple
@@ -72,11 +72,11 @@ class Piston(NamedTuple):
     ramp: float
 
     def velocity_at(self, t: float) -> float:
-        """V(t)."""
+        """Return V(t)."""
         return self.velocity * min(t / self.ramp, 1.0) if self.ramp else self.velocity
 
     def acceleration_at(self, t: npt.ArrayLike) -> npt.ArrayLike:
-        """Acceleration up to the time t, elementwise; at the end of the ramp that of the ramp."""
+        """Return the acceleration up to the time t, elementwise, the end of the ramp included."""
         return self.velocity / self.ramp * (np.asarray(t) <= self.ramp) if self.ramp else 0.0
 
 
@@ -93,17 +93,17 @@ class Boundary(NamedTuple):
 
 
 def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
-    """The force −V'(−u) of a potential at the compression u, elementwise."""
+    """Return the force −V'(−u) of a potential at the compression u, elementwise."""
     return -potential.first(-np.asarray(u, dtype=float))
 
 
 def forces_on_both_sides(
     u: np.ndarray, boundary: Boundary, potential: Potential, shift: npt.ArrayLike = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
+    """Return forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
 
-    With pressure at the ends u_N is the held value; behind a piston the force is larger by `shift`,
-    shape (...), than ahead of it.
+    With pressure at the ends u_N is the held value.  Behind a piston the force is larger by
+    `shift`, shape (...), than ahead of it.
     """
     ahead = force(potential, u)
     behind = np.roll(ahead, 1, axis=-1)
@@ -117,7 +117,7 @@ def forces_on_both_sides(
 def velocity_correction(
     u: np.ndarray, boundary: Boundary, law: Law, t: npt.ArrayLike = 0.0
 ) -> np.ndarray:
-    """ẋ − w of every bead, eq. (31), from u of shape (..., N).
+    """Return ẋ − w of every bead, eq. (31), from u of shape (..., N).
 
     The convention for w of a piston depends on the time (`strain`).
     """
@@ -129,7 +129,7 @@ def velocity_correction(
 
 
 def strain_rates(velocity: np.ndarray, u: np.ndarray, boundary: Boundary, law: Law) -> np.ndarray:
-    """d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
+    """Return d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
     w = velocity - velocity_correction(u, boundary, law)
     ahead = np.roll(w, -1, axis=-1)
     if not boundary.ring:
@@ -145,7 +145,7 @@ def velocities(
     momentum: npt.ArrayLike = 0.0,
     t: npt.ArrayLike = 0.0,
 ) -> np.ndarray:
-    """Velocities ẋ_n at the times t from the strain form; see `generalised_velocities`."""
+    """Return velocities ẋ_n at the times t from the strain form; see `generalised_velocities`."""
     correction = velocity_correction(u, boundary, law, t)
     return generalised_velocities(d, boundary, momentum) + correction
 
@@ -153,7 +153,7 @@ def velocities(
 def generalised_velocities(
     d: np.ndarray, boundary: Boundary, momentum: npt.ArrayLike = 0.0
 ) -> np.ndarray:
-    """w_n from d_n: a suffix sum.
+    """Return w_n from d_n: a suffix sum.
 
     On a ring d leaves a common velocity free, and the momentum Σẋ_n = Σw_n gives it.
     """
@@ -169,7 +169,7 @@ def generalised_velocities(
 def energy(
     u: np.ndarray, velocity: np.ndarray, boundary: Boundary, potential: Potential
 ) -> np.ndarray:
-    """H(v, u): kinetic energy of the velocities, ẋ or w, and elastic one of the moving contacts."""
+    """Return H(v, u), the kinetic energy of ẋ or w and the elastic energy of moving contacts."""
     moving = u if boundary.ring else u[..., :-1]
     kinetic = 0.5 * np.sum(velocity**2, axis=-1)
     return kinetic + np.sum(potential.value(-moving), axis=-1)

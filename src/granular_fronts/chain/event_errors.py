@@ -1,14 +1,14 @@
 r"""Errors of located events, from the events of two runs.
 
 Two runs may agree on a single number by chance, on many they do not.  Every event of a contact is a
-sample of the error of u, or of that of u̇: the value of an extreme is wrong by :math:`\delta u`, its
-time by :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  The
-states at a few times are samples too.  An event takes the largest of the samples near it, of
-contacts at most `NEAR` away and of times within a factor of `RECENT`, through its own reading.
-More than `FEW` events of one kind are enough: each takes the largest difference of those near it.
+sample of the error of u or u̇: the value of an extreme is wrong by :math:`\delta u`, its time by
+:math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  The states at a
+few times are samples too.  An event takes the largest of the samples near it, of contacts at most
+`NEAR` away and of times within a factor of `RECENT`. More than `FEW` events of one kind are enough:
+each takes the largest difference of those near it.
 
 The extreme of all contacts and times is the best of many candidates.  Where others come as close to
-it as the errors allow, its time and bead are as uncertain as those of the candidates differ.
+it as the errors allow, its time and bead are as uncertain as the candidates differ.
 """
 
 import math
@@ -32,7 +32,7 @@ SAME = 0.01
 
 
 class Samples(NamedTuple):
-    """Errors at the times of events, each of shape (events, contacts), NaN where there is none."""
+    """Errors at the times of events, each of shape (events, contacts), or NaN."""
 
     time: np.ndarray
     of_u: np.ndarray
@@ -47,9 +47,9 @@ class Samples(NamedTuple):
 
 
 def event_errors(scene, recording, refined, contacts):
-    """Absolute errors, by name, of all variables that hold events.
+    """Return the absolute errors, by name, of all variables that hold events.
 
-    `recording` is that of a run, `refined` that of its refinement, and `contacts` how many move.
+    `recording` belongs to a run and `refined` to its refinement; `contacts` is how many move.
     """
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
     runs, every = (recording, refined), np.s_[:, 1 : scene["beads"] + 1]
@@ -95,7 +95,7 @@ def event_errors(scene, recording, refined, contacts):
 
 
 def _take_samples(events, states, rounding):
-    """The errors of u and u̇ that two runs show."""
+    """Return the errors of u and u̇ that two runs show."""
     ends = [events[name][0][END] for name in ("largest", "smallest")]
     size = max(np.abs(u).max() for u in [*ends, *(own for _, own, _ in states)])
     none, rows = np.full(ends[0].size, np.nan), []
@@ -121,25 +121,25 @@ def _take_samples(events, states, rounding):
 
 
 def _error_of_passage(samples, own, other):
-    """Errors of the times at which contacts pass a level."""
+    """Return the errors of the times at which contacts pass a level."""
     return _error_of_time(own, other, _near(samples.time, samples.of_u, own[TIME]))
 
 
 def _error_of_time(own, other, error):
-    """Errors of the times of events, from errors of the quantity that locates them."""
+    """Return the errors of the times of events, from errors of the quantity that locates them."""
     moved = np.abs(own[TIME] - other[TIME])
     return _of_several(moved, error / own[STEEPNESS], own[TIME])
 
 
 def _of_several(differences, through, time):
-    """Errors of events of one kind, from their differences and, if these are few, from samples."""
+    """Return the errors of events of one kind from differences or, if these are few, samples."""
     several = _near(time[np.newaxis], differences[np.newaxis], time)
     is_few = np.count_nonzero(np.isfinite(differences)) <= FEW
     return np.fmax(several, through) if is_few else several
 
 
 def _near(times, errors, time):
-    """Largest error near each contact at a time of its own, shape (contacts,); NaN without time."""
+    """Return the largest error near each contact at its own time, shape (contacts,), or NaN."""
     wide, contacts = [(0, 0), (NEAR, NEAR)], errors.shape[1]
     times, errors = (np.pad(rows, wide, constant_values=np.nan) for rows in (times, errors))
     largest = np.where(np.isfinite(time), 0.0, np.nan)
@@ -151,7 +151,7 @@ def _near(times, errors, time):
 
 
 def _of_first_opening(samples, deepest, own, other, found, refined):
-    """Errors of time and bead of the first opening; infinite if none is certain to happen."""
+    """Return the errors of time and bead of the first opening; infinite if it is uncertain."""
     names = ("first_gap_time", "first_gap_bead")
     if np.isnan(found["first_gap_time"]):
         return dict.fromkeys(names, np.nan)
@@ -171,7 +171,7 @@ def _of_first_opening(samples, deepest, own, other, found, refined):
 
 
 def _of_extreme(kind, samples, own, rounding, found, refined):
-    """Errors of value, time and bead of an extreme of all contacts."""
+    """Return the errors of value, time and bead of an extreme of all contacts."""
     name = f"{kind}_relative_displacement"
     extreme, time, bead = (found[f"{name}{part}"] for part in ("", "_time", "_bead"))
     n = int(bead) - 1
@@ -198,5 +198,5 @@ def _of_extreme(kind, samples, own, rounding, found, refined):
 
 
 def _largest(errors):
-    """Largest error of those that are numbers, NaN if there is none."""
+    """Return the largest error that is a number, or NaN."""
     return float(np.fmax.reduce(errors, initial=np.nan))

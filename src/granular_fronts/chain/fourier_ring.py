@@ -8,15 +8,15 @@ The dissipative chain in strain form with :math:`\beta = \alpha`, James (2021), 
 
 holds for every n, whole or not, if it holds for the functions :math:`u(n, t)` and :math:`d(n, t)`
 of a real number n of period N: each offset :math:`n_0 \in [0, 1)` is a chain by itself.  A start
-that is smooth in n stays so while all contacts are compressed, and then a few Fourier coefficients,
+that is smooth in n stays so while all contacts are compressed.  Then a few Fourier coefficients,
 far fewer than there are beads, hold all chains at once.  They obey the same equations with
 
 .. math:: \Delta_d \to -\omega_k^2, \qquad \omega_k = 2\sin(k/2), \qquad k = 2\pi j/N,
 
 exactly, and :math:`u^\alpha` is taken at M equally spaced places; on the values there
-:math:`\Delta_d` is a circulant matrix.  No long-wave expansion enters: this is the chain itself,
-not another model of it, up to the coefficients that are left out, which fall exponentially for an
-analytic wave.  The sum of u over the ring is kept to round-off.
+:math:`\Delta_d` is a circulant matrix.  No long-wave expansion enters: this is the chain itself and
+not another model of it.  The coefficients that are left out fall exponentially for an analytic
+wave.  The sum of u over the ring is kept to round-off.
 
 Cost.  The explicit steps of order 8 (DOP853) are as long as the shortest wave kept allows, about
 :math:`5/k_{max}`, against about 1 for the beads.  A wave of :math:`2\ell/\varepsilon` beads over
@@ -79,13 +79,13 @@ class FourierRing(NamedTuple):
         return circulant(irfft(-4.0 * np.sin(0.5 * self.wave_numbers) ** 2, self.points))
 
     def strain_rates(self, u, velocity):
-        """Values of d = w_n − w_{n+1} from those of u and ẋ, eq. (31)."""
+        """Return the values of d = w_n − w_{n+1} from u and ẋ, eq. (31)."""
         shift, force = np.exp(1j * self.wave_numbers), rfft(u**self.alpha)
         rates = (1.0 - shift) * (rfft(velocity) - self.gamma * (1.0 / shift - 1.0) * force)
         return irfft(rates, self.points)
 
     def velocities(self, u, d, mean):
-        """Values of ẋ from those of u and d, and the mean of ẋ."""
+        """Return the values of ẋ from u, d and the mean of ẋ."""
         shift, force = np.exp(1j * self.wave_numbers), rfft(u**self.alpha)
         velocity = self.gamma * (1.0 / shift - 1.0) * force
         velocity[1:] += rfft(d)[1:] / (1.0 - shift[1:])
@@ -116,7 +116,7 @@ def solve_fourier_ring(
 
 
 def _integrate(ring, start, times, tolerance):
-    """Values of u and d at the given times, and the smallest u after any step."""
+    """Return the values of u and d at the given times, and the smallest u after any step."""
     matrix, state, states = ring.second_difference, start.reshape(2, ring.points), []
     t, h, smallest = 0.0, FIRST_STEP, start[: ring.points].min()
     for stop in times:
@@ -202,7 +202,7 @@ def _error(old, new, slopes, step, tolerance):
 
 
 def _resampled(values, points):
-    """The same wave at another number of places, the waves that both resolve."""
+    """Return the same wave at another number of places, the waves that both resolve."""
     kept = (min(values.size, points) + 1) // 2
     coefficients = np.zeros(points // 2 + 1, dtype=complex)
     coefficients[:kept] = rfft(values)[:kept]

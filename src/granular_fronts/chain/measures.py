@@ -1,8 +1,8 @@
 r"""Numbers measured on a simulated chain, each with an error, for comparison with the paper.
 
-A measure takes the dataset of a scene (see `recording`) and returns an `Estimate`.  Errors are
-those of the recorded variables, carried through to first order; a quadrature or an interpolation
-on the space-time grid adds the change that halving the grid makes.
+A measure takes the dataset of a scene (see `recording`) and returns an `Estimate`.  Errors of the
+recorded variables are carried through to first order.  A quadrature or an interpolation on the
+space-time grid adds the change when the grid is halved.
 """
 
 import json
@@ -12,33 +12,33 @@ import numpy as np
 
 from granular_fronts.accuracy import Estimate, certain_sign, estimate, recorded, rounded
 
-# A maximum of the mean compression counts if it stands out by this fraction of δ.
+# A maximum of the mean compression counts if its prominence is this fraction of δ.
 PROMINENCE = 0.1
 
 
 def scene_of(dataset):
-    """The scene that a dataset was computed from."""
+    """Return the scene that a dataset was computed from."""
     return json.loads(dataset.attrs["config"])
 
 
 def _applied_displacement(dataset):
-    """δ of eq. (25)."""
+    """Return δ of eq. (25)."""
     return scene_of(dataset)["boundary"]["left"]
 
 
 def predicted_speed(dataset):
-    """Speed of a front into an uncompressed chain, James (2021), eq. (21), with k = m = 1."""
+    """Return the speed (21) of a front into an uncompressed chain, James (2021), k = m = 1."""
     speed = _applied_displacement(dataset) ** ((scene_of(dataset)["law"]["alpha"] - 1.0) / 2.0)
     return rounded(speed)
 
 
 def front_speed(dataset):
-    """Speed measured from the arrival times in the middle of the chain."""
+    """Return the speed measured from the arrival times in the middle of the chain."""
     return recorded(dataset["front_speed"])
 
 
 def force_overshoot(dataset):
-    """Largest elastic force of the passing front, in the middle of the chain, over the pressure."""
+    """Return the largest elastic force of the passing front at mid-chain, over the pressure."""
     alpha = scene_of(dataset)["law"]["alpha"]
     peaks = dataset["first_peak"]
     peak = float(peaks.sel(bead=dataset.sizes["bead"] // 2)) / _applied_displacement(dataset)
@@ -47,18 +47,18 @@ def force_overshoot(dataset):
 
 
 def displacement_overshoot(dataset):
-    """Largest relative displacement of the whole motion over δ, minus 1."""
+    """Return the largest relative displacement of the whole motion over δ, minus 1."""
     largest = recorded(dataset["largest_relative_displacement"])
     return largest / _applied_displacement(dataset) - 1.0
 
 
 def first_gap_time(dataset):
-    """Time at which the first contact opens."""
+    """Return the time at which the first contact opens."""
     return recorded(dataset["first_gap_time"])
 
 
 def smallest_relative_displacement(dataset):
-    """Smallest relative displacement of the whole motion: minus the widest gap."""
+    """Return the smallest relative displacement of the whole motion: minus the widest gap."""
     return recorded(dataset["smallest_relative_displacement"])
 
 
@@ -68,7 +68,7 @@ def smallest_relative_displacement_time(dataset):
 
 
 def mean_compression(dataset):
-    """Average of (x_1 − x_N)/N over the first full period, between its maxima, over δ."""
+    """Return average of (x_1 − x_N)/N over the first full period, between its maxima, over δ."""
     mean = dataset["mean_relative_displacement"] / _applied_displacement(dataset)
     peaks = _maxima(mean)
     if peaks.size < 2:
@@ -80,7 +80,7 @@ def mean_compression(dataset):
 
 
 def _maxima(mean):
-    """Rows of the noticeable maxima of (x_1 − x_N)/N over δ."""
+    """Return the rows of the noticeable maxima of (x_1 − x_N)/N over δ."""
     # Imported here since it takes longer than all other measures.
     from scipy.signal import find_peaks
 
@@ -88,7 +88,7 @@ def _maxima(mean):
 
 
 def middle_compression(dataset):
-    """Midway between the extremes of (x_1 − x_N)/N after its first maximum, over δ."""
+    """Return the middle between the extremes of (x_1 − x_N)/N after its first maximum, over δ."""
     mean = dataset["mean_relative_displacement"] / _applied_displacement(dataset)
     peaks = _maxima(mean)
     if peaks.size == 0:
@@ -101,12 +101,12 @@ def middle_compression(dataset):
 
 
 def smallest_velocity(dataset):
-    """Smallest velocity of any bead on the space-time grid."""
+    """Return the smallest velocity of any bead on the space-time grid."""
     return recorded(dataset["velocity_grid"].min(keep_attrs=True))
 
 
 def smallest_velocity_behind(dataset):
-    """Smallest velocity over v_p, on the space-time grid, of beads that the front has passed.
+    """Return the smallest velocity over v_p, on the grid, of beads that the front has passed.
 
     The error is the change that leaving out every other time makes.
     """
@@ -118,7 +118,7 @@ def smallest_velocity_behind(dataset):
 
 
 def momentum_growth(dataset):
-    """Σẋ_n at the end of the run over δ^α t, the law quoted in section 3.3."""
+    """Return Σẋ_n at the end of the run over δ^α t, the law quoted in section 3.3."""
     total = dataset["total_velocity"].isel(t_grid=-1)
     alpha = scene_of(dataset)["law"]["alpha"]
     exact = _applied_displacement(dataset) ** alpha * float(total["t_grid"])
@@ -126,7 +126,7 @@ def momentum_growth(dataset):
 
 
 def velocity_front(dataset):
-    """Bead at which the velocity falls through v_p/2 in the first snapshot.
+    """Return the bead at which the velocity falls through v_p/2 in the first snapshot.
 
     The error is the change that leaving out every other bead makes.
     """
@@ -137,14 +137,14 @@ def velocity_front(dataset):
 
 
 def peak_spread(dataset, beads):
-    """Largest less smallest first peak of u/δ at some beads."""
+    """Return the largest less smallest first peak of u/δ at some beads."""
     peaks = dataset["first_peak"].sel(bead=beads)
     largest, smallest = peaks.max(keep_attrs=True), peaks.min(keep_attrs=True)
     return (recorded(largest) - recorded(smallest)) / _applied_displacement(dataset)
 
 
 def spacing_defect(dataset, beads):
-    """Largest relative deviation of times of travel between some beads from (21)."""
+    """Return the largest relative deviation of times of travel between some beads from (21)."""
     arrival = dataset["arrival_time"].sel(bead=beads).values
     ratios = predicted_speed(dataset).value * np.diff(arrival) / np.diff(beads)
     error = 2.0 * dataset["arrival_time"].attrs["error_estimate"] / np.diff(arrival).min()
@@ -152,7 +152,7 @@ def spacing_defect(dataset, beads):
 
 
 def crossings(dataset, bead):
-    """Number of times that u of a bead of the steady regime passes through δ."""
+    """Return the number of times that u of a bead of the steady regime passes through δ."""
     u = dataset["relative_displacement_steady"].sel(bead_steady=bead)
     sides = np.sign(u.values - _applied_displacement(dataset))
     return Estimate(float(np.count_nonzero(np.diff(sides))), 0.0)
@@ -161,8 +161,8 @@ def crossings(dataset, bead):
 def second_arrival_time(dataset):
     """When the second shock reaches the end: the last bead but one gains velocity fastest then.
 
-    The first shock has been at the end at the last arrival time T, and returns there after
-    reflection at both ends, hence the search starts at 2 T; uncertain by one step of the grid.
+    The first shock is at the end at the last arrival time T and returns there after reflection at
+    both ends.  So the search starts at 2 T; the result is uncertain by one step of the grid.
     """
     velocity = dataset["velocity_grid"].isel(bead=-2)
     late = velocity.sel(t_grid=slice(2.0 * float(dataset["arrival_time"].max()), None))
@@ -172,7 +172,7 @@ def second_arrival_time(dataset):
 
 
 def openings_after_the_widest_gap(dataset):
-    """Number of contacts seen to open after the time of the smallest relative displacement."""
+    """Return how many contacts are seen to open after the smallest relative displacement."""
     start = float(dataset["smallest_relative_displacement_time"])
     u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
     signs = certain_sign(u).sel(t_grid=slice(start, None)).values
@@ -181,36 +181,36 @@ def openings_after_the_widest_gap(dataset):
 
 
 def openings(dataset):
-    """Number of contacts that are seen open on the space-time grid."""
+    """Return the number of contacts that are seen open on the space-time grid."""
     u = dataset["relative_displacement_grid"].isel(bead=slice(None, -1))
     return Estimate(float((certain_sign(u) < 0).any("t_grid").sum()), 0.0)
 
 
 def thickening(dataset):
-    """Width of the first reflected front late in its way back, over its width early.
+    """Return the width of the first reflected front late in its way back, over its width early.
 
-    The reflected front runs from the free end, reached at the last arrival time T, towards bead 1;
-    its width is the distance over which u falls from 0.9 δ to 0.1 δ, taken at 1.2 T and 1.7 T.
+    The reflected front runs from the free end, reached at the last arrival time T, towards bead 1.
+    Its width is the distance over which u falls from 0.9 δ to 0.1 δ, at 1.2 T and 1.7 T.
     """
     return _width_ratio(dataset, (1.7,), (1.2,))
 
 
 def forward_thickening(dataset):
-    """The same ratio for the front on its way to the free end.
+    """Return the same ratio for the front on its way to the free end.
 
-    The front is not much wider than the distance of two beads, which is why its width is averaged,
+    The front is not much wider than the distance of two beads.  Therefore its width is averaged,
     from 0.7 T to 0.9 T and from 0.2 T to 0.4 T.
     """
     return _width_ratio(dataset, np.linspace(0.7, 0.9, 21), np.linspace(0.2, 0.4, 21))
 
 
 def backward_over_forward_width(dataset):
-    """Width of the first reflected front at 1.7 T over that of the front before its reflection."""
+    """Return the width of the first reflected front at 1.7 T over its width before reflection."""
     return _width_ratio(dataset, (1.7,), np.linspace(0.7, 0.9, 21))
 
 
 def _width_ratio(dataset, late, early):
-    """Mean width at some times over that at others, both in units of the last arrival time.
+    """Return mean width at some times over that at others, both in units of the last arrival time.
 
     The error is the change that leaving out every other bead makes.
     """
@@ -228,14 +228,14 @@ def _width_ratio(dataset, late, early):
 
 
 def _width(grid, dataset, t):
-    """Distance in beads over which u falls from 0.9 δ to 0.1 δ at the grid time nearest to t."""
+    """Return the beads over which u falls from 0.9 δ to 0.1 δ at the grid time next to t."""
     profile = grid.sel(t_grid=t, method="nearest").values / _applied_displacement(dataset)
     ends = (last_fall(profile, grid["bead"].values, level) for level in (0.1, 0.9))
     return next(ends) - next(ends)
 
 
 def last_fall(profile: np.ndarray, places: np.ndarray, level: float) -> float:
-    """Last of the rising places at which a profile falls through a level, by linear interpolation.
+    """Return the last place, interpolated, at which a profile falls through a level.
 
     An IndexError says that it does not.
     """

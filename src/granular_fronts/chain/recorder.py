@@ -1,8 +1,8 @@
 r"""What is recorded of a step: states at given times, and five events of every contact.
 
-Events: u passes a level for the first time; its first maximum after that; it turns negative for the
-first time, the contact opens; its largest and its smallest value of all times, t = 0 included.
-Everything is located on the continuous extension of the step, of order 7.
+Events of u are its first passage through a level and its first maximum after that.  Others are the
+first opening, where u turns negative, and its largest and smallest value of all times, t = 0
+included. Everything is located on the continuous extension of the step, of order 7.
 
 Continuous extension.  With weights :math:`b_j(\theta)` of the sixteen slopes,
 
@@ -11,9 +11,9 @@ Continuous extension.  With weights :math:`b_j(\theta)` of the sixteen slopes,
     u(\theta) = u + \theta h\,d + \sum_j \Bigl( h\, b_j g_j
         + h^2 \sum_l b_l a_{lj}\, k_j \Bigr), \qquad d(\theta) = d + h\sum_j b_j k_j .
 
-Three of the slopes belong to stages that nothing else uses.  A slope depends on the neighbouring
-contacts alone, so that the polynomial of contact n needs the first of the three stages on the
-contacts n ± 3, the second on n ± 2 and the third on n ± 1; only these are computed.
+Three of the slopes belong to stages that nothing else uses.  A slope depends only on the
+neighbouring contacts.  So the polynomial of contact n needs the first of the three stages on the
+contacts n ± 3, the second on n ± 2 and the third on n ± 1.  Only these are computed.
 
 Most steps hold nothing of note, which loops over whole rows without a branch find out:
 `next_passage` looks at the contacts that wait for their arrival, `next_turn` at all.  Between the
@@ -88,7 +88,7 @@ class Recording(NamedTuple):
     # Extremes of each contact, shape (7, columns); infinite where it has not turned.
     largest: np.ndarray
     smallest: np.ndarray
-    # Largest and smallest turn of all contacts so far, infinite if there is none.
+    # Largest and smallest turn of all contacts so far, or infinity.
     extremes: np.ndarray
     # Work space, of the polynomial of a contact.
     coefficients: np.ndarray
@@ -186,7 +186,7 @@ def _write_state(chain, table, h, theta, row_u, row_d):
 
 @subroutine
 def next_output(recording):
-    """Time of the next profile or sample, infinite if there is none."""
+    """Return the time of the next profile or sample, or infinity."""
     profile, sample = recording.next.profile, recording.next.sample
     t = math.inf
     if profile < recording.profile_times.size:
@@ -221,28 +221,28 @@ def _write_output(chain, table, h, t_new, recording):
 
 @subroutine(forceinline=True)
 def _rate_rows(chain):
-    """The factor γ, and the rows of its slopes at the start and at the end of the step."""
+    """Return the factor γ, and the rows of its slopes at the start and at the end of the step."""
     slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
     return chain.law.gamma, slopes + rk.SLOT[0], slopes + rk.SLOT[rk.NEW_SLOPE]
 
 
 @subroutine(forceinline=True)
 def rates(table, rows, n):
-    """Rate of change of u_n at the start and at the end of the step, from its `_rate_rows`."""
+    """Return the rate of change of u_n at the start and end of the step, from `_rate_rows`."""
     factor, start, end = rows
     return table[D, n] + factor * table[start, n], table[NEW_D, n] + factor * table[end, n]
 
 
 @subroutine(forceinline=True)
 def _cubic_slope(u, new_u, rate, new_rate, h):
-    """Coefficients a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
+    """Return a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
     mean = (new_u - u) / h
     return 3.0 * (rate + new_rate - 2.0 * mean), 6.0 * mean - 4.0 * rate - 2.0 * new_rate
 
 
 @subroutine
 def next_passage(chain, table, h, recording, first, last):
-    """First of the contacts first … last that may arrive at the level; beyond `last` if none."""
+    """Return the first of the contacts that may arrive at the level, or one beyond `last`."""
     side, level, arrival = recording.side, recording.level, recording.arrival
     rows = _rate_rows(chain)
     none = found = last + 1
@@ -302,7 +302,7 @@ def note_ends(chain, table, side, t_new, event):
 
 @subroutine
 def next_turn(chain, table, h, recording, first, last):
-    """First of the contacts first … last that may turn or open; beyond `last` if none."""
+    """Return first of the contacts first … last that may turn or open; beyond `last` if none."""
     arrival, first_peak = recording.arrival, recording.first_peak
     largest, smallest = recording.largest, recording.smallest
     rows, (upper, lower) = _rate_rows(chain), (recording.extremes[0], recording.extremes[1])

@@ -13,9 +13,9 @@ Variables of the dataset (names and units are given once, in `granular_fronts.ou
 Attributes: `contacts`, how many contacts move, N − 1, or N on a ring; `contacts_open`, 1 where the
 law lets contacts open, since no force holds extended ones, and 0 where it does not.
 
-The last bead's entry of a relative displacement is the held value at the right end, or on a ring
-the contact that closes it.  A piston is bead 1: its velocity is the prescribed one, and the first
-relative displacement is that of its contact.
+The last bead's entry of a relative displacement is the held value at the right end.  On a ring it
+is the contact that closes it.  A piston is bead 1: its velocity is prescribed, and the first
+relative displacement belongs to its contact.
 """
 
 import numpy as np
@@ -38,20 +38,20 @@ MONITORS = np.arange(11, -1, -1)
 
 
 def _grid_times(scene):
-    """Times of the space-time grid, empty if the scene records none."""
+    """Return the times of the space-time grid, empty if the scene records none."""
     if "grid" not in scene["record"]:
         return np.empty(0)
     return regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
 
 
 def monitor_times(scene):
-    """Times between t = 0 and the end at which two runs are compared, if events are recorded."""
+    """Return the times at which two runs are compared, if events are recorded."""
     events = {"arrival_level", "extremes"} & set(scene["record"])
     return np.ldexp(float(scene["end_time"]), -MONITORS) if events else np.empty(0)
 
 
 def _probe_samples(scene):
-    """Times and beads of each probe set by name, and those of all samples, set after set."""
+    """Return times and beads of each probe set by name, and of all samples, set after set."""
     probes = {
         name: (regular_points(probe["start"], probe["stop"], probe["step"]), probe["beads"])
         for name, probe in scene["record"].get("probes", {}).items()
@@ -62,7 +62,7 @@ def _probe_samples(scene):
 
 
 def make_recording(scene, ahead, u):
-    """Arrays for everything the scene asks for; what is located on the way is NaN until it is.
+    """Return arrays for all that the scene records; what is located on the way begins as NaN.
 
     `ahead` is the compression ahead of the active window, and `u`, shape (columns,), the row of
     compressions at t = 0.
@@ -102,14 +102,14 @@ def make_recording(scene, ahead, u):
 
 
 def _stops(scene, snapshots):
-    """Times on which steps land: snapshots, the end of a piston's ramp, the end of the motion."""
+    """Return the times on which steps land: snapshots, end of a piston's ramp, end of motion."""
     end_time, ramp = float(scene["end_time"]), float(scene["boundary"].get("ramp", 0.0))
     inside = np.append(snapshots, ramp)
     return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
 
 
 def collect(scene, run):
-    """The dataset of everything that a run of a scene has recorded."""
+    """Return the dataset of everything that a run of a scene has recorded."""
     recording, next_ = run.recording, run.recording.next
     if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
@@ -173,16 +173,16 @@ def _probes(scene, run):
 
 
 def fitted_speed(arrival: np.ndarray) -> float:
-    """Slope of bead number over arrival time in the middle of the chain; see `speed_and_error`."""
+    """Return the slope of bead number over arrival time at mid-chain; see `speed_and_error`."""
     return speed_and_error(arrival, np.zeros_like(arrival))[0]
 
 
 def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, float]:
-    """Slope of bead number over arrival time in the middle of the chain, and its error.
+    """Return the slope of bead number over arrival time in the middle of the chain, and its error.
 
     Both arguments have the shape (N,), with NaN where the front has not arrived; errors of times
-    count in the worst case.  The slope is NaN if fewer than two beads were passed there, or if
-    neither end was passed first, as on a ring with two waves.
+    count in the worst case.  The slope is NaN if fewer than two beads were passed there.  It is NaN
+    too if neither end was passed first, as on a ring with two waves.
     """
     first, last = (int(fraction * arrival.size) for fraction in SPEED_RANGE)
     passed = np.arange(first, last)[np.isfinite(arrival[first:last])]
@@ -206,7 +206,7 @@ def _arrivals(scene, recording):
 
 
 def extremes_of_all(recording, contacts):
-    """Largest and smallest u of all contacts and times, and the first opening, by variable."""
+    """Return the largest and smallest u of all contacts and times, and the first opening."""
     opening = recording.opening[TIME, 1 : contacts + 1]
     opens = np.isfinite(opening).any()
     first = int(np.nanargmin(opening)) if opens else 0
@@ -227,14 +227,14 @@ def extremes_of_all(recording, contacts):
 
 
 def rounding_of(recording, contacts):
-    """One unit in the last place of the largest |u| of the motion."""
+    """Return one unit in the last place of the largest |u| of the motion."""
     return rounding_floor(
         [event[END, 1 : contacts + 1] for event in (recording.largest, recording.smallest)]
     )
 
 
 def candidates(event):
-    """Values, times and beads that may hold an extreme of all contacts: turns, rivals and ends."""
+    """Return values, times and beads that may hold an extreme: turns, rivals and ends."""
     value, time = event[[VALUE, RIVAL, END]].ravel(), event[[TIME, RIVAL_TIME, END_TIME]].ravel()
     bead = np.tile(np.arange(1.0, event.shape[1] + 1.0), 3)
     there = np.isfinite(value)

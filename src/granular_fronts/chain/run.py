@@ -38,8 +38,8 @@ CLOSE_TO_AN_END = 1.0e-6
 SMALL_EXTENSION = 1.0e-3
 
 
-class Integration(NamedTuple):
-    """Everything that one integration works on."""
+class Run(NamedTuple):
+    """One integration of a scene: everything that it works on."""
 
     law: Law
     boundary: Boundary
@@ -58,8 +58,8 @@ class Integration(NamedTuple):
         return self.table[row, 1 : self.chain.beads + 1]
 
 
-def prepare(scene: Mapping[str, Any]) -> Integration:
-    """The run of a checked scene, ready at t = 0.
+def prepare(scene: Mapping[str, Any]) -> Run:
+    """Return the run of a checked scene, ready at t = 0.
 
     Forces of the start or the boundary that overflow are a SolveError.
     """
@@ -76,7 +76,7 @@ def prepare(scene: Mapping[str, Any]) -> Integration:
         )
     recording = make_recording(scene, chain.ahead, table[U])
     _note_openings_at_start(recording, chain.contacts, u, velocity)
-    return Integration(law, boundary, chain, table, recording, float(velocity.sum()))
+    return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
 def _note_openings_at_start(recording, contacts, u, velocity):
@@ -88,9 +88,9 @@ def _note_openings_at_start(recording, contacts, u, velocity):
 
 
 def integrate(
-    run: Integration,
+    run: Run,
     tolerance: Mapping[str, float],
-    after_block: Callable[[Integration], None] = lambda run: None,
+    after_block: Callable[[Run], None] = lambda run: None,
 ) -> np.ndarray:
     """Advance a run to its end; returns the times at which steps ended.
 
@@ -114,9 +114,9 @@ def integrate(
 
 
 def integrate_in_halves(
-    run: Integration,
+    run: Run,
     ends: np.ndarray,
-    after_block: Callable[[Integration], None] = lambda run: None,
+    after_block: Callable[[Run], None] = lambda run: None,
 ) -> np.ndarray:
     """Advance a run to its end by two steps for each of another run of the same scene.
 

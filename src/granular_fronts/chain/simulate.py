@@ -4,11 +4,11 @@ A scene is the mapping that the configuration holds under `scenes: chain:`; its 
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
 the adaptive pair of `integrator`.
 
-Accuracy.  Every scene is integrated a second time, with two steps for each of the first run: the
-two differ from the first step on, and where the error is one of truncation, that of the second run
-is smaller by 2⁸.  The error estimate of an array is the largest difference between them.  Single
-numbers, which may agree by chance, take theirs from all events near them (`event_errors`).  The
-estimates come from an independent refinement and not from the step controller; they are no bounds.
+Accuracy.  Every scene is integrated again, with two steps for each of the first run, so that the
+runs differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The
+error estimate of an array is the largest difference between them.  Single numbers, which may agree
+by chance, take theirs from all events near them (`event_errors`).  The estimates come from an
+independent refinement and not from the step controller; they are no bounds.
 """
 
 import sys
@@ -32,7 +32,7 @@ from granular_fronts.scenes.limits import show_time
 from granular_fronts.scenes.validation import check_scene
 
 LONG = 60.0
-"""Seconds from which on the least time of a scene is said before."""
+"""Seconds above which the least time of a scene is announced."""
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 ERROR_METHOD = "largest difference to a run that takes each step in two halves"
 EVENT_METHOD = "differences of the events nearby to a run that takes each step in two halves"
@@ -79,12 +79,17 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
     """
     scene = check_scene("chain", scene, name)
-    seconds = sum(part.seconds for part in size_of_chain(scene))
-    if seconds > LONG:
-        print(f"Scene {name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
+    announce_time(scene, f"Scene {name}")
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(scene, solution, refined)
+
+
+def announce_time(scene, name):
+    """Say how long a scene takes at least, if that is long."""
+    seconds = sum(part.seconds for part in size_of_chain(scene))
+    if seconds > LONG:
+        print(f"{name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
 
 
 def simulate_once(scene, name="given"):
@@ -126,7 +131,7 @@ def _follow(scene, activity, integrate, steps):
 
 
 def _with_error_estimates(scene, solution, refined):
-    """The dataset of a solution of a scene, each variable with its error by a refined one."""
+    """Return dataset of a solution of a scene, each variable with its error by a refined one."""
     dataset = solution.dataset
     events = event_errors(scene, solution.recording, refined.recording, dataset.attrs["contacts"])
     for name, variable in dataset.data_vars.items():
@@ -137,9 +142,9 @@ def _with_error_estimates(scene, solution, refined):
             attributes["error_estimate"] = max(attributes["error_estimate"], error)
         if name in events:
             if variable.dims:
-                # An event that one run alone has is not certain to have happened.
+                # An event in only one of the runs is not certain to have happened.
                 variable.values[np.isnan(other.values)] = np.nan
-            # Of a number whose error is none nothing is known.
+            # Nothing is known of a number without an error.
             error = np.inf if np.isnan(events[name]) else events[name]
             attributes["error_estimate"] = float(np.maximum(error, rounding_floor(variable)))
             attributes["error_method"] = EVENT_METHOD
@@ -155,13 +160,13 @@ def _with_error_estimates(scene, solution, refined):
 
 
 def _error_of_sum(scene, dataset, refined, name):
-    """The least error of a sum over beads, on which two runs may agree by chance."""
+    """Return the least error of a sum over beads, on which two runs may agree by chance."""
     error = 4.0 * rounding_floor(dataset[TERMS[name]])
     if name == "mean_relative_displacement":
         # The rounding of the rates adds up as time goes on.
         error += scene["end_time"] * rounding_floor(dataset["velocity_grid"])
         if scene["boundary"]["kind"] != "ring":
-            # The mean is that of x_1 - x_N; the neighbours of these beads give further samples.
+            # The mean belongs to x_1 - x_N; the neighbours of these beads give further samples.
             u, other = (one[TERMS[name]].values[:, :-1] for one in (dataset, refined))
             total = (other - u).sum(axis=1)
             ends = (total, total - (other - u)[:, 0], total - (other - u)[:, -1])

@@ -5,12 +5,12 @@ A stage needs, for every contact,
 .. math:: U_n = s_n + a\,o_n + \sum_{j<m} w_j\,k_{j,n}, \qquad F_n = F(U_n),
 
 with two rows s and o, m = 5 or 10 neighbouring rows k of slopes (`numerics.runge_kutta`), and the
-law F.  `sum_rows` forms the sum alone; a law then maps the row.  For a named law `stage_pass`
+law F.  `sum_rows` forms only the sum; a law then maps the row.  For a named law `stage_pass`
 compiles both into one loop, in which the loads of the sum hide behind the arithmetic of the law.
 
 Vectorisation.  Loops run over unsigned indices, since signed ones may wrap around the end of an
-array; sums are written in the order of the rows and may fuse multiply and add.  A test compares
-the time per bead with that of a bare loop of square roots, for nothing else guarantees it.
+array.  Sums are written in the order of the rows and may fuse multiply and add.  A test compares
+the time per bead with a bare loop of square roots, for nothing else guarantees it.
 """
 
 import functools
@@ -37,19 +37,19 @@ STAGE_PASS = types.void(DOUBLES, *[types.int64] * 4, types.float64, DOUBLES, DOU
 
 @subroutine(forceinline=True)
 def _first_five(w):
-    """The first five weights as numbers, which a store into a row cannot change."""
+    """Return the first five weights as numbers, which a store into a row cannot change."""
     return w[0], w[1], w[2], w[3], w[4]
 
 
 @subroutine(forceinline=True)
 def _all_ten(w):
-    """All ten weights."""
+    """Return all ten weights."""
     return w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7], w[8], w[9]
 
 
 @subroutine(fastmath=CONTRACT, forceinline=True)
 def _weighted_sum(table, source, other, factor, first, weights, n):
-    """The sum of one contact, in two chains that need not wait for each other."""
+    """Return the sum of one contact, in two chains that need not wait for each other."""
     value, rest = table[source, n], factor * table[other, n]
     for j in range(0, len(weights) - 1, 2):
         value += weights[j] * table[first + uint64(j), n]
@@ -78,7 +78,7 @@ def sum_rows(table, target, source, other, factor, window, weights, last):
 
 
 def stage_pass(potential):
-    """Address of the loop that sums rows and takes the force of the sum; 0 if there is none.
+    """Return address of the loop that sums rows and takes the force of the sum; 0 if there is none.
 
     It is valid as long as the process; `call_stage_pass` calls it, with the potential's
     `row_parameters`.
@@ -93,26 +93,26 @@ def stage_pass(potential):
 
 @functools.cache
 def _pass_of_shape(shape, count):
-    """The pass of a shape, F = −V'(−u)."""
+    """Return the pass of a shape, F = −V'(−u)."""
     compile_inline(shape)
     return callback(STAGE_PASS, error_model="numpy", fastmath=CONTRACT)(_loop(shape, 1 + count))
 
 
 def _root_slope(r, order, p):
-    """(−r)₊^{3/2}, Hertz's own power, in the form of a shape."""
+    """Return (−r)₊^{3/2}, Hertz's own power, in the form of a shape."""
     compression = -r if -r > NEGLIGIBLE else 0.0
     return compression * math.sqrt(compression)
 
 
 def _power_slope(r, order, p):
-    """(−r)₊^α, p = (α,), in the form of a shape."""
+    """Return (−r)₊^α, p = (α,), in the form of a shape."""
     # Taken of every number, so that there is no branch and the loop is vectorised.
     whole = power(-r, p[0])
     return whole if -r > NEGLIGIBLE else 0.0
 
 
 def _loop(shape, size):
-    """The pass of a shape; by what it encloses numba's cache keeps it apart from others.
+    """Return the pass of a shape; by what it encloses numba's cache keeps it apart from others.
 
     The shape is a plain function: a compiled one would differ from process to process.
     """

@@ -15,10 +15,9 @@ row        entry n
 `DAMPING_SLOPES` sixteen more, Δ_d G, if it has slopes of its own
 ========== ===========================================================================
 
-Law.  The engine knows a law by addresses of compiled loops over rows (`model.passes`) and by what
-its user declared of it: the compressions at which it is not smooth.  Where the viscous potential is
-proportional to the elastic one, :math:`G = \gamma F` needs no slopes of its own: the law is
-*single*.
+Law.  The engine knows a law by addresses of compiled loops over rows (`model.passes`) and by the
+compressions at which it is declared not smooth.  Where the viscous potential is proportional to the
+elastic one, :math:`G = \gamma F` needs no slopes of its own: the law is *single*.
 """
 
 import math
@@ -49,16 +48,16 @@ LAW = record_type(
     ("has_stiff_kinks", np.bool),
     ("attraction", float),
 )
-"""A law as the kernels know it: addresses of the row maps F and G, and of the loop that sums slopes
-and takes F at once (0 if there is none); their parameters; whether G = γF, and γ (1 if not, the
-factor of the viscous slopes); compressions at which F or G is not smooth, and whether F' is
-infinite there, so that no contact may pass; 1 if the law acts in extension too, else 0."""
+"""A law as the kernels know it.  Addresses of the row maps F and G, and of the loop that sums
+slopes and takes F at once (0 without one); their parameters.  Whether G = γF, and γ (if not, 1, the
+factor of the viscous slopes).  Compressions at which F or G is not smooth, and whether F' is
+infinite there, so that no contact may pass.  1 if the law acts in extension too, else 0."""
 
 CLOCK = record_type(
     *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
     *[(name, np.int64) for name in ("reach", "accepted", "rejected", "cut", "right_hand_sides")],
 )
-"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0; last
+"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0.  Last
 bead of the active window; steps accepted, rejected and cut at contacts; right-hand sides."""
 
 CHAIN = record_type(
@@ -73,18 +72,18 @@ CHAIN = record_type(
     ("viscous_weights", float, (STAGES, LONG)),
     ("probe", float, 3),
 )
-"""Law and clock; number N of beads and of contacts that move, N − 1, or N on a ring; whether bead 1
-is a piston; compression ahead of the active window, and how many beads the window reaches beyond
-the last one that moves; weights of the slopes in every stage of the present step; room for the law
-at a single compression.
+"""Law and clock.  Number N of beads and of contacts that move, N − 1, or N on a ring; whether bead
+1 is a piston.  Compression ahead of the active window, and how many beads the window reaches beyond
+the last one that moves.  Weights of the slopes in every stage of the present step.  Room for the
+law at a single compression.
 """
 
 
 def make_table(rows, beads):
-    """A table of zeros for a chain of `beads` beads.
+    """Return a table of zeros for a chain of `beads` beads.
 
-    Rows are whole cache lines long, column 1, the first bead, starts one, and the length is no
-    multiple of 4096 bytes, which makes rows collide in the cache.
+    Rows are whole cache lines long, and column 1, the first bead, starts one.  The length is no
+    multiple of 4096 bytes, which would make rows collide in the cache.
     """
     columns = 8 * math.ceil((beads + 2) / 8)
     columns += 8 if columns % 512 == 0 else 0

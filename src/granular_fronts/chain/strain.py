@@ -27,10 +27,10 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
 - Ring, eq. (26): all contacts 1 … N move, indices are taken modulo N.
 - Piston: as pressure, but bead 1 moves at a prescribed velocity V(t), whose acceleration a is
   piecewise constant.  Newton's law for this bead, of mass 1 like the others, gives the force behind
-  it: :math:`F_0 = F_1 + a` closes both Laplacians, the mirror image of contact 1 shifted by a.
-  Then :math:`\dot d_1 = a - F_1 + F_2`.  How far the viscous closure is shifted is a matter of
-  convention, since w_1 takes it up: by γa for a single law, whose viscous slopes are γ times the
-  elastic ones, so that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; else not at all.
+  it: :math:`F_0 = F_1 + a` closes both Laplacians, the mirror image of contact 1 shifted by a. Then
+  :math:`\dot d_1 = a - F_1 + F_2`.  The shift of the viscous closure is a convention, since w_1
+  takes it up.  It is γa for a single law, whose viscous slopes are γ times the elastic ones, so
+  that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
 
 Active window.  Ahead of bead `reach` every contact is at rest, compressed by the same `ahead`, and
 is not visited.
@@ -129,7 +129,7 @@ def _laplacian_and_squares(chain, table, source, target, shift, reach):
 
 @subroutine(fastmath=_REDUCE, forceinline=True)
 def _sum_of_products(table, reach):
-    """Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads 1 … reach."""
+    """Return Σ (F_{n-1} − F_n)(G_{n-1} − G_n) over the beads 1 … reach."""
     total = 0.0
     for n in range(uint64(1), uint64(reach + 1)):
         force = table[FORCE, n - uint64(1)] - table[FORCE, n]
@@ -139,10 +139,10 @@ def _sum_of_products(table, reach):
 
 @subroutine(forceinline=True)
 def _difference_forces(chain, table, slot, reach, with_power):
-    """Slopes of the present forces into a slot; returns the power dissipated, if asked for it.
+    """Write slopes of the present forces into a slot; return the dissipated power, if asked.
 
-    It is the sum over beads in the energy balance of `equations`: with a piston it begins with bead
-    2, and a G_1 is taken from it.
+    It is the sum over beads in the energy balance of `equations`.  With a piston it begins with
+    bead 2, and a G_1 is subtracted.
     """
     acceleration, gamma = chain.clock.acceleration, chain.law.gamma
     target = ELASTIC_SLOPES + slot
@@ -163,7 +163,7 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 @subroutine(forceinline=True)
 def take_slopes(chain, table, source, slot, reach, with_power):
-    """Slopes of the compressions in a row into a slot; returns the power, if asked for it."""
+    """Write slopes of the compressions of a row into a slot; return the power, if asked."""
     law, last = chain.law, min(reach, chain.contacts)
     call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
     if not law.single:
@@ -173,7 +173,7 @@ def take_slopes(chain, table, source, slot, reach, with_power):
 
 @subroutine(forceinline=True)
 def _take_stage(chain, table, row, h, reach, with_power):
-    """Slopes of stage `row` from those of the stages before it; returns the power, if asked for."""
+    """Write the slopes of stage `row` from earlier stages; return the power, if asked."""
     law, last = chain.law, min(reach, chain.contacts)
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
     elastic, weights = (ELASTIC_SLOPES + first, terms), chain.elastic_weights[row]
@@ -209,7 +209,7 @@ class Largest(NamedTuple):
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
 def _final_sum(table, slopes, weights, n):
-    """Weighted sum of the slopes of bead n over the final stages."""
+    """Return the weighted sum of the slopes of bead n over the final stages."""
     total = 0.0
     for j in range(len(weights)):
         total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
@@ -218,9 +218,9 @@ def _final_sum(table, slopes, weights, n):
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
 def _add_elastic(chain, table, h, first, last):
-    """New state from the elastic slopes, and `Largest`, for the beads first … last.
+    """Return the new state from the elastic slopes, and `Largest`, for the beads first … last.
 
-    Non-negative doubles are ordered like their bits read as integers, with NaN above all: integer
+    Non-negative doubles are ordered like their bits read as integers, with NaN above all.  Integer
     maxima vectorise, and no NaN is lost in them.
     """
     slopes = uint64(ELASTIC_SLOPES)
@@ -265,7 +265,7 @@ def _add_viscous(chain, table, h, first, last):
 
 @subroutine(forceinline=True)
 def _finish(chain, table, h, first, last):
-    """New state of the beads first … last, and their `Largest`."""
+    """Return the new state of the beads first … last, and their `Largest`."""
     largest = _add_elastic(chain, table, h, first, last)
     if chain.law.single:
         return largest
@@ -284,7 +284,7 @@ def _finish(chain, table, h, first, last):
 
 @subroutine
 def error_norm(law, largest, h, relative, absolute):
-    """Error of the step in units of the tolerance, in the maximum norm over beads.
+    """Return the error of the step in units of the tolerance, in the maximum norm over beads.
 
     u and d are each measured against absolute + relative × (largest u, largest |d|), and the
     estimates of order 5 and 3 are combined as in DOP853.  NaN if the new state is not finite.
@@ -304,11 +304,11 @@ def error_norm(law, largest, h, relative, absolute):
 
 @subroutine(forceinline=True)
 def try_step(chain, table, h, reach, with_energy):
-    """All stages and the new state for a step h: its `Largest` and the energy dissipated.
+    """Return all stages and the new state for a step h: its `Largest` and the energy dissipated.
 
     The slopes and the power at the start must be there.  The power of every stage is taken while
     its forces are in the cache, and added up by the pair's own quadrature, of order 8.  With
-    pressure at the ends entry N holds the last bead; it drives nothing but itself, so that it stays
+    pressure at the ends entry N holds the last bead.  It drives only itself, so that it stays
     outside the error norm.
     """
     _set_weights(chain, h)
@@ -337,7 +337,7 @@ def accept(chain, table, reach):
 
 @kernel
 def end_of_window(chain, table, start):
-    """Last bead the wave can touch within one step, looking down from bead `start`.
+    """Return the last bead the wave can touch within one step, looking down from bead `start`.
 
     It is the bead `margin` beyond the last one that differs from rest, rounded up to whole blocks.
     """

@@ -5,11 +5,11 @@ described in `workflow/schemas/config.schema.yaml`.  Times of a scene are times 
 :math:`\tau = \tfrac12\gamma\varepsilon^2 c^2 t`.  How the equations are solved is described in
 `log_burgers.solution` and `log_kdv_burgers.solution`.
 
-Accuracy.  Every scene is solved a second time with twice the cells, or points, and a tenth of the
-tolerance; the largest difference between both is the error estimate.  Both runs of (50) and (40)
-join cells at the same times; their space is of sixth order and their steps of fourth, so that the
-estimate is close to the error itself.  The second run of (55) takes steps at most half as long,
-from the first one on: where neither run is limited by its tolerance, both would take the same.
+Accuracy.  Every scene is solved again with twice the cells, or points, and a tenth of the
+tolerance.  The largest difference is the error estimate.  Both runs of (50) and (40) join cells at
+the same times.  They are of sixth order in space and of fourth in time, so that the estimate is
+close to the error.  The second run of (55) takes steps at most half as long.  Otherwise both would
+take the same steps where the tolerance does not limit them.
 """
 
 from collections.abc import Mapping

@@ -22,12 +22,12 @@ SLOPE = np.array([-1, 9, -45, 0, 45, -9, 1]) / 60.0
 
 
 def squared_slope_overdamped(dataset):
-    """Largest q(1) for μ of 2 and above."""
+    """Return the largest q(1) for μ of 2 and above."""
     return _squared_slope(dataset.sel(mu=dataset["mu"] >= CRITICAL_DAMPING), max)
 
 
 def squared_slope_underdamped(dataset):
-    """Smallest q(1) for μ well below 2."""
+    """Return the smallest q(1) for μ well below 2."""
     return _squared_slope(dataset.sel(mu=dataset["mu"] <= CLEARLY_UNDERDAMPED), min)
 
 
@@ -37,12 +37,12 @@ def _squared_slope(dataset, pick):
 
 
 def smallest_steepness(dataset):
-    """Smallest −y'/(y(1 − y)) before any front first reaches y = 1: above 0 where q is."""
+    """Return smallest −y'/(y(1 − y)) before any front first reaches y = 1: above 0 where q is."""
     return Estimate(min(map(_steepness, _each_mu(dataset))), _steepness_error(dataset))
 
 
 def largest_overdamped_slope(dataset):
-    """Largest y'/(y(1 − y)) of all fronts with μ of 2 and above; none rises."""
+    """Return the largest y'/(y(1 − y)) of all fronts with μ of 2 and above; none rises."""
     overdamped = dataset.sel(mu=dataset["mu"] >= CRITICAL_DAMPING)
     return Estimate(-min(map(_steepness, _each_mu(overdamped))), _steepness_error(dataset))
 
@@ -52,7 +52,7 @@ def _each_mu(dataset):
 
 
 def _steepness(front):
-    """Smallest −y'/(y(1 − y)) of a front, from where it first reaches 1 on, far from both ends."""
+    """Return the smallest −y'/(y(1 − y)) of a front, after it first reaches 1, far from ends."""
     y, slope = front["rescaled_force"].values, front["slope"].values
     reached = np.flatnonzero(y >= 1.0)
     ahead = np.arange(y.size) > (reached[-1] if reached.size else -1)
@@ -66,10 +66,10 @@ def _steepness_error(dataset):
 
 
 def residual_of_orbits(dataset, smallest_mu):
-    """Largest defect of z' = μz − y ln y, which is (59), on the orbits from some μ on.
+    """Return the largest defect of z' = μz − y ln y, which is (59), on the orbits from some μ on.
 
-    z' comes from differences of order 6, whose error is what is left where the orbit is exact: over
-    twice the spacing the defect is 2⁶ times as large, which the error estimate assumes.
+    z' comes from differences of order 6, and their error is all that is left for an exact orbit.
+    Over twice the spacing the defect is 2⁶ times as large, which the error estimate assumes.
     """
     sweep = _each_mu(dataset.sel(mu=dataset["mu"] >= smallest_mu))
     fine, coarse = np.max([_orbit_defects(orbit) for orbit in sweep], axis=0)
@@ -77,7 +77,7 @@ def residual_of_orbits(dataset, smallest_mu):
 
 
 def _orbit_defects(orbit):
-    """Largest defects with differences over one and over two grid points."""
+    """Return the largest defects with differences over one and over two grid points."""
     s, y, slope = (orbit[name].values for name in ("s", "rescaled_force", "slope"))
     logarithm = orbit["log_rescaled_force"].values
     right = float(orbit["mu"]) * slope - y * logarithm
@@ -91,26 +91,26 @@ def _orbit_defects(orbit):
 
 
 def gaussian_defect(dataset):
-    """Largest difference between the front for μ = 0 and the Gaussian of Remark 8."""
+    """Return the largest difference between the front for μ = 0 and the Gaussian of Remark 8."""
     y = dataset["rescaled_force"].sel(mu=0.0)
     exact = np.exp(0.5 - 0.25 * (y["s"] - gaussian_centre()) ** 2)
     return Estimate(float(abs(y - exact).max()), float(y.attrs["error_estimate"]))
 
 
 def growth_rate(dataset, mu):
-    """Measured rate at which a front leaves (1, 0) over the smallest Re λ there."""
+    """Return the measured rate at which a front leaves (1, 0) over the smallest Re λ there."""
     return _ratio(
         dataset, "growth_rate", mu, linear_rates(mu)[0 if mu > CRITICAL_DAMPING else 1].real
     )
 
 
 def angular_frequency(dataset, mu):
-    """Measured angular frequency of a front about (1, 0), above 0 if it oscillates."""
+    """Return the measured angular frequency of a front about (1, 0), above 0 if it oscillates."""
     return _ratio(dataset, "angular_frequency", mu, 1.0)
 
 
 def frequency(dataset, mu):
-    """Measured angular frequency of an oscillating front over Im λ."""
+    """Return the measured angular frequency of an oscillating front over Im λ."""
     return _ratio(dataset, "angular_frequency", mu, linear_rates(mu)[1].imag)
 
 
@@ -119,7 +119,7 @@ def _ratio(dataset, name, mu, exact):
 
 
 def transition(dataset):
-    """μ at which the squared frequency of the oscillations, a line in μ², comes to zero."""
+    """Return μ at which the squared frequency of the oscillations, a line in μ², comes to zero."""
     oscillating = dataset.sel(mu=dataset["angular_frequency"] > 0.0)
     squares = oscillating["angular_frequency"] ** 2
     slope, value = np.polyfit(oscillating["mu"] ** 2, squares, 1)
@@ -129,18 +129,18 @@ def transition(dataset):
 
 
 def flux_distance(dataset, alpha, smallest=0.0):
-    """Largest |f_α(y) − y ln y| for y from `smallest` to 1, over the largest |y ln y|, 1/e."""
+    """Return the largest |f_α(y) − y ln y|, y from `smallest` to 1, over 1/e."""
     flux, limit = dataset["flux"].sel(alpha=alpha), dataset["flux_limit"]
     difference = abs(flux - limit).where(dataset["force"] >= smallest)
     return _sampled_maximum(difference * math.e)
 
 
 def profile_distance(dataset, alpha):
-    """Largest distance of u/δ of the front (46) to that of (45)."""
+    """Return the largest distance of u/δ between the fronts (46) and (45)."""
     return _sampled_maximum(abs(dataset["front"].sel(alpha=alpha) - dataset["front_limit"]))
 
 
 def _sampled_maximum(values):
-    """Largest value on a grid, and what leaving out every other point changes."""
+    """Return the largest value on a grid, and what leaving out every other point changes."""
     value = float(values.max())
     return Estimate(value, abs(value - float(values[::2].max())) + 1.0e-15)

@@ -1,7 +1,8 @@
 """What the paper says of fronts in numbers, measured on exact fronts.
 
-A measure takes the dataset of a front scene (see `comparison`), of the curves of critical damping
-(see `damping_map`) or of families of fronts (see `trends`), and returns an `Estimate`.
+A measure takes a dataset and returns an `Estimate`.  The dataset is a front scene (see
+`comparison`), the curves of critical damping (see `damping_map`) or families of fronts (see
+`trends`).
 """
 
 import numpy as np
@@ -12,36 +13,36 @@ FEW_DIGITS = 1.0e-14  # relative error of critical damping, a few units of the l
 
 
 def force_overshoot(front):
-    """Largest elastic force over the force behind the front, (max u/δ)^α."""
+    """Return the largest elastic force over the force behind the front, (max u/δ)^α."""
     alpha, overshoot = front.attrs["alpha"], front.attrs["overshoot"]
     force = (1.0 + overshoot) ** alpha
     return Estimate(force, alpha * force * front.attrs["error_estimate"])
 
 
 def displacement_overshoot(front):
-    """Largest u/δ − 1, 0 for a monotone front."""
+    """Return the largest u/δ − 1, 0 for a monotone front."""
     return Estimate(front.attrs["overshoot"], front.attrs["error_estimate"])
 
 
 def dissipated_power(front):
-    """Power that all contacts dissipate, in units of the front."""
+    """Return the power that all contacts dissipate, in units of the front."""
     return Estimate(front.attrs["dissipated_power"], front.attrs["dissipated_power_error"])
 
 
 def velocity_overshoot(front):
-    """Largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
+    """Return the largest ẋ/v_p − 1 on the window of the scene, the vertex of a parabola."""
     velocity = front["velocity"]
     return _vertex(velocity.values, 1.0) + Estimate(-1.0, velocity.error_estimate)
 
 
 def smallest_velocity_behind(front):
-    """Smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
+    """Return the smallest ẋ/v_p behind the middle of the front, the vertex of a parabola."""
     velocity = front["velocity"].where(front["xi"] < 0.0, drop=True)
     return _vertex(velocity.values, -1.0) + Estimate(0.0, velocity.error_estimate)
 
 
 def _vertex(values, sign):
-    """Largest (sign 1) or smallest (−1) value, by the parabola through three points.
+    """Return the largest (sign 1) or smallest (−1) value, by the parabola through three points.
 
     The error is as large as what the parabola adds to the grid.
     """
@@ -52,7 +53,7 @@ def _vertex(values, sign):
 
 
 def distance(front, field, limit):
-    """Largest difference of a continuum front to the exact one, over the jump of the field.
+    """Return largest difference of a continuum front to the exact one, over the jump of the field.
 
     The limit is logarithmic, (45) with (48), unlimited, (46) with (44), or heteroclinic, section 5.
     """
@@ -62,20 +63,20 @@ def distance(front, field, limit):
 
 
 def tail_over_long_wave(curves, alpha):
-    """Critical damping of the lattice, by its tail, over that of section 5, μ = 2."""
+    """Return the critical damping of the lattice, by its tail, over the one of section 5, μ = 2."""
     one = curves.sel(alpha=alpha)
     ratio = float(one["critical_damping_tail"] / one["critical_damping_long_wave"])
     return Estimate(ratio, FEW_DIGITS * ratio)
 
 
 def critical_damping(curves, alpha):
-    """Critical damping of the lattice by its tail, γc."""
+    """Return the critical damping of the lattice by its tail, γc."""
     value = float(curves["critical_damping_tail"].sel(alpha=alpha))
     return Estimate(value, FEW_DIGITS * value)
 
 
 def tail_contrast(trends, beta):
-    """Im λ of the slowest tail at the smallest velocity v_p less that at the largest.
+    """Return Im λ of the slowest tail at the smallest velocity v_p less that at the largest.
 
     Above 0 if a front oscillates at small velocities, below 0 if it does at large ones.
     """
@@ -84,7 +85,7 @@ def tail_contrast(trends, beta):
 
 
 def critical_power_of_pressure(trends):
-    """Power of δ in the γ at which the tail ceases to oscillate."""
+    """Return the power of δ in the γ at which the tail ceases to oscillate."""
     gamma = trends["critical_gamma"]
     span = np.log(gamma["displacement"].values[-1] / gamma["displacement"].values[0])
     power = float(np.log(gamma.values[-1] / gamma.values[0]) / span)
@@ -92,7 +93,7 @@ def critical_power_of_pressure(trends):
 
 
 def width_power(trends):
-    """Power of 1 − 1/α in the width of fronts at fixed μ, from the two α closest to 1.
+    """Return the power of 1 − 1/α in the width of fronts at fixed μ, from the two α closest to 1.
 
     The error is the change from the next pair.
     """
@@ -101,38 +102,38 @@ def width_power(trends):
 
 
 def narrowing(trends):
-    """Width of the front at the smallest δ over that at the largest, γ and α fixed."""
+    """Return the width of the front at the smallest δ over that at the largest, γ and α fixed."""
     width = trends["width_of_displacement"].sortby("displacement")
     return recorded(width[0]) / recorded(width[-1])
 
 
 def gaussian_distance(trends, exponent):
-    """Largest distance of u of a solitary wave to the Gaussian, both over their peaks."""
+    """Return largest distance of u of a solitary wave to the Gaussian, both over their peaks."""
     return recorded(trends["gaussian_distance"].sel(exponent=exponent))
 
 
 def solitary_force(trends, exponent):
-    """Largest force u^α of a solitary wave over e^(1/2), that of the Gaussian."""
+    """Return the largest force u^α of a solitary wave over e^(1/2), the value of the Gaussian."""
     peak = trends["solitary_peak"].sel(exponent=exponent)
     force = float(peak) ** exponent / np.exp(0.5)
     return Estimate(float(force), exponent * float(force) * peak.attrs["error_estimate"])
 
 
 def exchange_exponent(curves):
-    """α*, up to which critical damping is a double root of the tail."""
+    """Return α*, up to which critical damping is a double root of the tail."""
     value = curves.attrs["exchange_exponent"]
     return Estimate(value, FEW_DIGITS * value)
 
 
 def methods_apart(*fronts):
-    """Largest distance in u/δ of the fronts by the profile equation and by shooting."""
+    """Return the largest distance in u/δ of the fronts by the profile equation and by shooting."""
     apart = [front["relative_displacement_shooting"].attrs["distance"] for front in fronts]
     errors = [front["relative_displacement"].attrs["error_estimate"] for front in fronts]
     return Estimate(float(max(apart)), float(max(errors)))
 
 
 def strong_damping_power(survey, alpha):
-    """Power of γ in the largest error of (46), between the two largest γ.
+    """Return the power of γ in the largest error of (46), between the two largest γ.
 
     The error is the change from the pair before.
     """

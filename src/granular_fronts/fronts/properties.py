@@ -1,4 +1,4 @@
-r"""What is measured on a front: velocity, overshoot, width, slope, dissipated power.
+r"""Measure a front: velocity, overshoot, width, slope, dissipated power.
 
 Velocity.  In the notation of `profile.equation`
 
@@ -13,12 +13,12 @@ eq. (31).
 Dissipated power.  All contacts together dissipate :math:`\int W''(R)\,(cR')^2 d\xi`, in normalised
 variables :math:`c^3 (R_b - R_a)^2 \int q'(s)\, s'^2 d\xi`.  The balance (6) across the front fixes
 it, eq. (16), whatever W; for a Hertz chain at rest ahead it is (α − 1)/(2(α + 1)).  The integral is
-a sum over the grid, whose error for a smooth function that is constant at both ends is smaller than
+a sum over the grid.  For a smooth function that is constant at both ends its error is smaller than
 any power of h.
 
-Errors.  A number is as wrong as what it is read from.  Where s errs by up to η, its largest value
-errs by η, and the place of a level by η/|s'|; a slope by η/4h, since a part of η is rounding, which
-differs from point to point; and the dissipated power, by parts, by about
+Errors.  A number is as wrong as what it is read from.  Let s err by up to η.  Then its largest
+value errs by η, and the place of a level by η/|s'|.  A slope errs by η/4h, since a part of η is
+rounding, which differs from point to point.  The dissipated power errs, by parts, by about
 :math:`c^3 (R_b - R_a)^2 \eta` times the total variation of :math:`q's'`.  No error is below this,
 and none below the change of the number in the refined front.
 """
@@ -39,7 +39,7 @@ from granular_fronts.numerics.quadrature import kernel_weights
 
 
 def velocity(profile, order):
-    """Velocity ẋ at the points of a profile, shape (points,)."""
+    """Return the velocity ẋ at the points of a profile, shape (points,)."""
     problem, site = profile.problem, kernel_weights(profile.spacing, order).site
     width = site.size // 2
     forces = make_forces(profile.s.size, width)
@@ -52,27 +52,27 @@ def velocity(profile, order):
 
 
 def measure(profile):
-    """The numbers of `MEASURES` of a profile, and how they feel an error of s; shape (4,) each."""
+    """Return `MEASURES` of a profile and their sensitivity to an error of s; shape (4,) each."""
     return np.split(measures(profile.problem, float(profile.spacing), profile.s), 2)
 
 
 def errors_of_measures(values, others, sensitivities, error):
-    """Errors of measures, of which a refined front has others, from the error of s."""
+    """Return the errors of measures, of which a refined front has others, from the error of s."""
     return np.max(
         [np.abs(values - others), sensitivities * error, EPSILON * np.abs(values)], axis=0
     )
 
 
 MEASURES = ("overshoot", "width_10_90", "slope", "dissipated_power")
-"""By how much the strain passes the state behind, 0 for a monotone front; sites between 90 % and
-10 % of the way to the state behind, the last time the strain passes them; the steepest slope on the
-way from behind; and the dissipated power.
+"""How far the strain passes the state behind, 0 for a monotone front.  The sites between 90 % and
+10 % of the way to the state behind, where the strain passes them last.  The steepest slope on the
+way from behind.  The dissipated power.
 """
 
 
 @kernel
 def measures(problem, spacing, s):
-    """The numbers named in `MEASURES`, and after them their sensitivities."""
+    """Return the numbers named in `MEASURES`, and after them their sensitivities."""
     jump = abs(problem.jump)
     (rise, before), (fall, after) = find_level(s, 0.9, 1.0, 0.0), find_level(s, 0.1, 1.0, 0.0)
     slopes = derivative(s, 1.0, 0.0) / spacing

@@ -5,9 +5,9 @@ In units of the speed c = 1 the wave of :math:`\ddot u = \Delta_d u_+^\alpha` so
 .. math:: u = K * u^\alpha, \qquad K(s) = (1 - |s|)_+, \qquad
           \hat K(k) = \Bigl(\frac{\sin(k/2)}{k/2}\Bigr)^2 .
 
-It is found by Petviashvili's iteration, :math:`u \leftarrow M^\theta K * u^\alpha` with
-:math:`M = \langle u, u\rangle/\langle u, K * u^\alpha\rangle` and θ = α/(α − 1), on a period so
-long that the wave, which decays super-exponentially, does not feel it.
+It is found by Petviashvili's iteration, :math:`u \leftarrow M^\theta K * u^\alpha` with :math:`M =
+\langle u, u\rangle/\langle u, K * u^\alpha\rangle` and θ = α/(α − 1), on a long period.  The wave
+decays super-exponentially and does not feel the period.
 
 As α → 1 the force :math:`u^\alpha` tends to the Gaussian :math:`e^{1/2 - s^2/4}`,
 :math:`s = 2\sqrt3\,(1 - 1/\alpha)^{1/2}\,\xi` (James 2021, section 5.2, Remark 8).
@@ -26,7 +26,7 @@ ITERATIONS = 100_000
 
 
 class SolitaryWave(NamedTuple):
-    """A wave on its grid, even in ξ; relative displacements over those of c = 1."""
+    """A wave on its grid, even in ξ; relative displacements are in units of c = 1."""
 
     xi: np.ndarray
     u: np.ndarray
@@ -34,7 +34,7 @@ class SolitaryWave(NamedTuple):
 
 
 def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
-    """The solitary wave of speed 1; a refined grid checks it."""
+    """Return the solitary wave of speed 1; a refined grid checks it."""
     rate = 2.0 * np.sqrt(3.0 * (1.0 - 1.0 / alpha))
     half = np.ceil(max(HALF_PERIOD / rate, 4.0))
     points = int(2 * half * points_per_bead)
@@ -59,5 +59,5 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
 
 
 def gaussian(alpha, xi):
-    """Relative displacement u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
+    """Return u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
     return np.exp((0.5 - 3.0 * (1.0 - 1.0 / alpha) * xi**2) / alpha)

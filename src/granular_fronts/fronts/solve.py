@@ -1,4 +1,4 @@
-"""Exact fronts of a chain as data: the public face of this wing.
+"""Exact fronts of a chain as data: the public functions.
 
 Two powers are given by their exponents and γ, in units where the compression behind is 1; γ from a
 run at another δ with β = α is multiplied by δ^((α − 1)/2), James (2021), eq. (30).  Any law is
@@ -80,7 +80,7 @@ def solve_front(
     law: Law | Mapping[str, Any] | None = None,
     states: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """A travelling front: of two powers, or of any law between two states.
+    """Solve a travelling front of two powers, or of any law between two states.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def solve_front(
         Exponent of the damping force, at least 1; alpha by default.
     method : {"profile", "shooting"}
         By the advance–delay equation, see `profile.equation`; or by the motion of a window of
-        beads, see `shooting`, which knows two powers and a chain at rest ahead only.
+        beads, see `shooting`.  Shooting knows only two powers and a chain at rest ahead.
     right_state : float, optional
         Compression r ahead of a front of two powers from compression 1, 0 ≤ r < 1; the speed is
         c = ((1 − r^α)/(1 − r))^(1/2), eq. (14).
@@ -107,14 +107,14 @@ def solve_front(
         `strain`, `relative_displacement` (its negative) and `velocity` on `xi` = n − ct, each with
         `error_estimate` and `error_method`.  The grid is uniform; the strain is half-way between
         R_b and R_a at ξ = 0, and equal to them beyond the grid, to round-off.  Velocities are −cR
-        behind and ahead, eq. (12); a uniform one may be added.
-        `residual_history` on `iteration`, the largest residual before each step and after the
-        last.  Attributes: `law` as JSON, `state_behind`, `state_ahead`, for two powers from
-        compression 1 `alpha`, `beta`, `gamma`, `right_state`; `method`, `speed`, `converged` (0 or
-        1) and `reason`, `residual`, `speed_defect` (the speed found over the exact one, less 1;
-        shooting prescribes it), `error_estimate` of the strain, `spacing` of the grid, `overshoot`,
-        `width_10_90`, `slope`, `dissipated_power`, and `…_error` of these four and of the defect.
-        Where converged is 0, all but the law and the reason are NaN.
+        behind and ahead, eq. (12); a uniform one may be added. `residual_history` on `iteration`,
+        the largest residual before each step and after the last.  Attributes: `law` as JSON,
+        `state_behind`, `state_ahead`, for two powers from compression 1 `alpha`, `beta`, `gamma`,
+        `right_state`; `method`, `speed`, `converged` (0 or 1) and `reason`, `residual`,
+        `error_estimate` of the strain, `spacing` of the grid.  `speed_defect` is the speed found
+        over the exact one, less 1 (shooting prescribes it).  Measures are `overshoot`,
+        `width_10_90`, `slope` and `dissipated_power`; these and the defect have an `…_error`. Where
+        converged is 0, all but the law and the reason are NaN.
 
     Raises
     ------
@@ -135,7 +135,7 @@ def solve_front(
         given, (behind, ahead) = check_given_law(law, states)
         if right_state > 0.0:
             raise InputError(
-                f"right_state is {right_state} beside a law, whose states say what is ahead: leave "
+                f"right_state is {right_state}, but the states of the law say what is ahead: leave "
                 "it out."
             )
         sought = _Sought(given, behind, ahead, front_problem(given, behind, ahead))
@@ -153,7 +153,7 @@ def solve_front(
 def evaluate_front(
     front: xr.Dataset, xi: npt.ArrayLike, name: str = "relative_displacement"
 ) -> np.ndarray:
-    """The relative displacement, the velocity or the strain of a front anywhere.
+    """Evaluate the relative displacement, the velocity or the strain of a front anywhere.
 
     Parameters
     ----------
@@ -166,8 +166,8 @@ def evaluate_front(
     Returns
     -------
     ndarray
-        Shape of `xi`, by local polynomials through 20 points; beyond the grid its first and its
-        last value, which are those of both states to round-off.
+        Shape of `xi`, by local polynomials through 20 points.  Beyond the grid it has the values of
+        both states, to round-off.
 
     Raises
     ------
@@ -208,12 +208,12 @@ def _settled(profile):
 
 
 def _by_shooting(sought):
-    """A front and its refinement by shooting, on a grid fine enough for local polynomials."""
+    """Return a front and its refinement by shooting, on a grid for local polynomials."""
     law = sought.law
     if not (law.is_power and sought.behind == -1.0):
         raise InputError(
             f"law is {json.dumps(law.describe(), default=str)} and the states are "
-            f"{sought.behind:g} and {sought.ahead:g}, but shooting takes the law (28) alone, "
+            f"{sought.behind:g} and {sought.ahead:g}, but shooting takes only the law (28), "
             'from compression 1 into a chain at rest: use method "profile".'
         )
     if sought.ahead < 0.0:
@@ -248,7 +248,7 @@ METHODS = {"profile": _by_profile, "shooting": _by_shooting}
 
 
 def _describe(method, sought, solution, refined):
-    """The dataset of a front, its errors the differences to the refined one."""
+    """Return the dataset of a front, its errors the differences to the refined one."""
     problem = sought.problem
     size = problem.size
     positions, middle = _positions(solution.xi, refined.xi)
@@ -287,7 +287,7 @@ def _describe(method, sought, solution, refined):
 
 
 def _describe_failure(method, sought, reason):
-    """The dataset of a front that was not found: NaN at ξ = 0."""
+    """Return the dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
     unknown = ("residual", "speed_defect", "error_estimate", "spacing", *MEASURES)
     unknown += tuple(f"{name}_error" for name in ("speed_defect", *MEASURES))
@@ -316,7 +316,7 @@ def _dataset(method, sought, xi, fields, residuals, **attributes):
 
 
 def describe_front(law, behind, ahead):
-    """Law and states as attributes of a dataset."""
+    """Return the law and states as attributes of a dataset."""
     described = {
         "law": json.dumps(law.describe(), default=str),
         "state_behind": behind,
@@ -329,7 +329,7 @@ def describe_front(law, behind, ahead):
 
 
 def _positions(grid, xi):
-    """Positions in units of the spacing of a grid, 0 at ξ = 0, and the index of that point."""
+    """Return positions in units of the spacing of a grid, 0 at ξ = 0, and the index of ξ = 0."""
     middle = int(np.argmin(np.abs(grid)))
     return xi / grid[middle + 1], middle
 

@@ -1,14 +1,14 @@
 """Many exact fronts: one after the other along the damping, each from the ones before it.
 
 The fronts are solved from strong to weak damping on one grid, compiled.  The window follows the
-tail, and the start of each front is extrapolated from those before (`numerics.extrapolation`), so
-that for close neighbours two steps of Newton's iteration are left.  Where the iteration does not
-settle, the grid becomes too coarse or a front fails another check, the sweep starts anew at that
-damping with a window and a grid of its own, and so does a front whose error turns out too large.
-Where this fails too, the values are NaN with a reason, and the sweep goes on.
+tail, and the start of each front is extrapolated from those before (`numerics.extrapolation`).  For
+close neighbours two steps of Newton's iteration are left.  If the iteration does not settle, the
+grid becomes too coarse or another check fails, the sweep starts anew at that damping, with another
+window and grid.  So it does for a front whose error is too large.  If this fails too, the values
+are NaN with a reason, and the sweep goes on.
 
-Accuracy.  Every stretch is swept a second time on a finer grid, by another order, on a longer
-window (`profile.solve.refine`); the differences are the error estimates.
+Accuracy.  Every stretch is swept again on a finer grid, by another order, on a longer window
+(`profile.solve.refine`).  The differences are the error estimates.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def sweep_fronts(
     states: Sequence[float] | None = None,
     factors: npt.ArrayLike | None = None,
 ) -> xr.Dataset:
-    """Measures of the exact fronts for many dampings.
+    """Measure the exact fronts of many dampings.
 
     Parameters
     ----------
@@ -105,10 +105,10 @@ def sweep_fronts(
     xarray.Dataset
         On `gamma`, or `factor` of a law, in the order given: `overshoot`, `width_10_90`, `slope`,
         `dissipated_power`, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
-        `tail_frequency`, real and imaginary part of the slowest tail exponent; `error_estimate` of
-        the strain, the one that explains the changes of overshoot, width and dissipated power, or
-        where that is too large the difference of the strain itself; `converged` (0 or 1) and
-        `reason`.  Units are those of the law.
+        `tail_frequency`, real and imaginary part of the slowest tail exponent; `converged` (0 or 1)
+        and `reason`.  The `error_estimate` of the strain explains the changes of overshoot, width
+        and dissipated power; where it is too large, it is the difference of the strain.  Units
+        belong to the law.
 
     Raises
     ------
@@ -151,7 +151,7 @@ def _sweep(problem, dampings):
 
 
 def _stretch(problem, dampings):
-    """Fronts from the first damping on, as far as one grid carries; their values on two grids."""
+    """Return the fronts from the first damping on that one grid carries; values on two grids."""
     nothing = np.empty((0, len(COLUMNS)))
     start = solve_profile(problem._replace(damping=dampings[0]))
     if start.reason:
@@ -171,7 +171,7 @@ def _stretch(problem, dampings):
 
 
 def _alone(problem):
-    """One front on a window and a grid of its own: values on two grids, error of the strain."""
+    """Return one front on its own window and grid: values on two grids, error of the strain."""
     start = solve_profile(problem)
     finer = refine(start) if not start.reason else start
     damping = np.array([problem.damping])
@@ -214,12 +214,12 @@ def _describe(problem, name, places, values, others, estimate, reasons):
 
 
 def _split(values):
-    """Measures and their sensitivities, each of shape (4, fronts)."""
+    """Return the measures and their sensitivities, each of shape (4, fronts)."""
     return values.T[:4], values.T[4:8]
 
 
 def _estimates(problem, values, others):
-    """Error of the strain of every front that explains the differences of overshoot, width, power.
+    """Return the error of the strain that explains the changes of overshoot, width and power.
 
     The slope feels rounding, which differs from point to point, more than any other error.
     """
@@ -230,7 +230,7 @@ def _estimates(problem, values, others):
 
 
 def follow(start, dampings, order):
-    """Values of the fronts that follow from a first one, on its grid, by decreasing damping.
+    """Return values of the fronts that follow from a first one, on its grid, by decreasing damping.
 
     The shape is (fronts, columns), up to the first front that fails a check.
     """
@@ -272,7 +272,7 @@ def _follow_on_grid(first_problem, dampings, grid, differences, decay, start, va
     remember(start, center - grid.middle, 0.0, past[0])
     for k in range(dampings.size):
         problem = with_damping(first_problem, dampings[k])
-        # The front that the sweep starts from is that of the first damping.
+        # The sweep starts from the front of the first damping.
         known = max(k, 1)
         first, margin = center - middles[k], int(MARGIN / grid.spacing)
         s = predict(past, known, places[:known], places[k], first, margin)
@@ -293,7 +293,7 @@ def _follow_on_grid(first_problem, dampings, grid, differences, decay, start, va
 
 @subroutine
 def _slowest_tail(problem, damping):
-    """Real and imaginary part of the exponent of the tail behind that decays most slowly."""
+    """Return real and imaginary part of the exponent of the slowest tail behind."""
     end = problem.behind
     tail_damping = damping * end.q_slope / end.p_slope
     root = lowest_roots_of_all(end.p_slope, tail_damping, int64(1))[0]
@@ -302,7 +302,7 @@ def _slowest_tail(problem, damping):
 
 @subroutine
 def _is_front(problem, grid, unknowns, residual):
-    """Whether a solution passes the checks of `profile.solve`."""
+    """Return whether a solution passes the checks of `profile.solve`."""
     s, rounding = unknowns.s, problem.magnification
     at_rest = max(abs(s[0] - 1.0), abs(s[-1])) <= AT_REST * rounding
     damping_number = problem.damping * problem.behind.q

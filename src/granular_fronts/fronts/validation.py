@@ -1,4 +1,4 @@
-"""Which fronts exist: the arguments of this wing, validated before anything is computed.
+"""Validate the arguments of fronts before anything is computed.
 
 James (2021), section 2.  Every function returns plain numbers, or raises an `InputError`.
 """
@@ -16,7 +16,7 @@ SAME = 1e-9  # by how much an untouched front may be off, over its spacing or it
 
 
 def check_law(alpha, gamma, beta=None):
-    """The law of a front as three floats, beta = alpha by default."""
+    """Return the law of a front as three floats, beta = alpha by default."""
     alpha = check_alpha(alpha)
     gamma = scalar(
         "gamma",
@@ -28,7 +28,7 @@ def check_law(alpha, gamma, beta=None):
 
 
 def check_alpha(alpha):
-    """The exponent alpha as a float above 1."""
+    """Return the exponent alpha as a float above 1."""
     return scalar(
         "alpha",
         alpha,
@@ -39,7 +39,7 @@ def check_alpha(alpha):
 
 
 def check_beta(alpha, beta=None):
-    """The exponent beta as a float of at least 1, alpha by default."""
+    """Return the exponent beta as a float of at least 1, alpha by default."""
     return scalar(
         "beta",
         alpha if beta is None else beta,
@@ -49,7 +49,7 @@ def check_beta(alpha, beta=None):
 
 
 def check_right_state(right_state):
-    """The relative displacement ahead, as a float in [0, 1)."""
+    """Return the relative displacement ahead, as a float in [0, 1)."""
     return scalar(
         "right_state",
         right_state,
@@ -61,7 +61,7 @@ def check_right_state(right_state):
 
 
 def is_given_by_law(powers, parts):
-    """Whether a front is given by a law with its states; if not, by numbers of two powers."""
+    """Return whether a front is given by a law with states, and not by numbers of two powers."""
     powers, parts = (
         [name for name, value in form.items() if value is not None] for form in (powers, parts)
     )
@@ -74,7 +74,7 @@ def is_given_by_law(powers, parts):
 
 
 def check_given_law(law, states):
-    """A law, and the strains R_b and R_a that its front joins."""
+    """Return a law, and the strains R_b and R_a that its front joins."""
     for name, value in (("law", law), ("states", states)):
         if value is None:
             raise InputError(
@@ -91,13 +91,13 @@ def check_given_law(law, states):
 
 
 def check_front_of_powers(front):
-    """A front as data of two powers, from compression 1 into a chain at rest."""
+    """Return a front as data of two powers, from compression 1 into a chain at rest."""
     check_front(front)
     if not {"alpha", "beta", "gamma"} <= front.attrs.keys() or front.attrs.get("right_state"):
         raise InputError(
             f"front has the law {front.attrs.get('law')} and joins R = "
             f"{front.attrs.get('state_behind')} to {front.attrs.get('state_ahead')}, but its "
-            "multipliers are known for two powers from compression 1 into a chain at rest only: "
+            "multipliers are known only for two powers from compression 1 into a chain at rest: "
             "give such a front, scaled by eq. (30)."
         )
     return front
@@ -110,16 +110,21 @@ def check_grid(front):
     behind, ahead = (-front.attrs.get(f"state_{end}", math.nan) for end in ("behind", "ahead"))
     off_grid = np.abs(xi - spacing * (np.arange(xi.size) - middle)).max()
     off_state = np.abs(u[[0, middle, -1]] - [behind, 0.5 * (behind + ahead), ahead]).max()
+    if rounded := [name for name, values in front.variables.items() if values.dtype == "float32"]:
+        raise InputError(
+            f"front holds {', '.join(rounded)} in single precision, but errors are stated for "
+            "double: give the front as solve_front returns it."
+        )
     if not (off_grid <= SAME * spacing and off_state <= SAME * max(abs(behind), abs(ahead))):
         raise InputError(
-            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but a front of "
-            f"solve_front steps by {spacing:g} sites, is half-way at xi = 0 and at rest at both "
-            "ends: evaluate it as it was solved, and thin, crop or shift the values."
+            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but "
+            f"solve_front steps by {spacing:g} sites, from rest to rest, half-way at xi = 0: "
+            "evaluate the front as it was solved, and thin, crop or shift the values."
         )
 
 
 def check_front(front):
-    """A front as data, unless it says itself that it has not converged."""
+    """Return a front as data, unless it says itself that it has not converged."""
     instance("front", front, xr.Dataset, "take one from solve_front")
     needed = {"relative_displacement", "velocity", "xi"}
     if missing := sorted(needed - {*front.attrs, *front.variables}):

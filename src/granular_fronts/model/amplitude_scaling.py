@@ -79,19 +79,19 @@ class SlowScales(NamedTuple):
         return self.delta * self.speed
 
     def half_length(self, half_beads):
-        """Half of the ring, ℓ = (p − 1/2) ε of a ring of 2p − 1 beads."""
+        """Return half of the ring, ℓ = (p − 1/2) ε of a ring of 2p − 1 beads."""
         return (half_beads - 0.5) * self.epsilon
 
     def displacement(self, y):
-        """Relative displacement u_n of (51)."""
+        """Return the relative displacement u_n of (51)."""
         return self.delta * y ** (1.0 / self.alpha)
 
     def velocity(self, y):
-        """Velocity ẋ_n of (51), to leading order."""
+        """Return the velocity ẋ_n of (51), to leading order."""
         return self.velocity_scale * y
 
     def corrected_velocity(self, y, slope, flux):
-        """Velocity ẋ_n to first order, up to a constant, from y, ∂y/∂ξ and the flux y ln y of (41).
+        """Return ẋ_n to first order, up to a constant, from y, ∂y/∂ξ and the flux y ln y of (41).
 
         With `flux` equal to `slope`, as in a stationary wave, this is (43).
         """
@@ -99,13 +99,13 @@ class SlowScales(NamedTuple):
         return self.velocity_scale * (y - 0.5 * self.epsilon * (slope + damped))
 
     def front_velocity(self, u):
-        """Velocity ẋ_n of a stationary front, (44) and (48), from u = y^(1/α)."""
+        """Return the velocity ẋ_n of a stationary front, (44) and (48), from u = y^(1/α)."""
         correction = (u**self.alpha - u) / (2.0 * self.gamma * self.speed)
         return self.velocity_scale * (u - correction)
 
 
 def make_slow_scales(alpha, gamma, delta):
-    """Scales of section 4; an InputError unless α > 1, γ > 0 and δ > 0."""
+    """Return the scales of section 4; an InputError unless α > 1, γ > 0 and δ > 0."""
     reason = "a front runs into an uncompressed chain for such an alpha only"
     alpha = scalar("alpha", alpha, above=1.0, advice=reason)
     reason = "without damping the scale epsilon of section 4 is infinite"
@@ -114,12 +114,12 @@ def make_slow_scales(alpha, gamma, delta):
 
 
 def scaling_of(scene):
-    """Scales of a checked periodic scene."""
+    """Return the scales of a checked periodic scene."""
     return SlowScales(scene["law"]["alpha"], scene["law"]["gamma"], scene["displacement"])
 
 
 def gamma_for(alpha, delta, *, damping=None, epsilon=None, ratio=None, mu=None):
-    r"""Strength γ of the viscous force that gives one of γc, ε, ε/γc and μ, for α and δ.
+    r"""Return the strength γ of the viscous force that gives one of γc, ε, ε/γc and μ, for α and δ.
 
     Since :math:`\varepsilon\gamma c = \kappa = 1 - 1/\alpha` and
     :math:`\mu = 2\sqrt3\,\gamma c\,\kappa^{-1/2}` (55), each of them fixes γc:

@@ -8,9 +8,9 @@ Two equal beads meet with the relative velocity :math:`v_0`, which is the refere
     \ddot u = -2\,\bigl(u_+^\alpha + \gamma\tfrac{d}{dt}u_+^\beta\bigr), \qquad u(0) = 0,\quad
     \dot u(0) = 1,
 
-until u returns to zero, with the velocity :math:`-e`.  The law is taken as it is written: shortly
+until u returns to zero, with the velocity :math:`-e`.  The law is taken as it is written.  Shortly
 before they part the beads attract each other, since the viscous force is then the larger one.  (A
-contact that ends where its force vanishes gives a smaller loss, but belongs to another law.)
+contact that ends where its force vanishes loses less, but belongs to another law.)
 
 One exponent.  With :math:`p = \dot u + 2\gamma u_+^\beta`, twice the w of (31), :math:`\dot p =
 -2u_+^\alpha`, so that p falls from 1 to :math:`-e`; with :math:`Y = 4u_+^{\alpha+1}/(\alpha+1)`
@@ -20,7 +20,7 @@ One exponent.  With :math:`p = \dot u + 2\gamma u_+^\beta`, twice the w of (31),
     \frac{dY}{dp} = -2p + G\,Y^\nu, \qquad \nu = \frac{\beta}{\alpha+1}, \quad
     G = 4\gamma\Bigl(\frac{\alpha+1}{4}\Bigr)^{\nu},
 
-from :math:`Y(1) = 0` to :math:`Y(-e) = 0`: e depends on ν and G alone.  In polar coordinates
+from :math:`Y(1) = 0` to :math:`Y(-e) = 0`: e depends only on ν and G.  In polar coordinates
 :math:`p = \rho\cos\theta`, :math:`\sqrt Y = \rho\sin\theta` both ends are known, θ = 0 and π, and
 
 .. math::
@@ -91,7 +91,7 @@ SAMPLES = 64  # Compressions at which a law is checked to repel.
 
 
 def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> float:
-    """Coefficient of restitution e of two equal beads, to an error below 1e-12.
+    """Return the coefficient of restitution e of two equal beads, to an error below 1e-12.
 
     Parameters
     ----------
@@ -147,20 +147,20 @@ def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = N
 
 
 def weak_damping_slope(alpha=1.5, beta=None):
-    """Limit of γ/(1 − e) as e → 1; 0.4380245 for α = β = 3/2."""
+    """Return the limit of γ/(1 − e) as e → 1; 0.4380245 for α = β = 3/2."""
     nu = _reduced_exponent(alpha, beta)
     return 2.0 / (_strength(1.0, alpha, nu) * float(euler_beta(nu + 1.0, 0.5)))
 
 
 def _reduced_exponent(alpha, beta=None):
-    """ν = β/(α + 1), β = α by default."""
+    """Return ν = β/(α + 1), β = α by default."""
     alpha = scalar("alpha", alpha, above=0.0, advice="give an exponent")
     beta = scalar("beta", alpha if beta is None else beta, least=1.0, advice="give an exponent")
     return beta / (alpha + 1.0)
 
 
 def log_restitution(nu, strength, largest_step=LARGEST_STEP):
-    """Logarithm of e of the reduced collision, for ν above 0 and G; −∞ if the beads do not part.
+    """Return ln e of the reduced collision for ν above 0 and G; −∞ if the beads do not part.
 
     A smaller bound on the integrator's steps in θ checks the result.
     """
@@ -181,7 +181,7 @@ def log_restitution(nu, strength, largest_step=LARGEST_STEP):
 # Remembers the one integration that all strong dampings lead to.
 @functools.lru_cache(maxsize=32)
 def _integrated(nu, strength, largest_step):
-    """Logarithm of e of the reduced collision by integration from its start."""
+    """Return the logarithm of e of the reduced collision by integration from its start."""
 
     def damping(log_radius, sine):
         return strength * math.exp((2.0 * nu - 1.0) * log_radius) * sine ** (2.0 * nu)
@@ -193,7 +193,7 @@ def _integrated(nu, strength, largest_step):
 
 
 def _log_restitution_by(damping, method, least, creeps=False):
-    """Logarithm of e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances.
+    """Return logarithm of e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances.
 
     Below `least` ln ρ counts as −∞; where a motion `creeps` the beads never part once θ' ≤ 0.
     """
@@ -202,12 +202,12 @@ def _log_restitution_by(damping, method, least, creeps=False):
 
 
 def _steepest(nu):
-    """Largest value of sin^(2ν)θ cos θ; for ν < 1/2 θ' = 0 below it if G times it is 2 or more."""
+    """Return max sin^(2ν)θ cos θ; for ν < 1/2 θ' = 0 below it if G times it is 2 or more."""
     return (2.0 * nu / (1.0 + 2.0 * nu)) ** nu / math.sqrt(1.0 + 2.0 * nu)
 
 
 def _slow_strength(nu):
-    """G above which the start is forgotten on the slow curve, for ν above 1/2.
+    """Return G above which the start is forgotten on the slow curve, for ν above 1/2.
 
     The neighbours of the curve approach it by exp(−Λ), Λ ≈ (ν 2^(1 − 1/ν) G^(1/ν) − 1)/(2 − 1/ν).
     """
@@ -217,7 +217,7 @@ def _slow_strength(nu):
 
 
 def _approach(damping, method, least, creeps):
-    """θ and ln ρ just past θ = π/2, or where they stay for ever."""
+    """Return θ and ln ρ just past θ = π/2, or where they stay for ever."""
 
     def slopes(_, state):
         theta, log_radius = state
@@ -235,7 +235,7 @@ def _approach(damping, method, least, creeps):
 
 
 def _part(damping, theta, log_radius, method):
-    """Logarithm of ρ at θ = π; from π/2 on θ grows at a rate above 2 and serves as the variable."""
+    """Return ln ρ at θ = π; from π/2 on θ grows at a rate above 2 and is the variable."""
 
     def slope(theta, log_radius):
         sine = max(math.sin(theta), 0.0)
@@ -249,7 +249,7 @@ def _part(damping, theta, log_radius, method):
 
 
 def _strength(gamma, alpha, nu):
-    """G of the reduced collision."""
+    """Return G of the reduced collision."""
     return 4.0 * gamma * ((alpha + 1.0) / 4.0) ** nu
 
 
@@ -272,7 +272,7 @@ class Collision(NamedTuple):
 
 
 def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
-    """Collision of two equal beads of mass 1 by any law that repels in compression.
+    """Collide two equal beads of mass 1 by any law that repels in compression.
 
     Parameters
     ----------
@@ -314,7 +314,7 @@ def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
 
 
 def _collide_powers(law, velocity):
-    """The collision by the exponents, in units in which velocity and stiffness are 1."""
+    """Return the collision by the exponents, in units in which velocity and stiffness are 1."""
     (alpha,), stiffness = law.elastic.parameters, law.elastic.factor
     if law.viscous.factor == 0.0:
         return Collision(1.0, 0.0)
@@ -325,7 +325,7 @@ def _collide_powers(law, velocity):
 
 
 def _largest_compression(law, velocity):
-    """The compression u with 4V(−u) = v₀², which is not exceeded."""
+    """Return the compression u with 4V(−u) = v₀², which is not exceeded."""
     energy, low = 0.25 * velocity**2, law.domain[0]
     rest = float(law.elastic.value(0.0))
 
@@ -353,7 +353,7 @@ def _largest_compression(law, velocity):
 
 
 def _damping_of(law, velocity, largest):
-    """The function g(ln(ρ/v₀), sin θ) of a law."""
+    """Return the function g(ln(ρ/v₀), sin θ) of a law."""
     rest, no_slope = float(law.elastic.value(0.0)), float(law.viscous.first(0.0))
     # From exp(−50) of the largest compression, where nothing is felt, to a rounding beyond it.
     limits = math.log(largest) - 50.0, math.log(1.01 * largest)

@@ -1,7 +1,7 @@
 """Checks of a user's functions before they make a potential.
 
-A function of the strain is given arrays; a derivative is compared with a difference quotient of
-fourth order of the function before it, at nodes inside the interval.
+A function of the strain must take arrays.  Each derivative is compared with a difference quotient
+of fourth order of the function before it, at nodes inside the interval.
 """
 
 import itertools
@@ -20,7 +20,7 @@ DIFFERENCE_STEP, DIFFERENCE_TOLERANCE = 1.0e-4, 1.0e-6
 
 
 def check_interval(interval):
-    """Both ends of an interval in order, as floats."""
+    """Return both ends of an interval in order, as floats."""
     ends = sequence("interval", interval)
     if ends.size != 2 or not ends[0] < ends[1]:
         raise InputError(f"interval is {interval}, but its ends must increase: give them in order.")
@@ -28,7 +28,7 @@ def check_interval(interval):
 
 
 def check_kinks(kinks):
-    """Strains as a tuple of floats, which may be empty."""
+    """Return the strains as a tuple of floats, which may be empty."""
     empty = isinstance(kinks, (tuple, list)) and not kinks
     return () if empty else tuple(map(float, sequence("kinks", kinks)))
 
@@ -94,5 +94,5 @@ def _check_derivative(function, derivative, nodes, step, symbol, name):
 
 
 def nodes_inside(low, high):
-    """The Gauss nodes of an interval, at which functions are checked."""
+    """Return the Gauss nodes of an interval, at which functions are checked."""
     return 0.5 * (low + high) + 0.5 * (high - low) * GAUSS_NODES

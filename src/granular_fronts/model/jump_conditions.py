@@ -30,7 +30,7 @@ Close states.  The differences above lose all digits as :math:`[\![R]\!] \to 0`.
       = -\tfrac12 [\![R]\!]^3 \int_0^1 s(1-s)\,V'''(r(s))\,ds .
 
 The last is the signed area (19), and shows σ = −sign([[R]] V''') where V''' has one sign.  Gauss
-quadrature on one interval and on two estimates its own error, so that a kink between the states is
+quadrature on one interval and on two estimates its own error.  So a kink between the states is
 noticed, and the differences are taken there instead.
 """
 
@@ -117,21 +117,21 @@ def jump_conditions(
     mass: float = 1.0,
     dissipation: Potential | None = None,
 ) -> JumpConditions:
-    """Speed, direction, velocities and losses of a front between two states.
+    """Compute speed, direction, velocities and losses of a front between two states.
 
     The conditions are necessary; they do not say that a front exists.
 
     Parameters
     ----------
     law : Law, Mapping or Potential
-        A law, or the mapping of which `granular_fronts.make_law` makes one; or V alone.
+        A law, a mapping for `granular_fronts.make_law`, or only V.
     R_minus, R_plus : float
         States at n → −∞ and n → +∞; negative in compression.
     mass : float, optional
         m, above 0.
     dissipation : Potential, optional
-        W beside V alone. None stands for some convex potential that acts between the states, which
-        is all that the results depend on; a law without damping makes a conservative chain.
+        W, if law is only V.  None means some convex potential that acts between the states; the
+        results depend on nothing else.  A law without damping makes a conservative chain.
 
     Returns
     -------
@@ -183,7 +183,7 @@ def _conditions(potential, R_minus, R_plus, mass, dissipation):
 
 
 def signed_area(potential, R_minus, R_plus):
-    """S of eq. (17), the signed area (19) between the force and its chord, an `Estimate`."""
+    """Return S of eq. (17), the signed area (19) between the force and its chord, an `Estimate`."""
     jump = R_plus - R_minus
 
     def from_third_derivative():
@@ -213,7 +213,7 @@ def _mean_stiffness(potential, R_minus, R_plus):
 
 
 def _squared_speed(potential, R_minus, R_plus):
-    """[[V']]/[[R]] of eq. (13)."""
+    """Return [[V']]/[[R]] of eq. (13)."""
     jump = R_plus - R_minus
     return _first_good(
         [
@@ -229,7 +229,7 @@ def _difference(function, R_minus, R_plus):
 
 
 def _mean(function):
-    """∫ of a function from 0 to 1 by Gauss quadrature, its error from a cut in two."""
+    """Return ∫ of a function from 0 to 1 by Gauss quadrature, its error from a cut in two."""
     whole, _ = _quadrature(function, 0.0, 1.0)
     (left, size_left), (right, size_right) = (
         _quadrature(function, *panel) for panel in ((0.0, SPLIT), (SPLIT, 1.0))
@@ -239,14 +239,14 @@ def _mean(function):
 
 
 def _quadrature(function, start, stop):
-    """Integral from start to stop, and the integral of the absolute values."""
+    """Return the integral from start to stop, and the integral of the absolute values."""
     half = 0.5 * (stop - start)
     terms = half * WEIGHTS * function(start + half * (1.0 + NODES))
     return float(terms.sum()), float(np.abs(terms).sum())
 
 
 def _first_good(ways):
-    """The first way that is good enough, in an order of trust, or else the best of all."""
+    """Return the first way that is good enough, in an order of trust, or else the best of all."""
     estimates = []
     for way in ways:
         estimate = way()
@@ -267,7 +267,7 @@ def _at(function, R):
 
 
 def _stiffnesses(potential, R_minus, R_plus):
-    """V'' at the nodes between the states, once all that is needed of V is known to be finite."""
+    """Return V'' at the nodes between the states, after checking that V is finite."""
     between = R_minus + 0.5 * (1.0 + NODES) * (R_plus - R_minus)
     and_ends = np.array([R_minus, *between, R_plus])
     _finite(potential, "V", potential.value, and_ends)
@@ -293,7 +293,7 @@ def _sound_speed(potential, R, mass):
 
 
 def _potentials(law, dissipation):
-    """V and W (None if W is not given) of a law or of a potential."""
+    """Return V and W (None if W is not given) of a law or of a potential."""
     if dissipation is not None:
         instance("dissipation", dissipation, Potential, "make one with granular_fronts.Potential")
     if isinstance(law, Potential):
@@ -302,13 +302,13 @@ def _potentials(law, dissipation):
     if dissipation is not None:
         raise InputError(
             f"dissipation is {dissipation.name}, but the law has a viscous potential already, "
-            f"{law.viscous.name}: leave dissipation out, or give the elastic potential alone."
+            f"{law.viscous.name}: leave dissipation out, or give only the elastic potential."
         )
     return law.elastic, law.viscous
 
 
 def _check_states(*potentials, **states):
-    """Two different states inside the domains of the potentials, as floats."""
+    """Return two different states inside the domains of the potentials, as floats."""
     for potential in potentials:
         if potential is None:
             continue
@@ -371,13 +371,12 @@ def _check_dissipation(potential, dissipation, area, R_minus, R_plus):
         return
     if abs(area.value) > area.error:
         raise InputError(
-            "Nothing dissipates between the states, and the signed area of eq. (20) is "
-            f"{area.value:.6g} where a front of a conservative chain needs 0, as it never is where "
-            "V''' has one sign (James 2021, Remark 4): add dissipation."
+            "Nothing dissipates between the states.  A front of a conservative chain then needs "
+            f"the signed area (20) to be 0, but it is {area.value:.6g}, as where V''' has one "
+            "sign (James 2021, Remark 4): add dissipation."
         )
     raise InputError(
-        "Nothing dissipates between the states and the signed area of eq. (20) is 0: if a front "
-        f"of speed {math.sqrt(max(_squared_speed(potential, R_minus, R_plus).value, 0.0)):.6g} "
-        "(for mass 1) exists it may run either way, and no direction follows (James 2021, "
-        "Remark 4): add dissipation."
+        "Nothing dissipates between the states, and the signed area (20) is 0.  If a front of "
+        f"speed {math.sqrt(max(_squared_speed(potential, R_minus, R_plus).value, 0.0)):.6g} "
+        "(for mass 1) exists, it may run either way (James 2021, Remark 4): add dissipation."
     )

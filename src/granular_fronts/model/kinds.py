@@ -1,13 +1,13 @@
 r"""Named potentials of a contact: one function and one entry for each kind.
 
 A potential of a named kind is :math:`a\,\varphi(r; p)`: a factor, which the configuration calls
-stiffness, strength, depth or γ, and a shape φ with parameters p.  One function
-``shape(r, order, p)`` gives φ, φ', φ'' and φ''' for the orders 0 to 3.  It is written of
-arithmetic, of the functions below and of those of numpy that take numbers as well as arrays, such
-as `cosh` and `maximum`.  Theory applies it to arrays; `model.passes` compiles it for single
-numbers, so that chains and exact fronts have the same law.
+stiffness, strength, depth or γ, and a shape φ with parameters p.  One function ``shape(r, order,
+p)`` gives φ, φ', φ'' and φ''' for the orders 0 to 3.  It uses arithmetic, the functions below, and
+functions of numpy that take numbers as well as arrays, such as `cosh` and `maximum`.  Theory
+applies it to arrays; `model.passes` compiles it for single numbers, so that chains and exact fronts
+have the same law.
 
-A further kind needs its function and its entry in `ELASTIC` here, and nothing elsewhere: then
+A further kind needs its function and its entry in `ELASTIC` here, and nothing elsewhere.  Then
 configuration, scenes, exact fronts, jump conditions, collisions and campaigns know it.  All shapes
 with a minimum have it at r = 0, where the chain is at rest.
 """
@@ -20,17 +20,17 @@ import numpy as np
 
 
 def exponential(x):
-    """e^x, for which `model.passes` compiles vector code."""
+    """Return e^x, for which `model.passes` compiles vector code."""
     return np.exp(x)
 
 
 def exponential_less_one(x):
-    """e^x − 1 without cancellation, for which `model.passes` compiles vector code."""
+    """Return e^x − 1 without cancellation, for which `model.passes` compiles vector code."""
     return np.expm1(x)
 
 
 def hertz(r, order, p):
-    """(−r)₊^(α+1)/(α + 1), p = (α,); at r = 0 the limit of the compressed side."""
+    """Return (−r)₊^(α+1)/(α + 1), p = (α,); at r = 0 the limit of the compressed side."""
     coefficient, exponent = hertz_power(order, p[0])
     if coefficient == 0.0:
         return np.zeros_like(r)
@@ -38,7 +38,7 @@ def hertz(r, order, p):
 
 
 def hertz_power(order, alpha):
-    """Coefficient and exponent of (−r)₊ in the derivatives of `hertz`."""
+    """Return the coefficient and exponent of (−r)₊ in the derivatives of `hertz`."""
     if order == 0:
         return 1.0 / (alpha + 1.0), alpha + 1.0
     if order == 1:
@@ -49,7 +49,7 @@ def hertz_power(order, alpha):
 
 
 def quadratic(r, order, p):
-    """r²/2, p = ()."""
+    """Return r²/2, p = ()."""
     if order == 0:
         return 0.5 * r * r
     if order == 1:
@@ -58,7 +58,7 @@ def quadratic(r, order, p):
 
 
 def fpu(r, order, p):
-    """κr²/2 + ar³/3 + br⁴/4, p = (κ, a, b): Fermi, Pasta, Ulam; α has b = 0, β has a = 0."""
+    """Return κr²/2 + ar³/3 + br⁴/4, p = (κ, a, b): Fermi, Pasta, Ulam; α has b = 0, β has a = 0."""
     kappa, a, b = p
     if order == 0:
         return r * r * (kappa / 2.0 + r * (a / 3.0 + r * (b / 4.0)))
@@ -70,7 +70,7 @@ def fpu(r, order, p):
 
 
 def toda(r, order, p):
-    """(e^(−br) + br − 1)/b, p = (b,), stiffer in compression."""
+    """Return (e^(−br) + br − 1)/b, p = (b,), stiffer in compression."""
     rate = p[0]
     if order == 0:
         return (exponential_less_one(-rate * r) + rate * r) / rate
@@ -82,7 +82,7 @@ def toda(r, order, p):
 
 
 def morse(r, order, p):
-    """(1 − e^(−br))², p = (b,), a well of depth 1."""
+    """Return (1 − e^(−br))², p = (b,), a well of depth 1."""
     rate = p[0]
     decay, less_one = exponential(-rate * r), exponential_less_one(-rate * r)
     if order == 0:
@@ -95,7 +95,7 @@ def morse(r, order, p):
 
 
 def lennard_jones(r, order, p):
-    """(s⁻⁶ − 1)², s = 1 + r/d, p = (d,): s⁻¹² − 2s⁻⁶ raised to 0 at its minimum r = 0.
+    """Return (s⁻⁶ − 1)², s = 1 + r/d, p = (d,): s⁻¹² − 2s⁻⁶ raised to 0 at its minimum r = 0.
 
     It holds for r > −d and is infinite elsewhere.
     """

@@ -67,7 +67,7 @@ class Law:
 
     @property
     def beta(self) -> float:
-        """Exponent of the viscous force, α where there is none."""
+        """Exponent of the viscous force, α without one."""
         law = self._power_law()
         is_power = law.viscous.shape is kinds.hertz
         return law.viscous.parameters[0] if is_power else law.alpha
@@ -89,13 +89,13 @@ class Law:
         return max(low, viscous_low), min(high, viscous_high)
 
     def with_damping(self, factor: float) -> Law:
-        """The law with W multiplied by a number of 0 or more."""
+        """Return the law with W multiplied by a number of 0 or more."""
         return replace(self, viscous=self.viscous.scaled(factor))
 
     def describe(self) -> dict[str, Any]:
-        """The mapping of which `make_law` makes the law, as configurations and data files have it.
+        """Return the mapping from which `make_law` makes the law, as in configurations and files.
 
-        In the place of a user's own functions stands a note that a file cannot hold them.
+        A note replaces a user's own functions, which a file cannot hold.
         """
         if self.is_power:
             return {"alpha": self.alpha, "beta": self.beta, "gamma": self.gamma}
@@ -112,21 +112,21 @@ class Law:
         if not self.is_power:
             raise InputError(
                 f"The law of {self.elastic.name} and {self.viscous.name} has no alpha, beta and "
-                "gamma, which are those of the law (28): ask for what its potentials give."
+                "gamma, which belong to the law (28): ask for its potentials."
             )
         return self
 
 
 def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) -> Law:
-    """A law from the mapping of a configuration, or from the same as keywords.
+    """Make a law from the mapping of a configuration, or from the same as keywords.
 
     Parameters
     ----------
     mapping : Mapping or Law, optional
         In place of keywords; a law is returned as it is.
     alpha, beta, gamma : float
-        The short form: exponents of the elastic and of the viscous force, above 0, and strength
-        of the viscous one, 0 or more; β = α and γ = 0 by default.
+        The short form: exponents of the elastic and of the viscous force, above 0, and strength of
+        the viscous force, 0 or more.  Defaults are β = α and γ = 0.
     elastic, viscous : Mapping or Potential
         The long form: mappings with a kind and its parameters, or a user's own potentials; without
         a viscous one nothing dissipates.
@@ -209,7 +209,7 @@ class _Dependent(NamedTuple):
 
     make: Callable[..., Potential]
     parameters: Mapping[str, kinds.Parameter]
-    of_hertz: bool = False  # Whether it belongs to Hertz potentials alone.
+    of_hertz: bool = False  # Whether it belongs only to Hertz potentials.
 
 
 def _in_proportion(elastic, gamma):

@@ -15,19 +15,18 @@ A map is a C function, reached by its address from kernels that need not be comp
     void map(double *u, double *result, int64 first, int64 last, double *parameters)
 
 for the contacts first … last, both included; `result` is another row than `u`.  Maps of named kinds
-are compiled once for all parameters and cached on disk; those of a user's functions are compiled in
-a fraction of a second for each potential.  Where a law does not hold they give no finite number, so
-that no run leaves its domain unnoticed.
+are compiled once for all parameters and cached on disk.  Maps of a user's functions are compiled in
+a fraction of a second for each potential.  Outside the domain of a law they give no finite number,
+so that no run leaves it unnoticed.
 
 Compilation freezes the values of the variables outside a user's function, while Python sees them
-change.  Whenever a map is asked for, its numbers are compared with those of the function itself, so
-that no run mixes two laws.
+change.  At each request for a map its numbers are compared with the function itself, so that no run
+mixes two laws.
 
-Vector code.  Powers of a contact are products with a square root where the exponent is 1/2, 1, 3/2,
-2 or 5/2, and the vector code of `numerics.vector_functions` elsewhere; so are exponentials.
-Compressions up to `NEGLIGIBLE` exert no force: they could not influence another bead in double
-precision, and arithmetic on the subnormal numbers that their powers lead to is a hundred times
-slower.
+Vector code.  Powers of a contact are products with a square root for the exponents 1/2, 1, 3/2, 2
+and 5/2.  Other powers and exponentials use the vector code of `numerics.vector_functions`.
+Compressions up to `NEGLIGIBLE` exert no force.  They could not influence another bead in double
+precision, and arithmetic on the subnormal numbers of their powers is a hundred times slower.
 """
 
 import ctypes
@@ -64,13 +63,13 @@ ROW_MAP = types.void(ROW, ROW, types.int64, types.int64, ROW)
 
 _NAMED = {"fastmath": {"contract"}, "error_model": "numpy"}
 _USER = {"fastmath": {"contract", "afn"}, "error_model": "numpy"}
-"""Arithmetic of a user's functions: a multiply and an add may fuse, and a power whose constant
-exponent is a multiple of 1/2 becomes products and a square root, ten times faster and good to about
-as many units of the last place as its exponent."""
+"""Arithmetic of a user's functions: a multiply and an add may fuse.  A power with a multiple of 1/2
+as constant exponent becomes products and a square root, ten times faster.  It errs by about as many
+units of the last place as its exponent."""
 
 
 def row_map(potential, order):
-    """Address of the row map of a derivative of a potential, valid as long as the process.
+    """Return address of the row map of a derivative of a potential, valid as long as the process.
 
     The order is 0 to 3: energy, force, its slope and the slope of that; `call_row_map` calls it,
     with `row_parameters`. An InputError says that numba cannot compile a user's function, or that
@@ -85,7 +84,7 @@ def row_map(potential, order):
 
 
 def row_parameters(potential, order):
-    """Parameters of the row map of a derivative, an array for `call_row_map`."""
+    """Return the parameters of the row map of a derivative, an array for `call_row_map`."""
     factor = (-1.0) ** order * potential.factor
     if potential.shape is kinds.hertz:
         coefficient, exponent = kinds.hertz_power(order, *potential.parameters)
@@ -120,7 +119,7 @@ def call_row_map(typing_context, address, u, result, first, last, parameters):
 
 
 def _pointer(context, builder, type_, value):
-    """Address of the first number of an array; a pointer is one."""
+    """Return the address of the first number of an array; a pointer is one."""
     if isinstance(type_, types.Array):
         value = context.make_array(type_)(context, builder, value).data
     return builder.bitcast(value, ir.DoubleType().as_pointer())
@@ -138,7 +137,7 @@ def _map_of_shape(shape, order, count):
 
 
 def _loop(shape, order, size):
-    """The loop of a shape; by what it encloses numba's cache keeps it apart from others."""
+    """Return the loop of a shape; by what it encloses numba's cache keeps it apart from others."""
 
     def evaluate_row(u, result, first, last, parameters):
         numbers = to_fixed_tuple(carray(parameters, size), size)
@@ -210,7 +209,7 @@ def _compression(u):
 
 @functools.cache
 def _map_of_given(potential, order):
-    """The loop of a user's function, compiled in memory; NaN outside the domain ends a run."""
+    """Return loop of a user's function, compiled in memory; NaN outside the domain ends a run."""
     function, (low, high) = potential.scalar_functions[order], potential.domain
     # What is no Python function, such as np.sinh, numba either knows or not.
     compiled = numba.njit(**_USER)(function) if inspect.isfunction(function) else function
@@ -252,14 +251,14 @@ def _compare(address, potential, order):
 
 @functools.lru_cache(maxsize=256)
 def _nodes(potential):
-    """Strains inside each interval between kinks."""
+    """Return the strains inside each interval between kinks."""
     low, high = potential.domain
     inside = sorted({kink for kink in potential.kinks if low < kink < high})
     return np.concatenate([nodes_inside(*ends) for ends in pairwise([low, *inside, high])])
 
 
 def _call(address, u):
-    """What a map without parameters but the factor 1 makes of a row."""
+    """Return what a map without parameters but the factor 1 makes of a row."""
     result, factor = np.empty_like(u), np.ones(1)
     _C_MAP(address)(u.ctypes.data, result.ctypes.data, 0, u.size - 1, factor.ctypes.data)
     return result
@@ -286,6 +285,6 @@ def _number_of(x):
 
 
 def _first_line(error):
-    """What numba says of an error, without its colours and its advice."""
+    """Return what numba says of an error, without its colours and its advice."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     return next((line for line in lines if not line.startswith("Failed in")), "nothing")

@@ -10,12 +10,11 @@ granular chains is (4), the generalised Hertz potential for both:
 .. math:: V(r) = \frac{k}{\alpha+1}(-r)_+^{\alpha+1}, \qquad
           W(r) = \frac{\gamma_0 k}{\beta+1}(-r)_+^{\beta+1} .
 
-A `Potential` is either of the two: of a named kind (see `model.kinds`), of a user's own functions,
-or of a SymPy expression.  Its functions take and return arrays; `model.passes` compiles them for
-chains.  Potentials with a minimum have it at r = 0, where the chain is at rest; the units are the
-user's.
+A `Potential` is V or W.  It has a named kind (see `model.kinds`), a user's own functions, or a
+SymPy expression.  Its functions take and return arrays; `model.passes` compiles them for chains.
+Potentials with a minimum have it at r = 0, where the chain is at rest; the units are the user's.
 
-This module imports nothing heavier than numpy; SymPy is needed for expressions alone.
+This module imports nothing heavier than numpy; only expressions need SymPy.
 """
 
 from __future__ import annotations
@@ -88,13 +87,13 @@ class Potential:
     scalar_functions : tuple of callable or None
         The same in the form that is compiled for single numbers.
     origin : Origin or None
-        Of a user's own potential, shared by its multiples alone.
+        Of a user's own potential, shared only by its multiples.
 
     Raises
     ------
     InputError
-        If a function is not vectorised or returns no finite numbers inside the interval, or if a
-        derivative disagrees with a finite difference of the function before it.
+        If a function is not vectorised, returns no finite numbers inside the interval, or disagrees
+        with a finite difference of the function before it.
 
     Examples
     --------
@@ -145,7 +144,7 @@ class Potential:
 
     @classmethod
     def _of(cls, **attributes):
-        """A potential with these attributes, unchecked."""
+        """Return a potential with these attributes, unchecked."""
         potential = object.__new__(cls)
         potential.__dict__.update(attributes)
         return potential
@@ -160,14 +159,14 @@ class Potential:
         kinks: Sequence[float] = (),
         name: str | None = None,
     ) -> Potential:
-        """A potential from a SymPy expression, which is differentiated for the user.
+        """Return a potential from a SymPy expression, which is differentiated for the user.
 
         Parameters
         ----------
         expression : sympy.Expr
             V, an expression of one symbol.
         symbol : sympy.Symbol
-            The one that stands for r.
+            The symbol of r.
         interval, kinks : tuple of float
             As for `Potential`.
         name : str, optional
@@ -180,8 +179,8 @@ class Potential:
         Raises
         ------
         InputError
-            If it is no expression of SymPy, as a text is not, which would run as Python; if it has
-            other symbols or no numbers, or fails the check of `Potential`.
+            If it is no expression of SymPy (a text would run as Python), has other symbols or no
+            numbers, or fails the check of `Potential`.
         ModuleNotFoundError
             Without SymPy.
 
@@ -201,7 +200,7 @@ class Potential:
                 name="sympy",
             ) from error
         instance("expression", expression, sympy.Expr, "make one of sympy.Symbol('r')")
-        instance("symbol", symbol, sympy.Symbol, "give the one that stands for r")
+        instance("symbol", symbol, sympy.Symbol, "give the symbol of r")
         others = sorted(map(str, expression.free_symbols - {symbol}))
         if others:
             raise InputError(
@@ -236,15 +235,15 @@ class Potential:
         return None if self.kind == GIVEN else KINDS[self.kind].shape
 
     def value(self, r: npt.ArrayLike) -> np.ndarray:
-        """V(r), from an array of r to an array of the same shape."""
+        """Return V(r), from an array of r to an array of the same shape."""
         return self.derivative(r, 0)
 
     def first(self, r: npt.ArrayLike) -> np.ndarray:
-        """V'(r)."""
+        """Return V'(r)."""
         return self.derivative(r, 1)
 
     def second(self, r: npt.ArrayLike) -> np.ndarray:
-        """V''(r)."""
+        """Return V''(r)."""
         return self.derivative(r, 2)
 
     @property
@@ -254,7 +253,7 @@ class Potential:
         return functools.partial(self.derivative, order=3) if known else None
 
     def derivative(self, r: npt.ArrayLike, order: int) -> np.ndarray:
-        """The derivative of an order from 0 to 3; 3 only where `third` is known."""
+        """Return the derivative of an order from 0 to 3; 3 only where `third` is known."""
         r = np.asarray(r, dtype=float)
         with np.errstate(all="ignore"):
             if self.functions is not None:
@@ -262,15 +261,15 @@ class Potential:
             return self.factor * KINDS[self.kind].shape(r, order, self.parameters)
 
     def scaled(self, factor: float) -> Potential:
-        """The potential times a number of 0 or more."""
+        """Return the potential times a number of 0 or more."""
         return self.with_factor(self.factor * factor)
 
     def with_factor(self, factor: float) -> Potential:
-        """The same functions with another factor."""
+        """Return the same functions with another factor."""
         return self._of(**vars(self) | {"factor": factor})
 
     def ratio_to(self, other: Potential) -> float | None:
-        """The number a for which this potential is a times the other one; None if there is none."""
+        """Return the number a for which this potential is a times the other one, or None."""
         mine, others = (
             (potential.shape, potential.parameters, potential.functions)
             for potential in (self, other)
@@ -280,7 +279,7 @@ class Potential:
         return self.factor / other.factor if mine == others and other.factor > 0.0 else None
 
     def describe(self) -> dict[str, Any]:
-        """The mapping of which `make_potential` makes it; a note for a user's own functions."""
+        """Return mapping of which `make_potential` makes it; a note for a user's own functions."""
         if self.kind == GIVEN:
             return {
                 "kind": GIVEN,
@@ -295,7 +294,7 @@ class Potential:
 
 
 def make_potential(kind: str, **parameters: float) -> Potential:
-    """A potential of a named kind, with its parameters; those that have a default may be left out.
+    """Make a potential of a named kind; parameters with a default may be left out.
 
     An InputError says that there is no such kind or parameter, or that a value is out of range.
 
@@ -320,7 +319,7 @@ def make_potential(kind: str, **parameters: float) -> Potential:
 
 
 def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
-    """The entry of a name, or a sentence that says what it is not, with the nearest name."""
+    """Return the entry of a name, or a sentence that says what it is not, with the nearest name."""
     if isinstance(name, str) and name in known:
         return known[name]
     near = difflib.get_close_matches(str(name), known, n=1)
@@ -331,7 +330,7 @@ def look_up(name: object, meaning: str, known: Mapping[str, Any]) -> Any:
 def checked_parameters(
     kind: str, known: Mapping[str, Parameter], given: Mapping[str, Any]
 ) -> dict[str, float]:
-    """The parameters of a kind by name, checked; those left out have their defaults."""
+    """Return the parameters of a kind by name, checked; those left out have their defaults."""
     for name in given:
         look_up(name, f"parameter of {kind}", known)
     missing = [name for name in known if name not in given and known[name].default is None]
@@ -350,12 +349,12 @@ def checked_parameters(
 
 
 def _hashable(function):
-    """A callable, in a function if it has no hash, as polynomials of numpy have none."""
+    """Return a callable, in a function if it has no hash, as polynomials of numpy have none."""
     if function is None or isinstance(function, Hashable):
         return function
     return lambda r: function(r)
 
 
 def _on_arrays(function):
-    """A function that gives an array even where SymPy found a constant."""
+    """Return a function that gives an array even where SymPy found a constant."""
     return lambda r: np.zeros_like(r) + function(r)

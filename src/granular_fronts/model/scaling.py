@@ -1,4 +1,4 @@
-r"""From a chain of real beads to the dimensionless chain and back; James (2021), section 3.1.
+r"""Convert between a chain of real beads and the dimensionless chain; James (2021), section 3.1.
 
 The chain (24) of beads of mass m, with the contact law
 :math:`F = k\,(u_+^\alpha + \gamma_0\,\tfrac{d}{dt}u_+^\beta)`, becomes (28), with m = k = 1 and
@@ -15,11 +15,11 @@ The chain (24) of beads of mass m, with the contact law
 (27) and (29).  Quantities are plain numbers in SI units: metres, seconds, kilograms, newtons;
 :math:`k` in N m⁻ᵅ and :math:`\gamma_0` in s m^(α−β), hence in seconds for β = α.
 
-Which velocity.  Of the two beads of a collision it is their relative velocity (see
-`model.collision`); of a front it is the velocity :math:`v_p` of the compressed beads:
-then (22) makes :math:`\delta_0` their compression, the front has δ = c = v_p = 1, and (30) says
-:math:`\gamma = \gamma_0 c` for β = α.  A chain held at the compression δ, or by the force
-:math:`k\delta^\alpha`, has :math:`\delta_0 = \delta` (Remark 5).
+Which velocity.  For two beads that collide it is their relative velocity (see `model.collision`).
+For a front it is the velocity :math:`v_p` of the compressed beads.  Then (22) makes
+:math:`\delta_0` their compression, the front has δ = c = v_p = 1, and (30) says :math:`\gamma =
+\gamma_0 c` for β = α.  A chain held at the compression δ, or by the force :math:`k\delta^\alpha`,
+has :math:`\delta_0 = \delta` (Remark 5).
 
 Weak damping.  :math:`v_c` is the velocity at which γ = 1.  For β above (α + 1)/2 the damping is
 weak well below it, for smaller β well above, and at β = (α + 1)/2 no velocity changes γ.
@@ -70,7 +70,7 @@ class Scaling:
     damping: float
     velocity: float
     alpha: float = 1.5
-    # None stands for α, which takes its place below.
+    # None means α, which replaces it below.
     beta: float = None  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
@@ -130,7 +130,7 @@ class Scaling:
                 f"gamma is {self.gamma:.6g} at every velocity, since beta = (alpha + 1)/2 or the "
                 "damping is 0 (James 2021, eq. 29): there is no velocity v_c."
             )
-        with double_precision("v_c", "bring the damping closer to that of gamma = 1"):
+        with double_precision("v_c", "bring gamma closer to 1"):
             return self.velocity * self.gamma ** (-1.0 / power)
 
     @property
@@ -151,11 +151,11 @@ class Scaling:
         return math.copysign(1.0 / self.time, self.alpha - 1.0)
 
     def to_physical(self, value: Value, quantity: str) -> Value:
-        """A dimensionless displacement, velocity, time, force or energy in SI units."""
+        """Return a dimensionless displacement, velocity, time, force or energy in SI units."""
         return value * self._scale(quantity)
 
     def to_dimensionless(self, value: Value, quantity: str) -> Value:
-        """A value in SI units made dimensionless; the inverse of `to_physical`."""
+        """Return a value in SI units made dimensionless; the inverse of `to_physical`."""
         return value / self._scale(quantity)
 
     def _scale(self, quantity: str) -> float:
@@ -197,14 +197,14 @@ def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float)
 def velocity_of_compression(
     delta: float, mass: float, stiffness: float, alpha: float = 1.5
 ) -> float:
-    """v₀ in m/s that makes the length scale the compression δ in metres, |v_p| of (22)."""
+    """Return v₀ in m/s that makes the length scale the compression δ in metres, |v_p| of (22)."""
     given = _positive(delta=delta, mass=mass, stiffness=stiffness, alpha=alpha)
     delta, mass, stiffness, alpha = given.values()
     return math.sqrt(stiffness / mass) * delta ** ((alpha + 1.0) / 2.0)
 
 
 def velocity_of_force(force: float, mass: float, stiffness: float, alpha: float = 1.5) -> float:
-    """v₀ in m/s of a chain pressed by a force in newtons, through its compression (F/k)^(1/α)."""
+    """Return v₀ in m/s of a chain pressed by a force in newtons, by its compression (F/k)^(1/α)."""
     force, k, alpha = _positive(force=force, stiffness=stiffness, alpha=alpha).values()
     return velocity_of_compression((force / k) ** (1.0 / alpha), mass, stiffness, alpha)
 
@@ -227,7 +227,7 @@ def damping_from_restitution(
 
 
 def _positive(**values: float) -> dict[str, float]:
-    """The values as floats above 0, by name, in the order given."""
+    """Return the values as floats above 0, by name, in the order given."""
     return {
         name: scalar(name, value, above=0.0, advice="give one in SI units")
         for name, value in values.items()

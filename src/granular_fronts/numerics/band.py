@@ -5,10 +5,10 @@ are zero.  There are `lower` diagonals below the main one and ``band.shape[1] - 
 
 Behind a front the rows of its equations hardly differ over a long stretch, and so do their factors
 from some distance on.  These rows are left out: after row ``prefix - 1`` that row of the factors
-stands for `skipped` more, where `skipped` is at least `lower`; or nothing is left out, and `prefix`
+replaces `skipped` more, where `skipped` is at least `lower`.  Or nothing is left out, and `prefix`
 is the number of rows.
 
-A row that is ready is subtracted from all rows below it before the next one: these differ, so that
+A row that is ready is subtracted from all rows below it before the next one.  These differ, so that
 no entry waits for the one before.  Loops run over slices with unsigned indices, which is what the
 compiler needs to see that neighbouring entries lie side by side in memory.
 """
@@ -63,7 +63,7 @@ def substitute(band, lower, prefix, skipped, x):
 
 @subroutine
 def _compact(i, prefix, skipped):
-    """Where the factors of row i are."""
+    """Return where the factors of row i are."""
     return i if i < prefix else max(prefix - 1, i - skipped)
 
 

@@ -17,7 +17,7 @@ from granular_fronts.numerics.interrupts import interrupted
 
 
 def band_storage(rows, lower, upper):
-    """Zeros for a matrix with this many rows, and bandwidths p = lower, q = upper."""
+    """Return the zeros for a matrix with this many rows, and bandwidths p = lower, q = upper."""
     return np.zeros((rows, 2 * lower + upper + 1))
 
 

@@ -7,7 +7,7 @@ from numba.extending import intrinsic
 
 @intrinsic
 def bits_of(typing_context, number):
-    """The 64 bits of a double, as an integer."""
+    """Return the 64 bits of a double, as an integer."""
 
     def generate(context, builder, signature, arguments):
         return builder.bitcast(arguments[0], ir.IntType(64))
@@ -17,7 +17,7 @@ def bits_of(typing_context, number):
 
 @intrinsic
 def double_of(typing_context, bits):
-    """The double that 64 bits stand for."""
+    """Return the double of 64 bits."""
 
     def generate(context, builder, signature, arguments):
         return builder.bitcast(arguments[0], ir.DoubleType())
@@ -27,7 +27,7 @@ def double_of(typing_context, bits):
 
 @intrinsic
 def multiply_add(typing_context, a, b, c):
-    """The sum a b + c, rounded once: with c = −fl(a b) it is the rounding error of the product."""
+    """Return a b + c, rounded once; with c = −fl(a b) the rounding error of the product."""
 
     def generate(context, builder, signature, arguments):
         return builder.fma(*arguments)

@@ -9,7 +9,7 @@ Errors of the fronts are magnified by :math:`\sum_i |w_i|`, which is 15 for four
 where it would be more than `LARGEST_WEIGHT`, fewer fronts are taken.
 
 The fronts lie in the rows of an array, front k in row k modulo their number, all with their middle
-at the same column; columns behind a front hold 1, columns ahead the state there.
+at the same column.  Columns behind a front hold 1, columns ahead the state there.
 """
 
 import numpy as np
@@ -32,7 +32,7 @@ def remember(u, first, ahead, row):
 
 @kernel
 def predict(past, known, places, place, first, margin):
-    """The start at a place ln γ, below the decreasing `places` of the fronts so far.
+    """Return the start at a place ln γ, below the decreasing `places` of the fronts so far.
 
     `past` has the shape (REMEMBERED, columns), and `known` ≥ 1 fronts were written into it.  The
     start begins at column `first`, and ends `margin` columns ahead of where the last front ends.
@@ -54,7 +54,7 @@ def predict(past, known, places, place, first, margin):
 
 @kernel
 def extrapolation_weights(places, place):
-    """Weights of the last fronts, of as many as do not magnify errors too much."""
+    """Return the weights of the last fronts, of as many as do not magnify errors too much."""
     for used in range(places.size, 1, -1):
         weights = _lagrange_weights(places[places.size - used :], place)
         magnification = 0.0
@@ -67,7 +67,7 @@ def extrapolation_weights(places, place):
 
 @subroutine
 def _lagrange_weights(places, place):
-    """Values at `place` of the polynomials that are 1 at one of the places and 0 at the others."""
+    """Return the values at `place` of polynomials, each 1 at one of the places, else 0."""
     weights = np.ones(places.size)
     for i in range(places.size):
         for j in range(places.size):

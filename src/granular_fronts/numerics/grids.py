@@ -7,7 +7,7 @@ ROUNDING = 1e-12
 
 
 def regular_points(start, stop, step):
-    """start, start + step, … up to a stop, which is itself the last point if a step hits it."""
+    """Return start, start + step, … up to a stop, itself included if a step hits it."""
     count = int(np.floor((stop - start) / step * (1 + ROUNDING)))
     points = start + step * np.arange(count + 1)
     # Rounding may carry the last point beyond the stop, or leave it short of it.

@@ -1,11 +1,11 @@
-"""The files that a script or a kernel stands on, read from imports without running any.
+"""Find the files that a script or a kernel needs, from imports and without running any.
 
 Let D(m) be the modules that the text of module m names in its import statements, those inside
-functions too, each with the packages above it, whose ``__init__`` runs first.  A module s stands on
-the smallest set S that holds s and, with each m, all of D(m).  Modules outside the given folders
-belong to no S: an environment pins them.
+functions too, each with the packages above it, whose ``__init__`` runs first.  A module s needs the
+smallest set S that holds s and, with each m, all of D(m).  Modules outside the given folders belong
+to no S: an environment pins them.
 
-A module that is named in a string, not in an import statement, must be given beside the script.
+A module that is named in a string, not in an import statement, must be given with the script.
 """
 
 import re
@@ -19,7 +19,7 @@ IMPORT = re.compile(r"^ *(?:from ([\w.]+) )?import (\([^)]*\)|.*)", re.MULTILINE
 
 
 def module_files(*folders: Path) -> dict[str, Path]:
-    """The file of each module below some folders by its dotted name."""
+    """Return the file of each module below some folders by its dotted name."""
     return {
         ".".join(file.relative_to(folder).with_suffix("").parts).removesuffix(".__init__"): file
         for folder in folders
@@ -28,10 +28,10 @@ def module_files(*folders: Path) -> dict[str, Path]:
 
 
 def import_closure(names: Iterable[str], files: Mapping[str, Path]) -> set[str]:
-    """The modules that some modules stand on, these and the packages above them included.
+    """Return the modules that some modules need, these and the packages above them included.
 
-    `names` are those of a script and of what it imports by a string.  Only `files`, as
-    `module_files` gives them, are followed; a given module without a file is a ValueError.
+    `names` are the script and what it imports by a string.  Only `files`, as `module_files` gives
+    them, are followed; a given module without a file is a ValueError.
     """
     if missing := sorted(set(names) - set(files)):
         raise ValueError(f"There is no module {missing[0]}: correct the rule that names it.")
@@ -45,7 +45,7 @@ def import_closure(names: Iterable[str], files: Mapping[str, Path]) -> set[str]:
 
 @cache
 def named_in(file: Path) -> set[str]:
-    """Dotted names that a file may import, each with the packages above it.
+    """Return the dotted names that a file may import, each with the packages above it.
 
     A name taken from a module may be a module itself, so both are among them.
     """
@@ -58,5 +58,5 @@ def named_in(file: Path) -> set[str]:
 
 
 def _packages_and(name: str) -> Iterable[str]:
-    """A dotted name after the packages above it, which Python imports before."""
+    """Return a dotted name after the packages above it, which Python imports before."""
     return accumulate(name.split("."), "{}.{}".format)

@@ -22,7 +22,7 @@ DIFFERENCES = np.array(
 
 @subroutine
 def _interpolate(values, position, behind, ahead, origin):
-    """The local polynomial at one position."""
+    """Return the local polynomial at one position."""
     if position < -NODES - origin:
         return behind
     if position > values.size + NODES - origin:
@@ -45,7 +45,7 @@ def _interpolate(values, position, behind, ahead, origin):
 
 @kernel
 def interpolate_all(values, positions, behind, ahead, origin=0):
-    """The local polynomials at many positions, shape of `positions` (1-D)."""
+    """Return the local polynomials at many positions, shape of `positions` (1-D)."""
     result = np.empty(positions.size)
     for k in range(positions.size):
         result[k] = _interpolate(values, positions[k], behind, ahead, origin)
@@ -54,7 +54,7 @@ def interpolate_all(values, positions, behind, ahead, origin=0):
 
 @subroutine
 def derivative(values, behind, ahead):
-    """Derivative at all points, per spacing, by central differences of order 20."""
+    """Return the derivative at all points, per spacing, by central differences of order 20."""
     result = np.zeros(values.size)
     for k in range(values.size):
         for j in range(1, REACH + 1):
@@ -66,7 +66,7 @@ def derivative(values, behind, ahead):
 
 @subroutine
 def find_level(values, level, behind, ahead):
-    """Where decreasing values pass a level for the last time, k + fraction, by bisection.
+    """Return where decreasing values pass a level for the last time, k + fraction, by bisection.
 
     The fraction is NaN if there is no such place.
     """
@@ -85,10 +85,10 @@ def find_level(values, level, behind, ahead):
 
 @kernel
 def largest(values, behind, ahead):
-    """The largest value of the interpolant.
+    """Return the largest value of the interpolant.
 
-    It is looked for next to every point above its neighbours that lies so high that, rising as
-    steeply beyond it as towards it, the interpolant could exceed the largest value on the grid.
+    It is sought next to high points above their neighbours.  A point is high if the interpolant,
+    rising as steeply beyond it as towards it, could exceed the largest value on the grid.
     """
     top = values[0]
     for value in values:
@@ -104,7 +104,7 @@ def largest(values, behind, ahead):
 
 @subroutine
 def _crest_value(values, k, behind, ahead):
-    """The maximum of the interpolant next to a point, by ternary search."""
+    """Return the maximum of the interpolant next to a point, by ternary search."""
     left, right = -1.0, 1.0
     # The value is flat at the crest, so that half the digits of its place suffice.
     for _ in range(45):

@@ -1,9 +1,9 @@
 """Ctrl-C inside compiled loops.
 
-While compiled code runs, Python only notes that an interrupt has come.  A loop that may run long
-asks `interrupted` in each turn and leaves when it is true, with whatever it has; the interrupt is
-handed back to Python, which raises KeyboardInterrupt, or does what else the user has chosen, before
-anybody sees the result.
+While compiled code runs, Python only notes that an interrupt has come.  A long loop asks
+`interrupted` in each turn and leaves when it is true, with an unfinished result.  The interrupt is
+handed back to Python, which raises KeyboardInterrupt, or does what the user has chosen, before the
+result is used.
 """
 
 from numba import types
@@ -17,7 +17,7 @@ _set_interrupt = types.ExternalFunction("PyErr_SetInterrupt", types.void())
 
 @subroutine
 def interrupted():
-    """Whether Ctrl-C waits to be answered."""
+    """Return whether Ctrl-C waits to be answered."""
     if _interrupt_has_come() == 0:
         return False
     _set_interrupt()

@@ -14,7 +14,7 @@ SHORT_STEP = 1.0e-9
 
 @kernel
 def polynomial(coefficients, theta):
-    """Value of a polynomial, constant coefficient first."""
+    """Return the value of a polynomial, constant coefficient first."""
     value = 0.0
     for power in range(coefficients.size - 1, -1, -1):
         value = value * theta + coefficients[power]
@@ -23,11 +23,11 @@ def polynomial(coefficients, theta):
 
 @kernel
 def crossing(coefficients, level, low=0.0, high=1.0):
-    """A θ from `low` to `high` where the polynomial meets `level`, to the last bit.
+    """Return a θ from `low` to `high` where the polynomial meets `level`, to the last bit.
 
     Newton's method, kept inside a bracket that each value narrows; where it would leave the bracket
-    the bracket is halved.  The polynomial must start on one side of the level and end on the other;
-    where rounding keeps it from the level, the place is its end.
+    the bracket is halved.  The polynomial must start on one side of the level and end on the other.
+    If rounding keeps it from the level, the place is its end.
     """
     start, end = polynomial(coefficients, low), polynomial(coefficients, high)
     rising = start < level
@@ -56,7 +56,7 @@ def crossing(coefficients, level, low=0.0, high=1.0):
 
 @kernel
 def derivative(coefficients):
-    """Coefficients of the derivative of a polynomial."""
+    """Return the coefficients of the derivative of a polynomial."""
     result = np.empty(coefficients.size - 1)
     for power in range(1, coefficients.size):
         result[power - 1] = power * coefficients[power]

@@ -9,7 +9,7 @@ The profile equation (`profile`) needs, at each grid point ξ, the three integra
     \int_{0}^{1} P(\xi - s)\,ds .
 
 On every cell of the grid the function is replaced by the polynomial through the `order` points
-around it, half of them on each side, and the product with the kernel, which is linear there, is
+around it, half of them on each side.  Its product with the kernel, which is linear there, is
 integrated exactly.  The weights are rational numbers, computed as such once per grid.  The rule is
 exact for polynomials of degree below `order`, with an error of the order h^order.  The spacing h
 may be any rational number, above 1 too: then the kernel covers parts of two cells only.
@@ -33,7 +33,7 @@ class Weights(NamedTuple):
 
 @functools.cache
 def kernel_weights(spacing: Fraction, order: int) -> Weights:
-    """Weights on a grid of spacing h, in sites.
+    """Return the weights on a grid of spacing h, in sites.
 
     The order is the number of points of the local polynomial, even.
     """
@@ -47,7 +47,7 @@ def kernel_weights(spacing: Fraction, order: int) -> Weights:
 
 
 def _one_sided(spacing, order):
-    """Exact weights of ∫_0^1 P(ξ + s) ds and ∫_0^1 s P(ξ + s) ds."""
+    """Return the exact weights of ∫_0^1 P(ξ + s) ds and ∫_0^1 s P(ξ + s) ds."""
     cells = math.ceil(1 / spacing)
     width = cells - 1 + order // 2
     moments = _moments(order, Fraction(1)), _moments(order, 1 / spacing - (cells - 1))
@@ -68,7 +68,7 @@ def _one_sided(spacing, order):
 
 @functools.cache
 def _moments(order, end):
-    """∫_0^end L(t) dt and ∫_0^end t L(t) dt of all cardinal polynomials L over one denominator.
+    """Return ∫_0^end L(t) dt and ∫_0^end t L(t) dt of cardinal polynomials, one denominator.
 
     The result is the array of numerators, shape (2, order), and the denominator.
     """
@@ -81,7 +81,7 @@ def _moments(order, end):
 
 @functools.cache
 def _cardinals(order):
-    """Polynomials that are 1 at one of the nodes 1 − p/2 … p/2 and 0 at the others."""
+    """Return the polynomials that are 1 at one of the nodes 1 − p/2 … p/2 and 0 at the others."""
     nodes = range(1 - order // 2, order // 2 + 1)
     products = [math.prod(node - other for other in nodes if other != node) for node in nodes]
     denominator = math.lcm(*products)

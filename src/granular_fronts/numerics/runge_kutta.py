@@ -21,11 +21,11 @@ linear in the slopes too, and go through the same algebra: for a weight vector :
 combination in :math:`u` has the weights :math:`h\gamma e` on :math:`g` and :math:`h^2 eA` on
 :math:`k`.
 
-Storage.  The slopes of the stages stand in rows side by side, in *slots*: those of the first two
-stages change places, since from stage 5 on no stage uses the second one.  A stage then sums `SHORT`
-or `LONG` neighbouring rows from `FIRST_SLOT` on, which a compiler unrolls and vectorises; weights
-of rows that it does not use are zero.  The new state and the error estimates use the slopes of
-`FINAL_STAGES` alone.
+Storage.  The slopes of the stages are in adjacent rows, in *slots*.  The first two stages change
+places, since from stage 5 on no stage uses the second one.  A stage then sums `SHORT` or `LONG`
+neighbouring rows from `FIRST_SLOT` on, which a compiler unrolls and vectorises.  Weights of rows
+that it does not use are zero.  The new state and the error estimates use only the slopes of
+`FINAL_STAGES`.
 
 Step control.  Where the state travels from one bead to the next the error of a step oscillates.
 The step therefore grows by :math:`0.9\,e^{-1/16}` only, with e the error in units of the tolerance,
@@ -59,7 +59,7 @@ CAUTION, SMALL_ERROR = 0.5, 0.02
 
 
 def _coefficient_matrix():
-    """A for all sixteen slopes; row 12 is the new point, whose weights are b."""
+    """Return a for all sixteen slopes; row 12 is the new point, whose weights are b."""
     matrix = np.zeros((SLOPES, SLOPES))
     matrix[:STAGES, :STAGES] = DOP853.A
     matrix[NEW_SLOPE, :STAGES] = DOP853.B
@@ -68,7 +68,7 @@ def _coefficient_matrix():
 
 
 def _continuous_weights():
-    r"""Monomial coefficients of :math:`b_j(\theta)`, shape (DEGREE + 1, SLOPES).
+    r"""Return the monomial coefficients of :math:`b_j(\theta)`, shape (DEGREE + 1, SLOPES).
 
     DOP853 nests its interpolant as θ(F₀ + (1 − θ)(F₁ + θ(F₂ + …))); here the nest is unfolded once.
     """
@@ -88,7 +88,7 @@ def _continuous_weights():
 
 
 def _in_slots(matrix):
-    """Rows of a matrix over slopes with the columns in the order of their slots."""
+    """Return the rows of a matrix over slopes with the columns in the order of their slots."""
     reordered = np.zeros_like(matrix)
     reordered[:, SLOT] = matrix
     return np.ascontiguousarray(reordered)
@@ -106,7 +106,7 @@ def _windows(matrix):
 
 
 def _times_matrix(weights):
-    """Weights times A; sums that the order conditions make zero are set to zero."""
+    """Return the weights times A; sums that the order conditions make zero are set to zero."""
     product = weights @ A
     return np.where(np.abs(product) < ROUNDING, 0.0, product)
 

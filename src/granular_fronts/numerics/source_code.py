@@ -1,8 +1,8 @@
 """What source files do, by digests that docstrings, comments and layout do not change.
 
-The digest of a file is that of its syntax tree without the strings that stand as statements of
-their own.  Since parsing all files takes a third of a second, a file of the cache folder keeps
-digests by the contents that they belong to.
+The digest of a file comes from its syntax tree without the strings that are statements.  Since
+parsing all files takes a third of a second, a file of the cache folder keeps digests by the
+contents that they belong to.
 """
 
 import ast
@@ -18,13 +18,13 @@ KEPT = "code_digests.json"
 
 
 def cache_root() -> Path:
-    """The folder of all that is derived from the sources: NUMBA_CACHE_DIR or the user's cache."""
+    """Return the folder of what is derived from sources: NUMBA_CACHE_DIR or the user's cache."""
     user_cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
     return Path(os.environ.get("NUMBA_CACHE_DIR", user_cache / "granular_fronts"))
 
 
 def code_digest(files: Iterable[Path], root: Path) -> str:
-    """Digest of Python files in any order, 16 hexadecimals.
+    """Return the digest of Python files in any order, 16 hexadecimals.
 
     What lies between `root`, a folder above them, and the files counts as their names.
     """
@@ -35,7 +35,7 @@ def code_digest(files: Iterable[Path], root: Path) -> str:
 
 @cache
 def file_digest(file: Path) -> str:
-    """Digest of what a file does, looked up where its contents are known."""
+    """Return the digest of what a file does, looked up where its contents are known."""
     content = file.read_bytes()
     key = hashlib.sha256(content).hexdigest()
     kept = _read_kept(cache_root() / KEPT)
@@ -46,7 +46,7 @@ def file_digest(file: Path) -> str:
 
 
 def syntax_digest(content: bytes) -> str:
-    """Digest of the syntax tree of a file without docstrings."""
+    """Return the digest of the syntax tree of a file without docstrings."""
     tree = ast.parse(content)
     for node in ast.walk(tree):
         for field in ("body", "orelse", "finalbody"):
@@ -57,14 +57,14 @@ def syntax_digest(content: bytes) -> str:
 
 
 def _is_docstring(node: ast.AST) -> bool:
-    """Whether a node is a string that stands as a statement of its own."""
+    """Return whether a node is a string that is a statement."""
     is_constant = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     return is_constant and isinstance(node.value.value, str)
 
 
 @cache
 def _read_kept(path: Path) -> dict[str, str]:
-    """The digests that are kept, none where the file is missing or damaged."""
+    """Return the digests that are kept, none where the file is missing or damaged."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):

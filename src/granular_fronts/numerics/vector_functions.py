@@ -9,8 +9,8 @@ on the bits, and with :math:`s = f/(2+f)`, :math:`f = m - 1`,
 .. math:: \ln m = f - \tfrac12 f^2 + s\,(\tfrac12 f^2 + R(s^2)), \qquad
     R(z) = z P(z) \approx \frac{\ln(1+s) - \ln(1-s)}{s} - 2,
 
-where the minimax polynomial `P` of degree 6 is that of the C library fdlibm (Sun Microsystems,
-1993); the error is below one unit of the last place.
+where the minimax polynomial `P` of degree 6 comes from the C library fdlibm (Sun Microsystems,
+1993).  The error is below one unit of the last place.
 
 Exponential less one.  :math:`x = k\ln 2 + r` with :math:`|r| \le \tfrac12\ln 2`, and
 
@@ -62,7 +62,7 @@ _CONTRACT = {"contract"}
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
 def _remainder_of_logarithm(s):
-    """R(s²)."""
+    """Return R(s²)."""
     z = s * s
     w = z * z
     return z * (P0 + w * (P2 + w * (P4 + w * P6))) + w * (P1 + w * (P3 + w * P5))
@@ -70,7 +70,7 @@ def _remainder_of_logarithm(s):
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
 def _small_exponential_less_one(r):
-    """e^r − 1 for |r| ≤ ½ ln 2."""
+    """Return e^r − 1 for |r| ≤ ½ ln 2."""
     tail = TAYLOR[12]
     for j in range(11, 0, -1):
         tail = TAYLOR[j] + r * tail
@@ -79,7 +79,7 @@ def _small_exponential_less_one(r):
 
 @kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
 def logarithm(x):
-    """Natural logarithm for a loop that is to be vectorised: no branch, no call.
+    """Return the natural logarithm for a loop that is to be vectorised: no branch, no call.
 
     x is normal, at least 2.3e-308, which is not checked.  The error is below one unit of the last
     place.
@@ -95,7 +95,7 @@ def logarithm(x):
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
 def _reduced_argument(x):
-    """Both r and 2^k of x = k ln 2 + r; k stays within the range of a double."""
+    """Return both r and 2^k of x = k ln 2 + r; k stays within the range of a double."""
     rounded = min(max(x * (1.0 / LN2), LOWEST_EXPONENT), INFINITE_EXPONENT) + ROUNDER
     k = rounded - ROUNDER
     return (x - k * LN2_HIGH) - k * LN2_LOW, double_of((bits_of(rounded) << FRACTION_BITS) + ONE)
@@ -103,7 +103,7 @@ def _reduced_argument(x):
 
 @kernel(fastmath=_CONTRACT, forceinline=True)
 def exponential(x):
-    """e^x for a loop that is to be vectorised: no branch, no call.
+    """Return e^x for a loop that is to be vectorised: no branch, no call.
 
     The error is below two units of the last place.  x is above −1e20, which is not checked; the
     result is infinite above 1023.5 ln 2, 709.4, and about 0 below −708.
@@ -114,17 +114,17 @@ def exponential(x):
 
 @kernel(fastmath=_CONTRACT, forceinline=True)
 def exponential_less_one(x):
-    """e^x − 1, the same way; nothing cancels where x is small."""
+    """Return e^x − 1, the same way; nothing cancels where x is small."""
     r, scale = _reduced_argument(x)
     return scale * _small_exponential_less_one(r) + (scale - 1.0)
 
 
 @kernel(fastmath=_CONTRACT, error_model="numpy", forceinline=True)
 def power(x, exponent):
-    """x^exponent for a loop that is to be vectorised: no branch, no call.
+    """Return x^exponent for a loop that is to be vectorised: no branch, no call.
 
     The error is below two units of the last place.  x is normal and the exponent below 2⁵⁰ in size,
-    which is not checked: any other gives a number without meaning.  The result is infinite from
+    which is not checked.  Any other gives a number without meaning.  The result is infinite from
     :math:`2^{1023.5}` on, and no less than about :math:`2^{-1022}`.
     """
     shifted = bits_of(x) + (ONE - ROOT_HALF)

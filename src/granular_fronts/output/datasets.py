@@ -5,8 +5,8 @@ since `time` means clock time to CF tools.  A recording with coordinates of its 
 as a suffix on variable and coordinates alike: `relative_displacement_grid` on (`t_grid`, `bead`),
 `relative_displacement_steady` on (`t_steady`, `bead_steady`).
 
-Every variable says how wrong it can be (`error_estimate`, an estimate of its largest absolute
-error, and `error_method`); every file says which scene it belongs to (`scene`, `config` as JSON),
+Every variable says how wrong it can be: `error_estimate` is an estimate of its largest absolute
+error, by `error_method`.  Every file says which scene it belongs to (`scene`, `config` as JSON),
 how it was solved, and with which versions (`software`, `code_version`).  A file appears under its
 name only when it is complete.
 """
@@ -45,13 +45,13 @@ class DatasetError(ValueError):
 
 @cache
 def long_names() -> dict[str, str]:
-    """What the variables and coordinates of all datasets are, in words."""
+    """Return what the variables and coordinates of all datasets are, in words."""
     return yaml.safe_load(LONG_NAMES.read_text(encoding="utf-8"))
 
 
 @cache
 def long_name(variable: str) -> str:
-    """What a variable or coordinate is, in words, from its name and suffix."""
+    """Return what a variable or coordinate is, in words, from its name and suffix."""
     known = [name for name in long_names() if variable == name or variable.startswith(f"{name}_")]
     if not known:
         raise KeyError(f"{variable} has no long_name: add it, or an entry in {LONG_NAMES.name}.")
@@ -82,8 +82,8 @@ def write_dataset(
         Final name of the netCDF file.
     scene_id : str
     config : mapping
-        The part of the configuration that was computed, stored as JSON with its digest; a `Law` in
-        it is stored as it describes itself.
+        The part of the configuration that was computed, stored as JSON with its digest.  A `Law` in
+        it is stored by its description.
     """
     config = json.loads(json.dumps(config, default=lambda law: law.describe()))
     described = name_variables(dataset.copy())
@@ -120,8 +120,8 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
     Raises
     ------
     DatasetError
-        If the file is missing, damaged, not one of this project's, or of another scene, or if its
-        values or its configuration are not those that were written.
+        If the file is missing, damaged, foreign or of another scene, or if its values or its
+        configuration were changed.
     """
     remedy = "delete it and run the workflow again."
     if not Path(path).exists():
@@ -144,18 +144,18 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
 
 
 def read_sources(folder: Path, names: Iterable[str]) -> list[dict[str, str]]:
-    """The sources, see `provenance`, of those datasets of a folder that are there."""
+    """Return the sources, see `provenance`, of those datasets of a folder that are there."""
     files = [Path(folder, f"{name}.nc") for name in names]
     return [source_of(read_dataset(path)) for path in files if path.exists()]
 
 
 def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:
-    """The part of the configuration that a dataset was computed with."""
+    """Return the part of the configuration that a dataset was computed with."""
     return json.loads(dataset.attrs["config"])
 
 
 def _plain(value: Any) -> Any:
-    """An attribute value that netCDF can hold."""
+    """Return an attribute value that netCDF can hold."""
     return value.item() if isinstance(value, np.generic) else value
 
 

@@ -1,7 +1,7 @@
 """Files that appear under their name only when they are complete, and a full disk named as such.
 
 A file is written under the name ``unfinished-HOST-PID-NAME`` and renamed once all of it is on the
-disk.  A process that is killed leaves its unfinished file behind; the next one on that machine that
+disk.  A killed process leaves its unfinished file behind.  The next process on that machine that
 writes the same file removes it.
 """
 
@@ -68,7 +68,7 @@ def complete_file(path: Path | str) -> Iterator[Path]:
 
 
 def read_json(path: Path | str) -> Any:
-    """What a JSON file of the workflow holds; InputError if it is damaged."""
+    """Return what a JSON file of the workflow holds; InputError if it is damaged."""
     try:
         return json.loads(Path(path).read_text(encoding="utf-8"))
     except ValueError as error:
@@ -78,7 +78,7 @@ def read_json(path: Path | str) -> Any:
 
 
 def is_full(error: BaseException) -> TypeGuard[OSError]:
-    """Whether an error is the system's answer that a disk is full."""
+    """Return whether an error is the system's answer that a disk is full."""
     return isinstance(error, OSError) and error.errno in FULL_DISK
 
 
@@ -94,7 +94,7 @@ def remove_leftovers(folder: Path, name: str | None = None) -> None:
 
 
 def is_running(process: int) -> bool:
-    """Whether there is a process of this number on this machine."""
+    """Return whether there is a process of this number on this machine."""
     try:
         os.kill(process, 0)
     except (ProcessLookupError, OverflowError):
@@ -111,7 +111,7 @@ def _store(file: Path) -> None:
 
 
 def _is_disk_full(file: Path) -> bool:
-    """Whether a file that could not be written has no room to grow, found by trying it."""
+    """Return whether a file that could not be written has no room to grow, found by trying it."""
     try:
         with open(file, "ab") as opened:
             opened.write(bytes(PROBE_BYTES))

@@ -1,8 +1,8 @@
 r"""Pictures of datasets in one line, with labels, for notebooks: `granular_fronts.plot`.
 
-The panels are those of the figures (`granular_fronts.output.panels`); nothing is computed.  All
-numbers are dimensionless, in units of the law: of the paper's, James (2021), eq. (27).  Looks are
-set for each picture alone, so that a notebook's other figures stay as they are.
+The panels are the same as in the figures (`granular_fronts.output.panels`); nothing is computed.
+All numbers are dimensionless, in units of the law: of the paper's, James (2021), eq. (27).  Looks
+are set for each picture separately, so that a notebook's other figures stay as they are.
 
 =================  ============================================================================
 `front`            u(ξ) of an exact front
@@ -46,7 +46,7 @@ VISIBLE = 1e-3
 """Share of the jump by which a front must differ from its states to be seen."""
 
 COLUMNS = 6
-"""Of a legend across a figure."""
+"""Columns of a legend across a figure."""
 
 LEAST_OVERSHOOT = 1e-12
 """Error up to which a front is called converged."""
@@ -66,14 +66,14 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
     front : xarray.Dataset
         From `granular_fronts.solve_front`, of any law.
     axes : matplotlib.axes.Axes, optional
-        Where to draw, beside what is there; a new figure by default, which shows the ξ at which u
+        Where to add the curve; a new figure by default.  A new figure shows the ξ at which u
         differs from the states on either side by 0.1 per cent of the jump or more.
 
     Returns
     -------
     matplotlib.axes.Axes
-        With u in units of the compression δ behind the front where the law is the paper's,
-        otherwise in those of the law.
+        With u in units of the compression δ behind the front for the paper's law, and in units of
+        the law otherwise.
 
     Raises
     ------
@@ -110,13 +110,13 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
     sweep : xarray.Dataset
         From `granular_fronts.sweep_fronts`, of any law.
     axes : matplotlib.axes.Axes, optional
-        Where to draw, beside what is there; a new figure by default.
+        Where to add the curve; a new figure by default.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Fronts that overshoot by less than 1e-12, the error that a front may have, leave a gap, as
-        do those that were not found.
+        Fronts leave a gap if they were not found or overshoot by less than 1e-12, the error that a
+        front may have.
 
     Raises
     ------
@@ -138,8 +138,12 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
         axes.semilogy(sweep[damping], overshoot, ".-")
         if overshoot.isnull().all():
             axes.text(0.5, 0.5, "no overshoot", transform=axes.transAxes, ha="center")
-        unit = r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
-        axes.set(xlabel=DAMPINGS[damping], ylabel=unit)
+        named = (
+            r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
+        )
+        if "width_10_90" not in sweep:  # No fronts, but chains of a campaign.
+            named = sweep["overshoot"].attrs["long_name"]
+        axes.set(xlabel=DAMPINGS[damping], ylabel=named)
     return axes
 
 
@@ -274,7 +278,7 @@ def _new_axes() -> Axes:
 
 
 def _visible_range(front: xr.Dataset) -> tuple[float, float]:
-    """The ξ between which a front is seen to differ from the states on its sides."""
+    """Return the ξ between which a front is seen to differ from the states on its sides."""
     xi, u = front["xi"].values, front["relative_displacement"].values
     seen = VISIBLE * abs(u[-1] - u[0])
     first = np.flatnonzero(np.abs(u - u[0]) > seen)[0]
@@ -283,7 +287,7 @@ def _visible_range(front: xr.Dataset) -> tuple[float, float]:
 
 
 def _on_grid(motion: xr.Dataset) -> xr.Dataset:
-    """A motion that has a space-time grid."""
+    """Return a motion that has a space-time grid."""
     return _holding(
         "motion",
         motion,
@@ -302,7 +306,7 @@ def _holding(
     source: str,
     record: str = "",
 ) -> xr.Dataset:
-    """A dataset with some variables on some dimensions."""
+    """Return a dataset with some variables on some dimensions."""
     way = f"give what gf.{source} returns" + (f" with {record} in its record" if record else "")
     found = instance(name, dataset, xr.Dataset, way)
     for variable in variables:

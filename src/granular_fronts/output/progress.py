@@ -1,8 +1,8 @@
 """Progress bars: on a terminal, and in the page of a notebook; nowhere else.
 
 A bar appears when its work has lasted `DELAY` seconds, and says what is solved for which scene.  It
-is drawn by tqdm: with widgets in a notebook that has them (package ipywidgets), in text in one that
-has none and on a terminal.  Where messages go into a file or a pipe, nothing is shown.
+is drawn by tqdm: with widgets in a notebook that has them (package ipywidgets), in text otherwise.
+Where messages go into a file or a pipe, nothing is shown.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ DELAY = 2.0
 """Seconds of work before a bar appears."""
 
 SIGNIFICANT_DIGITS = 3
-"""Of the end time; a time on the way has as many decimal places."""
+"""Digits of the end time; a time on the way has as many decimal places."""
 
 
 def count_bar(description: str, total: int, unit: str) -> tqdm:
-    """A bar over a number of things, a context that has a method ``update(count)``."""
+    """Return a bar over a number of things, a context that has a method ``update(count)``."""
     return _bar(total=total, desc=description, unit=unit)
 
 
@@ -54,7 +54,7 @@ def time_bar(description: str, end_time: float) -> Iterator[Callable[[float], No
 
 
 def _bar(**settings: Any) -> tqdm:
-    """The bar of a notebook where one runs, else that of a terminal where there is one."""
+    """Return the bar of a notebook where one runs, or else of a terminal."""
     in_notebook = "ipykernel" in sys.modules
     if in_notebook and _has_widgets():
         from tqdm.notebook import tqdm
@@ -65,7 +65,7 @@ def _bar(**settings: Any) -> tqdm:
 
 
 def _has_widgets() -> bool:
-    """Whether widgets are installed, without which tqdm has no bar for notebooks."""
+    """Return whether widgets are installed, without which tqdm has no bar for notebooks."""
     from importlib.util import find_spec
 
     return find_spec("ipywidgets") is not None

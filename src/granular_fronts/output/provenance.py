@@ -1,4 +1,4 @@
-"""What each file of results was made from, and whether that is what is there now.
+"""What each file of results was made from, and whether this is still the same.
 
 A dataset names in its attributes its scene and two digests, each the first 16 hexadecimals of a
 SHA-256,
@@ -6,10 +6,11 @@ SHA-256,
     config_digest   of its parameters, a part of the configuration, as JSON with sorted keys,
     data_digest     of the values of all variables, with their names, types and shapes.
 
-These three are its *source* for whatever is made from it.  Beside each figure and table lies its
-provenance, a JSON file of the same stem: the digest of each of its files (`files`), the sources of
-all datasets behind it (`made_from`) and the version of the code (`code_version`).  Whoever shows
-the figure, or starts from a folder of results, compares these with what is there now.
+These three are its *source* for whatever is made from it.  Each figure and table has its provenance
+in the same folder, a JSON file of the same stem.  It holds the digest of each of its files
+(`files`), the sources of all datasets behind it (`made_from`) and the version of the code
+(`code_version`).  Whoever shows the figure, or starts from a folder of results, compares these with
+the present files.
 """
 
 import hashlib
@@ -31,23 +32,23 @@ DIGEST_LENGTH = 16
 
 
 def digest(content: bytes) -> str:
-    """The first 16 hexadecimals of the SHA-256 of some bytes."""
+    """Return the first 16 hexadecimals of the SHA-256 of some bytes."""
     return hashlib.sha256(content).hexdigest()[:DIGEST_LENGTH]
 
 
 def config_digest(parameters: Any) -> str:
-    """Digest of a part of the configuration; the order of keys does not count."""
+    """Return the digest of a part of the configuration; the order of keys does not count."""
     return digest(json.dumps(parameters, sort_keys=True).encode())
 
 
 @cache
 def code_version() -> str:
-    """Version of the package and digest of its code, the same on every machine."""
+    """Return the version of the package and digest of its code, the same on every machine."""
     return f"{granular_fronts.__version__}+{code_digest(SOURCES.rglob('*.py'), SOURCES)}"
 
 
 def data_digest(dataset: Any) -> str:
-    """Digest of all values of an xarray.Dataset with their names; attributes do not count."""
+    """Return the digest of all values of an xarray.Dataset with their names, not attributes."""
     found = hashlib.sha256()
     for name in sorted(dataset.variables):
         values = dataset.variables[name].values
@@ -65,7 +66,7 @@ def data_digest(dataset: Any) -> str:
 
 
 def source_of(dataset: Any) -> dict[str, str]:
-    """The identity of an xarray.Dataset: its scene and both digests."""
+    """Return the identity of an xarray.Dataset: its scene and both digests."""
     return {key: str(dataset.attrs[key]) for key in ("scene", "config_digest", "data_digest")}
 
 
@@ -101,7 +102,7 @@ def disagreements(
     parameters: Mapping[str, Any],
     sources: Collection[Mapping[str, str]] | None = None,
 ) -> Iterator[str]:
-    """Compare the provenance of a figure or a table with what is there now.
+    """Compare the provenance of a figure or a table with the present files.
 
     Parameters
     ----------
@@ -110,7 +111,7 @@ def disagreements(
     parameters : mapping
         The present parameters of datasets by name, ``folder/scene``. Others are not compared.
     sources : collection of mapping, optional
-        Those of the datasets that lie there now; not compared if it is left out.
+        Sources of the present datasets; not compared if left out.
 
     Yields
     ------

@@ -15,29 +15,29 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 - `not_judged`: why there is no verdict, for a statement that cannot be judged;
 - `remark`: what a reader should know.
 
-A statement of the paper holds for the paper's parameters.  Where a dataset belongs to other
-parameters than those of the reference configuration, its statement is measured but not judged;
-tolerances may differ.
+A statement of the paper holds for the paper's parameters.  If a dataset does not have the
+parameters of the reference configuration, its statement is measured but not judged; tolerances may
+differ.
 
-A statement allows a range of values: a printed number x, all that rounds to it; a printed
-inequality, one side of its limit; words, what a criterion says, in one of the forms ::
+A statement allows a range of values.  A printed number allows all that rounds to it, and a printed
+inequality one side of its limit.  Words allow what a criterion says, in one of the forms ::
 
     1 within 0.01        0.4 to 0.6        at least 0        above 0        at most 1        below 1
 
 An explanation may follow after a comma.  `above` and `below`, like the printed signs > and <, leave
 out the limit itself.
 
-The measured value v with the numerical error e stands for all numbers from v − e to v + e.  The
+The measured value v with the numerical error e means all numbers from v − e to v + e.  The
 statement is true if all of them are in the range, and false if none is.  It stays undecided if only
-some are, if e is negative or larger than half the width of the range, or if v or e is not a number:
-the error never counts in favour of either answer.
+some are.  It also does so if e is negative or larger than half the width of the range, or if v or e
+is not a number.  The error never counts in favour of either answer.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from decimal import Decimal, InvalidOperation
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -59,7 +59,7 @@ ANSWERS = {
     "words": (HOLDS, DOES_NOT_HOLD),
     "finding": (HOLDS, DOES_NOT_HOLD),
 }
-"""What to call a statement that is true, and one that is false."""
+"""Names of a true and of a false statement."""
 
 UNMEASURED = Estimate(math.nan, math.nan)
 
@@ -80,13 +80,13 @@ class Range(NamedTuple):
 
 
 def scenes_of(statement: Mapping[str, Any]) -> list[str]:
-    """Names of the scenes that a statement is about, as a list."""
+    """Return the names of the scenes that a statement is about, as a list."""
     scene = statement["scene"]
     return [scene] if isinstance(scene, str) else scene
 
 
 def criterion_of(statement: Mapping[str, Any]) -> str:
-    """What a statement is judged by, in words and numbers; empty for one that is not judged."""
+    """Return the criterion of a statement in words and numbers; empty if it is not judged."""
     if "not_judged" in statement:
         return ""
     for key in ("printed", "criterion"):
@@ -104,7 +104,7 @@ def criterion_of(statement: Mapping[str, Any]) -> str:
 
 
 def verdict_on(statement: Mapping[str, Any], measured: Estimate) -> str:
-    """Reproduced or not, holds or does not hold, undecided, or not judged."""
+    """Return the reproduced or not, holds or does not hold, undecided, or not judged."""
     if "not_judged" in statement:
         return NOT_JUDGED
     answer = judge(range_of_criterion(criterion_of(statement)), measured)
@@ -120,7 +120,7 @@ def evaluate(
     datasets: Mapping[str, xr.Dataset],
     references: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Measure a statement and judge it: a row of a table, beside what the statement says.
+    """Measure a statement and judge it; return the statement and the result as a row of a table.
 
     Datasets, which carry their configuration, and reference configurations go by scene name.
     """
@@ -134,7 +134,7 @@ def evaluate(
     try:
         measured = function(*measured_on, **arguments)
     except (LookupError, ValueError, ArithmeticError):
-        # Other parameters may leave out what is measured; those of the paper may not.
+        # Other parameters may leave out what is measured; the paper's may not.
         if not differences:
             raise
         measured = UNMEASURED
@@ -152,15 +152,6 @@ def evaluate(
         "verdict": verdict,
         "remark": remark,
     }
-
-
-def unexpected_verdicts(rows: Iterable[Mapping[str, Any]]) -> list[str]:
-    """A sentence for each verdict that differs from the expected one, other parameters left out."""
-    return [
-        f"{row['quantity']}: the verdict is {row['verdict']!r}, expected is {row['expected']!r}."
-        for row in rows
-        if row["verdict"] not in (row["expected"], OTHER_PARAMETERS)
-    ]
 
 
 def range_of_criterion(criterion: str) -> Range:
@@ -187,7 +178,7 @@ def range_of_criterion(criterion: str) -> Range:
 
 
 def half_unit(printed: str) -> str:
-    """Half a unit of the last digit of a printed number, as text: "0.005" of "0.56"."""
+    """Return half a unit of the last digit of a printed number, as text: "0.005" of "0.56"."""
     try:
         exponent = Decimal(printed).as_tuple().exponent
     except InvalidOperation:
@@ -201,7 +192,7 @@ def half_unit(printed: str) -> str:
 
 
 def judge(allowed: Range, measured: Estimate) -> bool | None:
-    """Whether a number lies in a range; None where its numerical error leaves that open."""
+    """Return whether a number lies in a range; None where its numerical error leaves that open."""
     value, error = measured
     half_width = 0.5 * (allowed.high - allowed.low)
     # Also where one of them is not a number.

@@ -1,8 +1,8 @@
 """The one place for figure looks: sizes, colours, colour maps, saving.
 
 The paper names the colours of its probes (black, blue, green, light blue, magenta, brown).  The
-shades here keep those names and differ in lightness, and each has a line style of its own, so that
-the curves stay apart in grey print and for colour-blind readers.
+shades here keep those names and differ in lightness, and each has its own line style.  So the
+curves stay apart in grey print and for colour-blind readers.
 """
 
 import logging
@@ -110,7 +110,7 @@ def new_figure(
     mosaic: list[Any],
     make: Callable[..., Figure] = figure_for_files,
 ) -> tuple[Figure, dict[str, Axes]]:
-    """A figure of text width, with a height in inches, and the panels of a mosaic by their names.
+    """Make a figure of text width, with a height in inches, and a mosaic of named panels.
 
     It is made by `matplotlib.pyplot.figure` where a notebook shows it.
     """
@@ -120,7 +120,7 @@ def new_figure(
 
 
 def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
-    """Rows of a mosaic with a panel for each name; the last one ends with empty places."""
+    """Return rows of a mosaic with a panel for each name; the last one ends with empty places."""
     filled = [*names, *["."] * (-len(names) % columns)]
     return [filled[first : first + columns] for first in range(0, len(filled), columns)]
 

@@ -33,5 +33,5 @@ def write_table(
 
 
 def round_floats(table: pd.DataFrame, digits: int) -> pd.DataFrame:
-    """A table whose floats are text of a number of significant digits; all else is left alone."""
+    """Return a table with its floats as text of a number of significant digits."""
     return table.map(lambda cell: f"{cell:.{digits}g}" if isinstance(cell, float) else cell)

@@ -1,4 +1,4 @@
-"""The arrays of a certificate: read, and of the kinds and shapes that they must have."""
+"""Read the arrays of a certificate, and check their kinds and shapes."""
 
 from pathlib import Path
 
@@ -12,9 +12,11 @@ LARGEST = 2**30  # bytes of all its arrays
 
 
 def load(path):
-    """The arrays of a file, of which nothing is known."""
-    if not Path(path).is_file():
+    """Return the arrays of a file, about which nothing is assumed."""
+    if not Path(path).exists():
         raise NotProvedError(f"there is no file {path}")
+    if not Path(path).is_file():
+        raise NotProvedError(f"{path} is no regular file")
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             if sum(member.file_size for member in file.zip.infolist()) <= LARGEST:
@@ -53,5 +55,5 @@ def require_lengths(have, want):
 
 
 def both_ends(data, name):
-    """Both ends of the interval of α or γ, as balls."""
+    """Return both ends of the interval of α or γ, as balls."""
     return [arb(fmpq(*map(int, data[name][k : k + 2]))) for k in (0, 2)]

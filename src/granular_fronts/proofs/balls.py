@@ -1,6 +1,6 @@
 """Ball arithmetic for the checker: bounds, polynomials on cells, the kernel and its inverses.
 
-A ball of python-flint contains the number that it stands for; an operation on balls contains all
+A ball of python-flint contains the number that it represents; an operation on balls contains all
 results.  `largest` and `above` are the only ways from balls to single numbers, both upwards.
 
 The kernel K(s) = 1 − |s| + γ sgn s on |s| < 1 is linear between its kinks −1, 0 and 1, which are
@@ -62,7 +62,7 @@ def in_balls():
 
 
 def kernel(gamma, w, n):
-    """K_w at s = (m + 1/2)/n; integrals of K_w, and of its modulus, over |s − m/n| < 1/(2n).
+    """Return K_w at s = (m + 1/2)/n; integrals of K_w, and of its modulus, over |s − m/n| < 1/(2n).
 
     On half a cell of width l the midpoint rule errs by l³/24 K_w'' somewhere on it.
     """
@@ -84,7 +84,7 @@ def kernel(gamma, w, n):
 
 
 def inverse_defect(alpha, gammas, w, n, rows, begin):
-    """∫|g| from each cell on, and a bound of ‖e‖₁, for all |s| ≤ 1.
+    """Return ∫|g| from each cell on, and a bound of ‖e‖₁, for all |s| ≤ 1.
 
     γ and g are polynomials in s, `gammas` and `rows` their coefficients.  The rows, from begin/n
     on, are stored by their second differences in units of INVERSE_UNIT.
@@ -99,7 +99,7 @@ def inverse_defect(alpha, gammas, w, n, rows, begin):
 
 
 def defect(kernels, variation, n, rows, begin):
-    """The same for e = g − f − f*g with another f on (−1, 1), smooth between −1, 0 and 1.
+    """Return the same for e = g − f − f*g with another f on (−1, 1), smooth between −1, 0 and 1.
 
     `kernels` has the coefficients of f in s: f in the middles of cells, and integrals as of
     `kernel`.  `variation` bounds ∫|f'| between the jumps of f, and their sum.
@@ -121,24 +121,24 @@ def defect(kernels, variation, n, rows, begin):
 
 
 def slope_kernel(w, n):
-    """The first two of `kernel` for sgn(s) e^(−ws), by which K_w depends on γ."""
+    """Return the first two of `kernel` for sgn(s) e^(−ws), by which K_w depends on γ."""
     one, zero = (kernel(arb(gamma), w, n)[:2] for gamma in (1, 0))
     return [f - g for f, g in zip(one, zero, strict=True)]
 
 
 def summed(differences):
-    """Integers from their second differences; of a matrix, once along each axis."""
+    """Return the integers from their second differences; of a matrix, once along each axis."""
     return differences.cumsum(axis=0).cumsum(axis=-1)
 
 
 def convolve(f, g):
-    """All coefficients of a product of polynomials."""
+    """Return all coefficients of a product of polynomials."""
     product = (arb_poly(list(f)) * arb_poly(list(g))).coeffs()
     return np.array(product + [arb(0)] * (len(f) + len(g) - 1 - len(product)), dtype=object)
 
 
 def antiderivatives(pieces, h):
-    """The continuous antiderivative, 0 at the left end, of polynomials on cells of width h."""
+    """Return continuous antiderivative, 0 at the left end, of polynomials on cells of width h."""
     found, total = [], arb(0)
     for piece in pieces:
         integral = piece.integral() * (h / 2)
@@ -148,35 +148,35 @@ def antiderivatives(pieces, h):
 
 
 def size(f):
-    """Bound of the modulus of a polynomial on (−1, 1)."""
+    """Return the bound of the modulus of a polynomial on (−1, 1)."""
     return sum(map(abs, f.coeffs()), arb(0))
 
 
 def bounds(f):
-    """Exact bounds of a polynomial on (−1, 1)."""
+    """Return the exact bounds of a polynomial on (−1, 1)."""
     middle, rest = f[0], size(f - f[0])
     return (middle - rest).lower(), (middle + rest).upper()
 
 
 def array(values):
-    """An array of balls."""
+    """Return an array of balls."""
     return np.array([arb(value) for value in values], dtype=object)
 
 
 def disc(radius):
-    """The smallest square that contains all complex numbers of modulus `radius`."""
+    """Return the smallest square that contains all complex numbers of modulus `radius`."""
     return acb(radius * UNIT, radius * UNIT)
 
 
 def power(u, exponent):
-    """u₊^exponent, for exponents above 0."""
+    """Return u₊^exponent, for exponents above 0."""
     if u <= 0:
         return arb(0)
     return u**exponent if u > 0 else arb(0).union(u.upper() ** exponent)
 
 
 def powers(u, exponent, count):
-    """The first coefficients of (u₀ + u₁ s + …)^exponent, themselves series in t.
+    """Return the first coefficients of (u₀ + u₁ s + …)^exponent, themselves series in t.
 
     By w = u^c, u w' = c u' w: k u₀ w_k = Σ (c i − k + i) u_i w_(k−i), 1 ≤ i ≤ k.
     """
@@ -188,7 +188,7 @@ def powers(u, exponent, count):
 
 
 def horner(f, s):
-    """Σ f_k s^k."""
+    """Return Σ f_k s^k."""
     value = f[-1]
     for coefficient in f[-2::-1]:
         value = coefficient + s * value
@@ -196,7 +196,7 @@ def horner(f, s):
 
 
 def largest(values):
-    """The least exact upper bound of all values."""
+    """Return the least exact upper bound of all values."""
     tops = [value.upper() for value in values]
     if not all(top.is_finite() for top in tops):
         raise NotProvedError("a bound is not finite")
@@ -207,10 +207,10 @@ def largest(values):
 
 
 def tops(values):
-    """An exact upper bound of each value."""
+    """Return an exact upper bound of each value."""
     return array(value.upper() for value in values)
 
 
 def above(x):
-    """A double above a ball."""
+    """Return a double above a ball."""
     return math.nextafter(float(x.upper()), math.inf)

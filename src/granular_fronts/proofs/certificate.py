@@ -43,7 +43,7 @@ FAST = np.linspace(1.72, 1.96, 9)  # candidates of η in units of θ, below 2
 APART = 0.02  # least distance of η from all real parts, in units of η
 COARSE, LOST_COARSE = 20, 0.1  # cells per bead and ∫|g| cut off where candidates are ranked
 PLACE = 4  # beads behind x₀, where the remainder is to be small
-WEIGHT_OF_SLOW = 0.1  # of Γ_θ, which enters only the small c, beside Γ_η
+WEIGHT_OF_SLOW = 0.1  # of Γ_θ, which enters only the small c, relative to Γ_η
 
 Rational = float | str | Fraction  # a number as `rational` reads it
 
@@ -115,12 +115,12 @@ def _write_and_check(path, fields):
 
 
 def describe(front, alpha, interval, n, fine, drift):
-    """The fields of the certificate of a computed front."""
+    """Return the fields of the certificate of a computed front."""
     exponent, gamma = front.attrs["alpha"], front.attrs["gamma"]
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
     half = float(interval[1] - interval[0]) / 2
     nodes = chebyshev_nodes(1 if 2 * half < WIDEST else DEGREE_IN_GAMMA + 1)
-    # The front at hand is that of the node in the middle.
+    # The given front belongs to the node in the middle.
     fronts = [solve_front(exponent, gamma + s * half) if abs(s) > 0.1 else front for s in nodes]
     near_one = max(stored.NEAR_ONE, LOST_IN_CURVATURE * half**2)
     behind = stored.beads(-xi[abs(u - 1) > near_one][0])
@@ -149,7 +149,7 @@ def describe(front, alpha, interval, n, fine, drift):
 
 
 def _expansion(alpha, gamma, half, n, xi, u):
-    """What Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀.
+    """Return what Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀.
 
     Nothing where there are more slow roots than a real one and a pair.
     """
@@ -177,7 +177,7 @@ def _slowest_first(roots):
 
 
 def _weights(alpha, gamma, roots):
-    """θ and η of Lemma 8: the remainder, about Γ_η e^((η − λ₁)t), small at t = −PLACE."""
+    """Return θ and η of Lemma 8: the remainder, about Γ_η e^((η − λ₁)t), small at t = −PLACE."""
 
     def norm(w):
         g = right_inverse.rear_inverse(alpha, gamma, w, COARSE, LOST_COARSE)[0]
@@ -202,7 +202,7 @@ def _weights(alpha, gamma, roots):
 
 
 def rational(number, name="number", above=0):
-    """A fraction of at most 18 digits; a float stands for the decimal it is written as."""
+    """Return a fraction of at most 18 digits; a float means the decimal it is written as."""
     try:
         found = Fraction(_written(number))
         if found > above and max(found.numerator, found.denominator) < 10**18:
@@ -216,14 +216,14 @@ def rational(number, name="number", above=0):
 
 
 def _written(number):
-    """What a fraction is made from; numbers of thousands of digits are not expanded."""
+    """Return what a fraction is made from; numbers of thousands of digits are not expanded."""
     if isinstance(number, bool) or re.search(r"[eE][+-]?[\d_]{3}", str(number)):
         raise ValueError
     return repr(float(number)) if isinstance(number, float) else number
 
 
 def interval_of(numbers, name, above=0):
-    """Both ends of an interval, which are one number for a single one."""
+    """Return both ends of an interval, which are one number for a single one."""
     ends = numbers if isinstance(numbers, (tuple, list)) else (numbers, numbers)
     if len(ends) != 2:
         raise InputError(

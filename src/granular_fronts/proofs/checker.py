@@ -1,9 +1,9 @@
-"""Check the certificate of a front in ball arithmetic, with python-flint and NumPy alone.
+"""Check the certificate of a front in ball arithmetic, with only python-flint and NumPy.
 
-The theorem and its proof are in `existence`, the operator A and the bounds of `bound_inverse` in
-`right_inverse`, what follows in `consequences` and `rear_expansion`.  A certificate holds exact
-doubles and integers, of which nothing is assumed.  A comparison of balls holds if it holds for all
-of their points; wherever one does not, and whatever else happens, nothing is proved.
+The theorem and its proof are in `existence`; the operator A and the bounds of `bound_inverse` are
+in `right_inverse`.  The conclusions are in `consequences` and `rear_expansion`.  A certificate
+holds exact doubles and integers, and nothing is assumed about them.  A comparison of balls holds if
+it holds for all of their points.  If one fails, or anything else goes wrong, nothing is proved.
 """
 
 from pathlib import Path
@@ -72,15 +72,15 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Returns
     -------
     dict
-        `proved` (bool); `reason`, why not where it is False; `alpha` and `gamma`, bounds of the
-        parameters for all of which the `statements` hold; `error`, a bound of the distance of u*
-        from ū; `numbers`, what is proved in numbers: `radius` (of the ball of y), and where they
-        are `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ and
-        `amplitude_low`, `amplitude_high` of A or B, and as 1 `monotone`, `oscillates` (behind, so
-        that max u* > 1) and `critical` (monotone from some γ on, and not below), with dashpots
-        `tail_start` (x₁, rounded up), `tail_low` and `tail_high` (the exponentials that bound u*
-        ahead have these values at x₁); `inequalities`, dicts of `name`, `left` and `right` (left <
-        right, rounded outwards) and their `margin`.
+        `proved` (bool) and, where it is False, `reason`.  `alpha` and `gamma` bound the parameters
+        for which the `statements` hold; `error` bounds the distance of u* from ū.  `numbers` always
+        holds `radius` (of the ball of y).  Where proved it holds `overshoot` (max u* is above it),
+        bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds `amplitude_low`, `amplitude_high` of A
+        or B.  The value 1 marks `monotone`, `oscillates` (behind, so that max u* > 1) and
+        `critical` (monotone above some γ, and not below).  Dashpots have `tail_start` (x₁, rounded
+        up), and `tail_low`, `tail_high`, the values at x₁ of exponentials that bound u* ahead.
+        `inequalities` are dicts of `name`, `left`, `right` (left < right, rounded outwards) and
+        their `margin`.
 
     Raises
     ------
@@ -139,7 +139,7 @@ class Front(Contraction):
         self.u_low, self.u_high = map(array, zip(*map(bounds, self.u), strict=True))
 
     def integrate(self, k, rows):
-        """The coefficient of s^k in P̄ on all cells, and differences of its antiderivatives."""
+        """Return coefficient of s^k in P̄ on all cells, and differences of its antiderivatives."""
         n, behind = self.n, arb_poly([int(k == 0)])
         pieces = [behind] * ((self.left + 1) * n - self.data["sizes"][0] * n)
         pieces += [arb_poly(row) for row in rows] + [arb_poly([0])] * (2 * n)
@@ -150,7 +150,7 @@ class Front(Contraction):
         return pieces[n:-n], *steps
 
     def at(self, s):
-        """P̄ and ū on all cells at γ₀ + s δ."""
+        """Return P̄ and ū on all cells at γ₀ + s δ."""
         return [[horner(f, s) for f in cells] for cells in (self.profile, self.strain)]
 
     def prove(self):
@@ -175,13 +175,13 @@ class Front(Contraction):
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 
     def Z2(self, r):  # noqa: N802
-        """The largest κ |a(ū + w) − a(ū)| with |w| ≤ κ r."""
+        """Return the largest κ |a(ū + w) − a(ū)| with |w| ≤ κ r."""
         ends = zip(self.outer_kappa, (arb(1), arb(0)), (arb(1), arb(0)), strict=True)
         cells = *ends, *zip(self.kappa, self.u_low, self.u_high, strict=True)
         return largest(kappa * self.rise(low, high, kappa * r) for kappa, low, high in cells)
 
     def residual(self, j):
-        """Bound of |P̄ − ū₊^α| on cell j by Taylor polynomials in s about γ₀ and in t."""
+        """Return bound of |P̄ − ū₊^α| on cell j by Taylor polynomials in s about γ₀ and in t."""
         if not self.u_low[j] > SMALL_STRAIN:
             return size(self.P[j]) + power(abs(self.u_high[j]), self.alpha)
         P, u, m = self.profile[j], self.strain[j], TAYLOR_ORDER
@@ -261,12 +261,12 @@ class Front(Contraction):
 
 
 def read(path):
-    """The arrays of a certificate of this kind."""
+    """Return the arrays of a certificate of this kind."""
     return _checked(load(path))
 
 
 def _checked(data):
-    """The arrays of a certificate, if they have the kinds and shapes that they must have."""
+    """Return the arrays of a certificate, if they have the kinds and shapes that they must have."""
     fields = FIELDS | EXPANSION if len(data["weights"]) == 2 else FIELDS
     require_arrays(data, fields, sizes=7)
     if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:

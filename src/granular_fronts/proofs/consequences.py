@@ -90,7 +90,7 @@ def overshoot(front, tops):
 
 
 def _small_from(front, low, high):
-    """The first cell of the longest half line on which both conditions of Lemma 5 hold."""
+    """Return the first cell of the longest half line on which both conditions of Lemma 5 hold."""
     gamma, sup, sides = front.gamma, front.outer_kappa[1] * front.r, None
     for i in range(len(low) - 1, front.n, -1):
         sup = largest([sup, abs(low[i]), abs(high[i])])

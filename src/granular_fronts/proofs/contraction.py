@@ -20,16 +20,16 @@ class Contraction(Inequalities):
         self.require("gamma > 0", arb(0), self.gamma)
 
     def a(self, u):
-        """α u₊^(α − 1)."""
+        """Return α u₊^(α − 1)."""
         return self.alpha * power(u, self.alpha - 1)
 
     def rise(self, low, high, w):
-        """Bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
+        """Return the bound of |a(u + v) − a(u)| for |v| ≤ w and u between two bounds."""
         tops = [low.max(w)] * (not self.alpha > 2) + [high + w] * (not self.alpha < 2)
         return largest(self.a(top) - self.a(top - w) for top in tops)
 
     def contract(self, Y0):
-        """The radius r of the theorem; a larger one, within which the solution is the only one."""
+        """Return the radius r of the theorem, and a larger one with only one solution."""
         self.require("Z1 < 1", self.Z1, arb(1))
         # A little above the least radius; and all quarter powers of 2 down from 1.
         near = (factor * Y0 / (1 - self.Z1) for factor in (1.001, 1.1, 2))
@@ -42,5 +42,5 @@ class Contraction(Inequalities):
         return r, farthest
 
     def contracts(self, Y0, r):
-        """Whether the theorem's inequality holds at the radius r."""
+        """Return whether the theorem's inequality holds at the radius r."""
         return bool((1 - self.Z1 - self.Z2(r)) * r > Y0)

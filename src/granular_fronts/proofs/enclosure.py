@@ -5,8 +5,8 @@ Lemma 6 bounds u from one bead to the next: for x > x₁ + 1, as u decreases on 
 
     c κ u(x − 1 + κ)^α ≤ u(x) ≤ k u(x − 1)^α,      c = γ − γ² (1 + γ) s/(2 (1 − k s)),
 
-for 0 < κ < 1.  Each bound is used where it is better than that of the enclosure.  What is evaluated
-here in doubles, from bounds that are proved, is for the eye.
+for 0 < κ < 1.  Each bound is used where it is better than the bound of the enclosure.  What is
+evaluated here in doubles, from bounds that are proved, is for the eye.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ BEADS_AHEAD = 8  # of the window, to which both bounds of the tail are continued
 
 
 def enclosure_dataset(path):
-    """What a certificate proves of its front; NotProvedError if that is nothing.
+    """Return what a certificate proves of its front; NotProvedError if that is nothing.
 
     In the middles of the cells, on `xi`: `approximation` ū, bounds of the `error` of u and of the
     `residual`; on `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u, the latter

@@ -59,23 +59,23 @@ DEGREE = 9  # of the approximate front on a cell, in t
 
 
 def chebyshev_nodes(count):
-    """Where polynomials on (−1, 1) interpolate well."""
+    """Return where polynomials on (−1, 1) interpolate well."""
     return np.cos(np.pi * (np.arange(count) + 0.5) / count)
 
 
 def to_powers(count):
-    """The matrix that takes values at the Chebyshev nodes to coefficients of powers."""
+    """Return the matrix that takes values at the Chebyshev nodes to coefficients of powers."""
     return np.linalg.inv(np.vander(chebyshev_nodes(count), increasing=True))
 
 
 def cell_nodes(behind, ahead, n):
-    """ξ at the Chebyshev nodes of each of the cells of [−behind, ahead]."""
+    """Return ξ at the Chebyshev nodes of each of the cells of [−behind, ahead]."""
     middles = (np.arange((behind + ahead) * n) + 0.5) / n - behind
     return middles[:, None] + chebyshev_nodes(DEGREE + 1) / (2 * n)
 
 
 def approximate(fronts, behind, ahead, n):
-    """P̄ from computed fronts: coefficients in s, on the cells of [−behind, ahead], in t.
+    """Return P̄ from computed fronts: coefficients in s, on the cells of [−behind, ahead], in t.
 
     The fronts belong to the Chebyshev nodes in s; s and t are in (−1, 1).
     """

@@ -1,4 +1,4 @@
-"""One continuous family of fronts: how the fronts of neighbouring intervals of γ are joined.
+"""Join the fronts of neighbouring intervals of γ to one continuous family.
 
 On the interval of one certificate H and g are fixed, P̄ and, as K is continuous in L¹, also ū, A and
 Q depend continuously on γ in norm, and r does not depend on γ.  So the fixed point y* of a uniform
@@ -23,10 +23,10 @@ L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at mos
 Hence y = 0, c = 0. ∎
 
 Shifting the second branch by τ, and each following one by the sum of the shifts before it, makes
-the family continuous over all intervals; what is proved of each front (positivity, decrease ahead,
+the family continuous over all intervals.  What is proved of each front (positivity, decrease ahead,
 the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
-certificates, this holds for each α; as φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
-below h with that φ and so depends continuously on α: the family is continuous in α and γ.
+certificates, this holds for each α.  As φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
+below h with that φ.  So τ depends continuously on α, and the family is continuous in α and γ.
 """
 
 import math
@@ -42,8 +42,8 @@ from granular_fronts.proofs.consequences import shape
 def prove_family(paths):
     """Prove that the fronts of certificates, in the order of γ, form one continuous family.
 
-    Yields the `record` of each, whose inequalities are its own and those of its junction with the
-    one before; NotProvedError at the first that is not proved or not joined.
+    Yield the `record` of each, with the inequalities of its front and of its junction with the one
+    before.  A NotProvedError names the first that is not proved or not joined.
     """
     last = None
     for path in paths:
@@ -52,7 +52,7 @@ def prove_family(paths):
 
 
 def prove(path, last=None):
-    """The front of a certificate, proved from its file and joined to the one before."""
+    """Return the front of a certificate, proved from its file and joined to the one before."""
     with in_balls():
         front = Front(read(path))
         front.statements = [*front.exists(), *shape(front), *front.rear()]
@@ -62,7 +62,7 @@ def prove(path, last=None):
 
 
 def record(path, front):
-    """What is proved, as in `check_certificate`, with `path`; `gamma` are two fractions."""
+    """Return what is proved, as in `check_certificate`, with `path`; `gamma` are two fractions."""
     return {
         "path": str(path),
         "gamma": ends(front),
@@ -74,7 +74,7 @@ def record(path, front):
 
 
 def ends(front, name="gamma"):
-    """Both ends of the interval of γ, or of α."""
+    """Return both ends of the interval of γ, or of α."""
     numbers = front.data[name].tolist()
     return Fraction(*numbers[:2]), Fraction(*numbers[2:])
 
@@ -119,43 +119,43 @@ class _Side:
         self.pieces, self.strains = front.at(arb(s))
 
     def place(self, j):
-        """The place of a cell among those of the front, or None outside."""
+        """Return the place of a cell among the cells of the front, or None outside."""
         k = j // self.parts + self.front.left * self.front.n
         return k if 0 <= k < len(self.strains) else None
 
     def part(self, f, j):
-        """A polynomial on its part of a cell."""
+        """Return a polynomial on its part of a cell."""
         k = self.parts
         return f(arb_poly([fmpq(2 * (j % k) + 1 - k, k), fmpq(1, k)])) if k > 1 else f
 
     def P(self, j):  # noqa: N802
-        """P̄, within the cells of the front."""
+        """Return P̄, within the cells of the front."""
         return self.part(self.pieces[self.place(j)], j)
 
     def u(self, j):
-        """ū; 1 behind all cells, 0 ahead."""
+        """Return ū; 1 behind all cells, 0 ahead."""
         k = self.place(j)
         return self.part(self.strains[k], j) if k is not None else arb_poly([int(j < 0)])
 
     def norm(self, j):
-        """ρ and κ."""
+        """Return ρ and κ."""
         k, front = self.place(j), self.front
         if k is not None:
             return front.rho[k], front.kappa[k]
         return (front.rho_behind, front.outer_kappa[0]) if j < 0 else (arb(1), front.outer_kappa[1])
 
     def strain(self, j):
-        """Bounds of u*."""
+        """Return the bounds of u*."""
         low, high = bounds(self.u(j))
         error = self.norm(j)[1] * self.front.r
         return low - error, high + error
 
     def slope(self, j):
-        """Bound of |u*'|."""
+        """Return the bound of |u*'|."""
         return size(self.u(j).derivative()) * 2 * self.n + self.front.slope_error
 
 
 def _force_gap(one, two, j):
-    """Bound of |P₁ − P₂| on a cell within both windows."""
+    """Return the bound of |P₁ − P₂| on a cell within both windows."""
     error = one.norm(j)[0] * one.front.r + two.norm(j)[0] * two.front.r
     return size(one.P(j) - two.P(j)) + error

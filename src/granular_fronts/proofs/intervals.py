@@ -41,8 +41,8 @@ def prove_interval(alpha, low, high, folder, cells=CELLS, fine=FINE, drift=DRIFT
     Yields
     ------
     dict
-        Of each certificate, in the order of γ: see `families.record`, and `seconds`, the processor
-        time that it took to make it, with all attempts, and to prove it.
+        For each certificate, in the order of γ, its `families.record` and `seconds`, the processor
+        time of all attempts to make and prove it.
 
     Raises
     ------

@@ -111,7 +111,7 @@ def expand(front, theta, eta):
 
 
 def _require_modes(front, theta, eta):
-    """Kinds of the roots: all up to η < 2θ, one real or one of a pair or both."""
+    """Return the kinds of the roots: all up to η < 2θ, one real or one of a pair or both."""
     kinds = ["real" if row[1] == 0 else "pair" for row in front.data["roots"].tolist()]
     if len(set(kinds)) < len(kinds):
         raise NotProvedError("more than one real root, or more than one pair")
@@ -122,7 +122,7 @@ def _require_modes(front, theta, eta):
 
 
 def _nonlinearity(front, at, theta, gain):
-    """The factors of |F_b|_θ in V, and of V² in c."""
+    """Return the factors of |F_b|_θ in V, and of V² in c."""
     below, top = front.u_low - front.u_error, front.u_high + front.u_error
     z = largest([*abs(below[:at] - 1), *abs(top[:at] - 1), front.outer_kappa[0] * front.r])
     front.require("|u − 1| behind x0", z, arb(1))
@@ -134,7 +134,7 @@ def _nonlinearity(front, at, theta, gain):
 
 
 def _part(front, k, count):
-    """The front on one of equal parts of its interval of γ, with inequalities of its own."""
+    """Return the front on one of equal parts of its interval of γ, with inequalities of its own."""
     part = copy(front)
     low, high = (arb(fmpq(2 * j - count, count)) for j in (k, k + 1))
     part.gamma, part.middle = (
@@ -146,7 +146,7 @@ def _part(front, k, count):
 
 
 def lead(part, modes, rest, x0):
-    """Which root leads, its rates and its amplitude, and whether the front is monotone.
+    """Return which root leads, its rates and its amplitude, and whether the front is monotone.
 
     `rest` is the bound of ω and its rate.
     """
@@ -222,7 +222,7 @@ def _statements(front, found):
 
 
 def _exchanged(front):
-    """Whether λ₂ decays more slowly than λ₁ at the lower end of γ, and faster at the upper end."""
+    """Return whether λ₂ decays more slowly than λ₁ at the lower end of γ, faster at the upper."""
     ahead = []
     for gamma in (front.middle - front.half, front.middle + front.half):
         law, rows = Law(front.alpha, gamma), front.data["roots"].tolist()
@@ -232,18 +232,18 @@ def _exchanged(front):
 
 
 def _least(values):
-    """An exact lower bound of all values."""
+    """Return an exact lower bound of all values."""
     return -largest([-value for value in values])
 
 
 def _hull(values):
-    """A ball around all values."""
+    """Return a ball around all values."""
     values = list(values)
     return _least(values).union(largest(values))
 
 
 def boundary_source(front, at):
-    """F_b on the cells of (−1, 1), as polynomials of P̄ and ū, and its errors there."""
+    """Return F_b on the cells of (−1, 1), as polynomials of P̄ and ū, and its errors there."""
     n, gamma, half = front.n, front.gamma, front.h / 2
     Q, z = ([f - 1 for f in pieces] for pieces in (front.P[at : at + n], front.u[at - n : at]))
     Q_sums, z_sums = antiderivatives(Q, front.h), antiderivatives(z, front.h)
@@ -271,7 +271,7 @@ def _weighted(n, source, errors, w):
 
 
 def _amplitude(front, root, source, errors, bent):
-    """C = −F̂(λ)/D'(λ); the exponential on a cell is a Taylor polynomial and a remainder."""
+    """Return C = −F̂(λ)/D'(λ); the exponential on a cell is a Taylor polynomial and a remainder."""
     n, half, x = front.n, front.h / 2, root * front.h / 2
     exponential = acb_poly([(-x) ** k / math.factorial(k) for k in range(TERMS)])
     growth = abs(x).exp()

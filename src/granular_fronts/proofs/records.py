@@ -1,4 +1,4 @@
-"""What certificates prove, as a dataset: intervals of γ, bounds, statements and margins."""
+"""Put what certificates prove into a dataset: intervals of γ, bounds, statements and margins."""
 
 from pathlib import Path
 
@@ -11,12 +11,12 @@ JOINED = "the front before is a translate"  # the last inequality of a junction
 
 
 def records_dataset(records):
-    """What is proved: a row for each record, NaN for numbers that are not proved.
+    """Return what is proved: a row for each record, NaN for numbers that are not proved.
 
     A record is as from `check_certificate` or `families.record`, with `path`, `name`, `alpha`,
-    `beta` (by default α) and `seconds`, the processor time.  `overshoot_bound` is below max u − 1;
-    `joined` is 1 where the fronts continue those of the row before; on (certificate, inequality)
-    are both sides, `left` < `right`.
+    `beta` (by default α) and `seconds`, the processor time.  `overshoot_bound` is below max u − 1,
+    and `joined` is 1 where the fronts continue the row before.  The sides `left` < `right` are on
+    (certificate, inequality).
     """
     names = list(dict.fromkeys(one["name"] for row in records for one in row["inequalities"]))
     sides = np.full((2, len(records), len(names)), np.nan)

@@ -72,7 +72,7 @@ from scipy import fft, linalg
 
 
 def kernel(gamma, w, n):
-    """K e^(−ws) at (m + 1/2)/n, and its integrals over |s − m/n| < 1/(2n), in floating point."""
+    """Return K e^(−ws) at (m + 1/2)/n and its integrals over |s − m/n| < 1/(2n), as floats."""
 
     def values(s):
         return (1 - abs(s) + np.sign(s) * gamma) * np.exp(-w * s)
@@ -84,7 +84,7 @@ def kernel(gamma, w, n):
 
 
 def rear_inverse(alpha, gamma, w, n, lost, half=0.0):
-    """The kernels g, and where half > 0 also g₁, on beads [−p, q]; p; q."""
+    """Return the kernels g, and where half > 0 also g₁, on beads [−p, q]; p; q."""
 
     def inverse(at):
         return periodic_inverse(*(alpha * f for f in kernel(at, w, n)), n)
@@ -96,7 +96,7 @@ def rear_inverse(alpha, gamma, w, n, lost, half=0.0):
 
 
 def trimmed(rows, n, lost):
-    """Kernels on beads [−p, q]; p; q.  Beyond either end is at most `lost` of the first's ∫|g|."""
+    """Return kernels on beads [−p, q]; p; q.  Beyond lies at most `lost` of the first's ∫|g|."""
     g = rows[0]
     zero = len(g) // 2
     mass = np.cumsum(abs(g)) / n
@@ -106,7 +106,7 @@ def trimmed(rows, n, lost):
 
 
 def periodic_inverse(middles, whole, n, span=200):
-    """G with δ + g inverse to δ − f, from f in the middles of cells and its integrals.
+    """Return G with δ + g inverse to δ − f, from f in the middles of cells and its integrals.
 
     Its period is 2 `span` beads, far beyond those on which it is kept.
     """
@@ -117,14 +117,14 @@ def periodic_inverse(middles, whole, n, span=200):
 
 
 def toeplitz(whole, cells):
-    """The matrix of integrals of a kernel over cells about x_i − x_j."""
+    """Return the matrix of integrals of a kernel over cells about x_i − x_j."""
     n = len(whole) // 2
     offsets = np.subtract.outer(np.arange(cells), np.arange(cells))
     return np.where(abs(offsets) <= n, whole[np.clip(offsets + n, 0, 2 * n)], 0.0)
 
 
 def window_correction(stiffness, gamma, n, zero, longer):
-    """H − 1 on the last cells, from ā in the middles of a window longer by `longer` cells behind.
+    """Return H − 1 on the last cells, from ā at middles of a window `longer` cells longer.
 
     The cell `zero` begins at ξ = 0.
     """
@@ -133,7 +133,7 @@ def window_correction(stiffness, gamma, n, zero, longer):
 
 
 def solve_window(matrix, n, zero, longer):
-    """H − 1 on the last cells, from the matrix of T on a longer window."""
+    """Return H − 1 on the last cells, from the matrix of T on a longer window."""
     cells = len(matrix)
     system, sources = np.zeros((cells + 1, cells + 1)), np.zeros((cells + 1, cells - longer))
     rows = np.delete(np.arange(cells + 1), zero + 1)

@@ -21,12 +21,12 @@ MOST_ROWS = 19_000  # of the window's matrix: solving it holds six copies at onc
 
 
 def beads(length):
-    """The least number of beads that a length fits into."""
+    """Return the least number of beads that a length fits into."""
     return max(1, math.ceil(length))
 
 
 def window_stiffness(front, first, last, n):
-    """ā in the middles of the cells of [first, last], if the window's matrix fits into memory."""
+    """Return ā at the middles of the cells of [first, last], if its matrix fits into memory."""
     rows = (last - first) * n
     if rows > MOST_ROWS:
         raise InputError(
@@ -38,29 +38,29 @@ def window_stiffness(front, first, last, n):
 
 
 def fractions(interval):
-    """Numerators and denominators of both ends."""
+    """Return the numerators and denominators of both ends."""
     return integers(*(k for end in interval for k in (end.numerator, end.denominator)))
 
 
 def integers(*numbers):
-    """Integers of at most 64 bits."""
+    """Return the integers of at most 64 bits."""
     if max(map(abs, numbers)) >= 2**63:
         raise InputError("a fraction has more than 18 digits: round it.")
     return np.array(numbers, dtype=np.int64)
 
 
 def kernels(rows):
-    """Kernels of inverses, a row for each power of s."""
+    """Return the kernels of inverses, a row for each power of s."""
     return np.array([_differences(row, INVERSE_UNIT, np.int32) for row in rows])
 
 
 def matrix(correction):
-    """H − 1."""
+    """Return H − 1."""
     return _differences(correction, MATRIX_UNIT, np.int16)
 
 
 def _differences(values, unit, kind):
-    """Second differences in integers, once along each axis of a matrix."""
+    """Return the second differences in integers, once along each axis of a matrix."""
     found = np.rint(values / unit).astype(np.int64)
     for axis in (0, -1):
         found = np.diff(found, axis=axis, prepend=0)

@@ -62,18 +62,18 @@ class Law(Inequalities):
 
 
 def symbol(law, x, gamma=None):
-    """D(λ), for all γ of a law or for one."""
+    """Return D(λ), for all γ of a law or for one."""
     gamma, waves = law.gamma if gamma is None else gamma, x.exp() + (-x).exp() - 2
     return 1 - law.alpha * (1 - gamma * x) * waves / (x * x)
 
 
 def slope(law, x, gamma=None):
-    """D'(λ)."""
+    """Return D'(λ)."""
     return symbol(law, acb_series([x, 1], 2), gamma)[1]
 
 
 def newton(f, derivative, start, radius):
-    """The only zero of a function in a ball, by the interval Newton operator."""
+    """Return the only zero of a function in a ball, by the interval Newton operator."""
     middle, ball = start, start + (disc(radius) if isinstance(start, acb) else radius * UNIT)
     for step in range(NEWTON_STEPS):
         found = middle - f(middle) / derivative(ball)
@@ -84,7 +84,7 @@ def newton(f, derivative, start, radius):
 
 
 def find_root(law, real, imaginary, radius):
-    """The only zero of D in a square; real if its start is, and else above the real axis.
+    """Return the only zero of D in a square; real if its start is, and else above the real axis.
 
     The square is about what Newton's method finds for the middle γ.
     """
@@ -100,7 +100,7 @@ def find_root(law, real, imaginary, radius):
 
 
 def speed(law, root):
-    """dλ/dγ."""
+    """Return dλ/dγ."""
     return -root / ((1 - law.gamma * root) * slope(law, root))
 
 
@@ -132,20 +132,20 @@ def require_zeros(law, name, w, count):
 
 
 def bell(x, order):
-    """The values of q and of its derivatives at a real ball."""
+    """Return the values of q and of its derivatives at a real ball."""
     x = arb_series([x, 1], order + 1)
     series = x * x / (x.exp() + (-x).exp() - 2)
     return [series[k] * math.factorial(k) for k in range(order + 1)]
 
 
 def touching(x):
-    """T(λ), the α of the line that touches the bell."""
+    """Return T(λ), the α of the line that touches the bell."""
     q, first = bell(x, 1)
     return q - x * first
 
 
 def find_bend(start, radius):
-    """b, the only λ > 0 at which the bell bends; α* = T(b)."""
+    """Return b, the only λ > 0 at which the bell bends; α* = T(b)."""
     for k in range(2 * BEND_PARTS, 7 * BEND_PARTS // 2):
         part = arb(fmpq(k, BEND_PARTS)).union(arb(fmpq(k + 1, BEND_PARTS)))
         _, _, second, third = bell(part, 3)
@@ -158,7 +158,7 @@ def find_bend(start, radius):
 
 
 def double_root(alpha, start, radius):
-    """The law of Lemma 11 and its double root, which is the slowest of all roots."""
+    """Return the law of Lemma 11 and its double root, which is the slowest of all roots."""
     root = newton(
         lambda x: touching(x) - alpha, lambda x: -x * bell(x, 2)[2], arb(start), arb(radius)
     )
@@ -171,7 +171,7 @@ def double_root(alpha, start, radius):
 
 
 def crossing(alpha, gamma, starts, radius):
-    """The law of Lemma 12 and its roots, near a real root and a complex one."""
+    """Return the law of Lemma 12 and its roots, near a real root and a complex one."""
 
     def roots(law):
         return [find_root(law, start.real, start.imag, radius) for start in starts]

@@ -49,7 +49,7 @@ def _make_folder(figures):
 
 
 def _known_problems(folder):
-    """Files of the answers by problem, those of the table; an earlier run may have left others."""
+    """Return the files of the answers that the table names, by problem."""
     table = folder / "answers.csv"
     if not table.is_file():
         raise InputError(

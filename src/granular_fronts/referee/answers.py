@@ -1,8 +1,8 @@
 """Accurate answers to the problems, each with its error, as netCDF and CSV.
 
-A problem is solved by the chain's own integrator, and again with a tolerance a tenth of it; the
-largest difference is the error (see `chain.simulate`).  The reading of the damping (`readings`) is
-made at several dampings around the given one, so that a run can be compared with each.
+A problem is solved by the chain's integrator, and again with two steps for each.  The largest
+difference is the error (see `chain.simulate`).  The number that depends on the damping (`readings`)
+is computed at several dampings around the given one.  So a result can be compared with each.
 """
 
 import csv
@@ -19,10 +19,10 @@ LAST_BEADS = 3  # whose velocities at the end are listed
 
 
 def solve(problem):
-    """The accurate answer to a problem.
+    """Return the accurate answer to a problem.
 
-    `relative_displacement` is on (t, contact), `velocity` on (t, bead), `reading` on (factor,),
-    dampings over γ; `value` and `value_error` are on (quantity,).
+    `relative_displacement` is on (t, contact) and `velocity` on (t, bead).  `reading` is on
+    (factor,), dampings over γ; `value` and `value_error` are on (quantity,).
     """
     motion = simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)
@@ -58,7 +58,7 @@ def solve(problem):
 
 
 def states(motion):
-    """Times, relative displacements and velocities of all states."""
+    """Return the times, relative displacements and velocities of all states."""
     u = motion["relative_displacement_grid"].values[:, :-1]
     return motion["t_grid"].values, u, motion["velocity_grid"].values
 
@@ -86,7 +86,7 @@ def _quantities(motion):
 
 
 def table_of(answers):
-    """All single numbers of some answers, a mapping by names of problems, as CSV."""
+    """Return all single numbers of some answers, a mapping by names of problems, as CSV."""
     rows = [
         {"problem": name, "quantity": quantity, "value": float(value), "error": f"{error:.1e}"}
         for name, answer in answers.items()
@@ -98,12 +98,12 @@ def table_of(answers):
 
 
 def problems_of(table):
-    """Names of the problems of a table, each once."""
+    """Return the names of the problems of a table, each once."""
     return list(dict.fromkeys(row["problem"] for row in csv.DictReader(io.StringIO(table))))
 
 
 def states_of(answer):
-    """The states half-way and at the end as CSV: t, bead, u of its right contact, v, error."""
+    """Return states half-way and at the end as CSV: t, bead, u of its right contact, v, error."""
     fields = answer["relative_displacement"], answer["velocity"]
     error = max(field.attrs["error_estimate"] for field in fields)
     states = (answer.isel(t=row) for row in (answer.sizes["t"] // 2, -1))

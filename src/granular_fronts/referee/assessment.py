@@ -1,4 +1,4 @@
-"""How far results are from the answer: errors, order, the damping they look like, and advice."""
+"""Assess results: errors, order, apparent damping, and advice."""
 
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ class Finding(NamedTuple):
     """What one result shows.
 
     `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
-    states; `reading` and `excess` are those of `readings`, NaN where there is none.
+    states; `reading` and `excess` come from `readings`; NaN if undefined.
     """
 
     step: float
@@ -42,7 +42,7 @@ def find(problem, answer, result):
 
 
 def _matching_rows(problem, answer, result):
-    """Rows of a result at the times of the answer."""
+    """Return the rows of a result at the times of the answer."""
     name = f"{problem.name} with step {result.step:g}"
     beads = problem.scene["beads"]
     if result.x.shape[1] != beads:
@@ -64,7 +64,7 @@ def _matching_rows(problem, answer, result):
 def _check_start(problem, step, u, v):
     """Check that a motion starts as the problem: beads touch and have its velocities.
 
-    Codes that keep velocities of half steps start with that of half a step before or after.
+    Codes that keep velocities of half steps start with a velocity half a step before or after.
     """
     name = f"{problem.name} with step {step:g} does not start as the problem"
     farthest = float(np.abs(u).max())
@@ -77,7 +77,7 @@ def _check_start(problem, step, u, v):
     pressure = problem.displacement ** problem.scene["law"]["alpha"]
     if off > 0.5 * step * pressure + SAME_START * velocity_scale(problem):
         raise InputError(
-            f"{name}: at t = 0 a velocity is {off:.3g} from that of the problem; bead 1 has "
+            f"{name}: at t = 0 a velocity is {off:.3g} off; in the problem bead 1 has "
             f"{problem.scene['start']['velocity'][0]:.6g} and the others rest."
         )
 
@@ -93,7 +93,7 @@ class Order(NamedTuple):
 
 
 def observed_order(findings):
-    """The order that the errors of two or more steps show."""
+    """Return the order that the errors of two or more steps show."""
     steps, errors = (np.log([getattr(one, name) for one in findings]) for name in ("step", "error"))
     slopes = np.diff(errors) / np.diff(steps)
     scatter = abs(slopes[-1] - slopes[-2]) if slopes.size > 1 else np.nan
@@ -148,7 +148,7 @@ def _advice(problem, finest, order, wanted):
         yield f"For an error of {wanted:g} take the step {step:.2g}."
         if round(order.value) == 1:
             yield (
-                "Order one is that of velocity Verlet whose viscous force sees the velocity of "
+                "Order one belongs to velocity Verlet whose viscous force sees the velocity of "
                 "half a step before. A predicted velocity makes it two: in LAMMPS fix mvv/dpd "
                 f"1.0, which the deck {problem.name}.lmp takes with -var integrator mvv."
             )

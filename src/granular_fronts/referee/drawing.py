@@ -1,4 +1,4 @@
-"""Results beside the accurate answer."""
+"""Draw results and the accurate answer."""
 
 import numpy as np
 from matplotlib import colormaps

@@ -12,9 +12,8 @@ and no tangential force has the elastic force :math:`k_n R_\mathrm{eff}^{1/2} u^
 - ``velocity``, :math:`\eta\,\dot u`: β = 1, η = γ.
 
 A constant force :math:`\delta^{3/2}` on bead 1 is the pressure of (25).  The usual ``fix nve`` is
-the scheme of `half_step`; ``fix mvv/dpd 1.0`` is of order 2, and wants the atom style of a
-dissipative particle, and beside the contact forces a pair style of such particles, here of no
-force.
+the scheme of `half_step`; ``fix mvv/dpd 1.0`` is of order 2, and needs the atom style and a pair
+style of dissipative particles, here without force.
 """
 
 import math
@@ -61,7 +60,7 @@ run ${{steps}}
 
 
 def write_deck(name, title, scene, interval):
-    """The input file of a chain.
+    """Return the input file of a chain.
 
     The scene has α = 3/2, β of 3/2, 5/4 or 1, a free right end, and beads that just touch at t = 0;
     `name` begins the name of the file that LAMMPS writes, `interval` lies between two states in it.
@@ -88,7 +87,7 @@ def write_deck(name, title, scene, interval):
 
 
 def damping_model(law):
-    """LAMMPS's name of a viscous force and its coefficient; an InputError if it has none."""
+    """Return LAMMPS's name and coefficient of a viscous force; an InputError if it has no name."""
     alpha, beta, gamma = (float(law[name]) for name in ("alpha", "beta", "gamma"))
     if alpha == 1.5 and beta == 1.5:
         return "viscoelastic", 6.0 * gamma
@@ -108,7 +107,7 @@ def _start_velocities(scene):
 
 
 def _farthest(scene):
-    """How far a bead moves at the most: at thrice the velocity of a front, or of the start."""
+    """Return a bound of a bead's path, at thrice the velocity of a front or of the start."""
     law, left = scene["law"], scene["boundary"]["left"]
     fastest = max(left ** (0.5 * (law["alpha"] + 1.0)), *map(abs, _start_velocities(scene)))
     return 3.0 * fastest * scene["end_time"]

@@ -9,7 +9,7 @@ from granular_fronts.referee.results_files import read_result
 
 
 def run_lammps(command, name, deck, step, integrator="nve"):
-    """The `Result` that LAMMPS computes from a deck, and what it prints, its version first.
+    """Return the `Result` that LAMMPS computes from a deck, and what it prints, its version first.
 
     The integrator is "nve" or "mvv", ``fix nve`` or ``fix mvv/dpd``; a SolveError quotes what
     LAMMPS says if it fails.

@@ -35,7 +35,7 @@ No other force acts, both ends are free, and nothing rotates.
 
 Two neighbours that overlap by u > 0 repel each other with the force
     u^(3/2) + {gamma!r} * {beta:g} * u^({less:g}) * du/dt,
-which becomes attractive just before they part and is not cut off there; without overlap it is zero.
+which becomes attractive just before they part and is not cut off there. It is zero without overlap.
 
 Compute the motion up to t = {end_time:g}, with two steps or more, and write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
@@ -48,9 +48,9 @@ columns t, bead, x, v, where x is the displacement from the start. Or let LAMMPS
 class Problem(NamedTuple):
     """A motion to compute.
 
-    `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ,
-    `interval` the time between two states that are compared; `factors` are the dampings over γ at
-    which a reading of the damping is made.
+    `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ, and
+    `interval` is the time between two states that are compared.  `factors` are the dampings over γ
+    at which `readings` are computed.
     """
 
     name: str
@@ -68,7 +68,7 @@ class Problem(NamedTuple):
 
 
 def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
-    """State all problems of the section ``referee`` of config/referee.yaml, by their names.
+    """Return all problems of the section ``referee`` of config/referee.yaml, by their names.
 
     An InputError says in a sentence what is wrong, such as a law that LAMMPS does not have.
     """
@@ -109,7 +109,7 @@ def _scene_of(
     damping: float,
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """One problem as `simulate_chain` takes it."""
+    """Return one problem as `simulate_chain` takes it."""
     delta, beads = settings["displacement"], chain["beads"]
     pressed = motion in ("front", "contact_loss")
     velocity = [0.0 if pressed else delta ** (0.5 * (ALPHA + 1.0)), *[0.0] * (beads - 1)]
@@ -130,7 +130,7 @@ def _scene_of(
 
 
 def in_words(problem: Problem) -> str:
-    """A problem in plain words and numbers, for any code."""
+    """Return a problem in plain words and numbers, for any code."""
     scene, delta = problem.scene, problem.displacement
     law = scene["law"]
     velocity = scene["start"]["velocity"][0]
@@ -154,7 +154,7 @@ def in_words(problem: Problem) -> str:
 
 
 def read_settings(file: Path | str) -> dict[str, Any]:
-    """The section ``referee`` of a file, as `load_problems` takes it.
+    """Return the section ``referee`` of a file, as `load_problems` takes it.
 
     An InputError has a sentence for each thing that is wrong in its YAML, keys and values.
     """

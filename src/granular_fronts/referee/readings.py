@@ -1,17 +1,16 @@
-"""One number of a motion that depends on its damping, and the damping that it looks like.
+"""One number of a motion that depends on its damping, and the damping that follows from it.
 
 =============  ================================================================================
 front          overshoot: first peak of u between states, over δ, in the middle of the chain
 contact_loss   velocity of the last bead at the end, over δ^(5/4)
 striker        peak of u between states in the middle of the chain, over δ
-collision      velocity at which the beads part, over that of their impact: restitution
+collision      velocity at which the beads part, over their impact velocity: restitution
 =============  ================================================================================
 
-A peak is that of the cubic between two states that has u and its rate at both.  This is not quite
-the first peak of the motion, from which it is off by up to 1.3e-4 of it with states 0.5 apart; it
-is made of results and of accurate motions alike, so that it says the damping, and no more.  Where
-the reading does not fall with the damping, as the peak of an overdamped front, which is none, it
-says nothing.
+A peak is taken from the cubic between two states that has u and its rate at both.  With states 0.5
+apart it differs from the first peak of the motion by up to a share of 1.3e-4.  Results and accurate
+motions are treated alike, so that the number says only the damping.  It says nothing where it does
+not fall with the damping, for example in an overdamped front, which has no peak.
 """
 
 import numpy as np
@@ -30,19 +29,19 @@ NAMES = {
 
 
 def scale_of(problem):
-    """What a reading is divided by: δ, or the velocity of the beads behind a front."""
+    """Return the scale of the number: δ, or the velocity of the beads behind a front."""
     if problem.motion in ("front", "striker"):
         return problem.displacement
     return velocity_scale(problem)
 
 
 def velocity_scale(problem):
-    """δ^((α + 1)/2)."""
+    """Return δ^((α + 1)/2)."""
     return problem.displacement ** (0.5 * (problem.scene["law"]["alpha"] + 1.0))
 
 
 def read_motion(problem, t, u, v):
-    """The number that says the damping, from u (T, N − 1) and v (T, N); NaN without a peak."""
+    """Return number that says the damping, from u (T, N − 1) and v (T, N); NaN without a peak."""
     if problem.motion == "contact_loss":
         found = float(v[-1, -1])
     elif problem.motion == "collision":
@@ -54,16 +53,16 @@ def read_motion(problem, t, u, v):
 
 
 def excess_damping(reading, factors, table):
-    """γ of the accurate motion with a reading, over γ, less 1; NaN where the reading says nothing.
+    """Return γ of the accurate motion with the same number, over γ, less 1; NaN if undefined.
 
-    `table` holds the accurate readings at the dampings `factors` times γ.
+    `table` holds the accurate numbers at the dampings `factors` times γ.
     """
     falls = np.diff(table).max() < -LEAST_FALL * abs(table[0])
     return float(excess_by_table(np.array(reading), factors, table)) if falls else np.nan
 
 
 def first_peak(t, u, rate):
-    """First maximum of u, after it has come to half its largest value; NaN without one."""
+    """Return first maximum of u, after it has come to half its largest value; NaN without one."""
     falls = (u[1:] > 0.5 * u.max()) & (rate[1:] < 0.0) & (rate[:-1] >= 0.0)
     if not falls.any():
         return np.nan

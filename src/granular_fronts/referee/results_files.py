@@ -1,8 +1,8 @@
-"""What a code made of a problem: dumps of LAMMPS, or tables with the columns t, bead, x, v.
+"""Read the results of a code: dumps of LAMMPS, or tables with the columns t, bead, x, v.
 
-The name of a file says what it is about, PROBLEM_STEP.dump or PROBLEM_STEP.csv, for example
-``front_steel_dashpot_0.05.csv``.  In a table x is the displacement of a bead from where it would
-just touch, or its position in diameters with bead 1 at 0; times and beads may come in any order.
+A file is named PROBLEM_STEP.dump or PROBLEM_STEP.csv, for example ``front_steel_dashpot_0.05.csv``.
+In a table x is the displacement of a bead from where it just touches, or its position in diameters
+with bead 1 at 0.  Times and beads may come in any order.
 """
 
 import csv
@@ -72,7 +72,7 @@ def _read_name(path, problems):
 
 
 def _lammps_rows(path):
-    """Rows (t, bead, x, v) of a dump with ``dump_modify time yes``."""
+    """Return the rows (t, bead, x, v) of a dump with ``dump_modify time yes``."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     rows, time, at = [], None, 0
     while at < len(lines):
@@ -99,7 +99,7 @@ def _lammps_rows(path):
 
 
 def _table_rows(path):
-    """Rows (t, bead, x, v) of a table; lines that begin with # are comments."""
+    """Return the rows (t, bead, x, v) of a table; lines that begin with # are comments."""
     with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
         lines = (line for line in file if not line.startswith("#"))
         reader = csv.DictReader(lines, skipinitialspace=True)
@@ -123,7 +123,7 @@ def _table_rows(path):
 
 
 def _number(path, text=""):
-    """A finite number."""
+    """Return a finite number."""
     try:
         found = float(text)
     except (TypeError, ValueError):
@@ -153,6 +153,6 @@ def _by_time_and_bead(path, rows):
 
 
 def _displacements(x):
-    """Displacements: x, less the places where beads just touch if it holds positions."""
+    """Return the displacements: x, less the places where beads just touch if it holds positions."""
     beads = np.arange(x.shape[1])
     return x - beads if np.mean(np.diff(x[0])) > 0.5 else x

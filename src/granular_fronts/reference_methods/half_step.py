@@ -8,7 +8,7 @@ LAMMPS's ``fix nve``, LIGGGHTS and YADE evaluate the forces once in each step h,
     a_{n+1} = a(x_{n+1}, v_{n+1/2}), \qquad v_{n+1} = v_{n+1/2} + \tfrac h2 a_{n+1}.
 
 Without damping this is the velocity Verlet method, of order 2.  With it the viscous forces take the
-velocity of half a step before, the latest one computed by then, and the order is 1.
+velocity of half a step before, the latest one known, and the order is 1.
 
 Leading error.  The viscous force at time t sees :math:`v - \tfrac h2\dot v`, all else is right to
 order h².  Up to h² the method therefore solves the chain whose contacts carry

@@ -33,7 +33,7 @@ class Contacts(NamedTuple):
 
     form: int  # XW or XV.
     ring: bool
-    # Relative displacements u_0 and u_N held at the ends; on a ring `right` is −L, the sum of all
+    # Relative displacements u_0 and u_N held at the ends.  On a ring `right` is −L, the sum of all
     # relative displacements over one turn, and `left` is unused.
     left: float
     right: float
@@ -59,7 +59,7 @@ class System(NamedTuple):
 
 
 def make_system(form: int, law: Law, boundary: Boundary, beads: int, turn: float = 0.0) -> System:
-    """A chain in positions; on a ring `turn` is the sum of all relative displacements."""
+    """Return a chain in positions; on a ring `turn` is the sum of all relative displacements."""
     order = 1 if form == XW else 2
     contacts = Contacts(
         form,
@@ -78,7 +78,7 @@ def make_system(form: int, law: Law, boundary: Boundary, beads: int, turn: float
 def pack(
     form: int, law: Law, boundary: Boundary, u: np.ndarray, velocity: np.ndarray
 ) -> tuple[System, np.ndarray]:
-    """A system and its state vector, shape (2 N,), from relative displacements and velocities.
+    """Return a system and its state, shape (2 N,), from relative displacements and velocities.
 
     Both have the shape (N,); with pressure at the ends u_N is the held value.
     """
@@ -92,7 +92,7 @@ def pack(
 
 
 def unpack(system, y):
-    """Relative displacements and velocities, both of shape (N,), from a state vector."""
+    """Return the relative displacements and velocities, both of shape (N,), from a state vector."""
     x, rate = np.split(y, 2)
     u = np.append(x[:-1] - x[1:], system.contacts.right)
     if system.boundary.ring:
@@ -103,19 +103,19 @@ def unpack(system, y):
 
 
 def right_hand_side(system, y):
-    """Time derivative of a state vector."""
+    """Return the time derivative of a state vector."""
     result = np.empty_like(y)
     _derivative(system.contacts, y, result)
     return result
 
 
 def integrate_fixed(system, y, h, steps):
-    """`steps` steps of constant size h, from and to a state vector."""
+    """Return `steps` steps of constant size h, from and to a state vector."""
     return _integrate_fixed(system.contacts, y, h, steps)
 
 
 def integrate_by_stages(system, y, h, steps, nodes, weights):
-    """`steps` steps of constant size h of a method whose stages each use the one before alone.
+    """Take `steps` steps of constant size h, by a method whose stages each use only the one before.
 
     Euler's method has the nodes [0] and weights [1], the classical one of order 4 the nodes
     [0, 1/2, 1/2, 1] and weights [1, 2, 2, 1]/6.
@@ -124,7 +124,7 @@ def integrate_by_stages(system, y, h, steps, nodes, weights):
 
 
 def integrate_adaptive(system, y, h, end_time, relative, absolute):
-    """From 0 to `end_time` with error control; returns the state and the accepted steps.
+    """Integrate from 0 to `end_time` with error control; return the state and the accepted steps.
 
     The state is NaN if the step size collapses.
     """
@@ -159,7 +159,7 @@ def _derivative(contacts, y, result):
 
 @subroutine
 def _step(contacts, y, slopes, h, relative, absolute):
-    """One step of the pair; returns the new state and the error in units of the tolerance."""
+    """Take one step of the pair; return the new state and its error over the tolerance."""
     stage = np.empty_like(y)
     _derivative(contacts, y, slopes[0])
     for row in range(1, rk.STAGES):

@@ -39,12 +39,12 @@ class UpwindRun(NamedTuple):
 
 
 def grid(half_length, points):
-    """The points ξ̃_j = −ℓ + 2ℓ j/M, shape (points,)."""
+    """Return the points ξ̃_j = −ℓ + 2ℓ j/M, shape (points,)."""
     return half_length * (2.0 * np.arange(points) / points - 1.0)
 
 
 def largest_step(spacing, fastest):
-    """Δ²/(2 + c_max Δ), the limit of stability."""
+    """Return Δ²/(2 + c_max Δ), the limit of stability."""
     return spacing**2 / (2.0 + fastest * spacing)
 
 

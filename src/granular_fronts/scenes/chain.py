@@ -27,7 +27,7 @@ RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
 
 LARGEST_OVERSHOOT = 10.0
-"""Compression that no chain at rest comes to, over the largest relative displacement driving it.
+"""Compression that no chain at rest reaches, over the largest relative displacement that drives it.
 
 Chains of 2 to 21 beads without damping, pressed or pushed from both ends, stay below 3.5 for α of 1
 to 1.5.
@@ -39,9 +39,9 @@ HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set()}
 STEPS_PER_CROSSING, STEPS_PER_DAMPING_TIME = 1.0 / 3.0, 1.0 / 20.0
 """A step resolves waves and damping: a time t takes at least t (c/3 + 4G'/20) of them.
 
-G' is the slope of the viscous force at δ.  Twenty scenes with γ from 0 to 1e6 and 10 to 420 beads
-took 0.6 to 180 times this estimate, which leaves out that fronts and contacts that open need short
-steps.
+G' is the slope of the viscous force at δ.  Fronts and opening contacts need shorter steps, which
+this estimate leaves out.  Twenty scenes with γ from 0 to 1e6 and 10 to 420 beads took 0.6 to 180
+times as long.
 """
 
 SECONDS_PER_STEP, SECONDS_PER_BEAD = 5.0e-7, 1.0e-8  # and in addition of each bead that moves
@@ -147,14 +147,14 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
     if alpha is not None and alpha < 1 and smallest <= 0:
         yield (
-            f"law.alpha is {alpha}, below 1, where the stiffness of an uncompressed contact is "
-            f"infinite, and the smallest relative displacement at the start is {smallest}: "
-            "take alpha of 1 or more, or a start compressed everywhere."
+            f"law.alpha is {alpha}, below 1, but the smallest relative displacement at first is "
+            f"{smallest}, where such a contact is infinitely stiff: take alpha of 1 or more, or a "
+            "start compressed everywhere."
         )
 
 
 def _probes_are_on_chain(scene: Mapping) -> Iterator[str]:
-    """Every probe stands on a bead, under a name that no other record has."""
+    """Every probe is on a bead, and its name is its own."""
     for name, probe in scene["record"].get("probes", {}).items():
         if name == "grid":
             yield (
@@ -215,7 +215,7 @@ def size_of_chain(scene: Mapping) -> Iterator[Part]:
 
 
 def _motion_time(scene: Mapping, beads: float) -> float:
-    """Time that the steps of a motion take."""
+    """Return the time that the steps of a motion take."""
     size, boundary = decades_of_displacement(scene), scene["boundary"]
     # Beads that nothing holds fly apart, and long steps follow them.
     flies_apart = boundary["kind"] == "pressure" and not (boundary["left"] or boundary["right"])

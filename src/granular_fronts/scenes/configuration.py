@@ -1,8 +1,8 @@
 """Validate a whole configuration, as the workflow does at each start.
 
-Beside its scenes and sections one by one, a configuration must not give two results one name, must
-record what the figures draw, must name a folder that can receive the results, and must be written
-so that no key is ignored.
+First its scenes and sections are checked one by one.  Then no two results may have one name, and
+what the figures draw must be recorded.  The results need a folder that can be written, and no key
+may be ignored.
 """
 
 import os
@@ -33,7 +33,7 @@ SECTIONS: dict[str, Section] = {
     **dict.fromkeys(MEASUREMENTS, Section()),
     "proofs": PROOFS,
 }
-"""All sections by their path in the configuration; ``*`` stands for any name."""
+"""All sections by their path in the configuration; ``*`` matches any name."""
 
 UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 """Parts of a folder's name that Snakemake, a shell or a reader takes for something else."""

@@ -1,4 +1,4 @@
-"""Scenes of the family ``front``: an exact front beside a driven chain, section 6."""
+"""Scenes of the family ``front``: an exact front and a driven chain, section 6."""
 
 from collections.abc import Iterator, Mapping
 

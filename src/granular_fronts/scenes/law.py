@@ -41,7 +41,7 @@ THETA_END_ERROR = 1.0e-9
 
 
 def _beads_are_solid(materials: Mapping) -> Iterator[str]:
-    """Mass, radius and Young's modulus are those of a solid in SI units."""
+    """Mass, radius and Young's modulus belong to a solid, in SI units."""
     for name, bead in materials["beads"].items():
         density = 0.75 * bead["mass"] / math.pi / bead["radius"] ** 3
         lightest, heaviest = DENSITIES

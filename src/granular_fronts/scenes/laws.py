@@ -1,8 +1,8 @@
-"""What the checks of a scene ask of its law: that it is possible, and the sizes that it makes.
+"""Check that the law of a scene is possible, and estimate the sizes of its motion.
 
-The short form of a law, by its exponents, needs no more than arithmetic.  The long form, by the
-kinds of its potentials, and a `Law` from Python are evaluated: only then are `model.laws` and with
-it numpy imported, since the workflow checks its configuration at each start.
+The short form of a law, by its exponents, needs only arithmetic.  The long form, by the kinds of
+its potentials, and a `Law` from Python are evaluated.  Only then is numpy imported, since the
+workflow checks its configuration at each start.
 
 A scene is driven by relative displacements of about δ, with energies of about δ^(α + 1).  Sizes are
 decimal logarithms, −∞ for none.
@@ -35,7 +35,7 @@ DECADES_PER_UNIT = 8
 
 
 def is_short(law: object) -> bool:
-    """Whether a law is given by its exponents."""
+    """Return whether a law is given by its exponents."""
     return isinstance(law, Mapping) and "alpha" in law
 
 
@@ -51,7 +51,7 @@ def law_errors(section: Mapping) -> Iterator[str]:
 
 
 def made_law(law: Any) -> Any:
-    """The `model.laws.Law` of a long form, or one that is made already; else an InputError."""
+    """Return `model.laws.Law` of a long form, or one that is made already; else an InputError."""
     if is_of_potentials(law):
         from granular_fronts.model.laws import make_law
 
@@ -62,7 +62,7 @@ def made_law(law: Any) -> Any:
 
 
 def is_of_potentials(law: object) -> bool:
-    """Whether a law is a mapping with a potential that is made already, as Python can give it."""
+    """Return whether a law is a mapping with a potential that Python has made already."""
     return isinstance(law, Mapping) and any(hasattr(part, "domain") for part in law.values())
 
 
@@ -74,7 +74,7 @@ def _made(text: str) -> Any:
 
 
 def exponent_of(law: Any) -> float | None:
-    """Exponent α of a Hertz potential, None for other elastic potentials."""
+    """Return the exponent α of a Hertz potential, None for other elastic potentials."""
     if is_short(law):
         return law["alpha"]
     elastic = made_law(law).elastic
@@ -87,7 +87,7 @@ def domain_of(law: Any) -> tuple[float, float]:
 
 
 def decades_of_impact(law: Any, velocity: float, most: int) -> float:
-    """Size of the strain that a velocity makes of contacts at rest, within 10^±most.
+    """Return the size of the strain that a velocity makes of contacts at rest, within 10^±most.
 
     A velocity v compresses them to about :math:`V(-u) = v^2`, that is :math:`v^{2/(α + 1)}` for
     the law (28), or stretches them as far where that takes less.
@@ -108,7 +108,7 @@ def decades_of_impact(law: Any, velocity: float, most: int) -> float:
 
 
 def front_speed(law: Any, size: float) -> float:
-    """Speed of a front into contacts at rest, (V'(−u)/−u)^½ for a compression u = 10^size."""
+    """Return the front speed into contacts at rest, (V'(−u)/−u)^½ for u = 10^size."""
     if is_short(law):
         return 10.0 ** (0.5 * (law["alpha"] - 1.0) * size)
     elastic, u = made_law(law).elastic, 10.0**size
@@ -118,7 +118,7 @@ def front_speed(law: Any, size: float) -> float:
 
 
 def damping_rate(law: Any, size: float) -> float:
-    """Largest rate at which damping acts at a compression of 10^size, 4G' of the viscous force."""
+    """Return the largest rate of damping at u = 10^size, 4G' of the viscous force."""
     if is_short(law):
         return 4.0 * law["gamma"] * law["beta"] * 10.0 ** ((law["beta"] - 1.0) * size)
     viscous, u = made_law(law).viscous, 10.0**size
@@ -126,7 +126,7 @@ def damping_rate(law: Any, size: float) -> float:
 
 
 def decades_of_energy(law: Any, size: float) -> dict[str, float]:
-    """Sizes of V and W at a compression of 10^size, by key of the law."""
+    """Return the sizes of V and W at a compression of 10^size, by key of the law."""
     if is_short(law):
         return {key: (law[key] + 1.0) * size for key in ("alpha", "beta") if key in law}
     made = made_law(law)
@@ -135,7 +135,7 @@ def decades_of_energy(law: Any, size: float) -> dict[str, float]:
 
 
 def _decades_of_energy(potential: Any, size: float) -> float:
-    """The same of one potential, −∞ where it is 0."""
+    """Return the same of one potential, −∞ where it is 0."""
     if potential.factor == 0.0 or -(10.0**size) <= potential.domain[0]:
         return -math.inf
     if potential.kind in ("hertz", "power"):
@@ -149,12 +149,12 @@ def _decades_of_energy(potential: Any, size: float) -> float:
 
 
 def decades(value: float) -> float:
-    """Decimal logarithm of a size."""
+    """Return the decimal logarithm of a size."""
     return math.log10(abs(value)) if value else -math.inf
 
 
 def decades_of_displacement(scene: Mapping) -> float:
-    """Size of the largest relative displacement that drives a scene with a law."""
+    """Return the size of the largest relative displacement that drives a scene with a law."""
     if "displacement" in scene:
         return decades(scene["displacement"])
     boundary, start = scene["boundary"], scene["start"]

@@ -1,8 +1,7 @@
-"""Limits of what one job may take, and the sentence for a section that asks for more.
+"""Limits of memory and time of one job, and the sentence for a section that exceeds them.
 
-The estimates of memory and time are lower bounds, mostly by orders of magnitude, since they decide
-only what is refused: what ends within half a day is not refused, and what takes days is, before it
-starts.
+The estimates of memory and time are lower bounds, mostly by orders of magnitude.  They decide only
+what is refused.  A job of half a day is accepted; a job of days is refused before it starts.
 """
 
 import functools
@@ -17,7 +16,7 @@ MOST_VALUES = 1_000_000
 """Values of a configuration, a campaign or a scene: to check so many takes half a minute."""
 
 BYTES_PER_NUMBER = 8
-LARGEST = 1.0e300  # stands for what overflows
+LARGEST = 1.0e300  # replaces what overflows
 
 NUMBERS_PER_BEAD = 64  # state and stages of the integrator, and what is followed at each bead
 COLUMNS_PER_ROW = 4  # numbers kept for each bead and time: two fields and what they are made from
@@ -42,12 +41,12 @@ class Part(NamedTuple):
 
 
 def grid_part(large: tuple[str, ...], small: tuple[str, ...], numbers: float) -> Part:
-    """The part of a grid of so many numbers, each of which takes its time."""
+    """Return the part of a grid of so many numbers, each of which takes its time."""
     return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
 
 
 def points_of(axis: Mapping) -> float:
-    """How many points a range has, from its start to its stop."""
+    """Return how many points a range has, from its start to its stop."""
     return (axis["stop"] - axis["start"]) / axis["step"]
 
 
@@ -77,7 +76,7 @@ def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
 
 
 def _show_memory(memory: float) -> str:
-    """Bytes in words, for example ``16 GiB``."""
+    """Return the bytes in words, for example ``16 GiB``."""
     for unit in ("bytes", "KiB", "MiB"):
         if memory < 1000.0:
             return f"{memory:.0f} {unit}"
@@ -86,7 +85,7 @@ def _show_memory(memory: float) -> str:
 
 
 def show_time(seconds: float) -> str:
-    """A duration in words, for example ``30 days``."""
+    """Return a duration in words, for example ``30 days``."""
     for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
         if seconds >= 2.0 * length:
             return f"{_show_number(seconds / length)} {unit}"

@@ -50,7 +50,7 @@ def _portrait_leaves_equilibria(scene: Mapping) -> Iterator[str]:
         if z == 0 and y in (-1, 0, 1):
             yield (
                 f"{name_entry('portrait.starts', index)} is [{y}, {z}], an equilibrium, where "
-                "nothing moves: start beside it."
+                "nothing moves: start elsewhere."
             )
 
 

@@ -1,4 +1,4 @@
-"""Scenes of the family ``periodic``: a ring beside its amplitude equations, section 4.3."""
+"""Scenes of the family ``periodic``: a ring and its amplitude equations, section 4.3."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -70,7 +70,7 @@ def _grids_hold_edge(scene: Mapping) -> Iterator[str]:
 
 
 def _grids(scene: Mapping) -> dict[str, int]:
-    """Cells or points of the equations that a scene names, by their keys."""
+    """Return the cells or points of the equations that a scene names, by their keys."""
     return {
         f"equations.{name}.{key}": settings[key]
         for name, settings in scene["equations"].items()

@@ -38,7 +38,7 @@ _LIMITS = {
     "exclusiveMaximum": "but must be below {limit}: give a number below {limit}",
     "multipleOf": "no multiple of {limit}: give a multiple of {limit}",
 }
-"""What a sentence says of a number beyond a limit."""
+"""Words for a number beyond a limit."""
 
 LARGEST_WHOLE = 2**63 - 1
 """Largest whole number that an array can hold."""
@@ -108,7 +108,7 @@ def name_entry(key: str, index: int) -> str:
 
 @functools.cache
 def load_schema(name: str) -> dict[str, Any]:
-    """The schema ``config``, ``campaign`` or ``referee``; that of studies is part of the first."""
+    """Return the schema ``config`` (with the studies), ``campaign`` or ``referee``."""
     schema = read_yaml(find_file(f"{name}.schema.yaml", "schemas"))
     if name == "config":
         add_sections(schema)
@@ -116,7 +116,7 @@ def load_schema(name: str) -> dict[str, Any]:
 
 
 def _count_values(value: object) -> int:
-    """Number of values at any depth."""
+    """Return the number of values at any depth."""
     inside = value.values() if isinstance(value, Mapping) else value
     return 1 + (sum(map(_count_values, inside)) if isinstance(inside, list | ValuesView) else 0)
 
@@ -182,8 +182,7 @@ def _repeated_entry(error: ValidationError, key: str) -> str:
     entries = error.instance
     index = next(i for i, entry in enumerate(entries) if entry in entries[:i])
     return (
-        f"{name_entry(key, index)} is {_show(entries[index])}, which stands before it already: "
-        "list it once."
+        f"{name_entry(key, index)} is {_show(entries[index])}, which is listed twice: list it once."
     )
 
 
@@ -218,7 +217,7 @@ def _wrong_type(error: ValidationError, key: str) -> str:
     number = _with_point_and_sign(error.instance) if isinstance(error.instance, str) else None
     if number is not None and _Validator(error.schema).is_valid(yaml.safe_load(error.instance)):
         return (
-            f"{key} is {_show(error.instance)}, which is text because it stands in quotes: write "
+            f"{key} is {_show(error.instance)}, which is text because of its quotes: write "
             f"{error.instance} without them."
         )
     if number is not None and expected == "a number":
@@ -233,7 +232,7 @@ def _wrong_type(error: ValidationError, key: str) -> str:
 
 
 def _with_point_and_sign(text: str) -> str | None:
-    """Write a number such as 1e-13 so that YAML 1.1 takes it for one; None if it is none."""
+    """Write a number such as 1e-13 so that YAML 1.1 takes it for one; None for any other text."""
     if not re.fullmatch(r"[+-]?\d+(\.\d*)?(e[+-]?\d+)?", text, re.IGNORECASE):
         return None
     mantissa, _, exponent = text.lower().partition("e")

@@ -1,9 +1,9 @@
-"""A section of the configuration, a scene for example, as one object with all that it must keep.
+"""A section of the configuration, for example a scene, with all its checks.
 
 The schema says which keys a section has.  A `Section` adds what ties two keys together, how much
 memory and time it takes, and what the figures draw from it.  A check is a function of a section
-that obeys the schema.  It yields a sentence for each violation, which begins with the key inside
-the section and names the value, the limit and the way out.
+that obeys the schema.  It yields a sentence for each violation.  The sentence begins with the key
+inside the section, and names the value, the limit and what to do.
 
 Nothing of this imports numpy or numba: the workflow checks its configuration at each start.
 """
@@ -31,10 +31,10 @@ class Need(NamedTuple):
 
 
 class Section(NamedTuple):
-    """What a section must keep beside its schema.
+    """Checks of a section in addition to its schema.
 
-    Its `checks` come beside `ranges_increase`, `steps_fit_ranges` and those of a law, which bind
-    all sections.
+    Its `checks` come after those of all sections: of its law, `ranges_increase` and
+    `steps_fit_ranges`.
     """
 
     checks: tuple[Check, ...] = ()
@@ -84,7 +84,7 @@ def steps_fit_ranges(section: Mapping) -> Iterator[str]:
 
 
 def section_label(path: str) -> str:
-    """What stands before a key of a section in a sentence, for example ``Scene weak: ``."""
+    """Return how a sentence on a section begins, for example ``Scene weak: ``."""
     names = path.split(".")
     return f"Scene {names[-1]}: " if names[0] == "scenes" else f"{path}."
 
@@ -128,7 +128,7 @@ def _errors_of_need(need: Need, place: str, found: Any) -> Iterator[str]:
 
 
 def _look_up(section: Any, key: str) -> Any:
-    """The value at a dotted key, or None."""
+    """Return the value at a dotted key, or None."""
     for name in key.split("."):
         if not isinstance(section, Mapping) or name not in section:
             return None

@@ -1,6 +1,6 @@
 """Studies as ``workflow/studies.yaml`` lists them: each with its section of the configuration.
 
-What the keys of a section may be stands there too, in a short form of JSON Schema that is expanded
+The same file describes the keys of a section in a short form of JSON Schema, which is expanded
 here.
 """
 
@@ -20,14 +20,14 @@ _BOUNDS = {
 
 
 def find_file(name: str, *folders: str) -> Path:
-    """A file of the workflow, of which an installed package carries a copy beside this module."""
+    """Return a file of the workflow; an installed package has a copy in this folder."""
     copy = Path(__file__).with_name(name)
     return copy if copy.exists() else Path(__file__).parents[3].joinpath("workflow", *folders, name)
 
 
 @functools.cache
 def studies() -> dict[str, dict[str, Any]]:
-    """Every study of ``workflow/studies.yaml`` by its name."""
+    """Return every study of ``workflow/studies.yaml`` by its name."""
     return read_yaml(find_file("studies.yaml"))
 
 
@@ -44,7 +44,7 @@ def add_sections(schema: dict[str, Any]) -> None:
 
 
 def _expand(short: Mapping[str, Any]) -> dict[str, Any]:
-    """The JSON Schema of its short form."""
+    """Return the JSON Schema of its short form."""
     rules = dict(short)
     if "parameters" in rules:
         parts = {name: _expand(part) for name, part in rules.pop("parameters").items()}

@@ -1,9 +1,9 @@
 """Validate one scene before anything is computed.
 
-Five levels of checks each rely on those before: the schema in ``workflow/schemas`` says which keys
-exist, what each means and in which range it lies; the law must be one that can be made; energies
-must be numbers that a computer can hold; checks tie keys together; and the whole must fit into
-memory and a day.
+There are five levels of checks, and each relies on those before.  The schema in
+``workflow/schemas`` says which keys exist, what each means and in which range it lies.  The law
+must be possible.  Energies must be numbers that a computer can hold.  Checks tie keys together.
+The whole must fit into memory and a day.
 """
 
 from collections.abc import Mapping, Sequence
@@ -18,7 +18,7 @@ from granular_fronts.scenes.ring import RING
 from granular_fronts.scenes.schema import violations
 
 SCENES = {"chain": CHAIN, "heteroclinic": ORBIT, "periodic": RING, "front": FRONT}
-"""What is asked of a scene, by its family."""
+"""Checks of a scene, by its family."""
 
 ANY_LAW = {"alpha": 1, "beta": 1, "gamma": 0}
 
@@ -31,8 +31,8 @@ def check_scene(family: str, scene: Mapping[str, Any], name: str) -> dict[str, A
     family : str
         Key under ``scenes`` of the configuration, for example ``chain``.
     scene : Mapping
-        One entry of that family; numpy arrays and numbers are welcome, and so is a `Law`, or a
-        mapping of which `make_law` makes one.
+        One entry of that family.  It may hold numpy arrays and numbers, and as `law` a `Law` or a
+        mapping for `make_law`.
     name : str
         What the sentences call the scene.
 

@@ -1,8 +1,8 @@
 """YAML files as people write them: where one is wrong, a sentence says in which line.
 
-YAML itself lets the last of two equal keys win without a word; here a key that stands twice in one
-mapping is an error, since one of its two values would be ignored.  So are numbers that YAML 1.1
-reads to another base than ten, and files that grow beyond a limit when they are read.
+In YAML the last of two equal keys wins silently.  Here a key given twice in one mapping is an
+error, since one of its values would be ignored.  So are numbers that YAML 1.1 reads to another base
+than ten, and files that grow beyond a limit when they are read.
 """
 
 import functools
@@ -22,7 +22,7 @@ except ImportError:
     from yaml import SafeLoader
 
 MERGE_TAG = "tag:yaml.org,2002:merge"
-"""Tag of the key ``<<``, which may stand beside the keys that it merges."""
+"""Tag of the key ``<<``, which may accompany the keys that it merges."""
 
 LONGEST_FILE = 64 * 2**20
 """Bytes of a file."""
@@ -51,7 +51,7 @@ class _Loader(SafeLoader):
 
 
 def read_yaml(file: Path | str) -> Any:
-    """What a YAML file holds, or an InputError that names file, line, column and what to do."""
+    """Read a YAML file, or raise an InputError that names file, line, column and remedy."""
     try:
         with Path(file).open("rb") as stream:
             content = stream.read(LONGEST_FILE + 1)
@@ -64,7 +64,7 @@ def read_yaml(file: Path | str) -> Any:
 
 
 def parse_yaml(text: str, file: Path | str) -> Any:
-    """The contents of a YAML text; `file`, where it comes from, begins the sentences of errors."""
+    """Return the contents of a YAML text; sentences of errors begin with `file`."""
     try:
         errors = [*_event_errors(text, file)]
         loader = _Loader(text)
@@ -72,7 +72,7 @@ def parse_yaml(text: str, file: Path | str) -> Any:
     except (yaml.YAMLError, ValueError) as error:
         raise InputError(_syntax_error(file, error)) from None
     errors += [
-        f"{_position(file, key.start_mark)}: the key {key.value} stands twice in one "
+        f"{_position(file, key.start_mark)}: the key {key.value} is given twice in one "
         "mapping, and one of its values would be ignored: keep one."
         for key in loader.repeated
     ]
@@ -141,7 +141,7 @@ def _event_errors(text: str, file: Path | str) -> Iterator[str]:
                     yield f"{where}: YAML reads {event.value} as {read}: write the number you mean."
         elif isinstance(event, yaml.AliasEvent):
             if event.anchor in anchors:
-                yield f"{where}: *{event.anchor} stands inside itself: write its values out."
+                yield f"{where}: *{event.anchor} contains itself: write its values out."
                 return
             counts[-1] += sizes.get(event.anchor, 0)
         if len(counts) > DEEPEST:

@@ -1,1 +1,1 @@
-"""What the workflow computes by combining the wings."""
+"""What the workflow computes from chains and fronts together."""

@@ -2,12 +2,12 @@
 
 
 def kuwabara_kono(alpha, gamma):
-    """The law with β = α."""
+    """Return the law with β = α."""
     return {"alpha": alpha, "beta": alpha, "gamma": gamma}
 
 
 def chain_scene(law, beads, boundary, end_time, tolerance, record, start=None):
-    """A chain at rest, unless a start gives relative displacements and velocities.
+    """Return a chain at rest, unless a start gives relative displacements and velocities.
 
     `tolerance` is the relative one and the absolute one.
     """
@@ -28,6 +28,6 @@ def chain_scene(law, beads, boundary, end_time, tolerance, record, start=None):
 
 
 def pressed_chain(law, beads, end_time, tolerance, record, left=1.0, right=0.0, start=None):
-    """A chain with `left` and `right` held at its ends; the rest as of `chain_scene`."""
+    """Return a chain with `left` and `right` held at its ends; the rest as of `chain_scene`."""
     boundary = {"kind": "pressure", "left": left, "right": right}
     return chain_scene(law, beads, boundary, end_time, tolerance, record, start)

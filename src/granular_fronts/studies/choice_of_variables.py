@@ -6,14 +6,14 @@ Lipschitz for β < 2, and a jump for β = 1.  It is :math:`\propto h^{\min(\alph
 (x, w): bounded, and for β > 1 going to zero, the derivative of an open contact.
 
 Order.  Two beads meet and part under Euler's method and the classical Runge-Kutta method of order 4
-with fixed steps.  Where in a step a contact opens or closes decides the error of one run, so that
-the median over several gaps between the beads counts; the order is the slope of its logarithm.  The
-velocity with which the beads part is known from the reduced collision (`collision`).
+with fixed steps.  The place in a step where a contact opens or closes decides the error of one run.
+So the median over several gaps between the beads is taken; the order is the slope of its logarithm.
+The velocity with which the beads part is known from the reduced collision (`collision`).
 
 Conservation.  Behind a front in an infinite chain the limit of :math:`w_n` is conserved and equal
-to that of :math:`\dot x_n` (34).  A chain whose left part is at the compression 1 and the velocity
-of (22), with pressure 1 on its end, is the left half of an infinite one for as long as waves have
-not come back to its first beads.
+to that of :math:`\dot x_n` (34).  Consider a chain whose left part has the compression 1 and the
+velocity of (22), with pressure 1 on its end.  It is the left half of an infinite chain until waves
+come back to its first beads.
 """
 
 import numpy as np
@@ -39,7 +39,7 @@ SCHEMES = {
     "euler": (np.array([0.0]), np.array([1.0])),
     "runge_kutta_4": (np.array([0.0, 0.5, 0.5, 1.0]), np.array([1.0, 2.0, 2.0, 1.0]) / 6.0),
 }
-"""Nodes and weights of methods in which each stage uses the one before it alone."""
+"""Nodes and weights of methods in which each stage uses only the one before it."""
 
 FREE = Boundary(ring=False)
 """Ends of a chain on which nothing presses."""
@@ -58,7 +58,7 @@ BEADS, COMPRESSED, FAR, END_TIME = 200, 150, 10, 16.0
 
 
 def compare_variables(alpha, betas, gamma):
-    """Smoothness, order and conservation in both sets of variables, for α > 1, 1 ≤ β ≤ 2 and γ > 0.
+    """Compare both sets of variables: smoothness, order and conservation, α > 1, 1 ≤ β ≤ 2.
 
     `quotient_power` on (variables, beta); `observed_order` on (variables, scheme) and
     `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
@@ -86,7 +86,7 @@ def compare_variables(alpha, betas, gamma):
 
 
 def slope(x, y):
-    """Slope of a line through the logarithms, and how much it differs between two halves."""
+    """Return slope of a line through the logarithms, and how much it differs between two halves."""
     middle = x.size // 2
     whole, first, second = (
         power_of(x[part], y[part]) for part in (slice(None), slice(middle + 1), slice(middle, None))
@@ -95,7 +95,7 @@ def slope(x, y):
 
 
 def quotient_power(form, law):
-    """Power of h in the difference quotient of the right-hand side where a contact closes."""
+    """Return the power of h in the difference quotient of the rates where a contact closes."""
     system, quotients = make_system(form, law, FREE, 2), []
     for compression in COMPRESSIONS:
         opened, closed = (
@@ -106,7 +106,7 @@ def quotient_power(form, law):
 
 
 def observed_order(form, law, scheme):
-    """Order of the velocity after a collision, and how far two halves of the steps disagree."""
+    """Return the order of the velocity after a collision, and the spread of two halves."""
     parting = -restitution(law.gamma, law.alpha, law.beta)
     system = make_system(form, law, FREE, 2 * GAPS.size)
     errors = [np.median(np.abs(_part_pairs(system, scheme, n) - parting)) for n in STEP_COUNTS]
@@ -114,9 +114,9 @@ def observed_order(form, law, scheme):
 
 
 def _part_pairs(system, scheme, steps):
-    """Relative velocities ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
+    """Return ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
 
-    The pairs stand in one chain, too far apart to meet.
+    The pairs are in one chain, too far apart to meet.
     """
     place = (COLLISION_END + GAPS.max()) * (np.arange(GAPS.size) - GAPS.size // 2)
     start = np.stack([place - GAPS, place], axis=1).ravel()
@@ -129,7 +129,7 @@ def _part_pairs(system, scheme, steps):
 
 
 def conserved_velocity_drift(alpha, gamma):
-    """Largest |w_n − v_p| far behind a front, at all times, and the error of the chain."""
+    """Return largest |w_n − v_p| far behind a front, at all times, and the error of the chain."""
     compressed = np.arange(BEADS) < COMPRESSED
     scene = pressed_chain(
         kuwabara_kono(alpha, gamma),

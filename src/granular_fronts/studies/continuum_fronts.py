@@ -1,6 +1,6 @@
 r"""The three continuum fronts of the paper, in the frame of the exact front.
 
-With δ = c = 1 a front of the chain with :math:`\beta = \alpha` depends on α and γ alone and falls
+With δ = c = 1 a front of the chain with :math:`\beta = \alpha` depends only on α and γ, and falls
 from 1 to 0 as a function of :math:`\xi = n - t`.  The amplitude equations approximate it by
 
 - (45), (47): :math:`u = 2^{-e^{\varepsilon\xi}}`, the logarithmic Burgers equation, with
@@ -28,7 +28,7 @@ LOGARITHMIC, UNLIMITED, HETEROCLINIC = "logarithmic", "unlimited", "heteroclinic
 
 
 def continuum_fronts(alpha, gamma, xi):
-    """Relative displacement and velocity at ξ = n − t of each continuum front with δ = c = 1.
+    """Return relative displacement and velocity of each continuum front, ξ = n − t, δ = c = 1.
 
     A pair for each of `LOGARITHMIC`, `UNLIMITED` and `HETEROCLINIC`; an InputError unless α > 1
     and γ > 0.
@@ -44,10 +44,10 @@ def continuum_fronts(alpha, gamma, xi):
 
 
 def _heteroclinic_front(alpha, gamma, xi):
-    """Relative displacement and velocity of the heteroclinic front, with u(0) = 1/2."""
+    """Return the relative displacement and velocity of the heteroclinic front, with u(0) = 1/2."""
     amplitude = amplitude_of_chain(alpha, gamma)
     mu, stretch = amplitude.mu, amplitude.s_per_bead
-    # The phase lies ahead of s = 0, so that the orbit's tail alone fixes it.
+    # The phase lies ahead of s = 0, so that only the orbit's tail fixes it.
     start = compute_orbit(mu, 0.0).s_at(alpha * math.log(2.0))
     s = start + stretch * xi
     orbit = compute_orbit(mu, min(float(s.min()), 0.0))

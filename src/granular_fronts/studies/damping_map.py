@@ -2,7 +2,7 @@
 
 Where a front with β = α ceases to oscillate has several answers (see `critical_damping`); each is a
 curve γ(α) in the frame δ = c = 1.  The overshoot max u − 1 of the exact front shows what they mean
-to the eye: it never vanishes as long as the tail oscillates, but falls by decades below the first
+to the eye.  It never vanishes as long as the tail oscillates, but falls by decades below the first
 curve that one would draw.
 """
 
@@ -16,12 +16,12 @@ DEFINITIONS = ("tail", "double-root", "long-wave", "overshoot")
 
 
 def map_critical_damping(exponents, dampings, cut):
-    """Overshoot over the plane, and every definition of critical damping over the exponent.
+    """Return overshoot over the plane, and every definition of critical damping over the exponent.
 
-    `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not
-    found, and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not
-    apply; attributes `overshoot_cut`, above which a front counts as oscillating to the eye, and
-    `exchange_exponent`, the α* where the meaning of "tail" changes.
+    `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not found,
+    and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not apply.  The
+    attribute `overshoot_cut` says above which overshoot a front oscillates to the eye.
+    `exchange_exponent` is the α* where the meaning of "tail" changes.
     """
     sweeps = [sweep_fronts(alpha, dampings) for alpha in exponents]
     dataset = xr.concat(sweeps, dim=xr.DataArray(exponents, dims="alpha", name="alpha"))
@@ -42,5 +42,5 @@ def map_critical_damping(exponents, dampings, cut):
 
 
 def map_plane(alpha, gamma, overshoot_cut):
-    """Map over exponents in equal steps and dampings in equal ratios, as numpy takes them."""
+    """Map exponents in equal steps and dampings in equal ratios, as numpy takes them."""
     return map_critical_damping(np.linspace(**alpha), np.geomspace(**gamma), overshoot_cut)

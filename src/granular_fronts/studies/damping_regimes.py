@@ -1,8 +1,8 @@
 r"""Damping of collisions and fronts at all velocities; James (2021), section 3.1.
 
 In multiples of :math:`v_c`, the velocity at which γ = 1, (29) is :math:`\gamma =
-(v_0/v_c)^{2\beta/(\alpha+1)-1}`: damping is weak at small velocities for β above (α + 1)/2, at
-large ones for β below, and for β = (α + 1)/2 it does not depend on the velocity; γ = 1 is then an
+(v_0/v_c)^{2\beta/(\alpha+1)-1}`: damping is weak at small velocities for β above (α + 1)/2, and at
+large ones for β below.  For β = (α + 1)/2 it does not depend on the velocity; γ = 1 is then an
 example.  Of two beads that collide at :math:`v_0` the restitution follows.  A front behind which
 the beads move at :math:`v_0` oscillates below a critical γ, at which the slowest root of its tail
 becomes real (`granular_fronts.fronts.linear.critical_damping`; ours).
@@ -22,7 +22,7 @@ ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equa
 
 
 def evaluate_regimes(alpha, betas, decades, points):
-    """γ and e against velocity for several exponents β of the viscous force.
+    """Return γ and e against velocity for several exponents β of the viscous force.
 
     `gamma` and `restitution` on (beta, velocity_ratio), so many decades to both sides of v_c;
     `critical_gamma` on (beta,).

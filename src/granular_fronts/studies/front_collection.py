@@ -1,15 +1,16 @@
 r"""Fronts over the plane of exponent and damping as curves: profiles, tails, multipliers.
 
-In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends on α and γ alone.  At each point
+In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends only on α and γ.  At each point
 of a grid the exact front is kept with all that `granular_fronts.studies.front_survey` says of it,
-beside
+and
 
 - u of the three continuum fronts (`granular_fronts.studies.continuum_fronts`) at the same ξ,
 - the roots λ that describe its tail, those that decay slowest first,
 - its Floquet multipliers of largest modulus.
 
-The places ξ = n − ct of a front are at equal distances over a window of its own, from where its
-tail is within `SHOWN` of 1, or after `OSCILLATIONS` oscillations, to where u has fallen to `SHOWN`.
+The places ξ = n − ct of a front are at equal distances over a window of its own.  It begins where
+the tail is within `SHOWN` of 1, or after `OSCILLATIONS` oscillations, and ends where u has fallen
+to `SHOWN`.
 
 Errors.  Profiles carry the error of the exact fronts, the largest difference to a finer solution.
 The multiplier of translation is 1 exactly; its distance from 1 measures each spectrum
@@ -47,14 +48,14 @@ SCALARS = (
     "spectral_radius_without_translation",
     "verdict",
 )
-"""What is kept of a spectrum beside its multipliers."""
+"""What is kept of a spectrum in addition to its multipliers."""
 
 SHOWN = 1e-3
 """Distance from 1, or from 0, at which a front counts as there."""
 
 OSCILLATIONS = 8.0
 MARGIN = 0.1
-"""Of the window, on either side."""
+"""Margin of the window on either side."""
 
 TRANSLATION_METHOD = "largest distance of the multiplier of translation from 1"
 
@@ -65,23 +66,23 @@ DIGITS = 4.0
 def collect_fronts(exponents, dampings):
     """Solve a front with δ = c = 1 at each exponent α > 1 and damping γ > 0 and keep its curves.
 
-    On (alpha, gamma, place): `xi`, `relative_displacement` of the exact front and with a suffix
-    that of each continuum front.  On (alpha, gamma, root): `tail_root_real` and
-    `_imaginary`.  On (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, that of
-    translation first, then by decreasing modulus, NaN beyond the last.  On (alpha, gamma):
-    `beads_behind`, `translation_defect`, `spectral_radius_without_translation`, `verdict` in
-    words, and what `survey_fronts` keeps.
+    On (alpha, gamma, place): `xi`, and `relative_displacement` of the exact front and, with a
+    suffix, of each continuum front.  On (alpha, gamma, root): `tail_root_real` and `_imaginary`. On
+    (alpha, gamma, multiplier): `multiplier_real` and `_imaginary`, translation first, then by
+    decreasing modulus, NaN beyond the last.  On (alpha, gamma): `beads_behind`,
+    `translation_defect`, `spectral_radius_without_translation`, `verdict` in words, and what
+    `survey_fronts` keeps.
     """
     return _with_errors(over_plane(exponents, dampings, _collect_front, "collection of fronts"))
 
 
 def collect_plane(alpha, gamma):
-    """Collection over exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    """Collect fronts over exponents, a list, and dampings, as of `numpy.geomspace`."""
     return collect_fronts(alpha, np.geomspace(**gamma))
 
 
 def _collect_front(alpha, gamma):
-    """One front, as a mapping of names to dimensions and values."""
+    """Return one front, as a mapping of names to dimensions and values."""
     front = solve_converged(alpha, gamma)
     roots = tail_roots(alpha, gamma, count=ROOTS)
     multipliers, of_spectrum = largest_multipliers(front)
@@ -98,7 +99,7 @@ def _collect_front(alpha, gamma):
 
 
 def largest_multipliers(front):
-    """The multipliers of a front, NaN where no window holds it, and what is said of them."""
+    """Return the multipliers of a front, NaN where no window holds it, and what is said of them."""
     spectrum = front_multipliers(front)
     found = {name: spectrum.attrs[name] for name in SCALARS}
     multipliers = np.full(MULTIPLIERS, complex(np.nan, np.nan))
@@ -111,7 +112,7 @@ def largest_multipliers(front):
 
 
 def window(front, root):
-    """Places ξ, shape (PLACES,), that show a front whose tail is governed by a root."""
+    """Return the places ξ, shape (PLACES,), that show a front whose tail is governed by a root."""
     xi, u = front["xi"].values, front["relative_displacement"].values
     first, last = xi[np.abs(u - 1.0) > SHOWN][0], xi[u > SHOWN][-1]
     if root.imag > 0.0:
@@ -121,7 +122,7 @@ def window(front, root):
 
 
 def parts(name, dimension, values):
-    """Real and imaginary parts, which netCDF can hold."""
+    """Return the real and imaginary parts, which netCDF can hold."""
     return {
         f"{name}_real": ((dimension,), values.real),
         f"{name}_imaginary": ((dimension,), values.imag),
@@ -129,7 +130,7 @@ def parts(name, dimension, values):
 
 
 def _with_errors(collection):
-    """The collection with error estimates at its curves."""
+    """Return the collection with error estimates at its curves."""
     continuum = [f"relative_displacement_{name}" for name in (LOGARITHMIC, UNLIMITED, HETEROCLINIC)]
     fronts, defects = (float(collection[name].max()) for name in ("error", "translation_defect"))
     for names, error, method in (

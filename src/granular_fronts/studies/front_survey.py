@@ -1,7 +1,7 @@
 r"""Exact fronts over the plane of exponent and damping, and how far continuum fronts are from them.
 
-In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends on α and γ alone.  At each point
-of a grid the front is solved, its properties are kept, and each continuum front of
+In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends only on α and γ.  At each point
+of a grid the front is solved and its properties are kept.  Each continuum front of
 `granular_fronts.studies.continuum_fronts` is compared with it: `distance_<front>` is the largest
 absolute difference of u over all ξ where either front has not come to rest.
 """
@@ -29,7 +29,7 @@ POINTS = 8001
 """Points at which two fronts are compared, between where both have come to rest."""
 
 REST = 40.0
-"""−ln u of (45) from which on it is at rest, far below round-off."""
+"""−ln u of (45) above which it is at rest, far below round-off."""
 
 
 def survey_fronts(exponents, dampings):
@@ -44,7 +44,7 @@ def survey_fronts(exponents, dampings):
 
 
 def survey_plane(alpha, gamma):
-    """Survey of exponents, a list, and dampings in equal ratios, as of `numpy.geomspace`."""
+    """Survey fronts over exponents, a list, and dampings, as of `numpy.geomspace`."""
     return survey_fronts(alpha, np.geomspace(**gamma))
 
 
@@ -85,17 +85,17 @@ def over_plane(exponents, dampings, solve, what):
 
 
 def _survey_front(alpha, gamma):
-    """One point of the survey, as a mapping of names to dimensions and values."""
+    """Return one point of the survey, as a mapping of names to dimensions and values."""
     return without_dimensions(properties_of(solve_converged(alpha, gamma)))
 
 
 def without_dimensions(numbers):
-    """Numbers by name as variables without dimensions of their own."""
+    """Return the numbers by name as variables without dimensions of their own."""
     return {name: ((), value) for name, value in numbers.items()}
 
 
 def solve_converged(alpha, gamma):
-    """A front, or a NoFrontError with the reason why there is none."""
+    """Return a front, or raise a NoFrontError with the reason."""
     front = solve_front(alpha, gamma)
     if not front.attrs["converged"]:
         raise NoFrontError(f"alpha = {alpha}, gamma = {gamma}: {front.attrs['reason']}.")
@@ -103,7 +103,7 @@ def solve_converged(alpha, gamma):
 
 
 def properties_of(front):
-    """What the survey keeps of a front, as a mapping of numbers."""
+    """Return what the survey keeps of a front, as a mapping of numbers."""
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     root = tail_roots(alpha, gamma, count=1)[0]
     return {
@@ -118,7 +118,7 @@ def properties_of(front):
 
 
 def distances(front):
-    """Largest difference of each continuum front to an exact one, as `distance_<front>`."""
+    """Return largest difference of each continuum front to an exact one, as `distance_<front>`."""
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     # (45) is the continuum front that comes to rest last.
     last = math.log(REST / math.log(2.0)) * alpha * gamma / (alpha - 1.0)

@@ -43,12 +43,12 @@ BISECTION = {"error_estimate": 1.0e-11, "error_method": "width of the last inter
 
 
 def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponents, mu):
-    """Tails, critical dampings, widths and solitary waves along families of fronts.
+    """Return the tails, critical dampings, widths and solitary waves along families of fronts.
 
-    `tail_frequency` on (beta, piston_velocity), velocities over that of critical damping, is 0
-    for a monotone tail.  `critical_gamma` and `width_of_displacement`, for β = α and a fixed γ,
-    are on (displacement,); `width_of_exponent` at a fixed μ, `solitary_peak`, the largest u,
-    and `gaussian_distance`, over the peak, on (exponent,).  Raises NoFrontError.
+    `tail_frequency` on (beta, piston_velocity), velocities over the one of critical damping, is 0
+    for a monotone tail.  `critical_gamma` and `width_of_displacement`, for β = α and a fixed γ, are
+    on (displacement,); `width_of_exponent` at a fixed μ, `solitary_peak`, the largest u, and
+    `gaussian_distance`, over the peak, on (exponent,).  Raises NoFrontError.
     """
     frequencies = [
         [tail_frequency(alpha, beta, velocity) for velocity in piston_velocities] for beta in betas
@@ -82,13 +82,13 @@ def follow_trends(alpha, betas, piston_velocities, displacements, gamma, exponen
 
 
 def tail_frequency(alpha, beta, velocity):
-    """Im λ of the slowest exponent of a tail, with critical damping at the velocity 1."""
+    """Return Im λ of the slowest exponent of a tail, with critical damping at the velocity 1."""
     gamma = critical_damping(alpha, beta) * velocity ** (2.0 * beta / (alpha + 1.0) - 1.0)
     return float(tail_roots(alpha, gamma, beta, count=1)[0].imag)
 
 
 def critical_gamma(alpha, displacement):
-    """γ of (28), β = α, at which the tail of a front from δ into rest ceases to oscillate."""
+    """Return γ of (28), β = α, at which the tail of a front from δ to rest stops oscillating."""
     elastic = make_potential("hertz", alpha=alpha)
     behind = np.array([-displacement])
     speed = jump_conditions(elastic, -displacement, 0.0).speed
@@ -108,13 +108,13 @@ def critical_gamma(alpha, displacement):
 
 
 def front_width(alpha, gamma):
-    """Distance from 90 to 10 per cent of an exact front, in beads, and its error."""
+    """Return the distance from 90 to 10 per cent of an exact front, in beads, and its error."""
     front = solve_converged(alpha, gamma)
     return Estimate(front.attrs["width_10_90"], front.attrs["width_10_90_error"])
 
 
 def solitary_shape(alpha):
-    """Peak of a solitary wave and its distance to the Gaussian, each with its error."""
+    """Return the peak of a solitary wave and its distance to the Gaussian, each with its error."""
     waves = with_refinement(
         lambda points: solitary_wave(alpha, points), POINTS_PER_BEAD, 2 * POINTS_PER_BEAD
     )

@@ -2,8 +2,8 @@ r"""One front by every method: profile equation, shooting, a driven chain, three
 
 Everything is shown in the frame δ = c = 1 with the phase u(0) = 1/2, where u is
 `relative_displacement` and the velocity is in units of :math:`\delta^{(\alpha+1)/2}`.  The profile
-method gives the reference on a regular grid of ξ; each other method is compared with it where
-it is known: shooting on a grid of its own, the chain at its beads, the continuum fronts on ξ.
+method gives the reference on a regular grid of ξ.  Each other method is compared with it where it
+is known: shooting on its own grid, the chain at its beads, the continuum fronts on ξ.
 
 The driven chain is semi-infinite, at rest, and pressed on by δ = 1.  After many beads its front no
 longer feels the sudden start; what is left of the transient decays only algebraically.  In units of
@@ -36,7 +36,7 @@ CONTINUUM_METHOD = "a formula, or an orbit solved to a few units of the last dig
 
 
 def compare_front(scene, name="given"):
-    """Solve a front by both exact methods and set the approximations beside it.
+    """Solve a front by both exact methods and compare the approximations with it.
 
     Parameters
     ----------
@@ -50,9 +50,9 @@ def compare_front(scene, name="given"):
     xarray.Dataset
         `relative_displacement` and `velocity` on `xi` and, with a suffix, by each other method:
         `_shooting` on `xi_shooting`, `_driven` on `xi_driven`, each continuum front on `xi`;
-        `<field>_difference` is that of the two exact methods on `xi_shooting`.
+        `<field>_difference` is the difference of the two exact methods on `xi_shooting`.
         `residual_history_<method>` on `iteration_<method>` belongs to the two exact methods.  The
-        properties of the front are attributes, as those of `solve_front`.
+        properties of the front are attributes, as in `solve_front`.
 
     Raises
     ------
@@ -105,7 +105,7 @@ def drive_front(alpha, gamma, bead, name="driven"):
 
 
 def normalised_damping(scene):
-    """γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
+    """Return γc of a front scene, its damping in the frame δ = c = 1, James (2021), eq. (30)."""
     law = scene["law"]
     return law["gamma"] * make_slow_scales(**law, delta=scene["displacement"]).speed
 
@@ -118,7 +118,7 @@ def _solve(alpha, gamma, method, name):
 
 
 def _with_distance(variable, front, field):
-    """A variable with its largest difference to the exact front."""
+    """Return a variable with its largest difference to the exact front."""
     (dimension,) = variable.dims
     exact = evaluate_front(front, variable[dimension].values, field)
     distance = float(np.abs(variable.values - exact).max())

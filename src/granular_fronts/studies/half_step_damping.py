@@ -7,8 +7,8 @@ this does can be read as another γ, by two observables.
 - *Overshoot*: the γ for which the accurate chain has the first peak of u that the scheme has, at
   the contact in the middle.  Near a peak ü < 0, so that the additional force is repulsive and the
   peak lower, as damping makes it.
-- *Tail*: the γ for which the oscillations behind an exact front decay as those of the scheme do.
-  A wave :math:`u = 1 + Ae^{\lambda(n-t)}` of the scheme has
+- *Tail*: the γ for which the oscillations behind an exact front decay as in the scheme. A wave
+  :math:`u = 1 + Ae^{\lambda(n-t)}` of the scheme has
 
   .. math::
 
@@ -18,12 +18,12 @@ this does can be read as another γ, by two observables.
   the dispersion relation of `fronts.linear.tails` for h → 0.
 
 The two differ, so that the error is no damping: no other γ makes up for it.  The error changes the
-peak by an amount of order hγ, as the damping itself does by one of order γ; the first is therefore
-of the size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail
-says less: for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency;
-decay changes only at order hγ².
+peak by an amount of order hγ, and the damping by one of order γ.  The first is therefore of the
+size of h/t_c, and near it for β = 3/2 in a long chain (docs/practitioners.md).  The tail says less:
+for a wave :math:`e^{i\omega t}` ü is in phase with u, so the error shifts the frequency; decay
+changes only at order hγ².
 
-Beside both stand the checks that discrete-element codes are given, as relative errors:
+The checks that discrete-element codes are given are added, as relative errors:
 
 - *restitution*: 1 − e of a collision of two beads that meet at the velocity 1, mean over the phase
   of the first contact within a step;
@@ -57,7 +57,7 @@ FACTORS = (0.97, 1.0, 1.07, 1.17, 1.3)
 """Dampings over γ at which the peak of the accurate chain is known; between, a polynomial."""
 
 PHASES = 16
-"""Of the first contact of a collision, within a step."""
+"""Phases of the first contact of a collision within a step."""
 
 CONTINUATION = 20
 """Parts of a step along which a root is followed."""
@@ -65,7 +65,7 @@ CONTINUATION = 20
 TAIL_ERROR = 1.0e-12
 TAIL_METHOD = "rounding of the roots"
 
-READING_METHOD = "change of the reading that leaving out one tabulated damping makes"
+READING_METHOD = "change when one tabulated damping is left out"
 
 
 ERRORS = {
@@ -76,7 +76,7 @@ ERRORS = {
     "order": ("order_error", ORDER_METHOD),
     "order_error": ("order_error", ORDER_METHOD),
 }
-"""Of each variable the one that holds the error of each chain, and how that was found."""
+"""For each variable, the one that holds the error of each chain, and the method."""
 
 
 def measure_half_step_damping(**scene):
@@ -111,7 +111,7 @@ def measure_half_step_damping(**scene):
 
 
 def _measure_excess(case, steps):
-    """Error, peak and excess damping of one chain at three or more falling steps."""
+    """Return the error, peak and excess damping of one chain at three or more falling steps."""
     chains = [accurate_chain(case._replace(gamma=factor * case.gamma)) for factor in FACTORS]
     table = [reading.peak for reading, _ in chains]
     exact, estimate = chains[FACTORS.index(1.0)]
@@ -138,7 +138,7 @@ def _measure_excess(case, steps):
 
 
 def excess_by_table(peaks, factors, table):
-    """γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table."""
+    """Return γ of the accurate chain with a peak, over γ, less 1; NaN beyond the table."""
     inside = (peaks <= max(table)) & (peaks >= min(table))
     # Barycentric weights of SciPy are multiplied in random order, unlike these differences.
     logarithm = KroghInterpolator(table, np.log(factors))
@@ -146,7 +146,7 @@ def excess_by_table(peaks, factors, table):
 
 
 def excess_of_tail(case, step):
-    """γ of the front whose tail decays like that of the scheme, over γ, less 1."""
+    """Return γ of the front whose tail decays as in the scheme, over γ, less 1."""
     root = tail_root(case, step)
 
     def slower(factor):
@@ -157,7 +157,7 @@ def excess_of_tail(case, step):
 
 
 def tail_root(case, step):
-    """The root of the scheme's dispersion relation that the slowest one for h = 0 becomes."""
+    """Return root of the scheme's dispersion relation that the slowest one for h = 0 becomes."""
     root = complex(tail_roots(case.alpha, case.gamma, case.beta, count=1)[0])
     damping = case.beta * case.gamma
     for h in np.linspace(0.0, step, CONTINUATION + 1)[1:]:
@@ -171,7 +171,7 @@ def tail_root(case, step):
 
 
 def _measure_checks(case, steps):
-    """The four checks on (step,), each as a relative error under `<name>_defect`."""
+    """Return the four checks on (step,), each as a relative error under `<name>_defect`."""
     exact, estimate = accurate_chain(case)
     loss = 1.0 - restitution(case.gamma, case.alpha, case.beta)
     found = {name: [] for name in ("restitution", "momentum", "energy", "speed")}
@@ -189,7 +189,7 @@ def _measure_checks(case, steps):
 
 
 def collision_loss(case, step):
-    """1 − e of two beads that meet at the velocity 1, by the scheme; mean over the phases."""
+    """Return 1 − e of two beads that meet at the velocity 1 in the scheme; mean over phases."""
     chain = Chain(case.alpha, case.beta, case.gamma)
     steps = round(4.0 * collision_time(case.alpha) / step)
     apart = []
@@ -200,7 +200,7 @@ def collision_loss(case, step):
 
 
 def energy_defect(case, motion):
-    """Energy, and what the forces of the scheme dissipate, less the work; over the work."""
+    """Return energy, and what the forces of the scheme dissipate, less the work; over the work."""
     step = motion.t[1]
     u = np.maximum(-np.diff(motion.x, axis=1), 0.0)
     rate = -np.diff(motion.v, axis=1)

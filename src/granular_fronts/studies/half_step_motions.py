@@ -47,21 +47,21 @@ class Reading(NamedTuple):
 
 
 def collision_time(alpha):
-    """The time t_c that two beads without damping are in contact, for δ = c = 1."""
+    """Return the time t_c that two beads without damping are in contact, for δ = c = 1."""
     power = 1.0 / (alpha + 1.0)
     integral = math.sqrt(math.pi) * math.gamma(1.0 + power) / math.gamma(0.5 + power)
     return 2.0 * (0.25 * (alpha + 1.0)) ** power * integral
 
 
 def half_step_chain(case, step):
-    """The motion of the chain by the scheme."""
+    """Return the motion of the chain by the scheme."""
     rest = np.zeros(case.beads)
     chain = Chain(case.alpha, case.beta, case.gamma, left=1.0)
     return integrate(chain, rest, rest, step, round(case.end_time / step))
 
 
 def accurate_chain(case):
-    """The same of the accurate chain, and the largest error estimate of what is read."""
+    """Return the same of the accurate chain, and the largest error estimate of what is read."""
     middle = case.beads // 2
     record = {"snapshots": [case.end_time], "arrival_level": LEVEL, "extremes": True}
     motion = _solve_accurately(case, record)
@@ -76,23 +76,23 @@ def accurate_chain(case):
 
 
 def _solve_accurately(case, record):
-    """The chain by the package's own solver."""
+    """Return the chain by the package's own solver."""
     law = {"alpha": case.alpha, "beta": case.beta, "gamma": case.gamma}
     scene = pressed_chain(law, case.beads, case.end_time, TOLERANCE, record)
     return simulate_chain(scene, f"chain with beta {case.beta:g} and gamma {case.gamma:g}")
 
 
 def read_motion(case, motion):
-    """What is compared with the accurate chain."""
+    """Return what is compared with the accurate chain."""
     middle = case.beads // 2
     arrivals = [passing(motion, contact, "arrival")[0] for contact in (middle // 2, middle)]
     return Reading(passing(motion, middle, "peak")[1], np.array(arrivals), -np.diff(motion.x[-1]))
 
 
 def passing(motion, contact, event):
-    """Time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
+    """Return time and u where u of a contact first passes `LEVEL`, or its first maximum above 1.
 
-    Between two steps u is that of `cubic_between`.
+    Between two steps u is taken from `cubic_between`.
     """
     u = motion.x[:, contact - 1] - motion.x[:, contact]
     rate = motion.v[:, contact - 1] - motion.v[:, contact]
@@ -110,7 +110,7 @@ def passing(motion, contact, event):
 
 
 def cubic_between(t, u, rate, state):
-    """The cubic that has u and its rate at a state and at the next."""
+    """Return the cubic that has u and its rate at a state and at the next."""
     pair = slice(state, state + 2)
     return CubicHermiteSpline(t[pair], u[pair], rate[pair])
 

@@ -1,30 +1,28 @@
 r"""The jump conditions of section 2 of James (2021) against fronts that are solved and driven.
 
 For any V and W the speed (13), the direction (17), the jump of the velocity (12) and the power lost
-(16) follow from the two states alone.  They are measured here in three ways.
+(16) follow from the two states.  They are measured here in three ways.
 
 Exact front (`fronts.solve`): its speed is an unknown of the equations, and its power an integral
-over the profile.  The discrete equations imply (13) as the exact ones do, so that this speed shows
+over the profile.  The discrete equations imply (13) as the exact ones do.  So this speed shows
 whether the front reaches both states, and the power whether it is resolved.  Error: change on a
 finer grid, by another order, on a longer window, and rounding.
 
-Travelling front: the exact front, put into a chain of beads (`chain.simulate`), travels; its speed
-is the slope of the times at which the contacts pass the middle between the states.  No code is
-shared with the profile.  Error: what the error of these times can do to the slope, and rounding.
+Travelling front: the exact front is put into a chain of beads (`chain.simulate`) and travels.  Its
+speed is the slope of the times at which the contacts pass the middle between the states.  No code
+is shared with the profile.  Error: what the error of these times can do to the slope, and rounding.
 
-Driven front: the chain starts from a short straight ramp between the two states, each bead with
-the velocity −c times the mean strain of its two contacts.  Such a start leaves nothing behind:
-strain and velocity are conserved and would all be in the front, were it not for the inner structure
-that the front has to find.  (A sharp jump would open the contacts of a softening law.)  This
-transient dies out algebraically, about as the inverse square of the distance, which is why driven
-speeds are no better than they are.  The speed is the slope of the times of passage over the
-second half of the way; the jump of the velocity and the power are measured at its end, over the
-passage of one bead and the contacts of the front.  Error: the change on the last doubling of the
-way, which for the inverse square is three times the error that is left, or a quarter of the change
-on the doubling before, and rounding.
-Weakly nonlinear or strongly damped fronts form slowly, at an exponential rate; they need a longer
-way, or have larger errors.  The chain behind the ramp is so long that nothing that its held end
-reflects reaches the front.
+Driven front: the chain starts from a short straight ramp between the two states.  Each bead has the
+velocity −c times the mean strain of its two contacts.  Strain and velocity are conserved and would
+all be in the front, but the front must first find its inner structure.  (A sharp jump would open
+the contacts of a softening law.)  This transient dies out about as the inverse square of the
+distance, and limits the accuracy of driven speeds.  The speed is the slope of the times of passage
+over the second half of the way.  The jump of the velocity and the power are measured at its end,
+over the passage of one bead and the contacts of the front.  Error: the change on the last doubling
+of the way, or a quarter of the change on the doubling before, and rounding. For the inverse square
+the change is three times the error that is left. Weakly nonlinear or strongly damped fronts form
+slowly, at an exponential rate; they need a longer way, or have larger errors.  The chain behind the
+ramp is so long that nothing that its held end reflects reaches the front.
 
 A front that runs to smaller n is measured in the reflected chain, with the states exchanged.
 """
@@ -65,11 +63,11 @@ def measure_jumps(cases, beads, tolerance):
     """Measure the fronts of several lattices; driven ones run over `beads`.
 
     Each case has `elastic` and `dissipation`, kinds of potentials with their parameters
-    (`model.kinds`), and `states`, R₋ and R₊.  On (law,): `state_minus`, `state_plus`,
-    `direction`, and `speed_…`, `velocity_jump_…` and `power_…` with the endings `expected`,
-    `exact`, `travelling` and `driven` as far as they are measured, each with its `…_error`; on
-    (law, xi) the `profile` of the exact front.  Raises InputError or NoFrontError where there
-    is none.
+    (`model.kinds`), and `states`, R₋ and R₊.  On (law,): `state_minus`, `state_plus`, `direction`,
+    and `speed_…`, `velocity_jump_…` and `power_…`, each with its `…_error`.  Their endings are
+    `expected`, `exact`, `travelling` and `driven`, as far as they are measured.  On (law, xi) it
+    holds the `profile` of the exact front.  Without a front it raises an InputError or a
+    NoFrontError.
     """
     rows = [_measure(name, case, beads, tolerance) for name, case in cases.items()]
     variables = {}
@@ -87,7 +85,7 @@ def measure_jumps(cases, beads, tolerance):
 
 
 def _measure(name, case, beads, tolerance):
-    """Everything of one lattice, by the name of the variable, and its profile."""
+    """Return everything of one lattice, by the name of the variable, and its profile."""
     law = make_law(elastic=case["elastic"], viscous=case["dissipation"])
     states = tuple(map(float, case["states"]))
     theory = jump_conditions(law, *states)
@@ -119,7 +117,7 @@ def _measure(name, case, beads, tolerance):
 
 
 def _exact_speed(front):
-    """Speed at which the profile equation has the front."""
+    """Return the speed at which the profile equation has the front."""
     speed, defect, error = (front.attrs[f"speed{end}"] for end in ("", "_defect", "_defect_error"))
     return _rounded(speed * (1.0 + defect), speed * error)
 
@@ -133,7 +131,7 @@ def _signed(sign, estimate):
 
 
 def travelling_speed(law, front):
-    """Speed of an exact front of a law in a chain."""
+    """Return the speed of an exact front of a law in a chain."""
     xi, speed = front["xi"].values, front.attrs["speed"]
     first = math.floor(xi[0])
     sites = np.arange(first, TRAVEL + math.ceil(xi[-1]) + 1.0)
@@ -147,7 +145,7 @@ def travelling_speed(law, front):
 
 
 def drive_front(law, front, beads, tolerance):
-    """Estimates of `speed`, `velocity_jump` (ahead less behind) and `power` of a front from a ramp.
+    """Estimate `speed`, `velocity_jump` (ahead less behind) and `power` of a front from a ramp.
 
     The exact front gives states, speed and lengths; the tolerance is in units of the jump.
     """
@@ -182,7 +180,7 @@ def drive_front(law, front, beads, tolerance):
 
 
 def _scene(law, front, u, velocity, tolerance, snapshots):
-    """A chain between the states of a front, from relative displacements and velocities given."""
+    """Return a chain between the states of a front, with given displacements and velocities."""
     behind, ahead = front.attrs["state_behind"], front.attrs["state_ahead"]
     return pressed_chain(
         law,
@@ -197,17 +195,17 @@ def _scene(law, front, u, velocity, tolerance, snapshots):
 
 
 def _settling(early, halfway, late):
-    """The last of three values, at a quarter, half and the whole of the way, and its error.
+    """Return the last of three values, at a quarter, half and the whole of the way, and its error.
 
-    What follows the inverse square changes four times as much in the first doubling of the way; a
-    change that happens to vanish in the second is caught by this.
+    What follows the inverse square changes four times as much in the first doubling of the way.
+    This catches a change that happens to vanish in the second.
     """
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
     return Estimate(late, change + 8.0 * EPSILON * abs(late))
 
 
 def _room_behind(law, behind, speed, beads):
-    """Contacts behind the ramp, so that no reflection from the end catches the front.
+    """Return the contacts behind the ramp, so that no reflection from the end catches the front.
 
     Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     """
@@ -217,7 +215,7 @@ def _room_behind(law, behind, speed, beads):
 
 
 def _measure_at(motion, law, front):
-    """Velocity jump and power of a front over some contacts, means over the snapshots."""
+    """Return velocity jump and power of a front over some contacts, means over the snapshots."""
     strain = -motion["relative_displacement"].sel(bead=front).values[:, :-1]
     rate = np.diff(motion["velocity"].sel(bead=front).values, axis=1)
     power = (law.viscous.second(strain) * rate**2).sum(axis=1)
@@ -225,7 +223,7 @@ def _measure_at(motion, law, front):
 
 
 def _speed(times, time_error):
-    """Sites passed per time, from the times of neighbouring sites and their error."""
+    """Return the sites passed per time, from the times of neighbouring sites and their error."""
     sites = np.arange(times.size) - 0.5 * (times.size - 1)
     slowness = float(sites @ times / (sites @ sites))
     error = time_error * float(np.abs(sites).sum() / (sites @ sites))

@@ -17,17 +17,17 @@ from granular_fronts.studies.materials import ALPHA
 
 
 def weak_damping_constant(_dataset):
-    """γ/(1 − e) in the limit e → 1, a closed formula."""
+    """Return γ/(1 − e) in the limit e → 1, a closed formula."""
     return rounded(weak_damping_slope(ALPHA), units=4.0)
 
 
 def gamma(dataset, material):
-    """γ of the exact collision with the coefficient of restitution of a material."""
+    """Return γ of the exact collision with the coefficient of restitution of a material."""
     return recorded(dataset["gamma"].sel(material=material))
 
 
 def velocity_power(dataset, beta):
-    """Power of the velocity in γ by (29), from the smallest to the largest velocity."""
+    """Return the power of the velocity in γ by (29), from the smallest to the largest velocity."""
     law = dataset["gamma"].sel(beta=beta)
     first, last = (law.isel(velocity_ratio=place) for place in (0, -1))
     span = math.log(float(last["velocity_ratio"] / first["velocity_ratio"]))
@@ -35,7 +35,7 @@ def velocity_power(dataset, beta):
 
 
 def restitution_gain(dataset, beta):
-    """Restitution e at the smallest velocity less that at the largest.
+    """Return the restitution e at the smallest velocity less that at the largest.
 
     Above 0 if damping is weak at small velocities, below 0 if it is weak at large ones.
     """
@@ -44,54 +44,54 @@ def restitution_gain(dataset, beta):
 
 
 def order_of_agreement(dataset):
-    """Smallest observed order of the distance between the θ-method and the damped chain."""
+    """Return smallest observed order of the distance between the θ-method and the damped chain."""
     return recorded(dataset["order"].min(keep_attrs=True))
 
 
 def order_of_two_stages(dataset):
-    """The same for the explicit scheme of two stages."""
+    """Return the same for the explicit scheme of two stages."""
     return recorded(dataset["order_two_stages"].min(keep_attrs=True))
 
 
 def order_of_half_steps(dataset, beta, gamma):
-    """Observed order of the half-step scheme towards the accurate chain."""
+    """Return the observed order of the half-step scheme towards the accurate chain."""
     return tabulated(dataset.sel(beta=beta, gamma=gamma), "order")
 
 
 def excess_damping(dataset, observable, beta, gamma, steps_per_collision):
-    """Damping that an observable of the half-step scheme looks like, over γ, less 1."""
+    """Return the damping that an observable of the half-step scheme looks like, over γ, less 1."""
     excess = dataset[f"excess_{observable}"].sel(beta=beta, gamma=gamma)
     return recorded(excess.sel(step=1.0 / steps_per_collision, method="nearest", tolerance=1e-9))
 
 
 def quotient_power(dataset, variables, beta):
-    """Power of h in the difference quotient of the right-hand side where a contact closes."""
+    """Return the power of h in the difference quotient of the rates where a contact closes."""
     return tabulated(dataset.sel(variables=variables, beta=beta), "quotient_power")
 
 
 def observed_order(dataset, variables, scheme):
-    """Order with which a scheme with fixed steps passes a collision."""
+    """Return the order with which a scheme with fixed steps passes a collision."""
     return tabulated(dataset.sel(variables=variables, scheme=scheme), "observed_order")
 
 
 def order_gain(dataset, scheme):
-    """Order of a scheme in (x, w) less that in (x, ẋ)."""
+    """Return the order of a scheme in (x, w) less that in (x, ẋ)."""
     good = observed_order(dataset, "positions_and_w", scheme)
     return good - observed_order(dataset, "positions_and_velocities", scheme)
 
 
 def conserved_velocity_drift(dataset):
-    """Largest distance of w_n to v_p far behind a front, at all times."""
+    """Return the largest distance of w_n to v_p far behind a front, at all times."""
     return recorded(dataset["conserved_velocity_drift"])
 
 
 def persistence(dataset, gamma):
-    """Range of u behind a wave at the end over that at a quarter of the time."""
+    """Return the range of u behind a wave at the end over that at a quarter of the time."""
     return _late_over_early(dataset.sel(gamma=gamma), "oscillation")
 
 
 def spreading(dataset, alpha):
-    """Width of a wave at the end over that at a quarter of the time."""
+    """Return the width of a wave at the end over that at a quarter of the time."""
     return _late_over_early(dataset.sel(alpha=alpha), "width")
 
 
@@ -101,7 +101,7 @@ def _late_over_early(dataset, name):
 
 
 def approach_power(dataset):
-    """Power of α − 1 in the distance of rings to the logarithmic Burgers equation.
+    """Return the power of α − 1 in the distance of rings to the logarithmic Burgers equation.
 
     The error is twice the standard error of the slope.
     """
@@ -111,22 +111,22 @@ def approach_power(dataset):
 
 
 def softening_speed(dataset):
-    """Speed (14) of the front of a softening force into the smallest compression ahead."""
+    """Return speed (14) of the front of a softening force into the smallest compression ahead."""
     return recorded(dataset["softening_speed"].sortby("strain_ahead")[0])
 
 
 def contact_time_power(dataset):
-    """Power of the velocity in the time of contact of two beads."""
+    """Return the power of the velocity in the time of contact of two beads."""
     return _power_of(dataset["contact_time"])
 
 
 def indentation_power(dataset):
-    """Power of the velocity in the largest compression of two beads."""
+    """Return the power of the velocity in the largest compression of two beads."""
     return _power_of(dataset["indentation"])
 
 
 def _power_of(values):
-    """Slope of ln value over ln velocity, from the smallest to the largest velocity."""
+    """Return the slope of ln value over ln velocity, from the smallest to the largest velocity."""
     velocity, value = values["impact_velocity"].values[[0, -1]], values.values[[0, -1]]
     span = math.log(velocity[1] / velocity[0])
     errors = float(values.attrs["error_estimate"]) / value
@@ -134,12 +134,12 @@ def _power_of(values):
 
 
 def front_speed(dataset, law, ramp):
-    """Front speed ahead of a piston over that of (23)."""
+    """Return the front speed ahead of a piston over the speed (23)."""
     return _over_expected(dataset, "front_speed", law, ramp)
 
 
 def largest_piston_defect(dataset):
-    """Largest relative distance of fronts of pistons to (22) and (23), in all that is measured."""
+    """Return the largest relative distance of fronts of pistons to (22) and (23)."""
     names = ("front_speed", "compression_behind", "velocity_behind")
     defects = [abs(dataset[name] / dataset[f"{name}_expected"] - 1.0) for name in names]
     errors = [dataset[f"{name}_error"] / dataset[f"{name}_expected"] for name in names]
@@ -147,12 +147,12 @@ def largest_piston_defect(dataset):
 
 
 def compression_behind(dataset, law, ramp):
-    """Compression behind the front of a piston over that of (22)."""
+    """Return the compression behind the front of a piston over the compression (22)."""
     return _over_expected(dataset, "compression_behind", law, ramp)
 
 
 def velocity_behind(dataset, law, ramp):
-    """v_p far from a piston over the velocity of the piston."""
+    """Return v_p far from a piston over the velocity of the piston."""
     return _over_expected(dataset, "velocity_behind", law, ramp)
 
 
@@ -162,7 +162,7 @@ def _over_expected(dataset, name, law, ramp):
 
 
 def signed_speed(dataset, law):
-    """Speed of the exact front of a law over |c| of (14), negative if it runs to smaller n."""
+    """Return the speed of a law's exact front over |c| of (14), negative towards smaller n."""
     case = dataset.sel(law=law)
     expected = abs(float(case["speed_expected"]))
     errors = (case[name].attrs["error_estimate"] for name in ("speed_exact", "speed_expected"))
@@ -170,7 +170,7 @@ def signed_speed(dataset, law):
 
 
 def worst_agreement(dataset, quantity):
-    """Largest distance to theory of all laws and ways of measuring, over the sum of their errors.
+    """Return the largest distance to theory over the sum of errors, of all laws and ways.
 
     At most 1 where every measurement agrees with the jump conditions.
     """
@@ -185,7 +185,7 @@ def worst_agreement(dataset, quantity):
 
 
 def largest_relative_distance(dataset, quantity, way):
-    """Largest distance of a quantity to theory, over it, of all laws, measured in one `way`."""
+    """Return the largest relative distance of a quantity to theory, of all laws in one `way`."""
     expected = dataset[f"{quantity}_expected"]
     distance = abs(dataset[f"{quantity}_{way}"] / expected - 1.0)
     errors = dataset[f"{quantity}_{way}_error"] / abs(expected)
@@ -193,7 +193,7 @@ def largest_relative_distance(dataset, quantity, way):
 
 
 def sonic_margin(dataset):
-    """Smallest distance of driven fronts to both sound velocities, over their difference.
+    """Return smallest distance of driven fronts to both sound velocities, over their difference.
 
     Of all laws; above 0 if every front is slower than sound behind it and faster than sound ahead.
     """
@@ -212,7 +212,7 @@ def _sonic_margin(front, case):
 
 
 def speed_spread(dataset, laws):
-    """Largest less smallest speed of travelling fronts of several laws."""
+    """Return the largest less smallest speed of travelling fronts of several laws."""
     fronts = dataset.sel(law=laws)
     speeds = fronts["speed_travelling"]
     error = 2.0 * float(fronts["speed_travelling_error"].max())

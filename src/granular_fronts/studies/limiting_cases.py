@@ -1,9 +1,9 @@
 r"""Limits of the theory of fronts and of its continuum limit; James (2021), sections 2 to 4.
 
 No front.  A chain at rest is pressed from t = 0 on.  Without damping (W = 0, remark 4) the
-oscillations behind the wave fill a region that grows with it: the range of u over 0.5 to 0.8 of its
-way does not fall, while any damping makes it vanish.  With a quadratic V (α = 1, remark 3) the wave
-spreads: its width grows like :math:`t^{1/2}`, while that of a front of α > 1 settles.
+oscillations behind the wave fill a region that grows with it.  The range of u over 0.5 to 0.8 of
+its way does not fall, while any damping makes it vanish.  With a quadratic V (α = 1, remark 3) the
+wave spreads: its width grows like :math:`t^{1/2}`, while that of a front of α > 1 settles.
 
 Softening.  For α < 1 the speed (14) between the strains −1 and :math:`R_+ \to 0^-` tends to the −1
 of (21): the front runs towards the compressed beads.
@@ -13,7 +13,7 @@ for a time :math:`\propto v_0^{(1-\alpha)/(1+\alpha)}` and reach a compression :
 v_0^{2/(\alpha+1)}`.
 
 Continuum.  Rings that start from the same rescaled force :math:`y^0(\xi)`, with the same γc, are
-followed to the same slow time τ for exponents that tend to 1: their distance to the logarithmic
+followed to the same slow time τ for exponents that tend to 1.  Their distance to the logarithmic
 Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations`).
 """
 
@@ -44,14 +44,13 @@ ERROR_METHOD = "of the chain, or the change that leaving out every other bead ma
 
 
 def measure_limiting_cases(**section):
-    """Waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
+    """Return the waves without fronts, fronts for α < 1, elastic collisions, and rings for α → 1.
 
-    `section` stands under `laws: limiting_cases:` of the configuration; its pressed chains must be
-    longer than the waves run, and are also seen at a quarter of the time.  `oscillation` on
-    (gamma, t) and `width` on (alpha, t) are in units of the compression and in beads;
-    `softening_speed` is on (strain_ahead,), `contact_time` and `indentation` on
-    (impact_velocity,), and `ring_distance` on (exponent,), the root mean square of the distance of
-    u/δ to the equation.
+    `section` is `laws: limiting_cases:` of the configuration.  Its pressed chains must be longer
+    than the waves run, and are also measured at a quarter of the time.  `oscillation` on (gamma, t)
+    and `width` on (alpha, t) are in units of the compression and in beads; `softening_speed` is on
+    (strain_ahead,), `contact_time` and `indentation` are on (impact_velocity,).  `ring_distance` on
+    (exponent,) is the root mean square distance of u/δ to the equation.
     """
     raise_if_any([*pressed_chains_hold_waves(section)])
     alpha, rings = section["alpha"], section["rings"]
@@ -92,7 +91,7 @@ def measure_limiting_cases(**section):
 
 
 def press_chain(alpha, gamma, beads, times):
-    """Relative displacements, shape (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
+    """Return relative displacements, (times, beads − 1), of a chain pressed by 1 from t = 0 on."""
     law = kuwabara_kono(alpha, gamma)
     scene = pressed_chain(law, beads, times[-1], TOLERANCE, {"snapshots": times})
     motion = simulate_once(scene, f"pressed chain with alpha {alpha:g} and gamma {gamma:g}")
@@ -100,7 +99,7 @@ def press_chain(alpha, gamma, beads, times):
 
 
 def oscillation_behind(profile):
-    """Range of u over a part of the way of a wave behind its front, and its error."""
+    """Return the range of u over a part of the way of a wave behind its front, and its error."""
     way = last_fall(profile, np.arange(1.0, profile.size + 1.0), 0.5)
     part = profile[int(BEHIND.start * way) : int(BEHIND.stop * way)]
     found = estimate(np.ptp(part), np.ptp(part[::2]))
@@ -109,7 +108,7 @@ def oscillation_behind(profile):
 
 
 def wave_width(profile):
-    """Distance from 90 to 10 per cent, in beads, and its error."""
+    """Return the distance from 90 to 10 per cent, in beads, and its error."""
     places = np.arange(1.0, profile.size + 1.0)
     return estimate(
         *(
@@ -121,7 +120,7 @@ def wave_width(profile):
 
 
 def collide(alpha, velocity):
-    """Time of contact and largest compression of two beads that meet elastically, with errors."""
+    """Return time of contact and largest compression of an elastic collision, with errors."""
     scene = pressed_chain(
         kuwabara_kono(alpha, 0.0),
         2,
@@ -138,7 +137,7 @@ def collide(alpha, velocity):
 
 
 def ring_distance(alpha, rings):
-    """Root mean square of u/δ of a ring less that of (41) at the slow time, and its error."""
+    """Return the root mean square distance of u/δ to (41) at the slow time, and its error."""
     scales = make_slow_scales(alpha, rings["gamma"], 1.0)
     end = rings["slow_time"] / scales.slow_rate
     compared = compare_with_chain(

@@ -9,7 +9,7 @@ ROUNDING = {"error_estimate": 4.0e-16, "error_method": "rounding of a closed for
 
 
 def evaluate_fronts(exponents):
-    """f_α and y^(1/α) on (alpha, force), fronts of (46) on (alpha, xi), and the limits α → 1."""
+    """Return f_α and y^(1/α) on (alpha, force), fronts (46) on (alpha, xi), limits α → 1."""
     force = np.linspace(0.0, 1.0, 401)
     xi = np.linspace(-6.0, 4.0, 501)
     fluxes = [flux(force, alpha) for alpha in exponents]

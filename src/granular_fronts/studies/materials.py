@@ -6,11 +6,10 @@ collision of two beads with this e then has another γ, the larger the damping t
 
 Fronts.  A Kuwabara-Kono front behind which the beads move at :math:`v_p` has, normalised to δ = c =
 1, :math:`\gamma = \gamma(v_0)\,(v_p/v_0)^{(\alpha-1)/(\alpha+1)}` (29), whatever the mass and the
-stiffness; for a given force behind it :math:`v_p \propto F^{(\alpha+1)/(2\alpha)}\,m^{-1/2}
+stiffness.  For a given force behind it :math:`v_p \propto F^{(\alpha+1)/(2\alpha)}\,m^{-1/2}
 k^{-1/(2\alpha)}` needs both, but γ only to the power −1/15 of k for α = 3/2.  A front oscillates
-below the critical damping of its tail (`fronts.linear.critical_damping`), which is lower
-than that of the long-wave limit, where :math:`\mu = 2\sqrt3\,\gamma\,(1 - 1/\alpha)^{-1/2} = 2`
-(54).
+below the critical damping of its tail (`fronts.linear.critical_damping`), which is lower than in
+the long-wave limit, where :math:`\mu = 2\sqrt3\,\gamma\,(1 - 1/\alpha)^{-1/2} = 2` (54).
 """
 
 import numpy as np
@@ -36,13 +35,13 @@ ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equa
 
 
 def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
-    """Restitution, damping and fronts of beads of several materials, all in SI units.
+    """Return the restitution, damping and fronts of beads of several materials, all in SI units.
 
     Each has `gamma` as printed for impacts at v₀, `mass`, `radius`, `youngs_modulus` and
-    `poisson_ratio`.  On (material,) `gamma_printed`, `restitution` by the linear rule, `gamma`
-    of the exact collision, `restitution_exact` of the printed γ, `contact_damping` γ₀ and
-    `stiffness` k; on (material, piston_velocity) and (material, force) `gamma_front_…` and
-    `mu_front_…`; the damping `critical_gamma` below which these fronts oscillate.
+    `poisson_ratio`.  On (material,) there are `gamma_printed`, `restitution` by the linear rule,
+    `gamma` of the exact collision, `restitution_exact` of the printed γ, `contact_damping` γ₀ and
+    `stiffness` k.  On (material, piston_velocity) and (material, force) there are `gamma_front_…`
+    and `mu_front_…`.  Below `critical_gamma` these fronts oscillate.
     """
     rows = [_evaluate(bead, impact_velocity, piston_velocities, forces) for bead in beads.values()]
     dims = {"piston": "piston_velocity", "force": "force"}
@@ -67,7 +66,7 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
 
 
 def _evaluate(bead, impact_velocity, piston_velocities, forces):
-    """Everything of one material, by the name of the variable."""
+    """Return everything of one material, by the name of the variable."""
     mass = bead["mass"]
     stiffness = sphere_stiffness(bead["radius"], bead["youngs_modulus"], bead["poisson_ratio"])
     e = 1.0 - bead["gamma"] / weak_damping_slope(ALPHA)

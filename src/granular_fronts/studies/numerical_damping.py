@@ -1,23 +1,23 @@
-r"""The θ-method on a conservative chain beside the damped chain it stands for.
+r"""The θ-method on a conservative chain, compared with the damped chain that it resembles.
 
 The method with step h damps like the Kuwabara-Kono law with :math:`\gamma = (2\theta - 1)h` (see
-`reference_methods.theta_method`).  Both chains are pressed at one end; the damped one is solved
+`reference_methods.theta_method`).  Both chains are pressed at one end.  The damped one is solved
 accurately and starts as the method's own modified equation does: rest of the method, v = 0, means
 :math:`\dot x_1 = \tfrac\gamma2\delta^\alpha`.  Their distance at the end,
 
 .. math:: \max_n |u_n^{\theta} - u_n^{\gamma}|/\delta,
 
-falls as h² where h alone is made smaller and γ falls with it; the distance of the method to the
+falls as h² where h is made smaller and γ falls with it.  The distance of the method to the
 conservative chain falls as h only.  The order sets in late: behind a front of damping γ about 1/γ
 oscillations follow, and their shifts add up.
 
 Other schemes.  To first order in h any Runge-Kutta method of order 1 solves :math:`\dot y = f +
-(\sum_i b_i c_i - \tfrac12)h\,f'f`, so that the class which damps like this is that of all schemes
-with :math:`\sum_i b_i c_i = \theta`.  The explicit one of two stages,
+(\sum_i b_i c_i - \tfrac12)h\,f'f`, so that all schemes with :math:`\sum_i b_i c_i = \theta`
+damp like this.  The explicit one of two stages,
 
 .. math:: y' = y + h f\bigl(y + \theta h f(y)\bigr),
 
-stands beside the θ-method; large steps make it unstable, which is why it takes the smallest three.
+is compared with the θ-method.  Large steps make it unstable, so that it takes the smallest three.
 """
 
 from typing import NamedTuple
@@ -54,7 +54,7 @@ class Case(NamedTuple):
 
 
 def measure_numerical_damping(alpha, displacement, order, profile):
-    """What `measure_order` finds on one chain, `compare_profiles` on another; as configured."""
+    """Run `measure_order` on one chain and `compare_profiles` on another, as configured."""
     many, one = (
         Case(alpha, displacement, part["beads"], part["end_time"]) for part in (order, profile)
     )
@@ -63,11 +63,11 @@ def measure_numerical_damping(alpha, displacement, order, profile):
 
 
 def measure_order(case, thetas, steps):
-    """Distances of the θ-method, θ > 1/2, to damped chains and to the conservative one.
+    """Return the distances of the θ-method, θ > 1/2, to damped chains and to the conservative one.
 
-    `gamma`, `damping_distance` and `conservative_distance`, relative to δ, on (theta, step); on
-    (theta,) the observed `order` of the first distance at the last two of three or more falling
-    steps, and `order_two_stages` of the explicit scheme of two stages.
+    `gamma`, `damping_distance` and `conservative_distance`, relative to δ, are on (theta, step).
+    On (theta,) is the observed `order` of the first distance at the last two of three or more
+    falling steps.  `order_two_stages` belongs to the explicit scheme of two stages.
     """
     conservative, rounding = damped_chain(case, 0.0)
     shape = (len(thetas), len(steps))
@@ -98,14 +98,14 @@ def measure_order(case, thetas, steps):
 
 
 def _last_orders(distances, steps):
-    """Observed orders at the last two steps, on (theta,)."""
+    """Return the observed orders at the last two steps, on (theta,)."""
     orders = observed_orders(distances[:, -3:], steps[-3:])
     change = float(np.abs(orders[:, 1] - orders[:, 0]).max())
     return "theta", orders[:, 1], {"error_estimate": change, "error_method": ORDER_METHOD}
 
 
 def compare_profiles(case, theta, step):
-    """Relative displacements on (bead,) of the θ-method and of chains with and without damping."""
+    """Return relative displacements on (bead,) of the θ-method and both chains."""
     solved = {
         "method": theta_chain(case, theta, step),
         "damped": damped_chain(case, (2.0 * theta - 1.0) * step),
@@ -119,7 +119,7 @@ def compare_profiles(case, theta, step):
 
 
 def theta_chain(case, theta, step):
-    """Relative displacements of the θ-method at the end, and the error of its implicit solves."""
+    """Return the final relative displacements of the θ-method, and the error of its solves."""
     count = round(case.end_time / step)
     if abs(count * step - case.end_time) > 1.0e-9 * case.end_time:
         raise InputError(
@@ -135,7 +135,7 @@ def theta_chain(case, theta, step):
 
 
 def _two_stage_chain(case, theta, step):
-    """Relative displacements at the end by the explicit scheme of two stages."""
+    """Return the relative displacements at the end by the explicit scheme of two stages."""
     law = make_law(alpha=case.alpha, gamma=0.0)
     boundary = Boundary(ring=False, left=case.displacement, right=0.0)
     at_rest = np.zeros(case.beads)
@@ -147,7 +147,7 @@ def _two_stage_chain(case, theta, step):
 
 
 def damped_chain(case, gamma):
-    """Relative displacements of the Kuwabara-Kono chain at the end, and their error."""
+    """Return the relative displacements of the Kuwabara-Kono chain at the end, and their error."""
     velocity = np.zeros(case.beads)
     velocity[0] = 0.5 * gamma * case.displacement**case.alpha
     scene = pressed_chain(

@@ -11,17 +11,17 @@ velocity, :math:`v' \pm c_s u'` is constant along rays to the right and to the l
 
 .. math:: v' = \tfrac{\alpha+1}{2}\,c\,u' .
 
-A ray that leaves the front at the distance n from the piston comes back to it at the distance λn,
-and its amplitude has changed by the factor :math:`-\rho`, with
+A ray that leaves the front at the distance n from the piston comes back to it at the distance λn.
+Its amplitude has changed by the factor :math:`-\rho`, with
 
 .. math::
 
     \lambda = \frac{c_s + c}{c_s - c} = \frac{\sqrt\alpha + 1}{\sqrt\alpha - 1}, \qquad
     \rho = \frac{\alpha + 1 - 2\sqrt\alpha}{\alpha + 1 + 2\sqrt\alpha} = \lambda^{-2} .
 
-Every disturbance, that of the front's slowness 1/c included, thus repeats itself at λ times the
-distance and time, with the factor :math:`-\lambda^{-2}`: it decays as :math:`n^{-2}`, and changes
-its sign again and again.
+Every disturbance, also of the front's slowness 1/c, thus repeats itself at λ times the distance and
+time, with the factor :math:`-\lambda^{-2}`: it decays as :math:`n^{-2}`, and changes its sign again
+and again.
 
 Measurement.  The same rule removes it.  If a quantity is :math:`q` at some distance and time and
 :math:`q_\lambda` at λ times both, its limit is
@@ -29,11 +29,12 @@ Measurement.  The same rule removes it.  If a quantity is :math:`q` at some dist
 .. math:: q_\infty = \frac{\lambda^2 q_\lambda + q}{\lambda^2 + 1},
 
 up to the spreading of the waves by damping and dispersion and to the width of the front, within
-which they are reflected: both are smaller by a power of n.  The slowness is taken from the times at
-which the front (u = δ/2) passes two beads, compression and velocity on the ray :math:`x = ct/4`
+which they are reflected.  Both are smaller by a power of n.  The slowness is taken from the times
+at which the front (u = δ/2) passes two beads, compression and velocity on the ray :math:`x = ct/4`
 behind it, where t counts from the time at which a piston without a ramp would have had to start.
-The error estimate adds the largest change of the limit over the last doubling of distance and time
-to its largest change there if :math:`q` is taken further ahead by the width of the front.
+The error estimate is a sum.  It adds the largest change of the limit over the last doubling of
+distance and time to its largest change there if :math:`q` is taken further ahead by the width of
+the front.
 """
 
 import math
@@ -74,7 +75,7 @@ WINDOW = 1.25
 """Ratio of the distances between which the slowness is measured."""
 
 BEHIND = 0.25
-"""Distance from the piston at which compression and velocity are measured, that of the front 1."""
+"""Distance from the piston at which compression and velocity are measured; the front is at 1."""
 
 FRONT = (0.01, 0.99)
 """Compressions over δ between which the front is."""
@@ -98,12 +99,12 @@ class DrivenFront(NamedTuple):
 
 
 def repetition(alpha):
-    """λ, the factor in distance and time after which a disturbance repeats itself; α > 1."""
+    """Return λ, the factor in distance and time after which a disturbance repeats itself; α > 1."""
     return (math.sqrt(alpha) + 1.0) / (math.sqrt(alpha) - 1.0)
 
 
 def limit(far, near, alpha):
-    """Limit of a quantity from its values `near` the piston and λ times as `far` from it."""
+    """Return limit of a quantity from its values `near` the piston and λ times as `far` from it."""
     weight = repetition(alpha) ** 2
     return (weight * far + near) / (weight + 1.0)
 
@@ -138,13 +139,13 @@ def push_chain(law, velocity, ramp, beads, tolerance):
 
 
 def front_width(profile):
-    """Beads from the last contact above the one level of `FRONT` to the last above the other."""
+    """Return the beads between the last contacts above the two levels of `FRONT`."""
     ahead, behind = (np.flatnonzero(profile > level)[-1] for level in FRONT)
     return int(ahead - behind)
 
 
 def _limiting_speed(arrivals, distances, width, alpha):
-    """Speed from arrival times; contact n is n − 1/2 beads away from the piston."""
+    """Return the speed from arrival times; contact n is n − 1/2 beads away from the piston."""
     passed = np.isfinite(arrivals.values)
     arrival = CubicSpline(arrivals["bead"].values[passed] - 0.5, arrivals.values[passed])
 
@@ -160,7 +161,7 @@ def _limiting_speed(arrivals, distances, width, alpha):
 
 
 def _limit_behind(field, first, places, width, alpha):
-    """Limit of a field behind the front; its first bead or contact is `first` from the piston."""
+    """Return the limit of a field behind the front; its first bead or contact is `first`."""
     distances = first + np.arange(field.sizes["bead"] - 1)
     profiles = [CubicSpline(distances, row[: distances.size]) for row in field.values]
 
@@ -173,13 +174,13 @@ def _limit_behind(field, first, places, width, alpha):
 
 
 def _last(limits, shifted, error):
-    """The limit from the farthest measurement, with the error of the integration."""
+    """Return the limit from the farthest measurement, with the error of the integration."""
     changes = np.abs(limits - limits[0]).max() + np.abs(shifted - limits).max()
     return Estimate(float(limits[0]), float(changes + error))
 
 
 def measure_pistons(cases, velocity, ramps, beads, tolerance):
-    """Fronts of several laws, each driven with several ramps.
+    """Return the fronts of several laws, each driven with several ramps.
 
     `front_speed`, `compression_behind` and `velocity_behind` on (law, ramp), each with its
     `…_error` and `…_expected`, and `velocity_drift`.
@@ -201,7 +202,7 @@ def measure_pistons(cases, velocity, ramps, beads, tolerance):
 
 
 def _gather(fronts, path, attributes):
-    """Variable of one number of each front, named by its dotted path."""
+    """Return the variable of one number of each front, named by its dotted path."""
     read = operator.attrgetter(path)
     values = np.array([[read(front) for front in row] for row in fronts])
     return ("law", "ramp"), values, dict(attributes)

@@ -12,14 +12,14 @@ give :math:`u_n` and :math:`\dot x_n` by (51) at :math:`\tilde\xi = \varepsilon(
 modulo the length of the ring.
 
 Distances are taken over all N beads: `sup` is the largest absolute difference and `rms` the root
-mean square, of the compressions :math:`u_{n,+}/\delta` and of
-:math:`\dot x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that
-gaps count as no compression here; how deep they are is recorded by itself.  Beside the distances
-stands `floor`, what the solvers contribute to `sup`: the error estimate of the chain plus the
-difference of the equation to its refined run at the same beads and time (`evolution`).
+mean square, of the compressions :math:`u_{n,+}/\delta` and of :math:`\dot
+x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that gaps count
+as no compression here.  Their depth is recorded separately.  In addition `floor` is what the
+solvers contribute to `sup`.  It is the error estimate of the chain plus the difference of the
+equation to its refined run at the same beads and time (`evolution`).
 
-The paper's own scheme is run too where the scene names its points, since the percentages it
-quotes contain the error of that scheme.
+The paper's own scheme is run too if the scene names its points, since the percentages that the
+paper quotes contain its error.
 """
 
 import numpy as np
@@ -45,7 +45,7 @@ FLOOR_METHOD = "of the two solutions compared, carried through"
 
 
 def compare_with_chain(scene, name="given"):
-    """Solve a periodic scene as a chain and by those of equations (50) and (40) that it names.
+    """Solve a periodic scene as a chain and by the equations that it names, of (50) and (40).
 
     Parameters
     ----------
@@ -58,8 +58,8 @@ def compare_with_chain(scene, name="given"):
     -------
     xarray.Dataset
         The chain's `relative_displacement` and `velocity` on (t, bead) and on (t_grid, bead), and
-        its extremes; those of each equation on (t, site), site being a bead number that need not be
-        whole; distances and floors on (t_grid).
+        its extremes.  The fields of each equation are on (t, site), where a site is a bead number
+        that need not be whole.  Distances and floors are on (t_grid).
 
     Raises
     ------
@@ -80,7 +80,7 @@ def compare_with_chain(scene, name="given"):
 
 
 def make_chain_scene(scene):
-    """The chain scene of a checked periodic scene, with the start of section 4.3."""
+    """Return the chain scene of a checked periodic scene, with the start of section 4.3."""
     scaling = scaling_of(scene)
     force = make_start(scene["start"]).values(
         start_positions(scene, bead_numbers(scene)), scaling.half_length(scene["half_beads"])
@@ -97,17 +97,17 @@ def make_chain_scene(scene):
 
 
 def bead_numbers(scene):
-    """1 … 2p − 1."""
+    """Return 1 … 2p − 1."""
     return np.arange(1, 2 * scene["half_beads"])
 
 
 def start_positions(scene, site):
-    """ξ = ε(n − p) of bead numbers that need not be whole."""
+    """Return ξ = ε(n − p) of bead numbers that need not be whole."""
     return scaling_of(scene).epsilon * (np.asarray(site, dtype=float) - scene["half_beads"])
 
 
 def _solve_equation(scene, equation, chain):
-    """What one equation says, and how far from it the chain is."""
+    """Return what one equation says, and how far from it the chain is."""
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     grid = regular_points(0.0, scene["end_time"], scene["record"]["grid"]["step"])
     solutions = solve_refined(scene, equation, np.concatenate([snapshots, grid]))
@@ -130,7 +130,7 @@ def _solve_equation(scene, equation, chain):
 
 
 def _forces(scene, solution, rows, sites):
-    """Rescaled force of an equation at bead numbers at the times of some rows."""
+    """Return the rescaled force of an equation at bead numbers at the times of some rows."""
     scaling = scaling_of(scene)
     shift = scaling.epsilon * scaling.frame_speed * solution.times[rows]
     xi = start_positions(scene, sites) - shift[:, None]
@@ -138,7 +138,7 @@ def _forces(scene, solution, rows, sites):
 
 
 def _fields(scene):
-    """Each field of the chain, its scale, and what makes it of a rescaled force, eq. (51)."""
+    """Return each field of the chain, its scale, and its map from a rescaled force (51)."""
     scaling = scaling_of(scene)
     return (
         ("relative_displacement", scaling.delta, scaling.displacement),
@@ -147,7 +147,7 @@ def _fields(scene):
 
 
 def _distances(chain, values, finer, scale):
-    """Distances of a chain's field to an equation's, and what both solvers contribute.
+    """Return the distances of a chain's field to an equation's, and what both solvers contribute.
 
     A gap counts as no compression; velocities keep their sign.
     """
@@ -164,7 +164,7 @@ def _distances(chain, values, finer, scale):
 
 
 def _solve_upwind(scene, dataset):
-    """What the paper's scheme says of (50), on its own points, at the snapshot times."""
+    """Return what the paper's scheme says of (50), on its own points, at the snapshot times."""
     scaling = scaling_of(scene)
     half_length = scaling.half_length(scene["half_beads"])
     xi = upwind.grid(half_length, scene["equations"]["upwind"]["points"])

@@ -1,13 +1,13 @@
 r"""How far a ring of beads is from its amplitude equations, as α → 1.
 
-A ring is followed as the chain itself and by three equations for the rescaled force y, all from the
-same start and in units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55), which
-in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
+A ring is followed as the chain itself and by three equations for the rescaled force y.  All have
+the same start and the units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55),
+which in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
 
-The chain is followed bead by bead, or, where a smooth wave needs fewer points than there are beads,
-by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
-contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap counts as
-no compression, since no equation for u^α can have one.
+The chain is followed bead by bead.  A smooth wave that needs fewer points than there are beads is
+followed by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many
+places.  A contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap
+counts as no compression, since no equation for u^α can have one.
 
 Errors at a slow time τ, each against the chain at its beads, or at those places:
 
@@ -21,18 +21,18 @@ Errors at a slow time τ, each against the chain at its beads, or at those place
 Heights and places are interpolated alike in the two waves that are compared, so that what
 interpolation adds all but cancels.
 
-From velocities to first order the mean difference is taken off: a constant is momentum of the whole
-ring, which no formula in y knows.  The formulas are measured too, without any equation and all
-without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier series:
+The mean difference of velocities to first order is subtracted, since a constant is momentum of the
+whole ring, which no formula in y knows.  The formulas are measured too, without any equation and
+all without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier series:
 `residual_leading` of (51), `residual_printed` of (43), and `residual_first_order` of the whole
 first order (`model.amplitude_scaling`).
 
-A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ,
-by linear interpolation between the times of `_loss_times`.
+A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ.
+It is interpolated linearly between the times of `_loss_times`.
 
-Accuracy.  Chain and equation are solved a second time with more coefficients or cells and a tenth
-of the tolerance, and everything is measured again, at fewer places and on every other of
-`_loss_times`, so that what interpolation adds is part of the difference, the error estimate.
+Accuracy.  Chain and equation are solved again with more coefficients or cells and a tenth of the
+tolerance.  Everything is measured again, at fewer places and on every other of `_loss_times`.  The
+difference is the error estimate, so that it contains the error of interpolation.
 """
 
 import math
@@ -115,16 +115,16 @@ class Resolution(NamedTuple):
     equation_tolerance: float
 
     def points(self, half_length):
-        """Points of a Fourier series on the ring, even."""
+        """Return the points of a Fourier series on the ring, even."""
         return 2 * math.ceil(half_length * self.wave_number / math.pi)
 
     def cells(self, half_length):
-        """Cells of an equation on the ring, even."""
+        """Return the cells of an equation on the ring, even."""
         return 2 * math.ceil(half_length / self.cell)
 
 
 def resolutions(tolerance):
-    """The usual resolution for a tolerance, and the finer one."""
+    """Return the usual resolution for a tolerance, and the finer one."""
     usual = Resolution(12.0, 8, 0.125, tolerance, tolerance)
     return usual, Resolution(16.0, 4, 0.0625, 0.1 * tolerance, 0.1 * tolerance)
 
@@ -140,13 +140,13 @@ class Motion(NamedTuple):
 
 
 def _loss_times(last):
-    """Slow times, up to and including the last of all, between which losses are interpolated."""
+    """Return the slow times, the last included, between which losses are interpolated."""
     count = math.floor(math.log(last / FIRST_LOSS_TIME) / math.log(LOSS_RATIO) + 1e-9)
     return FIRST_LOSS_TIME * LOSS_RATIO ** np.arange(count + 1)
 
 
 def compare(ring, slow_times, tolerance, xi=None):
-    """Values and error estimates at slow times above 0, by the names of `campaign.kinds`.
+    """Return values and error estimates at slow times above 0, by the names of `campaign.kinds`.
 
     `xi` are places ξ̃ of the moving frame at which u/δ of the chain is wanted too.
     """
@@ -178,7 +178,7 @@ def compare(ring, slow_times, tolerance, xi=None):
 
 
 def follow(ring, times, usual, finer):
-    """The chain at some times, and more accurately at the same places."""
+    """Return the chain at some times, and more accurately at the same places."""
     points = usual.points(ring.half_length)
     if not ring.has_kinks and ring.beads > points:
         smooth = partial(_follow_smooth, ring, times)
@@ -190,7 +190,7 @@ def follow(ring, times, usual, finer):
 
 
 def _follow_smooth(ring, times, resolution):
-    """The chain by Fourier coefficients, at several places for each."""
+    """Return the chain by Fourier coefficients, at several places for each."""
     points = resolution.points(ring.half_length)
     places = resolution.places * points
     site = ring.beads * np.arange(places) / places
@@ -201,7 +201,7 @@ def _follow_smooth(ring, times, resolution):
 
 
 def _follow_beads(ring, times, resolution):
-    """The chain bead by bead."""
+    """Return the chain bead by bead."""
     site = np.arange(1.0, ring.beads + 1.0)
     tolerance = resolution.chain_tolerance
     scene = chain_scene(
@@ -231,7 +231,7 @@ def _start_at(ring, site):
 
 
 def _facts(ring, motions, slow_times):
-    """Numbers of the ring itself, the same at every slow time."""
+    """Return the numbers of the ring itself, the same at every slow time."""
     rate, scaling = ring.scaling.slow_rate, ring.scaling
     facts = {
         "epsilon_of_ring": Refined(scaling.epsilon, scaling.epsilon),
@@ -248,7 +248,7 @@ def _facts(ring, motions, slow_times):
 
 
 def _profiles(ring, motion, times, kept, xi):
-    """Compressions of the chain at places of the moving frame, by lines between its beads."""
+    """Return the chain's compressions at places of the moving frame, by lines between beads."""
     rows = []
     for row in kept:
         moved = np.mod(ring.scaling.frame_speed * times[row], ring.beads)
@@ -259,13 +259,13 @@ def _profiles(ring, motion, times, kept, xi):
 
 
 def _error_of(both):
-    """Difference of numbers that were computed twice, at least their rounding."""
+    """Return the difference of numbers that were computed twice, at least their rounding."""
     with np.errstate(invalid="ignore"):
         return np.maximum(abs(both.usual - both.finer), np.spacing(np.abs(both.usual)))
 
 
 def _solve(ring, equation, times, resolution, coarser=None):
-    """One equation on the ring; without kinks the start needs no finer cells."""
+    """Return one equation on the ring; without kinks the start needs no finer cells."""
     return evolution.solve(
         ring.scene,
         equation,
@@ -278,7 +278,7 @@ def _solve(ring, equation, times, resolution, coarser=None):
 
 
 def velocity_residuals(ring, motion, rows):
-    """Largest difference of ẋ to each formula in the chain's own y, at some rows of its times."""
+    """Return the largest difference of ẋ to each formula in the chain's own y, at some times."""
     scaling, sites = ring.scaling, motion.site.size
     y = np.maximum(motion.relative_displacement[rows], 0.0) ** ring.alpha
     wave_numbers = 2.0 * np.pi * rfftfreq(sites, 2.0 * ring.half_length / sites)
@@ -293,12 +293,12 @@ def velocity_residuals(ring, motion, rows):
 
 
 def _centred(rows):
-    """Each row less its mean."""
+    """Return each row less its mean."""
     return rows - rows.mean(axis=1, keepdims=True)
 
 
 def _force(ring, motion, solution, rows):
-    """Places ξ̃ of the chain and rescaled forces of an equation there, at some rows of its times."""
+    """Return places ξ̃ of the chain and rescaled forces of an equation there, at some times."""
     moved = np.mod(ring.scaling.frame_speed * solution.times[rows], ring.beads)
     xi = ring.scaling.epsilon * (motion.site - ring.half_beads - moved[:, None])
     force = [solution.rescaled_force(row, there) for row, there in zip(rows, xi, strict=True)]
@@ -306,13 +306,13 @@ def _force(ring, motion, solution, rows):
 
 
 def _compressions(ring, motion, force, rows):
-    """Compressions of the chain and of an equation at some rows; a gap counts as none."""
+    """Return compressions of the chain and of an equation at some rows; a gap counts as none."""
     chain = np.maximum(motion.relative_displacement[rows], 0.0)
     return chain, ring.scaling.displacement(np.maximum(force, 0.0))
 
 
 def _losses(ring, motion, solution, slow_times, rows):
-    """Slow times at which an equation has lost so much, NaN if after `slow_times`."""
+    """Return the slow times at which an equation has lost so much, NaN if after `slow_times`."""
     times, sup = ring.scaling.slow_rate * solution.times[rows], np.array([])
     if rows.size:
         _, force = _force(ring, motion, solution, rows)
@@ -325,7 +325,7 @@ def _losses(ring, motion, solution, slow_times, rows):
 
 
 def _errors(ring, motion, solution, rows):
-    """All other errors of one solution of an equation, at some rows of its times."""
+    """Return all other errors of one solution of an equation, at some rows of its times."""
     scaling = ring.scaling
     xi, force = _force(ring, motion, solution, rows)
     chain, u = _compressions(ring, motion, force, rows)
@@ -355,17 +355,17 @@ def _errors(ring, motion, solution, rows):
 
 
 def largest(chain, model):
-    """Largest difference at each time."""
+    """Return the largest difference at each time."""
     return np.abs(chain - model).max(axis=1)
 
 
 def root_mean_square(chain, model):
-    """Root mean square of the difference at each time."""
+    """Return the root mean square of the difference at each time."""
     return np.sqrt(((chain - model) ** 2).mean(axis=1))
 
 
 def heights(rows):
-    """Largest value at each time."""
+    """Return the largest value at each time."""
     return np.array([_height(row) for row in np.atleast_2d(rows)])
 
 
@@ -377,7 +377,7 @@ def _height(row):
 
 
 def relative_decay(model, chain, start):
-    """Loss of height since the start, of the model over that of the chain, minus 1."""
+    """Return the loss of height since the start, model over chain, minus 1."""
     [first] = heights(start)
     with np.errstate(divide="ignore", invalid="ignore"):
         return (first - heights(model)) / (first - heights(chain)) - 1.0
@@ -395,7 +395,7 @@ def _lead(model, chain):
 
 
 def _last_fall(row, level):
-    """Index, interpolated, of the last fall of a row through a level; NaN without one."""
+    """Return index, interpolated, of the last fall of a row through a level; NaN without one."""
     try:
         return last_fall(row, np.arange(row.size), level)
     except IndexError:
@@ -403,7 +403,7 @@ def _last_fall(row, level):
 
 
 def first_passage(times, errors, level):
-    """First time at which an error that is 0 at time 0 exceeds a level; NaN if it does not."""
+    """Return the first time at which an error, 0 at time 0, exceeds a level, or NaN."""
     above = np.flatnonzero(errors > level)
     if not above.size:
         return np.nan

@@ -4,11 +4,11 @@ A measure takes the dataset of a periodic scene (see `studies.ring_against_equat
 an `Estimate`.
 
 Shock.  The ring is cut open half a turn behind and ahead of :math:`p + \tilde c t`, where the
-centre of the start would be; the shock stands where the last fall of u through δ/2 lies, by linear
-interpolation between beads (or sites of the equation).
+centre of the start would be.  The shock is where u last falls through δ/2, by linear interpolation
+between beads (or sites of the equation).
 
-Errors are those of the recorded variables, carried through to first order; where a position is
-interpolated between beads, the change that leaving out every other bead makes is added.
+Errors of the recorded variables are carried through to first order.  For a position between beads,
+the change without every other bead is added.
 """
 
 import numpy as np
@@ -26,55 +26,55 @@ CHAIN, EQUATION = "relative_displacement", "relative_displacement_logarithmic"
 
 
 def scales(dataset):
-    """Scales of the scene."""
+    """Return the scales of the scene."""
     return scaling_of(scene_of(dataset))
 
 
 def epsilon(dataset):
-    """Small parameter ε of section 4."""
+    """Return the small parameter ε of section 4."""
     return rounded(scales(dataset).epsilon)
 
 
 def half_length(dataset):
-    """Half of the ring in ξ, ℓ = (p − 1/2) ε."""
+    """Return half of the ring in ξ, ℓ = (p − 1/2) ε."""
     return rounded(scales(dataset).half_length(scene_of(dataset)["half_beads"]))
 
 
 def ring_length(dataset):
-    """L of eq. (26), minus the sum of all relative displacements of the start."""
+    """Return L of eq. (26), minus the sum of all relative displacements of the start."""
     return rounded(-float(dataset["relative_displacement"].sel(t=0.0).sum()))
 
 
 def upwind_spacing(dataset):
-    """Space step of the explicit scheme."""
+    """Return the space step of the explicit scheme."""
     points = scene_of(dataset)["equations"]["upwind"]["points"]
     return rounded(2.0 * half_length(dataset).value / points)
 
 
 def upwind_step(dataset):
-    """Time step of the explicit scheme, 4/5 of the limit of stability at Y = η."""
+    """Return the time step of the explicit scheme, 4/5 of the limit of stability at Y = η."""
     spacing = upwind_spacing(dataset).value
     fastest = abs(np.log(scene_of(dataset)["start"]["floor"]))
     return rounded(0.8 * spacing**2 / (2.0 + fastest * spacing))
 
 
 def displacement_excess(dataset):
-    """Percent by which the equation's peak of u exceeds the chain's at the last snapshot."""
+    """Return percent by which the equation's peak of u exceeds the chain's at the last snapshot."""
     return _excess(dataset, "relative_displacement", "logarithmic")
 
 
 def velocity_excess(dataset):
-    """The same for velocities."""
+    """Return the same for velocities."""
     return _excess(dataset, "velocity", "logarithmic")
 
 
 def displacement_excess_upwind(dataset):
-    """Percent for u, with the equation solved by the paper's scheme."""
+    """Return the percent for u, with the equation solved by the paper's scheme."""
     return _excess(dataset, "relative_displacement", "upwind")
 
 
 def velocity_excess_upwind(dataset):
-    """The same for velocities."""
+    """Return the same for velocities."""
     return _excess(dataset, "velocity", "upwind")
 
 
@@ -87,22 +87,22 @@ def _excess(dataset, field, solver):
 
 
 def shock_speed(dataset):
-    """Speed of the chain's shock between the last two snapshots."""
+    """Return the speed of the chain's shock between the last two snapshots."""
     return _speed(dataset, CHAIN)
 
 
 def shock_speed_equation(dataset):
-    """Speed of the equation's shock between the last two snapshots."""
+    """Return the speed of the equation's shock between the last two snapshots."""
     return _speed(dataset, EQUATION)
 
 
 def shock_speed_ratio(dataset):
-    """Speed of the chain's shock over that of the equation's, between the last two snapshots."""
+    """Return the speed of the chain's shock over the equation's, between the last two snapshots."""
     return shock_speed(dataset) / shock_speed_equation(dataset)
 
 
 def shock_lead(dataset):
-    """Beads by which the chain's shock is ahead of the equation's at the last snapshot."""
+    """Return beads by which the chain's shock is ahead of the equation's at the last snapshot."""
     chain, equation = (
         _shock_place(dataset, dataset[name].isel(t=-1)) for name in (CHAIN, EQUATION)
     )
@@ -110,13 +110,13 @@ def shock_lead(dataset):
 
 
 def shock_travel(dataset):
-    """Beads over which the chain's shock has run at the last snapshot."""
+    """Return the beads over which the chain's shock has run at the last snapshot."""
     first, last = (_shock_place(dataset, dataset[CHAIN].isel(t=row)) for row in (0, -1))
     return last - first
 
 
 def aftershock_distance(dataset):
-    """Largest |Δu|/δ, chain to equation, 3 to 20 beads behind the shock of each, last snapshot."""
+    """Return the largest |Δu|/δ 3 to 20 beads behind the shocks of both, last snapshot."""
     chain, equation = (dataset[name].isel(t=-1) for name in (CHAIN, EQUATION))
     behind = np.linspace(3.0, 20.0, 69)
 
@@ -131,9 +131,9 @@ def aftershock_distance(dataset):
 
 
 def profile_correlation(dataset):
-    """Correlation of max(u, 0), chain with equation, over all beads at the last snapshot.
+    """Return correlation of max(u, 0), chain with equation, over all beads at the last snapshot.
 
-    Gaps count as u = 0: the equation has none, as section 1 says.
+    Gaps count as u = 0, since the equation has no gaps, as section 1 says.
     """
     chain, equation = (dataset[name].isel(t=-1) for name in (CHAIN, EQUATION))
 
@@ -151,14 +151,14 @@ def _speed(dataset, name):
 
 
 def _shock_place(dataset, profile):
-    """Position of the shock of a profile of u at one time, in beads, on the ring cut open."""
+    """Return the bead at the shock of a profile of u, on the ring cut open."""
     return estimate(
         *(last_fall(*reversed(_cut_open(dataset, profile, stride)), 0.5) for stride in (1, 2))
     )
 
 
 def _cut_open(dataset, profile, stride):
-    """Sites of every `stride`-th value of a profile, rising along the ring cut open, and u/δ."""
+    """Return the sites of every `stride`-th value, rising along the ring cut open, and u/δ."""
     (axis,) = profile.dims
     profile = profile[::stride]
     scene, scaling = scene_of(dataset), scales(dataset)
@@ -171,18 +171,18 @@ def _cut_open(dataset, profile, stride):
 
 
 def small_parameter_ratio(dataset):
-    """ε/min(1, γc), which section 4.1 requires to be much less than 1."""
+    """Return ε/min(1, γc), which section 4.1 requires to be much less than 1."""
     scaling = scales(dataset)
     return rounded(scaling.epsilon / min(1.0, scaling.gamma * scaling.speed))
 
 
 def damping_parameter(dataset):
-    """μ of (54), by 12/μ² = ε/γc."""
+    """Return μ of (54), by 12/μ² = ε/γc."""
     return rounded((12.0 / scales(dataset).ratio) ** 0.5, units=4.0)
 
 
 def plateau_ratio(first, second):
-    """Plateau of the start of the second scene over that of the first, in beads."""
+    """Return the plateau of the start, in beads, second scene over first."""
     lengths = [
         scene_of(dataset)["start"]["half_width"] / scales(dataset).epsilon
         for dataset in (first, second)
@@ -191,27 +191,27 @@ def plateau_ratio(first, second):
 
 
 def _final_peak(dataset):
-    """Largest u/δ of the chain at the last snapshot."""
+    """Return the largest u/δ of the chain at the last snapshot."""
     return recorded(dataset[CHAIN].isel(t=-1).max(keep_attrs=True)) / scales(dataset).delta
 
 
 def peak_ratio(first, second):
-    """Largest u/δ at the last snapshot of the second scene over that of the first."""
+    """Return the largest u/δ at the last snapshot, second scene over first."""
     return _final_peak(second) / _final_peak(first)
 
 
 def bump_of_equation(dataset):
-    """Largest u/δ − 1 of the equation in all snapshots."""
+    """Return the largest u/δ − 1 of the equation in all snapshots."""
     return recorded(dataset[EQUATION].max(keep_attrs=True)) / scales(dataset).delta - 1.0
 
 
 def gap_of_equation(dataset):
-    """Smallest u/δ of the equation in all snapshots."""
+    """Return the smallest u/δ of the equation in all snapshots."""
     return recorded(dataset[EQUATION].min(keep_attrs=True)) / scales(dataset).delta
 
 
 def smallest_velocity_of_equation(dataset):
-    """Smallest velocity of the equation in all snapshots, over its scale."""
+    """Return the smallest velocity of the equation in all snapshots, over its scale."""
     return (
         recorded(dataset["velocity_logarithmic"].min(keep_attrs=True))
         / scales(dataset).velocity_scale
@@ -219,7 +219,7 @@ def smallest_velocity_of_equation(dataset):
 
 
 def bump_birthplace(dataset):
-    """Beads from where u first exceeds δ by more than 1 %, on the grid of times, to the shock."""
+    """Return the beads from the first u above δ by 1 %, on the grid of times, to the shock."""
     u = dataset["relative_displacement_grid"]
     level = (1.0 + NOTICEABLE) * scales(dataset).delta
     profile = u.isel(t_grid=int(np.argmax(u.max("bead").values > level)))
@@ -229,21 +229,21 @@ def bump_birthplace(dataset):
 
 
 def deepest_gap(dataset):
-    """Smallest relative displacement of the whole motion."""
+    """Return the smallest relative displacement of the whole motion."""
     return recorded(dataset["smallest_relative_displacement"])
 
 
 def bump_height(dataset):
-    """Largest u/δ − 1 of the whole motion: the bump on top of the plateau when it forms."""
+    """Return largest u/δ − 1 of the whole motion: the bump on top of the plateau when it forms."""
     largest = recorded(dataset["largest_relative_displacement"])
     return largest / scales(dataset).delta - 1.0
 
 
 def bump_velocity(dataset):
-    """Velocity, in beads per time, of the largest u while it exceeds δ by more than 1 %.
+    """Return the velocity, in beads per time, of the largest u while it exceeds δ by more than 1 %.
 
-    The first such stretch of time is taken, and a line fitted to the vertex of the parabola through
-    the three highest beads; the error is twice the standard error of the slope.
+    In the first such stretch of time a line is fitted to the vertex of the parabola through the
+    three highest beads.  The error is twice the standard error of the slope.
     """
     u = dataset["relative_displacement_grid"]
     high = u.max("bead").values > (1.0 + NOTICEABLE) * scales(dataset).delta
@@ -257,7 +257,7 @@ def bump_velocity(dataset):
 
 
 def _vertex(profile):
-    """Bead number of the highest point of the parabola through the three highest beads."""
+    """Return bead number of the highest point of the parabola through the three highest beads."""
     i = int(np.argmax(profile))
     left, top, right = (profile[(i + k) % profile.size] for k in (-1, 0, 1))
     return i + 1 + 0.5 * (left - right) / (left - 2.0 * top + right)

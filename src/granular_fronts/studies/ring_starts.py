@@ -18,8 +18,8 @@ Pulse and front are analytic and, for b > 0, bounded away from zero, where the e
 singular.  They are handed on as values at equally spaced points, between which the trigonometric
 polynomial through them differs by less than rounding.
 
-The velocities of a start are y itself, (51), or those on the slow manifold to first order
-(`model.amplitude_scaling`), so that what runs to the left is of the order ε².
+The velocities of a start are y itself, (51), or lie on the slow manifold to first order
+(`model.amplitude_scaling`).  Then waves to the left are of the order ε².
 """
 
 import math
@@ -38,13 +38,13 @@ SHIFT = 1.0e-2
 
 
 def pulse(xi, half_width, base, half_length):
-    """The start ``pulse`` at the points `xi`."""
+    """Return the start ``pulse`` at the points `xi`."""
     phase = np.sin(0.5 * np.pi * np.asarray(xi) / half_length)
     return base + (1.0 - base) * np.exp(-((2.0 * half_length / np.pi / half_width * phase) ** 2))
 
 
 def front(xi, half_width, base, half_length):
-    """The start ``front`` at the points `xi`, from −ℓ to ℓ."""
+    """Return the start ``front`` at the points `xi`, from −ℓ to ℓ."""
     xi = np.asarray(xi)
     steps = log_burgers_front(xi - half_width) * log_burgers_front(-xi - half_width)
     return base + (1.0 - base) * steps
@@ -54,7 +54,7 @@ PROFILES = {"pulse": pulse, "front": front}
 
 
 def scene_start(profile, half_width, base, half_length):
-    """A start as a periodic scene gives it.
+    """Return a start as a periodic scene gives it.
 
     `profile` is ``plateau``, ``pulse`` or ``front``, `half_width` w in ξ, `base` the smallest
     rescaled force, b or the floor of (49).
@@ -68,7 +68,7 @@ def scene_start(profile, half_width, base, half_length):
 
 
 def start_fields(start, scaling, half_length, xi, velocity):
-    """Relative displacements and velocities of a start at the points `xi`.
+    """Return the relative displacements and velocities of a start at the points `xi`.
 
     `velocity` is ``leading`` for (51) or ``slow`` for the slow manifold.
     """
@@ -81,6 +81,6 @@ def start_fields(start, scaling, half_length, xi, velocity):
 
 
 def slope_of(function, xi):
-    """Derivative of a smooth function at the points `xi`, of fourth order in `SHIFT`."""
+    """Return the derivative of a smooth function at the points `xi`, of fourth order in `SHIFT`."""
     near, far = (function(xi + k * SHIFT) - function(xi - k * SHIFT) for k in (1, 2))
     return (8.0 * near - far) / (12.0 * SHIFT)

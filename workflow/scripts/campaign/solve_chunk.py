@@ -22,7 +22,7 @@ def solve_chunk(request: str, dataset: Path) -> None:
     request : str
         Kind, settings and points as JSON.
     dataset : Path
-        The netCDF file to write; the request is written beside it.
+        The netCDF file to write; the request is written into the same folder.
     """
     chunk = Chunk(**json.loads(request))
     activity = f"campaign {dataset.parent.name}, chunk {chunk.name}, solving"

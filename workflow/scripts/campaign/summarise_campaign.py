@@ -47,7 +47,7 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
 
 
 def _describe_work(merged: xr.Dataset) -> str:
-    """One sentence on points, failures and the processor time they took."""
+    """Return one sentence on points, failures and the processor time they took."""
     attributes = merged.attrs
     return (
         f"Campaign {attributes['scene']}: {attributes['points']:,} points, "
@@ -58,7 +58,7 @@ def _describe_work(merged: xr.Dataset) -> str:
 
 
 def _count_points(merged: xr.Dataset) -> pd.DataFrame:
-    """How many points are solved, and how many failed for which reason, most frequent first."""
+    """Return how many points are solved or failed, and the reasons, most frequent first."""
     numbers, counts = np.unique(merged["reason"].values, return_counts=True)
     texts = merged["reason_text"].values
     rows = sorted(zip(numbers, counts, strict=True), key=lambda row: (row[0] > 0, -row[1]))
@@ -67,7 +67,7 @@ def _count_points(merged: xr.Dataset) -> pd.DataFrame:
 
 
 def _describe_scalars(merged: xr.Dataset) -> pd.DataFrame:
-    """Range of every recorded scalar over the points that have one."""
+    """Return the range of every recorded scalar over the points that have one."""
     rows = []
     for name, variable in merged.data_vars.items():
         if variable.dims == merged["status"].dims and "error_estimate" in variable.attrs:

@@ -17,7 +17,7 @@ def tabulate_critical_damping(dataset: Path, csv: Path, markdown: Path) -> None:
     dataset : Path
         The damping map.
     csv, markdown : Path
-        Tables to write: all digits, and rounded for reading.
+        Tables to write: all digits, and rounded for people.
     """
     data = read_dataset(dataset)
     curves = data[[name for name in data.data_vars if str(name).startswith(PREFIX)]]

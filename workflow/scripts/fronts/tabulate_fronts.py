@@ -55,7 +55,7 @@ def tabulate_fronts(
 
 
 def compare(points: pd.DataFrame) -> pd.DataFrame:
-    """Errors of the continuum fronts at every point, and the name of the best."""
+    """Return the errors of the continuum fronts at every point, and the name of the best."""
     distances = points[[f"distance_{name}" for name in CONTINUUM]]
     errors = distances.set_axis(CONTINUUM.values(), axis=1)
     best = errors.columns.to_numpy()[np.argmin(errors.to_numpy(), axis=1)]

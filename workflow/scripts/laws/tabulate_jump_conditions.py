@@ -26,7 +26,7 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
     dataset : Path
         The study of jump conditions.
     csv, markdown : Path
-        Tables to write: all numbers in full precision, and distances from theory for reading.
+        Tables to write: all numbers in full precision, and distances from theory for people.
     """
     data = read_dataset(dataset, "jump_conditions")
     cases = configuration_of(data)["cases"]
@@ -38,7 +38,7 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
 
 
 def describe(name: str, case: Mapping[str, Any]) -> dict[str, str]:
-    """The cells that name the lattice."""
+    """Return the cells that name the lattice."""
     return {
         "law": name,
         "elastic": _describe_potential(case["elastic"]),
@@ -48,13 +48,13 @@ def describe(name: str, case: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _describe_potential(description: Mapping[str, Any]) -> str:
-    """A potential in a few words."""
+    """Return a potential in a few words."""
     parameters = [f"{name} {value:.3g}" for name, value in description.items() if name != "kind"]
     return " ".join([description["kind"], *parameters])
 
 
 def _all_numbers(one: xr.Dataset) -> dict[str, float]:
-    """Every value and error of one lattice, by column."""
+    """Return every value and error of one lattice, by column."""
     row: dict[str, float] = {"direction": int(one["direction"])}
     for quantity, ways in MEASURED.items():
         for way in ["expected", *ways]:
@@ -64,7 +64,7 @@ def _all_numbers(one: xr.Dataset) -> dict[str, float]:
 
 
 def distances(one: xr.Dataset) -> dict[str, str]:
-    """What theory says, and how far the measurements are from it and may be."""
+    """Return what theory says, and how far the measurements are from it and may be."""
     row = {"direction": f"{int(one['direction']):+d}"}
     for quantity, ways in MEASURED.items():
         expected = float(one[f"{quantity}_expected"])

@@ -19,7 +19,7 @@ def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
     dataset : Path
         Damping of the materials.
     csv, markdown : Path
-        Tables to write: full precision, and rounded for reading.
+        Tables to write: full precision, and rounded for people.
     """
     data = read_dataset(dataset, "materials")
     rows = [
@@ -36,11 +36,11 @@ RESTS_ON = {
     "piston": "gamma, v_0",
     "force": "gamma, v_0, R; mass and elastic constants from handbooks",
 }
-"""What the damping of a front follows from; the paper prints the mass of cork alone."""
+"""Sources of the damping of a front; the paper prints only the mass of cork."""
 
 
 def _make_row(one: xr.Dataset, kind: str, dimension: str, value: float) -> dict[str, Any]:
-    """One row of the table, as a dict."""
+    """Return one row of the table, as a dict."""
     front = one.sel({dimension: value})
     gamma = float(front[f"gamma_front_{kind}"])
     unit = "m/s behind the front" if kind == "piston" else "N of pressure"

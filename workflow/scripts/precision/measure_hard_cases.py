@@ -43,7 +43,7 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
 
 
 def measure_case(name: str) -> dict[str, Any]:
-    """One case as a row."""
+    """Return one case as a row."""
     case, seconds, refusal = run_case(name)
     found = case._asdict() if case else REFUSED
     passed = bool(case and case.passed)
@@ -51,7 +51,7 @@ def measure_case(name: str) -> dict[str, Any]:
 
 
 def _tabulate_orders(curves: Mapping[str, tuple[np.ndarray, np.ndarray]]) -> xr.Dataset:
-    """Steps and errors on (method, rung), padded with NaN, and the fitted orders."""
+    """Return the steps and errors on (method, rung), padded with NaN, and the fitted orders."""
     rungs = max(steps.size for steps, _ in curves.values())
     padded = np.full((2, len(curves), rungs), np.nan)
     for row, (steps, errors) in enumerate(curves.values()):

@@ -16,7 +16,7 @@ from truth import ratio
 
 
 def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
-    """Solve random problems of a wing, and write every number's stated and true error.
+    """Solve random problems of one kind, and write every number's stated and true error.
 
     Numbers whose error is more than twice the stated one, and refusals, are printed.
 

@@ -1,10 +1,10 @@
 """Speed against error: our solvers and other people's on the same problems, side by side.
 
 The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
-the machine hits all of them; before that each has run once, to compile and to fill the caches. Of
-the repeats the least time counts. Errors are measured against a reference, outside the timing, and
-none is reported below the error of the reference. A method that is not installed is named and left
-out; one that fails is kept, without an error but with its reason.
+the machine hits all of them.  Each has run once before, to compile and to fill the caches. Of the
+repeats the least time counts. Errors are measured against a reference, outside the timing, and none
+is reported below the error of the reference. A method that is not installed is named and left out.
+A method that fails is kept, without an error but with its reason.
 """
 
 import importlib
@@ -27,7 +27,7 @@ import xarray as xr
 
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.progress import counted
-from peers.record import Run
+from peers.runs import Run
 from problems.problem import Problem, errors_of
 from step import run_step
 
@@ -87,7 +87,7 @@ def measure_precision(
 
 
 def tolerances_of(problem: Problem, settings: Mapping[str, Any]) -> dict[str, list[float]]:
-    """Tolerances asked of each method, the loosest first."""
+    """Return the tolerances of each method, the loosest first."""
     own = {**settings.get("own_tolerances", {}), **problem.tolerances}
     return {
         method: sorted(own.get(method) or settings["tolerances"], reverse=True)
@@ -104,7 +104,7 @@ def run_once(problem: Problem, tolerances: Mapping[str, list[float]]) -> dict[st
 def measure(
     name: str, problem: Problem, tolerances: Mapping[str, list[float]], repeats: int
 ) -> list[dict[str, Any]]:
-    """Errors, times and work on one problem, a row for each method and tolerance."""
+    """Return the errors, times and work on one problem, a row for each method and tolerance."""
     points = [(method, tolerance) for method, listed in tolerances.items() for tolerance in listed]
     points.sort(key=lambda point: -point[1])
     best: dict[tuple[str, float], Run] = {}
@@ -137,7 +137,7 @@ def _attempt(problem: Problem, method: str, tolerance: float) -> Run:
 
 
 def _costs_of(run: Run) -> dict[str, Any]:
-    """Costs of a run, and whether something else took part of the machine meanwhile."""
+    """Return the costs of a run, and whether something else took part of the machine meanwhile."""
     share = run.cpu_seconds / run.seconds
     return {
         "seconds": run.seconds,
@@ -151,7 +151,7 @@ def _costs_of(run: Run) -> dict[str, Any]:
 
 
 def to_dataset(rows: list[dict[str, Any]], facts: Mapping[str, Mapping[str, Any]]) -> xr.Dataset:
-    """Rows as a dataset on (problem, method, tolerance), NaN where nothing ran.
+    """Return the rows as a dataset on (problem, method, tolerance), NaN where nothing ran.
 
     `facts` is what is known of each problem.
     """

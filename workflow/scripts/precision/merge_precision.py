@@ -24,7 +24,7 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
     problems = merged.indexes["problem"]
     if problems.has_duplicates:
         raise ValueError(
-            f"Problem {problems[problems.duplicated()][0]} stands in two families: give it another "
+            f"Problem {problems[problems.duplicated()][0]} is in two families: give it another "
             "name in one of them."
         )
     # In the order of the families, which the join has sorted.

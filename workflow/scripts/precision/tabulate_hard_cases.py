@@ -1,4 +1,4 @@
-"""The hard cases as a table: what is asked for, what came out, passed or failed."""
+"""Tabulate the hard cases: the limit, the result, passed or failed."""
 
 from pathlib import Path
 

@@ -73,7 +73,7 @@ def tabulate_speed_error(
 
 
 def list_runs(data: xr.Dataset) -> pd.DataFrame:
-    """All runs, each with the order of convergence in the tolerance from the one before it.
+    """Return all runs, each with the order of convergence in the tolerance from the one before it.
 
     Where the tolerance is a step or the width of a cell, this is the order of the method.
     """
@@ -105,7 +105,7 @@ def _compare_methods(data: xr.Dataset, level: float) -> Iterator[dict[str, Any]]
 
 
 def remark(chosen: xr.Dataset) -> str:
-    """What to know of the runs of one method."""
+    """Return what to know of the runs of one method."""
     remarks = sorted(set(chosen["message"].values) - {""})
     if (chosen["below_reference"] == 1.0).any():
         remarks.append("closer than the error of the reference")
@@ -115,7 +115,7 @@ def remark(chosen: xr.Dataset) -> str:
 
 
 def _times_to_reach(data: xr.Dataset, level: float) -> dict[str, float]:
-    """Milliseconds to an error, of every method that reaches it, the fastest first."""
+    """Return the milliseconds to an error, of every method that reaches it, the fastest first."""
     times = {
         str(method): _time_to_reach(data.sel({"method": method}), level)
         for method in data["method"].values
@@ -125,7 +125,7 @@ def _times_to_reach(data: xr.Dataset, level: float) -> dict[str, float]:
 
 
 def _time_to_reach(chosen: xr.Dataset, level: float) -> float:
-    """Milliseconds to an error of `level`, interpolated in the logarithms; NaN if never reached.
+    """Return the milliseconds to an error of `level`, interpolated in logarithms, or NaN.
 
     Of all runs the fastest with at most a given error counts, so that the curve is monotone.
     """
@@ -139,11 +139,11 @@ def _time_to_reach(chosen: xr.Dataset, level: float) -> float:
 
 
 def judge(data: xr.Dataset, level: float) -> str:
-    """A sentence on what to use for one problem to reach one error.
+    """Return a sentence on what to use for one problem to reach one error.
 
-    Nothing is said where the reference is no better than the error, nor of the level that has a
-    time limit where there is none.  A method on a given grid is named beside the one that finds its
-    grid itself, which is what a user calls.
+    Nothing is said where the reference is no better than the error, nor of a level without its time
+    limit.  A method on a given grid is named together with the one that finds its grid itself,
+    which users call.
     """
     unlimited = level == LIMITED_LEVEL and np.isnan(float(data["time_limit"]))
     if unlimited or level < float(data["reference_error"]):
@@ -204,13 +204,13 @@ def _compare_codes(data: xr.Dataset, times: dict[str, float]) -> Iterator[str]:
 
 
 def _without_given_grids(times: dict[str, float]) -> dict[str, float]:
-    """The methods that find their grid themselves, or all where none of these is left."""
+    """Return the methods that find their grid themselves, or all where none of these is left."""
     found = {name: time for name, time in times.items() if not name.endswith(ON_GIVEN_GRID)}
     return found or times
 
 
 def _rivals(times: dict[str, float], fastest: str, own: str) -> list[str]:
-    """Whom to compare the fastest with: the best of the other side, and the paper's own way."""
+    """Return rivals of the fastest: the best of the other side, and the paper's own way."""
     others = [method for method in times if method != fastest]
     if _is_peer(fastest):
         chosen = [own] if own in others else []
@@ -220,18 +220,18 @@ def _rivals(times: dict[str, float], fastest: str, own: str) -> list[str]:
 
 
 def short(ratio: float) -> str:
-    """A ratio of times, which are known to two digits at best."""
+    """Return a ratio of times, which are known to two digits at best."""
     return f"{float(f'{ratio:.2g}'):g}"
 
 
 def fails(data: xr.Dataset, times: dict[str, float], method: str) -> bool:
-    """Whether a method was tried and never came so close."""
+    """Return whether a method was tried and never came so close."""
     tried = method in data["method"].values and np.isfinite(data.sel({"method": method})["error"])
     return bool(np.any(tried)) and method not in times
 
 
 def _is_peer(method: str) -> bool:
-    """Whether a method is somebody else's."""
+    """Return whether a method is somebody else's."""
     return method.split("_")[0] in PACKAGES
 
 

@@ -41,7 +41,7 @@ def join_intervals(chunks: list[Path], intervals: dict, dataset: Path) -> None:
 
 
 def _joined(before: xr.Dataset, after: xr.Dataset) -> xr.Dataset:
-    """A part whose first row says that its fronts continue those of the part before."""
+    """Return a part whose first row says that its fronts continue the part before."""
     kept, rest = after.isel(certificate=0), after.isel(certificate=slice(1, None))
     last, path = (Path(str(file)) for file in (before["file"].values[-1], kept["file"].values))
     row = record(path, prove(path, prove(last))) | {

@@ -28,7 +28,7 @@ def prove_chunk(chunk: dict, folder: Path, dataset: Path) -> None:
     chunk : dict
         `alpha`, `low` and `high`, and further arguments of `prove_interval`.
     folder : Path
-        Receives the certificates, and may hold those of a run that was stopped.
+        Receives the certificates, and may hold certificates of a run that was stopped.
     dataset : Path
         The netCDF file to write.
 

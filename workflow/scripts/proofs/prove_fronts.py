@@ -41,7 +41,7 @@ def prove_fronts(fronts: dict, folder: Path, dataset: Path) -> None:
 
 
 def _prove(name: str, case: dict[str, Any], path: Path) -> dict[str, Any]:
-    """What is proved of one front."""
+    """Return what is proved of one front."""
     start = time.process_time()
     found = prove_front(path=path, **case)
     if not found["proved"]:

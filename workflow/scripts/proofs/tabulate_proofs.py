@@ -53,7 +53,7 @@ def families(joined: xr.Dataset) -> Iterator[tuple[str, xr.Dataset]]:
 
 
 def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
-    """What is proved of a front or of a family, with the worst of its bounds."""
+    """Return what is proved of a front or of a family, with the worst of its bounds."""
     ends = float(group["gamma_low"].min()), float(group["gamma_high"].max())
     low, high = (f"{end:.13g}" for end in ends)
     return {
@@ -90,17 +90,17 @@ def _shapes(group: xr.Dataset) -> Iterator[str]:
 
 
 def _overshoot(group: xr.Dataset) -> str:
-    """What max u exceeds, of all fronts that are proved to overshoot."""
+    """Return what max u exceeds, of all fronts that are proved to overshoot."""
     return f"max u − 1 > {_rounded(float(group['overshoot_bound'].min()), 4, ROUND_FLOOR):.4g}"
 
 
 def _rounded(bound: float, digits: int, rounding: str) -> float:
-    """A bound in few digits that is still one."""
+    """Return a bound in few digits that is still one."""
     return float(Context(digits, rounding).create_decimal_from_float(bound))
 
 
 def stretches(rows: xr.Dataset) -> str:
-    """The intervals that certificates cover, those that touch each other as one."""
+    """Return the intervals that certificates cover, those that touch each other as one."""
     found: list[list[float]] = []
     for low, high in zip(rows["gamma_low"].values, rows["gamma_high"].values, strict=True):
         if found and low <= found[-1][1]:

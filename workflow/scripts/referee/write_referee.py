@@ -23,7 +23,7 @@ def write_referee(settings: dict, table: Path) -> None:
     settings : dict
         The section ``referee`` of config/referee.yaml.
     table : Path
-        The table; all other files go beside it.
+        The table; all other files go into the same folder.
     """
     answers = {}
     table.parent.mkdir(parents=True, exist_ok=True)

@@ -126,7 +126,7 @@ def _replace_block(text: str, name: str, content: str) -> str:
 
 
 def block(text: str, name: str) -> str:
-    """What stands between the marks of a block."""
+    """Return the text between the marks of a block."""
     return text.split(f"<!-- {name} -->\n")[1].split(f"\n<!-- end of {name} -->")[0]
 
 

@@ -1,13 +1,12 @@
-"""Write the record of a finished run: a Workflow Run RO-Crate, one archive that others can rerun.
+"""Write the crate of a finished run: a Workflow Run RO-Crate, one archive that others can rerun.
 
-It holds the project's code, the configuration, the environment, all results with sizes and digests,
-and what is known of each job: script, inputs, outputs, times, log and run time.  The jobs are those
-that Snakemake notes in the folder ``.snakemake``, so this step runs where the workflow ran.
+It holds the code, the configuration, the environment, and all results with sizes and digests.  Each
+job is described by its script, inputs, outputs, times, log and run time.  Snakemake notes the jobs
+in the folder ``.snakemake``, so this step runs where the workflow ran.
 
-The crate follows the profile https://w3id.org/ro/wfrun/provenance/0.5.  The workflow has a step for
-each rule, and a step a tool, the rule's script.  What ran is described by actions, one for the
-whole run and one for each job.  Only what is known is said: who started the run is not, and a job
-that an earlier call has run stands there with the times of that call.
+The crate follows the profile https://w3id.org/ro/wfrun/provenance/0.5.  Each rule is a step of the
+workflow, and its script is the tool of that step.  One action describes the whole run, and one more
+each job.  A job of an earlier call keeps the times of that call.  Nothing says who started the run.
 """
 
 import hashlib
@@ -15,7 +14,6 @@ import io
 import os
 import platform
 import re
-import tomllib
 from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -48,12 +46,12 @@ TERMS = {
     "buildInstructions": "https://codemeta.github.io/terms/buildInstructions",
     "sha256": "https://w3id.org/ro/terms/workflow-run#sha256",
 }
-"""Terms of the profiles that RO-Crate 1.1 has not, written out so that nobody must fetch them."""
+"""Terms of the profiles that RO-Crate 1.1 lacks, written out so that nobody must fetch them."""
 
 MEDIA_TYPES = {".md": "text/markdown", ".npz": "application/zip", ".rst": "text/x-rst"}
 MEDIA_TYPES |= dict.fromkeys([".cff", ".yaml", ".yml"], "application/yaml")
 MEDIA_TYPES |= {".nc": "application/netcdf", ".toml": "application/toml"}
-"""Those that Python does not know; what is in neither table is plain text."""
+"""Types that Python does not know; a file of any other unknown type is plain text."""
 
 DESCRIPTION = (
     "The workflow, its configuration and environment, every job that ran, all results, and the "
@@ -71,27 +69,11 @@ def write_crate(
     scripts: dict,
     archive: Path,
 ) -> None:
-    """Collect and describe a run.
+    """Collect and describe a run in a ZIP file.
 
-    Parameters
-    ----------
-    files : list of Path
-        Results of the run.
-    sources : list of Path
-        Files of the project that belong to the record.
-    results : Path
-        The folder that holds all results.
-    configuration : dict
-        The merged configuration that was computed.
-    scripts : dict
-        Script of each rule, by its path in the project.
-    archive : Path
-        The ZIP file to write.
-
-    Raises
-    ------
-    ValueError
-        If Snakemake has no record of a result.
+    `files` are results of the run in the folder `results`; `sources` are files of the project.
+    `configuration` is the merged one, and `scripts` names the script of each rule.  A ValueError
+    says that Snakemake does not know how a result was made.
     """
     jobs = jobs_behind(map(str, files), results)
     text = yaml.safe_dump(configuration, sort_keys=False, allow_unicode=True)
@@ -101,7 +83,7 @@ def write_crate(
 
 @dataclass(frozen=True)
 class Job:
-    """One job that has run; its log and its benchmark have the same name."""
+    """One finished job; its log and its benchmark have the same name."""
 
     name: str
     rule: str
@@ -114,7 +96,7 @@ class Job:
 
 
 def jobs_behind(files: Iterable[str], results: Path) -> list[Job]:
-    """Find the jobs that made some files, and those that made what these were made from."""
+    """Find the jobs that made some files, and the jobs that made their inputs."""
     persistence = FilePersistence(nolock=True)
     outputs_by_log: dict[str, dict[str, MetadataRecord]] = defaultdict(dict)
     waiting, seen = set(files), set()
@@ -126,15 +108,15 @@ def jobs_behind(files: Iterable[str], results: Path) -> list[Job]:
         # Snakemake notes nothing on benchmarks.
         elif results in Path(file).parents and results / "benchmarks" not in Path(file).parents:
             raise ValueError(
-                f"Snakemake has no record of how {file} was made: remove {results} and run "
-                "the workflow again."
+                f"Snakemake does not know how {file} was made: remove {results} and run the "
+                "workflow again."
             )
     jobs = (_make_job(log, outputs, results) for log, outputs in outputs_by_log.items())
     return sorted(jobs, key=lambda job: (job.start, job.log))
 
 
 def _make_job(log: str, outputs: dict[str, MetadataRecord], results: Path) -> Job:
-    """Put together what Snakemake notes on each output of one job."""
+    """Make one job from the notes of Snakemake on its outputs."""
     name = Path(log).relative_to(results / "logs").with_suffix("").as_posix()
     noted = list(outputs.values())
     start, end = min(each.starttime for each in noted), max(each.endtime for each in noted)
@@ -158,10 +140,7 @@ def describe_run(
     scripts: dict[str, str],
     jobs: list[Job],
 ) -> ROCrate:
-    """Describe some jobs with all files of a run, to be written as a folder or an archive.
-
-    The configuration is YAML text; the other arguments are those of `write_crate`.
-    """
+    """Describe the jobs and all files of a run; the configuration is YAML text."""
     crate = ROCrate(version="1.1")
     crate.metadata.extra_terms.update(TERMS)
     made = [file for job in jobs for file in (*job.outputs, job.log, job.benchmark)]
@@ -194,20 +173,18 @@ def describe_run(
     about = _about(main.read_bytes(), "Snakefile") | cited
     about |= {"@type": ["File", "SoftwareSourceCode", "ComputationalWorkflow", "HowTo"]}
     about |= {"step": steps, "hasPart": [*dict.fromkeys(tools.values())]}
-    about |= {
-        "buildInstructions": environment,
-        "softwareRequirements": _add_software(crate, project),
-    }
+    software = _add_software(crate)
+    about |= {"buildInstructions": environment, "softwareRequirements": software}
     language = {"lang": "snakemake", "lang_version": version("snakemake")}
     workflow = crate.add_workflow(main, "Snakefile", properties=about, main=True, **language)
     actions = _add_jobs(crate, jobs, files, tools)
-    asked = _add_text(crate, configuration, "configuration.yaml", "What was computed.")
+    chosen = _add_text(crate, configuration, "configuration.yaml", "What was computed.")
     about = {"name": "The whole run", "description": "snakemake --configfile configuration.yaml"}
     outputs = [file for action in actions for file in action["result"]]
-    run = crate.add_action(workflow, "#run", [asked], outputs, about | _times(jobs))
+    run = crate.add_action(workflow, "#run", [chosen], outputs, about | _times(jobs))
     about = {"@type": "OrganizeAction", "name": "Snakemake runs the workflow", **_times(jobs)}
     controls = crate.get_by_type("ControlAction")
-    crate.add_action(crate.get(_package_url("snakemake")), "#snakemake", controls, run, about)
+    crate.add_action(software[0], "#snakemake", controls, run, about)
 
     root = crate.root_dataset
     files[project / "README.md"]["about"] = root
@@ -233,7 +210,7 @@ def _absolute(file: Path | str) -> Path:
 
 
 def _add(crate: ROCrate, identifier: str, kind: str, **properties: Any) -> Entity:
-    """Add what is no file, under an address or a name that begins with ``#``."""
+    """Add an entity that is no file; its identifier is an address or begins with ``#``."""
     return crate.add_jsonld({"@id": identifier, "@type": kind, **properties})
 
 
@@ -249,13 +226,13 @@ def _about(content: bytes, name: str) -> dict[str, Any]:
 
 
 def _add_text(crate: ROCrate, text: str, name: str, description: str) -> Entity:
-    """Add a file that is written into the crate alone."""
+    """Add a file that exists only in the crate."""
     properties = _about(text.encode(), name) | {"description": description}
     return crate.add_file(io.StringIO(text), name, properties=properties)
 
 
 def _add_citation(crate: ROCrate, project: Path) -> dict[str, Any]:
-    """Add authors, licence and the paper, as CITATION.cff names them."""
+    """Add authors, licence and paper from CITATION.cff."""
     cited = yaml.safe_load((project / "CITATION.cff").read_text(encoding="utf-8"))
     licence, [paper] = cited["license"], cited["references"]
     about = {"name": paper["title"], "datePublished": str(paper["year"])}
@@ -272,7 +249,7 @@ def _add_citation(crate: ROCrate, project: Path) -> dict[str, Any]:
 
 
 def _add_authors(crate: ROCrate, authors: list[dict[str, str]]) -> list[Entity]:
-    """Add the authors of a work: a person has a family name, a group has one name."""
+    """Add the authors of a work: a person has a family name, a group does not."""
     added = []
     for author in authors:
         kind = "Person" if "family-names" in author else "Organization"
@@ -281,29 +258,22 @@ def _add_authors(crate: ROCrate, authors: list[dict[str, str]]) -> list[Entity]:
     return added
 
 
-def _add_software(crate: ROCrate, project: Path) -> list[Entity]:
-    """Add Python and the packages that a run depends on, with the versions installed here."""
-    described = tomllib.loads((project / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    needed = [*described["dependencies"], *described["optional-dependencies"]["workflow"]]
-    address, kind = "https://www.python.org", "SoftwareApplication"
+def _add_software(crate: ROCrate) -> list[Entity]:
+    """Add Snakemake and Python; `installed.txt` lists all packages."""
+    address, kind, number = "https://www.python.org", "SoftwareApplication", version("snakemake")
     about = {"name": "Python", "url": address, "softwareVersion": platform.python_version()}
     about["operatingSystem"] = f"{platform.system()} {platform.machine()}"
-    packages = [
-        _add(crate, _package_url(name), kind, name=name, softwareVersion=version(name))
-        for name in sorted(re.split(r"[^\w.-]", line)[0] for line in needed)
+    package = f"pkg:pypi/snakemake@{number}"
+    return [
+        _add(crate, package, kind, name="snakemake", softwareVersion=number),
+        _add(crate, address, kind, **about),
     ]
-    return [_add(crate, address, kind, **about), *packages]
-
-
-def _package_url(name: str) -> str:
-    """Return what names an installed Python package and its version."""
-    return f"pkg:pypi/{name}@{version(name)}"
 
 
 def _add_jobs(
     crate: ROCrate, jobs: list[Job], files: dict[Path, Entity], tools: dict[str, Entity]
 ) -> list[Entity]:
-    """Add each job with what it read and wrote, and that Snakemake called it."""
+    """Add each job with its files, and its call by Snakemake."""
     actions = []
     for job in jobs:
         read, written, notes = (
@@ -321,22 +291,19 @@ def _add_jobs(
 
 
 def _times(jobs: list[Job]) -> dict[str, str]:
-    """Return when the first of some jobs started and the last ended."""
+    """Return the start of the first of some jobs and the end of the last."""
     start, end = min(job.start for job in jobs), max(job.end for job in jobs)
     return {"startTime": start.isoformat(), "endTime": end.isoformat()}
 
 
 def _describe_call(job: Job) -> str:
-    """Tell when which step was called with which arguments, and the software it used.
-
-    The first line of a log says the former (`step.run_step`), a dataset the latter.
-    """
-    said = [Path(job.log).read_text(encoding="utf-8").partition("\n")[0].strip()]
+    """Return the first line of a job's log, and the software that made its datasets."""
+    lines = [Path(job.log).read_text(encoding="utf-8").partition("\n")[0].strip()]
     for file in map(Path, job.outputs):
         if file.suffix == ".nc":
             attributes = read_dataset(file).attrs
-            said.append(f"{file.name}: {attributes['code_version']}, {attributes['software']}")
-    return "\n".join(said)
+            lines.append(f"{file.name}: {attributes['code_version']}, {attributes['software']}")
+    return "\n".join(lines)
 
 
 if __name__ == "__main__":

@@ -4,9 +4,9 @@ The page holds everything in itself, so it can be mailed or archived as one file
 the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
 click, hence this one.
 
-Nothing is shown that does not belong together: the step compares the provenance of all figures and
-tables with the data that lie there and with the configuration, and ends with a sentence where they
-disagree. What is made on demand is left out, and named, where it answers another configuration.
+Nothing is shown that does not belong together.  The step compares the provenance of all figures and
+tables with the data and the configuration, and ends with a sentence if they disagree. What is made
+on demand is left out, and named, where it answers another configuration.
 """
 
 import json
@@ -159,7 +159,7 @@ def _tabulate_csv(table: Path) -> str:
 
 
 def _shorten(cell: str, digits: str) -> str:
-    """Round a number of more than eight characters; words and short numbers are left alone."""
+    """Round a number of more than eight characters; leave words and short numbers as they are."""
     try:
         return f"{float(cell):{digits}}" if len(cell) > 8 else cell
     except ValueError:

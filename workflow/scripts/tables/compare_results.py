@@ -58,10 +58,10 @@ def compare_results(before: Path, after: Path, report: Path) -> None:
 
 
 def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
-    """The change of each variable that states its error and stands on the same points in both.
+    """Return the change of each variable that states its error and has the same points in both.
 
-    Each row has `variable`, `change`, `error` and `over_stated_error`, those of the element that
-    has changed most in units of its error.
+    Each row has `variable`, `change`, `error` and `over_stated_error`, for the element that has
+    changed most in units of its error.
     """
     return [
         {"variable": name, **_change_of(before, after, str(name))}
@@ -75,9 +75,9 @@ def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
 
 
 def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, float]:
-    """The largest change of one variable over its stated errors.
+    """Return the largest change of one variable over its stated errors.
 
-    A number that is missing on one side alone has changed without bound.
+    A number that is missing on only one side has changed without bound.
     """
     old, new = before[name].values, after[name].values
     errors = _stated_error(before, name) + _stated_error(after, name)
@@ -94,7 +94,7 @@ def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, fl
 
 
 def _stated_error(dataset: xr.Dataset, name: str) -> np.ndarray:
-    """The stated error of each element of a variable, in its shape."""
+    """Return the stated error of each element of a variable, in its shape."""
     variable = dataset[name]
     companion = dataset.get(f"{name}_error")
     if companion is not None and companion.shape == variable.shape:

@@ -1,4 +1,4 @@
-"""Set statements, of the paper or of this project, beside the numbers computed here, and judge."""
+"""Compare statements of the paper or of this project with computed numbers, and judge them."""
 
 import math
 from collections.abc import Callable
@@ -46,7 +46,7 @@ def tabulate_statements(
     datasets : list of Path
         Result files of all scenes.
     csv, markdown : Path
-        Tables to write: full precision, and rounded for reading.
+        Tables to write: full precision, and rounded for people.
     """
     listed = read_yaml(statements)
     needed = {name for statement in listed for name in scenes_of(statement)}
@@ -72,7 +72,7 @@ def find_measure(name: str) -> Callable[..., Estimate]:
 
 
 def _rounded(value: float, form: str) -> str:
-    """A number as text; a dash where there is none."""
+    """Return a number as text, or a dash."""
     return "–" if math.isnan(value) else format(value, form)
 
 

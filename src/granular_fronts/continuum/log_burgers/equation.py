@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 
 def flux(y: npt.ArrayLike, alpha: float) -> np.ndarray:
-    """Flux f_α(y) of James (2021), eq. (40), accurate however close α is to 1.
+    """Return the flux f_α(y) of James (2021), eq. (40), accurate however close α is to 1.
 
     An InputError if α ≤ 1 or some y < 0.
     """
@@ -59,13 +59,13 @@ def flux(y: npt.ArrayLike, alpha: float) -> np.ndarray:
 
 
 def limit_flux(y: npt.ArrayLike) -> np.ndarray:
-    """The limit y ln y of f_α for α → 1⁺, eq. (41); zero at y = 0."""
+    """Return the limit y ln y of f_α for α → 1⁺, eq. (41); zero at y = 0."""
     y = _check_force(y)
     return y * np.log(np.where(y > 0.0, y, 1.0))
 
 
 def log_burgers_front(xi: npt.ArrayLike, alpha: float | None = None) -> np.ndarray:
-    """Stationary front y(ξ) from 1 at −∞ to 0 at +∞, with y^(1/α) = 1/2 at ξ = 0.
+    """Return the stationary front y(ξ) from 1 at −∞ to 0 at +∞, with y^(1/α) = 1/2 at ξ = 0.
 
     Parameters
     ----------
@@ -91,14 +91,13 @@ def log_burgers_front(xi: npt.ArrayLike, alpha: float | None = None) -> np.ndarr
         with np.errstate(over="ignore"):
             return np.exp2(-np.exp(xi))
     alpha = _check_alpha(alpha)
-    reduction = -np.expm1((1.0 - alpha) * np.log(2.0))
-    taken = np.exp(np.minimum(xi + np.log(reduction), 0.0))
+    taken = np.exp(np.minimum(xi - front_end(alpha), 0.0))
     with np.errstate(divide="ignore"):
         return np.exp(alpha / (alpha - 1.0) * np.log1p(-taken))
 
 
 def front_end(alpha):
-    """ξ₀ of eq. (46), from which on the front is zero."""
+    """Return ξ₀ of eq. (46); the front is zero beyond it."""
     alpha = _check_alpha(alpha)
     return -np.log(-np.expm1((1.0 - alpha) * np.log(2.0)))
 

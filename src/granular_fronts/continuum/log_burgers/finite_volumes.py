@@ -10,7 +10,7 @@ laws for :math:`v = y^{1/\alpha}`,
          = v\,\Bigl(\alpha\,\frac{v^{\alpha-1} - 1}{\alpha - 1} - 1\Bigr),
 
 whose limit :math:`\alpha \to 1^+` is :math:`F = v\ln v - v` with linear diffusion, that is, the
-advective form (50), since :math:`\partial F = \ln v\;\partial v`.  Here `alpha` = 1 stands for the
+advective form (50), since :math:`\partial F = \ln v\;\partial v`.  Here `alpha` = 1 means the
 limit.
 
 Discretisation.  The unknowns are averages of v over N equal cells of a ring of length
@@ -29,8 +29,8 @@ Both are of sixth order in the cell width :math:`\Delta`.  A flux leaves one cel
 next, so that the mean of v is kept to round-off whatever the flux.
 
 Small values.  Below `floor` the logarithm (or the power) in F is frozen at the floor.  This changes
-F by at most floor/e, which for a floor of 1e-16 is below the rounding of F itself, and makes a
-start that vanishes identically harmless.
+F by at most floor/e, for a floor of 1e-16 less than the rounding of F.  It makes a start that
+vanishes identically harmless.
 
 Lower bound.  The exact solution stays above the smallest value of its start, a reconstruction need
 not.  `lift` fills cells that fell below the bound from the nearest cells that can spare it, and so
@@ -55,7 +55,7 @@ DIFFUSION_RADIUS = 272.0 / 45.0
 class Equation(NamedTuple):
     """What is solved, and on which cells."""
 
-    alpha: float  # exponent of (40), above 1; exactly 1 stands for its limit (41)
+    alpha: float  # exponent of (40), above 1; exactly 1 means its limit (41)
     floor: float  # where logarithm and power are frozen; positive
     bound: float  # lower bound of v, at least 0
     width: float  # of a cell
@@ -70,12 +70,12 @@ class Work(NamedTuple):
 
 
 def make_work(cells):
-    """Work space for a number of cells."""
+    """Return the work space for a number of cells."""
     return Work(np.zeros(cells + 2 * GHOSTS), np.zeros(cells + 1), np.zeros(cells + 1))
 
 
 def symbols(angle):
-    """What the differences of this scheme make of a wave of a given angle per cell.
+    """Return what the differences of this scheme make of a wave of a given angle per cell.
 
     −Δ² times the discrete second derivative, and Δ/i times the first, each of the shape of
     `angle`.
@@ -128,7 +128,7 @@ def evaluate_rates(equation, averages, work, rates):
 
 @subroutine
 def advection_and_diffusion(equation, smallest, largest):
-    """Largest c²/D and largest D over values between two extremes.
+    """Return the largest c²/D and largest D over values between two extremes.
 
     Both c = dF/dv and D = α v^(α−1) grow with v, and c²/D is largest at one of the ends.
     """
@@ -167,7 +167,7 @@ def lift(averages, bound):
 
 @functools.cache
 def _polynomial_weights():
-    """Monomial coefficients, on |s| ≤ 1/2 of a cell, from the averages of it and its neighbours."""
+    """Return monomial coefficients on a cell, |s| ≤ 1/2, from averages around it."""
     cells = np.arange(-GHOSTS, GHOSTS + 1)
     powers = np.arange(1, cells.size + 1)
     left, right = cells[:, None] - 0.5, cells[:, None] + 0.5
@@ -176,7 +176,7 @@ def _polynomial_weights():
 
 
 def point_values(averages, half_length, xi, floor):
-    """Values of v at any points, taken modulo 2ℓ, of seventh order in the cell width.
+    """Return the values of v at any points, taken modulo 2ℓ, of seventh order in the cell width.
 
     The polynomial of degree 6 has the averages of the nearest seven cells, and is raised to the
     floor where it is below.

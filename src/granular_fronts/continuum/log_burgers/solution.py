@@ -12,16 +12,16 @@ pairs of cells are joined, by their exact mean, whenever
 
 .. math:: \tau = (s\Delta)^2 / D_{min},
 
-where :math:`\Delta` is the present width, s = `SMOOTH_CELLS`, and
-:math:`D_{min} = \alpha v_{min}^{\alpha-1}` the least diffusivity, 1 for the logarithmic equation.
-Each level covers a quarter of the time of the next, so that all of them together cost little, and
-the error of the kink falls by :math:`8^L`.
+where :math:`\Delta` is the present width, s = `SMOOTH_CELLS`, and :math:`D_{min} = \alpha
+v_{min}^{\alpha-1}` the least diffusivity, 1 for the logarithmic equation. Each level covers a
+quarter of the time of the next, so that all together cost little, and the error of the kink falls
+by :math:`8^L`.
 
 Foot of the wave.  A front (46) of (40) ends on zero as :math:`v \sim (\xi_0 - \xi)^{1/(\alpha-1)}`,
 for :math:`\alpha = 3/2` with a jump of its second derivative.  The floor of the start rounds it
-only over :math:`D_{min}`, a hundredth of a cell.  About the foot, and nowhere else, the error
-therefore stays of second order, and no start, however fine, changes that: two levels are enough,
-and a third would last long, since :math:`D_{min}` is small.
+only over :math:`D_{min}`, a hundredth of a cell.  Only about the foot the error therefore stays of
+second order, however fine the start.  Two levels are enough, and a third would last long, since
+:math:`D_{min}` is small.
 """
 
 from typing import NamedTuple
@@ -56,7 +56,7 @@ class Evolution(NamedTuple):
     largest_shortfall: float
 
     def rescaled_force(self, row, xi):
-        """Rescaled force at the points ξ̃ (any shape, taken modulo 2ℓ) at the time of a row.
+        """Return the rescaled force at the points ξ̃ (any shape, modulo 2ℓ) at the time of a row.
 
         The start itself is not reconstructed from its averages, since it has kinks.
         """
@@ -70,7 +70,7 @@ class Evolution(NamedTuple):
         return values.reshape(points.shape) ** self.alpha
 
     def facts(self):
-        """Attributes that say how the equation was solved."""
+        """Return the attributes that say how the equation was solved."""
         return {
             "solver": f"{SOLVER}, {2 ** start_levels(self.alpha)} times finer cells at the start",
             **self.counts,
@@ -132,12 +132,12 @@ def solve(scene, alpha, times, cells, tolerance, levels=None, smooth_cells=SMOOT
 
 
 def start_levels(alpha):
-    """L that the exponent of an equation needs; only (40), α above 1, has a foot."""
+    """Return L that the exponent of an equation needs; only (40), α above 1, has a foot."""
     return START_LEVELS if alpha == 1.0 else LEVELS_WITH_FOOT
 
 
 def _make_equation(alpha, averages, lowest, width):
-    """The equation of the kernels; y ≥ `lowest` bounds averages from below, wherever cells lie."""
+    """Return the equation of the kernels; y ≥ `lowest` bounds averages from below anywhere."""
     smallest = float(averages.min())
     if smallest < 0.0:
         raise SolveError(
@@ -151,7 +151,7 @@ def _make_equation(alpha, averages, lowest, width):
 
 
 def _smoothing_time(equation, smooth_cells):
-    """Slow time at which the least diffusivity has smoothed a kink over a number of cells."""
+    """Return the slow time at which the least diffusivity smooths a kink over some cells."""
     least_diffusivity = equation.alpha * equation.floor ** (equation.alpha - 1.0)
     return (smooth_cells * equation.width) ** 2 / least_diffusivity
 

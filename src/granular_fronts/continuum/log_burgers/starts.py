@@ -13,8 +13,8 @@ which with :math:`q = 1/\alpha` is an incomplete beta function,
 
 so that a kink inside a cell costs nothing.
 
-A given start is a list of y at equally spaced points from −ℓ to ℓ, both ends included and equal; in
-between it is the trigonometric polynomial through the points, whose averages are exact too.
+A given start is a list of y at equally spaced points from −ℓ to ℓ, both ends included and equal.
+In between it is the trigonometric polynomial through the points, whose averages are exact too.
 """
 
 from typing import NamedTuple
@@ -30,12 +30,12 @@ class Plateau(NamedTuple):
     floor: float
 
     def values(self, xi, half_length):
-        """y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
+        """Return y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
         distance = np.abs(wrap(xi, half_length)) - self.half_width
         return np.maximum(1.0 - np.maximum(distance, 0.0) ** 2, self.floor)
 
     def averages(self, cells, half_length, alpha):
-        """Averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,)."""
+        """Return the averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,)."""
         edges = np.linspace(-half_length, half_length, cells + 1)
         integral = np.sign(edges) * self._integral(np.abs(edges), 1.0 / alpha)
         # The difference of two integrals may round to less than the floor.
@@ -43,7 +43,7 @@ class Plateau(NamedTuple):
         return np.maximum(averages, self.floor ** (1.0 / alpha))
 
     def _integral(self, distance, power):
-        """∫ y^q from 0 to a distance."""
+        """Return ∫ y^q from 0 to a distance."""
         fall = np.sqrt(1.0 - self.floor)
         fallen = np.clip(distance - self.half_width, 0.0, fall)
         slope = 0.5 * beta(0.5, power + 1.0) * betainc(0.5, power + 1.0, fallen**2)
@@ -62,13 +62,13 @@ class Given(NamedTuple):
         return 0.0
 
     def values(self, xi, half_length):
-        """y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
+        """Return y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
         phase = np.pi * (np.asarray(xi, dtype=float) / half_length + 1.0)
         wave_numbers, amplitudes = self._amplitudes(1.0)
         return (np.exp(1j * np.multiply.outer(phase, wave_numbers)) @ amplitudes).real
 
     def averages(self, cells, half_length, alpha):
-        """Averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,); ℓ plays no part."""
+        """Return averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,)."""
         wave_numbers, amplitudes = self._amplitudes(1.0 / alpha)
         # Parts of cells that are fine enough for every wave.
         parts = -(-2 * wave_numbers.size // cells)
@@ -79,7 +79,7 @@ class Given(NamedTuple):
         return values.reshape(cells, parts).mean(axis=1)
 
     def _amplitudes(self, power):
-        """Wave numbers 0 … M/2 and the amplitudes of y^q, whose real part is meant."""
+        """Return the wave numbers 0 … M/2 and the amplitudes of y^q, whose real part is meant."""
         values = np.asarray(self.rescaled_force[:-1], dtype=float) ** power
         amplitudes = np.fft.rfft(values) / values.size
         amplitudes[1:] *= 2.0
@@ -89,12 +89,12 @@ class Given(NamedTuple):
 
 
 def make_start(start):
-    """The start that a checked scene describes."""
+    """Return the start that a checked scene describes."""
     if start["kind"] == "plateau":
         return Plateau(float(start["half_width"]), float(start["floor"]))
     return Given(tuple(start["rescaled_force"]))
 
 
 def wrap(xi, half_length):
-    """ξ modulo 2ℓ, in [−ℓ, ℓ)."""
+    """Return ξ modulo 2ℓ, in [−ℓ, ℓ)."""
     return np.mod(np.asarray(xi, dtype=float) + half_length, 2.0 * half_length) - half_length

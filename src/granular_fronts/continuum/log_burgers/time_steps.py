@@ -22,8 +22,8 @@ stable if its polynomial is at most 1 on
 .. math:: z(\theta) = -b\,\frac{G(\theta)}{G(\pi)} - i\sqrt{\frac{p\,b}{G(\pi)}}\,S(\theta),
 
 that is, if :math:`p \le p(b)`.  Along the real axis the method is stable further out per stage than
-the classical one of fourth order, and its region is wide too, so that the diffusion of a fine grid
-and the advection of a coarse one both leave it long steps.  `PARABOLA` holds :math:`p(b)` for the
+the classical one of fourth order, and its region is wide.  So its steps are long for the diffusion
+of a fine grid and for the advection of a coarse one.  `PARABOLA` holds :math:`p(b)` for the
 :math:`b` of `DIFFUSION_NUMBERS`, measured when the module is imported.
 """
 
@@ -37,7 +37,7 @@ from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.records import make_record, record_type
 
 STAGES = 10
-# Ten times the weights of order 3 less those of order 4, which are all 1/10.
+# Ten times the weights of order 3 less the weights of order 4, which are all 1/10.
 EMBEDDED_DIFFERENCE = (1.0, -1.0, -1.0, 2.0, -1.0, -1.0, 1.0, -1.0, 2.0, -1.0)
 DIFFUSION_NUMBERS = np.arange(12.0, 1.5, -0.5)
 SAFETY, SMALLEST_FACTOR, LARGEST_FACTOR = 0.8, 0.1, 5.0
@@ -46,21 +46,21 @@ FINISHED, COLLAPSED = 0, 1
 
 
 def stability_polynomial(z):
-    """Growth of the solution of Y' = λY over one step, z = hλ."""
+    """Return the growth of the solution of Y' = λY over one step, z = hλ."""
     euler = 1.0 + np.asarray(z) / 6.0
     half_way = euler**5
     return 1.0 / 25.0 + 9.0 / 25.0 * half_way + 3.0 / 5.0 * euler**5 * (0.4 * half_way + 0.6)
 
 
 def spectrum(b, p, angle):
-    """Eigenvalues z(θ) for given b and p, times the step."""
+    """Return the eigenvalues z(θ) for given b and p, times the step."""
     diffusion, advection = finite_volumes.symbols(angle)
     scale = b / finite_volumes.DIFFUSION_RADIUS
     return -scale * diffusion - 1j * np.sqrt(p * scale) * advection
 
 
 def _largest_parabola(b):
-    """Largest p at which a step with the given b is stable, with a margin of 2 %."""
+    """Return the largest p at which a step with the given b is stable, with a margin of 2 %."""
     angle = np.linspace(0.0, np.pi, 513)[1:]
     lower, upper = 0.0, 64.0
     for _ in range(24):
@@ -93,13 +93,13 @@ CLOCK = record_type(
 
 
 def make_state(averages):
-    """State and stages for given cell averages."""
+    """Return the state and stages for given cell averages."""
     arrays = [np.zeros_like(averages) for _ in range(4)]
     return State(averages.copy(), *arrays, finite_volumes.make_work(averages.size))
 
 
 def make_clock(first_step):
-    """Clock at time 0."""
+    """Return the clock at time 0."""
     return make_record(CLOCK, h=first_step)
 
 
@@ -147,7 +147,7 @@ def copy(values, target):
 
 @subroutine
 def _largest_stable_step(equation, averages):
-    """Largest step for which diffusion and advection are both stable."""
+    """Return the largest step for which diffusion and advection are both stable."""
     smallest = largest = averages[0]
     for average in averages:
         smallest, largest = min(smallest, average), max(largest, average)
@@ -163,7 +163,7 @@ def _largest_stable_step(equation, averages):
 
 @subroutine
 def try_step(equation, state, h):
-    """One step into `state.trial`; returns the largest estimated error."""
+    """Take one step into `state.trial`; return the largest estimated error."""
     start, stage, slope = state.averages, state.trial, state.slope
     half_way, estimate = state.half_way, state.estimate
     sixth, tenth = h / 6.0, h / 10.0
@@ -189,7 +189,7 @@ def try_step(equation, state, h):
 
 
 def work_done(clock):
-    """Steps and right-hand sides so far, as a dict."""
+    """Return the steps and right-hand sides so far, as a dict."""
     return {
         "steps_accepted": int(clock.accepted),
         "steps_rejected": int(clock.rejected),

@@ -34,8 +34,8 @@ Variables.  In :math:`p = -\ln y`, :math:`v = p' = -z/y` and
     p' = v, \qquad v' = v^2 + \mu v - p = \tfrac12 + e + \mu v, \qquad e' = 2v\,(e + \mu v) .
 
 Everything is quadratic.  Without damping e = 0 on the orbit and v grows linearly, which is the
-Gaussian :math:`y = \exp(\tfrac12 - s^2/4)` of Remark 8; with weak damping e is small and keeps its
-relative accuracy, where the difference v² − p − ½ would lose it.
+Gaussian :math:`y = \exp(\tfrac12 - s^2/4)` of Remark 8; with weak damping e is small.  It keeps its
+relative accuracy, which the difference v² − p − ½ would lose.
 """
 
 import math
@@ -61,7 +61,7 @@ class Amplitude(NamedTuple):
 
 
 def amplitude_of_chain(alpha, gamma, delta=1.0):
-    """Parameter and scales of the amplitude equation for a chain, James (2021), (52)–(54).
+    """Return parameter and scales of the amplitude equation for a chain, James (2021), (52)–(54).
 
     An InputError unless α = β > 1, γ ≥ 0 and δ > 0.
     """
@@ -79,7 +79,7 @@ def amplitude_of_chain(alpha, gamma, delta=1.0):
 
 
 def check_mu(mu):
-    """The damping μ as a float; an InputError unless it is 0 or at least `SMALLEST_DAMPING`."""
+    """Return damping μ as a float; an InputError unless it is 0 or at least `SMALLEST_DAMPING`."""
     mu = scalar("mu", mu, least=0.0, advice="contacts dissipate")
     if 0.0 < mu < SMALLEST_DAMPING:
         raise InputError(
@@ -90,21 +90,21 @@ def check_mu(mu):
 
 
 def potential(y):
-    """Double-well potential W(y) = (y²/2)(ln|y| − ½) of (56), zero at the origin."""
+    """Return the double-well potential W(y) = (y²/2)(ln|y| − ½) of (56), zero at the origin."""
     y = np.asarray(y, dtype=float)
     safe = np.where(y == 0.0, 1.0, np.abs(y))
     return 0.5 * y**2 * (np.log(safe) - 0.5)
 
 
 def planar_system(s, state, mu):
-    """Right-hand side of (57), y' and z' of a state (y, z), for orbits of any sign."""
+    """Return the right-hand side of (57), y' and z' of a state (y, z), for orbits of any sign."""
     y, z = state
     safe = np.where(y == 0.0, 1.0, np.abs(y))
     return np.array([z, mu * z - y * np.log(safe)])
 
 
 def linear_rates(mu):
-    """Both roots λ of λ² − μλ + 1 = 0, the growth rates at (1, 0), free of cancellation.
+    """Return both roots λ of λ² − μλ + 1 = 0, the growth rates at (1, 0), free of cancellation.
 
     The slow and the fast one for μ ≥ 2; otherwise a conjugate pair, negative imaginary part
     first.

@@ -17,7 +17,7 @@ and the step, with all :math:`\varphi` at z,
     u^+ = e^z u + h[\varphi_1 - 3\varphi_2 + 4\varphi_3] N_1
         + h[2\varphi_2 - 4\varphi_3](N_2 + N_3) + h[4\varphi_3 - \varphi_2] N_4 .
 
-Error.  With :math:`N(u^+)` in place of :math:`N_4` the last formula is of third order; the
+Error.  With :math:`N(u^+)` in place of :math:`N_4` the last formula is of third order.  The
 difference of both is kept below the tolerance in the maximum norm.  :math:`N(u^+)` is the
 :math:`N_1` of the next step, so that a step costs four fluxes.
 
@@ -50,7 +50,7 @@ RESOLUTION = 1.0e-14
 
 
 def phi_functions(z):
-    """e^z, φ₁, φ₂ and φ₃ of complex arguments with Re z ≤ 0, each of the shape of `z`."""
+    """Return e^z, φ₁, φ₂ and φ₃ of complex arguments with Re z ≤ 0, each of the shape of `z`."""
     small = np.abs(z) < 1.0
     near, far = np.where(small, z, 0.0), np.where(small, 1.0, z)
     series = np.zeros_like(z)
@@ -74,7 +74,7 @@ class Weights(NamedTuple):
 
 
 def _weights_of_step(equation, points, h):
-    """Weights for a step of length h; those of fluxes contain −iκh."""
+    """Return the weights for a step of length h; the weights of fluxes contain −iκh."""
     kappa = wave_numbers(equation, points)
     z, derivative = h * linear_rates(equation, kappa), -1j * h * kappa
     half, half_1, half_2, _ = phi_functions(0.5 * z)
@@ -142,7 +142,7 @@ class Motion:
                 self.next_step = h * factor
 
     def half_of_coarser(self):
-        """Half of the step that the coarser motion took here; infinite without one."""
+        """Return half of the step that the coarser motion took here; infinite without one."""
         if self.coarser is None:
             return math.inf
         end = min(bisect_right(self.coarser, self.tau), len(self.coarser) - 1)
@@ -164,7 +164,7 @@ class Motion:
         return min(LARGEST_FACTOR, max(SMALLEST_FACTOR, factor)), accepted
 
     def stages(self, h):
-        """Amplitudes u⁺ after a step, and the flux N₄ of its last stage."""
+        """Return the amplitudes u⁺ after a step, and the flux N₄ of its last stage."""
         if h != self.weights_are_for:
             self.weights, self.weights_are_for = _weights_of_step(self.equation, self.points, h), h
         w, u, flux_1 = self.weights, self.amplitudes, self.flux
@@ -176,5 +176,5 @@ class Motion:
         return whole_way + first * flux_1 + middle * (flux_2 + flux_3) + last * flux_4, flux_4
 
     def flux_of(self, amplitudes):
-        """Amplitudes of the flux of a wave on the present points."""
+        """Return the amplitudes of the flux of a wave on the present points."""
         return flux_amplitudes(self.equation, amplitudes, self.points)

@@ -43,28 +43,28 @@ class Equation(NamedTuple):
 
 
 def wave_numbers(equation, points):
-    """κ of the waves that a number of points resolves, shape (points//2 + 1,)."""
+    """Return κ of the waves that a number of points resolves, shape (points//2 + 1,)."""
     return np.pi * np.arange(points // 2 + 1) / equation.half_length
 
 
 def linear_rates(equation, kappa):
-    """λ of the linear part."""
+    """Return λ of the linear part."""
     return kappa**2 * (-equation.diffusion + 1j * equation.dispersion * kappa)
 
 
 def flux_amplitudes(equation, amplitudes, points):
-    """Amplitudes of the flux y ln|y|, evaluated on the points."""
+    """Return the amplitudes of the flux y ln|y|, evaluated on the points."""
     y = values_on_points(amplitudes, points)
     return np.fft.rfft(0.5 * y * np.log(y * y + equation.floor**2), norm="forward")
 
 
 def values_on_points(amplitudes, points):
-    """Values at −ℓ + 2ℓ j/N, j = 0 … N − 1."""
+    """Return the values at −ℓ + 2ℓ j/N, j = 0 … N − 1."""
     return np.fft.irfft(amplitudes, points, norm="forward")
 
 
 def values_at(amplitudes, half_length, xi):
-    """Values at any points, taken modulo 2ℓ: the sum of all waves."""
+    """Return the values at any points, taken modulo 2ℓ: the sum of all waves."""
     blocks = -(-amplitudes.size // BLOCK)
     weights = np.zeros((blocks, BLOCK), complex)
     weights.flat[: amplitudes.size] = 2.0 * amplitudes
@@ -76,7 +76,7 @@ def values_at(amplitudes, half_length, xi):
 
 
 def start_amplitudes(start, half_length, points):
-    """Amplitudes of a start from its exact averages, shape (points//2 + 1,)."""
+    """Return the amplitudes of a start from its exact averages, shape (points//2 + 1,)."""
     cells = OVERSAMPLING * points
     waves = np.arange(points // 2 + 1)
     amplitudes = np.fft.rfft(start.averages(cells, half_length, 1.0), norm="forward")[: waves.size]

@@ -8,12 +8,12 @@ above zero.  For μ = 0 the orbit is the homoclinic Gaussian of Remark 8, and y 
 sides.
 
 Turning points.  For 0 < μ < 2 the front oscillates about 1.  Each extremum is a zero of v, located
-on the series; its deviation y − 1 is known with relative accuracy, so that a turn is resolved as
-long as y − 1 is: down to one unit of the last digit of 1.
+on the series.  Its deviation y − 1 is known with relative accuracy, so that turns are resolved down
+to one unit of the last digit of 1.
 
-Accuracy.  The same orbit is computed a second time, by series of another order over steps of other
-lengths, or with fewer terms of the expansion.  The largest difference is the error estimate of each
-variable; it comes from an independent refinement, and where it vanishes the last digit stands in.
+Accuracy.  The same orbit is computed again, by series of another order over steps of other lengths,
+or with fewer terms of the expansion.  The largest difference is the error estimate of each
+variable; where it vanishes, the last digit replaces it.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ USUAL, FINER = Resolution(USUAL_STEPS, TERMS), Resolution(FINER_STEPS, FEWER_TER
 
 
 def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
-    """The front y_h(s) and its slope, with y_h(0) = ½.
+    """Return the front y_h(s) and its slope, with y_h(0) = ½.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ _TURNS = ("turning_point", "overshoot")
 
 
 def turning_points(mu):
-    """The s and y − 1 of all extrema of the front that double precision resolves, s decreasing.
+    """Return s and y − 1 of all extrema of the front that double precision resolves, s decreasing.
 
     None for μ ≥ 2, one maximum for μ = 0; their number grows like 23/μ, and for μ below 0.001
     there are too many to follow, which is an InputError.
@@ -148,17 +148,17 @@ def turning_points(mu):
 
 
 def past_all_turns(mu):
-    """An s beyond which there is no turn; without damping there is one, the maximum."""
+    """Return an s beyond which there is no turn; without damping there is one, the maximum."""
     return -math.inf if mu > 0.0 else -4.0
 
 
 def refined_orbit(mu, first):
-    """The orbit, and the same by another order."""
+    """Return the orbit, and the same by another order."""
     return with_refinement(lambda resolution: compute_orbit(mu, first, resolution), USUAL, FINER)
 
 
 def compute_orbit(mu, first, resolution=USUAL):
-    """The orbit by the method that suits μ, from an s of at most 0 on, `first`.
+    """Return the orbit by the method that suits μ, from an s of at most 0 on, `first`.
 
     Either method evaluates p and v at given s, and knows its tail and turning points.
     """
@@ -170,7 +170,7 @@ def compute_orbit(mu, first, resolution=USUAL):
 
 
 def squared_slope_at_one(mu):
-    """q(1): the square of y' where y first reaches 1, the front seen from its foot; see (59).
+    """Return q(1), the square of y' where y first reaches 1 from the foot; see (59).
 
     For μ < 2 it is positive, though it falls below every double as μ → 2.  For μ ≥ 2 the orbit
     does not reach 1, and q is taken where 1 − y is 1e-20, far below the last digit of y.
@@ -187,18 +187,18 @@ def squared_slope_at_one(mu):
 
 
 def _before_crossing(mu):
-    """An s before which the orbit has crossed y = 1 or rests there."""
+    """Return an s before which the orbit has crossed y = 1 or rests there."""
     return -4.0 - min(_half_turn(mu), _decay_length(mu, REST_DECAY))
 
 
 def _half_turn(mu):
-    """Distance of two extrema near y = 1, without end if there are none."""
+    """Return the distance of two extrema near y = 1, without end if there are none."""
     frequency = abs(linear_rates(mu)[0].imag)
     return math.pi / frequency if frequency else math.inf
 
 
 def _decay_length(mu, exponent):
-    """Length over which y − 1 falls by e^(−exponent) towards small s."""
+    """Return the length over which y − 1 falls by e^(−exponent) towards small s."""
     rate = linear_rates(mu)[0].real
     return exponent / rate if rate else math.inf
 
@@ -211,7 +211,7 @@ def _first_of_default(mu):
 
 
 def gaussian_centre():
-    """The s of the maximum for μ = 0, where y = exp(½ − (s − centre)²/4) and y(0) = ½."""
+    """Return the s of the maximum for μ = 0, where y = exp(½ − (s − centre)²/4) and y(0) = ½."""
     return -2.0 * math.sqrt(0.5 + math.log(2.0))
 
 
@@ -232,14 +232,14 @@ def _check_underflow(mu, s, orbit):
 
 
 def _profile(orbit, s):
-    """y, y' and ln y at each s."""
+    """Return y, y' and ln y at each s."""
     p, v = orbit.evaluate(s)
     y = np.exp(-p)
     return y, -v * y, -p
 
 
 def _turns(orbit, first):
-    """Positions and y − 1 of the turning points that are resolved and not before `first`."""
+    """Return positions and y − 1 of the turning points that are resolved and not before `first`."""
     s, p = orbit.turning_points()
     overshoot = np.expm1(-p)
     # Below the last digit of 1 a deviation y − 1 is not resolved.

@@ -44,7 +44,7 @@ from granular_fronts.numerics.compiled import kernel
 from granular_fronts.numerics.polynomials import polynomial
 
 STIFF_DAMPING = 12.0
-"""From this μ on the whole orbit comes from the expansion."""
+"""Smallest μ at which the whole orbit comes from the expansion."""
 
 TERMS = 48
 FEWER_TERMS = 40
@@ -60,7 +60,7 @@ SMALLEST_V = 1e-300
 
 @kernel
 def expand(mu, terms):
-    """Coefficients of H in powers of r max(μ, 1), constant term first, shape (terms,)."""
+    """Return coefficients of H in powers of r max(μ, 1), constant term first, shape (terms,)."""
     scale = max(mu, 1.0)
     h, square = np.zeros(terms), np.zeros(terms)
     h[0] = square[0] = 1.0
@@ -76,7 +76,7 @@ def expand(mu, terms):
 
 @kernel
 def state_on_manifold(mu, h, v):
-    """Both p and e of the point of the manifold with the given v ≥ 0, from the coefficients h of H.
+    """Return p and e of the point of the manifold with v ≥ 0, from the coefficients h of H.
 
     Each has relative accuracy; e also as μ → 0.
     """
@@ -98,7 +98,7 @@ class SlowOrbit(NamedTuple):
     v_half: float  # v at s = 0, where y = ½
 
     def evaluate(self, s):
-        """Both p and v at each s; see `_evaluate_slow`."""
+        """Return both p and v at each s; see `_evaluate_slow`."""
         p, v = np.empty(s.size), np.empty(s.size)
         # In blocks, so that Ctrl-C is answered in between.
         for first in range(0, s.size, BLOCK):
@@ -107,21 +107,21 @@ class SlowOrbit(NamedTuple):
         return p, v
 
     def s_at(self, p):
-        """The s at which −ln y is p > 0."""
+        """Return the s at which −ln y is p > 0."""
         v = _v_at(self.mu, self.h, p)
         return _s_between(self, self.v_half, v)
 
     def turning_points(self):
-        """None: the orbit is monotone."""
+        """Return no extrema: the orbit is monotone."""
         return np.empty(0), np.empty(0)
 
     def counts(self):
-        """Method and work, for the attributes of a dataset."""
+        """Return the method and work, for the attributes of a dataset."""
         return {"method": "expansion of the slow manifold", "terms": self.h.size}
 
 
 def slow_orbit(mu, terms=TERMS):
-    """The orbit for strong damping, μ ≥ `STIFF_DAMPING`."""
+    """Return the orbit for strong damping, μ ≥ `STIFF_DAMPING`."""
     slow, fast = (rate.real for rate in linear_rates(mu))
     h = expand(mu, terms)
     return SlowOrbit(
@@ -131,7 +131,7 @@ def slow_orbit(mu, terms=TERMS):
 
 @kernel
 def _time_coefficients(mu, slow, h):
-    """Coefficients of Σ Q_j r^(j−1)/(j − 1) in powers of μ r, for μ ≥ 1."""
+    """Return the coefficients of Σ Q_j r^(j−1)/(j − 1) in powers of μ r, for μ ≥ 1."""
     terms = h.size
     inverse, quotient, time = np.zeros(terms), np.zeros(terms), np.zeros(terms)
     inverse[0] = 1.0
@@ -162,7 +162,7 @@ def _v_at(mu, h, p):
 
 @kernel
 def _s_between(orbit, v_from, v_to):
-    """Change of s from one v to another, by the closed form."""
+    """Return the change of s from one v to another, by the closed form."""
     x_from, x_to = orbit.mu / (2.0 * v_from + orbit.mu), orbit.mu / (2.0 * v_to + orbit.mu)
     return (
         2.0 * (v_to - v_from)

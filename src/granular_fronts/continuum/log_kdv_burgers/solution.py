@@ -10,10 +10,10 @@ the μ of (54), so that (55) is the logarithmic Burgers equation (41) with a thi
     \partial_\tau y + \partial_\xi(y\ln y) + \mu^{-2}\,\partial_\xi^3 y = \partial_\xi^2 y, \qquad
     \mu^{-2} = \frac{1 - 1/\alpha}{12\,(\gamma c)^2} .
 
-It is solved on the same rings and from the same starts as (41).  A scene is that of the logarithmic
-Burgers equation; its key `equations: dispersive:` gives cells and tolerance.  Steps are longest in
-ξ, where fronts rest.  Results are in the frame :math:`\tilde\xi = \xi - \tau` of (50), where Y
-stands for y, so that (51) leads to the chain.
+It is solved on the same rings and from the same starts as (41).  A scene is the same as for the
+logarithmic Burgers equation; its key `equations: dispersive:` gives cells and tolerance.  Steps are
+longest in ξ, where fronts rest.  Results are in the frame :math:`\tilde\xi = \xi - \tau` of (50)
+and named Y, so that (51) leads to the chain.
 
 Change of sign.  The paper defines (55) for :math:`y \ge 0`.  Dispersion does not keep y above 0: of
 a start that rises from (almost) nothing it makes waves below 0 on the rear side.  There the flux is
@@ -21,10 +21,10 @@ continued as the odd function :math:`y\ln|y|`, as the paper does in (57).  A cha
 y < 0, and this continuation is no model of them: there (51) reads u = 0.  `smallest_value` says how
 deep y went.
 
-Well-posedness.  About a constant y, small waves of wave number κ move with the speed
-:math:`\ln|y| + 1 - \mu^{-2}\kappa^2` and decay with the rate :math:`\kappa^2`, whatever y is: no
-height is unstable, but the speed has no bound where y tends to 0.  Nor is there a linear theory
-about 0, since with y(ξ, τ) also
+Well-posedness.  About a constant y, small waves of wave number κ move with the speed :math:`\ln|y|
++ 1 - \mu^{-2}\kappa^2` and decay with the rate :math:`\kappa^2`, whatever y is.  No height is
+unstable, but the speed has no bound where y tends to 0.  Nor is there a linear theory about 0,
+since with y(ξ, τ) also
 
 .. math:: \lambda\, y(\xi - \tau\ln\lambda,\; \tau), \qquad \lambda > 0,
 
@@ -43,10 +43,10 @@ the ring, and
 
 Method.  The Fourier method of `fourier_waves`, with the steps of `exponential_steps`.
 
-Kinks of the start.  Its amplitudes are exact, but those of waves that N points do not resolve are
-missing, and at first a kink makes them matter.  Diffusion extinguishes them soon.  A run therefore
-begins on :math:`2^L N` points, `START_LEVELS` being L, and drops half of the waves whenever
-diffusion alone has taken a factor :math:`e^{-E}`, `EXTINCTION` being E, off each of them.
+Kinks of the start.  Its amplitudes are exact, but waves that N points do not resolve are missing,
+and at first a kink makes them matter.  Diffusion extinguishes them soon.  A run therefore begins on
+:math:`2^L N` points, `START_LEVELS` being L, and drops half of the waves whenever diffusion alone
+has taken a factor :math:`e^{-E}`, `EXTINCTION` being E, off each of them.
 """
 
 from typing import NamedTuple
@@ -82,12 +82,12 @@ class Evolution(NamedTuple):
     counts: dict  # steps
     step_ends: list  # slow times at which they ended
     mean_drift: float  # largest change of the mean
-    # Smallest value of y after the start at the times, on the points; the equation is the model of
-    # a chain where y ≥ 0, see above.
+    # Smallest y after the start, at the times and points.  Only where y ≥ 0 the equation is a model
+    # of the chain, see above.
     smallest_value: float
 
     def rescaled_force(self, row, moving_xi):
-        """Rescaled force at the points ξ̃ = ξ − τ (any shape, modulo 2ℓ) at the time of a row.
+        """Return the rescaled force at ξ̃ = ξ − τ (any shape, modulo 2ℓ) at the time of a row.
 
         It keeps its sign: where it is below 0, the wave of the equation pulls.  The start itself is
         not the sum of its waves, since it has kinks.
@@ -100,7 +100,7 @@ class Evolution(NamedTuple):
         return values.reshape(points.shape)
 
     def facts(self):
-        """Attributes that say how the equation was solved."""
+        """Return the attributes that say how the equation was solved."""
         return {
             "solver": SOLVER,
             **self.counts,
@@ -143,7 +143,7 @@ def solve(scene, times, cells, tolerance, levels=None, coarser=None):
 
 
 def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, coarser=None):
-    """Amplitudes of a start at slow times, in any order, and the motion at the last of them."""
+    """Return amplitudes of a start at slow times, in any order, and the motion at the last."""
     points = cells * 2**levels
     amplitudes = start_amplitudes(start, equation.half_length, points)
     motion = Motion(equation, amplitudes, points, tolerance, coarser)
@@ -164,5 +164,5 @@ def follow(equation, start, slow_times, cells, tolerance, levels=START_LEVELS, c
 
 
 def _extinction_time(equation, points):
-    """Slow time at which diffusion has extinguished the waves that these points do not resolve."""
+    """Return the slow time at which diffusion has removed the waves that are not resolved."""
     return EXTINCTION / (equation.diffusion * wave_numbers(equation, points)[-1] ** 2)

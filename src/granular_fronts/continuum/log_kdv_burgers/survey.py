@@ -48,7 +48,7 @@ PORTRAIT_REFINEMENT = 100.0
 
 
 def survey_heteroclinic(scene, name="given"):
-    """Fronts, their approach to (1, 0), and what figure 8 shows beside them; see the module."""
+    """Return the fronts, their approach to (1, 0), and what else figure 8 shows; see the module."""
     scene = check_scene("heteroclinic", scene, name)
     parts = [survey_fronts(scene["mu"], regular_points(**scene["profile"]))]
     if "well" in scene:
@@ -61,7 +61,7 @@ def survey_heteroclinic(scene, name="given"):
 
 
 def survey_fronts(dampings, s):
-    """Fronts for a list of dampings, and how each approaches (1, 0)."""
+    """Return the fronts for a list of dampings, and how each approaches (1, 0)."""
     fronts = [heteroclinic(mu, s) for mu in dampings]
     mu = xr.DataArray(np.asarray(dampings, dtype=float), dims="mu", name="mu")
     survey = xr.concat(fronts, dim=mu, join="outer", combine_attrs="drop")
@@ -85,12 +85,11 @@ _RATES = ("growth_rate", "growth_rate_error", "angular_frequency", "angular_freq
 
 
 def measure_rates(mu):
-    """Growth rate and frequency at which the front leaves (1, 0), each followed by its error.
+    """Return growth rate and frequency with which the front leaves (1, 0), and their errors.
 
-    They are read off the last extrema of an oscillating front, or off v/p of a monotone one;
-    errors are the changes since the extrema, or the deviation, before.  NaN where neither is to
-    be had: for μ below `SMALLEST_MEASURED_MU`, and next to 2 with fewer than four small
-    extrema.
+    They follow from the last extrema of an oscillating front, or from v/p of a monotone one.
+    Errors are the changes since the extrema, or the deviation, before.  NaN where neither is to be
+    had: for μ below `SMALLEST_MEASURED_MU`, and next to 2 with fewer than four small extrema.
     """
     nothing = (math.nan,) * 4
     if mu >= CRITICAL_DAMPING:
@@ -116,7 +115,7 @@ def measure_rates(mu):
 
 
 def _sample_potential(limit, step):
-    """W on −limit ≤ y ≤ limit."""
+    """Return W on −limit ≤ y ≤ limit."""
     y = regular_points(-limit, limit, step)
     values = potential(y)
     attributes = error_attributes(values, values, "one unit of the last digit")
@@ -124,7 +123,7 @@ def _sample_potential(limit, step):
 
 
 def _draw_portrait(mu, starts, span, step, limit):
-    """Trajectories of (57) through given points, forwards and backwards in s."""
+    """Return the trajectories of (57) through given points, forwards and backwards in s."""
     after = regular_points(0.0, span, step)
     s = np.concatenate([-after[:0:-1], after])
 
@@ -152,7 +151,7 @@ def _draw_portrait(mu, starts, span, step, limit):
 
 
 def _follow_trajectory(mu, start, s, limit, tolerance):
-    """One trajectory of (57) from s = 0 on, until it leaves the window."""
+    """Return one trajectory of (57) from s = 0 on, until it leaves the window."""
 
     def leaves(_s, state, _mu):
         return np.abs(state).max() - limit

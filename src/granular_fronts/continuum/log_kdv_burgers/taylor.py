@@ -20,10 +20,10 @@ series are the solution, to round-off, at every s in between.
 
 Steps lead from large s to small.  In this direction the stable manifold of the origin attracts,
 with rate :math:`2v + \mu`, and (1, 0) attracts too, so that errors contract on every monotone part.
-The step is the one at which the last two terms of the series fall to the tolerance, and at most so
-long that its product with the rate of attraction stays below a bound: a series of order N is stable
-up to about N/e over that rate.
-Starts of steps are exact: a step is rounded to the difference of two representable s.
+At the end of a step the last two terms of the series fall to the tolerance.  The product of the
+step with the rate of attraction stays below a bound, since a series of order N is stable up to
+about N/e over that rate. Starts of steps are exact: a step is rounded to the difference of two
+representable s.
 """
 
 from typing import NamedTuple
@@ -59,7 +59,7 @@ POINT = record_type(*((name, float) for name in "svep"))
 
 
 def make_point(s, v, e, p):
-    """A point from four numbers."""
+    """Return a point from four numbers."""
     return np.array((s, v, e, p), POINT)[()]
 
 
@@ -94,7 +94,7 @@ def _position_series(mu, v, p):
 
 @kernel
 def series_slope(series, x):
-    """Derivative of a polynomial, constant coefficient first."""
+    """Return the derivative of a polynomial, constant coefficient first."""
     value = 0.0
     for k in range(series.size - 1, 0, -1):
         value = value * x + k * series[k]
@@ -103,7 +103,7 @@ def series_slope(series, x):
 
 @subroutine
 def _step_of_series(series, scale, tolerance):
-    """Length at which each of the last two terms is at most tolerance × scale."""
+    """Return the length at which each of the last two terms is at most tolerance × scale."""
     length = LONGEST_STEP
     for k in range(series.size - 2, series.size):
         if series[k] != 0.0:
@@ -115,9 +115,8 @@ def _step_of_series(series, scale, tolerance):
 def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
     """Follow a solution towards smaller s, until s ≤ s_stop, p ≤ p_stop, or there is no room left.
 
-    Fills the s at the start of each step, the series of p in powers of s − start, shape (steps,
-    order + 1), and the last series of e.  Moves `point`; returns the number of steps and a
-    status.
+    Fill in the s at the start of each step, the series of p in powers of s − start, shape (steps,
+    order + 1), and the last series of e.  Moves `point`; returns the number of steps and a status.
     """
     v = np.empty(jets.shape[1])
     for step in range(starts.size):
@@ -175,7 +174,7 @@ def evaluate_steps(starts, jets, end, s, p, v):
 
 @kernel
 def locate(series, level, end):
-    """The x in [end, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
+    """Return x in [end, 0] where an increasing polynomial meets a level, by safeguarded Newton."""
     left, right = end, 0.0
     x = 0.5 * end
     for _ in range(200):
@@ -195,7 +194,7 @@ def locate(series, level, end):
 
 @kernel
 def locate_turns(starts, jets, end, s, p):
-    """Fill s and p of the zeros of v, in the order of the steps; returns how many there are."""
+    """Fill s and p of the zeros of v, in the order of the steps; return how many there are."""
     count = 0
     derivative = np.empty(jets.shape[1] - 1)
     for step in range(starts.size):

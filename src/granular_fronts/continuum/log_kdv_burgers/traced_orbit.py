@@ -2,8 +2,8 @@ r"""The heteroclinic orbit for weak and moderate damping, traced from the far en
 
 The orbit starts on the expansion of the stable manifold (`slow_manifold`) beyond the p at which
 :math:`y = e^{-p}` underflows, and Taylor steps (`taylor`) carry it towards (1, 0).  At y = ½, which
-is s = 0 by definition, the clock is set to zero and the steps start anew, so that the s of every
-later step is an exact number, however many turns follow.
+is s = 0 by definition, s is set to zero and the steps start anew.  So the s of every later step is
+exact, however many turns follow.
 """
 
 import math
@@ -57,7 +57,7 @@ class TracedOrbit(NamedTuple):
     at_rest: bool
 
     def evaluate(self, s):
-        """Both p and v at each s, which the trace must cover or which lie beyond its rest."""
+        """Return p and v at each s, which must be traced or lie beyond the rest of the orbit."""
         p, v = np.empty(s.size), np.empty(s.size)
         ahead = s >= 0.0
         for steps, part in ((self.tail, ahead), (self.front, ~ahead)):
@@ -67,7 +67,7 @@ class TracedOrbit(NamedTuple):
         return p, v
 
     def s_at(self, p):
-        """The largest s at which −ln y is p < `START_P`; the last one traced if none is."""
+        """Return the largest s at which −ln y is p < `START_P`; the last one traced if none is."""
         steps = self.tail if p > math.log(2.0) else self.front
         below = np.flatnonzero(steps.jets[1:, 0] <= p)
         index = below[0] if below.size else len(steps.starts) - 1
@@ -75,13 +75,13 @@ class TracedOrbit(NamedTuple):
         return steps.starts[index] + locate(steps.jets[index], p, ends[index] - steps.starts[index])
 
     def turning_points(self):
-        """Positions and p of every traced extremum of y, from the first maximum on."""
+        """Return the positions and p of every traced extremum of y, from the first maximum on."""
         s, p = np.empty(self.front.starts.size), np.empty(self.front.starts.size)
         count = locate_turns(*self.front, s, p)
         return s[:count], p[:count]
 
     def counts(self):
-        """Method and work, for the attributes of a dataset."""
+        """Return the method and work, for the attributes of a dataset."""
         return {
             "method": "Taylor series from the far tail",
             "steps": len(self.tail.starts) + len(self.front.starts),
@@ -108,7 +108,7 @@ def trace_orbit(mu, s_stop, accuracy=USUAL_STEPS):
 
 
 def _collect(mu, accuracy, point, s_stop, p_stop, energies):
-    """Steps from a point to a stop, and the status they end with."""
+    """Return the steps from a point to a stop, and the status they end with."""
     starts, jets, total, status, room = [], [], 0, RUNNING, ROOM
     while status == RUNNING:
         if total >= MOST_STEPS:

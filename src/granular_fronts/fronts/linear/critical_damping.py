@@ -30,8 +30,8 @@ Long waves.  As α → 1 the double root tends to λ = 6g and :math:`g = ((1 - 1
 value μ = 2 of the logarithmic KdV–Burgers equation (James 2021, section 5).
 
 Overshoot.  What is seen is whether max u exceeds 1.  Near critical damping the overshoot falls like
-the tail over half a period of it, so that it is far below any visible size before the tail ceases
-to oscillate: this meaning needs a cut.
+the tail over half a period.  It is far below any visible size before the tail ceases to oscillate,
+so this meaning needs a cut.
 """
 
 import functools
@@ -62,7 +62,7 @@ LARGEST_ALPHA = 1e50  # up to it the products of the equations of the crossing d
 def critical_damping(
     alpha: float, beta: float | None = None, definition: str = "tail", cut: float = 1e-3
 ) -> float:
-    """Damping from which on fronts do not oscillate, in the sense asked for; δ = c = 1.
+    """Return the damping above which fronts do not oscillate, in a given sense, for δ = c = 1.
 
     Parameters
     ----------
@@ -71,17 +71,18 @@ def critical_damping(
     beta : float, optional
         Exponent of the damping force, at least 1; alpha by default.
     definition : {"tail", "double-root", "long-wave", "overshoot"}
-        What happens there: the slowest exponent of the tail turns from complex to real ("tail");
-        two real exponents appear as a double one (only for α ≤ α*); they do in the long-wave
-        limit, μ = 2; or the overshoot max u − 1 of the exact front falls below the cut.
+        The sense.  At "tail" the slowest exponent of the tail turns from complex to real.  At
+        "double-root" two real exponents appear as a double one, only for α ≤ α*.  At "long-wave"
+        they do so in the long-wave limit, μ = 2.  At "overshoot" the overshoot max u − 1 of the
+        exact front falls below the cut.
     cut : float, optional
         Overshoot that counts as none, from 1e-8 to 0.1; for "overshoot" only.
 
     Returns
     -------
     float
-        γ, for "tail" and "double-root" to a few units of the last digit, for "overshoot" with a
-        relative error below 1e-10 at the default cut, which grows like 1e-14/cut.
+        γ.  For "tail" and "double-root" it is exact to a few units of the last digit.  For
+        "overshoot" its relative error grows like 1e-14/cut and is below 1e-10 at the default cut.
 
     Raises
     ------
@@ -103,7 +104,7 @@ def critical_damping(
 
 
 def meaning_changes_at() -> float:
-    """The exponent α* ≈ 1.1877, up to which critical damping is a double root of the tail."""
+    """Return exponent α* ≈ 1.1877, up to which critical damping is a double root of the tail."""
     return 1.0 + _excess_alpha(_bend())
 
 
@@ -127,14 +128,14 @@ def _double_root(alpha):
 
 
 def _crossing(alpha):
-    """The g at which a pair x ± iy and a real root x share their real part."""
+    """Return the g at which a pair x ± iy and a real root x share their real part."""
     scalar("alpha", alpha, most=LARGEST_ALPHA, advice="the damping is alpha^2/(pi beta) beyond")
     z = brentq(lambda z: _alpha_of_crossing(z) - alpha, 1.0 / alpha, 2.0 * math.pi, **TIGHT)
     return _slope_of_line(_crossing_real_part(z), z) / alpha
 
 
 def _alpha_of_crossing(z):
-    """α = q + αg x, from α* at z = 2π to infinity at z = 0."""
+    """Return α = q + αg x, from α* at z = 2π to infinity at z = 0."""
     x = _crossing_real_part(z)
     return 1.0 / (1.0 + _bell_excess(x)) + _slope_of_line(x, z) * x
 
@@ -149,13 +150,13 @@ def _crossing_real_part(z):
 
 
 def _slope_of_line(x, z):
-    """αg from both equations; one alone fails where its coefficient vanishes."""
+    """Return αg from both equations, since each fails where its coefficient vanishes."""
     a, b, c, d = _equations(x, z)
     return (a * c + b * d) / (c * c + d * d)
 
 
 def _equations(x, z):
-    """Right-hand sides a, b and coefficients c, d of αg."""
+    """Return the right-hand sides a, b and coefficients c, d of αg."""
     q, y = 1.0 / (1.0 + _bell_excess(x)), 2.0 * math.pi - z
     sine = np.sinc(y / math.pi) if y < 3.0 else -math.sin(z) / y
     half_sine = np.sinc(0.5 * y / math.pi)
@@ -196,12 +197,12 @@ def _vanishing_overshoot(alpha, beta, cut):
 
 
 def _bell_excess(x):
-    """S − 1 from its series, all terms positive."""
+    """Return S − 1 from its series, all terms positive."""
     return float(COEFFICIENTS @ x ** (2 * SERIES))
 
 
 def _bell_series(x):
-    """S − 1, x S' and x² S'' from their series, all terms positive."""
+    """Return S − 1, x S' and x² S'' from their series, all terms positive."""
     terms = COEFFICIENTS * x ** (2 * SERIES)
     return [
         float(np.sum(factor * terms)) for factor in (1, 2 * SERIES, 2 * SERIES * (2 * SERIES - 1))
@@ -209,20 +210,20 @@ def _bell_series(x):
 
 
 def _excess_alpha(x):
-    """α − 1 of the line that touches the bell at x."""
+    """Return α − 1 of the line that touches the bell at x."""
     excess, first, _ = _bell_series(x)
     # (S + xS' − S²)/S² with S = 1 + excess; first > 2 excess, term by term.
     return ((first - excess) - excess**2) / (1.0 + excess) ** 2
 
 
 def _touching_damping(x):
-    """The g of the line that touches the bell at x."""
+    """Return the g of the line that touches the bell at x."""
     excess, first, _ = _bell_series(x)
     return first / x / (1.0 + excess + first)
 
 
 def _bend():
-    """Where the bell bends: S S'' = 2 S'²."""
+    """Return where the bell bends: S S'' = 2 S'²."""
 
     def curvature(x):
         excess, first, second = _bell_series(x)

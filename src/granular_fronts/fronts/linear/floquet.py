@@ -1,16 +1,16 @@
 r"""Floquet multipliers of a front: whether it returns to itself after a small kick.
 
-Monodromy.  Let the chain move for one bead-time and follow the front by one bead: in the frame δ =
+Monodromy.  Let the chain move for one bead-time and follow the front by one bead.  In the frame δ =
 c = 1 the map :math:`T(u, d)_n = \Phi(u, d)_{n+1}` leaves an exact front unchanged
-(`shooting.equations`).  The derivative of T is the monodromy matrix, which a small perturbation is
-multiplied by from bead-time to bead-time; its eigenvalues z are the Floquet multipliers.
+(`shooting.equations`).  The derivative of T is the monodromy matrix.  It multiplies a small
+perturbation in each bead-time, and its eigenvalues z are the Floquet multipliers.
 
 Translation.  A shifted front is a front: :math:`(U', D')` has the multiplier 1.  From the left the
-multiplier belongs to a conservation law: as long as nothing reaches the ends,
-:math:`\sum_n (n\,\delta d_n + \delta u_n)`, momentum seen from the moving front, is unchanged by
-T, and measures by how much a kick displaces the front in the end.  That holds at any state that
-joins 1 to 0, so that a multiplier 1 alone proves no front: `flow_residual`, how far T moves the
-state itself, stands beside it.
+multiplier belongs to a conservation law.  As long as nothing reaches the ends, T leaves the
+momentum seen from the moving front, :math:`\sum_n (n\,\delta d_n + \delta u_n)`, unchanged.  It
+measures how far a kick displaces the front in the end.  That holds at any state that joins 1 to 0,
+so that a multiplier 1 proves no front.  Therefore `flow_residual` says how far T moves the state
+itself.
 
 Untouched chain.  Ahead u = 0 and no contact is stiff: :math:`\delta\dot u = \delta d`,
 :math:`\delta\dot d = 0`, and T is the shift towards the front times a Jordan block at 1.  On an
@@ -18,22 +18,21 @@ infinite chain every :math:`z^n`, :math:`|z| < 1`, is then an eigenvector: a per
 chain ahead, which the front has not met.  It says nothing of the front, and nothing enters the
 window from there: the block becomes nilpotent and its multipliers 0.  Rounding spreads a nilpotent
 block of k contacts over :math:`|z| \lesssim \epsilon^{1/k}`, so that small multipliers have no
-meaning; the window ends where u is lost in rounding.
+meaning.  The window ends where u is lost in rounding.
 
-Compressed chain.  Behind, a wave :math:`e^{iqn + \sigma t}` obeys
-:math:`\sigma^2 + \beta\gamma\kappa\,\sigma + \alpha\kappa = 0`,
-:math:`\kappa = 2 - 2\cos q`, and is multiplied by :math:`z = e^{iq + \sigma}`.  These curves are
-the essential spectrum on the line; they lie inside the unit circle and touch it at 1, where q = 0.
-There is no gap: long waves die out slowly.  Nor does an exponential weight :math:`e^{\nu n}` open
-one: of the two sound waves, with velocities :math:`\pm\sqrt\alpha - 1` in the frame of the front,
-one runs into the front and one away from it, the sign of Lax's shocks, and a weight that damps the
-one feeds the other.
+Compressed chain.  Behind, a wave :math:`e^{iqn + \sigma t}` obeys :math:`\sigma^2 +
+\beta\gamma\kappa\,\sigma + \alpha\kappa = 0`, :math:`\kappa = 2 - 2\cos q`, and is multiplied by
+:math:`z = e^{iq + \sigma}`.  These curves are the essential spectrum on the line; they lie inside
+the unit circle and touch it at 1, where q = 0. There is no gap: long waves die out slowly.  Nor
+does an exponential weight :math:`e^{\nu n}` open one.  The two sound waves have the velocities
+:math:`\pm\sqrt\alpha - 1` in the frame of the front.  One runs into the front and one away from it,
+as in Lax's shocks, and a weight that damps the one feeds the other.
 
 Window.  With B beads behind, and u = 1 held at the last of them, a long wave travels to and fro in
 :math:`B/(\sqrt\alpha - 1) + B/(\sqrt\alpha + 1)` bead-times.  The held end reflects u with the
 factor −1; at the front the jump conditions :math:`v = cu`, :math:`cv = u^\alpha`, linearised with
 the speed c free to change, give :math:`-(\sqrt\alpha - 1)^2/(\sqrt\alpha + 1)^2`.  Hence the
-largest multiplier beside that of translation is real, and
+largest multiplier except for translation is real, and
 
 .. math::
 
@@ -41,8 +40,8 @@ largest multiplier beside that of translation is real, and
         \ln\frac{\sqrt\alpha + 1}{\sqrt\alpha - 1}
 
 tends to 0 with the window as it must, whatever the damping.  A front is called stable if all
-multipliers beside that of translation lie inside the unit circle; an instability would show as a
-multiplier outside which stays where it is as B grows.
+multipliers except for translation lie inside the unit circle.  An instability would be a multiplier
+outside that stays in place as B grows.
 
 Section 6 of the paper is not in our copy: the definition above is ours.
 """
@@ -73,7 +72,7 @@ INTEGER_XI = 1.0e-9  # distance from an integer
 def front_multipliers(
     front: xr.Dataset, *, beads_behind: int | None = None, beads_ahead: int | None = None
 ) -> xr.DataArray:
-    """Floquet multipliers of a front, the eigenvalues of its monodromy matrix, in a finite window.
+    """Compute Floquet multipliers of a front, eigenvalues of its monodromy matrix in a window.
 
     Parameters
     ----------
@@ -150,7 +149,7 @@ def multipliers(u, d, alpha, gamma, beta):
 
 
 def monodromy_matrix(u, d, alpha, gamma, beta):
-    """Derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
+    """Return the derivative of flow-then-shift, u = 1 held behind and nothing entering from ahead.
 
     It acts on (u_1, d_1, u_2, d_2, …) of consecutive beads.
     """
@@ -168,14 +167,14 @@ def monodromy_matrix(u, d, alpha, gamma, beta):
 
 
 def flow_residual(u, d, alpha, gamma, beta):
-    """Largest change of a state by flow-then-shift: how far it is from a front."""
+    """Return the largest change of a state by flow-then-shift: how far it is from a front."""
     change, _ = _flow(PowerLaw(alpha, beta, gamma), u, d)
     state = np.pad([u, d], [(0, 0), (0, 1)])
     return float(np.abs(np.diff(state, axis=1) + change[:, 2:-1]).max())
 
 
 def _flow(law, u, d):
-    """Change in a bead-time, and stiffnesses; one contact more, at rest, becomes the last one."""
+    """Return the change in a bead-time, and stiffnesses; a contact at rest is added at the end."""
     start = np.zeros((2, u.size + 3))
     start[:, 1:-2] = u, d
     stiffness = bead_flow.make_stiffness(law, STEPS, u.size + 3)
@@ -185,7 +184,7 @@ def _flow(law, u, d):
 
 
 def compressed_chain_multipliers(alpha, gamma, beta, q):
-    """Essential spectrum behind a front: both multipliers of each wavenumber, shape (2, …)."""
+    """Return the essential spectrum behind a front, two multipliers per wavenumber, (2, …)."""
     q = np.asarray(q, dtype=float)
     kappa = 2.0 - 2.0 * np.cos(q)
     half = 0.5 * beta * gamma * kappa
@@ -194,14 +193,14 @@ def compressed_chain_multipliers(alpha, gamma, beta, q):
 
 
 def reflection_radius(alpha, beads_behind):
-    """Largest multiplier beside that of translation, by the reflections of long waves."""
+    """Return the largest multiplier except for translation, by the reflections of long waves."""
     speed = math.sqrt(alpha)
     rate = (alpha - 1.0) / speed * math.log((speed + 1.0) / (speed - 1.0))
     return math.exp(-rate / beads_behind)
 
 
 def _at_beads(front, beta, gamma):
-    """The front at integer ξ, as u and d."""
+    """Return the front at integer ξ, as u and d."""
     xi = front["xi"].values
     bead = np.round(xi).astype(int)
     whole = np.abs(xi - bead) < INTEGER_XI
@@ -232,6 +231,6 @@ def _verdict(values, residual):
     if outside:
         return f"unstable: {outside} multipliers outside the unit circle, the largest {radius:.6f}"
     return (
-        "stable: beside translation all multipliers lie inside the unit circle, the largest at "
-        f"{radius:.6f}"
+        "stable: except for translation, all multipliers lie inside the unit circle, the largest "
+        f"at {radius:.6f}"
     )

@@ -76,7 +76,7 @@ SMALLEST_RATE, LARGEST_RATE = 1e-12, 512.0
 
 
 def tail_roots(alpha: float, gamma: float, beta: float | None = None, count: int = 6) -> np.ndarray:
-    """Exponents λ of the tail behind a front, u − 1 ~ e^(λξ), those that decay slowest first.
+    """Return exponents λ of the tail behind a front, u − 1 ~ e^(λξ), the slowest decay first.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def tail_roots(alpha: float, gamma: float, beta: float | None = None, count: int
 
 
 def rate_of_tail_ahead(stiffness, viscosity, speed):
-    """The κ of a tail e^(−κξ) ahead: c²κ² = (V'' + cW''κ)(2 cosh κ − 2), between 1e-12 and 512.
+    """Return κ of a tail e^(−κξ) ahead: c²κ² = (V'' + cW''κ)(2 cosh κ − 2), between 1e-12 and 512.
 
     `stiffness` and `viscosity` are V'' and cW'' ahead, not both 0, with V'' below c².
     """
@@ -131,7 +131,7 @@ def rate_of_tail_ahead(stiffness, viscosity, speed):
 
 @kernel
 def lowest_roots_of_all(alpha, damping, count):
-    """The `count` roots with the smallest real parts, in that order; NaN for one not found."""
+    """Return `count` roots with the smallest real parts, in that order; NaN for one not found."""
     roots = np.empty(3 + count, np.complex128)
     found = _lowest_strip(alpha, damping, roots)
     strip = int64(2)
@@ -152,7 +152,7 @@ def lowest_roots_of_all(alpha, damping, count):
 
 @subroutine
 def _sort_by_real_part(roots):
-    """Sort in place, NaN last, by insertion: all but the last few stand in order already."""
+    """Sort in place by insertion, NaN last: all but the last few are in order already."""
     for i in range(1, roots.size):
         root, k = roots[i], i
         while k > 0 and (roots[k - 1].real > root.real or math.isnan(roots[k - 1].real)):
@@ -163,7 +163,7 @@ def _sort_by_real_part(roots):
 
 @subroutine
 def _beyond(alpha, damping, strip, real_part):
-    """Whether all half-strips from this one on hold only roots with a larger real part."""
+    """Return whether all half-strips from this one on hold only roots with a larger real part."""
     height = 2.0 * math.pi * (strip - 1)
     smallest = height * height / (alpha * (1.0 + damping * height))
     phase = 0.25 * math.pi + math.atan(real_part / height) + 0.5 * math.atan(1.0 / damping / height)
@@ -176,7 +176,7 @@ def _beyond(alpha, damping, strip, real_part):
 
 @subroutine
 def _excess(x):
-    """S(x) − 1 without cancellation, complex x."""
+    """Return S(x) − 1 without cancellation, complex x."""
     if abs(x) >= 1.0:
         return 4.0 * (cmath.sinh(0.5 * x) / x) ** 2 - 1.0
     term = x * x / 12.0
@@ -189,7 +189,7 @@ def _excess(x):
 
 @subroutine
 def _log_slope(x):
-    """S'(x)/S(x) = coth(x/2) − 2/x, complex x."""
+    """Return S'(x)/S(x) = coth(x/2) − 2/x, complex x."""
     if abs(x) < 0.05:
         return x * (1.0 / 6.0 - x * x * (1.0 / 360.0 - x * x / 15120.0))
     return cmath.cosh(0.5 * x) / cmath.sinh(0.5 * x) - 2.0 / x
@@ -197,10 +197,10 @@ def _log_slope(x):
 
 @subroutine
 def _newton(x, alpha, damping, known):
-    """Newton's iteration for a root of α(1 − gλ)S(λ) − 1 other than the known one, from x.
+    """Find a root of α(1 − gλ)S(λ) − 1 by Newton's iteration from x, but not the known one.
 
-    Beside a multiple root it never settles; the place where the function came down to rounding
-    stands in, which is as much as can be known of such a root.
+    Near a multiple root it never settles.  Then the root is the place where the function falls to
+    rounding, and no more can be known of it.
     """
     nearest, smallest = complex(math.nan, math.nan), NEGLIGIBLE
     for _ in range(NEWTON_STEPS):
@@ -226,7 +226,7 @@ def _newton(x, alpha, damping, known):
 
 @subroutine
 def _strip_root(alpha, damping, strip):
-    """The root with 2π(k − 1) < Im λ < 2πk, k ≥ 2.
+    """Return the root with 2π(k − 1) < Im λ < 2πk, k ≥ 2.
 
     There the map λ ↦ arcosh(1 + λ²/(2α(1 − gλ))) + 2πik contracts, with the branch of arcosh that
     has −2π < Im < 0; Newton's iteration finishes.
@@ -244,7 +244,7 @@ def _strip_root(alpha, damping, strip):
 
 @subroutine
 def _lowest_strip(alpha, damping, roots):
-    """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one beside a pair."""
+    """Fill in the roots with 0 ≤ Im λ < 2π and count them: three are real, or one and a pair."""
     low = _where_bell_falls(alpha * damping, 0.0, BEND)
     high = _where_bell_falls(alpha * damping, FLAT, BEND)
     end = 1.0 / damping
@@ -265,7 +265,7 @@ def _lowest_strip(alpha, damping, roots):
 
 @subroutine
 def _complex_root(alpha, damping, known):
-    """The root with 0 ≤ Im λ < 2π beside the known real one.
+    """Return a root with 0 ≤ Im λ < 2π other than the known real one.
 
     It is first sought where it lies for long waves, then where it lies for large damping.  Of some
     45000 laws with α − 1 from 1e-6 to 100 and γ from 1e-4 to 1e4, many of them next to a double
@@ -284,13 +284,13 @@ def _complex_root(alpha, damping, known):
 
 @subroutine
 def _in_lowest_strip(x):
-    """Whether Re x > 0 and |Im x| < 2π."""
+    """Return whether Re x > 0 and |Im x| < 2π."""
     return x.real > 0.0 and abs(x.imag) < 2.0 * math.pi
 
 
 @subroutine
 def _gap(x, alpha, damping):
-    """α(1 − gx) − 1/S(x), real x ≥ 0, without cancellation."""
+    """Return α(1 − gx) − 1/S(x), real x ≥ 0, without cancellation."""
     if x == 0.0:
         return alpha - 1.0
     if x > FLAT:
@@ -301,7 +301,7 @@ def _gap(x, alpha, damping):
 
 @subroutine
 def _meeting(above, below, alpha, damping):
-    """The x between two points where the line α(1 − gx) crosses the bell 1/S(x), by bisection."""
+    """Return x between two points where the line α(1 − gx) crosses the bell 1/S(x)."""
     while True:
         x = 0.5 * (above + below)
         if x in (above, below):
@@ -314,7 +314,7 @@ def _meeting(above, below, alpha, damping):
 
 @subroutine
 def _where_bell_falls(slope, flat, steep):
-    """The x between two points where 1/S(x) falls with a slope; `steep` if it never does."""
+    """Return the x between two points where 1/S(x) falls with a slope; `steep` if it never does."""
     while True:
         x = 0.5 * (flat + steep)
         if x in (flat, steep):

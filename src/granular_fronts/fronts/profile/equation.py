@@ -36,13 +36,13 @@ integrated with :math:`\dot x \to -cR_a` ahead (eq. (12)), is
     \dot x(\xi) = -cR_a - c\,(R_b - R_a)
         \Bigl[\int_{\xi-1}^{\xi} p(s)\,d\xi' - q(s(\xi)) + q(s(\xi - 1))\Bigr] .
 
-Which fronts are sought.  Those that the jump conditions admit, which run into the state where sound
-is slower than the front, p'(0) < 1, and away from one where it is faster, p'(1) > 1 (Lax); both
-slopes of p and q are finite there, and W acts behind, q'(1) > 0: otherwise nothing leads the front
+Which fronts are sought.  The jump conditions admit them.  They run into the state where sound is
+slower than the front, p'(0) < 1, and away from one where it is faster, p'(1) > 1 (Lax).  Both
+slopes of p and q are finite there.  W acts behind, q'(1) > 0; otherwise nothing leads the front
 exponentially to the state behind.
 
-Compiled code knows a law by its row maps (`model.passes`), in the compression u = −r; rounding of u
-is magnified in s by :math:`\max(|R_a|, |R_b|)/|R_b - R_a|`, or not at all.
+Compiled code knows a law by its row maps (`model.passes`), in the compression u = −r.  Rounding of
+u is magnified in s by :math:`\max(|R_a|, |R_b|)/|R_b - R_a|`, or not at all.
 """
 
 import math
@@ -111,20 +111,20 @@ class FrontProblem(NamedTuple):
 
 
 def power_problem(alpha, gamma, beta, right_state=0.0):
-    """The front of two powers from compression 1 to `right_state`."""
+    """Return the front of two powers from compression 1 to `right_state`."""
     law = make_law(alpha=alpha, beta=beta, gamma=gamma)
     return _normalise(law, -1.0, 0.0 - right_state, _power_speed(alpha, right_state))
 
 
 def _power_speed(alpha, right_state):
-    """Speed of the front of two powers from compression 1 to r, eq. (14)."""
+    """Return the speed of the front of two powers from compression 1 to r, eq. (14)."""
     if right_state == 0.0:
         return 1.0
     return math.sqrt(-math.expm1(alpha * math.log(right_state)) / (1.0 - right_state))
 
 
 def front_problem(law, behind, ahead):
-    """The front of a law between two strains, or an InputError where none is to be sought."""
+    """Return front of a law between two strains, or an InputError where none is to be sought."""
     theory = jump_conditions(law.elastic, behind, ahead, dissipation=law.viscous)
     if theory.direction < 0:
         raise InputError(
@@ -138,7 +138,7 @@ def front_problem(law, behind, ahead):
 
 
 def _normalise(law, behind, ahead, speed):
-    """The problem of a law and two states with the speed that the jump conditions give."""
+    """Return the problem of a law and two states with the speed that the jump conditions give."""
     jump, proportional = ahead - behind, law.proportional
     elastic, p_behind, p_ahead = _force(law.elastic, behind, ahead, speed**2)
     if proportional is None:
@@ -164,12 +164,12 @@ def _normalise(law, behind, ahead, speed):
 
 
 def _force(potential, behind, ahead, speeds):
-    """The function p or q with its value and slope at both states; `speeds` is c² or c."""
+    """Return the function p or q with its value and slope at both states; `speeds` is c² or c."""
     first, second = (row_map(potential, order) for order in (1, 2))
     parameters = [row_parameters(potential, order) for order in (1, 2)]
     scale = 1.0 / (speeds * (ahead - behind))
     force_behind, force_ahead = _two_forces(first, parameters[0], -behind, -ahead)
-    # Where V'' jumps, as at the end of a contact, the slope is that of the compressed side.
+    # Where V'' jumps, as at the end of a contact, the slope is taken on the compressed side.
     slopes = potential.second(np.array([behind, ahead])) / speeds
     force = Force(first, second, *parameters, force_ahead, scale)
     return force, (scale * (force_behind - force_ahead), float(slopes[0])), (0.0, float(slopes[1]))
@@ -199,7 +199,7 @@ def _check_ends(problem, behind, ahead):
 
 @kernel
 def _two_forces(address, parameters, behind, ahead):
-    """A row map of two compressions."""
+    """Return a row map of two compressions."""
     u, forces = np.array([behind, ahead]), np.empty(2)
     call_row_map(address, u, forces, 0, 1, parameters)
     return forces[0], forces[1]
@@ -207,7 +207,7 @@ def _two_forces(address, parameters, behind, ahead):
 
 @subroutine
 def with_damping(problem, damping):
-    """The problem with W multiplied by another number, for compiled code."""
+    """Return the problem with W multiplied by another number, for compiled code."""
     return FrontProblem(
         problem.elastic,
         problem.viscous,

@@ -15,10 +15,10 @@ It is solved for ξ by one integral, with the variable x in :math:`s = 1/(1 + e^
 
 .. math:: \xi = \int_0^x \frac{q'(s)\, s\,(1 - s)}{s - p(s)}\,dx .
 
-Next to both ends :math:`p(1) - p(s)` and p(s) lose their digits; slopes of p stand in for them.
-The front is good for strong damping.  Where damping is weak it is never steeper than the one at
-about critical damping, where the slowest tail of long waves has a double root,
-:math:`q'(1)^2 = p'(1)\,(p'(1) - 1)/3`; that one serves as a start there.
+Next to both ends :math:`p(1) - p(s)` and p(s) lose their digits; slopes of p replace them. The
+front is good for strong damping.  For weak damping it is never steeper than at about critical
+damping, where the slowest tail of long waves has a double root, :math:`q'(1)^2 = p'(1)\,(p'(1) -
+1)/3`.  That front is the start for weak damping.
 """
 
 import math
@@ -32,7 +32,7 @@ from granular_fronts.numerics.compiled import kernel
 # Up to 36, beyond which s is 1 to the last digit and the integrand has no value.
 X = np.linspace(-36.0, 36.0, 721)
 
-CLOSE = 1.0e-5  # distance of s from an end below which a slope of p stands for a difference of p
+CLOSE = 1.0e-5  # distance of s from an end below which a slope of p replaces a difference of p
 
 
 class LongWaveFront(NamedTuple):
@@ -42,17 +42,17 @@ class LongWaveFront(NamedTuple):
     x: np.ndarray
 
     def evaluate(self, xi):
-        """Values of s at any ξ, 1-D."""
+        """Return the values of s at any ξ, 1-D."""
         return 1.0 / (1.0 + np.exp(np.interp(xi, self.xi, self.x)))
 
 
 def long_wave_front(problem):
-    """The front of long waves; none, with ξ infinite or falling, where p crosses its chord."""
+    """Return front of long waves; none, with ξ infinite or falling, where p crosses its chord."""
     return LongWaveFront(integrate(problem, X), X)
 
 
 def at_least_critically_damped(problem):
-    """The problem, or where its damping is weak the same with about critical damping."""
+    """Return the problem, or where its damping is weak the same with about critical damping."""
     stiffness, viscosity = problem.behind.p_slope, problem.behind.q_slope
     critical = math.sqrt(stiffness * (stiffness - 1.0) / 3.0) / viscosity
     return problem._replace(damping=max(problem.damping, critical))
@@ -60,7 +60,7 @@ def at_least_critically_damped(problem):
 
 @kernel(error_model="numpy")
 def integrate(problem, x):
-    """ξ at the points x, by the trapezoidal rule; 0 in the middle."""
+    """Return ξ at the points x, by the trapezoidal rule; 0 in the middle."""
     s, rest = 1.0 / (1.0 + np.exp(x)), 1.0 / (1.0 + np.exp(-x))
     p, q, slope, q_slope, mean_slope = [np.empty(x.size) for _ in range(5)]
     evaluate(problem, s, p, q)

@@ -1,12 +1,12 @@
 """Newton's iteration for the discretised profile equation of `equation`, compiled.
 
 Unknowns are the values s at all grid points of the window, and the speed σ in units of the exact
-one: with the weights of the two convolutions the equations are σ² s = hat * p + σ jump * q.  On the
-left the linearised operator has index +1: without further conditions it is solved by a family, the
-shifts of the front.  The phase condition, s = 1/2 at ξ = 0, picks one, and one equation is left
-over, the one at the far left, which determines σ.  In the matrix the equations 1 … middle therefore
-stand one row higher than their unknowns, the phase condition stands in row `middle`, and equation 0
-and the column of σ make the border.  Thus ordered, the band matrix has well-conditioned factors
+one.  With the weights of the two convolutions the equations are σ² s = hat * p + σ jump * q.  On
+the left the linearised operator has index +1: without further conditions it is solved by a family,
+the shifts of the front.  The phase condition, s = 1/2 at ξ = 0, picks one, and one equation is left
+over, the one at the far left, which determines σ.  In the matrix the equations 1 … middle are
+therefore one row higher than their unknowns.  The phase condition is in row `middle`, and equation
+0 and the column of σ make the border.  Thus ordered, the band matrix has well-conditioned factors
 without pivoting: the shift turns the index of its left part into zero.  Ordered without the shift,
 it would be singular to working precision, with solutions that satisfy all equations and are false.
 """
@@ -62,7 +62,7 @@ ROUND_OFF = 1e-11
 
 @kernel(error_model="numpy")
 def iterate(problem, grid, tolerance, unknowns, history):
-    """Newton's iteration from the unknowns to the solution: the steps taken, and how it ended.
+    """Iterate from the unknowns to the solution; return the steps taken and how it ended.
 
     It settles when the next change would be below the tolerance.  The history, one longer than the
     steps allowed, receives the largest residual before each step and after the last.
@@ -118,7 +118,7 @@ def iterate(problem, grid, tolerance, unknowns, history):
 
 @kernel
 def make_forces(points, width):
-    """Room for p and q."""
+    """Return the room for p and q."""
     return Forces(np.zeros(points + 2 * width), np.zeros(points + 2 * width))
 
 
@@ -161,7 +161,7 @@ def residuals(problem, grid, unknowns, forces, residual):
 
 @kernel
 def largest_convolution(problem, grid, s):
-    """Largest value of hat * p + jump * q for any weights."""
+    """Return the largest value of hat * p + jump * q for any weights."""
     forces = make_forces(s.size, grid.hat.size // 2)
     fill_forces(problem, s, forces)
     nothing = Unknowns(np.zeros(s.size), np.ones(1))
@@ -202,14 +202,14 @@ def _assemble(problem, grid, unknowns, forces, prefix, band, border, column):
 
 @subroutine(fastmath=True)
 def _speed_slope(grid, unknowns, forces, equation):
-    """Derivative of one equation with respect to σ."""
+    """Return the derivative of one equation with respect to σ."""
     viscous = product(grid.jump, forces.q[equation:])
     return 2.0 * unknowns.speed[0] * unknowns.s[equation] - viscous
 
 
 @subroutine
 def _steady_points(s, middle, tolerance):
-    """How many points at the left end have s = 1 within a tolerance."""
+    """Return how many points at the left end have s = 1 within a tolerance."""
     for k in range(middle):
         if abs(s[k] - 1.0) > tolerance:
             return k

@@ -1,18 +1,18 @@
 r"""The exact profile of a front, from nothing: windows, grids and starts.
 
-Discretisation.  s of `equation` is sought at the points of a uniform grid, 1 and 0 beyond the
-window, and the integrals are replaced by the rules of `numerics.quadrature` with local polynomials
+Discretisation.  s of `equation` is sought at the points of a uniform grid; beyond the window it is
+1 and 0.  The integrals are replaced by the rules of `numerics.quadrature` with local polynomials
 through 20 points.  The unknowns are these values and the speed, the conditions all equations and
 s(0) = 1/2 (`newton`).  The weights sum to one exactly as the kernel does, so that the discrete
-equations have the speed of the jump conditions: that it comes out to round-off says that the window
-is long enough, not that the grid is fine enough.
+equations have the speed of the jump conditions.  If the solution has this speed to round-off, its
+window is long enough; the grid may still be too coarse.
 
 Two grids.  The equation is solved on a coarse grid, from the front of long waves, and then on a
-fine one, whose spacing follows from the difference of two quadrature rules on the coarse solution.
-A third grid, finer, with another order and a longer window, gives the error estimate.
+fine one.  The fine spacing follows from the difference of two quadrature rules on the coarse
+solution. A third grid, finer, with another order and a longer window, gives the error estimate.
 
-Where the front of long waves does not lead to the front, one of stronger damping is solved first
-and followed back, by steps as long as Newton's iteration allows.
+If the front of long waves does not lead to the front, one of stronger damping is solved first.  It
+is followed back by steps as long as Newton's iteration allows.
 
 Tails.  Near either state :math:`s \sim e^{\lambda\xi}` with
 
@@ -24,10 +24,10 @@ the dispersion relation of `fronts.linear.tails` with α = p' and αg = q'.  Beh
 long-wave front describes.  These lengths are estimates: the solution itself shows whether its ends
 are at rest (`_needed_stretch`).
 
-Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α: there by a
-factor that grows like a tower, and the sharpest part needs some (6 + 4.3α) points per site for the
-last digits; a wide front with small α − 1 needs fewer.  A solution on a coarse grid shows it: the
-difference of its convolutions by rules of two orders falls with the spacing like a known power.
+Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α.  For these it
+falls by a factor that grows like a tower, and its sharpest part needs some (6 + 4.3α) points per
+site.  A wide front with small α − 1 needs fewer.  The spacing is found on a coarse grid, where the
+difference of convolutions by rules of two orders falls with the spacing like a known power.
 """
 
 import functools
@@ -87,7 +87,7 @@ class Window(NamedTuple):
         return self.behind + self.ahead
 
     def longer(self, behind=1.0, ahead=1.0):
-        """The window stretched by two factors."""
+        """Return the window stretched by two factors."""
         return Window(self.behind * behind, self.ahead * ahead)
 
 
@@ -98,7 +98,7 @@ class Profile(NamedTuple):
     spacing: Fraction  # in sites
     middle: int  # index of ξ = 0, where s = 1/2
     s: np.ndarray  # shape (points,)
-    speed_defect: float  # relative deviation of the speed from that of the jump conditions
+    speed_defect: float  # relative deviation from the speed of the jump conditions
     residuals: np.ndarray  # the largest before each Newton step and after the last, on all grids
     reason: str = ""  # why this is not a front
 
@@ -108,12 +108,12 @@ class Profile(NamedTuple):
         return float(self.spacing) * np.arange(-self.middle, self.s.size - self.middle)
 
     def evaluate(self, xi):
-        """Values of s at any positions, 1-D."""
+        """Return the values of s at any positions, 1-D."""
         return interpolate_all(self.s, xi / float(self.spacing), 1.0, 0.0, self.middle)
 
 
 def solve_profile(problem):
-    """The front of a problem from nothing; with a `reason` if it is not the front."""
+    """Return the front of a problem from nothing; with a `reason` if it is not the front."""
     with np.errstate(all="ignore"):
         # A problem beyond double precision has no length.
         window = choose_window(problem)
@@ -122,8 +122,8 @@ def solve_profile(problem):
         return _no_profile(
             problem,
             f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
-            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and the force between the "
-            "states away from a linear one (alpha and right_state away from 1)",
+            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and alpha and right_state "
+            "away from 1, where the force is linear",
         )
     profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
@@ -152,12 +152,12 @@ def solve_profile(problem):
 
 
 def _no_profile(problem, reason):
-    """A record without a front, which was not looked for."""
+    """Return a profile without a front, with the reason."""
     return Profile(problem, Fraction(1), 0, np.empty(0), math.nan, np.empty(0), reason)
 
 
 def refine(profile):
-    """The same front on a finer grid, by another order, on a longer window."""
+    """Return the same front on a finer grid, by another order, on a longer window."""
     spacing = float(profile.spacing)
     window = Window(spacing * profile.middle, spacing * (profile.s.size - profile.middle))
     return solve_on_grid(
@@ -170,7 +170,7 @@ def refine(profile):
 
 
 def solve_coarse(problem, window):
-    """The front on the coarse grid, from the long-wave front or else from stronger damping."""
+    """Return front on the coarse grid, from the long-wave front or else from stronger damping."""
     direct = _from_long_wave(problem, window)
     if not direct.reason:
         return direct
@@ -210,7 +210,7 @@ def _solve_coarse_from(start, problem, window):
 
 
 def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
-    """The front on one grid, from values of s that `start` gives for any ξ.
+    """Return the front on one grid, from values of s that `start` gives for any ξ.
 
     The iteration ends at changes of the strain below the tolerance, relative to the larger state.
     """
@@ -241,7 +241,7 @@ def solve_on_grid(problem, window, spacing, order, start, tolerance=TOLERANCE):
 
 
 def _reason_against(profile):
-    """Why a solution of the equations is not the front sought, in words; empty if it may be."""
+    """Return in words why a solution is not the front sought; empty if it may be."""
     problem, s, residual = profile.problem, profile.s, profile.residuals[-1]
     rounding = problem.magnification
     if residual > RESIDUAL_TOLERANCE * rounding * (1.0 + problem.damping_number):
@@ -265,7 +265,7 @@ def _reason_against(profile):
 
 
 def _needed_stretch(profile):
-    """Factors by which the window is too short behind and ahead, 1.0 where it is not."""
+    """Return the factors by which the window is too short behind and ahead, 1.0 where it is not."""
     at_rest = AT_REST * profile.problem.magnification
     behind = np.abs(profile.s[: 4 + profile.s.size // 200] - 1.0).max()
     ahead = np.abs(profile.s[-4:]).max()
@@ -273,33 +273,33 @@ def _needed_stretch(profile):
 
 
 def quadrature_defect(profile):
-    """Largest difference of the right-hand sides by rules of orders 20 and 16."""
+    """Return the largest difference of the right-hand sides by rules of orders 20 and 16."""
     grid = make_grid(profile.spacing, profile.middle, differences_of_rules(profile.spacing, ORDER))
     return newton.largest_convolution(profile.problem, grid, profile.s)
 
 
 @functools.cache
 def differences_of_rules(spacing, order):
-    """Weights of an order less those of order 16."""
+    """Return the weights of an order less the weights of order 16."""
     rule, other = (kernel_weights(spacing, of) for of in (order, OTHER_ORDER))
     more = (rule.hat.size - other.hat.size) // 2
     return Weights(*(a - np.pad(b, more) for a, b in zip(rule, other, strict=True)))
 
 
 def make_grid(spacing, middle, weights):
-    """The grid as compiled code takes it."""
+    """Return the grid as compiled code takes it."""
     return Grid(float(spacing), middle, weights.hat, weights.jump)
 
 
 def _expected_spacing(coarse):
-    """Spacing at which the defect is expected to be at round-off."""
+    """Return the spacing at which the defect is expected to be at round-off."""
     allowed = DEFECT * coarse.problem.magnification
     ratio = allowed / max(quadrature_defect(coarse), 1e-30)
     return rational(float(coarse.spacing) * min(max(ratio ** (1.0 / ASSUMED_POWER), 0.2), 2.0))
 
 
 def choose_window(problem):
-    """Window of a problem, from the tails of its front."""
+    """Return the window of a problem, from the tails of its front."""
     root = lowest_roots_of_all(problem.behind.p_slope, problem.tail_damping, 1)[0]
     return Window(DECAY / root.real, _length_ahead(problem))
 
@@ -311,7 +311,7 @@ def _length_ahead(problem):
 
 
 def rate_ahead(problem):
-    """κ of the tail ahead, s ~ e^(−κξ); infinite where s falls faster, p'(0) = q'(0) = 0."""
+    """Return κ of the tail ahead, s ~ e^(−κξ); infinite where s falls faster, p'(0) = q'(0) = 0."""
     stiffness, viscosity = problem.ahead.p_slope, problem.damping * problem.ahead.q_slope
     if stiffness == viscosity == 0.0:
         return math.inf
@@ -319,13 +319,13 @@ def rate_ahead(problem):
 
 
 def _coarse_spacing(problem, window):
-    """Spacing of the first grid: a third of the points of a sharp front, and not too many."""
+    """Return the spacing of the first grid: a third of a sharp front's points, not too many."""
     per_site = 2.0 + 1.6 * problem.behind.p_slope
     return rational(max(1.0 / per_site, window.length / POINTS_COARSE))
 
 
 def rational(spacing):
-    """The spacing at or below this one that is a whole number of sites or divides a site."""
+    """Return the spacing at or below this one that is a whole number of sites or divides a site."""
     if spacing >= 1.0:
         return Fraction(math.floor(spacing))
     return Fraction(1, math.ceil(1.0 / spacing))

@@ -17,13 +17,14 @@ in its strain form
     U_i = u + c_i h\, d + \sum_j \bigl( h\gamma\, a_{ij}\, g_j + h^2 (A^2)_{ij}\, k_j \bigr),
     \qquad k_j = \Delta_d (U_j)_+^\alpha,\; g_j = \Delta_d (U_j)_+^\beta .
 
-The step is fixed, so that the computed map is a smooth function of its start where u > 0 and its
-derivative is the derivative of a formula: the error of the derivative is rounding, whatever S.
+The step is fixed, so that the computed map is a smooth function of its start where u > 0.  Its
+derivative is the derivative of a formula and errs by rounding only, whatever S.
 
-Rounding.  A front of α near 1 forgives an error of its forces, which pushes two neighbours apart
-and changes neither Σ d nor Σ n d, but magnifies an error of these sums by 1/(α − 1) times the
-length of the window.  Neighbouring forces are almost equal, so that their difference is exact: the
-Laplacian is taken as the difference of two, and small changes are summed before they are added.
+Rounding.  An error of a force pushes two neighbours apart and changes neither Σ d nor Σ n d, which
+a front of α near 1 forgives.  It magnifies an error of these sums by 1/(α − 1) times the length of
+the window.  Neighbouring forces are almost equal, so that their difference is exact.  So the
+Laplacian is the difference of two such differences, and small changes are summed before they are
+added.
 
 Tangent.  A perturbation (δu, δd) obeys the same formulae with
 
@@ -84,21 +85,21 @@ class Stages(NamedTuple):
     """What a step computes with: slopes of all stages, one stage value, and its forces."""
 
     k: np.ndarray  # Laplacians of the elastic force, shape (12, M + 2)
-    g: np.ndarray  # those of the viscous force; the same array where β = α
+    g: np.ndarray  # of the viscous force; the same array where β = α
     value: np.ndarray  # shape (M + 2,)
     force: np.ndarray
 
 
 @subroutine
 def _make_stages(law, columns):
-    """Slopes and forces of nothing, for M + 2 columns."""
+    """Return the slopes and forces of nothing, for M + 2 columns."""
     k = np.zeros((rk.STAGES, columns))
     g = np.zeros((rk.STAGES, columns)) if law.alpha != law.beta else k
     return Stages(k, g, np.zeros(columns), np.zeros(columns))
 
 
 def make_weights(law, h):
-    """Weights of a step h for a law."""
+    """Return the weights of a step h for a law."""
     rows = slice(0, rk.STAGES + 1)
     a, a_squared = rk.A[rows, : rk.STAGES], rk.A_SQUARED[rows, : rk.STAGES]
     on_k, on_g = h * h * a_squared, h * law.gamma * a
@@ -108,12 +109,12 @@ def make_weights(law, h):
 
 
 def stage_times(duration, steps):
-    """Times of all stages, shape (steps, 12)."""
+    """Return the times of all stages, shape (steps, 12)."""
     return (np.arange(steps)[:, np.newaxis] + rk.C[: rk.STAGES]) * (duration / steps)
 
 
 def make_stiffness(law, steps, columns):
-    """Room for the stiffnesses of a flow; one array serves both where β = α."""
+    """Return the room for the stiffnesses of a flow; one array serves both where β = α."""
     elastic = np.zeros((steps, rk.STAGES, columns))
     return Stiffness(elastic, elastic.copy() if law.alpha != law.beta else elastic)
 
@@ -178,7 +179,7 @@ def _forces(exponent, u, force, stiffness):
 
 @kernel(fastmath=_CONTRACT)
 def flow(law, weights, driver, u, d, stiffness):
-    """Changes of u and d of a window in the time of all steps, shape (2, M + 2).
+    """Return the changes of u and d of a window in the time of all steps, shape (2, M + 2).
 
     The driver holds u_0 at the times of all stages, shape (steps, 12); the stiffnesses are written.
     The change is summed apart from the state, so that it is not rounded to the last digit of 1 in
@@ -229,9 +230,9 @@ def _push(law, weights, driver, stiffness, u, d, stages):
 
 @kernel
 def derivative(law, weights, stiffness, spread):
-    """Derivative of the flow by its start, as a band of shape (M + 2, 2 spread + 1, 2, 2).
+    """Return derivative of the flow by its start, as a band of shape (M + 2, 2 spread + 1, 2, 2).
 
-    Entry [n, o, i, j] is that of (u, d)[i] of contact n by (u, d)[j] of contact n + o − spread.
+    Entry [n, o, i, j] derives (u, d)[i] of contact n by (u, d)[j] of contact n + o − spread.
     """
     steps, _, columns = stiffness.elastic.shape
     stride, last = 2 * spread + 1, columns - 2
@@ -253,7 +254,7 @@ def derivative(law, weights, stiffness, spread):
 
 @kernel
 def derivative_by_driver(law, weights, driver, stiffness):
-    """Derivative of (u, d) by changes of the driver, shape (changes, 2, M + 2)."""
+    """Return the derivative of (u, d) by changes of the driver, shape (changes, 2, M + 2)."""
     columns = stiffness.elastic.shape[2]
     stages, moved = _make_stages(law, columns), np.zeros((driver.shape[0], 2, columns))
     for i in range(driver.shape[0]):
@@ -262,7 +263,7 @@ def derivative_by_driver(law, weights, driver, stiffness):
 
 
 def spread_of(law, steps, compression):
-    """How many contacts a perturbation crosses in a bead-time of a chain compressed by u.
+    """Return how many contacts a perturbation crosses in a bead-time of a chain compressed by u.
 
     Contacts further away receive less than `FORGOTTEN` of it; u is at least the largest of the
     window.
@@ -278,7 +279,7 @@ def spread_of(law, steps, compression):
 
 @kernel
 def _contact_column(law, weights, stiffness, contact):
-    """What one contact, moved in u and then in d, does to all: shape (4, M + 2), absolute."""
+    """Return the change of all contacts by one, moved in u, then in d: (4, M + 2), absolute."""
     steps, _, columns = stiffness.elastic.shape
     stages = _make_stages(law, columns)
     driver, moved = np.zeros((steps, rk.STAGES)), np.zeros((4, columns))

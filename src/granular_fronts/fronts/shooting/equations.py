@@ -59,34 +59,34 @@ class Window(NamedTuple):
 
 
 def count_modes(roots):
-    """Real amplitudes of the tail: two of a complex root."""
+    """Return the real amplitudes of the tail: two of a complex root."""
     return len(roots) + np.count_nonzero(roots.imag)
 
 
 def join(amplitudes, state):
-    """The vector of unknowns."""
+    """Return the vector of unknowns."""
     return np.concatenate([amplitudes, state.ravel()])
 
 
 def split(window, unknowns):
-    """Amplitudes, shape (modes,), and state (u, d) of the contacts, shape (M, 2)."""
+    """Return the amplitudes, shape (modes,), and state (u, d) of the contacts, shape (M, 2)."""
     modes = count_modes(window.roots)
     return unknowns[:modes], unknowns[modes:].reshape(-1, 2)
 
 
 def driver_modes(window, times):
-    """Motion u − 1 of contact 0 in every mode, shape (modes,) + shape of times."""
+    """Return the motion u − 1 of contact 0 in every mode, shape (modes,) + shape of times."""
     return modes_of_tail(window.law, window.roots, -times)[:, 0]
 
 
 def _tail_modes(window):
-    """(u − 1, d) of contact 0 and of the tied contacts in every mode."""
+    """Return (u − 1, d) of contact 0 and of the tied contacts in every mode."""
     contacts = np.arange(TIED_CONTACTS + 1)
     return modes_of_tail(window.law, window.roots, contacts).transpose(0, 2, 1)
 
 
 def flow(window, unknowns, duration=1.0, start=0.0):
-    """Change of (u, d), shape (M, 2), in all steps of a duration, and the stiffnesses.
+    """Return the change of (u, d), shape (M, 2), in all steps of a duration, and the stiffnesses.
 
     At `start` contact 0 has left ξ = 0 of the modes for that time.
     """
@@ -102,7 +102,7 @@ def flow(window, unknowns, duration=1.0, start=0.0):
 
 
 def residual(window, unknowns):
-    """What is left of every equation, in the order of the contacts, and the stiffnesses."""
+    """Return what is left of every equation, in the order of the contacts, and the stiffnesses."""
     amplitudes, state = split(window, unknowns)
     change, stiffness = flow(window, unknowns)
     tail = REST_BEHIND + np.tensordot(amplitudes, _tail_modes(window), 1)
@@ -115,7 +115,7 @@ def residual(window, unknowns):
 
 
 def jacobian(window, stiffness):
-    """Derivative of `residual` by the unknowns, in band storage, and its lower bandwidth."""
+    """Return derivative of `residual` by the unknowns, in band storage, and its lower bandwidth."""
     weights = bead_flow.make_weights(window.law, 1.0 / window.steps)
     driver = driver_modes(window, bead_flow.stage_times(1.0, window.steps))
     band = bead_flow.derivative(window.law, weights, stiffness, window.spread)
@@ -132,7 +132,7 @@ def jacobian(window, stiffness):
 
 
 def _phase_row(window):
-    """Row of the phase condition: after those of its contact."""
+    """Return the row of the phase condition, after the rows of its contact."""
     return 2 * (TIED_CONTACTS + window.centre)
 
 
@@ -188,7 +188,7 @@ class Attempt(NamedTuple):
 
 
 def descend(window, unknowns, tolerance):
-    """Gauss-Newton steps until no residual exceeds the tolerance and the steps have died out."""
+    """Take Gauss-Newton steps until residuals are within the tolerance and steps die out."""
     rows, stiffness = residual(window, unknowns)
     residuals, step_sizes, flows = [largest(rows)], [], 1
     reason = f"not settled after {MOST_STEPS} Gauss-Newton steps"
@@ -213,7 +213,7 @@ def descend(window, unknowns, tolerance):
 
 
 def _damped(window, unknowns, step, norm, tolerance):
-    """The largest of the halved steps that lowers the norm of the residual, or satisfies all."""
+    """Return largest of the halved steps that lowers the norm of the residual, or satisfies all."""
     fraction, flows = 1.0, 0
     while fraction >= SHORTEST_FRACTION:
         trial = _move(window, unknowns, fraction * step)
@@ -228,8 +228,8 @@ def _damped(window, unknowns, step, norm, tolerance):
 def _move(window, unknowns, step):
     """Add a step, but let no contact that is stiff fall more than tenfold.
 
-    For α near 1 the toe of the front stays stiff down to u = 1e-12 and less; a step that took u
-    below zero there would cut it off.
+    For α near 1 the toe of the front stays stiff down to u = 1e-12 and less.  A step that took u
+    below zero would cut it off.
     """
     moved = unknowns + step
     before, after = (split(window, each)[1][:, 0] for each in (unknowns, moved))
@@ -240,7 +240,7 @@ def _move(window, unknowns, step):
 
 
 def largest(values):
-    """Largest absolute value."""
+    """Return the largest absolute value."""
     return float(np.abs(values).max())
 
 

@@ -39,7 +39,7 @@ class Guess(NamedTuple):
 
 
 def continuum_guess(alpha, gamma, beta, bead):
-    """The front of section 4 or 5 at consecutive beads."""
+    """Return the front of section 4 or 5 at consecutive beads."""
     epsilon = math.sqrt(1.0 - 1.0 / alpha)
     mu = 2.0 * math.sqrt(3.0) * beta * gamma / (alpha * epsilon)
     around = np.arange(bead[0] - 1.0, bead[-1] + 2.0)
@@ -51,12 +51,12 @@ def continuum_guess(alpha, gamma, beta, bead):
 
 
 def overdamped_length(alpha, gamma, beta):
-    """Distance from u = 1/2 to where the overdamped front is lost in rounding."""
+    """Return the distance from u = 1/2 to where the overdamped front is lost in rounding."""
     return float(_overdamped_xi(alpha, gamma, beta)[1][-1])
 
 
 def fit(guess, bead):
-    """State of shape (beads, 2) at the given beads: 1 behind the guess, 0 ahead of it."""
+    """Return state of shape (beads, 2) at the given beads: 1 behind the guess, 0 ahead of it."""
     state = np.zeros((bead.size, 2))
     state[bead < guess.bead[0], 0] = 1.0
     _, place, origin = np.intersect1d(bead, guess.bead, return_indices=True)
@@ -65,7 +65,7 @@ def fit(guess, bead):
 
 
 def _overdamped_xi(alpha, gamma, beta):
-    """Both p = −ln u and ξ along the overdamped front, ξ = 0 at u = 1/2."""
+    """Return both p = −ln u and ξ along the overdamped front, ξ = 0 at u = 1/2."""
     logarithm = np.linspace(math.log(P_FIRST), math.log(P_LAST), P_POINTS)
     p = np.exp(logarithm)
     rate = beta * gamma * p * np.exp(-(beta - 1.0) * p) / -np.expm1(-(alpha - 1.0) * p)
@@ -85,7 +85,7 @@ def _overdamped(alpha, gamma, beta, xi):
 
 
 def _heteroclinic(alpha, mu, scale, xi):
-    """Both u and u' of the heteroclinic orbit, moved so that u(0) = 1/2."""
+    """Return both u and u' of the heteroclinic orbit, moved so that u(0) = 1/2."""
     s = scale * xi
     orbit = compute_orbit(mu, min(s[0], 0.0))
     phase = orbit.s_at(alpha * math.log(2.0))

@@ -7,10 +7,10 @@ They are solved from an `initial_guess`, in a `window` as long as the tails need
 `UNTOUCHED` at the last contact, and below 1/2 everywhere ahead of bead 0, is checked.
 
 Accuracy.  The residual falls to a few units of the last digit.  For α near 1 one combination of the
-equations, the conserved sums over the window, hardly depends on u, and `bead_flow` takes care of
-the rounding in it: the front is found to 1e-12 from α = 1.02 on.
+equations, the conserved sums over the window, hardly depends on u.  `bead_flow` takes care of the
+rounding in it, and the front is found to 1e-12 for α ≥ 1.02.
 
-Steps.  The flow is repeated with twice the steps; where it differs by more than `FLOW_ERROR`, the
+Steps.  The flow is repeated with twice the steps.  If it differs by more than `FLOW_ERROR`, the
 steps are doubled and the solve goes on.
 
 Between.  While a window flows, contact n passes through all of the front between n and n − 1,
@@ -66,20 +66,20 @@ class Shot(NamedTuple):
     reason: str  # why or why not, in words
     residuals: np.ndarray  # the largest before every Gauss-Newton step and after the last
     step_sizes: np.ndarray  # the largest change of an unknown in every step
-    counts: dict  # right_hand_sides are those of the flow, tangents apart
+    counts: dict  # right_hand_sides belong to the flow, without tangents
     flow_error: float  # largest change of the flow over a bead-time when its steps are doubled
     window: Window
     unknowns: np.ndarray
 
 
 def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TOLERANCE):
-    """The `Shot` of the front with u = 1 behind, u = 0 ahead and u = 1/2 at bead 0.
+    """Return the `Shot` of the front with u = 1 behind, u = 0 ahead and u = 1/2 at bead 0.
 
     `beads` are those behind and ahead of bead 0, by default as many as the tails need.  `guess`, a
     `Guess` or `Shot`, is by default a continuum front, or where that fails the front of a stronger
     damping; `tolerance` is the largest residual of any equation.  An InputError says that the law
-    has no front or the window is too short for its tail, a NoFrontError that the front would need
-    too many beads or steps.
+    has no front or that the window is too short for its tail.  A NoFrontError says that the front
+    would need too many beads or steps.
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     law = PowerLaw(alpha, beta, gamma)
@@ -95,7 +95,7 @@ def shoot_front(alpha, gamma, beta=None, *, beads=None, guess=None, tolerance=TO
 
 
 def _decay(law):
-    """Rate at which the damping of the compressed chain smooths, per bead-time."""
+    """Return the rate at which the damping of the compressed chain smooths, per bead-time."""
     return 4.0 * law.beta * law.gamma
 
 
@@ -120,7 +120,7 @@ def _shoot_in_window(law, roots, bead, guess, tolerance):
 
 
 def refine(shot):
-    """The same front from a longer window and a finer flow, for an error estimate."""
+    """Return the same front from a longer window and a finer flow, for an error estimate."""
     window = shot.window
     behind, ahead = math.ceil(-LONGER_BEHIND * shot.bead[0]), shot.bead[-1] + LONGER_AHEAD
     bead = np.arange(-behind, ahead + 1)
@@ -128,7 +128,7 @@ def refine(shot):
 
 
 def _shoot(law, roots, bead, guess, steps, tolerance):
-    """Gauss-Newton from a guess, with steps of the flow doubled as long as they matter."""
+    """Solve by Gauss-Newton from a guess, with steps of the flow doubled as long as they matter."""
     state = initial_guess.fit(guess, bead)
     unknowns = join(np.zeros(equations.count_modes(roots)), state)
     residuals, step_sizes, evaluations = [], [], 0
@@ -177,7 +177,7 @@ def _flow_error(window, unknowns):
 
 
 def _reason_against(bead, state, flow_error):
-    """Why a settled state is still no front, or nothing."""
+    """Return why a settled state is still no front, or nothing."""
     if flow_error > FLOW_ERROR:
         return (
             f"the flow over a bead-time is only known to {flow_error:.1e} with {MOST_STEPS} steps"
@@ -193,7 +193,7 @@ def _reason_against(bead, state, flow_error):
 
 
 def _bead_velocities(window, amplitudes, state, time):
-    """ẋ_n from the strain form: w_n is a sum over the beads ahead, eq. (31) gives ẋ_n."""
+    """Return ẋ_n from the strain form: w_n is a sum over the beads ahead, eq. (31) gives ẋ_n."""
     law = window.law
     modes = equations.driver_modes(window, np.asarray(time))
     u = np.concatenate([[1.0 + amplitudes @ modes], state[:, 0]])
@@ -210,7 +210,7 @@ class Sample(NamedTuple):
 
 
 def sample_front(shot, points_per_site):
-    """The front from where its tail is lost in rounding to its last bead."""
+    """Return the front from where its tail is lost in rounding to its last bead."""
     window = sample_window(shot, points_per_site)
     length = math.ceil(tail_length(shot.window.roots))
     count = length * points_per_site
@@ -220,7 +220,7 @@ def sample_front(shot, points_per_site):
 
 
 def sample_window(shot, points_per_site):
-    """The front from less than one site behind the first bead of a shot to its last."""
+    """Return the front from less than one site behind the first bead of a shot to its last."""
     duration = 1.0 / points_per_site
     window = shot.window
     part = window._replace(steps=math.ceil(window.steps * duration))

@@ -11,9 +11,9 @@ Behind.  Linearised at u = 1 a front is a sum of modes (James 2021, section 6)
     \lambda^2 = \alpha\,\bigl(1 - \tfrac{\beta\gamma}{\alpha}\lambda\bigr)\,(2\cosh\lambda - 2),
     \qquad \operatorname{Re}\lambda > 0 .
 
-The window is closed where the squares of the slowest modes are lost in rounding, half as far behind
-the front as where the modes themselves are.  Roots with more than `FASTER` times the smallest real
-part have died out there.
+The window is closed where the squares of the slowest modes are lost in rounding.  The modes
+themselves are lost twice as far behind the front.  Roots with more than `FASTER` times the smallest
+real part have died out there.
 
 Ahead.  u falls super-exponentially.  For β > 1, :math:`p = -\ln u` grows at least by the factor
 min(α, β) from bead to bead once the overdamped front of `initial_guess` has come to its end; for β
@@ -39,12 +39,12 @@ SMALL_TAIL, LARGEST_TAIL = 1.0e-8, 1.0e-2  # u − 1 at the first bead that more
 
 
 def tail_length(roots):
-    """Distance behind the front from which the squares of the modes are lost in rounding."""
+    """Return distance behind the front from which the squares of the modes are lost in rounding."""
     return -0.5 * math.log(NEGLIGIBLE_SQUARE) / roots[0].real
 
 
 def slow_roots(alpha, gamma, beta):
-    """The roots that matter where a window ends, one of each conjugate pair."""
+    """Return the roots that matter where a window ends, one of each conjugate pair."""
     number = 4
     roots = tail_roots(alpha, gamma, beta, number)
     while roots[-1].real <= FASTER * roots[0].real:
@@ -56,7 +56,7 @@ def slow_roots(alpha, gamma, beta):
 
 
 def _separate(roots):
-    """Roots moved apart to a relative distance of `SEPARATION` where they almost coincide."""
+    """Return the roots, moved apart to a relative distance of at least `SEPARATION`."""
     distance = SEPARATION * roots[0].real
     close = (roots.imag > 0.0) & (roots.imag < distance)
     apart = np.where(close, roots.real + 1j * distance, roots)
@@ -68,10 +68,10 @@ def _separate(roots):
 
 
 def modes(law, roots, xi):
-    """Relative displacement u − 1 and strain rate d of each real mode, 1 in size at ξ = 0.
+    """Return relative displacement u − 1 and strain rate d of each real mode, 1 in size at ξ = 0.
 
-    The shape is (modes, 2) + that of xi, which counts from the driven contact; a complex root has
-    two modes.
+    The shape is (modes, 2) + the shape of xi, which counts from the driven contact.  A complex root
+    has two modes.
     """
     xi = np.asarray(xi, dtype=float)
     basis = []
@@ -85,7 +85,7 @@ def modes(law, roots, xi):
 
 
 def choose_beads(law, roots):
-    """Beads behind and ahead of the centre that the tails need, at most `MOST_BEADS`."""
+    """Return the beads behind and ahead of the centre that the tails need, at most `MOST_BEADS`."""
     with np.errstate(all="ignore"):
         # A law beyond double precision has no length.
         length = tail_length(roots) + _length_ahead(law)
@@ -98,7 +98,7 @@ def choose_beads(law, roots):
 
 
 def check_window(roots, behind, ahead):
-    """Beads behind and ahead, unless the window ends where the tail is not yet a sum of modes."""
+    """Return the beads behind and ahead, if the tail at the end is a sum of modes."""
     advice = f"the tail decays like exp({roots[0].real:.3g} xi): give more, or leave beads out"
     needed = _beads_behind(roots)
     return (
@@ -108,7 +108,7 @@ def check_window(roots, behind, ahead):
 
 
 def missing_beads(roots, relative_displacement):
-    """Beads missing behind, where the tail of a front is larger than its slowest root predicts.
+    """Return the beads missing behind, if the tail is larger than its slowest root predicts.
 
     Near critical damping a tail is an exponential times a polynomial.  None are missing where the
     square of u − 1 is small enough at the first bead, or u is no tail there.
@@ -125,7 +125,7 @@ def _beads_behind(roots):
 
 
 def _length_ahead(law):
-    """Distance from u = 1/2 to where u is lost in rounding, from above."""
+    """Return the distance from u = 1/2 to where u is lost in rounding, from above."""
     if law.beta == 1.0:
         return UNTOUCHED_P / rate_of_tail_ahead(0.0, law.gamma, 1.0)
     growth = math.log(min(law.alpha, law.beta))

@@ -98,7 +98,7 @@ def shape(front):
 
 
 def _compare(front, high, steepest, slow, fast):
-    """Lemma 19: its first x₁ on an edge of cells, as the number of cells before it; U and V."""
+    """Return the cells before the first x₁ of Lemma 19 on an edge of cells; U and V."""
     gamma, alpha, n = front.gamma, front.alpha, front.n
 
     def sigma(rate):

@@ -13,7 +13,7 @@ WIDEST_RATES = 0.2  # largest distance of ν₁ and ν₂ from μ, in units of �
 
 
 def describe(front, alpha, interval, n, fine, drift):
-    """The fields of the certificate of a computed front."""
+    """Return the fields of the certificate of a computed front."""
     exponent, gamma = front.attrs["alpha"], front.attrs["gamma"]
     xi, u = front["xi"].values, np.maximum(front["relative_displacement"].values, 0.0)
     behind = stored.beads(-xi[abs(u - 1) > stored.NEAR_ONE][0])
@@ -43,7 +43,7 @@ def describe(front, alpha, interval, n, fine, drift):
 
 
 def _rates_ahead(alpha, gamma):
-    """ν₁ below and ν₂ above the rate μ of the tail ahead, ν₂ < α ν₁."""
+    """Return ν₁ below and ν₂ above the rate μ of the tail ahead, ν₂ < α ν₁."""
     mu = rate_of_tail_ahead(0.0, gamma, 1.0)
     apart = min(WIDEST_RATES, (alpha - 1) / (2 * alpha))
     return (1 - apart) * mu, (1 + apart) * mu

@@ -54,5 +54,5 @@ from granular_fronts.proofs.existence import DEGREE, cell_nodes, to_powers
 
 
 def approximate_strain(front, behind, ahead, n):
-    """ū from a computed front: coefficients in t ∈ (−1, 1) on the cells of [−behind, ahead]."""
+    """Return ū of a computed front as coefficients in t ∈ (−1, 1) on cells of [−behind, ahead]."""
     return evaluate_front(front, cell_nodes(behind, ahead, n)) @ to_powers(DEGREE + 1).T

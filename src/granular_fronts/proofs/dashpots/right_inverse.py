@@ -82,7 +82,7 @@ from granular_fronts.proofs import right_inverse
 
 
 def ahead_inverse(gamma, n, lost):
-    """The kernel g₊ on beads [−p₊, q₊]; p₊; q₊."""
+    """Return the kernel g₊ on beads [−p₊, q₊]; p₊; q₊."""
     signs = np.sign(np.arange(-2 * n, 2 * n) + 0.5)
     halves = np.concatenate([[0], signs / (2 * n), [0]])
     kernel = gamma * signs[n:-n], gamma * (halves[::2] + halves[1::2])
@@ -90,7 +90,7 @@ def ahead_inverse(gamma, n, lost):
 
 
 def window_correction(stiffness, gamma, n, zero, longer):
-    """H − 1 on the last cells, as with β = α, from ā in the middles of a longer window."""
+    """Return H − 1 on the last cells, as with β = α, from ā in the middles of a longer window."""
     (_, sign), (_, tent) = (right_inverse.kernel(g, 0.0, n) for g in (1.0, 0.0))
     jump, tent = (right_inverse.toeplitz(f, len(stiffness)) for f in (sign - tent, tent))
     return right_inverse.solve_window(gamma * jump + tent * stiffness, n, zero, longer)

@@ -18,7 +18,7 @@ from granular_fronts.proofs.balls import (
 
 
 def bound_inverse(front):
-    """Z₁, and bounds ρ of y ↦ (A y)(ξ) on all cells, behind and ahead of them."""
+    """Return Z₁, and bounds ρ of y ↦ (A y)(ξ) on all cells, behind and ahead of them."""
     n, alpha, sizes = front.n, front.alpha, front.sizes
     first, W = (front.left - front.b) * n, (front.b + sizes["M"]) * n
     last = first + W
@@ -55,7 +55,7 @@ def bound_inverse(front):
 
 
 def _convolutions(front):
-    """∫|g| from each cell on, and ‖e‖₁, behind and ahead."""
+    """Return ∫|g| from each cell on, and ‖e‖₁, behind and ahead."""
     alpha, gamma, sizes, ng = front.alpha, front.gamma, front.sizes, front.n * front.sizes["fine"]
     rows = front.data["inverse_behind"], front.data["inverse_ahead"]
     behind = inverse_defect(alpha, [gamma / alpha], arb(0), ng, rows[0], -sizes["p"] * ng)
@@ -67,7 +67,7 @@ def _convolutions(front):
 
 
 def _matrix(front, a):
-    """The norms of v, and rest, on the cells of the window."""
+    """Return the norms of v, and rest, on the cells of the window."""
     n, W, h, gamma = front.n, len(a), arb(1) / front.n, front.gamma
     tent_middles, tent, _ = kernel(arb(0), arb(0), n)
     sign_middles, sign = slope_kernel(arb(0), n)
@@ -91,7 +91,7 @@ def _matrix(front, a):
 
 
 def _variation(front, w, low, mid, high):
-    """inner_i, from bounds w of the functions and from those of ā on the cells."""
+    """Return inner_i, from bounds w of the functions and bounds of ā on the cells."""
     n, h = front.n, arb(1) / front.n
     jumps = array([0] * (2 * n + 1))
     jumps[[0, n, -1]] = array([1, 2, 1])

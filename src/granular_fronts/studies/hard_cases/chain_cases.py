@@ -1,7 +1,7 @@
 r"""Hard cases of a driven chain: extremes of the law, the pressure, the length and the time.
 
 Unless a case says otherwise, :math:`\delta = 1`, so that a front runs with :math:`c = 1`, on a
-chain at rest; the run ends before the front reaches the free end.  Answers come from
+chain at rest.  The run ends before the front reaches the free end.  Answers come from
 
 - `extended`: another method in other variables and 80-bit arithmetic,
 - the scaling (27)-(30): with :math:`x = \delta\hat x`,
@@ -113,7 +113,7 @@ def _many_beads(beads=100_000, period=25):
     errors = u_many - np.tile(u, copies), velocity_many - np.tile(velocity, copies)
     return HardCase(
         problem=f"N = {beads}, a ring of {copies} equal waves, α = β = 3/2, γ = 0.1, to t = 10",
-        expected="every wave is that of a ring of its own",
+        expected="every wave is as on a ring of its own",
         criterion=f"distance from the ring of {period} beads, and relative drift of momentum",
         quantity="largest u at the end",
         measured=float(u_many.max()),

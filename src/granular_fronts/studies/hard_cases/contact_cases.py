@@ -9,8 +9,8 @@ a step there.  Known in advance are
 - momentum and energy, and the constant velocities of beads in flight.
 
 A long motion after contact loss need not be predictable.  In the paper's chain (N = 420, γ = 0.06)
-damping keeps the beads together and nearby motions stay near; for N = 20 and γ = 10⁻³ the free
-bead goes on bouncing, nearby motions part exponentially, and no method in double precision can
+damping keeps the beads together, and nearby motions stay near.  For N = 20 and γ = 10⁻³ the free
+bead goes on bouncing and nearby motions part exponentially.  No method in double precision can
 follow one of them to t = 10⁴.  There only what holds for every motion can be asked for.
 
 The dissipated power of a contact goes to zero like :math:`u^{\beta-1}`, less smoothly than the

@@ -36,7 +36,7 @@ SMALL_FLOOR = 1.0e-16
 
 
 def _near_critical_damping(offset):
-    """Front of the logarithmic KdV-Burgers equation beside μ = 2."""
+    """Front of the logarithmic KdV-Burgers equation near μ = 2."""
     mu = 2.0 + offset
     y = heteroclinic(mu, BEHIND)["rescaled_force"].values
     return HardCase(

@@ -1,7 +1,7 @@
 r"""Order of convergence through a contact that closes and opens, with and without location.
 
-Two beads meet, and part; what is asked for is the velocity with which they part.  Three methods use
-the same eighth-order pair:
+Two beads meet and part; the result is the velocity with which they part.  Three methods use the
+same eighth-order pair:
 
 - `strain_form`: adaptive steps that end at the events (`chain.contact_events`);
 - `positions_and_w`: fixed steps in (x, w), blind to the events; the right-hand side is
@@ -12,9 +12,9 @@ the same eighth-order pair:
 Where in a step an event falls decides the error of that one run.  Each problem is therefore solved
 for several gaps between the beads, which shift the events against the steps, and the median counts.
 
-The slope of error against steps is the order for fixed steps.  For adaptive ones it flatters the
-pair, since the first steps and those graded towards the events are about as many at any tolerance;
-a slope of 8 or more says that the events do not cost the order.
+The slope of error against steps is the order for fixed steps.  For adaptive methods it flatters the
+pair, since the first steps and the steps graded towards events are about as many at any tolerance.
+A slope of 8 or more says that the events do not cost the order.
 """
 
 import numpy as np
@@ -37,7 +37,7 @@ FORMS = {"positions_and_w": position_forms.XW, "positions_and_velocities": posit
 
 
 def measure_orders():
-    """Median number of steps and median error, rung by rung, under the names of the methods."""
+    """Return median steps and median error, rung by rung, under the names of the methods."""
     parting = _parting_velocity()
     curves = {"strain_form": _median_of(located, TOLERANCES, parting)}
     for name, form in FORMS.items():
@@ -46,20 +46,20 @@ def measure_orders():
 
 
 def _parting_velocity():
-    """Relative velocity after the collision, in extended precision; the gap plays no part."""
+    """Return the relative velocity after the collision, in extended precision, for any gap."""
     velocity = reference_state(collision(LAW, gap=0.0) | {"end_time": END_TIME / 2.0}).velocity
     return float(velocity[1] - velocity[0])
 
 
 def _median_of(method, rungs, parting):
-    """Medians over the gaps of the steps taken and of the errors made."""
+    """Return the medians over the gaps of the steps taken and of the errors made."""
     runs = np.array([[method(gap, rung) for gap in PHASES] for rung in rungs])
     steps, velocity = runs[..., 0], runs[..., 1]
     return np.median(steps, axis=1), np.median(np.abs(velocity - parting), axis=1)
 
 
 def located(gap, tolerance):
-    """Steps and parting velocity of the strain form."""
+    """Return the steps and parting velocity of the strain form."""
     accuracy = {"relative": tolerance, "absolute": 1.0e-2 * tolerance}
     solution = solve(collision(LAW, gap), accuracy)
     velocity = solution.dataset["velocity"].values[-1]
@@ -67,7 +67,7 @@ def located(gap, tolerance):
 
 
 def blind(form, gap, steps):
-    """Steps and parting velocity of a plain form with fixed steps."""
+    """Return the steps and parting velocity of a plain form with fixed steps."""
     run = prepare(collision(LAW, gap))
     u, velocity = np.array([-gap, 0.0]), np.array([1.0, 0.0])
     system, y = position_forms.pack(form, run.law, run.boundary, u, velocity)
@@ -77,6 +77,6 @@ def blind(form, gap, steps):
 
 
 def fitted_order(steps, errors, floor=1.0e-12):
-    """Slope of the line through log error against log steps, over the errors above `floor`."""
+    """Return the slope of log error against log steps, over the errors above `floor`."""
     above = errors > floor
     return -power_of(steps[above], errors[above])

@@ -2,8 +2,8 @@
 
 The unknowns are the positions x_n and the generalised velocities w_n, James (2021), eqs. (31) and
 (32), in 80-bit arithmetic.  Within a step the slopes are a Chebyshev polynomial, found by Picard
-iteration; its last coefficients measure the error, and it gives the state at every time.  Where a
-contact opens or closes, a force is not smooth: steps shrink towards that instant, and the one that
+iteration.  Its last coefficients measure the error, and it gives the state at every time.  Where a
+contact opens or closes, a force is not smooth.  Steps shrink towards that instant, and the one that
 straddles it is so short that the force does nothing in it.
 
 Hard cases are judged by it, and, from outside the package, the stated errors of random chains.
@@ -30,7 +30,7 @@ BISECTIONS, NEWTON_STEPS = 10, 4
 
 
 def _chebyshev(theta: Any, count: int = DEGREE + 1) -> np.ndarray:
-    """T_0 … at places in [−1, 1] and a little outside, on a further axis."""
+    """Return T_0 … at places in [−1, 1] and a little outside, on a further axis."""
     values = [np.ones_like(theta), theta]
     while len(values) < count:
         values.append(2 * theta * values[-1] - values[-2])
@@ -38,7 +38,7 @@ def _chebyshev(theta: Any, count: int = DEGREE + 1) -> np.ndarray:
 
 
 def _integrals(theta: Any) -> np.ndarray:
-    """Integrals of T_0 … T_DEGREE from −1, on a further axis."""
+    """Return the integrals of T_0 … T_DEGREE from −1, on a further axis."""
     order = np.arange(2, DEGREE + 1).astype(REAL)
     above = _chebyshev(theta, DEGREE + 2)
     rest = above[..., 3:] / (2 * (order + 1)) - above[..., 1:-2] / (2 * (order - 1))
@@ -57,7 +57,7 @@ DERIVATIVE = np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).astype(REAL)
 
 
 def power(u: np.ndarray, exponent: np.longdouble) -> np.ndarray:
-    """u₊ to an exponent of 1 or more, by products and a root where that is possible."""
+    """Return u₊ to an exponent of 1 or more, by products and a root where that is possible."""
     u = np.maximum(u, 0)
     if 2 * exponent % 1 != 0 or exponent > 4:
         return u**exponent
@@ -68,7 +68,7 @@ def power(u: np.ndarray, exponent: np.longdouble) -> np.ndarray:
 
 
 def force(kind: str, **parameters: float) -> Callable[[np.ndarray], np.ndarray]:
-    """−V'(−u) of a potential of a named kind, as a function of the compression u."""
+    """Return −V'(−u) of a potential of a named kind, as a function of the compression u."""
     p = {name: REAL(value) for name, value in parameters.items()}
     if kind in ("hertz", "power"):
         exponent, factor = p.get("alpha", p.get("beta")), p.get("stiffness", p.get("gamma"))
@@ -93,7 +93,7 @@ def force(kind: str, **parameters: float) -> Callable[[np.ndarray], np.ndarray]:
 
 
 def forces(law: Mapping[str, Any]) -> tuple[Callable, bool]:
-    """Elastic and viscous force as a function of the compression, and whether 0 is a kink."""
+    """Return elastic and viscous force as functions of u, and whether 0 is a kink."""
     if "alpha" in law:
         elastic = {"kind": "hertz", "alpha": law["alpha"], "stiffness": 1.0}
         viscous = {"kind": "power", "beta": law["beta"], "gamma": law["gamma"]}
@@ -185,18 +185,18 @@ class Motion:
         return u, velocity
 
     def compression(self, state):
-        """Compressions of the moving contacts, of states whose last axis is (x, w)."""
+        """Return the compressions of the moving contacts, of states whose last axis is (x, w)."""
         u = self._differences(state[..., : self.beads])
         if self.ring:
             u[..., -1] += self.turn
         return u
 
     def _differences(self, x):
-        """x_n − x_(n+1) over the moving contacts, from x or its rates."""
+        """Return x_n − x_(n+1) over the moving contacts, from x or its rates."""
         return x - np.roll(x, -1, axis=-1) if self.ring else x[..., :-1] - x[..., 1:]
 
     def slopes(self, t, states):
-        """(ẋ, ẇ) of states, shape (times, 2 N)."""
+        """Return (ẋ, ẇ) of states, shape (times, 2 N)."""
         out, beads = np.empty_like(states), self.beads
         transmitted = np.empty((2, len(states), beads + 1), dtype=REAL)
         moving = slice(1, None if self.ring else -1)
@@ -238,7 +238,7 @@ class Motion:
         return state
 
     def _try(self, now, state, length):
-        """States and slopes at the nodes, or None where the iteration does not converge."""
+        """Return states and slopes at the nodes, or None where the iteration does not converge."""
         times = now + length * (NODES + 1) / 2
         states, last = np.repeat(state[None], DEGREE + 1, axis=0), REAL(np.inf)
         floor = REAL("1e-20") * self.size
@@ -255,12 +255,12 @@ class Motion:
         return None, None
 
     def _effect(self, size, length):
-        """What a kink of a contact of some size can do within a length of time."""
+        """Return what a kink of a contact of some size can do within a length of time."""
         elastic, viscous = self.forces(size)
         return length * (np.abs(viscous) + length * np.abs(elastic))
 
     def _before_a_kink(self, now, state, length):
-        """The length, or a shorter one that keeps its distance from a contact's next zero."""
+        """Return length, or a shorter one that keeps its distance from a contact's next zero."""
         if not self.kinked:
             return length
         u = self.compression(state)
@@ -296,7 +296,7 @@ class Motion:
         return (NODES[max(first, 1)] + 1) / 2 if first < DEGREE else REAL("0.99")
 
     def states(self, times):
-        """Compressions of the moving contacts and velocities at some times."""
+        """Return the compressions of the moving contacts and velocities at some times."""
         starts = np.array([step.start for step in self.steps])
         times = np.asarray(times).astype(REAL)
         rows = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, None)
@@ -309,7 +309,7 @@ class Motion:
         return self.compression(states), self.slopes(times, states)[:, : self.beads]
 
     def passages(self, level: float | None = None) -> Passages:
-        """All passages of any contact through a level; through u' = 0 where there is none."""
+        """Return all passages of any contact through a level, or else through u' = 0."""
         found = [self._passages_of(step, level) for step in self.steps]
         return Passages(*map(np.concatenate, zip(*found, strict=True)))
 
@@ -359,7 +359,7 @@ class Reference(NamedTuple):
 
 
 def reference_state(scene: Mapping[str, Any]) -> Reference:
-    """State of a pressed chain at its end; the error is the change by another tolerance."""
+    """Return state of a pressed chain at its end; the error is the change by another tolerance."""
 
     def solve(tolerance):
         motion = Motion(scene, tolerance)

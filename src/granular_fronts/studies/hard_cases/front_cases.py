@@ -2,8 +2,8 @@
 
 Each front is solved by the profile equation and by shooting, which share no code.  At critical
 damping two roots of the tail are one, or a pair and a real root decay alike, and no sum of modes is
-well conditioned; for weak damping the tail is hundreds of beads long; for strong damping the front
-itself is; for a large exponent it is sharp, and for one near 1 rounding is magnified.
+well conditioned.  For weak damping the tail is hundreds of beads long, and for strong damping the
+front itself.  A large exponent makes it sharp, and an exponent near 1 magnifies rounding.
 """
 
 import functools

@@ -14,7 +14,7 @@ CASES = chain_cases.CASES | contact_cases.CASES | continuum_cases.CASES | front_
 
 
 def run_case(name):
-    """Solve a case: its record, None if the solver refused; process time; what the solver said."""
+    """Return a solved case (None if refused), its process time, and the solver's sentence."""
     if name not in CASES:
         raise ValueError(f"{name} is no hard case: choose one of {', '.join(CASES)}.")
     started = time.process_time()

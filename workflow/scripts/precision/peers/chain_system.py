@@ -39,13 +39,13 @@ class ChainSystem:
         return float(self.contacts.sum())
 
     def start(self):
-        """(x, w) at t = 0, shape (2N,), with x_N = 0."""
+        """Return (x, w) at t = 0, shape (2N,), with x_N = 0."""
         positions = np.zeros(self.beads)
         positions[:-1] = np.flip(np.cumsum(np.flip(self.contacts[:-1])))
         return np.concatenate([positions, self.velocities - self._damping(positions)])
 
     def observe(self, state):
-        """u_1 … u_N and the velocities of a state (x, w)."""
+        """Return u_1 … u_N and the velocities of a state (x, w)."""
         positions, momenta = state[: self.beads], state[self.beads :]
         return {
             "relative_displacement": self._all_contacts(positions)[1:],
@@ -53,13 +53,13 @@ class ChainSystem:
         }
 
     def _all_contacts(self, positions):
-        """u_0 … u_N."""
+        """Return u_0 … u_N."""
         closing = self.turn - (positions[0] - positions[-1])
         ends = (closing, closing) if self.ring else (self.left, 0.0)
         return np.concatenate([ends[:1], positions[:-1] - positions[1:], ends[1:]])
 
     def _damping(self, positions):
-        """γ [F(u_{n-1}) - F(u_n)]."""
+        """Return γ [F(u_{n-1}) - F(u_n)]."""
         forces = np.maximum(self._all_contacts(positions), 0.0) ** 1.5
         return self.gamma * (forces[:-1] - forces[1:])
 
@@ -115,7 +115,7 @@ class SparseJacobian:
         return self._matrix(np.ones(self._order.size))
 
     def values(self, state):
-        """Entries by columns, those of a column by rows."""
+        """Return the entries by columns, and within a column by rows."""
         beads, gamma = self.system.beads, self.system.gamma
         contacts = self.system._all_contacts(state[:beads])
         stiffness = 1.5 * np.sqrt(np.maximum(contacts, 0.0))
@@ -126,7 +126,7 @@ class SparseJacobian:
         return np.concatenate([gamma * rows, np.ones(beads), rows])[self._order]
 
     def matrix(self, state):
-        """The matrix at a state."""
+        """Return the matrix at a state."""
         return self._matrix(self.values(state))
 
     def _matrix(self, values):
@@ -162,5 +162,5 @@ def compiled_kernel():
 
 
 def kernel_parameters(system):
-    """What the kernel takes after its arrays."""
+    """Return what the kernel takes after its arrays."""
     return system.gamma, system.left, float(system.ring), system.turn

@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from peers.record import Run, Stopwatch, missing_package
+from peers.runs import Run, Stopwatch, missing_package
 
 
 @cache

@@ -1,8 +1,8 @@
 """LAMMPS on the chain, by steps of equal length; its own report of the loop is the time.
 
-LAMMPS is built for millions of particles of many laws in space; it is here since those who compute
-granular chains use such codes.  `fix nve` is the usual scheme, of order one with viscous forces,
-`fix mvv/dpd 1.0` one of order two.  A tolerance is a step in units of time here.
+LAMMPS is built for millions of particles of many laws in space.  It is compared since people
+compute granular chains with such codes.  `fix nve` is the usual scheme, of order one with viscous
+forces, `fix mvv/dpd 1.0` one of order two.  A tolerance is a step in units of time here.
 """
 
 import re
@@ -16,7 +16,7 @@ import numpy as np
 from granular_fronts.errors import SolveError
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.lammps_run import run_lammps
-from peers.record import Run
+from peers.runs import Run
 
 NAME = "chain"
 
@@ -44,13 +44,13 @@ def solve(system, step, _atol, integrator):
 
 
 def find_command():
-    """The command beside this Python, or on the path; None if there is none."""
+    """Return the command from the folder of this Python or from the path, or None."""
     beside = Path(sys.executable).with_name("lmp")
     return str(beside) if beside.exists() else shutil.which("lmp")
 
 
 def _deck_of(system):
-    """The input file, which writes the first and the last state."""
+    """Return the input file, which writes the first and the last state."""
     scene = {
         "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
         "beads": system.beads,
@@ -62,12 +62,12 @@ def _deck_of(system):
 
 
 def _relative_displacements(x):
-    """u_1 … u_N, the last one that of the free end."""
+    """Return u_1 … u_N; the last one is at the free end."""
     return np.append(x[:-1] - x[1:], 0.0)
 
 
 def _times_of(report):
-    """Times of the loop, as LAMMPS reports them: without setup and reading of its input."""
+    """Return the times of the loop that LAMMPS reports, without setup and input."""
     seconds = float(re.search(r"^Loop time of (\S+) on 1 procs", report, re.MULTILINE).group(1))
     share = re.search(r"^(\S+)% CPU use", report, re.MULTILINE).group(1)
     return {"seconds": seconds, "cpu_seconds": 0.01 * float(share) * seconds}

@@ -3,7 +3,7 @@
 Traps met: numbalsoda hands back what it has when it gives up (NaN from lsoda), and only its flag
 shows it. Its step limit between two output times is 10 000, and lifted here. In contacts and
 momenta (u, w) instead of (x, w) its dop853 was 10 % faster at errors above 1e-9 and 8 % slower
-below 1e-11: the choice of unknowns does not decide the comparison.
+below 1e-11.  The choice of unknowns does not decide the comparison.
 """
 
 from functools import cache, partial
@@ -11,7 +11,7 @@ from functools import cache, partial
 import numpy as np
 
 from peers.chain_system import STEP_LIMIT, compiled_kernel, kernel_parameters
-from peers.record import Run, Stopwatch, missing_package
+from peers.runs import Run, Stopwatch, missing_package
 
 # Data of the callback: calls, N, parameters of the kernel, scratch for the forces.
 _HEAD = 6

@@ -1,7 +1,7 @@
 """Scilab's default `ode` on the chain: the paper's own tool; Scilab itself takes the time.
 
 Traps met: its LSODA stops after 500 steps between two output times, and the limit is lifted here.
-It may change to its stiff method, with a dense Jacobian: after contact loss, at t = 3000, a solve
+It may change to its stiff method, with a dense Jacobian.  After contact loss, at t = 3000, a solve
 of half a second then took 50 s (rtol 1e-9). It gets no closer than about 1e-12 at t = 700, whatever
 the tolerance.
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from peers.record import Run
+from peers.runs import Run
 
 SCRIPT = Path(__file__).with_name("scilab.sce")
 

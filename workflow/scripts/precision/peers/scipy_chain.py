@@ -3,8 +3,8 @@
 `solve_ivp` calls a numpy right-hand side; Radau is given the sparse Jacobian, without which each of
 its factorisations would be dense. `odeint` is LSODA again, on a compiled right-hand side.
 
-Traps met: LSODA may change to its stiff method, whose Jacobian is dense and made by differences;
-after contact loss, at t = 3000, it did, and a solve of two seconds took 7 minutes (rtol 1e-13).
+Traps met: LSODA may change to its stiff method, whose Jacobian is dense and made by differences.
+After contact loss, at t = 3000, it did, and a solve of two seconds took 7 minutes (rtol 1e-13).
 `solve_ivp` raises a relative tolerance below 100 units of round-off with no more than a warning.
 """
 
@@ -20,7 +20,7 @@ from peers.chain_system import (
     kernel_parameters,
     numpy_right_hand_side,
 )
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 
 RTOL_FLOOR = 100 * np.finfo(float).eps
 

@@ -1,10 +1,10 @@
 """SciPy on the exact fronts of the lattice, James (2021), section 6: shooting by its own tools.
 
-Unknowns are u_n and d_n = w_n - w_{n+1} of a window of contacts in the frame δ = c = 1, with
-u_n' = d_n + γ ΔF(u)_n and d_n' = ΔF(u)_n, F(u) = max(u, 0)^{3/2}, u = 1 behind the window and u = 0
-ahead. `solve_ivp` (DOP853) moves them for one unit of time; then each has to be what its left
-neighbour was, and u_0 = ½. `least_squares` takes all these equations; `root` wants as many as there
-are unknowns, and the phase stands for the equation of the first contact. The Jacobian is made by
+Unknowns are u_n and d_n = w_n - w_{n+1} of a window of contacts in the frame δ = c = 1, with u_n' =
+d_n + γ ΔF(u)_n and d_n' = ΔF(u)_n, F(u) = max(u, 0)^{3/2}, u = 1 behind the window and u = 0 ahead.
+`solve_ivp` (DOP853) moves them for one unit of time; then each has to be what its left neighbour
+was, and u_0 = ½. `least_squares` takes all these equations; `root` wants as many as there are
+unknowns, and the phase replaces the equation of the first contact. The Jacobian is made by
 differences. All start from the front (46) of the logarithmic Burgers equation.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import NoConvergence, least_squares, newton_krylov, root
 
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 
 AHEAD = 6
 FLOW_OVER_SOLVER, FLOW_FLOOR = 1e-4, 1e-13
@@ -51,7 +51,7 @@ class Shooting:
         return np.concatenate([u[1:-1], -np.gradient(u)[1:-1] - self.gamma * change])
 
     def rates(self, _, state):
-        """Time derivative of (u, d)."""
+        """Return the time derivative of (u, d)."""
         u, d = np.split(state, 2)
         force = np.concatenate([[1.0], np.maximum(u, 0.0), [0.0]])
         force *= np.sqrt(force)
@@ -59,7 +59,7 @@ class Shooting:
         return np.concatenate([d + self.gamma * change, change])
 
     def equations(self, state):
-        """All equations, shape (2 contacts + 1,)."""
+        """Return all equations, shape (2 contacts + 1,)."""
         flow = solve_ivp(
             self.rates,
             (0.0, 1.0),
@@ -82,7 +82,7 @@ class Shooting:
         return np.append(values[-1], values[1:-1])
 
     def fields(self, state):
-        """u_n and velocities of the stored contacts."""
+        """Return u_n and velocities of the stored contacts."""
         u, d = np.split(state, 2)
         force = np.maximum(u, 0.0) ** 1.5
         w = np.flip(np.cumsum(np.flip(d)))
@@ -91,7 +91,7 @@ class Shooting:
 
 
 def solve_least_squares(problem, tolerance):
-    """Levenberg–Marquardt; returns the state and why it is none."""
+    """Solve by Levenberg–Marquardt; return the state and why it failed."""
     answer = least_squares(
         problem.equations,
         problem.start(),
@@ -104,14 +104,14 @@ def solve_least_squares(problem, tolerance):
 
 
 def _solve_hybr(problem, tolerance):
-    """Powell's hybrid method of MINPACK."""
+    """Solve by Powell's hybrid method of MINPACK."""
     options = {"xtol": tolerance}
     answer = root(problem.square_equations, problem.start(), method="hybr", options=options)
     return answer.x, "" if answer.success else " ".join(answer.message.split())
 
 
 def _solve_krylov(problem, tolerance):
-    """Newton's method with Krylov subspaces."""
+    """Solve by Newton's method with Krylov subspaces."""
     try:
         state = newton_krylov(
             problem.square_equations, problem.start(), f_tol=tolerance, maxiter=MOST_ITERATIONS

@@ -17,7 +17,7 @@ from functools import partial
 import numpy as np
 from scipy.integrate import solve_bvp, solve_ivp
 
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 
 RTOL_FLOOR = 100 * np.finfo(float).eps
 ABSOLUTE_OVER_RELATIVE = 1e-2
@@ -27,19 +27,19 @@ FIRST_NODES, MOST_NODES = 201, 200_000
 
 
 def planar(_, state, mu):
-    """(57)."""
+    """Return the right-hand side of (57)."""
     y, z = state
     return np.array([z, mu * z - y * np.log(np.maximum(np.abs(y), 1e-300))])
 
 
 def logarithmic(_, state, mu):
-    """The same in p = -ln y and v = p'."""
+    """Return the same in p = -ln y and v = p'."""
     p, v = state
     return np.array([v, v * v + mu * v - p])
 
 
 def _tail_slope(p, mu):
-    """The v of the stable manifold at a large p."""
+    """Return the v of the stable manifold at a large p."""
     return np.sqrt(p + 0.5 + 0.25 * mu**2) - 0.5 * mu
 
 
@@ -80,7 +80,7 @@ def _run_traced_logarithmic(mu, s, tolerance):
 
 
 def tail_start(mu, s):
-    """A p ahead of all s, from the tail of the orbit without damping, which is the steeper."""
+    """Return a p ahead of all s, from the steeper tail of the orbit without damping."""
     return 0.25 * (s[-1] + 3.0) ** 2 + TAIL_MARGIN / (1.0 + 0.01 * mu**2)
 
 
@@ -119,7 +119,7 @@ def _trace(right_hand_side, start, half, fields, s, options, tail_atol, front_at
 
 
 def _run_bvp(mu, s, tolerance):
-    """Collocation of fourth order on both sides of y(0) = ½."""
+    """Solve by collocation of fourth order on both sides of y(0) = ½."""
     p = np.linspace(np.log(2.0), BVP_END, FIRST_NODES)
     length = np.trapezoid(1.0 / _tail_slope(p, mu), p)
     lengths = np.array([s[0], max(s[-1], length)])

@@ -1,6 +1,6 @@
 """CVODE of SUNDIALS (scikit-sundae) on the chain, with a numpy right-hand side.
 
-Both methods solve for each new state by Newton's method; they are given the Jacobian and a sparse
+Both methods solve for each new state by Newton's method.  They use the Jacobian and a sparse
 factorisation, since the dense default costs (2N)³.
 """
 
@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from peers.chain_system import STEP_LIMIT, SparseJacobian, numpy_right_hand_side
-from peers.record import Run, Stopwatch, missing_package
+from peers.runs import Run, Stopwatch, missing_package
 
 
 def _run_cvode(system, rtol, atol, method):

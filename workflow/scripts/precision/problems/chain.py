@@ -1,8 +1,8 @@
 """Front initiation of James (2021), section 3.3, up to a stored long-double state.
 
 Our integrator solves it in strain form, and the same pair in (x, w) and (x, ẋ), without window and
-event location.  An absolute tolerance is a hundredth of the relative one for every method; of
-LAMMPS, a discrete-element code, a tolerance is the step.
+event location.  An absolute tolerance is a hundredth of the relative one for every method.  For
+LAMMPS, a discrete-element code, the tolerance is the step.
 """
 
 from functools import partial
@@ -28,7 +28,7 @@ from peers import (
     sundials_chain,
 )
 from peers.chain_system import front_initiation
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
 OURS = "strain_form"
@@ -44,7 +44,7 @@ PEERS = {
 
 
 def make_problem(problem, states):
-    """The driven chain of one entry of ``precision.chain``, with its stored reference."""
+    """Return the driven chain of one entry of ``precision.chain``, with its stored reference."""
     gamma, end = problem["gamma"], problem["end_time"]
     state = stored_state(states, "chain", gamma=gamma, t=end)
     system = front_initiation(gamma, end)
@@ -61,7 +61,7 @@ def make_problem(problem, states):
 
 
 def scene_of_system(system, boundary, start):
-    """A system as a scene of this project, which records the final state only."""
+    """Return a system as a scene of this project, which records the final state only."""
     return {
         "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
         "beads": system.beads,
@@ -73,7 +73,7 @@ def scene_of_system(system, boundary, start):
 
 
 def methods_for(scene, system):
-    """All methods on one motion, each of a relative tolerance."""
+    """Return all methods for one motion; each takes a relative tolerance."""
     forms = {"positions_and_w": position_forms.XW, "positions_and_velocities": position_forms.XV}
     return {
         OURS: partial(_run_strain_form, scene),
@@ -88,7 +88,7 @@ def _run_peer(solve, system, tolerance):
 
 
 def _run_strain_form(scene, tolerance):
-    """Our integrator."""
+    """Run our integrator."""
     run = prepare(scene)
     with Stopwatch() as watch:
         integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
@@ -103,7 +103,7 @@ def _run_strain_form(scene, tolerance):
 
 
 def _run_plain_form(form, scene, tolerance):
-    """The same pair in (x, w) or (x, ẋ)."""
+    """Run the same pair in (x, w) or (x, ẋ)."""
     law, boundary = make_law(scene["law"]), make_boundary(scene)
     system, y = position_forms.pack(form, law, boundary, *initial_state(scene, boundary))
     absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]

@@ -1,7 +1,8 @@
 """Exact fronts of the lattice, James (2021), section 6: u_n and velocities at whole ξ = n.
 
-Ours are the profile equation on the grid that it chooses itself, the same on a given grid, whose
-spacing stands for a tolerance, and shooting, whose tolerance is that of the residual.
+Ours are the profile equation on the grid that it chooses itself, the same on a given grid, and
+shooting.  The spacing of the given grid takes the place of a tolerance; shooting has a tolerance of
+the residual.
 """
 
 import math
@@ -23,7 +24,7 @@ from granular_fronts.fronts.properties import velocity
 from granular_fronts.fronts.shooting.solve import shoot_front
 from granular_fronts.numerics.interpolation import interpolate_all
 from peers import scipy_fronts
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
 ALPHA = 1.5
@@ -33,7 +34,7 @@ DECAY = 32.0
 
 
 def make_problem(problem, states):
-    """The front of one entry of ``precision.fronts``, with its stored reference."""
+    """Return the front of one entry of ``precision.fronts``, with its stored reference."""
     gamma, bead = problem["gamma"], states["bead"].values
     state = stored_state(states, "front", gamma=gamma)
     behind = max(-bead[0], math.ceil(DECAY / tail_roots(ALPHA, gamma)[0].real))
@@ -51,7 +52,7 @@ def make_problem(problem, states):
 
 
 def _run_profile(gamma, bead, _tolerance):
-    """The profile equation from nothing, window and grid included."""
+    """Solve the profile equation from nothing, window and grid included."""
     with Stopwatch() as watch:
         profile = solve_profile(power_problem(ALPHA, gamma, ALPHA))
         fields = {} if profile.reason else values_at(profile, bead)
@@ -59,7 +60,7 @@ def _run_profile(gamma, bead, _tolerance):
 
 
 def _run_profile_on_grid(gamma, bead, spacing):
-    """The same on a grid of a given spacing."""
+    """Solve the profile equation on a grid of a given spacing."""
     problem = power_problem(ALPHA, gamma, ALPHA)
     with Stopwatch() as watch:
         window = choose_window(problem)
@@ -71,7 +72,7 @@ def _run_profile_on_grid(gamma, bead, spacing):
 
 
 def values_at(profile, bead):
-    """Relative displacements and velocities of a profile at whole ξ."""
+    """Return the relative displacements and velocities of a profile at whole ξ."""
     xi, middle = bead.astype(float), profile.middle
     positions = xi / float(profile.spacing)
     return {
@@ -81,7 +82,7 @@ def values_at(profile, bead):
 
 
 def _run_shooting(gamma, bead, tolerance):
-    """Shooting by Gauss-Newton with the exact derivative of the flow."""
+    """Shoot by Gauss-Newton with the exact derivative of the flow."""
     with Stopwatch() as watch:
         shot = shoot_front(ALPHA, gamma, tolerance=tolerance)
     if not shot.converged:

@@ -1,6 +1,6 @@
 """The front of the logarithmic KdV–Burgers equation, James (2021), section 5.2.
 
-What is asked for are y and y' at given s.  Ours are the Taylor series traced from the tail, and for
+The results are y and y' at given s.  Ours are the Taylor series traced from the tail, and for
 strong damping the expansion of the slow manifold, which knows no tolerance.
 """
 
@@ -11,12 +11,12 @@ import numpy as np
 from granular_fronts.continuum.log_kdv_burgers.slow_manifold import STIFF_DAMPING, slow_orbit
 from granular_fronts.continuum.log_kdv_burgers.traced_orbit import USUAL_STEPS, trace_orbit
 from peers import scipy_heteroclinic
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
 
 def make_problem(problem, states):
-    """The orbit of one entry of ``precision.heteroclinic``, with its stored reference."""
+    """Return the orbit of one entry of ``precision.heteroclinic``, with its stored reference."""
     mu, s = problem["mu"], states["s"].values
     state = stored_state(states, "heteroclinic", mu=mu)
     peers = scipy_heteroclinic.METHODS.items()
@@ -32,7 +32,7 @@ def make_problem(problem, states):
 
 
 def _run_taylor_series(mu, s, tolerance):
-    """Taylor series from the far end of the tail."""
+    """Solve by Taylor series from the far end of the tail."""
     with Stopwatch() as watch:
         orbit = trace_orbit(mu, s[0], USUAL_STEPS._replace(tolerance=tolerance))
         p, v = orbit.evaluate(s)
@@ -40,13 +40,13 @@ def _run_taylor_series(mu, s, tolerance):
 
 
 def _run_slow_manifold(mu, s, _tolerance):
-    """Expansion of the slow manifold, for strong damping."""
+    """Expand the slow manifold, for strong damping."""
     with Stopwatch() as watch:
         p, v = slow_orbit(mu).evaluate(s)
     return finished(p, v, watch, np.nan)
 
 
 def finished(p, v, watch, steps):
-    """A run that ended in p and v."""
+    """Return a run that ended in p and v."""
     y = np.exp(-p)
     return Run({"rescaled_force": y, "slope": -v * y}, **watch.times, steps=steps)

@@ -1,6 +1,6 @@
 """The rings of James (2021), section 4.3, to their end by the logarithmic Burgers equation (50).
 
-Four schemes; a tolerance is the width of a cell over that of the ring, or the longest step:
+Four schemes; a tolerance is the width of a cell over the length of the ring, or the longest step:
 
 upwind          the paper's explicit scheme;
 finite_volumes  ours, with finer cells at the start;
@@ -9,8 +9,8 @@ fourier         the method of the equation with a third derivative (55), here wi
                 shares no scheme with ours.
 
 The start (49) has kinks; a smooth start of similar width shows the orders away from them.  The
-reference, finite volumes on fine cells, is computed and not stored, since it may be evaluated
-wherever a scheme has its points; its error is its distance to the Fourier method, also refined.
+reference, finite volumes on fine cells, is computed and not stored, since it must be evaluated at
+the points of each scheme.  Its error is its distance to the Fourier method, also refined.
 """
 
 from functools import partial
@@ -23,7 +23,7 @@ from granular_fronts.continuum.log_kdv_burgers.fourier_waves import Equation, va
 from granular_fronts.continuum.log_kdv_burgers.solution import follow
 from granular_fronts.model.amplitude_scaling import scaling_of
 from granular_fronts.reference_methods import upwind
-from peers.record import Run, Stopwatch
+from peers.runs import Run, Stopwatch
 from problems.problem import Problem, Reference
 
 # Error per step over the sixth power of the cell width: neither space nor time is wasted.
@@ -36,7 +36,7 @@ SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
 
 
 def make_problem(problem, _states=None):
-    """One ring of ``precision.log_burgers`` with its `scene`, from a `smooth` start or its own."""
+    """Return one ring of ``precision.log_burgers`` with `scene`, `smooth` start or its own."""
     scene, fine = problem["scene"], problem["reference"]
     if problem["smooth"]:
         scene = scene | {"start": _smooth_start()}
@@ -67,7 +67,7 @@ def make_problem(problem, _states=None):
 
 
 def _run_upwind(scene, accurate, width):
-    """The paper's scheme."""
+    """Run the paper's scheme."""
     points, half_length, end = round(1.0 / width), accurate.half_length, _end_of(scene)
     with Stopwatch() as watch:
         values = make_start(scene["start"]).values(upwind.grid(half_length, points), half_length)
@@ -77,7 +77,7 @@ def _run_upwind(scene, accurate, width):
 
 
 def _run_cells(scene, accurate, levels, width):
-    """Finite volumes."""
+    """Run the finite volumes."""
     cells = round(1.0 / width)
     tolerance = TOLERANCE_PER_WIDTH * (2.0 * accurate.half_length / cells) ** 6
     with Stopwatch() as watch:
@@ -93,7 +93,7 @@ def _run_cells(scene, accurate, levels, width):
 
 
 def _run_fourier(scene, accurate, points, longest_step):
-    """The Fourier method, of four right-hand sides per step, on ξ = ξ̃ + τ."""
+    """Run the Fourier method, with four right-hand sides per step, on ξ = ξ̃ + τ."""
     half_length, end = accurate.half_length, _end_of(scene)
     equation = Equation(half_length, 1.0, 0.0, SMALLEST_ARGUMENT)
     # `follow` takes half of the steps that it is shown.
@@ -115,17 +115,17 @@ def _run_fourier(scene, accurate, points, longest_step):
 
 
 def _end_of(scene):
-    """τ at the end."""
+    """Return τ at the end."""
     return scaling_of(scene).slow_rate * scene["end_time"]
 
 
 def _distances(accurate, xi, values):
-    """Distances of Y to the reference at the points of a scheme."""
+    """Return the distances of Y to the reference at the points of a scheme."""
     return {"rescaled_force": values - accurate.rescaled_force(0, xi)}
 
 
 def _smooth_start():
-    """An analytic bump of height 1: exp of a cosine."""
+    """Return an analytic bump of height 1: exp of a cosine."""
     angle = np.pi * np.linspace(-1.0, 1.0, SMOOTH_POINTS)
     force = np.exp(SMOOTH_SHARPNESS * (np.cos(angle) - 1.0))
     force[-1] = force[0]

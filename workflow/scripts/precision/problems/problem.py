@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from peers.record import Run
+from peers.runs import Run
 
 
 class Reference(NamedTuple):
@@ -20,7 +20,7 @@ class Reference(NamedTuple):
 class Problem(NamedTuple):
     """What is solved, and by whom."""
 
-    ours: str  # the method that this project stands for
+    ours: str  # the method of this project
     reference: Mapping[str, Reference]  # one for each field of the solution
     methods: Mapping[str, Callable[[float], Run]]  # each takes a tolerance
     # Of methods that the configuration gives grids or steps for.
@@ -33,7 +33,7 @@ class Problem(NamedTuple):
 
 
 def errors_of(run, reference):
-    """Errors of a run against the answer, none smaller than that of the answer itself.
+    """Return the errors of a run against the answer, at least the error of the answer.
 
     `error`, the largest of all fields; `below_reference`, whether the answer is too coarse to
     measure it; `<field>_error_sup` and `<field>_error_rms`.  Empty for a run without a result.
@@ -53,7 +53,7 @@ def errors_of(run, reference):
 
 
 def stored_state(states, family, **wanted):
-    """The entry of a family's stored reference with the wanted coordinates, or a refusal."""
+    """Return the entry of a family's stored reference with the wanted coordinates, or a refusal."""
     same = np.logical_and.reduce([states[name] == value for name, value in wanted.items()])
     if not same.any():
         listed = " and ".join(f"{name} = {value}" for name, value in wanted.items())
@@ -65,7 +65,7 @@ def stored_state(states, family, **wanted):
 
 
 def read_reference(state, names):
-    """The answer from an entry with `<name>`, `<name>_low` and `<name>_error` for each name."""
+    """Return the answer of an entry with `<name>`, `<name>_low`, `<name>_error` for each name."""
     return {
         name: Reference(
             state[name].values, state[f"{name}_low"].values, float(state[f"{name}_error"])

@@ -1,6 +1,6 @@
 """The ring of James (2021), section 4.3, α = 3/2, up to a stored long-double state.
 
-The start is stored beside that state, so that every method has the same one to the last digit.
+The start is stored with that state, so that every method has the same one to the last digit.
 """
 
 from peers.chain_system import ChainSystem
@@ -9,7 +9,7 @@ from problems.problem import Problem, read_reference, stored_state
 
 
 def make_problem(problem, states):
-    """The ring of one entry of ``precision.ring``, up to its stored state."""
+    """Return the ring of one entry of ``precision.ring``, up to its stored state."""
     end = problem["end_time"]
     state = stored_state(states, "ring", t=end)
     contacts, velocities = (states[f"{name}_start"].values for name in chain.FIELDS)

@@ -1,8 +1,8 @@
 """What is true, by programs that are independent of the package that they judge.
 
 Each module has ``cases(seed, count)``, which yields of random problems the name of a number, its
-stated error, its true one and the largest value it was found among.  They stand beside the scripts
-and not in the package, so that rules and tests run the same cases and the package cannot use them.
+stated error, its true one and the largest value it was found among.  They belong to the scripts and
+not to the package.  So rules and tests run the same cases, and the package cannot use them.
 """
 
 from collections.abc import Iterable
@@ -10,12 +10,12 @@ from collections.abc import Iterable
 import numpy as np
 
 UNITS_OF_ROUNDING = 4
-# Share of numbers of which nothing may be claimed though they are what they should be.
+# Share of correct numbers about which nothing can be claimed.
 MOST_SILENT = 0.01
 
 
 def ratio(stated: float, true: float, largest: float) -> float:
-    """True over stated error, of what exceeds four units in the last place of the largest value."""
+    """Return true over stated error, if above four units in the last place of the largest."""
     if stated == np.inf:
         return 0.0  # Nothing is claimed.
     beyond = true - UNITS_OF_ROUNDING * float(np.spacing(largest))
@@ -25,7 +25,7 @@ def ratio(stated: float, true: float, largest: float) -> float:
 
 
 def hold(found: Iterable[tuple[str, float, float, float]], share: float = 1.0) -> bool:
-    """Whether stated errors are honest: a share within twice, all within ten times, few too wide.
+    """Return whether stated errors are honest: a share within twice, all within ten times.
 
     A problem that was refused has no numbers and is no honest answer.
     """

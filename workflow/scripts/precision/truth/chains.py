@@ -1,4 +1,4 @@
-"""Random chains: what the package states of its errors beside the errors themselves."""
+"""Random chains: the errors that the package states, and the true errors."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -18,7 +18,7 @@ RESOLVED = 1e-17
 
 
 def _random_law(rng: np.random.Generator) -> tuple[dict[str, Any], float]:
-    """A law, and the size of the compressions that suit it."""
+    """Return a law, and the size of the compressions that suit it."""
     gamma = float(rng.choice([0.0, 1.0, 1.0, 1.0, 1.0])) * 10 ** rng.uniform(-2, 0.3)
     gamma = 10 ** rng.uniform(0.3, 1.5) if rng.random() < 0.07 else gamma
     alpha, beta = map(float, rng.choice(EXPONENTS, 2))
@@ -55,7 +55,7 @@ def _viscous(kind, gamma, beta=1.5):
 
 
 def random_scene(rng: np.random.Generator) -> dict[str, Any]:
-    """A scene of the schema, small enough for the reference."""
+    """Return a scene of the schema, small enough for the reference."""
     law, size = _random_law(rng)
     beads = int(rng.integers(2, 13) if rng.random() < 0.8 else rng.integers(13, 31))
     end = round(10 ** rng.uniform(-1, 1.5), int(rng.integers(1, 4)))
@@ -103,7 +103,7 @@ def random_scene(rng: np.random.Generator) -> dict[str, Any]:
 
 
 def _truths(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str, Any]:
-    """What the variables of a dataset should hold; of events, see `events`."""
+    """Return what the variables of a dataset should hold; of events, see `events`."""
     true = {}
     for name in ("", "_grid", *(f"_{probe}" for probe in scene["record"].get("probes", {}))):
         variable = data.get(f"relative_displacement{name}")
@@ -121,10 +121,10 @@ def _truths(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str
 
 
 def events(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str, Any]:
-    """Arrivals, first peaks, extremes and the first gap.
+    """Return the arrivals, first peaks, extremes and the first gap.
 
-    Where two extremes are as large within the stated error, time and bead may be those of either:
-    the nearer one counts.
+    Where two extremes are equal within the stated error, time and bead may belong to either; the
+    nearer one counts.
     """
     turns, opened = motion.passages(), motion.passages(0.0)
     true: dict[str, Any] = {}

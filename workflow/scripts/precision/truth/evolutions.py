@@ -1,4 +1,4 @@
-"""The amplitude equations on a ring by other steps, and how wrong those of the package are.
+"""The amplitude equations on a ring by other steps, and the true errors of the package.
 
 The equations are solved for Fourier amplitudes by the exponential steps of Cox and Matthews, J.
 Comput. Phys. 176 (2002) 430-455, with coefficients that are means over circles, each step taken
@@ -51,7 +51,7 @@ class Ring:
         self.step = functools.cache(self.make_step)
 
     def rest(self, amplitudes):
-        """Rates that are not linear, two thirds of the waves kept."""
+        """Return the rates that are not linear, two thirds of the waves kept."""
         v = np.fft.irfft(amplitudes, self.points, norm="forward")
         if self.alpha == 1.0:
             flux = v * np.log(np.maximum(np.abs(v), SMALLEST))
@@ -66,7 +66,7 @@ class Ring:
         return rates
 
     def make_step(self, halvings):
-        """Coefficients of a step of length 2^(−halvings)."""
+        """Return the coefficients of a step of length 2^(−halvings)."""
         h = 2.0**-halvings
         z = h * self.rates[:, None] + CIRCLE
         exponential = np.exp(z)
@@ -78,7 +78,7 @@ class Ring:
         return np.exp(h * self.rates), np.exp(0.5 * h * self.rates), *means
 
     def take(self, u, halvings):
-        """Amplitudes after one step."""
+        """Return the amplitudes after one step."""
         whole, halfway, half, first, middle, last = self.step(halvings)
         n = self.rest(u)
         a = halfway * u + half * n
@@ -115,7 +115,7 @@ class Ring:
                 self.step = functools.cache(self.make_step)
 
     def values(self, tau, xi):
-        """Values of y at any ξ, by a step of first order to a slow time just ahead."""
+        """Return the values of y at any ξ, by a step of first order to a slow time just ahead."""
         rates = self.rest(self.amplitudes) + self.rates * self.amplitudes
         amplitudes = self.amplitudes + (tau - self.tau) * rates
         waves = np.flatnonzero(np.abs(amplitudes) > 1e-17)[-1] + 1
@@ -127,7 +127,7 @@ class Ring:
 
 
 def _plateau_amplitudes(half_width, floor, half_length):
-    """Amplitudes of the start (49), by parts."""
+    """Return the amplitudes of the start (49), by parts."""
     kappa = np.pi * np.arange(1, POINTS // 2 + 1) / half_length
     fall = math.sqrt(1.0 - floor)
 
@@ -145,7 +145,7 @@ def _plateau_amplitudes(half_width, floor, half_length):
 
 
 def _given_amplitudes(values, power):
-    """Amplitudes of the power of a start that is listed at points."""
+    """Return the amplitudes of the power of a start that is listed at points."""
     found = np.fft.rfft(np.asarray(values[:-1]) ** power, norm="forward")
     if len(values) % 2:
         # The last wave of an even number of points counts once there, and twice among more.
@@ -161,7 +161,7 @@ EQUATIONS = {
 
 
 def compare(equation, scene):
-    """(name, stated error, true error, largest value) of the answer at all times of a scene."""
+    """Return (name, stated error, true error, largest value) of the answer at all times."""
     found = EQUATIONS[equation](scene)["rescaled_force"]
     scales = scaling_of(scene)
     half_length = scales.half_length(scene["half_beads"])
@@ -183,7 +183,7 @@ def compare(equation, scene):
 
 
 def random_scene(rng, equation):
-    """A scene of one equation on a ring."""
+    """Return a scene of one equation on a ring."""
     alpha, epsilon = 1.0 + float(10 ** rng.uniform(-2.0, -0.2)), float(rng.uniform(0.1, 1.0))
     delta = float(rng.uniform(0.5, 2.0))
     gamma = gamma_for(alpha, delta, epsilon=epsilon)

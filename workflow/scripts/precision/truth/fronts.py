@@ -1,4 +1,4 @@
-"""Fronts in extended precision by Fourier's method, and how wrong those of the package are.
+"""Fronts in extended precision by Fourier's method, and the true errors of the package.
 
 The profile equation is solved again on a longer window and a finer grid.  Its convolutions are
 multiplications of Fourier amplitudes, its forces are written once more, and the residual is taken
@@ -27,35 +27,35 @@ ENOUGH = 0.5
 
 
 def hertz(r, order, alpha, stiffness=1):
-    """V' (order 1) or V'' of (−r)₊^(α+1)/(α + 1)."""
+    """Return V' (order 1) or V'' of (−r)₊^(α+1)/(α + 1)."""
     u = np.maximum(-r, Number(0))
     return stiffness * (-(u**alpha) if order == 1 else alpha * u ** (alpha - 1))
 
 
 def power(r, order, beta, gamma):
-    """W' or W'' of a viscous power."""
+    """Return W' or W'' of a viscous power."""
     return hertz(r, order, beta, gamma)
 
 
 def linear(r, order, gamma):
-    """W' or W'' of a dashpot."""
+    """Return W' or W'' of a dashpot."""
     return gamma * (r if order == 1 else np.ones_like(r))
 
 
 def toda(r, order, rate=1, strength=1):
-    """V' or V'' of the Toda potential."""
+    """Return V' or V'' of the Toda potential."""
     return strength * (-np.expm1(-rate * r) if order == 1 else rate * np.exp(-rate * r))
 
 
 def fpu(r, order, quadratic=1, cubic=0, quartic=0):
-    """V' or V'' of the Fermi–Pasta–Ulam potential."""
+    """Return V' or V'' of the Fermi–Pasta–Ulam potential."""
     if order == 1:
         return quadratic * r + cubic * r**2 + quartic * r**3
     return quadratic + 2 * cubic * r + 3 * quartic * r**2
 
 
 def morse(r, order, rate=1, depth=1):
-    """V' or V'' of the Morse potential."""
+    """Return V' or V'' of the Morse potential."""
     decay = np.exp(-rate * r)
     if order == 1:
         return -2 * depth * rate * decay * np.expm1(-rate * r)
@@ -63,7 +63,7 @@ def morse(r, order, rate=1, depth=1):
 
 
 def lennard_jones(r, order, distance=1, depth=1):
-    """V' or V'' of the Lennard-Jones potential with its minimum at r = 0."""
+    """Return V' or V'' of the Lennard-Jones potential with its minimum at r = 0."""
     s = 1 + r / distance
     if order == 1:
         return -12 * depth / distance * (s**-13 - s**-7)
@@ -76,7 +76,7 @@ SHAPES = {
 
 
 def _force_of(mapping, elastic=None):
-    """``force(r, order)`` of a described potential."""
+    """Return ``force(r, order)`` of a described potential."""
     given = {name: Number(value) for name, value in mapping.items() if name != "kind"}
     if mapping["kind"] == "proportional":
         return lambda r, order: given["gamma"] * elastic(r, order)
@@ -130,14 +130,14 @@ class TrueFront:
             self.solve()
 
     def p(self, s, order=1):
-        """p(s), or p'(s) for order 2."""
+        """Return p(s), or p'(s) for order 2."""
         r = self.ahead + self.jump * s
         if order == 2:
             return self.elastic(r, 2) / self.speed**2
         return (self.elastic(r, 1) - self.ahead_force) / (self.speed**2 * self.jump)
 
     def q(self, s, order=1):
-        """q(s), or q'(s) for order 2."""
+        """Return q(s), or q'(s) for order 2."""
         r = self.ahead + self.jump * s
         if order == 2:
             return self.viscous(r, 2) / self.speed
@@ -165,7 +165,7 @@ class TrueFront:
         self.site, self.back = np.exp(-1j * half) * sinc, np.exp(-2j * half)
 
     def pulse(self, function=lambda s: s):
-        """Amplitudes of a function of s, where s is 1 before the first point and 0 after the last.
+        """Return amplitudes of a function of s; s is 1 before the first point, 0 after the last.
 
         A state behind that were left to the first point would not be held by any equation.
         """
@@ -175,7 +175,7 @@ class TrueFront:
         return np.fft.rfft(function(whole) * self.ramp)
 
     def on_points(self, amplitudes):
-        """Values at the points of the front."""
+        """Return the values at the points of the front."""
         return np.fft.irfft(amplitudes, self.pulse_size)[self.left : self.left + self.s.size]
 
     def solve(self):
@@ -203,7 +203,7 @@ class TrueFront:
         self.defect, self.tail = float(speed - 1), float(tail)
 
     def factors(self):
-        """The matrix of the package's rules for the start, factorised by LAPACK."""
+        """Return the matrix of the package's rules for the start, factorised by LAPACK."""
         weights = kernel_weights(self.spacing, 20)
         w, n, middle = weights.hat.size // 2, self.s.size, self.middle
         s = self.s.astype(float).astype(Number)
@@ -233,13 +233,13 @@ class TrueFront:
         return solve, slope[0], border, solve(right)
 
     def velocity(self):
-        """ẋ at the points."""
+        """Return ẋ at the points."""
         p, q = self.pulse(self.p), self.pulse(self.q)
         share = self.on_points(self.site * p + self.back * q) - self.q(self.s)
         return -self.speed * (self.ahead + self.jump * share)
 
     def at(self, xi, amplitudes):
-        """A sum of waves at one ξ."""
+        """Return a sum of waves at one ξ."""
         place = Number(xi) - self.xi[0] + self.left * self.h
         terms = 2 * (amplitudes * np.exp(1j * self.k * place)).real
         terms[0] /= 2
@@ -247,20 +247,20 @@ class TrueFront:
         return terms.sum() / self.pulse_size
 
     def root(self, xi, amplitudes, level):
-        """Where a sum of waves has a value, next to ξ."""
+        """Return where a sum of waves has a value, next to ξ."""
         slope = 1j * self.k * amplitudes
         for _ in range(6):
             xi = xi - (self.at(xi, amplitudes) - level) / self.at(xi, slope)
         return xi
 
     def largest(self, amplitudes):
-        """The largest value of a sum of waves."""
+        """Return the largest value of a sum of waves."""
         top = int(np.argmax(self.on_points(amplitudes)))
         place = self.root(self.xi[top], 1j * self.k * amplitudes, 0)
         return self.at(place, amplitudes)
 
     def measures(self):
-        """Overshoot, width, slope and dissipated power."""
+        """Return the overshoot, width, slope and dissipated power."""
         waves, size = self.pulse(), np.abs(self.jump)
         slope = 1j * self.k * waves
         levels = []
@@ -310,7 +310,7 @@ def compare(front, law, behind, ahead, rng):
 
 
 def _random_front(rng):
-    """Law and states of a front of any kind."""
+    """Return the law and states of a front of any kind."""
     kind = rng.choice(["powers"] * 5 + ["toda", "toda", "fpu", "morse", "lennard_jones"])
     gamma = float(10 ** rng.uniform(-2.3, 1.9))
     if kind == "powers":

@@ -1,4 +1,4 @@
-"""What a solve gives back, ours or a peer's."""
+"""The result of a run of one method, ours or a peer's."""
 
 import importlib.util
 import time
@@ -10,11 +10,11 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Run:
-    """One solve."""
+    """One run of a method on a problem."""
 
     # The solution, under the names of the reference; empty without a result.
     fields: Mapping[str, np.ndarray] = field(default_factory=dict)
-    seconds: float = np.nan  # wall-clock time of the solve alone
+    seconds: float = np.nan  # wall-clock time of only the solve
     cpu_seconds: float = np.nan  # processor time, likewise
     right_hand_sides: float = np.nan  # NaN where the tool does not report it
     steps: float = np.nan
