@@ -103,7 +103,8 @@ def public_names() -> str:
         lines += ["", f"## {group.title}", "", group.words, "", "| name | what |", "|---|---|"]
         for name, value in _members(group):
             place = f"api_{group.page}.md#{name.lower().replace('.', '')}"
-            sentence = inspect.getdoc(value).split("\n\n")[0].replace("\n", " ").replace("|", "\\|")
+            sentence = " ".join(inspect.getdoc(value).split("\n\n")[0].split())
+            sentence = re.sub(r":math:`([^`]*)`", r"$\1$", sentence).replace("|", "\\|")
             lines.append(f"| [`{name}`]({place}) | {sentence} |")
     pages = [f"api_{group.page}" for group in GROUPS]
     return "\n".join([*lines, "", "```{toctree}", ":hidden:", *pages, "```"]) + "\n"

@@ -6,14 +6,11 @@ from projects import ROOT
 
 SENTENCES = load_script("sentences")
 PAGES = {page: page.read_text(encoding="utf-8") for page in load_script("measured").pages()}
-# Lists of links, of packages, and of what changed.
-NO_PROSE = ("dependencies.md", "bibliography.md")
 LENGTHS = {
     page.relative_to(ROOT).as_posix(): [
         len(SENTENCES.words(one)) for one in SENTENCES.sentences(text)
     ]
     for page, text in PAGES.items()
-    if page.name not in NO_PROSE
 }
 
 
