@@ -124,7 +124,10 @@ def solve_front(
     Examples
     --------
     >>> front = gf.solve_front(
-    ...     law={"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}},
+    ...     law={
+    ...         "elastic": {"kind": "toda"},
+    ...         "viscous": {"kind": "linear", "gamma": 0.3},
+    ...     },
     ...     states=(-2.0, 0.0),
     ... )
     >>> round(front.attrs["speed"], 3)

@@ -276,7 +276,9 @@ def damping_from_restitution(
     Examples
     --------
     >>> k = gf.sphere_stiffness(radius=0.01, youngs_modulus=200e9, poisson_ratio=0.3)
-    >>> damping = gf.damping_from_restitution(0.9, impact_velocity=1.0, mass=0.033, stiffness=k)
+    >>> damping = gf.damping_from_restitution(
+    ...     0.9, impact_velocity=1.0, mass=0.033, stiffness=k
+    ... )
     >>> print(f"{damping:.3e} s")
     1.174e-06 s
     """
