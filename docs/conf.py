@@ -1,15 +1,24 @@
 """Manual of granular-fronts; `make docs` builds it of these pages, docstrings and results."""
 
+import re
 import sys
 from importlib import import_module
 from pathlib import Path
 
+from docutils import nodes
+from sphinx import addnodes
+from sphinx.transforms import SphinxTransform
+
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "src")]
+generate, links, measured = map(import_module, ("generate", "links", "measured"))
 
 project = "granular-fronts"
 author = "The granular-fronts maintainers"
-version = release = import_module("granular_fronts").__version__
+package = import_module("granular_fronts")
+version = release = package.__version__
+# Names are shown as a user writes them: gf.solve_front.
+sys.modules |= {"gf": package, "gf.plot": package.plot}
 
 # Formulas are set by a copy of MathJax in the manual, so that it is read without a network.
 extensions = [
@@ -32,23 +41,78 @@ nb_execution_raise_on_error = True
 nb_ipywidgets_js = {}
 
 autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+default_role = "py:obj"
 numpydoc_show_class_members = False
 
 html_theme = "pydata_sphinx_theme"
 html_title = "granular-fronts"
 html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
+html_context = {"default_mode": "auto"}
+html_static_path = ["_static"]
+html_css_files = ["manual.css"]
+html_show_sourcelink = False
+html_copy_source = False
 
 
 RESULTS = HERE.parent / "results"
+SHOWN = set(links.TEXTS)
+"""Files that a page links to: they are shown as pages of their own."""
+
+UNLINKED = (nodes.FixedTextElement, nodes.literal, nodes.math, nodes.reference, nodes.title)
+UNLINKED += (nodes.raw, addnodes.pending_xref, addnodes.desc_signature)
+
+
+class Links(SphinxTransform):
+    """Link what the text of a page names, and show the files that it links to."""
+
+    default_priority = 750
+
+    def apply(self):
+        """Change one page."""
+        page, folder = self.env.docname, Path(self.env.srcdir, self.env.docname).parent
+        up = "../" * page.count("/")
+        for node in list(self.document.findall(addnodes.download_reference)):
+            SHOWN.add(file := (folder / node["reftarget"]).resolve())
+            uri = f"{up}sources/{file.relative_to(links.ROOT)}.html"
+            node.replace_self(nodes.reference("", "", *node.children, refuri=uri))
+        for node in list(self.document.findall(nodes.Text)):
+            parent, text, new, end = node.parent, node.astext(), [], 0
+            while parent and not isinstance(parent, UNLINKED):
+                parent = parent.parent
+            for start, stop, place in [] if parent else links.links_in(text):
+                if not place.startswith(f"{page}.html"):
+                    link = nodes.reference("", text[start:stop], refuri=f"{up}{place}")
+                    new, end = [*new, nodes.Text(text[end:start]), link], stop
+            if new:
+                node.parent.replace(node, [*new, nodes.Text(text[end:])])
+
+
+def show_files(app):
+    """Write a page for each file that is linked to, with an anchor for each line."""
+    for file in sorted(SHOWN):
+        text, name = file.read_text("utf-8"), str(file.relative_to(links.ROOT))
+        language = {".py": "python", ".yaml": "yaml"}.get(file.suffix, "text")
+        body = app.builder.highlighter.highlight_block(
+            text, language, linenos="inline", lineanchors="L"
+        )
+        yield f"sources/{name}", {"title": name, "body": f"<h1>{name}</h1>{body}"}, "page.html"
 
 
 def setup(app):
-    """Write the pages that follow from code and results, and fill in the measured numbers."""
-    import_module("generate").write_pages(HERE / "generated", RESULTS)
-    measured = import_module("measured")
+    """Write the pages that follow from code and results, and fill in numbers and pictures."""
+    generate.write_pages(HERE / "generated", RESULTS)
     numbers = measured.load_numbers(RESULTS)
 
-    def fill_page(_app, _name, source):
-        source[0] = measured.fill(source[0], numbers)
+    def fill_page(_app, name, source):
+        source[0] = generate.fill_pictures(measured.fill(source[0], numbers), name, RESULTS)
+
+    def name_as_used(_app, _what, _name, _value, _options, lines):
+        lines[:] = [
+            re.sub(r"`granular_fronts\.(\w+(?:\.\w+)?)`", r"`gf.\1`", line) for line in lines
+        ]
 
     app.connect("source-read", fill_page)
+    app.connect("autodoc-process-docstring", name_as_used)
+    app.connect("html-collect-pages", show_files)
+    app.add_transform(Links)

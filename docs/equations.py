@@ -1,4 +1,4 @@
-"""Write equations.md: where each equation of the paper stands in the package, from its docstrings.
+"""Write equations.md: which modules hold each equation of the paper, from their docstrings.
 
 A docstring names an equation by its number in parentheses, as in "eq. (31)", "eqs. (24)-(32)" or
 "obeys (57)"; numbers inside formulas do not count.  An equation is written out in the docstring of
@@ -33,14 +33,14 @@ MEANINGS = {
     4: "generalised Hertz potentials",
     5: "the lattice, in condensed form",
     6: "local balance of energy",
-    7: "travelling wave, xₙ(t) = X(n − ct)",
+    7: r"travelling wave, $x_n(t) = X(n - ct)$",
     8: "advance–delay equation, integrated once",
     9: "balance of energy of a travelling wave",
-    10: "states of a front, X′ → R± far away",
-    11: "limits of the differences of X",
-    12: "velocities far away, −cR±",
+    10: r"states of a front, $X' \to R_\pm$ far away",
+    11: "limits of the differences of $X$",
+    12: r"velocities far away, $-cR_\pm$",
     13: "speed from the jump of the force",
-    14: "speed and direction, c = σ|c|",
+    14: r"speed and direction, $c = \sigma|c|$",
     15: "balance of energy, integrated over a front",
     16: "dissipation is positive",
     17: "direction σ, the sign of the area between force and chord",
@@ -50,23 +50,23 @@ MEANINGS = {
     21: "front of generalised Hertz contacts: speed from compression",
     22: "the same: velocity of the beads from compression",
     23: "the same: speed from velocity",
-    24: "the dissipative granular chain of N beads",
+    24: "the dissipative granular chain of $N$ beads",
     25: "pressure at the ends",
     26: "ring of beads",
     27: "units of time and length",
     28: "the dimensionless chain",
     29: "dimensionless damping γ",
-    30: "γ in units of a front, γ₀c",
+    30: r"γ in units of a front, $\gamma_0 c$",
     31: "generalised velocity w",
     32: "its equation of motion",
     33: "velocities behind a front",
     34: "w and velocity agree far behind a front",
-    35: "generalised Kuwabara–Kono chain, β = α",
+    35: r"generalised Kuwabara–Kono chain, $\beta = \alpha$",
     36: "its relative displacements",
-    37: "slowly varying waves, u = δ y^(1/α)",
+    37: r"slowly varying waves, $u = \delta\,y^{1/\alpha}$",
     38: "orders kept in the expansion",
     39: "the expansion, integrated once",
-    40: "amplitude equation at α above 1, with the flux f_α",
+    40: r"amplitude equation at α above 1, with the flux $f_\alpha$",
     41: "logarithmic Burgers equation",
     42: "acceleration of the beads in slow variables",
     43: "velocity of the beads to first order",
@@ -84,17 +84,20 @@ MEANINGS = {
     55: "logarithmic KdV–Burgers equation",
     56: "stationary waves: a particle in a double well, with negative damping",
     57: "the planar system",
-    58: "q = z² along an orbit",
-    59: "the same, continued through q = 0",
+    58: "$q = z^2$ along an orbit",
+    59: "the same, continued through $q = 0$",
 }
 
 PREAMBLE = (
-    "Made from the docstrings of the package by `python docs/equations.py`; a test keeps it true.",
-    "Paths are below `src/granular_fronts`. **Bold** modules write the equation out, the others",
-    "use it. Section 6, exact fronts, is missing from our copy of the paper: see `fronts`.",
+    "This index is made from the docstrings of the package by `python docs/equations.py`. Paths",
+    "are below `src/granular_fronts`. **Bold** modules write the equation out, the others use it.",
+    "Our copy of the paper has no section 6: see [exact fronts](theory/exact_fronts.md).",
 )
 
-REFERENCE = re.compile(r"(?<![\w)\]])\((\d{1,2})\)(?:\s*[-–]\s*\((\d{1,2})\))?")
+BAR = r"\|"
+"""A bar inside a cell of a table."""
+
+REFERENCE = re.compile(r"(?<![\w)\]'’′])\((\d{1,2})\)(?:\s*[-–]\s*\((\d{1,2})\))?")
 FORMULA = re.compile(r":math:`[^`]*`|^( *)\.\. math::.*\n(?:\1 +.*\n|\n)*", re.MULTILINE)
 
 
@@ -127,12 +130,13 @@ def find_equations(package=PACKAGE):
 
 def make_page(written, used):
     """The index as Markdown."""
-    lines = ["# Equations of the paper, and where they stand", "", *PREAMBLE]
+    lines = ["# Equations of the paper and their modules", "", *PREAMBLE]
     for title, _, section in SECTIONS:
         lines += ["", f"## {title}", "", "| equation | what it says | modules |", "|---|---|---|"]
         for number in section:
             modules = _modules_in_words(written[number], used[number])
-            lines.append(f"| ({number}) | {MEANINGS[number]} | {modules} |")
+            row = f'<a id="eq-{number}"></a>({number})', MEANINGS[number], modules
+            lines.append(f"| {' | '.join(cell.replace('|', BAR) for cell in row)} |")
     return "\n".join(lines) + "\n"
 
 

@@ -5,18 +5,26 @@ The manual's build writes them into docs/generated, so that no name, range or nu
 
 import inspect
 import json
-from collections.abc import Iterator, Mapping
+import re
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import yaml
+from configuration import campaign_page, configuration_page
 
 import granular_fronts
 from granular_fronts.output.datasets import long_names
-from granular_fronts.scenes.schema import load_schema
 
 ROOT = Path(__file__).parents[1]
 WORKFLOW = ROOT / "workflow"
+
+
+def _read_yaml(name: str) -> Any:
+    """A YAML file of the workflow."""
+    return yaml.safe_load((WORKFLOW / name).read_text(encoding="utf-8"))
+
+
+FIGURES = _read_yaml("figures.yaml")
 
 
 def write_pages(folder: Path, results: Path) -> None:
@@ -39,9 +47,11 @@ def write_pages(folder: Path, results: Path) -> None:
     folder.mkdir(exist_ok=True)
     made = {
         "public_names": public_names(),
-        "configuration": _configuration(load_schema("config")),
+        **{f"api_{group.page}": group_page(group) for group in GROUPS},
+        "configuration": configuration_page(),
+        "campaigns": campaign_page(),
         "variables": _variables(),
-        "figures": _figures(results),
+        "figures": figures_page(results),
         "paper_numbers": _tables(results, ["paper_numbers"]),
         "findings": _tables(results, ["findings"]),
         "tables": _tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
@@ -53,93 +63,73 @@ def write_pages(folder: Path, results: Path) -> None:
             page.write_text(text, encoding="utf-8")
 
 
-def _read_yaml(name: str) -> Any:
-    """A YAML file of the workflow."""
-    return yaml.safe_load((WORKFLOW / name).read_text(encoding="utf-8"))
+class Group(NamedTuple):
+    """Public names that belong together, shown on a page with a picture."""
+
+    page: str
+    title: str
+    words: str
+    figure: str
+
+
+GROUPS = (
+    Group("chains", "Chains", "Integrate the motion of a chain or of a ring of beads.", "1"),
+    Group("fronts", "Fronts", "Solve a front of the lattice, its tail and its stability.", "9"),
+    Group("equations", "Amplitude equations", "Solve the long-wave equations of the chain.", "8"),
+    Group("laws", "Laws and scaling", "Choose a contact law, and convert real beads.", "17"),
+    Group("proofs", "Proofs", "Prove that a front exists, and check a proof.", "24"),
+    Group("plots", "Plots", "Draw a dataset in one line.", "13"),
+)
+
+NAMES = {
+    "chains": "simulate_chain",
+    "fronts": """solve_front evaluate_front sweep_fronts tail_roots critical_damping
+        front_multipliers""",
+    "equations": "log_burgers_front heteroclinic evolve_log_burgers evolve_log_kdv_burgers",
+    "laws": """make_law Potential jump_conditions collide restitution damping_for_restitution
+        Scaling sphere_stiffness damping_from_restitution""",
+    "proofs": "prove_front check_certificate",
+    "plots": "plot",
+}
+"""Public names by the page of their group."""
 
 
 def public_names() -> str:
-    """Every public name with its docstring."""
-    lines = ["# Python", "", "Names of `granular_fronts`, each imported when it is first used."]
-    for name in granular_fronts.__all__:
+    """The groups of public names, each name with the first sentence of its docstring."""
+    lines = ["# Python", "", "```python", "import granular_fronts as gf", "```", ""]
+    lines += ["Every argument and result is dimensionless, except those of `gf.Scaling` and of the"]
+    lines += ["functions beside it. Every example on these pages is run by a test."]
+    for group in GROUPS:
+        lines += ["", f"## {group.title}", "", group.words, "", "| name | what |", "|---|---|"]
+        for name, value in _members(group):
+            place = f"api_{group.page}.md#{name.lower().replace('.', '')}"
+            sentence = " ".join(inspect.getdoc(value).split("\n\n")[0].split())
+            sentence = re.sub(r":math:`([^`]*)`", r"$\1$", sentence).replace("|", "\\|")
+            lines.append(f"| [`{name}`]({place}) | {sentence} |")
+    pages = [f"api_{group.page}" for group in GROUPS]
+    return "\n".join([*lines, "", "```{toctree}", ":hidden:", *pages, "```"]) + "\n"
+
+
+def _members(group: Group) -> list[tuple[str, Any]]:
+    """Names of a group as a user writes them, those of a module one by one."""
+    found = []
+    for name in NAMES[group.page].split():
+        value = getattr(granular_fronts, name)
+        inside = value.__all__ if inspect.ismodule(value) else []
+        found += [(f"gf.{name}.{one}", getattr(value, one)) for one in inside]
+        found += [] if inside else [(f"gf.{name}", value)]
+    return found
+
+
+def group_page(group: Group) -> str:
+    """A group of public names with their docstrings."""
+    lines = [f"# {group.title}", "", group.words, "", f"<!-- figure {group.figure} -->"]
+    for name, value in _members(group):
+        kind = "class" if inspect.isclass(value) else "function"
+        members = ["   :members:"] if kind == "class" else []
         # Docstrings are reStructuredText.
-        lines += ["", f"## {name}", "", "```{eval-rst}", *_directive(name), "```"]
+        lines += ["", f"## {name}", "", "```{eval-rst}", f".. auto{kind}:: {name}", *members, "```"]
     return "\n".join(lines) + "\n"
-
-
-def _directive(name: str) -> list[str]:
-    """What documents a public name: a function, or a class or a module with its members."""
-    value = getattr(granular_fronts, name)
-    if inspect.ismodule(value):
-        return [f".. automodule:: {value.__name__}", "   :members:"]
-    if inspect.isclass(value):
-        return [f".. autoclass:: {value.__module__}.{name}", "   :members:"]
-    return [f".. autofunction:: {value.__module__}.{name}"]
-
-
-def _configuration(schema: Mapping[str, Any]) -> str:
-    """Write a section for each key at the top of a JSON Schema, and an entry for each below it."""
-    lines = ["# Configuration", "", schema["description"], ""]
-    lines += ["A key in ⟨ ⟩ is a name of your choice; … stands for the entries of a list."]
-    for key, part in schema["properties"].items():
-        lines += ["", f"## {key}", "", part["description"]]
-        # A key that several cases share is named once, by its first description.
-        entries = {}
-        for path, text in keys(part, schema):
-            entries.setdefault(path, text)
-        for path, text in entries.items():
-            lines += ["", f"`{path}`", f": {text}"]
-    return "\n".join(lines) + "\n"
-
-
-def keys(
-    part: Mapping[str, Any], schema: Mapping[str, Any], seen: tuple[str, ...] = (), path: str = ""
-) -> Iterator[tuple[str, str]]:
-    """The keys below a part of the schema, in its order.
-
-    Parameters
-    ----------
-    part : mapping
-        The part.
-    schema : mapping
-        The whole, in which `$ref` points.
-    seen : tuple of str
-        References that the part stands in; one that comes back is not followed again.
-    path : str
-        Keys of the part, joined by dots.
-
-    Yields
-    ------
-    path, description : str
-    """
-    reference = part.get("$ref")
-    if reference and reference not in seen:
-        yield from keys(_pointed_at(reference, schema), schema, (*seen, reference), path)
-    below = dict(part.get("properties", {}))
-    if isinstance(part.get("additionalProperties"), dict):
-        below["⟨name⟩"] = part["additionalProperties"]
-    for key, value in below.items():
-        longer = f"{path}.{key}".removeprefix(".")
-        named = _pointed_at(value["$ref"], schema) if "$ref" in value else {}
-        yield longer, {**named, **value}.get("description", "")
-        yield from keys(value, schema, seen, longer)
-    if "items" in part:
-        yield from keys(part["items"], schema, seen, f"{path}.…")
-    for choice in ("oneOf", "anyOf", "allOf"):
-        for one in part.get(choice, []):
-            yield from keys(one, schema, seen, path)
-    # What stands below `if` only distinguishes the cases.
-    for case in ("then", "else"):
-        if case in part:
-            yield from keys(part[case], schema, seen, path)
-
-
-def _pointed_at(reference: str, schema: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The part of the schema that a JSON pointer such as ``#/$defs/bead`` names."""
-    part = schema
-    for key in reference.removeprefix("#/").split("/"):
-        part = part[key]
-    return part
 
 
 VARIABLES = """# Variables
@@ -160,17 +150,67 @@ def _variables() -> str:
     return VARIABLES + "\n".join(rows) + "\n"
 
 
-def _figures(results: Path) -> str:
-    """Every figure that was drawn, with the caption of what was computed."""
+def figures_page(results: Path) -> str:
+    """Every figure, with the caption of what was computed, or with the command that draws it."""
     lines = ["# Figures"]
-    for provenance in sorted((results / "figures").glob("*.json")):
-        texts = json.loads(provenance.read_text(encoding="utf-8"))
-        caption = provenance.with_suffix(".rst").read_text(encoding="utf-8").strip()
-        lines += ["", f"## {texts['title']}", ""]
-        lines += [f"![{texts['alt']}](../../results/figures/{provenance.stem}.png)", ""]
-        # Captions are reStructuredText.
-        lines += ["```{eval-rst}", caption, "```"]
+    for name in FIGURES:
+        lines += ["", f"({name})=", "", f"## {_title(name)}", "", *_picture(name, results, "../..")]
+        caption = _drawn(name, results).with_suffix(".rst")
+        if caption.exists():
+            # Captions are reStructuredText.
+            lines += ["", "```{eval-rst}", caption.read_text(encoding="utf-8").strip(), "```"]
     return "\n".join(lines) + "\n"
+
+
+def _title(name: str) -> str:
+    """Number and title of a figure."""
+    return f"Figure {name[3:].lstrip('0')}. {FIGURES[name]['title']}"
+
+
+def _drawn(name: str, results: Path) -> Path:
+    """The file of a figure."""
+    return results / "figures" / f"{name}_{FIGURES[name]['name']}.png"
+
+
+def _picture(name: str, results: Path, up: str) -> list[str]:
+    """A figure as Markdown, or the command that draws it where it was not asked for."""
+    file = _drawn(name, results)
+    if not file.exists():
+        target = f"results/figures/{file.name}"
+        return [f"This figure is drawn on demand, by `snakemake -c2 {target}`."]
+    words = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
+    return [f"![{words['alt']}]({up}/results/figures/{file.name})"]
+
+
+PICTURE = re.compile(r"<!-- figure (?P<number>\d+b?) -->")
+"""Where a page shows a figure of the run."""
+
+
+def fill_pictures(text: str, page: str, results: Path) -> str:
+    """A page with the figures of a run where it asks for them.
+
+    Parameters
+    ----------
+    text : str
+        The page; ``<!-- figure 12 -->`` in a line of its own asks for a figure.
+    page : str
+        Its path below docs, from which the paths of pictures follow.
+    results : Path
+
+    Returns
+    -------
+    str
+    """
+
+    def fill(found: re.Match[str]) -> str:
+        number = found["number"]
+        name = f"fig{number.zfill(3 if number.endswith('b') else 2)}"
+        up = "../" * page.count("/") + ".."
+        picture, title = _picture(name, results, up), f"*{_title(name)}.*"
+        drawn = _drawn(name, results).exists()
+        return "\n".join([*picture, "", title] if drawn else [f"{title} {picture[0]}"])
+
+    return PICTURE.sub(fill, text)
 
 
 def _tables(results: Path, names: list[str]) -> str:

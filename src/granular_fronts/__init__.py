@@ -14,6 +14,8 @@ _HOME_OF = {
     "check_certificate": "granular_fronts.proofs.checker",
     "collide": "granular_fronts.model.collision",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
+    "damping_for_restitution": "granular_fronts.model.collision",
+    "damping_from_restitution": "granular_fronts.model.scaling",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",
     "evolve_log_kdv_burgers": "granular_fronts.continuum.evolution",
@@ -26,6 +28,7 @@ _HOME_OF = {
     "restitution": "granular_fronts.model.collision",
     "simulate_chain": "granular_fronts.chain.simulate",
     "solve_front": "granular_fronts.fronts.solve",
+    "sphere_stiffness": "granular_fronts.model.scaling",
     "sweep_fronts": "granular_fronts.fronts.sweep",
     "tail_roots": "granular_fronts.fronts.linear.tails",
 }

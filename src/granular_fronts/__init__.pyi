@@ -12,11 +12,14 @@ from granular_fronts.fronts.solve import evaluate_front as evaluate_front
 from granular_fronts.fronts.solve import solve_front as solve_front
 from granular_fronts.fronts.sweep import sweep_fronts as sweep_fronts
 from granular_fronts.model.collision import collide as collide
+from granular_fronts.model.collision import damping_for_restitution as damping_for_restitution
 from granular_fronts.model.collision import restitution as restitution
 from granular_fronts.model.jump_conditions import jump_conditions as jump_conditions
 from granular_fronts.model.laws import make_law as make_law
 from granular_fronts.model.potentials import Potential as Potential
 from granular_fronts.model.scaling import Scaling as Scaling
+from granular_fronts.model.scaling import damping_from_restitution as damping_from_restitution
+from granular_fronts.model.scaling import sphere_stiffness as sphere_stiffness
 from granular_fronts.output import plot as plot
 from granular_fronts.proofs.certificate import prove_front as prove_front
 from granular_fronts.proofs.checker import check_certificate as check_certificate

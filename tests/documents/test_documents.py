@@ -134,7 +134,7 @@ def test_a_configuration_that_can_be_computed_is_said_so(mine):
 @pytest.mark.slow
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     """Its command accepts the certificates kept, and its examples prove what they say."""
-    [command], [critical, code, dashpots] = commands(PROOFS), blocks(PROOFS, "python")
+    [command], [code, dashpots, critical] = commands(PROOFS), blocks(PROOFS, "python")
     assert command.startswith("python -m granular_fronts.proofs ")
     outcome = run([sys.executable, *shlex.split(command)[1:]])
     assert outcome.returncode == 0, outcome.stderr

@@ -1,29 +1,62 @@
-"""What the manual makes of the code: every public name and every key of the configuration."""
+"""What the manual makes of the code: public names, keys of the configuration, pictures, links."""
 
-import inspect
+import doctest
+import json
 import re
+from importlib import import_module
 
+import matplotlib
 import pytest
 import yaml
 from pages import load_script
 from projects import ROOT
 
 import granular_fronts as gf
+from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.scenes.schema import load_schema
 
 SCHEMA = load_schema("config")
+PAGES, KEYS, LINKS, MEASURED = map(load_script, ("generate", "configuration", "links", "measured"))
+TEXTS = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path in MEASURED.pages()}
 
 
-PAGES = load_script("generate")
+# Public names.
 
 
-def test_every_public_name_has_an_entry():
-    page = PAGES.public_names()
-    for name in gf.__all__:
-        found = getattr(gf, name)
-        home = found.__name__ if inspect.ismodule(found) else f"{found.__module__}.{name}"
-        assert f"\n## {name}\n" in page
-        assert f":: {home}\n" in page
+def test_every_public_name_is_in_one_group():
+    names = " ".join(PAGES.NAMES.values()).split()
+    assert sorted(names) == gf.__all__
+    assert list(PAGES.NAMES) == [group.page for group in PAGES.GROUPS]
+
+
+def test_names_are_documented_as_they_are_used():
+    page = "".join(map(PAGES.group_page, PAGES.GROUPS))
+    for name in ("solve_front", "Scaling", "plot.front"):
+        assert f"\n## gf.{name}\n" in page
+    assert ".. autofunction:: gf.solve_front\n" in page
+    assert ".. autoclass:: gf.Scaling\n" in page
+    assert "[`gf.plot.front`](api_plots.md#gfplotfront)" in PAGES.public_names()
+
+
+FOUND = [getattr(gf, name) for name in gf.__all__ if name != "plot"]
+FOUND += [getattr(gf.plot, name) for name in gf.plot.__all__]
+
+
+@pytest.mark.parametrize("value", FOUND, ids=lambda value: value.__name__)
+def test_every_public_name_has_an_example(value):
+    assert re.search(r"\n *Examples\n *-+\n *>>> ", value.__doc__)
+
+
+@pytest.mark.parametrize("module", sorted({value.__module__ for value in FOUND}))
+def test_examples_give_what_they_show(module):
+    if "proofs" in module:
+        pytest.importorskip("flint")
+    matplotlib.use("agg")
+    found = doctest.testmod(import_module(module), extraglobs={"gf": gf})
+    assert found.failed == 0 < found.attempted
+
+
+# The configuration.
 
 
 def paths_of(value, path=""):
@@ -43,7 +76,7 @@ def pattern(described):
 
 
 def test_every_key_of_the_default_configuration_is_described():
-    described = {path for path, text in PAGES.keys(SCHEMA, SCHEMA) if text}
+    described = {key.path for key in KEYS.keys(SCHEMA, SCHEMA) if key.description}
     configuration = yaml.safe_load((ROOT / "config" / "default.yaml").read_text(encoding="utf-8"))
     known = re.compile("|".join(pattern(path) for path in described))
     given = set(paths_of(configuration))
@@ -61,10 +94,107 @@ def test_a_definition_that_contains_itself_is_listed_once():
         },
         "properties": {"first": {"$ref": "#/$defs/node"}},
     }
-    assert list(PAGES.keys(schema, schema)) == [("first", "A node."), ("first.next", "The next.")]
+    found = [(key.path, key.description) for key in KEYS.keys(schema, schema)]
+    assert found == [("first", "A node."), ("first.next", "The next.")]
+
+
+def rows_of(page, heading):
+    """The cells of each row of the tables under a heading, by the first cell."""
+    [section] = [part for part in page.split("\n## ") if part.startswith(f"{heading}\n")]
+    rows = [re.split(r"(?<!\\)\|", line)[1:-1] for line in section.splitlines() if line[:1] == "|"]
+    return {row[0].strip(" `"): [cell.strip() for cell in row[1:]] for row in rows}
+
+
+def test_a_key_has_type_default_unit_and_meaning():
+    page = KEYS.configuration_page()
+    top, chain = rows_of(page, "At the top"), rows_of(page, "scenes.chain.⟨name⟩")
+    assert top["chunk_seconds"][:3] == ["number, > 0", "`30`", "s"]
+    assert chain["beads"] == ["whole number, ≥ 2", "required", "1", "Number N of beads."]
+    assert chain["boundary.ramp"][1] == "0"
+    assert chain["boundary.ramp"][3].startswith("For kind `piston`: Time over which")
+    assert chain["record.probes"][:2] == ["mapping", "none"]
+    assert set(chain) >= {"law.alpha", "law.elastic.kind", "record.probes.⟨name⟩.beads"}
+
+
+def test_every_axis_and_scalar_of_a_campaign_is_listed():
+    page = KEYS.campaign_page()
+    for name, kind in KINDS.items():
+        assert rows_of(page, f"Kind {name}").keys() >= kind.parameters.keys() | kind.scalars.keys()
+    assert rows_of(page, "Kind chain")["beta"] == ["≥ 1", "α", "exponent of the viscous force"]
+
+
+TABLE = re.compile(r"(?:^ *\|.*\n)+", re.MULTILINE)
+TABLES = {
+    **{str(page): text for page, text in TEXTS.items()},
+    "configuration": KEYS.configuration_page(),
+    "campaigns": KEYS.campaign_page(),
+    "names": PAGES.public_names(),
+}
+
+
+@pytest.mark.parametrize("page", [page for page, text in TABLES.items() if TABLE.search(text)])
+def test_rows_of_a_table_have_as_many_cells_as_its_head(page):
+    for table in TABLE.findall(TABLES[page] + "\n"):
+        head, *rows = [len(re.findall(r"(?<!\\)\|", row)) for row in table.splitlines()]
+        assert rows == [head] * len(rows), table
+
+
+# Pictures and links.
 
 
 def test_the_manual_needs_results(tmp_path):
     with pytest.raises(SystemExit, match="run make first"):
         PAGES.write_pages(tmp_path / "generated", tmp_path)
     assert not (tmp_path / "generated").exists()
+
+
+def test_a_page_shows_a_figure_or_how_to_draw_it(tmp_path):
+    (tmp_path / "figures").mkdir()
+    (tmp_path / "figures" / "fig12_critical_damping.png").touch()
+    words = json.dumps({"alt": "four curves", "title": "a title"})
+    (tmp_path / "figures" / "fig12_critical_damping.json").write_text(words, encoding="utf-8")
+    filled = PAGES.fill_pictures("a\n\n<!-- figure 12 -->\n", "theory/a", tmp_path)
+    assert "![four curves](../../results/figures/fig12_critical_damping.png)" in filled
+    assert "*Figure 12. The meanings of critical damping.*" in filled
+    missing = PAGES.fill_pictures("<!-- figure 7b -->", "a", tmp_path)
+    assert "snakemake -c2 results/figures/fig07b_model_error.png" in missing
+    assert "![" not in missing
+    page = PAGES.figures_page(tmp_path)
+    assert all(f"\n({name})=\n" in page for name in PAGES.FIGURES)
+
+
+SHOWING = [page for page in TEXTS if page.parent.name == "theory"]
+SHOWING += [page for page in TEXTS if page.stem in ("findings", "limit", "proofs", "honesty")]
+
+
+@pytest.mark.parametrize("page", SHOWING, ids=str)
+def test_pages_of_mathematics_have_a_figure_that_exists(page):
+    numbers = PAGES.PICTURE.findall(TEXTS[page])
+    assert numbers
+    assert {f"Figure {number}" for number in numbers} <= LINKS.FIGURE_PLACES.keys()
+
+
+def test_figures_equations_lemmas_and_papers_are_links():
+    text = "In figures 23 and 24, Lemmas 4 to 7 and (24)-(32) of James (2021); f(1), p'(1), (99)"
+    found = [(text[start:stop], place) for start, stop, place in LINKS.links_in(text)]
+    assert [name for name, _ in found] == [
+        *("figures 23", "24", "Lemmas 4", "7", "(24)", "(32)", "James (2021)")
+    ]
+    places = dict(found)
+    assert places["24"] == "generated/figures.html#fig24"
+    assert places["(32)"] == "equations.html#eq-32"
+    assert places["James (2021)"] == "bibliography.html#james-2021"
+    file, line = places["Lemmas 4"].removeprefix("sources/").split(".html#L-")
+    assert "**Lemma 4 " in (ROOT / file).read_text(encoding="utf-8").splitlines()[int(line) - 1]
+
+
+def test_every_paper_is_cited_and_none_outside_the_bibliography():
+    pages = {page: text for page, text in TEXTS.items() if page.stem != "bibliography"}
+    cited = " ".join(pages.values())
+    for path in (ROOT / "src").rglob("*.py"):
+        cited += path.read_text(encoding="utf-8")
+    cited = " ".join(cited.split())
+    assert [paper for paper in LINKS.PAPERS if paper not in cited] == []
+    assert [page for page, text in pages.items() if re.search(r"arXiv:\d", text)] == []
+    [listed] = [text for page, text in TEXTS.items() if page.stem == "bibliography"]
+    assert len(LINKS.PAPERS) == listed.count("<a id=") > 1

@@ -53,6 +53,9 @@ POSSIBLE = {
     "check_certificate": {"path": ROOT / "tests/proofs/test_proof_data/overshoot.npz"},
     "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
+    "damping_for_restitution": {"e": 0.9, "alpha": 1.5, "beta": 1.5},
+    "damping_from_restitution": {"e": 0.9, "impact_velocity": 0.5, "mass": 0.1, "stiffness": 1e9}
+    | {"alpha": 1.5, "beta": 1.5},
     "evaluate_front": {"front": a_front(), "xi": np.array([0.5]), "name": "velocity"},
     "evolve_log_burgers": {"scene": {}, "name": "given"},
     "evolve_log_kdv_burgers": {"scene": {}, "name": "given"},
@@ -78,6 +81,7 @@ POSSIBLE = {
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
     "simulate_chain": {"scene": driven_scene(0.1, 4, 1.0), "name": "given"},
     "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
+    "sphere_stiffness": {"radius": 0.01, "youngs_modulus": 2e11, "poisson_ratio": 0.3},
     "sweep_fronts": LAW
     | {"gammas": np.array([0.3, 0.2]), "law": None, "states": None, "factors": None},
     "tail_roots": LAW | {"count": 6},

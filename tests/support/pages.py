@@ -4,9 +4,13 @@ import importlib.util
 import os
 import re
 import subprocess
+import sys
 import textwrap
 
 from projects import ROOT
+
+# Scripts of the manual import each other.
+sys.path.append(str(ROOT / "docs"))
 
 README, EXTENDING = ROOT / "README.md", ROOT / "docs" / "extending.md"
 PLACE = re.compile(r"(?:#|\.\.) (\S+\.\w+)(?:, (above|below) (.+))?\n")

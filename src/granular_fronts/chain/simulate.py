@@ -77,6 +77,22 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
         If the scene is impossible; the sentence names key, value, limit and the way out.
     SolveError
         If the step size collapses, the state is no longer finite, or a contact opens for α < 1.
+
+    Examples
+    --------
+    >>> motion = gf.simulate_chain(
+    ...     {
+    ...         "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.06},
+    ...         "beads": 20,
+    ...         "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
+    ...         "start": {"kind": "rest"},
+    ...         "end_time": 20.0,
+    ...         "tolerance": {"relative": 1e-10, "absolute": 1e-12},
+    ...         "record": {"snapshots": [20.0]},
+    ...     }
+    ... )
+    >>> round(motion["relative_displacement"].sel(t=20.0, bead=1).item(), 6)
+    0.099168
     """
     scene = check_scene("chain", scene, name)
     announce_time(scene, f"Scene {name}")

@@ -64,6 +64,22 @@ def evolve_log_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.Data
         limit and the way out.
     SolveError
         If the start has negative averages, or the step size collapses.
+
+    Examples
+    --------
+    >>> scene = {
+    ...     "law": {"alpha": 1.1, "gamma": 0.24},
+    ...     "displacement": 5.0,
+    ...     "half_beads": 40,
+    ...     "start": {"kind": "plateau", "half_width": 5.0, "floor": 0.1},
+    ...     "end_time": 5.0,
+    ...     "tolerance": {"relative": 1e-8, "absolute": 1e-10},
+    ...     "equations": {"logarithmic": {"cells": 64, "tolerance": 1e-5}},
+    ...     "record": {"snapshots": [5.0], "grid": {"step": 5.0}},
+    ... }
+    >>> wave = gf.evolve_log_burgers(scene)
+    >>> round(wave["rescaled_force"].max().item(), 3)
+    1.0
     """
     return _evolve(scene, name, LOGARITHMIC)
 
@@ -100,6 +116,22 @@ def evolve_log_kdv_burgers(scene: Mapping[str, Any], name: str = "given") -> xr.
         limit and the way out.
     SolveError
         If the step size collapses.
+
+    Examples
+    --------
+    >>> scene = {
+    ...     "law": {"alpha": 1.1, "gamma": 0.24},
+    ...     "displacement": 5.0,
+    ...     "half_beads": 40,
+    ...     "start": {"kind": "plateau", "half_width": 5.0, "floor": 0.1},
+    ...     "end_time": 5.0,
+    ...     "tolerance": {"relative": 1e-8, "absolute": 1e-10},
+    ...     "equations": {"dispersive": {"cells": 64, "tolerance": 1e-5}},
+    ...     "record": {"snapshots": [5.0], "grid": {"step": 5.0}},
+    ... }
+    >>> wave = gf.evolve_log_kdv_burgers(scene)
+    >>> round(wave["rescaled_force"].max().item(), 3)
+    1.004
     """
     return _evolve(scene, name, DISPERSIVE)
 

@@ -123,8 +123,13 @@ def solve_front(
 
     Examples
     --------
-    >>> front = solve_front(law={"elastic": {"kind": "toda"},
-    ...                          "viscous": {"kind": "linear", "gamma": 0.3}}, states=(-2.0, 0.0))
+    >>> front = gf.solve_front(
+    ...     law={
+    ...         "elastic": {"kind": "toda"},
+    ...         "viscous": {"kind": "linear", "gamma": 0.3},
+    ...     },
+    ...     states=(-2.0, 0.0),
+    ... )
     >>> round(front.attrs["speed"], 3)
     1.787
     """
@@ -173,6 +178,12 @@ def evaluate_front(
     ------
     InputError
         If the front has not converged, or was thinned, cropped or shifted.
+
+    Examples
+    --------
+    >>> front = gf.solve_front(alpha=1.5, gamma=0.3)
+    >>> gf.evaluate_front(front, [-30.0, 0.0]).round(9)
+    array([1. , 0.5])
     """
     check_front(front)
     xi = array("xi", xi, advice="leave that point out")

@@ -114,6 +114,12 @@ def sweep_fronts(
     ------
     InputError
         If a parameter is out of range, or the jump conditions exclude the fronts.
+
+    Examples
+    --------
+    >>> fronts = gf.sweep_fronts(alpha=1.5, gammas=[0.1, 0.2, 0.3])
+    >>> fronts["overshoot"].values.round(6)
+    array([0.195443, 0.034448, 0.      ])
     """
     limits = {"above": 0.0, "advice": "without damping there is no front"}
     powers = {"alpha": alpha, "gammas": gammas, "beta": beta}

@@ -111,6 +111,11 @@ def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> 
     ------
     InputError
         If a parameter is impossible.
+
+    Examples
+    --------
+    >>> round(gf.restitution(gamma=0.1), 6)
+    0.799393
     """
     nu = _reduced_exponent(alpha, beta)
     gamma = scalar("gamma", gamma, least=0.0, advice="give a damping")
@@ -122,10 +127,31 @@ def restitution(gamma: float, alpha: float = 1.5, beta: float | None = None) -> 
 
 
 def damping_for_restitution(e: float, alpha: float = 1.5, beta: float | None = None) -> float:
-    """γ for which two equal beads part with the coefficient of restitution e, 0 < e ≤ 1.
+    """Damping γ at which two equal beads have the coefficient of restitution e.
 
-    It belongs to v₀ = relative velocity of the impact, and has a relative error of about 1e-12. An
-    InputError says that e or an exponent is impossible.
+    Parameters
+    ----------
+    e : float
+        Above 0 and at most 1, which is elastic.
+    alpha : float, optional
+        Exponent of the elastic force, above 0.
+    beta : float, optional
+        Exponent of the viscous force, 1 or more; α by default.
+
+    Returns
+    -------
+    float
+        γ (29) for v₀ = relative velocity of the impact, to a relative error of about 1e-12.
+
+    Raises
+    ------
+    InputError
+        If a parameter is impossible.
+
+    Examples
+    --------
+    >>> round(gf.damping_for_restitution(0.9), 6)
+    0.046609
     """
     nu = _reduced_exponent(alpha, beta)
     e = scalar("e", e, above=0.0, most=1.0, advice="give a coefficient of restitution")
@@ -293,7 +319,7 @@ def collide(law: Law | Mapping[str, Any], velocity: float = 1.0) -> Collision:
     Examples
     --------
     >>> law = {"elastic": {"kind": "fpu"}, "viscous": {"kind": "linear", "gamma": 0.1}}
-    >>> round(collide(law).restitution, 6)  # exp(−πζ/(1 − ζ²)^½) with ζ = γ/2^½
+    >>> round(gf.collide(law).restitution, 6)  # exp(−πζ/(1 − ζ²)^½) with ζ = γ/2^½
     0.800354
     """
     law = make_law(law)

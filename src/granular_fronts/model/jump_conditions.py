@@ -145,7 +145,7 @@ def jump_conditions(
 
     Examples
     --------
-    >>> front = jump_conditions({"alpha": 1.5, "gamma": 0.1}, -0.0625, 0.0)
+    >>> front = gf.jump_conditions({"alpha": 1.5, "gamma": 0.1}, -0.0625, 0.0)
     >>> front.direction, front.speed
     (1, 0.5)
     """

@@ -142,10 +142,11 @@ def make_law(mapping: Law | Mapping[str, Any] | None = None, /, **parts: Any) ->
 
     Examples
     --------
-    >>> make_law(alpha=1.5, gamma=0.1).beta
+    >>> gf.make_law(alpha=1.5, gamma=0.1).beta
     1.5
-    >>> law = make_law(
-    ...     elastic={"kind": "toda", "rate": 2.0}, viscous={"kind": "proportional", "gamma": 0.3}
+    >>> law = gf.make_law(
+    ...     elastic={"kind": "toda", "rate": 2.0},
+    ...     viscous={"kind": "proportional", "gamma": 0.3},
     ... )
     >>> law.proportional
     0.3

@@ -98,7 +98,7 @@ class Potential:
     Examples
     --------
     >>> import numpy as np
-    >>> stiffening = Potential(
+    >>> stiffening = gf.Potential(
     ...     lambda r: np.cosh(r) - 1.0, np.sinh, np.cosh, np.sinh, interval=(-3.0, 3.0)
     ... )
     >>> float(stiffening.second(0.0))
@@ -188,7 +188,7 @@ class Potential:
         --------
         >>> import sympy
         >>> r = sympy.Symbol("r")
-        >>> quartic = Potential.from_expression(r**4 / 4, r, interval=(-2.0, 2.0))
+        >>> quartic = gf.Potential.from_expression(r**4 / 4, r, interval=(-2.0, 2.0))
         >>> float(quartic.first(-2.0))
         -8.0
         """

@@ -63,6 +63,13 @@ class Scaling:
     ------
     InputError
         If a value is impossible.
+
+    Examples
+    --------
+    >>> k = gf.sphere_stiffness(radius=0.01, youngs_modulus=200e9, poisson_ratio=0.3)
+    >>> scaling = gf.Scaling(mass=0.033, stiffness=k, damping=6e-6, velocity=0.1)
+    >>> print(f"{scaling.length:.2e} m, {scaling.time:.2e} s, γ = {scaling.gamma:.2f}")
+    3.99e-06 m, 3.99e-05 s, γ = 0.15
     """
 
     mass: float
@@ -179,9 +186,31 @@ def sphere_mass(radius: float, density: float) -> float:
 
 
 def sphere_stiffness(radius: float, youngs_modulus: float, poisson_ratio: float) -> float:
-    """Stiffness k of two equal spheres in N m^(−3/2), for α = 3/2.
+    """Stiffness k of the contact of two equal spheres, for α = 3/2.
 
-    The radius is in metres, Young's modulus in pascals; Poisson's ratio lies between −1 and 1/2.
+    Parameters
+    ----------
+    radius : float
+        In metres, above 0.
+    youngs_modulus : float
+        In pascals, above 0.
+    poisson_ratio : float
+        Between −1 and 1/2.
+
+    Returns
+    -------
+    float
+        k in N m^(−3/2), Remark 6 of James (2021).
+
+    Raises
+    ------
+    InputError
+        If a value is impossible.
+
+    Examples
+    --------
+    >>> round(gf.sphere_stiffness(radius=0.01, youngs_modulus=200e9, poisson_ratio=0.3))
+    10360538918
     """
     radius, modulus = _positive(radius=radius, youngs_modulus=youngs_modulus).values()
     poisson_ratio = scalar(
@@ -217,13 +246,46 @@ def damping_from_restitution(
     alpha: float = 1.5,
     beta: float | None = None,
 ) -> float:
-    """γ₀ in s m^(α − β) from the restitution e of two equal beads, 0 < e ≤ 1.
+    """Coefficient γ₀ of the viscous force, from a measured restitution of two equal beads.
 
-    They meet with the relative velocity `impact_velocity` in m/s.
+    Parameters
+    ----------
+    e : float
+        Coefficient of restitution, above 0 and at most 1.
+    impact_velocity : float
+        Relative velocity at which it was measured, in m/s, above 0.
+    mass : float
+        m of a bead in kg, above 0.
+    stiffness : float
+        k in N m^(−α), above 0; see `sphere_stiffness`.
+    alpha : float, optional
+        Exponent of the elastic force, above 0.
+    beta : float, optional
+        Exponent of the viscous force, 1 or more; α by default.
+
+    Returns
+    -------
+    float
+        γ₀ in s m^(α − β).
+
+    Raises
+    ------
+    InputError
+        If a value is impossible.
+
+    Examples
+    --------
+    >>> k = gf.sphere_stiffness(radius=0.01, youngs_modulus=200e9, poisson_ratio=0.3)
+    >>> damping = gf.damping_from_restitution(
+    ...     0.9, impact_velocity=1.0, mass=0.033, stiffness=k
+    ... )
+    >>> print(f"{damping:.3e} s")
+    1.174e-06 s
     """
     beta = alpha if beta is None else beta
+    velocity = _positive(impact_velocity=impact_velocity)["impact_velocity"]
     gamma = damping_for_restitution(e, alpha, beta)
-    return gamma / Scaling(mass, stiffness, 1.0, impact_velocity, alpha, beta).gamma
+    return gamma / Scaling(mass, stiffness, 1.0, velocity, alpha, beta).gamma
 
 
 def _positive(**values: float) -> dict[str, float]:

@@ -32,8 +32,8 @@ The step therefore grows by :math:`0.9\,e^{-1/16}` only, with e the error in uni
 and by the square of this where e is below `SMALL_ERROR`; after a rejection it shrinks by
 :math:`0.9\,e^{-1/8}`.
 
-The coefficients are those of the code DOP853 (Hairer, Norsett, Wanner, *Solving Ordinary
-Differential Equations I*, second edition, section II.10), read from `scipy.integrate.DOP853`.
+The coefficients are those of the code DOP853 of Hairer, Nørsett and Wanner (1993),
+*Solving Ordinary Differential Equations I*, section II.10, read from `scipy.integrate.DOP853`.
 
 Continuous extension.  With :math:`\theta = (t - t_0)/h \in [0, 1]` the solution is
 :math:`y_0 + h\sum_j b_j(\theta) K_j` with polynomials :math:`b_j` of degree 7 over sixteen slopes:

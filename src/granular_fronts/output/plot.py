@@ -220,6 +220,17 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
     ------
     InputError
         If this is no motion, or one without a space-time grid.
+
+    Examples
+    --------
+    >>> motion = gf.simulate_chain({
+    ...     "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1}, "beads": 30,
+    ...     "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
+    ...     "start": {"kind": "rest"}, "end_time": 20.0,
+    ...     "tolerance": {"relative": 1e-8, "absolute": 1e-10},
+    ...     "record": {"snapshots": [], "grid": {"step": 1.0}},
+    ... })
+    >>> displacements, velocities = gf.plot.space_time(motion)
     """
     u, velocity = moving_parts(_on_grid(motion), "_grid").values()
     largest = float(u.max())
@@ -258,6 +269,17 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
     ------
     InputError
         If this is no motion, or one without a space-time grid.
+
+    Examples
+    --------
+    >>> motion = gf.simulate_chain({
+    ...     "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1}, "beads": 30,
+    ...     "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
+    ...     "start": {"kind": "rest"}, "end_time": 20.0,
+    ...     "tolerance": {"relative": 1e-8, "absolute": 1e-10},
+    ...     "record": {"snapshots": [], "grid": {"step": 1.0}},
+    ... })
+    >>> film = gf.plot.animate(motion, frames=10)
     """
     grid = _on_grid(motion)["t_grid"].values
     frames = min(count("frames", frames), grid.size)

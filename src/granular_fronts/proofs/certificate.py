@@ -87,6 +87,14 @@ def prove_front(
     InputError
         If an argument is impossible, the front is not found, or the numbers do not fit into a
         certificate.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import mkdtemp
+    >>> record = gf.prove_front("3/2", "3/10", Path(mkdtemp()) / "front.npz")
+    >>> record["proved"], record["statements"][-1]
+    (True, "u*' < 0 on the whole line: the front is monotone.")
     """
     exponents, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
     path = arguments.new_file("path", path)

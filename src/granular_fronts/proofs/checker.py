@@ -86,6 +86,12 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     ------
     InputError
         If `path` is no path.  A file that is missing or damaged is one that proves nothing.
+
+    Examples
+    --------
+    >>> record = gf.check_certificate("nowhere.npz")
+    >>> record["proved"], record["reason"]
+    (False, 'there is no file nowhere.npz')
     """
     path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}

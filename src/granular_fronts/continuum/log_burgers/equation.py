@@ -85,6 +85,11 @@ def log_burgers_front(xi: npt.ArrayLike, alpha: float | None = None) -> np.ndarr
     ------
     InputError
         If α ≤ 1.
+
+    Examples
+    --------
+    >>> gf.log_burgers_front([-1.0, 0.0, 1.0]).round(6)
+    array([0.774921, 0.5     , 0.151955])
     """
     xi = array("xi", xi)
     if alpha is None:

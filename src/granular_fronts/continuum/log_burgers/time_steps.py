@@ -1,7 +1,7 @@
 r"""Fourth-order explicit steps for diffusion with advection.
 
 A system :math:`\dot Y = F(Y)` is stepped by the strong-stability-preserving Runge-Kutta method of
-ten stages of Ketcheson, *SIAM J. Sci. Comput.* 30 (2008) 2113-2136: with
+ten stages of Ketcheson (2008), *SIAM J. Sci. Comput.* 30, 2113-2136: with
 :math:`\Phi(Y) = Y + \tfrac h6 F(Y)`, two chains of five Euler steps joined by two averages,
 
 .. math::
@@ -10,9 +10,9 @@ ten stages of Ketcheson, *SIAM J. Sci. Comput.* 30 (2008) 2113-2136: with
     Q_9 = \Phi^4\bigl(\tfrac25 Q_5 + \tfrac35 Y_0\bigr), \quad
     Y_1 = \tfrac1{25} Y_0 + \tfrac9{25} Q_5 + \tfrac35 \Phi(Q_9) .
 
-Three arrays suffice.  The embedded third-order weights :math:`(2,0,0,3,0,0,2,0,3,0)/10` of Fekete,
-Conde and Shadid, *J. Comput. Appl. Math.* 412 (2022) 114325, give the error estimate, which is kept
-below the tolerance in the maximum norm.
+Three arrays suffice.  The embedded third-order weights :math:`(2,0,0,3,0,0,2,0,3,0)/10` of
+Fekete, Conde and Shadid (2022), *J. Comput. Appl. Math.* 412, 114325, give the error estimate,
+which is kept below the tolerance in the maximum norm.
 
 Stability.  A wave of angle :math:`\theta` per cell is an eigenvector of the differences of
 :math:`D\,Y'' - c\,Y'`, with the eigenvalue :math:`-D\,G(\theta)/\Delta^2 - ic\,S(\theta)/\Delta`

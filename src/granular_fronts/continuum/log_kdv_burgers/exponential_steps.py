@@ -1,7 +1,7 @@
 r"""Fourth-order exponential steps: diffusion and dispersion exactly, the flux by Runge-Kutta.
 
-For :math:`\dot u = \lambda u + N(u)`, one equation for each wave, the method of Krogstad,
-*J. Comput. Phys.* 203 (2005) 72-88, takes with :math:`z = h\lambda` the stages
+For :math:`\dot u = \lambda u + N(u)`, one equation for each wave, the method of Krogstad
+(2005), *J. Comput. Phys.* 203, 72-88, takes with :math:`z = h\lambda` the stages
 
 .. math::
 

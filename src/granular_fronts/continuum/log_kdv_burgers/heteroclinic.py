@@ -99,6 +99,12 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     InputError
         If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
         underflow of y, or over more turns than can be followed.
+
+    Examples
+    --------
+    >>> orbit = gf.heteroclinic(0.3)
+    >>> orbit["overshoot"].values[:2].round(6)
+    array([ 0.392557, -0.272794])
     """
     mu = check_mu(mu)
     s = None if s is None else sequence("s", s, advice="leave that point out")

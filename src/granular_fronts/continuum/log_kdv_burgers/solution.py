@@ -29,10 +29,10 @@ since with y(ξ, τ) also
 .. math:: \lambda\, y(\xi - \tau\ln\lambda,\; \tau), \qquad \lambda > 0,
 
 is a solution: waves of any height are alike in a frame of their own.  The flux is continuous but
-not Lipschitz at 0, and where y vanishes we know no proof of uniqueness: without damping Carles and
-Pelinovsky, *Nonlinearity* 27 (2014) 3185-3202, construct weak solutions and leave it open.  Here
-the logarithm is cut off below the tolerance, and in the refined run below a tenth of that, so that
-the error estimate contains what this changes.
+not Lipschitz at 0, and where y vanishes we know no proof of uniqueness: without damping
+Carles and Pelinovsky (2014), *Nonlinearity* 27, 3185-3202, construct weak solutions and leave it
+open.  Here the logarithm is cut off below the tolerance, and in the refined run below a tenth of
+that, so that the error estimate contains what this changes.
 
 Balances.  The mean of y is conserved.  Multiplied by y, flux and dispersion integrate to zero over
 the ring, and

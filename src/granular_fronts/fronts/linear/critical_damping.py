@@ -88,6 +88,13 @@ def critical_damping(
     ------
     InputError
         If a parameter is out of range or the definition does not apply.
+
+    Examples
+    --------
+    >>> round(float(gf.critical_damping(1.5)), 6)
+    0.263246
+    >>> round(gf.critical_damping(1.5, definition="long-wave"), 6)
+    0.333333
     """
     alpha = check_alpha(alpha)
     beta = check_beta(alpha, beta)

@@ -98,6 +98,13 @@ def front_multipliers(
     InputError
         If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
         another integer is not among the points.
+
+    Examples
+    --------
+    >>> front = gf.solve_front(alpha=1.5, gamma=0.3)
+    >>> multipliers = gf.front_multipliers(front, beads_behind=40)
+    >>> multipliers.attrs["spectral_radius_without_translation"] < 1.0
+    True
     """
     check_front_of_powers(front)
     alpha, beta, gamma = (float(front.attrs[name]) for name in ("alpha", "beta", "gamma"))

@@ -99,6 +99,11 @@ def tail_roots(alpha: float, gamma: float, beta: float | None = None, count: int
     ------
     InputError
         If a parameter is out of range.
+
+    Examples
+    --------
+    >>> gf.tail_roots(alpha=1.5, gamma=0.1, count=2).round(6)
+    array([0.579773+2.16553j , 4.145564+9.644951j])
     """
     alpha, gamma, beta = check_law(alpha, gamma, beta)
     count = arguments.count("count", count, most=MOST_ROOTS, advice="ask for so many roots")
