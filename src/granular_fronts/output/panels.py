@@ -11,6 +11,7 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
 from granular_fronts.accuracy import certain_sign
 from granular_fronts.output.datasets import configuration_of
@@ -18,6 +19,7 @@ from granular_fronts.output.style import (
     ALARM_COLOUR,
     CHAIN_COLOUR,
     EQUATION_COLOUR,
+    LOOKS,
     compression_map,
     new_figure,
 )
@@ -96,6 +98,17 @@ def draw_plane(
         shading="nearest",
         rasterized=True,
     )
+
+
+def draw_critical_damping(axes: Axes, curves: xr.Dataset, *names: str) -> None:
+    """Critical damping over α in some of its meanings, with a white edge against any colours."""
+    for name in names:
+        axes.plot(
+            curves["alpha"],
+            curves[f"critical_damping_{name}"],
+            path_effects=[withStroke(linewidth=2.6, foreground="white")],
+            **LOOKS[name]._asdict(),
+        )
 
 
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:

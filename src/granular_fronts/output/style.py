@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib
 from matplotlib.axes import Axes
@@ -25,36 +25,58 @@ from granular_fronts.output.provenance import source_of
 
 TEXT_WIDTH = 6.9
 DOTS_PER_INCH = 200
-PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
-PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
-CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = "#000000", "#1447c4", "#1a8f3c"
-HETEROCLINIC_COLOUR = "#d02fb4"
-# Label, colour and line of each continuum front, by the name it has in the data.
-CONTINUUM_LOOKS = {
-    "logarithmic": ("(45)", EQUATION_COLOUR, (0, (6, 1.5))),
-    "unlimited": ("(46)", UNLIMITED_COLOUR, "-."),
-    "heteroclinic": ("heteroclinic", HETEROCLINIC_COLOUR, (0, (3, 1))),
-}
-# The same of each amplitude equation in time.
-MODEL_LOOKS = {
-    "logarithmic": ("(41)", EQUATION_COLOUR, (0, (6, 1.5))),
-    "unlimited": ("(40)", UNLIMITED_COLOUR, "-."),
-    "dispersive": ("(55)", HETEROCLINIC_COLOUR, (0, (3, 1))),
-}
-# Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
-EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
+BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS = (
+    "#000000",
+    "#1a30c0",
+    "#20a060",
+    "#5cc0f5",
+    "#c92fa4",
+    "#5a2a05",
+)
+DASHED, DOTTED, DASH_DOTTED = (0, (6, 1.5)), (0, (3, 1)), (0, (6, 1.5, 1, 1.5))
+PROBE_STYLES = ("-", DASHED, DASH_DOTTED, DOTTED, (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 # What is clipped, failed or singled out.
-ALARM_COLOUR = "#d01c1c"
+ALARM_COLOUR = "#d8400c"
+
+
+class Look(NamedTuple):
+    """Label, colour and line of a curve, as keywords for `matplotlib.axes.Axes.plot`."""
+
+    label: str
+    color: str
+    linestyle: Any
+
+
+# The one table of looks: every curve that several figures show, by the name it has in the data.
+LOOKS = {
+    "exact": Look("exact front", BLACK, "-"),
+    # Amplitude equations in time, and their fronts.
+    "logarithmic": Look("logarithmic Burgers", BLUE, DASHED),
+    "unlimited": Look("finite-α Burgers", GREEN, DASH_DOTTED),
+    "dispersive": Look("logarithmic KdV–Burgers", MAGENTA, DOTTED),
+    "heteroclinic": Look("logarithmic KdV–Burgers", MAGENTA, DOTTED),
+    # Critical damping in its four meanings.
+    "tail": Look("tail stops oscillating", BLACK, "-"),
+    "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
+    "long_wave": Look("long-wave limit, μ = 2", BLUE, DASHED),
+    "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
+}
+CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
+MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispersive")}
+
+CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = BLACK, BLUE, GREEN
+# Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
+EXPONENT_COLOURS = (BLUE, GREEN)
 # Whose solver it is, in figure 14.
 PACKAGE_COLOURS = {
-    "ours": "#000000",
-    "upwind": "#d01c1c",
-    "scilab": "#d01c1c",
-    "scipy": "#1447c4",
-    "numbalsoda": "#1a8f3c",
-    "sundials": "#8a4a12",
-    "diffrax": "#d02fb4",
-    "lammps": "#c47700",
+    "ours": BLACK,
+    "upwind": ALARM_COLOUR,
+    "scilab": ALARM_COLOUR,
+    "scipy": BLUE,
+    "numbalsoda": GREEN,
+    "sundials": BROWN,
+    "diffrax": MAGENTA,
+    "lammps": LIGHT_BLUE,
 }
 PACKAGE_LINES: dict[str, Any] = {
     "upwind": "-",
@@ -82,7 +104,7 @@ _SETTINGS: dict[Any, Any] = {
     "legend.fontsize": 8,
     "legend.handlelength": 3.0,
     "pdf.fonttype": 42,
-    "mathtext.fontset": "cm",
+    "mathtext.fontset": "dejavusans",
     "image.interpolation": "nearest",
 }
 

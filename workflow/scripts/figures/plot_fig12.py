@@ -7,15 +7,9 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_plane
-from granular_fronts.output.style import PROBE_COLOURS, new_figure
+from granular_fronts.output.panels import draw_critical_damping, draw_plane
+from granular_fronts.output.style import new_figure
 
-CURVES = {
-    "tail": ("tail: what governs the decay", PROBE_COLOURS[0], "-"),
-    "double_root": ("double root", PROBE_COLOURS[1], (0, (6, 1.5))),
-    "long_wave": ("long waves, $((1-1/\\alpha)/3)^{1/2}$", PROBE_COLOURS[2], "-."),
-    "overshoot": ("overshoot of CUT", PROBE_COLOURS[4], (0, (3, 1))),
-}
 SMALLEST_SHOWN = 1e-8
 
 
@@ -30,10 +24,7 @@ def plot_fig12(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(4.4, [["plane"]])
     axes = panels["plane"]
     _draw_overshoot(axes, data)
-    for name, (label, colour, line) in CURVES.items():
-        curve = data[f"critical_damping_{name}"]
-        text = label.replace("CUT", f"{data.attrs['overshoot_cut']:g}")
-        axes.plot(curve["alpha"], curve, color=colour, linestyle=line, label=text)
+    draw_critical_damping(axes, data, "tail", "double_root", "long_wave", "overshoot")
     axes.axvline(data.attrs["exchange_exponent"], color="0.4", linewidth=0.7, linestyle=":")
     axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma c$", yscale="log")
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)

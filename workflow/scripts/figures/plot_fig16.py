@@ -9,15 +9,10 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_plane
+from granular_fronts.output.panels import draw_critical_damping, draw_plane
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 from granular_fronts.studies.materials import ALPHA
 
-CURVES = {
-    "tail": ("tail turns real", PROBE_COLOURS[0], "-"),
-    "double_root": ("double root", PROBE_COLOURS[4], (0, (3, 1))),
-    "long_wave": (r"long waves, $\mu = 2$", PROBE_COLOURS[1], (0, (6, 1.5))),
-}
 REGIMES = ("monotone", "oscillating", "by > 1 %")
 REGIME_COLOURS = ("#f2efe6", "#b9cbe0", "#5f7fae")
 VISIBLE = 0.01
@@ -40,7 +35,7 @@ def plot_fig16(atlas: xr.Dataset, curves: xr.Dataset, materials: xr.Dataset) -> 
     _draw_width(panels["width"], atlas)
     _draw_regime(panels["regime"], atlas)
     for axes in panels.values():
-        _draw_curves(axes, curves)
+        draw_critical_damping(axes, curves, "tail", "double_root", "long_wave")
         _draw_materials(axes, materials)
         gamma, alpha = atlas["gamma"].values, atlas["alpha"].values
         axes.set(xlabel=r"$\alpha$", yscale="log", xlim=(alpha[0], alpha[-1]))
@@ -86,13 +81,6 @@ def _colour_plane(
     colours = colours.with_extremes(bad=ALARM_COLOUR, under=colours(0.0))
     image = draw_plane(axes, values, colours, norm)
     axes.figure.colorbar(image, ax=axes, location="top", aspect=30, label=label, extend=extend)
-
-
-def _draw_curves(axes: Axes, critical: xr.Dataset) -> None:
-    """Critical damping in its three meanings."""
-    for name, (label, colour, style) in CURVES.items():
-        values = critical[f"critical_damping_{name}"]
-        axes.plot(critical["alpha"], values, color=colour, linestyle=style, label=label)
 
 
 def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:

@@ -12,13 +12,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator
 
 from figure_step import run_figure
+from granular_fronts.output.panels import draw_critical_damping
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
-CURVES = {
-    "overshoot": ("overshoot vanishes", PROBE_COLOURS[0], "-"),
-    "tail": ("tail turns real", PROBE_COLOURS[4], (0, (3, 1))),
-    "long_wave": (r"long waves, $\mu = 2$", PROBE_COLOURS[1], (0, (6, 1.5))),
-}
 SHAPES = {
     "overshoot": ("overshoots", "v", PROBE_COLOURS[3]),
     "monotone": ("monotone", "s", PROBE_COLOURS[5]),
@@ -53,7 +49,7 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
     norm = LogNorm(errors.min(), errors.max())
     _draw_intervals(panels["plane"], intervals, norm)
     _draw_fronts(panels["plane"], fronts, norm)
-    _draw_curves(panels["plane"], curves)
+    draw_critical_damping(panels["plane"], curves, "overshoot", "tail", "long_wave")
     _draw_errors(panels["errors"], intervals, norm)
     _draw_maxima(panels["maxima"], fronts, intervals)
     for name in ("errors", "maxima"):
@@ -103,13 +99,6 @@ def _draw_fronts(axes: Axes, fronts: xr.Dataset, norm: LogNorm) -> None:
         axes.plot([], [], "-", color=colour, marker=marker, label=words, **looks)
     axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma$", yscale="log")
     axes.set(xlim=(1.05, 3.1), ylim=(0.03, 1.6))
-
-
-def _draw_curves(axes: Axes, curves: xr.Dataset) -> None:
-    """Critical damping as it is computed, which nothing here proves."""
-    for name, (label, colour, style) in CURVES.items():
-        values = curves[f"critical_damping_{name}"]
-        axes.plot(curves["alpha"], values, color=colour, linestyle=style, linewidth=1, label=label)
 
 
 def _draw_errors(axes: Axes, intervals: xr.Dataset, norm: LogNorm) -> None:
