@@ -26,7 +26,7 @@ from granular_fronts.output.panels import (
     moving_parts,
     open_contacts,
 )
-from granular_fronts.output.style import CHAIN_COLOUR, new_figure
+from granular_fronts.output.style import CHAIN_COLOUR, new_panels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -145,7 +145,7 @@ def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[A
     fields = moving_parts(motion, "_grid")
     opens = contacts_open(motion)
     make = partial(Figure, dpi=DOTS_PER_INCH)
-    figure, panels = new_figure(HEIGHT, [[field] for field in fields], make)
+    figure, panels = new_panels(HEIGHT, [[field] for field in fields], make)
     lines = {}
     for field, values in fields.items():
         lines[field] = draw_snapshot(panels[field], values[0], field, color=CHAIN_COLOUR)

@@ -36,7 +36,7 @@ from granular_fronts.output.panels import (
 from granular_fronts.output.style import (
     PROBE_COLOURS,
     looks_of_figures,
-    new_figure,
+    new_panels,
     velocity_map,
 )
 
@@ -180,7 +180,7 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
     fields, opens = moving_parts(motion), contacts_open(motion)
     u = fields["relative_displacement"]
     with looks_of_figures():
-        figure, panels = new_figure(2.7, [list(fields)], plt.figure)
+        figure, panels = new_panels(2.7, [list(fields)], plt.figure)
         compression, velocity = panels.values()
         marks = []
         for row, time in enumerate(motion["t"].values):
@@ -221,7 +221,7 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
     largest = float(u.max())
     clipped = contacts_open(motion) and bool((certain_sign(u) < 0).any())
     with looks_of_figures():
-        _, panels = new_figure(4.4, [["u", "velocity"]], plt.figure)
+        _, panels = new_panels(4.4, [["u", "velocity"]], plt.figure)
         draw_spacetime(
             panels["u"],
             u,
@@ -269,7 +269,7 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
 
 def _new_axes() -> Axes:
     """The one panel of a new figure that a notebook shows."""
-    _, panels = new_figure(2.8, [["panel"]], plt.figure)
+    _, panels = new_panels(2.8, [["panel"]], plt.figure)
     return panels["panel"]
 
 

@@ -10,6 +10,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
+from string import ascii_lowercase
 from typing import Any, NamedTuple
 
 import matplotlib
@@ -123,14 +124,8 @@ def looks_of_figures() -> Iterator[None]:
         matplotlib.rcParams.update(before)
 
 
-figure_for_files = partial(Figure, dpi=DOTS_PER_INCH)
-"""What makes a figure that is saved, and that no notebook shows."""
-
-
-def new_figure(
-    height: float,
-    mosaic: list[Any],
-    make: Callable[..., Figure] = figure_for_files,
+def new_panels(
+    height: float, mosaic: list[Any], make: Callable[..., Figure]
 ) -> tuple[Figure, dict[str, Axes]]:
     """A figure of text width, with a height in inches, and the panels of a mosaic by their names.
 
@@ -139,6 +134,15 @@ def new_figure(
     matplotlib.rcParams.update(_SETTINGS)
     figure = make(figsize=(TEXT_WIDTH, height))
     return figure, figure.subplot_mosaic(mosaic)
+
+
+def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
+    """The same for a file: several panels have the letters (a), (b), … that its caption uses."""
+    figure, panels = new_panels(height, mosaic, partial(Figure, dpi=DOTS_PER_INCH))
+    if len(panels) > 1:
+        for letter, axes in zip(ascii_lowercase, panels.values(), strict=False):
+            axes.set_title(f"({letter})", loc="left", fontweight="bold")
+    return figure, panels
 
 
 def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
