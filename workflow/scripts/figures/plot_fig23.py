@@ -77,16 +77,14 @@ def _draw_shapes(
         bars, marks = (
             data.isel(certificate=_shapes(data) == shape) for data in (intervals, fronts)
         )
-        rows, widths = (
-            np.searchsorted(exponents, bars["alpha"]),
-            bars["gamma_high"] - bars["gamma_low"],
-        )
+        rows = np.searchsorted(exponents, bars["alpha"])
+        widths = bars["gamma_high"] - bars["gamma_low"]
         edge = CRITICAL_EDGE if shape == "critical" else SEAM
-        look = {"color": colour, "edgecolor": colour, "linewidth": edge, "zorder": 2.0 + edge}
-        axes.barh(rows, widths, THICKNESS, left=bars["gamma_low"], **look)
+        look: dict[str, Any] = {"edgecolor": colour, "linewidth": edge, "zorder": 2.0 + edge}
+        axes.barh(rows, widths, THICKNESS, left=bars["gamma_low"], color=colour, **look)
         rows = np.searchsorted(exponents, marks["alpha"])
-        look = {"color": colour, "markeredgecolor": "black", "markersize": 7, "zorder": 5}
-        axes.plot(marks["gamma_low"], rows, marker, linestyle="none", **look)
+        look = {"markeredgecolor": "black", "markersize": 7, "zorder": 5}
+        axes.plot(marks["gamma_low"], rows, marker, linestyle="none", color=colour, **look)
     axes.set_yticks(np.arange(exponents.size), [rf"$\alpha = {alpha:g}$" for alpha in exponents])
     axes.set(ylim=(-0.6, exponents.size - 0.4), title="fronts that are proved to exist")
 
