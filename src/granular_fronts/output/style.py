@@ -17,7 +17,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
-from matplotlib.colors import Colormap
+from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.rcsetup import cycler
 
@@ -152,13 +152,18 @@ def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
 
 
 def compression_map() -> Colormap:
-    """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
-    return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
+    """Colour map of relative displacements on a scale centred on 0: white at rest, gaps in red."""
+    shades = [ALARM_COLOUR, "white", "#7f9bea", "#101a66"]
+    steps = [0.0, 0.5, 0.75, 1.0]
+    colours = LinearSegmentedColormap.from_list(
+        "compression", list(zip(steps, shades, strict=True))
+    )
+    return colours.with_extremes(under=ALARM_COLOUR)
 
 
 def velocity_map() -> Colormap:
-    """Colour map of velocities, light at rest."""
-    return matplotlib.colormaps["viridis_r"]
+    """Colour map of velocities, white at rest."""
+    return LinearSegmentedColormap.from_list("velocity", ["white", "#74c69a", "#063d22"])
 
 
 def save_figure(figure: Figure, pdf: Path, png: Path, datasets: Iterable[Any]) -> None:

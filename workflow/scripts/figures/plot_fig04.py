@@ -24,12 +24,20 @@ def plot_fig04(data: xr.Dataset) -> Figure:
         panels["flux"].plot(data["force"], case["flux"], "-", color=colour, label=label)
         panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
         panels["front"].plot(data["xi"], case["front"], "-", color=colour, label=label)
-    limit: dict[str, Any] = {"color": "black", "linestyle": "-", "label": r"$\alpha \to 1^+$"}
+    limit: dict[str, Any] = {
+        "color": "black",
+        "linestyle": "-",
+        "label": r"$\alpha \to 1^+$: logarithmic",
+    }
     panels["flux"].plot(data["force"], data["flux_limit"], **limit)
     panels["flux"].plot(data["force"], data["force"], ":", color="black")
     panels["front"].plot(data["xi"], data["front_limit"], **limit)
-    panels["flux"].set(xlabel="$y$", ylabel=r"$f_\alpha(y)$, dotted $y^{1/\alpha}$", xlim=(0, 1))
-    panels["front"].set(xlabel=r"$\xi$", ylabel=r"$y_\alpha^{1/\alpha}$", xlim=(-6, 4))
+    panels["flux"].text(0.5, 0.75, r"compression $y^{1/\alpha}$", ha="right")
+    panels["flux"].text(0.98, -0.45, "flux", ha="right")
+    panels["flux"].set(xlabel="force $y$, over its value behind", ylabel=r"flux $f_\alpha(y)$")
+    panels["flux"].set(xlim=(0, 1), title="flux of the equation")
+    panels["front"].set(xlabel=r"place $\xi$", ylabel=r"compression $y_\alpha^{1/\alpha}$")
+    panels["front"].set(xlim=(-6, 4), title="its front")
     panels["front"].legend()
     return figure
 
