@@ -173,7 +173,7 @@ def test_figure_16_leaves_fronts_without_overshoot_white_and_unsolved_ones_red()
     plane = image(shown["overshoot"])
     # Columns are α = 1.1, monotone, 1.3, swinging unseen, and 1.5, visibly, with one not solved.
     colours = plane.cmap(plane.norm(plane.get_array()))
-    white, red = (plt.matplotlib.colors.to_rgba(name) for name in ("white", ALARM_COLOUR))
+    white, red = (to_rgba(name) for name in ("white", ALARM_COLOUR))
     assert (colours[:, :2] == white).all()
     assert (colours[1, 2] == red).all()
     assert tuple(colours[0, 2]) not in (white, red)
