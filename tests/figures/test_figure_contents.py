@@ -168,41 +168,72 @@ def test_figure_15_lists_only_what_occurs():
     assert legend(draw("fig15", given).axes[0]) == ["limit", "passed"]
 
 
-def test_figure_16_tells_three_regimes_and_what_is_not_solved():
-    data, _, _, shown = picture("fig16")
-    regime = np.ma.filled(image(shown["regime"]).get_array(), np.nan)
+def test_figure_16_leaves_fronts_without_overshoot_white_and_unsolved_ones_red():
+    data, curves, _, shown = picture("fig16")
+    plane = image(shown["overshoot"])
     # Columns are α = 1.1, monotone, 1.3, swinging unseen, and 1.5, visibly, with one not solved.
-    np.testing.assert_array_equal(regime, [[0.0, 1.0, 2.0], [0.0, 1.0, np.nan]])
-    # A logarithmic scale shows a front that does not overshoot as the smallest of all.
-    overshoot = np.ma.filled(image(shown["overshoot"]).get_array(), np.nan)
-    expected = data["overshoot"].transpose("gamma", "alpha").clip(min=1e-7)
-    np.testing.assert_array_equal(overshoot, expected)
+    colours = plane.cmap(plane.norm(plane.get_array()))
+    white, red = (to_rgba(name) for name in ("white", ALARM_COLOUR))
+    assert (colours[:, :2] == white).all()
+    assert (colours[1, 2] == red).all()
+    assert tuple(colours[0, 2]) not in (white, red)
+    assert plane.norm.vmin == curves.attrs["overshoot_cut"]
+    assert plane.colorbar.extend == "min"
+    width = np.ma.filled(image(shown["width"]).get_array(), np.nan)
+    np.testing.assert_array_equal(width, data["width_10_90"].transpose("gamma", "alpha"))
+
+
+def test_figure_16_names_its_regions_on_the_right_sides_of_all_curves():
+    _, curves, _, shown = picture("fig16")
+    axes = shown["overshoot"]
+    critical = [curves[f"critical_damping_{name}"] for name in ("tail", "long_wave", "overshoot")]
+    axes.set_ylim(0.01, 10.0)
+    places = {text.get_text(): text for text in axes.texts}
+    for word, above in (("monotone", True), ("oscillating", False)):
+        share = places[word].get_position()
+        _, gamma = axes.transData.inverted().transform(axes.transAxes.transform(share))
+        assert all(np.all((gamma > curve) == above) for curve in critical)
 
 
 def test_figure_17_shows_distances_over_the_sum_of_both_errors():
     data, shown = picture("fig17")
-    measured = "speed_exact power_exact speed_travelling speed_driven velocity_jump_driven"
-    names = [*measured.split(), "power_driven"]
-    ratios, errors = curves(shown["ratio"]), curves(shown["error"])
+    names = [
+        "speed_exact",
+        "speed_travelling",
+        "power_exact",
+        "speed_driven",
+        "velocity_jump_driven",
+    ]
+    names.append("power_driven")
+    ratios = [*curves(shown["exact"]), *curves(shown["driven"])]
+    errors = curves(shown["error"])
     for ratio, error, name in zip(ratios, errors, names, strict=True):
         theory = name.rpartition("_")[0] + "_expected"
         stated = data[f"{name}_error"] + data[f"{theory}_error"]
         np.testing.assert_array_equal(ratio.get_xdata(), (data[name] - data[theory]) / stated)
         np.testing.assert_array_equal(error.get_xdata(), data[f"{name}_error"] / data[theory])
-    # Theory holds between −1 and 1.
-    [band] = shown["ratio"].patches
-    assert (band.get_x(), band.get_width()) == (-1.0, 2.0)
-    extremes = np.abs([line.get_xdata() for line in ratios]).max()
-    assert extremes < shown["ratio"].get_xlim()[1]
+    for name in ("exact", "driven"):
+        # Theory holds between −1 and 1.
+        [band] = shown[name].patches
+        assert (band.get_x(), band.get_width()) == (-1.0, 2.0)
+        marks = curves(shown[name])
+        assert np.abs([line.get_xdata() for line in marks]).max() < shown[name].get_xlim()[1]
+        # No two marks of a lattice are at one height, or nearer to another lattice.
+        heights = np.stack([line.get_ydata() for line in marks])
+        assert np.abs(heights - [[2, 1, 0]]).max() < 0.5
+        assert np.diff(np.sort(heights, axis=0), axis=0).min() > 0.2
 
 
-def test_figure_18_dashes_where_fronts_oscillate():
+def test_figure_18_dashes_where_fronts_oscillate_and_leaves_no_hole():
     data, shown = picture("fig18")
     drawn = iter(curves(shown["gamma"]))
-    for full, dashed, beta in zip(drawn, drawn, data["beta"], strict=True):
+    for dashed, full, beta in zip(drawn, drawn, data["beta"], strict=True):
         law = data.sel(beta=beta)
         oscillating = (law["gamma"] < law["critical_gamma"]).values
-        np.testing.assert_array_equal(np.isfinite(dashed.get_ydata()), oscillating)
+        assert dashed.get_color() == full.get_color()
+        assert dashed.is_dashed()
+        assert not full.is_dashed()
+        assert np.isfinite(dashed.get_ydata()).all()
         np.testing.assert_array_equal(np.isfinite(full.get_ydata()), ~oscillating)
         assert 0 < oscillating.sum() < oscillating.size
 
