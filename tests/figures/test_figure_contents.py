@@ -4,17 +4,23 @@ What a figure draws of a sample is traced back to the variables of the sample an
 `references/figures.yaml`; the rest of this file is what no line of that file says.
 """
 
-import matplotlib.pyplot as plt
+import re
+from string import ascii_lowercase
+
 import numpy as np
 import pytest
 import yaml
 from figure_samples import SAMPLES, ring
-from pictures import LISTED, curves, draw, image, legend, picture
+from matplotlib.colors import to_rgba
+from matplotlib.contour import ContourSet
+from pictures import LISTED, annotations, curves, draw, image, legend, panels, picture, sampled
 from plot_fig05 import plot_fig05
+from projects import ROOT
 from traces import REFERENCE, Sample, describe
 
 from granular_fronts.output.style import ALARM_COLOUR, compression_map, velocity_map
 
+GREY = [0.2126, 0.7152, 0.0722, 0.0]
 SHOWN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))
 
 
@@ -27,6 +33,20 @@ def test_every_figure_is_drawn_from_a_sample_of_what_the_workflow_names():
 @pytest.mark.parametrize("figure", SAMPLES)
 def test_figure_shows_the_variables_of_its_data(figure):
     assert describe(figure) == SHOWN[figure]
+
+
+@pytest.mark.parametrize("figure", SAMPLES)
+def test_caption_names_no_letter_that_the_figure_lacks(figure):
+    """Letters run along the rows, and a figure of one panel has none."""
+    _, drawn = sampled(figure)
+    shown = panels(drawn).values()
+    places = [axes.get_subplotspec() for axes in shown]
+    assert places == sorted(places, key=lambda place: (place.rowspan.start, place.colspan.start))
+    letters = [f"({letter})" for letter in ascii_lowercase[: len(places)]]
+    letters = letters if len(letters) > 1 else [""]
+    assert [axes.get_title("left") for axes in shown] == letters
+    caption = (ROOT / "workflow" / "report" / f"{figure}.rst").read_text(encoding="utf-8")
+    assert set(re.findall(r"\([a-p]\)", caption)) <= set(letters)
 
 
 def test_curve_of_other_numbers_has_another_name_and_one_out_of_place_has_none():
@@ -52,11 +72,30 @@ def test_figure_1_names_each_bead_above_its_largest_compression():
         assert text.xy == (curve.idxmax(), curve.max())
 
 
-def test_figure_2_shows_wide_gaps_in_red():
-    _, shown = picture("fig02")
-    plane = image(shown["displacement"])
+def test_figures_2_and_3_have_white_rest_red_gaps_and_the_same_scale():
+    scales = []
+    for figure in ("fig02", "fig03"):
+        *_, shown = picture(figure)
+        plane = image(shown["displacement"])
+        scales.append((plane.get_clim(), plane.cmap(plane.norm(0.05))))
+        assert np.allclose(plane.cmap(plane.norm(0.0)), 1.0, atol=0.02)
+    assert scales[0] == scales[1]
+    assert scales[0][0] == pytest.approx((-0.14, 0.14))
+    given = SAMPLES["fig02"]()
+    given["data"]["relative_displacement_grid"][3, 4] = -50.0
+    plane = image(panels(draw("fig02", given))["displacement"])
     assert plane.colorbar.extend == "min"
-    assert plane.cmap(plane.norm(-0.2)) == plt.matplotlib.colors.to_rgba(ALARM_COLOUR)
+    assert plane.cmap(plane.norm(-50.0)) == to_rgba(ALARM_COLOUR)
+
+
+def test_figure_2_shows_the_free_end_when_the_front_arrives():
+    data, shown = picture("fig02")
+    [inset] = shown["displacement"].child_axes
+    plane = data["relative_displacement_grid"].isel(bead=slice(None, -1))
+    np.testing.assert_array_equal(image(inset).get_array(), plane)
+    assert inset.get_xlim()[1] == data["bead"][-1]
+    first, last = inset.get_ylim()
+    assert first < data["arrival_time"].max() < last
 
 
 def test_figure_5_shows_no_other_time_than_the_start():
@@ -64,9 +103,21 @@ def test_figure_5_shows_no_other_time_than_the_start():
         plot_fig05(ring(1.1, [15.0]), ring(1.5, [15.0]))
 
 
+def test_figure_6_marks_gaps_that_do_not_fit_with_the_width_of_the_widest():
+    given = SAMPLES["fig06"]()
+    given["data"]["relative_displacement"][1, 3:5] = [-3.25, -2.0]
+    shown = panels(draw("fig06", given))
+    first, second = shown["relative_displacement 0"], shown["relative_displacement 1"]
+    assert first.get_ylim() == second.get_ylim()
+    [marks] = [line for line in curves(first) if line.get_marker() == "v"]
+    np.testing.assert_array_equal(marks.get_xdata(), given["data"]["bead"][3:5])
+    assert annotations(first) == ["gap of 3.2"]
+    assert annotations(second) == []
+
+
 def test_figure_8_has_arrows_to_the_saddle_and_towards_larger_s():
     data, shown = picture("fig08")
-    [arrow] = shown["well"].texts
+    arrow, *_ = shown["well"].texts
     assert arrow.xyann[0] == 1.0
     assert arrow.xy[0] < 0.1
     *_, last = shown["portrait"].texts
@@ -76,11 +127,38 @@ def test_figure_8_has_arrows_to_the_saddle_and_towards_larger_s():
     assert last.xy == tuple(front[name].sel(s=2.0) for name in ("rescaled_force", "slope"))
 
 
-def test_figure_12_leaves_fronts_that_do_not_overshoot_white():
-    data, shown = picture("fig12")
-    hidden = (data["overshoot"] <= 1e-8).transpose("gamma", "alpha")
-    assert hidden.sum() == 1
-    np.testing.assert_array_equal(np.ma.getmaskarray(image(shown["plane"]).get_array()), hidden)
+def test_figure_10_shows_errors_of_compression_and_no_spike():
+    scenes, shown = picture("fig10")
+    for row, data in enumerate(scenes):
+        exact = data["relative_displacement"]
+        drawn = curves(shown[f"error {row}"])
+        for line, name in zip(drawn, ("logarithmic", "unlimited", "heteroclinic"), strict=False):
+            expected = data[f"relative_displacement_{name}"] - exact
+            np.testing.assert_array_equal(line.get_ydata(), expected)
+        low, high = shown[f"relative_displacement {row}"].get_ylim()
+        assert low < exact.min() < exact.max() < high < exact.max() + 1.0
+
+
+def test_figure_12_is_white_where_its_colour_bar_is():
+    data, materials, shown = picture("fig12")
+    [filled] = [each for each in shown["plane"].collections if isinstance(each, ContourSet)]
+    assert filled.extend == "min"
+    assert filled.levels[0] == data.attrs["overshoot_cut"]
+    assert filled.get_facecolor()[0].tolist() == [1.0, 1.0, 1.0, 1.0]
+    assert np.all(np.diff(filled.get_facecolor()[1:] @ GREY) < 0.0)
+    assert filled.colorbar.cmap.get_under().tolist() == [1.0, 1.0, 1.0, 1.0]
+    assert annotations(shown["plane"])[: materials.sizes["material"]] == ["steel", "cork"]
+
+
+def test_figure_13_leaves_out_what_rounding_moves():
+    data, shown = picture("fig13")
+    for scene in data["scene"].values:
+        windows = [line for line in curves(shown[scene]) if "behind" in str(line.get_label())]
+        for line, behind in zip(windows, data["beads_behind"].values, strict=True):
+            one = data.sel(scene=scene, beads_behind=behind)
+            hidden = (one["multiplier_rounding"] >= 1e-3).values
+            np.testing.assert_array_equal(np.isnan(line.get_xdata()), hidden)
+    assert 0 < (data["multiplier_rounding"] >= 1e-3).sum() < data["multiplier_rounding"].size
 
 
 def test_figure_15_lists_only_what_occurs():
@@ -90,46 +168,77 @@ def test_figure_15_lists_only_what_occurs():
     assert legend(draw("fig15", given).axes[0]) == ["limit", "passed"]
 
 
-def test_figure_16_tells_three_regimes_and_what_is_not_solved():
-    data, _, _, shown = picture("fig16")
-    regime = np.ma.filled(image(shown["regime"]).get_array(), np.nan)
+def test_figure_16_leaves_fronts_without_overshoot_white_and_unsolved_ones_red():
+    data, curves, _, shown = picture("fig16")
+    plane = image(shown["overshoot"])
     # Columns are α = 1.1, monotone, 1.3, swinging unseen, and 1.5, visibly, with one not solved.
-    np.testing.assert_array_equal(regime, [[0.0, 1.0, 2.0], [0.0, 1.0, np.nan]])
-    # A logarithmic scale shows a front that does not overshoot as the smallest of all.
-    overshoot = np.ma.filled(image(shown["overshoot"]).get_array(), np.nan)
-    expected = data["overshoot"].transpose("gamma", "alpha").clip(min=1e-7)
-    np.testing.assert_array_equal(overshoot, expected)
+    colours = plane.cmap(plane.norm(plane.get_array()))
+    white, red = (to_rgba(name) for name in ("white", ALARM_COLOUR))
+    assert (colours[:, :2] == white).all()
+    assert (colours[1, 2] == red).all()
+    assert tuple(colours[0, 2]) not in (white, red)
+    assert plane.norm.vmin == curves.attrs["overshoot_cut"]
+    assert plane.colorbar.extend == "min"
+    width = np.ma.filled(image(shown["width"]).get_array(), np.nan)
+    np.testing.assert_array_equal(width, data["width_10_90"].transpose("gamma", "alpha"))
+
+
+def test_figure_16_names_its_regions_on_the_right_sides_of_all_curves():
+    _, curves, _, shown = picture("fig16")
+    axes = shown["overshoot"]
+    critical = [curves[f"critical_damping_{name}"] for name in ("tail", "long_wave", "overshoot")]
+    axes.set_ylim(0.01, 10.0)
+    places = {text.get_text(): text for text in axes.texts}
+    for word, above in (("monotone", True), ("oscillating", False)):
+        share = places[word].get_position()
+        _, gamma = axes.transData.inverted().transform(axes.transAxes.transform(share))
+        assert all(np.all((gamma > curve) == above) for curve in critical)
 
 
 def test_figure_17_shows_distances_over_the_sum_of_both_errors():
     data, shown = picture("fig17")
-    measured = "speed_exact power_exact speed_travelling speed_driven velocity_jump_driven"
-    names = [*measured.split(), "power_driven"]
-    ratios, errors = curves(shown["ratio"]), curves(shown["error"])
+    names = [
+        "speed_exact",
+        "speed_travelling",
+        "power_exact",
+        "speed_driven",
+        "velocity_jump_driven",
+    ]
+    names.append("power_driven")
+    ratios = [*curves(shown["exact"]), *curves(shown["driven"])]
+    errors = curves(shown["error"])
     for ratio, error, name in zip(ratios, errors, names, strict=True):
         theory = name.rpartition("_")[0] + "_expected"
         stated = data[f"{name}_error"] + data[f"{theory}_error"]
         np.testing.assert_array_equal(ratio.get_xdata(), (data[name] - data[theory]) / stated)
         np.testing.assert_array_equal(error.get_xdata(), data[f"{name}_error"] / data[theory])
-    # Theory holds between −1 and 1.
-    [band] = shown["ratio"].patches
-    assert (band.get_x(), band.get_width()) == (-1.0, 2.0)
-    extremes = np.abs([line.get_xdata() for line in ratios]).max()
-    assert extremes < shown["ratio"].get_xlim()[1]
+    for name in ("exact", "driven"):
+        # Theory holds between −1 and 1.
+        [band] = shown[name].patches
+        assert (band.get_x(), band.get_width()) == (-1.0, 2.0)
+        marks = curves(shown[name])
+        assert np.abs([line.get_xdata() for line in marks]).max() < shown[name].get_xlim()[1]
+        # No two marks of a lattice are at one height, or nearer to another lattice.
+        heights = np.stack([line.get_ydata() for line in marks])
+        assert np.abs(heights - [[2, 1, 0]]).max() < 0.5
+        assert np.diff(np.sort(heights, axis=0), axis=0).min() > 0.2
 
 
-def test_figure_18_dashes_where_fronts_oscillate():
+def test_figure_18_dashes_where_fronts_oscillate_and_leaves_no_hole():
     data, shown = picture("fig18")
     drawn = iter(curves(shown["gamma"]))
-    for full, dashed, beta in zip(drawn, drawn, data["beta"], strict=True):
+    for dashed, full, beta in zip(drawn, drawn, data["beta"], strict=True):
         law = data.sel(beta=beta)
         oscillating = (law["gamma"] < law["critical_gamma"]).values
-        np.testing.assert_array_equal(np.isfinite(dashed.get_ydata()), oscillating)
+        assert dashed.get_color() == full.get_color()
+        assert dashed.is_dashed()
+        assert not full.is_dashed()
+        assert np.isfinite(dashed.get_ydata()).all()
         np.testing.assert_array_equal(np.isfinite(full.get_ydata()), ~oscillating)
         assert 0 < oscillating.sum() < oscillating.size
 
 
 def test_colour_maps_keep_their_order_in_grey():
-    weights = [0.2126, 0.7152, 0.0722, 0.0]
-    for colour_map in (compression_map(), velocity_map()):
-        assert np.all(np.diff(colour_map(np.linspace(0.0, 1.0, 33)) @ weights) < 0.0)
+    greys = [each(np.linspace(0.0, 1.0, 33)) @ GREY for each in (compression_map(), velocity_map())]
+    for grey in (greys[0][16:], greys[0][16::-1], greys[1]):
+        assert np.all(np.diff(grey) < 0.0)

@@ -28,6 +28,7 @@ def path(tmp_path_factory):
         },
         "grid": {"step": 2.0},
         "extremes": True,
+        "arrival_level": 0.05,
     }
     scene = driven_scene(0.06, BEADS, 80.0, record=record)
     path = tmp_path_factory.mktemp("data") / "scene.nc"

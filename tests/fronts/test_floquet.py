@@ -149,6 +149,22 @@ def test_beads_ahead_do_not_matter(alpha, gamma, beta):
     np.testing.assert_allclose(more.values[:12], usual.values[:12], rtol=0, atol=1.0e-9)
 
 
+def test_rounding_moves_multipliers_no_farther_than_stated():
+    """Windows that differ in beads at rest have the same multipliers, but for rounding."""
+    front = solved(*STRONG, 1.5)
+    usual = front_multipliers(front, beads_behind=40)
+    more = front_multipliers(front, beads_behind=40, beads_ahead=usual.attrs["beads_ahead"] + 3)
+    certain = usual["rounding"].values < 1.0e-3
+    assert 10 < certain.sum() < usual.size
+    for value, error in zip(usual.values[certain], usual["rounding"].values[certain], strict=True):
+        assert np.abs(more.values - value).min() < 10.0 * error
+    # What a nilpotent block leaves is anywhere.
+    assert (
+        np.abs(usual.values[usual["rounding"].values > 1.0]).max()
+        < np.abs(usual.values[certain]).min()
+    )
+
+
 def test_untouched_chain_is_nilpotent():
     """Shift and Jordan block: with nothing entering from ahead no power of T survives."""
     beads = 20
@@ -204,7 +220,7 @@ def test_what_is_no_front_is_reported():
 def test_unstable_state_shows_outside_the_circle():
     """A stretch of negative damping makes kicks grow."""
     u, d = np.ones(40), np.zeros(40)
-    values = multipliers(u, d, 1.5, -0.05, 1.5)
+    values, _ = multipliers(u, d, 1.5, -0.05, 1.5)
     assert np.abs(values).max() > 1.01
 
 

@@ -1,10 +1,9 @@
-"""Orders fitted to campaigns of rings, and how figure 20 writes them."""
-
-import importlib
+"""Orders fitted to campaigns of rings, and how their table writes them."""
 
 import numpy as np
 import pytest
 import xarray as xr
+from tabulate_ring_orders import with_error
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.campaign import measures
@@ -19,8 +18,8 @@ from granular_fronts.campaign import measures
         (np.nan, np.nan, "nan ± nan"),
     ],
 )
-def test_fig20_writes_orders_with_the_digits_of_their_errors(value, error, words):
-    assert importlib.import_module("plot_fig20").with_error(Estimate(value, error)) == words
+def test_orders_are_written_with_the_digits_of_their_errors(value, error, words):
+    assert with_error(Estimate(value, error)) == words
 
 
 def made_up(power, scatter=0.0):

@@ -340,7 +340,7 @@ def test_verdict_is_fair_to_rivals_and_names_what_a_user_calls(costs, verdict):
 
 def test_figure_14_draws_every_point_and_names_failures(merged):
     data = read_dataset(merged)
-    figure = drawing.plot_fig14(data)
+    figure = drawing.draw_problems(data)
     panels = {axes.get_title(): axes for axes in figure.axes}
     assert panels.keys() == {"one", "two", "log burgers weak"}
     lines = curves(panels["one"])
@@ -362,7 +362,7 @@ def test_figure_14_names_each_curve_at_its_end_of_largest_error(crowded):
     costs = {"strain_form": 1.0, "lammps_nve": 9.0, "scipy_radau": None}
     costs |= {"scipy_dop853": 8.9} if crowded else {}
     data, _ = measured_family("precision_chain", {"one": costs})
-    axes = drawing.plot_fig14(data).axes[0]
+    axes = drawing.draw_problems(data).axes[0]
     names = {text.get_text().replace(" ", "_"): text for text in axes.texts}
     assert names.keys() == costs.keys() - {"scipy_radau"}
     (code,) = [line for line in axes.get_lines() if line.get_linestyle() == "-."]

@@ -2,7 +2,7 @@
 
 TARGETS_IN_WORDS = {
     "all": "The report and the tests of all finished files; made when no target is named.",
-    "figures": "All figures but 14 to 16, 20, 21 and 23 to 25, which only their own targets make.",
+    "figures": "All figures but 14, 15, 20, 21 and 23 to 25, which only their own targets make.",
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
     "crate": "An archive of a finished run for others, a Workflow Run RO-Crate.",

@@ -80,5 +80,6 @@ rule precision:
     input:
         rules.tabulate_speed_error.output,
         rules.fig14.input,
+        rules.fig14b.input,
     message:
         "Speed against error is measured; the next report shows it: {input}."

@@ -93,7 +93,7 @@ def table_inputs(table):
     files = [data_file(dataset) for dataset in tabulated_from(table)]
     if statements := TABLES[table].get("statements"):
         return {"statements": project("config", statements), "datasets": files}
-    return {"dataset": files[0]}
+    return {"dataset": files[0]} if len(files) == 1 else {"datasets": files}
 
 
 def table_params(table):

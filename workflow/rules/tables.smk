@@ -54,8 +54,11 @@ rule tabulate_fronts:
 rule ring_limit:
     input:
         rules.tabulate_ring_limit.output,
+        rules.tabulate_ring_orders.output,
         rules.fig20.input,
+        rules.fig20b.input,
         rules.fig21.input,
+        rules.fig21b.input,
     message:
         "The limit α → 1 is judged and drawn: {input}."
 

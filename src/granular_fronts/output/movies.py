@@ -11,13 +11,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import EllipseCollection
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from PIL import Image
 
 from granular_fronts import arguments
 from granular_fronts.output.panels import (
-    FIELD_LABELS,
     MARK_HEIGHT,
     contacts_open,
     draw_open_contacts,
@@ -26,12 +28,12 @@ from granular_fronts.output.panels import (
     moving_parts,
     open_contacts,
 )
-from granular_fronts.output.style import CHAIN_COLOUR, new_figure
+from granular_fronts.output.style import CHAIN_COLOUR, compression_map, new_panels
 
 if TYPE_CHECKING:
     import xarray as xr
 
-HEIGHT = 3.4
+HEIGHT = 3.8
 DOTS_PER_INCH = 120
 MILLISECONDS = 60
 """For which a frame is shown."""
@@ -39,11 +41,14 @@ MILLISECONDS = 60
 ENDINGS = (".gif", ".png", ".webp")
 """Of files that may hold a moving picture."""
 
-COLOURS = 32
+COLOURS = 64
 """Of lines and text, to which so few do no harm."""
 
-WORDS = {"relative_displacement": "compression", "velocity": "velocity"}
-"""What the fields are called, for readers who have no symbols yet."""
+BEADS_DRAWN = 42
+"""As circles, of a longer chain every so many."""
+
+FARTHEST = 0.35
+"""How far a circle moves at most, as a share of the chain."""
 
 FRAMES_PER_SAMPLE = 8
 """Of which one is looked at for its colours."""
@@ -138,35 +143,77 @@ class Movie:
 def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[Artist]]]:
     """A figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
-    Relative displacements are above, velocities below, both against the bead number; contacts that
-    are open are marked at the lower edge, where the law lets them open.  What shows a row returns
-    the artists that it has changed.
+    Circles are beads, where they are.  Below are relative displacements and velocities against the
+    bead number; open contacts are marked at the lower edge, where the law lets them open.  What
+    shows a row returns the artists that it has changed.
     """
     fields = moving_parts(motion, "_grid")
     opens = contacts_open(motion)
-    make = partial(Figure, dpi=DOTS_PER_INCH)
-    figure, panels = new_figure(HEIGHT, [[field] for field in fields], make)
+    mosaic = [["strip"], *([field] for field in fields for _ in range(3))]
+    figure, panels = new_panels(HEIGHT, mosaic, partial(Figure, dpi=DOTS_PER_INCH))
+    circles, move = _draw_strip(panels["strip"], fields)
     lines = {}
     for field, values in fields.items():
         lines[field] = draw_snapshot(panels[field], values[0], field, color=CHAIN_COLOUR)
         fix_ordinate(panels[field], values, opens=opens and field == "relative_displacement")
-        panels[field].set(xlabel="bead $n$", ylabel=f"{WORDS[field]} {FIELD_LABELS[field]}")
     upper = panels["relative_displacement"]
     upper.set(xlabel="", xlim=panels["velocity"].get_xlim())
     time = upper.set_title("$t$", loc="left")
-    changing = [*lines.values(), time]
+    changing = [circles, *lines.values(), time]
     if opens:
         marks = draw_open_contacts(upper, fields["relative_displacement"][0])
         changing.append(marks)
         upper.legend(handles=[marks], loc="lower right", bbox_to_anchor=(1.0, 1.0))
 
     def show(row: int) -> Sequence[Artist]:
+        move(row)
         for field, line in lines.items():
             line.set_ydata(fields[field][row])
-        time.set_text(f"$t = {float(motion['t_grid'][row]):g}$")
+        time.set_text(f"time $t = {float(motion['t_grid'][row]):g}$")
         if opens:
             beads = open_contacts(fields["relative_displacement"][row])
             marks.set_data(beads, np.full(beads.size, MARK_HEIGHT))
         return changing
 
     return figure, show
+
+
+def _draw_strip(
+    axes: Axes, fields: dict[str, xr.DataArray]
+) -> tuple[EllipseCollection, Callable[[int], None]]:
+    """Circles for beads, blue where they are compressed and red before a gap, and what moves them.
+
+    All move by the same multiple of their displacements.
+    """
+    u, velocity = fields.values()
+    first = velocity.isel(bead=0).cumulative_integrate("t_grid").values
+    # Contact n lies between beads n and n + 1.
+    moved = first[:, np.newaxis] - np.cumsum(np.pad(u.values, [(0, 0), (1, 0)]), axis=1)
+    count = velocity.sizes["bead"]
+    every, scale = max(1, count // BEADS_DRAWN), FARTHEST * count / (np.abs(moved).max() or 1.0)
+    places = np.arange(0, min(count, u.sizes["bead"]), every)
+    circles = EllipseCollection(
+        [every] * places.size,
+        [every] * places.size,
+        [0.0] * places.size,
+        units="x",
+        offsets=np.zeros((places.size, 2)),
+        offset_transform=axes.transData,
+        cmap=compression_map(),
+        norm=Normalize(-float(u.max()), float(u.max())),
+        edgecolors="black",
+        linewidths=0.5,
+    )
+    axes.add_collection(circles)
+    ends = scale * moved.min(), count + scale * moved.max()
+    axes.set(xlim=(ends[0] - every, ends[1] + every), ylim=(-1, 1))
+    axes.set_axis_off()
+    if every > 1:
+        axes.set_title(f"one bead in {every}", fontsize=8)
+
+    def move(row: int) -> None:
+        at = places + scale * moved[row, places]
+        circles.set_offsets(np.stack([at, np.zeros(at.size)], axis=1))
+        circles.set_array(u.values[row, places])
+
+    return circles, move

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,21 +11,26 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
 from granular_fronts.accuracy import certain_sign
-from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import (
     ALARM_COLOUR,
-    CHAIN_COLOUR,
-    EQUATION_COLOUR,
+    LOOKS,
     compression_map,
-    new_figure,
+    velocity_map,
 )
 
 if TYPE_CHECKING:
     import xarray as xr
 
-FIELD_LABELS = {"relative_displacement": "$u_n$", "velocity": r"$\dot x_n$"}
+FIELD_LABELS = {
+    "relative_displacement": "compression $u_n$",
+    "velocity": r"velocity $\dot x_n$",
+}
+BEAD, TIME = "bead $n$", "time $t$"
+WIDEST = 1.4
+"""Largest compression in colours, over δ: the paper clips its colours at 0.14 where δ = 0.1."""
 MARK_HEIGHT = 0.04
 """Where open contacts are marked, as a share of the height of a panel."""
 
@@ -36,7 +41,8 @@ def draw_probes(axes: Axes, data: xr.Dataset, name: str) -> None:
     for bead in probes[f"bead_{name}"].values:
         curve = probes.sel({f"bead_{name}": bead})
         axes.plot(curve[f"t_{name}"], curve, label=f"$n = {bead}$")
-    axes.set(xlabel="$t$", ylabel="$u_n(t)$", xlim=(curve[f"t_{name}"][0], curve[f"t_{name}"][-1]))
+    axes.set(xlabel=TIME, ylabel=FIELD_LABELS["relative_displacement"])
+    axes.set(xlim=(curve[f"t_{name}"][0], curve[f"t_{name}"][-1]))
 
 
 def label_peaks(axes: Axes) -> None:
@@ -55,31 +61,36 @@ def label_peaks(axes: Axes) -> None:
 
 
 def draw_spacetime(
-    axes: Axes,
-    values: xr.DataArray,
-    label: str,
-    colour_map: Colormap | None = None,
-    limits: tuple[float | None, float | None] = (None, None),
-    extend: str = "neither",
-) -> None:
-    """Colour the (n, t) plane by values on (t_grid, bead), bead number across and time upwards.
+    axes: Axes, values: xr.DataArray, field: str, limits: tuple[float, float]
+) -> QuadMesh:
+    """Colour the (n, t) plane by a field on (t_grid, bead), bead across and time upwards.
 
-    Colours are those of compressions unless others are given.  Of the `limits` of their scale None
-    is the extreme of the data; `extend` says where the colour bar goes on beyond them, as in
-    matplotlib.
+    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.
     """
     image = axes.pcolormesh(
         values["bead"],
         values["t_grid"],
         values,
-        cmap=colour_map or compression_map(),
+        cmap=compression_map() if field == "relative_displacement" else velocity_map(),
         vmin=limits[0],
         vmax=limits[1],
         shading="nearest",
         rasterized=True,
     )
-    axes.set(xlabel="$n$", ylabel="$t$")
+    axes.set(xlabel=BEAD, ylabel=TIME)
+    extend = "min" if float(values.min()) < limits[0] else "neither"
+    label = FIELD_LABELS[field]
     axes.figure.colorbar(image, ax=axes, location="top", extend=extend, label=label, aspect=30)
+    return image
+
+
+def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
+    """Write the names of a front and of its reflection beside their ways in the (n, t) plane."""
+    last, arrival = int(arrivals["bead"][-1]), float(arrivals.max())
+    edge = [withStroke(linewidth=2, foreground="white")]
+    axes.text(0.56 * last, 0.4 * arrival, "front", fontsize=8, path_effects=edge)
+    axes.text(0.1 * last, 1.3 * arrival, "reflected wave", fontsize=8, path_effects=edge)
+    axes.text(0.62 * last, 0.15 * arrival, "at rest", fontsize=8, color="0.5")
 
 
 def draw_plane(
@@ -98,16 +109,44 @@ def draw_plane(
     )
 
 
+def draw_critical_damping(axes: Axes, curves: xr.Dataset, *names: str) -> None:
+    """Critical damping over α in some of its meanings, with a white edge against any colours."""
+    for name in names:
+        axes.plot(
+            curves["alpha"],
+            curves[f"critical_damping_{name}"],
+            path_effects=[withStroke(linewidth=2.6, foreground="white")],
+            **LOOKS[name]._asdict(),
+        )
+
+
+def draw_materials(axes: Axes, materials: xr.Dataset, alpha: float) -> None:
+    """The places of real beads in the plane of exponent and damping."""
+    edge = [withStroke(linewidth=2.5, foreground="white")]
+    for gamma in materials["gamma_printed"]:
+        axes.plot(alpha, gamma, "o", color="black", markeredgecolor="white", markersize=6)
+        axes.annotate(
+            str(gamma["material"].values),
+            (alpha, float(gamma)),
+            xytext=(7, 0),
+            textcoords="offset points",
+            va="center",
+            fontweight="bold",
+            path_effects=edge,
+        )
+
+
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
     """u(ξ) of an exact front; `look` is that of the line, as in `matplotlib.axes.Axes.plot`."""
     axes.plot(front["xi"], front["relative_displacement"], "-", **look)
-    axes.set(xlabel=r"$\xi = n - ct$", ylabel=r"$u/\delta$")
+    axes.set(xlabel=r"$\xi = n - ct$", ylabel=r"compression $u/\delta$")
 
 
 def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> Line2D:
     """A field on (bead) at one time, a dot for each bead on a thin line of some look."""
-    [line] = axes.plot(values["bead"], values, ".-", markersize=2.5, linewidth=0.6, **look)
-    axes.set(xlabel="$n$", ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
+    dots: dict[str, Any] = {"marker": ".", "linestyle": "-", "markersize": 2.5, "linewidth": 0.6}
+    [line] = axes.plot(values["bead"], values, **dots | look)
+    axes.set(xlabel=BEAD, ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
     return line
 
 
@@ -157,45 +196,6 @@ def fix_ordinate(axes: Axes, values: xr.DataArray, *, opens: bool) -> None:
     low = max(low, -high) if opens else low
     margin = 0.05 * (high - low) or 1.0
     axes.set_ylim(low - margin, high + margin)
-
-
-def draw_chain_dots(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
-    """A field of all beads at one time, one dot each."""
-    beads = snapshot[field]
-    axes.plot(beads["bead"], beads, ".", color=CHAIN_COLOUR, markersize=2.5, label="chain")
-    axes.set(ylabel=FIELD_LABELS[field], xlim=(0, int(beads["bead"][-1]) + 1))
-
-
-def draw_comparison(data: xr.Dataset) -> Figure:
-    """Figure of chain and logarithmic Burgers equation, a row for each snapshot after the start."""
-    rows = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(1, data.sizes["t"])]
-    figure, panels = new_figure(1.7 * len(rows) + 0.2, rows)
-    for row, names in enumerate(rows, start=1):
-        snapshot = data.isel(t=row)
-        for name, field in zip(names, FIELD_LABELS, strict=True):
-            axes, line = panels[name], snapshot[f"{field}_logarithmic"]
-            axes.plot(line["site"], line, "-", color=EQUATION_COLOUR, label="equation (41)")
-            draw_chain_dots(axes, snapshot, field)
-            axes.set_title(f"$t = {float(snapshot['t']):g}$")
-    finish_grid(figure, [panels[name] for name in rows[-1]], "$n$")
-    return figure
-
-
-def draw_rings(
-    height: float, rings: Sequence[xr.Dataset], draw: Callable[[Axes, xr.Dataset, str, str], None]
-) -> tuple[Figure, list[list[Axes]]]:
-    """Figure with a row for each ring and a column for each field, and the axes by rows.
-
-    Each panel is drawn by `draw(axes, ring, field, exponent in words)`.
-    """
-    names = [[f"{field} {row}" for field in FIELD_LABELS] for row in range(len(rings))]
-    figure, panels = new_figure(height, names)
-    rows = [[panels[name] for name in row] for row in names]
-    for row, data in zip(rows, rings, strict=True):
-        exponent = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
-        for axes, field in zip(row, FIELD_LABELS, strict=True):
-            draw(axes, data, field, exponent)
-    return figure, rows
 
 
 def finish_grid(figure: Figure, lowest: Sequence[Axes], label: str, columns: int = 3) -> None:

@@ -18,7 +18,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
-from granular_fronts.accuracy import certain_sign
 from granular_fronts.arguments import count, instance
 from granular_fronts.errors import InputError
 from granular_fronts.output.movies import Movie, moving_chain
@@ -36,8 +35,7 @@ from granular_fronts.output.panels import (
 from granular_fronts.output.style import (
     PROBE_COLOURS,
     looks_of_figures,
-    new_figure,
-    velocity_map,
+    new_panels,
 )
 
 __all__ = ["animate", "chain", "front", "space_time", "sweep"]
@@ -96,7 +94,7 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
         axes = _new_axes() if axes is None else instance("axes", axes, Axes, "leave it out")
         draw_profile(axes, front)
         if "alpha" not in front.attrs:
-            axes.set_ylabel("$u$")
+            axes.set_ylabel("compression $u$")
         if new:
             axes.set_xlim(*_visible_range(front))
     return axes
@@ -184,7 +182,7 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
     fields, opens = moving_parts(motion), contacts_open(motion)
     u = fields["relative_displacement"]
     with looks_of_figures():
-        figure, panels = new_figure(2.7, [list(fields)], plt.figure)
+        figure, panels = new_panels(2.7, [list(fields)], plt.figure)
         compression, velocity = panels.values()
         marks = []
         for row, time in enumerate(motion["t"].values):
@@ -233,18 +231,12 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
     >>> displacements, velocities = gf.plot.space_time(motion)
     """
     u, velocity = moving_parts(_on_grid(motion), "_grid").values()
-    largest = float(u.max())
-    clipped = contacts_open(motion) and bool((certain_sign(u) < 0).any())
+    largest = float(u.max() if contacts_open(motion) else np.abs(u).max())
     with looks_of_figures():
-        _, panels = new_figure(4.4, [["u", "velocity"]], plt.figure)
-        draw_spacetime(
-            panels["u"],
-            u,
-            "$u_n(t)$",
-            limits=(-largest, largest) if clipped else (None, None),
-            extend="min" if clipped else "neither",
-        )
-        draw_spacetime(panels["velocity"], velocity, r"$\dot x_n(t)$", velocity_map())
+        _, panels = new_panels(4.4, [["u", "velocity"]], plt.figure)
+        draw_spacetime(panels["u"], u, "relative_displacement", (-largest, largest))
+        limits = min(0.0, float(velocity.min())), float(velocity.max())
+        draw_spacetime(panels["velocity"], velocity, "velocity", limits)
     return panels["u"], panels["velocity"]
 
 
@@ -262,7 +254,8 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
     Returns
     -------
     granular_fronts.output.movies.Movie
-        Relative displacements above, with a mark for each contact that is open, velocities below.
+        Beads as circles, below them relative displacements, with a mark for each contact that is
+        open, and velocities.
         Its method ``write(path)`` keeps it in a file: gif, png or webp.
 
     Raises
@@ -287,7 +280,7 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
     with looks_of_figures():
         figure, show = moving_chain(motion)
     alternative = (
-        "Relative displacements and velocities along a chain, moving from "
+        "Beads, relative displacements and velocities along a chain, moving from "
         f"t = {grid[rows[0]]:g} to t = {grid[rows[-1]]:g}."
     )
     return Movie(figure, show, rows.tolist(), alternative)
@@ -295,7 +288,7 @@ def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
 
 def _new_axes() -> Axes:
     """The one panel of a new figure that a notebook shows."""
-    _, panels = new_figure(2.8, [["panel"]], plt.figure)
+    _, panels = new_panels(2.8, [["panel"]], plt.figure)
     return panels["panel"]
 
 

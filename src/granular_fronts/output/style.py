@@ -10,13 +10,14 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from string import ascii_lowercase
+from typing import Any, NamedTuple
 
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
-from matplotlib.colors import Colormap
+from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.rcsetup import cycler
 
@@ -25,36 +26,58 @@ from granular_fronts.output.provenance import source_of
 
 TEXT_WIDTH = 6.9
 DOTS_PER_INCH = 200
-PROBE_COLOURS = ("#000000", "#1447c4", "#1a8f3c", "#46b4ea", "#d02fb4", "#8a4a12")
-PROBE_STYLES = ("-", (0, (6, 1.5)), "-.", (0, (3, 1)), (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
-CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = "#000000", "#1447c4", "#1a8f3c"
-HETEROCLINIC_COLOUR = "#d02fb4"
-# Label, colour and line of each continuum front, by the name it has in the data.
-CONTINUUM_LOOKS = {
-    "logarithmic": ("(45)", EQUATION_COLOUR, (0, (6, 1.5))),
-    "unlimited": ("(46)", UNLIMITED_COLOUR, "-."),
-    "heteroclinic": ("heteroclinic", HETEROCLINIC_COLOUR, (0, (3, 1))),
-}
-# The same of each amplitude equation in time.
-MODEL_LOOKS = {
-    "logarithmic": ("(41)", EQUATION_COLOUR, (0, (6, 1.5))),
-    "unlimited": ("(40)", UNLIMITED_COLOUR, "-."),
-    "dispersive": ("(55)", HETEROCLINIC_COLOUR, (0, (3, 1))),
-}
-# Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
-EXPONENT_COLOURS = ("#1447c4", "#1a8f3c")
+BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS = (
+    "#000000",
+    "#1a30c0",
+    "#20a060",
+    "#5cc0f5",
+    "#c92fa4",
+    "#5a2a05",
+)
+DASHED, DOTTED, DASH_DOTTED = (0, (6, 1.5)), (0, (3, 1)), (0, (6, 1.5, 1, 1.5))
+PROBE_STYLES = ("-", DASHED, DASH_DOTTED, DOTTED, (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 # What is clipped, failed or singled out.
-ALARM_COLOUR = "#d01c1c"
+ALARM_COLOUR = "#d8400c"
+
+
+class Look(NamedTuple):
+    """Label, colour and line of a curve, as keywords for `matplotlib.axes.Axes.plot`."""
+
+    label: str
+    color: str
+    linestyle: Any
+
+
+# The one table of looks: every curve that several figures show, by the name it has in the data.
+LOOKS = {
+    "exact": Look("exact front", BLACK, "-"),
+    # Amplitude equations in time, and their fronts.
+    "logarithmic": Look("logarithmic Burgers", BLUE, DASHED),
+    "unlimited": Look("finite-α Burgers", GREEN, DASH_DOTTED),
+    "dispersive": Look("logarithmic KdV–Burgers", MAGENTA, DOTTED),
+    "heteroclinic": Look("logarithmic KdV–Burgers", MAGENTA, DOTTED),
+    # Critical damping in its four meanings.
+    "tail": Look("tail stops oscillating", BLACK, "-"),
+    "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
+    "long_wave": Look("long-wave limit, μ = 2", BLUE, DASHED),
+    "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
+}
+CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
+MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispersive")}
+
+CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = BLACK, BLUE, GREEN
+# Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
+EXPONENT_LOOKS = ((BLUE, DASHED), (GREEN, DASH_DOTTED))
 # Whose solver it is, in figure 14.
 PACKAGE_COLOURS = {
-    "ours": "#000000",
-    "upwind": "#d01c1c",
-    "scilab": "#d01c1c",
-    "scipy": "#1447c4",
-    "numbalsoda": "#1a8f3c",
-    "sundials": "#8a4a12",
-    "diffrax": "#d02fb4",
-    "lammps": "#c47700",
+    "ours": BLACK,
+    "upwind": ALARM_COLOUR,
+    "scilab": ALARM_COLOUR,
+    "scipy": BLUE,
+    "numbalsoda": GREEN,
+    "sundials": BROWN,
+    "diffrax": MAGENTA,
+    "lammps": LIGHT_BLUE,
 }
 PACKAGE_LINES: dict[str, Any] = {
     "upwind": "-",
@@ -82,7 +105,7 @@ _SETTINGS: dict[Any, Any] = {
     "legend.fontsize": 8,
     "legend.handlelength": 3.0,
     "pdf.fonttype": 42,
-    "mathtext.fontset": "cm",
+    "mathtext.fontset": "dejavusans",
     "image.interpolation": "nearest",
 }
 
@@ -101,14 +124,8 @@ def looks_of_figures() -> Iterator[None]:
         matplotlib.rcParams.update(before)
 
 
-figure_for_files = partial(Figure, dpi=DOTS_PER_INCH)
-"""What makes a figure that is saved, and that no notebook shows."""
-
-
-def new_figure(
-    height: float,
-    mosaic: list[Any],
-    make: Callable[..., Figure] = figure_for_files,
+def new_panels(
+    height: float, mosaic: list[Any], make: Callable[..., Figure]
 ) -> tuple[Figure, dict[str, Axes]]:
     """Make a figure of text width, with a height in inches, and a mosaic of named panels.
 
@@ -119,6 +136,15 @@ def new_figure(
     return figure, figure.subplot_mosaic(mosaic)
 
 
+def new_figure(height: float, mosaic: list[Any]) -> tuple[Figure, dict[str, Axes]]:
+    """The same for a file: several panels have the letters (a), (b), … that its caption uses."""
+    figure, panels = new_panels(height, mosaic, partial(Figure, dpi=DOTS_PER_INCH))
+    if len(panels) > 1:
+        for letter, axes in zip(ascii_lowercase, panels.values(), strict=False):
+            axes.set_title(f"({letter})", loc="left", fontweight="bold")
+    return figure, panels
+
+
 def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
     """Return rows of a mosaic with a panel for each name; the last one ends with empty places."""
     filled = [*names, *["."] * (-len(names) % columns)]
@@ -126,13 +152,18 @@ def fill_rows(names: Collection[str], columns: int) -> list[list[str]]:
 
 
 def compression_map() -> Colormap:
-    """Colour map of relative displacements: darker with compression, wide-open gaps in red."""
-    return matplotlib.colormaps["bone_r"].with_extremes(under=ALARM_COLOUR)
+    """Colour map of relative displacements on a scale centred on 0: white at rest, gaps in red."""
+    shades = [ALARM_COLOUR, "white", "#7f9bea", "#101a66"]
+    steps = [0.0, 0.5, 0.75, 1.0]
+    colours = LinearSegmentedColormap.from_list(
+        "compression", list(zip(steps, shades, strict=True))
+    )
+    return colours.with_extremes(under=ALARM_COLOUR)
 
 
 def velocity_map() -> Colormap:
-    """Colour map of velocities, light at rest."""
-    return matplotlib.colormaps["viridis_r"]
+    """Colour map of velocities, white at rest."""
+    return LinearSegmentedColormap.from_list("velocity", ["white", "#74c69a", "#063d22"])
 
 
 def save_figure(figure: Figure, pdf: Path, png: Path, datasets: Iterable[Any]) -> None:

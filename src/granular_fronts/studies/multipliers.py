@@ -19,8 +19,9 @@ SCALARS = (
 def compute_multipliers(fronts, beads_behind):
     """Multipliers of every front, by name, in windows with so many beads behind it.
 
-    `multiplier_real` and `_imaginary` on (scene, beads_behind, multiplier), those of the compressed
-    chain behind on (scene, branch, wavenumber); a NoFrontError if there is none.
+    `multiplier_real`, `_imaginary` and the errors of `_rounding` on (scene, beads_behind,
+    multiplier), those of the compressed chain behind on (scene, branch, wavenumber); a NoFrontError
+    if there is none.
     """
     return xr.concat(
         [_spectra_of(law, beads_behind) for law in fronts.values()],
@@ -47,6 +48,10 @@ def _spectra_of(law, windows):
 
 def _split(values):
     """Complex multipliers as real and imaginary parts, which netCDF can hold, and scalars."""
-    parts = {"multiplier_real": values.real, "multiplier_imaginary": values.imag}
+    parts = {
+        "multiplier_real": values.real,
+        "multiplier_imaginary": values.imag,
+        "multiplier_rounding": values["rounding"],
+    }
     scalars = {name: values.attrs[name] for name in SCALARS}
-    return xr.Dataset(parts | scalars).drop_attrs()
+    return xr.Dataset(parts | scalars).drop_vars("rounding").drop_attrs()

@@ -20,8 +20,10 @@ def plot_fig01(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(4.8, [["steady", "snapshot"], ["transient", "transient"]])
     draw_probes(panels["steady"], data, "steady")
     label_peaks(panels["steady"])
+    panels["steady"].set_title("far from the end: steady front", pad=12)
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right")
+    panels["transient"].set_title("near the compressed end: the front forms")
     _draw_velocities(panels["snapshot"], data)
     return figure
 
@@ -30,7 +32,7 @@ def _draw_velocities(axes: Axes, data: xr.Dataset) -> None:
     """Velocities of all beads at the snapshot."""
     snapshot = data["velocity"].isel(t=0)
     draw_snapshot(axes, snapshot, "velocity", color="black")
-    axes.set_title(f"$t = {float(snapshot['t']):g}$")
+    axes.set_title(f"all beads at $t = {float(snapshot['t']):g}$", pad=12)
 
 
 if __name__ == "__main__":

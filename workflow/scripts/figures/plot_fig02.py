@@ -1,15 +1,18 @@
 """Figure 2: space-time diagrams of a front and its reflections; James (2021), figure 2."""
 
+from typing import Any
+
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
-from granular_fronts.output.panels import draw_spacetime
-from granular_fronts.output.style import new_figure, velocity_map
+from granular_fronts.output.panels import WIDEST, draw_spacetime, name_waves
+from granular_fronts.output.style import compression_map, new_figure
 
-# The paper clips its colours at 0.14 where δ = 0.1: gaps wider than any compression are red.
-CLIP_OVER_DELTA = 1.4
+# What the inset shows: so many beads, until this multiple of the time of arrival.
+BEADS_AT_END, TIME_AT_END = 25, 1.25
 
 
 def plot_fig02(data: xr.Dataset) -> Figure:
@@ -20,24 +23,34 @@ def plot_fig02(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Scene initiation_underdamped.
     """
-    clip = CLIP_OVER_DELTA * configuration_of(data)["boundary"]["left"]
+    clip = WIDEST * configuration_of(data)["boundary"]["left"]
+    velocity = data["velocity_grid"]
     figure, panels = new_figure(4.4, [["displacement", "velocity"]])
-    draw_spacetime(
-        panels["displacement"],
-        data["relative_displacement_grid"].isel(bead=slice(None, -1)),
-        "$u_n(t)$",
-        limits=(-clip, clip),
-        extend="min",
-    )
-    draw_spacetime(
-        panels["velocity"],
-        data["velocity_grid"],
-        r"$\dot x_n(t)$",
-        velocity_map(),
-        limits=(0.0, None),
-    )
+    u = data["relative_displacement_grid"].isel(bead=slice(None, -1))
+    draw_spacetime(panels["displacement"], u, "relative_displacement", (-clip, clip))
+    draw_spacetime(panels["velocity"], velocity, "velocity", (0.0, float(velocity.max())))
     panels["velocity"].set_ylabel("")
+    _draw_free_end(panels["displacement"], u, data["arrival_time"], clip)
+    for axes in panels.values():
+        name_waves(axes, data["arrival_time"])
     return figure
+
+
+def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: float) -> None:
+    """An inset of the last beads when the front arrives, where contacts open."""
+    last, arrival = int(arrivals["bead"][-1]), float(arrivals.max())
+    inset = axes.inset_axes((0.6, 0.5, 0.3, 0.16))
+    look: dict[str, Any] = {
+        "cmap": compression_map(),
+        "vmin": -clip,
+        "vmax": clip,
+        "shading": "nearest",
+    }
+    inset.pcolormesh(u["bead"], u["t_grid"], u, rasterized=True, **look)
+    inset.set(xlim=(last - BEADS_AT_END, last), ylim=(0.96 * arrival, TIME_AT_END * arrival))
+    inset.tick_params(labelsize=6)
+    inset.set_title("free end:\nlast beads fly off", fontsize=7)
+    axes.indicate_inset_zoom(inset, edgecolor="black")
 
 
 if __name__ == "__main__":

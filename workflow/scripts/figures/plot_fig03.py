@@ -4,7 +4,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_probes, draw_spacetime
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.panels import WIDEST, draw_probes, draw_spacetime, name_waves
 from granular_fronts.output.style import new_figure
 
 
@@ -16,15 +17,18 @@ def plot_fig03(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Scene initiation_overdamped.
     """
+    clip = WIDEST * configuration_of(data)["boundary"]["left"]
     figure, panels = new_figure(4.0, [["transient", "displacement"]])
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right")
+    panels["transient"].set_title("near the compressed end")
     draw_spacetime(
         panels["displacement"],
         data["relative_displacement_grid"].isel(bead=slice(None, -1)),
-        "$u_n(t)$",
-        limits=(0.0, None),
+        "relative_displacement",
+        (-clip, clip),
     )
+    name_waves(panels["displacement"], data["arrival_time"])
     return figure
 
 

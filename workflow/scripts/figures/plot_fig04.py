@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.style import EXPONENT_COLOURS, new_figure
+from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
 
 
 def plot_fig04(data: xr.Dataset) -> Figure:
@@ -18,18 +18,26 @@ def plot_fig04(data: xr.Dataset) -> Figure:
         Tabulated fluxes and fronts.
     """
     figure, panels = new_figure(3.0, [["flux", "front"]])
-    for alpha, colour in zip(data["alpha"].values, EXPONENT_COLOURS, strict=False):
+    for alpha, (colour, line) in zip(data["alpha"].values, EXPONENT_LOOKS, strict=False):
         case = data.sel(alpha=alpha)
         label = rf"$\alpha = {alpha:g}$"
-        panels["flux"].plot(data["force"], case["flux"], "-", color=colour, label=label)
+        panels["flux"].plot(data["force"], case["flux"], linestyle=line, color=colour)
         panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
-        panels["front"].plot(data["xi"], case["front"], "-", color=colour, label=label)
-    limit: dict[str, Any] = {"color": "black", "linestyle": "-", "label": r"$\alpha \to 1^+$"}
+        panels["front"].plot(data["xi"], case["front"], linestyle=line, color=colour, label=label)
+    limit: dict[str, Any] = {
+        "color": "black",
+        "linestyle": "-",
+        "label": r"$\alpha \to 1^+$: logarithmic",
+    }
     panels["flux"].plot(data["force"], data["flux_limit"], **limit)
     panels["flux"].plot(data["force"], data["force"], ":", color="black")
     panels["front"].plot(data["xi"], data["front_limit"], **limit)
-    panels["flux"].set(xlabel="$y$", ylabel=r"$f_\alpha(y)$, dotted $y^{1/\alpha}$", xlim=(0, 1))
-    panels["front"].set(xlabel=r"$\xi$", ylabel=r"$y_\alpha^{1/\alpha}$", xlim=(-6, 4))
+    panels["flux"].text(0.5, 0.75, r"compression $y^{1/\alpha}$", ha="right")
+    panels["flux"].text(0.98, -0.45, "flux", ha="right")
+    panels["flux"].set(xlabel="force $y$, over its value behind", ylabel=r"flux $f_\alpha(y)$")
+    panels["flux"].set(xlim=(0, 1), title="flux of the equation")
+    panels["front"].set(xlabel=r"place $\xi$", ylabel=r"compression $y_\alpha^{1/\alpha}$")
+    panels["front"].set(xlim=(-6, 4), title="its front")
     panels["front"].legend()
     return figure
 

@@ -1,31 +1,31 @@
 """Figure 5: start of the comparison of ring and equation; James (2021), figure 5."""
 
 import xarray as xr
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_chain_dots, draw_rings
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.panels import FIELD_LABELS, draw_snapshot
+from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
 
 
 def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
-    """Draw relative displacements and velocities at t = 0, a row for each exponent.
+    """Draw relative displacements and velocities at t = 0, of both exponents.
 
     Parameters
     ----------
     weak, hertz : xarray.Dataset
         The two periodic scenes.
     """
-    figure, rows = draw_rings(3.6, [weak, hertz], _draw_start)
-    for axes in rows[-1]:
-        axes.set_xlabel("$n$")
+    figure, panels = new_figure(2.6, [list(FIELD_LABELS)])
+    for data, (colour, line) in zip((hertz, weak), EXPONENT_LOOKS, strict=True):
+        label = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
+        for field, axes in panels.items():
+            draw_snapshot(
+                axes, data[field].sel(t=0.0), field, color=colour, linestyle=line, label=label
+            )
+    panels["relative_displacement"].legend(loc="upper left")
     return figure
-
-
-def _draw_start(axes: Axes, data: xr.Dataset, field: str, exponent: str) -> None:
-    """One field of all beads at t = 0."""
-    draw_chain_dots(axes, data.sel(t=0.0), field)
-    axes.annotate(exponent, (0.02, 0.86), xycoords="axes fraction")
 
 
 if __name__ == "__main__":

@@ -8,18 +8,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_rings, finish_grid
-from granular_fronts.output.style import EQUATION_COLOUR, UNLIMITED_COLOUR
+from granular_fronts.output.datasets import configuration_of
+from granular_fronts.output.panels import TIME, finish_grid
+from granular_fronts.output.style import LOOKS, new_figure
 
-EQUATIONS = {
-    "logarithmic": ("(41)", EQUATION_COLOUR),
-    "unlimited": ("(40)", UNLIMITED_COLOUR),
-}
-KINDS = {"sup": ("-", "largest"), "rms": ("--", "rms"), "floor": (":", "solvers")}
-TITLES = {
-    "relative_displacement": r"compression $u_{n,+}/\delta$",
-    "velocity": r"velocity $\dot x_n/\delta^{(\alpha+1)/2}$",
-}
+FIELDS = {"relative_displacement": "compression", "velocity": "velocity"}
+# Width of a line, by what it shows of the differences.
+WIDTHS = {"sup": ("largest", 1.8), "rms": ("root mean square", 0.8)}
+SHOWN = (1e-4, 2.0)
 
 
 def plot_fig07b(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
@@ -30,22 +26,29 @@ def plot_fig07b(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
     weak, hertz : xarray.Dataset
         The two periodic scenes.
     """
-    figure, rows = draw_rings(5.2, [weak, hertz], _draw_distances)
-    for row in rows:
-        row[0].set_ylabel("difference chain to equation")
-    finish_grid(figure, rows[-1], "$t$")
+    rows = [[f"{field} {row}" for field in FIELDS] for row in range(2)]
+    figure, panels = new_figure(4.6, rows)
+    for names, data in zip(rows, (weak, hertz), strict=True):
+        exponent = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
+        for name, (field, words) in zip(names, FIELDS.items(), strict=True):
+            _draw_distances(panels[name], data, field)
+            panels[name].set_title(f"{words}, {exponent}")
+        panels[names[0]].set_ylabel("relative difference")
+    finish_grid(figure, [panels[name] for name in rows[-1]], TIME)
     return figure
 
 
-def _draw_distances(axes: Axes, data: xr.Dataset, field: str, exponent: str) -> None:
-    """Distances of one field to both equations, and what the solvers contribute."""
-    for kind, (style, words) in KINDS.items():
-        for equation, (number, colour) in EQUATIONS.items():
+def _draw_distances(axes: Axes, data: xr.Dataset, field: str) -> None:
+    """Distances of one field to both equations, and in grey what the solvers contribute."""
+    for equation, noise in (("logarithmic", None), ("unlimited", "errors of the solvers")):
+        look = LOOKS[equation]
+        for kind, (words, width) in WIDTHS.items():
             curve = data[f"{field}_{kind}_{equation}"].isel(t_grid=slice(1, None))
-            label = f"{number} {words}"
-            axes.semilogy(curve["t_grid"], curve, linestyle=style, color=colour, label=label)
-    axes.set(xlim=(0, float(curve["t_grid"][-1])), ylim=(1e-10, 2))
-    axes.set_title(f"{exponent}, {TITLES[field]}")
+            named = look._replace(label=f"{look.label}: {words}")
+            axes.semilogy(curve["t_grid"], curve, linewidth=width, **named._asdict())
+        floor = data[f"{field}_floor_{equation}"].isel(t_grid=slice(1, None))
+        axes.fill_between(floor["t_grid"], 0.1 * SHOWN[0], floor, color="0.88", label=noise)
+    axes.set(xlim=(0, float(curve["t_grid"][-1])), ylim=SHOWN)
 
 
 if __name__ == "__main__":

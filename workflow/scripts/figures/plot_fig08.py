@@ -51,7 +51,11 @@ def _draw_well(axes: Axes, data: xr.Dataset) -> None:
             "shrinkB": 3,
         },
     )
-    axes.set(xlabel="$y$", ylabel="$W(y)$", xlim=(data["y"][0], data["y"][-1]))
+    axes.text(1.0, well - 0.005, "behind", ha="center", va="top", color=BLUE)
+    axes.text(0.0, 0.012, "ahead", ha="right", color=BLUE)
+    axes.set(xlabel="force $y$", ylabel="potential $W(y)$", title="double well")
+    axes.margins(y=0.15)
+    axes.set(xlim=(data["y"][0], data["y"][-1]))
 
 
 def _draw_portrait(axes: Axes, data: xr.Dataset) -> None:
@@ -66,7 +70,8 @@ def _draw_portrait(axes: Axes, data: xr.Dataset) -> None:
     axes.plot(y, z, color=BLUE, linestyle="-", linewidth=1.5)
     _draw_arrow(axes, y.values, z.values, data["s"].values, BLUE)
     axes.plot([-1.0, 0.0, 1.0], [0.0, 0.0, 0.0], "o", color=BLACK, markersize=3.0)
-    axes.set(xlabel="$y$", ylabel="$z$", title=_title_of(data.attrs["portrait_mu"]))
+    title = f"phase portrait, {_title_of(data.attrs['portrait_mu'])}"
+    axes.set(xlabel="force $y$", ylabel="slope $z = y'$", title=title)
     axes.set(xlim=(-1.75, 1.75), ylim=(-1.25, 1.25))
 
 
@@ -86,7 +91,8 @@ def _draw_front(axes: Axes, front: xr.Dataset) -> None:
     """y_h(s) of one damping."""
     axes.axhline(1.0, color=GREY, linewidth=0.6, linestyle=":")
     axes.plot(front["s"], front["rescaled_force"], color=BLUE, linestyle="-")
-    axes.set(xlabel="$s$", ylabel=r"$y_\mathrm{h}(s)$", title=_title_of(float(front["mu"])))
+    title = f"front, {_title_of(float(front['mu']))}"
+    axes.set(xlabel="place $s$", ylabel=r"force $y_\mathrm{h}(s)$", title=title)
     highest = float(front["rescaled_force"].max())
     axes.set(xlim=(front["s"][0], front["s"][-1]), ylim=(0.0, max(1.5, 1.05 * highest)))
 

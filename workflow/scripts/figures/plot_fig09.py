@@ -34,7 +34,7 @@ def plot_fig09(underdamped: xr.Dataset, overdamped: xr.Dataset) -> Figure:
 
 def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
     """u(ξ) by the profile equation, and by shooting at whole and half beads."""
-    draw_profile(axes, data, color=METHODS["profile"][0], label="profile")
+    draw_profile(axes, data, color=METHODS["profile"][0], label="profile equation")
     shot = data["relative_displacement_shooting"]
     on_beads = np.isclose(shot["xi_shooting"] % 1.0, 0.0)
     axes.plot(
@@ -52,11 +52,14 @@ def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
 
 def _draw_difference(axes: Axes, data: xr.Dataset) -> None:
     """Difference of the two methods at every point of shooting."""
-    for field, label, marker in (("relative_displacement", "u", "."), ("velocity", r"\dot x", "x")):
+    for field, label, marker in (
+        ("relative_displacement", "compression", "."),
+        ("velocity", "velocity", "x"),
+    ):
         difference = data[f"{field}_difference"]
         xi = difference["xi_shooting"]
-        axes.semilogy(xi, np.abs(difference), marker, markersize=2.5, label=f"${label}$")
-    axes.set(ylabel="|shooting − profile|", xlabel=r"$\xi$", ylim=(1e-18, 1e-11))
+        axes.semilogy(xi, np.abs(difference), marker, markersize=2.5, label=label)
+    axes.set(ylabel="|difference|", xlabel=r"$\xi = n - ct$", ylim=(1e-18, 1e-11))
     axes.legend(loc="upper right")
 
 
@@ -73,7 +76,7 @@ def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
             color=colour,
             label=method,
         )
-    axes.set(ylabel="residual", xlabel="step")
+    axes.set(ylabel="residual", xlabel="step of the iteration")
 
 
 if __name__ == "__main__":

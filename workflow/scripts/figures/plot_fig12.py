@@ -5,47 +5,60 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_plane
-from granular_fronts.output.style import PROBE_COLOURS, new_figure
+from granular_fronts.output.panels import draw_critical_damping, draw_materials
+from granular_fronts.output.style import new_figure
+from granular_fronts.studies.materials import ALPHA
 
-CURVES = {
-    "tail": ("tail: what governs the decay", PROBE_COLOURS[0], "-"),
-    "double_root": ("double root", PROBE_COLOURS[1], (0, (6, 1.5))),
-    "long_wave": ("long waves, $((1-1/\\alpha)/3)^{1/2}$", PROBE_COLOURS[2], "-."),
-    "overshoot": ("overshoot of CUT", PROBE_COLOURS[4], (0, (3, 1))),
-}
-SMALLEST_SHOWN = 1e-8
+# Places of the regions, as shares of the sides of the panel.
+REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
+STEPS = (1, 3, 10, 30, 100, 300, 1000)
 
 
-def plot_fig12(data: xr.Dataset) -> Figure:
-    """Draw the curves and the overshoot as colour.
+def plot_fig12(data: xr.Dataset, materials: xr.Dataset) -> Figure:
+    """Draw the curves, and the overshoot as colour.
 
     Parameters
     ----------
     data : xarray.Dataset
         The damping map.
+    materials : xarray.Dataset
+        Beads of remark 6.
     """
     figure, panels = new_figure(4.4, [["plane"]])
     axes = panels["plane"]
     _draw_overshoot(axes, data)
-    for name, (label, colour, line) in CURVES.items():
-        curve = data[f"critical_damping_{name}"]
-        text = label.replace("CUT", f"{data.attrs['overshoot_cut']:g}")
-        axes.plot(curve["alpha"], curve, color=colour, linestyle=line, label=text)
-    axes.axvline(data.attrs["exchange_exponent"], color="0.4", linewidth=0.7, linestyle=":")
-    axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma c$", yscale="log")
+    draw_critical_damping(axes, data, "tail", "double_root", "long_wave", "overshoot")
+    draw_materials(axes, materials, ALPHA)
+    exchange = data.attrs["exchange_exponent"]
+    axes.axvline(exchange, color="0.4", linewidth=0.7, linestyle=":")
+    axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
+    edge = [withStroke(linewidth=2.5, foreground="white")]
+    for words, place in REGIONS.items():
+        axes.text(*place, words, transform=axes.transAxes, fontsize=10, path_effects=edge)
+    axes.set(xlabel=r"exponent $\alpha$ of the contact force", ylabel=r"damping $\gamma c$")
+    axes.set(yscale="log", ylim=(data["gamma"][0], data["gamma"][-1]))
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
 
 
 def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
-    """Overshoot max u − 1 on a logarithmic scale; white where a front has none to speak of."""
-    overshoot = data["overshoot"].where(data["overshoot"] > SMALLEST_SHOWN)
-    norm = LogNorm(SMALLEST_SHOWN, 1.0)
-    image = draw_plane(axes, overshoot, matplotlib.colormaps["viridis_r"], norm)
-    axes.figure.colorbar(image, ax=axes, label=r"overshoot $\max u/\delta - 1$", extend="min")
+    """Overshoot max u − 1 on a logarithmic scale; white below what is called too small to see."""
+    least = data.attrs["overshoot_cut"]
+    filled = axes.contourf(
+        data["alpha"],
+        data["gamma"],
+        # A logarithmic scale has no place for 0, the overshoot of a monotone front.
+        data["overshoot"].transpose("gamma", "alpha").clip(min=0.1 * least),
+        levels=[least * step for step in STEPS],
+        cmap=matplotlib.colormaps["viridis_r"].with_extremes(under="white"),
+        norm=LogNorm(least, 1000 * least),
+        extend="min",
+    )
+    bar = axes.figure.colorbar(filled, ax=axes, label="overshoot of the front")
+    bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Figure 14: time against error of all methods on every problem."""
+"""Figure 14: time against error of all methods, on a problem of each kind."""
 
 import json
 from collections.abc import Iterator
@@ -14,6 +14,13 @@ from scipy.optimize import isotonic_regression
 from figure_step import run_figure
 from granular_fronts.output.style import PACKAGE_COLOURS, PACKAGE_LINES, fill_rows, new_figure
 
+# A problem of each kind, and what it is; the others are those of figure 14b.
+ON_THE_PAGE = {
+    "initiation_underdamped": "driven chain",
+    "ring_hertz": "ring of beads",
+    "front_underdamped": "exact front",
+    "heteroclinic_underdamped": "heteroclinic orbit",
+}
 COLUMNS = 2
 # Heights of a name beside a panel, of what stands above and below the panel, and of the lowest
 # panel, in inches.
@@ -27,13 +34,18 @@ SMALLEST_ERROR = 1e-17
 
 
 def plot_fig14(data: xr.Dataset) -> Figure:
-    """Draw a panel for each problem.
+    """Draw a panel for each of the problems on the page.
 
     Parameters
     ----------
     data : xarray.Dataset
         Written by merge_precision.
     """
+    return draw_problems(data.sel(problem=np.isin(data["problem"], list(ON_THE_PAGE))))
+
+
+def draw_problems(data: xr.Dataset) -> Figure:
+    """Draw a panel for each problem, the names of its curves beside it."""
     problems = [str(problem) for problem in data["problem"].values]
     rows = fill_rows(problems, COLUMNS)
     heights = [_height(data, row) for row in rows]
@@ -111,7 +123,8 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
     if reference_error >= SMALLEST_ERROR:
         axes.axvline(reference_error, color="#888888", linewidth=0.8, linestyle="--")
     scale = f"largest error (reference {reference_error:.0e})"
-    axes.set_title(_label(str(data["problem"].item())))
+    problem = str(data["problem"].item())
+    axes.set_title(ON_THE_PAGE.get(problem, _label(problem)))
     axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=6.5)
     axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
     axes.tick_params(labelsize=7)

@@ -1,6 +1,7 @@
 """Figure 15: errors of the hard cases beside their limits, and order through contact events."""
 
 import re
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -14,9 +15,9 @@ BLUE = PROBE_COLOURS[1]
 GREY = "0.55"
 SMALLEST_ERROR = 1.0e-17
 METHODS = {
-    "strain_form": "events located",
-    "positions_and_w": r"$(x, w)$, blind",
-    "positions_and_velocities": r"$(x, \dot x)$, blind",
+    "strain_form": "located",
+    "positions_and_w": r"not located, in $(x, w)$",
+    "positions_and_velocities": r"not located, in $(x, \dot x)$",
 }
 MARKERS = ("o", "s", "^")
 
@@ -29,7 +30,7 @@ def plot_fig15(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Written by measure_hard_cases.
     """
-    height = 2.8 + 0.13 * data.sizes["case"]
+    height = 2.2 + 0.12 * data.sizes["case"]
     figure, panels = new_figure(height, [["cases", "orders"]])
     _draw_cases(panels["cases"], data)
     _draw_orders(panels["orders"], data)
@@ -50,11 +51,10 @@ def _draw_cases(axes: Axes, data: xr.Dataset) -> None:
     axes.plot(at_edge, places[refused], "x", color=ALARM_COLOUR, label="no result")
     axes.set_yticks(places, [_label_of(name) for name in data["case"].values], fontsize=7)
     axes.set(xscale="log", xlabel="error", xlim=(0.5 * SMALLEST_ERROR, 1.0e-3))
+    axes.set_title("each case and its limit")
     axes.grid(axis="y", linewidth=0.3)
     used = [line for line in axes.get_lines() if np.size(line.get_xdata())]
-    axes.legend(
-        handles=used, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, handlelength=1
-    )
+    axes.legend(handles=used, loc="upper right", handlelength=1)
 
 
 def _label_of(name: str) -> str:
@@ -78,7 +78,10 @@ def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
             label=label,
         )
     axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="error after a collision")
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=7)
+    axes.set_title("two beads collide")
+    words = "opening of the contact"
+    look: dict[str, Any] = {"fontsize": 7.5, "title_fontsize": 8, "bbox_to_anchor": (1.02, 0.2)}
+    axes.legend(loc="lower right", title=words, **look)
 
 
 if __name__ == "__main__":

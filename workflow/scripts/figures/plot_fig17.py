@@ -1,5 +1,6 @@
 """Figure 17: jump conditions against measured fronts of several lattices; James (2021), sect. 2."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -8,16 +9,24 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
+from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
+# What is measured, and its mark.
 WAYS = {
-    "speed_exact": ("speed, exact front", "o"),
-    "power_exact": ("power, exact front", "s"),
-    "speed_travelling": ("speed, exact front in a chain", "D"),
-    "speed_driven": ("speed, driven chain", "^"),
-    "velocity_jump_driven": ("velocity jump, driven chain", "v"),
-    "power_driven": ("power, driven chain", "x"),
+    "exact": {
+        "speed_exact": ("speed, exact front", "o"),
+        "speed_travelling": ("speed, exact front put into a chain", "D"),
+        "power_exact": ("power, exact front", "s"),
+    },
+    "driven": {
+        "speed_driven": ("speed, driven chain", "^"),
+        "velocity_jump_driven": ("velocity jump, driven chain", "v"),
+        "power_driven": ("power, driven chain", "x"),
+    },
 }
+TITLES = {"exact": "exact fronts", "driven": "driven chains"}
+DODGE = 0.27
 SPELLINGS = {
     "kuwabara_kono": "Kuwabara–Kono",
     "simon_hunt_crossley": "Simon–Hunt–Crossley",
@@ -28,7 +37,7 @@ SPELLINGS = {
     "beta": "β",
 }
 PROFILES = 6
-SHOWN_XI = (-12, 15)
+SHOWN_XI = (-9, 15)
 
 
 def plot_fig17(data: xr.Dataset) -> Figure:
@@ -43,56 +52,73 @@ def plot_fig17(data: xr.Dataset) -> Figure:
     -------
     matplotlib.figure.Figure
     """
-    figure, panels = new_figure(6.2, [["ratio", "error"], ["profile", "profile"]])
-    laws = [_spell(name) for name in data["law"].values]
-    places = np.arange(len(laws))[::-1]
-    for (name, (label, marker)), colour in zip(WAYS.items(), PROBE_COLOURS, strict=True):
-        style: dict[str, Any] = {
-            "linestyle": "none",
-            "marker": marker,
-            "color": colour,
-            "markersize": 4.5,
-        }
-        quantity = name.rpartition("_")[0]
-        distance = data[name] - data[f"{quantity}_expected"]
-        error = data[f"{name}_error"] + data[f"{quantity}_expected_error"]
-        panels["ratio"].plot(distance / error, places, label=label, fillstyle="none", **style)
-        relative = np.abs(data[f"{name}_error"] / data[f"{quantity}_expected"])
-        panels["error"].plot(relative, places, fillstyle="none", **style)
-    shown = max(1.3, 1.1 * np.abs(panels["ratio"].dataLim.intervalx).max())
-    panels["ratio"].axvspan(-1.0, 1.0, color="0.93", zorder=0)
-    panels["ratio"].set(
-        xlabel="(measured − theory) / stated error", xlim=(-shown, shown), yticks=places
+    top, bottom = ["exact", "driven", "error"], ["profile"] * 3
+    figure, panels = new_figure(6.2, [top, top, top, bottom, bottom])
+    laws = list(_spell(data))
+    rows = np.arange(len(laws))[::-1]
+    for group, colours in zip(WAYS, (PROBE_COLOURS[:3], PROBE_COLOURS[3:]), strict=True):
+        axes, shifts = panels[group], (DODGE, 0.0, -DODGE)
+        for (name, (label, marker)), colour, shift in zip(
+            WAYS[group].items(), colours, shifts, strict=True
+        ):
+            look: dict[str, Any] = {
+                "linestyle": "none",
+                "marker": marker,
+                "color": colour,
+                "markersize": 4,
+            }
+            expected = f"{name.rpartition('_')[0]}_expected"
+            error = data[f"{name}_error"] + data[f"{expected}_error"]
+            axes.plot((data[name] - data[expected]) / error, rows + shift, fillstyle="none", **look)
+            relative = np.abs(data[f"{name}_error"] / data[expected])
+            panels["error"].plot(relative, rows + shift, fillstyle="none", label=label, **look)
+        shown = max(1.3, 1.1 * np.abs(axes.dataLim.intervalx).max())
+        axes.axvspan(-1.0, 1.0, color="0.93", zorder=0)
+        axes.set(xlabel="distance / stated error", xlim=(-shown, shown))
+        axes.set_title(TITLES[group])
+    panels["error"].set(xlabel="relative", xscale="log", title="stated errors")
+    for name in ("exact", "driven", "error"):
+        panels[name].set_yticks(rows, laws if name == "exact" else [], fontsize=7.5)
+        panels[name].hlines(rows[1:] + 0.5, *panels[name].get_xlim(), color="0.85", linewidth=0.5)
+    _draw_profiles(panels["profile"], data, laws)
+    handles, labels = panels["error"].get_legend_handles_labels()
+    by_columns = [0, 3, 1, 4, 2, 5]
+    figure.legend(
+        [handles[k] for k in by_columns],
+        [labels[k] for k in by_columns],
+        loc="outside upper center",
+        ncols=3,
+        handlelength=1,
     )
-    panels["ratio"].set_yticklabels(laws)
-    panels["error"].set(xlabel="stated error, relative", xscale="log", yticks=places)
-    panels["error"].set_yticklabels([])
-    _draw_profiles(panels["profile"], data)
-    figure.legend(*panels["ratio"].get_legend_handles_labels(), loc="outside upper center", ncols=3)
     return figure
 
 
-def _spell(name: str) -> str:
-    """The name of a lattice as people write it."""
-    words = str(name)
-    for key, spelling in SPELLINGS.items():
-        words = words.replace(key, spelling)
-    return words.replace("_", " ")
+def _spell(data: xr.Dataset) -> Iterator[str]:
+    """The names of the lattices as people write them, with β where the damping is a power."""
+    cases = configuration_of(data)["cases"]
+    for name in map(str, data["law"].values):
+        words = name
+        for key, spelling in SPELLINGS.items():
+            words = words.replace(key, spelling)
+        damping = cases[name]["dissipation"]
+        power = rf", $\beta = {damping['alpha']:g}$" if damping["kind"] == "hertz" else ""
+        yield words.replace("_", " ") + power
 
 
-def _draw_profiles(axes: Axes, data: xr.Dataset) -> None:
+def _draw_profiles(axes: Axes, data: xr.Dataset, laws: list[str]) -> None:
     """Exact fronts, every second lattice, their middles at ξ = 0."""
     step = max(1, data.sizes["law"] // PROFILES)
-    for law in data["law"].values[1::step][:PROFILES]:
-        one = data.sel(law=law)
-        states = f"{float(one['state_minus']):g} to {float(one['state_plus']):g}"
-        axes.plot(data["xi"], one["profile"], label=f"{_spell(law)}, {states}")
+    for row in range(1, data.sizes["law"], step)[:PROFILES]:
+        one = data.isel(law=row)
+        states = f"{float(one['state_minus']):g} to {float(one['state_plus']):g}".replace("-", "−")
+        axes.plot(data["xi"], one["profile"], label=f"{laws[row]}; {states}")
     axes.set(
-        xlabel=r"$\xi = n - |c|t$",
-        ylabel=r"$(R - R_a)/(R_b - R_a)$",
+        xlabel=r"place in the moving frame, $\xi = n - |c|t$",
+        ylabel=r"strain, $(R - R_a)/(R_b - R_a)$",
+        title="some of the exact fronts",
         xlim=SHOWN_XI,
     )
-    axes.legend(loc="center right")
+    axes.legend(loc="center right", fontsize=7.5, handlelength=2.2)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ def plot_fig19(data: xr.Dataset) -> Figure:
     data : xarray.Dataset
         Numerical damping.
     """
-    figure, panels = new_figure(3.2, [["profile", "order"]])
+    figure, panels = new_figure(3.4, [["profile", "order"]])
     _draw_profile(panels["profile"], data)
     _draw_distances(panels["order"], data)
     return figure
@@ -31,27 +31,23 @@ def _draw_profile(axes: Axes, data: xr.Dataset) -> None:
     """u_n of the three chains."""
     profile = configuration_of(data)["profile"]
     gamma = (2.0 * profile["theta"] - 1.0) * profile["step"]
+    method = rf"$\theta = {profile['theta']:g}$, $h = {profile['step']:g}$"
     lines = [
-        ("conservative", "-", "#b0b0b0", "conservative chain"),
-        ("damped", "-", EQUATION_COLOUR, rf"damped chain, $\gamma = {gamma:g}$"),
-        (
-            "method",
-            ".",
-            CHAIN_COLOUR,
-            rf"$\theta$-method, $\theta = {profile['theta']:g}$, $h = {profile['step']:g}$",
-        ),
+        ("conservative", "-", "#b0b0b0", "chain without damping"),
+        ("damped", "-", EQUATION_COLOUR, rf"chain with damping, $\gamma = {gamma:g}$"),
+        ("method", ".", CHAIN_COLOUR, f"no damping, by the method, {method}"),
     ]
     for name, style, colour, label in lines:
         values = data[f"relative_displacement_{name}"]
         axes.plot(values["bead"], values, style, color=colour, markersize=4, label=label)
     axes.set(
-        xlabel="$n$",
-        ylabel="$u_n$",
-        title=f"$t = {profile['end_time']:g}$",
+        xlabel="bead $n$",
+        ylabel="compression $u_n$",
+        title=f"a front at $t = {profile['end_time']:g}$",
         xlim=(0, profile["beads"]),
     )
-    axes.set_ylim(top=1.35 * float(data["relative_displacement_conservative"].max()))
-    axes.legend(loc="upper right")
+    axes.set_ylim(top=1.4 * float(data["relative_displacement_conservative"].max()))
+    axes.legend(loc="upper left", handlelength=1.5, fontsize=7.5)
 
 
 def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
@@ -63,10 +59,13 @@ def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
         look = {"color": colour, "marker": marker, "markersize": 3.5}
         axes.loglog(row["step"], row["damping_distance"], "-", label=label, **look)
         axes.loglog(row["step"], row["conservative_distance"], ":", **look)
-    axes.set(xlabel="$h$", ylabel=r"$\max_n |\Delta u_n|/\delta$")
+    axes.set(
+        xlabel="step $h$", ylabel=r"$\max_n |\Delta u_n|/\delta$", title="distance of the method"
+    )
     axes.set_ylim(top=10.0)
-    axes.text(0.05, 0.95, "dotted: to the conservative chain", transform=axes.transAxes, va="top")
-    axes.legend(loc="lower right", title="full: to the damped chain", title_fontsize=9)
+    words = "dotted: to the chain without damping"
+    axes.text(0.05, 0.97, words, transform=axes.transAxes, va="top", fontsize=8)
+    axes.legend(loc="lower right", title="full: to the chain with damping", title_fontsize=8)
 
 
 if __name__ == "__main__":

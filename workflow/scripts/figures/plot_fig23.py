@@ -1,37 +1,34 @@
-"""Figure 23: where fronts are proved in the plane of exponent and damping, and what."""
+"""Figure 23: which fronts are proved, over exponent and damping, and what of them."""
 
+from collections.abc import Iterator
 from typing import Any
 
-import matplotlib
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
-from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, NullLocator
 
 from figure_step import run_figure
-from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
+from granular_fronts.output.style import ALARM_COLOUR, BLUE, LIGHT_BLUE, new_figure
 
-CURVES = {
-    "overshoot": ("overshoot vanishes", PROBE_COLOURS[0], "-"),
-    "tail": ("tail turns real", PROBE_COLOURS[4], (0, (3, 1))),
-    "long_wave": (r"long waves, $\mu = 2$", PROBE_COLOURS[1], (0, (6, 1.5))),
-}
+# What is proved of the shape: in words, its colour, and the mark of a single front.
 SHAPES = {
-    "overshoot": ("overshoots", "v", PROBE_COLOURS[3]),
-    "monotone": ("monotone", "s", PROBE_COLOURS[5]),
-    "critical": ("one turns into the other", "D", ALARM_COLOUR),
-    "neither": ("exists", "o", "0.6"),
+    "overshoot": ("overshoots", BLUE, "v"),
+    "monotone": ("monotone", LIGHT_BLUE, "s"),
+    "critical": ("one turns into the other", ALARM_COLOUR, "D"),
+    "neither": ("shape not proved", "0.75", "o"),
 }
-"""What is proved of the shape: in words, the mark of a single front, the colour of a strip."""
-COLOURS = matplotlib.colormaps["viridis_r"]
-BESIDE = 0.035  # in α, between a bar and the strip of its shapes
+THICKNESS = 0.4
+# Edges of bars in points: one that hides the seams of intervals, one that shows a narrow interval.
+SEAM, CRITICAL_EDGE = 0.3, 1.5
+EXPONENT_LOOKS = (("-", "o"), ("--", "s"), ("-.", "^"), (":", "D"))
 DAMPINGS = (0.05, 0.1, 0.2, 0.3, 0.5, 1.0)
+SHOWN_GAMMA = (0.03, 1.15)
 
 
-def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) -> Figure:
+def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
     """Draw what is proved.
 
     Parameters
@@ -40,28 +37,28 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset, curves: xr.Dataset) ->
         Single fronts that are proved; those with β = α are drawn.
     intervals : xarray.Dataset
         Families of fronts that are proved.
-    curves : xarray.Dataset
-        Critical damping over α.
 
     Returns
     -------
     matplotlib.figure.Figure
     """
     fronts = fronts.isel(certificate=fronts["beta"].values == fronts["alpha"].values)
-    figure, panels = new_figure(4.4, [["plane", "errors"], ["plane", "maxima"]])
-    errors = np.concatenate([data["error_bound"].values for data in (fronts, intervals)])
-    norm = LogNorm(errors.min(), errors.max())
-    _draw_intervals(panels["plane"], intervals, norm)
-    _draw_fronts(panels["plane"], fronts, norm)
-    _draw_curves(panels["plane"], curves)
-    _draw_errors(panels["errors"], intervals, norm)
-    _draw_maxima(panels["maxima"], fronts, intervals)
-    for name in ("errors", "maxima"):
-        panels[name].xaxis.set_major_locator(FixedLocator(DAMPINGS))
-        panels[name].xaxis.set_major_formatter("{x:g}")
-        panels[name].xaxis.set_minor_locator(NullLocator())
-    handles, words = panels["plane"].get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside lower center", ncols=4, fontsize=7)
+    figure, panels = new_figure(6.4, [["shapes"], ["shapes"], ["errors"], ["maxima"]])
+    exponents = np.unique(np.concatenate([fronts["alpha"], intervals["alpha"]]))
+    _draw_shapes(panels["shapes"], fronts, intervals, exponents)
+    _draw_bounds(panels["errors"], fronts, intervals, "error_bound")
+    _draw_bounds(panels["maxima"], fronts, intervals, "overshoot_bound")
+    title = "proved distance to the computed front, at most"
+    panels["errors"].set(title=title, ylabel=r"$|u - \bar u|$")
+    title = "proved overshoot, at least"
+    panels["maxima"].set(title=title, ylabel=r"$\max u - 1$", xlabel=r"damping $\gamma$")
+    panels["maxima"].legend(ncols=4, fontsize=8, loc="lower left", handletextpad=0)
+    for axes in panels.values():
+        axes.set(xscale="log", xlim=SHOWN_GAMMA)
+        axes.xaxis.set_major_locator(FixedLocator(DAMPINGS))
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.xaxis.set_minor_locator(NullLocator())
+    figure.legend(handles=list(_shape_marks()), loc="outside upper center", ncols=4)
     return figure
 
 
@@ -72,67 +69,51 @@ def _shapes(data: xr.Dataset) -> np.ndarray:
     return np.select(known, ["overshoot", "monotone", "critical"], "neither")
 
 
-def _draw_intervals(axes: Axes, intervals: xr.Dataset, norm: LogNorm) -> None:
-    """A bar for each proved interval of γ, coloured by the error, and a strip for the shape."""
-    bars = LineCollection(_uprights(intervals, 0.0), linewidths=7, capstyle="butt", cmap=COLOURS)
-    bars.set(array=intervals["error_bound"].values, norm=norm)
-    axes.add_collection(bars)
-    for shape, (_, _, colour) in SHAPES.items():
-        rows = intervals.isel(certificate=_shapes(intervals) == shape)
-        looks: dict[str, Any] = {"colors": colour, "linewidths": 2.5, "capstyle": "butt"}
-        axes.add_collection(LineCollection(_uprights(rows, BESIDE), **looks))
-    label = r"proved bound of $|u - \bar u|$"
-    axes.figure.colorbar(bars, ax=axes, location="top", aspect=30, label=label)
+def _draw_shapes(
+    axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset, exponents: np.ndarray
+) -> None:
+    """A row for each exponent: bars on intervals of γ, marks of single fronts upon them."""
+    for shape, (_, colour, marker) in SHAPES.items():
+        bars, marks = (
+            data.isel(certificate=_shapes(data) == shape) for data in (intervals, fronts)
+        )
+        rows = np.searchsorted(exponents, bars["alpha"])
+        widths = bars["gamma_high"] - bars["gamma_low"]
+        edge = CRITICAL_EDGE if shape == "critical" else SEAM
+        look: dict[str, Any] = {"edgecolor": colour, "linewidth": edge, "zorder": 2.0 + edge}
+        axes.barh(rows, widths, THICKNESS, left=bars["gamma_low"], color=colour, **look)
+        rows = np.searchsorted(exponents, marks["alpha"])
+        look = {"markeredgecolor": "black", "markersize": 7, "zorder": 5}
+        axes.plot(marks["gamma_low"], rows, marker, linestyle="none", color=colour, **look)
+    axes.set_yticks(np.arange(exponents.size), [rf"$\alpha = {alpha:g}$" for alpha in exponents])
+    axes.set(ylim=(-0.6, exponents.size - 0.4), title="fronts that are proved to exist")
 
 
-def _uprights(rows: xr.Dataset, beside: float) -> list[list[tuple[float, float]]]:
-    """The ends of each interval of γ, at its exponent or a little beside."""
-    alpha = rows["alpha"].values + beside
-    ends = rows["gamma_low"].values, rows["gamma_high"].values
-    return [[(x, low), (x, high)] for x, low, high in zip(alpha, *ends, strict=True)]
+def _shape_marks() -> Iterator[Line2D]:
+    """What colours and marks stand for."""
+    for words, colour, marker in SHAPES.values():
+        look: dict[str, Any] = {"color": colour, "markeredgecolor": "black", "markersize": 7}
+        yield Line2D([], [], linestyle="-", linewidth=6, marker=marker, label=words, **look)
 
 
-def _draw_fronts(axes: Axes, fronts: xr.Dataset, norm: LogNorm) -> None:
-    """Single fronts, with the words for all shapes."""
-    for shape, (words, marker, colour) in SHAPES.items():
-        rows = fronts.isel(certificate=_shapes(fronts) == shape)
-        errors: dict[str, Any] = {"c": rows["error_bound"], "cmap": COLOURS, "norm": norm}
-        edge: dict[str, Any] = {"s": 26, "edgecolors": colour, "linewidths": 1.2, "zorder": 3}
-        axes.scatter(rows["alpha"], rows["gamma_low"], marker=marker, **errors, **edge)
-        looks: dict[str, Any] = {"linewidth": 2.5, "markersize": 5, "markerfacecolor": "none"}
-        axes.plot([], [], "-", color=colour, marker=marker, label=words, **looks)
-    axes.set(xlabel=r"$\alpha$", ylabel=r"$\gamma$", yscale="log")
-    axes.set(xlim=(1.05, 3.1), ylim=(0.03, 1.6))
-
-
-def _draw_curves(axes: Axes, curves: xr.Dataset) -> None:
-    """Critical damping as it is computed, which nothing here proves."""
-    for name, (label, colour, style) in CURVES.items():
-        values = curves[f"critical_damping_{name}"]
-        axes.plot(curves["alpha"], values, color=colour, linestyle=style, linewidth=1, label=label)
-
-
-def _draw_errors(axes: Axes, intervals: xr.Dataset, norm: LogNorm) -> None:
-    """The bound of the error on each interval of γ, one line for each exponent."""
-    for colour, alpha in zip(PROBE_COLOURS, np.unique(intervals["alpha"]), strict=False):
-        rows = intervals.isel(certificate=intervals["alpha"].values == alpha)
-        edges = np.append(rows["gamma_low"].values, rows["gamma_high"].values[-1])
-        bounds = np.append(rows["error_bound"].values, rows["error_bound"].values[-1])
-        label = rf"$\alpha = {alpha:g}$"
-        axes.step(edges, bounds, "-", where="post", color=colour, label=label)
-    axes.set(xscale="log", yscale="log", ylabel=r"bound of $|u - \bar u|$")
-    axes.set(ylim=(norm.vmin, norm.vmax))
-    axes.legend(fontsize=7)
-
-
-def _draw_maxima(axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset) -> None:
-    """By how much max u is proved to exceed 1."""
-    for colour, alpha in zip(PROBE_COLOURS, np.unique(intervals["alpha"]), strict=False):
-        rows = intervals.isel(certificate=intervals["alpha"].values == alpha)
-        middles = np.sqrt(rows["gamma_low"] * rows["gamma_high"])
-        axes.plot(middles, rows["overshoot_bound"], color=colour, linestyle="-")
-    axes.plot(fronts["gamma_low"], fronts["overshoot_bound"], "kv", markersize=4)
-    axes.set(xscale="log", yscale="log", xlabel=r"$\gamma$", ylabel=r"$\max u$ exceeds 1 by")
+def _draw_bounds(axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset, name: str) -> None:
+    """A bound on each interval of γ as a line, and of each front as a mark, by the exponent."""
+    for (line, marker), alpha in zip(EXPONENT_LOOKS, np.unique(fronts["alpha"]), strict=False):
+        family, single = (
+            data.isel(certificate=data["alpha"].values == alpha) for data in (intervals, fronts)
+        )
+        middles = np.sqrt(family["gamma_low"] * family["gamma_high"])
+        axes.plot(middles, family[name], linestyle=line, color="0.35")
+        axes.plot(
+            single["gamma_low"],
+            single[name],
+            marker,
+            linestyle="none",
+            color="black",
+            markersize=4,
+            label=rf"$\alpha = {alpha:g}$",
+        )
+    axes.set_yscale("log")
 
 
 if __name__ == "__main__":

@@ -42,20 +42,28 @@ def _draw_front(axes: Axes, data: xr.Dataset) -> None:
     u, error = data["approximation"], 10.0**exponent * data["error"]
     axes.fill_between(data["xi"], u - error, u + error, color=BAND, linewidth=0)
     axes.plot(data["xi"], u, color=CHAIN_COLOUR, linestyle="-")
-    law = r"$\alpha = {alpha:g}$, $\gamma = {gamma:g}$".format_map(data.attrs)
-    axes.set(xlabel=r"$\xi$", ylabel="$u$", xlim=(-12, 6))
-    axes.set(title=f"{law}; band widened by $10^{{{exponent}}}$")
+    law = r"proved front, $\alpha = {alpha:g}$, $\gamma = {gamma:g}$".format_map(data.attrs)
+    axes.set(xlabel=r"$\xi$", ylabel="$u$", xlim=(-12, 6), title=law)
+    width = f"within {_rounded_up(float(data['error'].max()))} of the line,\nband"
+    words = rf"{width} drawn $10^{{{exponent}}}$ times wider"
+    axes.text(0.03, 0.06, words, transform=axes.transAxes, fontsize=8)
+
+
+def _rounded_up(bound: float) -> str:
+    """A bound with two digits, which is a bound still."""
+    unit = 10.0 ** (np.floor(np.log10(bound)) - 1)
+    return f"{np.ceil(bound / unit) * unit:.1e}".replace("e-0", "e-")
 
 
 def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
     """Bounds of the residual and of the error of u in each cell."""
     for name, colour, label in (
-        ("error", EQUATION_COLOUR, r"$|u - \bar u|$"),
-        ("residual", PROBE_COLOURS[5], r"$|\bar P - \bar u_+^\alpha|$"),
+        ("error", EQUATION_COLOUR, r"of $u$: $|u - \bar u|$"),
+        ("residual", PROBE_COLOURS[5], r"residual: $|\bar P - \bar u_+^\alpha|$"),
     ):
         axes.semilogy(data["xi"], data[name], color=colour, linestyle="-", label=label)
-    axes.set(xlabel=r"$\xi$", title="bounds that are proved")
-    axes.legend(fontsize=7)
+    axes.set(xlabel=r"$\xi$", title="proved bounds of errors")
+    axes.legend(fontsize=7, loc="lower left")
 
 
 def _draw_behind(axes: Axes, data: xr.Dataset) -> None:
@@ -72,7 +80,7 @@ def _draw_behind(axes: Axes, data: xr.Dataset) -> None:
             term = data.attrs[name] * np.exp(data.attrs[rate] * behind)
             axes.plot(behind, term, color=PROBE_COLOURS[4], label=label, **THIN)
     axes.plot(xi, gap, color=CHAIN_COLOUR, label=r"$1 - \bar u$", **THIN)
-    axes.set(yscale="log", xlabel=r"$\xi$", ylabel="$1 - u$", title="behind")
+    axes.set(yscale="log", xlabel=r"$\xi$", ylabel="$1 - u$", title="behind the front")
     axes.set(xlim=(float(xi[0]), 2))
     axes.legend(fontsize=7)
 
@@ -84,7 +92,7 @@ def _draw_ahead(axes: Axes, data: xr.Dataset) -> None:
     axes.fill_between(xi, low, high, color=BAND, linewidth=0, label="proved bounds")
     line = float(low[0]) * np.exp(np.log(data.attrs["alpha"]) * (xi - xi[0].values))
     axes.plot(xi, line, "--", color=CHAIN_COLOUR, linewidth=0.8, label=r"slope $\ln\alpha$")
-    axes.set(yscale="log", xlabel=r"$\xi$", ylabel=r"$-\ln u$", title="ahead")
+    axes.set(yscale="log", xlabel=r"$\xi$", ylabel=r"$-\ln u$", title="ahead of the front")
     axes.legend(fontsize=7)
 
 

@@ -50,6 +50,7 @@ import math
 from typing import Any
 
 import numpy as np
+import scipy.linalg
 import xarray as xr
 
 from granular_fronts.arguments import count
@@ -88,7 +89,8 @@ def front_multipliers(
     Returns
     -------
     xarray.DataArray
-        Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus.
+        Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus;
+        with `rounding`, by how much rounding moves each of them, to first order.
         Attributes: translation_defect, its distance from 1; spectral_radius_without_translation;
         reflection_radius, what the module's formula for long waves gives; flow_residual;
         beads_behind, beads_ahead; verdict.
@@ -128,12 +130,15 @@ def front_multipliers(
     beads_behind = count("beads_behind", beads_behind, **limits)
     beads_ahead = count("beads_ahead", beads_ahead, **limits)
     u, d = fit(sampled, np.arange(-beads_behind, beads_ahead + 1)).T
-    values = multipliers(u, d, alpha, gamma, beta)
+    values, errors = multipliers(u, d, alpha, gamma, beta)
     residual = flow_residual(u, d, alpha, gamma, beta)
     return xr.DataArray(
         values,
         dims="multiplier",
-        coords={"multiplier": np.arange(1, values.size + 1)},
+        coords={
+            "multiplier": np.arange(1, values.size + 1),
+            "rounding": ("multiplier", errors),
+        },
         attrs={
             "translation_defect": float(np.abs(values[0] - 1.0)),
             "spectral_radius_without_translation": float(np.abs(values[1])),
@@ -147,12 +152,21 @@ def front_multipliers(
 
 
 def multipliers(u, d, alpha, gamma, beta):
-    """Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus."""
-    values = np.linalg.eigvals(monodromy_matrix(u, d, alpha, gamma, beta)).astype(complex)
+    r"""Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus.
+
+    With the changes that rounding of the matrix makes, :math:`\epsilon |T| |y| |x| / |y^* x|` of a
+    left and a right eigenvector.
+    """
+    matrix = monodromy_matrix(u, d, alpha, gamma, beta)
+    values, left, right = scipy.linalg.eig(matrix, left=True)
+    overlap = np.abs(np.sum(left.conj() * right, axis=0))
+    # Defective ones have no overlap: rounding moves them anywhere.
+    overlap = np.maximum(overlap, np.finfo(float).tiny)
+    errors = np.finfo(float).eps * np.linalg.norm(matrix, 2) / overlap
     translation = np.argmin(np.abs(values - 1.0))
-    others = np.delete(values, translation)
-    others = others[np.lexsort((-others.imag, -np.abs(others)))]
-    return np.concatenate([values[translation : translation + 1], others])
+    others = np.lexsort((-values.imag, -np.abs(values)))
+    order = np.concatenate([[translation], others[others != translation]])
+    return values[order], errors[order]
 
 
 def monodromy_matrix(u, d, alpha, gamma, beta):

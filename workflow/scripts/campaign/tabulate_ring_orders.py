@@ -1,0 +1,65 @@
+"""The orders in ε of the lines of figures 20 and 20b."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import xarray as xr
+
+from granular_fronts.accuracy import Estimate
+from granular_fronts.campaign.measures import fitted_order
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.style import MODEL_LOOKS
+from granular_fronts.output.tables import write_table
+from step import run_step
+
+SYMBOLS = {"damping": "γc", "gamma": "γ", "mu": "μ"}
+FORMULAS = {"leading": "(51)", "printed": "(43) as printed", "first_order": "whole first order"}
+
+
+def tabulate_ring_orders(datasets: list[Path], csv: Path, markdown: Path) -> None:
+    """Write a row for each line.
+
+    Parameters
+    ----------
+    datasets : list of Path
+        Campaigns of rings at fixed γc, γ and μ, in this order.
+    csv, markdown : Path
+        Tables to write: all digits, and the digits that the errors leave for reading.
+    """
+    rings = [read_dataset(path, path.stem) for path in datasets]
+    lines = [line for fixed, one in zip(SYMBOLS, rings, strict=True) for line in _lines(one, fixed)]
+    full = pd.DataFrame(
+        line | {"order": order.value, "error": order.error} for line, order in lines
+    )
+    brief = pd.DataFrame(line | {"order in ε": with_error(order)} for line, order in lines)
+    write_table(full, brief, csv, markdown, rings)
+
+
+def _lines(rings: xr.Dataset, fixed: str) -> Iterator[tuple[dict[str, str], Estimate]]:
+    """What each line of a campaign shows, and its order."""
+    errors = {
+        f"displacement_sup_{model}": f"u, {look.label}" for model, look in MODEL_LOOKS.items()
+    }
+    errors |= {f"residual_{formula}": f"ẋ, {words}" for formula, words in FORMULAS.items()}
+    places: list[dict[str, Any]] = [
+        {fixed: value} for value in (rings[fixed].values if fixed in rings.dims else [])
+    ]
+    for place in places or [{}]:
+        value = place.get(fixed, rings.attrs.get(fixed))
+        for error in filter(rings.data_vars.__contains__, errors):
+            line = {"fixed": f"{SYMBOLS[fixed]} = {value:g}", "error of": errors[error]}
+            yield line, fitted_order(rings, error, **place)
+
+
+def with_error(order: Estimate) -> str:
+    """A fitted order and its error, with the digits that the error leaves, two at least."""
+    # A line through two points has the error 0, one through a ring that failed has none.
+    digits = max(2, math.ceil(-math.log10(order.error))) if order.error > 0.0 else 2
+    return f"{order.value:z.{digits}f} ± {order.error:.{digits}f}".replace("-", "−")
+
+
+if __name__ == "__main__":
+    run_step(tabulate_ring_orders, globals().get("snakemake"))
