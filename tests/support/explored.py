@@ -21,6 +21,7 @@ SCENE = {
     "tolerance": {"relative": 1.0e-9, "absolute": 1.0e-12},
     "record": {"snapshots": [], "grid": {"step": 2}},
 }
+SCRIPTS = ("shared", "chain", "motions", "fronts", "start")
 FOLDER = ROOT / "workflow" / "report" / "explorer"
 
 
@@ -48,7 +49,7 @@ def write_page(folder):
         write_dataset(dataset, files[name], scene_id=name, config=config)
     write_explorer(
         template=FOLDER / "page.html.j2",
-        scripts=[FOLDER / f"{script}.js" for script in ("shared", "motions", "fronts")],
+        scripts=[FOLDER / f"{script}.js" for script in SCRIPTS],
         motions=[files["flying"]],
         collection=files["collection"],
         plane=files["critical_damping"],
