@@ -82,20 +82,6 @@ def test_page_holds_the_fronts(written, content):
     )
 
 
-def test_errors_are_stated_and_no_smaller_than_they_are(written, content):
-    cells = r'<tr><td>([^<]*)</td><td class="error">([^<]*)</td>'
-    stated = {words: float(error) for words, error in re.findall(cells, written[1])}
-    motion, fronts = content["motions"]["flying"], content["fronts"]
-    errors = {
-        "relative displacement, flying": motion["relative_displacement"]["error"],
-        "velocity, flying": motion["velocity"]["error"],
-        "profiles of fronts": max(fronts[name]["error"] for name in script.PROFILES),
-        "multipliers": max(fronts[name]["error"] for name in script.MULTIPLIERS),
-    }
-    assert stated.keys() == errors.keys()
-    assert all(error <= stated[words] <= 1.2 * error for words, error in errors.items())
-
-
 def test_a_scene_is_titled_with_its_law(written):
     data = written[2]["flying"]
     law = {"elastic": {"kind": "toda", "rate": 2}, "viscous": {"kind": "linear", "gamma": 0.3}}
@@ -111,12 +97,10 @@ def test_page_is_one_file_that_says_what_it_was_made_from(written):
     assert re.findall(r"<(?:img|iframe|object)\b|@import|url\(", markup) == []
     assert re.findall(r'<link[^>]*href="(?!data:)', markup) == []
     assert re.search(r"<script[^>]*\ssrc=", html) is None
-    sources = [source_of(one) for one in data.values()]
     [kept] = re.findall(r'id="made-from">(.*?)</script>', html)
-    assert json.loads(kept) == sources
+    assert json.loads(kept) == [source_of(one) for one in data.values()]
     record = read_json(page.with_suffix(".json"))
     assert record["files"] == {page.name: digest(page.read_bytes())}
-    assert record["made_from"] == sorted(sources, key=lambda made_from: made_from["scene"])
     assert record["code_version"] in html
     assert "beads is 20 instead of 21" in html
     assert "not one of the paper's" in unescape(html)

@@ -21,7 +21,7 @@ SCENE = {
     "tolerance": {"relative": 1.0e-9, "absolute": 1.0e-12},
     "record": {"snapshots": [], "grid": {"step": 2}},
 }
-SCRIPTS = ("shared", "chain", "motions", "fronts", "start")
+SCRIPTS = ("shared", "chain", "motions", "fronts")
 FOLDER = ROOT / "workflow" / "report" / "explorer"
 
 

@@ -15,7 +15,7 @@ rule write_explorer:
         template=project("workflow/report/explorer/page.html.j2"),
         scripts=expand(
             project("workflow/report/explorer/{script}.js"),
-            script=["shared", "chain", "motions", "fronts", "start"],
+            script=["shared", "chain", "motions", "fronts"],
         ),
         motions=[data_file(motion) for motion in EXPLORED],
         collection=rules.study_collection.output.dataset,

@@ -20,7 +20,7 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
   })
   const front = new Plot("front", {x: "ξ = n − ct", y: "relative displacement u"})
   const tail = new Plot("tail", {x: "Re λ", y: "Im λ"})
-  const spectrum = new Plot("spectrum", {x: "Re z", y: "Im z", square: true})
+  const spectrum = new Plot("spectrum", {x: "Re z", y: "Im z"})
 
   // The plane of overshoots, each place around its exponent and damping.
   const half = (plane.alpha[1] - plane.alpha[0]) / 2, ratio = Math.sqrt(plane.gamma[1] / plane.gamma[0])
@@ -105,5 +105,14 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
 
   for (const slider of [exponent, damping]) slider.addEventListener("input", choose)
   choose()
-  return {plots: {atlas, front, tail, spectrum}}
+  return {atlas}
 }
+
+// What tests, and whoever opens the console, can ask.
+let explorer = null
+
+unpack(byId("content").textContent).then(content => {
+  const fronts = showFronts(content), [motions, motion] = showMotions(content)
+  followAddress()
+  explorer = {fronts, motions, motion}
+})

@@ -146,5 +146,5 @@ function showMotions({motions, palettes, alarm}) {
   for (const slider of [time, bead]) slider.addEventListener("input", drawMoment)
   play.addEventListener("click", () => (film === null ? start() : stop()))
   chooseScene()
-  return {plots, motion: () => motion}
+  return [plots, () => motion]
 }

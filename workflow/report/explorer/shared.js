@@ -57,29 +57,25 @@ function showColours(name, palette, low, high) {
 
 // Axes on a canvas. A hand on it calls `grab` with the place that it points at.
 class Plot {
-  constructor(name, {x, y = "", log = false, square = false, grab = null}) {
-    Object.assign(this, {canvas: byId(name), labels: [x, y], log, square, paint() {}, asked: {xRange: [0, 1], yRange: [0, 1]}})
+  constructor(name, {x, y = "", log = false, grab = null}) {
+    Object.assign(this, {canvas: byId(name), labels: [x, y], log, xRange: [0, 1], yRange: [0, 1], paint() {}})
     this.left = y ? 62 : 12
     new ResizeObserver(() => this.draw()).observe(this.canvas)
     if (!grab) return
+    this.canvas.classList.add("grabbed")
     const point = event => {
       if (event.buttons !== 1) return
       this.canvas.setPointerCapture(event.pointerId)
-      const box = this.canvas.getBoundingClientRect()
-      const [x, y] = [event.clientX - box.left, event.clientY - box.top]
-      grab(this.shareAlong(this.xRange, (x - this.left) / this.width, false),
-           this.shareAlong(this.yRange, (this.bottom - y) / this.height, this.log))
+      const box = this.canvas.getBoundingClientRect(), [x0, x1] = this.xRange, [y0, y1] = this.yRange
+      const right = (event.clientX - box.left - this.left) / this.width
+      const up = (this.bottom - event.clientY + box.top) / this.height
+      grab(x0 + right * (x1 - x0), this.log ? y0 * (y1 / y0) ** up : y0 + up * (y1 - y0))
     }
-    this.canvas.classList.add("grabbed")
     for (const kind of ["pointerdown", "pointermove"]) this.canvas.addEventListener(kind, point)
   }
 
-  shareAlong([low, high], share, log) {
-    return log ? low * (high / low) ** share : low + share * (high - low)
-  }
-
   show(xRange, yRange, paint) {
-    Object.assign(this, {asked: {xRange, yRange}, paint})
+    Object.assign(this, {xRange, yRange, paint})
     this.draw()
   }
 
@@ -87,8 +83,6 @@ class Plot {
     const {clientWidth, clientHeight} = this.canvas, scale = devicePixelRatio, pen = this.canvas.getContext("2d")
     Object.assign(this.canvas, {width: clientWidth * scale, height: clientHeight * scale})
     Object.assign(this, {pen, width: clientWidth - this.left - 12, height: clientHeight - 54, bottom: clientHeight - 44})
-    Object.assign(this, this.asked)
-    if (this.square) this.makeSquare()
     pen.scale(scale, scale)
     pen.font = "12px system-ui, sans-serif"
     this.drawAxes()
@@ -98,14 +92,6 @@ class Plot {
     pen.clip()
     this.paint(this)
     pen.restore()
-  }
-
-  // The shorter side shows what was asked for, the longer one more.
-  makeSquare() {
-    const unit = Math.min(this.width / (this.xRange[1] - this.xRange[0]), this.height / (this.yRange[1] - this.yRange[0]))
-    const around = ([low, high], length) => [(low + high - length / unit) / 2, (low + high + length / unit) / 2]
-    this.xRange = around(this.xRange, this.width)
-    this.yRange = around(this.yRange, this.height)
   }
 
   x(value) { return this.left + (this.width * (value - this.xRange[0])) / (this.xRange[1] - this.xRange[0]) }
@@ -131,11 +117,11 @@ class Plot {
       pen.fillText(tick, left - 6, this.y(tick) + 4)
     }
     pen.textAlign = "center"
+    pen.save()
     pen.translate(14, bottom - height / 2)
     pen.rotate(-Math.PI / 2)
     pen.fillText(yLabel, 0, 0)
-    pen.rotate(Math.PI / 2)
-    pen.translate(-14, height / 2 - bottom)
+    pen.restore()
   }
 
   line(xs, ys, {colour, dash = [], width = 2}) {
@@ -171,7 +157,7 @@ function sayValue(slider, words) {
   slider.setAttribute("aria-valuetext", words)
 }
 
-// Sets a control as a hand would.
+// Sets a control, and lets the page know.
 function setControl(control, value) {
   control.value = value
   control.dispatchEvent(new Event("input"))

@@ -87,12 +87,16 @@ def write_explorer(
     """
     sources = [read_dataset(file) for file in [*motions, collection, plane]]
     *moving, fronts, atlas = sources
+    looks = {
+        name: {"label": label, "colour": colour, "dash": list(line[1]) if line != "-" else []}
+        for name, (label, colour, line) in LOOKS.items()
+    }
     content = {
         "motions": {data.attrs["scene"]: motion_for_page(data) for data in moving},
         "fronts": fronts_for_page(fronts),
         "plane": {name: atlas[name].values for name in ("alpha", "gamma", "overshoot")}
         | {"critical": {name: atlas[f"critical_damping_{name}"].values for name in CRITICAL}},
-        "looks": _looks(),
+        "looks": looks,
         "palettes": {
             "relative_displacement": _palette(compression_map()),
             "velocity": _palette(velocity_map()),
@@ -103,11 +107,10 @@ def write_explorer(
     environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=True)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
         scenes=[describe_scene(data) for data in moving],
-        errors=_errors(content),
         fronts=fronts,
         legends={
-            "atlas": [content["looks"][name] for name in CRITICAL],
-            "front": [content["looks"][name] for name in ("exact", *CONTINUUM_LOOKS)],
+            "atlas": [looks[name] for name in CRITICAL],
+            "front": [looks[name] for name in ("exact", *CONTINUUM_LOOKS)],
         },
         sources=[_describe_source(data, reference) for data in sources],
         made_from=[source_of(data) for data in sources],
@@ -178,29 +181,8 @@ def _plain(content: Any) -> Any:
     return content
 
 
-def _looks() -> dict[str, dict[str, Any]]:
-    """Label, colour and dashes of the curves of the figures."""
-    return {
-        name: {"label": label, "colour": colour, "dash": list(line[1]) if line != "-" else []}
-        for name, (label, colour, line) in LOOKS.items()
-    }
-
-
 def _palette(colour_map: Colormap) -> list[str]:
     return [to_hex(colour_map(share)) for share in np.linspace(0.0, 1.0, 128)]
-
-
-def _errors(content: Mapping[str, Any]) -> dict[str, str]:
-    """The largest errors of what the page holds, by what it is."""
-    named = {
-        f"{field.replace('_', ' ')}, {scene}": motion[field]["error"]
-        for scene, motion in content["motions"].items()
-        for field in ("relative_displacement", "velocity")
-    }
-    for words, names in {"profiles of fronts": PROFILES, "multipliers": MULTIPLIERS}.items():
-        named[words] = max(content["fronts"][name]["error"] for name in names)
-    # Five percent more is never less in two digits.
-    return {words: f"{1.05 * error:.1e}" for words, error in named.items()}
 
 
 def describe_scene(data: xr.Dataset) -> dict[str, str]:
@@ -221,7 +203,6 @@ def _describe_source(data: xr.Dataset, reference: Mapping[str, Any]) -> dict[str
     return {
         **source_of(data),
         "departures": departures,
-        "software": data.attrs["software"],
         "configuration": yaml.safe_dump(asked, sort_keys=False, allow_unicode=True),
     }
 
