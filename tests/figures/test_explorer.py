@@ -4,12 +4,10 @@ import gzip
 import json
 import re
 from base64 import b64decode
-from html import unescape
 
 import numpy as np
 import pytest
 import write_explorer as script
-import xarray as xr
 from explored import write_page
 
 from granular_fronts.output.files import read_json
@@ -30,65 +28,48 @@ def content(written):
     return json.loads(gzip.decompress(b64decode(packed)))
 
 
-def differences(held, values):
-    """Between numbers that are held and some values; missing ones are missing in both."""
-    found = np.array(held["rows"], dtype=float) - np.reshape(values, np.shape(held["rows"]))
-    np.testing.assert_array_equal(np.isnan(found), np.isnan(np.reshape(values, found.shape)))
-    return np.nan_to_num(found)
+def expect_values(held, values):
+    """What is held are some values with four significant digits, null where these are missing."""
+    held = np.array(held, dtype=values.dtype)
+    if values.dtype.kind == "U":
+        assert (held == values).all()
+    else:
+        # A number whose first digit is 1 is rounded most.
+        np.testing.assert_allclose(held, values, rtol=ROUNDING, atol=0)
+        assert (np.sign(np.nan_to_num(held)) == np.sign(np.nan_to_num(values))).all()
 
 
-@pytest.mark.parametrize("size", [1e-8, 0.14, 1.0, 30.0])
-def test_rounded_numbers_are_within_the_error_that_they_state(size):
-    generator = np.random.default_rng(1)
-    values = xr.DataArray(size * generator.uniform(-1, 1, (4, 9)), attrs={"error_estimate": 0.0})
-    values[0, :3] = [size, 0.0, np.nan]
-    held = script.round_array(values)
-    assert 0.5 * held["error"] < np.abs(differences(held, values.values)).max() <= held["error"]
-    assert held["error"] < 1e-5 * size
-    assert held["rows"][0, 1] == 0.0
-    solved = script.round_array(values.assign_attrs(error_estimate=size))
-    assert solved["error"] == size + held["error"]
+ROUNDING = 0.5e-3 * (1 + 1e-9)
 
 
 def test_page_holds_the_motion(written, content):
     data, motion = written[2]["flying"], content["motions"]["flying"]
-    np.testing.assert_array_equal(motion["times"], data["t_grid"])
-    u = data["relative_displacement_grid"].isel(bead=slice(data.attrs["contacts"]))
-    velocity = data["velocity_grid"]
-    for field, values in {"relative_displacement": u, "velocity": velocity}.items():
-        error = motion[field]["error"]
-        assert np.abs(differences(motion[field], values.values)).max() <= error < 1e-4
-        assert np.abs(differences(motion[field], values.values[::-1])).max() > error
-    opened = u.values < 0.0
-    assert opened.any()
-    assert not (np.array(motion["relative_displacement"]["rows"]) < 0)[~opened].any()
-    extremes = u.max(), velocity.min(), velocity.max()
-    assert [motion[name] for name in ("largest", "slowest", "fastest")] == [*map(float, extremes)]
+    expect_values(motion["times"], data["t_grid"].values)
+    contacts = slice(data.attrs["contacts"])
+    for field, beads in {"relative_displacement": contacts, "velocity": slice(None)}.items():
+        values = data[f"{field}_grid"].isel(bead=beads)
+        expect_values(motion[field]["rows"], values.values)
+        with pytest.raises(AssertionError):
+            expect_values(motion[field]["rows"], values.values[::-1])
+        assert motion[field]["error"] == pytest.approx(values.attrs["error_estimate"], 1e-3)
     # Extended contacts are open only where no force holds them.
     assert motion["opens"] is True
     assert script.motion_for_page(data.assign_attrs(contacts_open=0))["opens"] is False
 
 
 def test_page_holds_the_fronts(written, content):
-    data, fronts = written[2]["collection"], content["fronts"]
-    for name in (*script.PROFILES, *script.MULTIPLIERS):
-        assert np.abs(differences(fronts[name], data[name].values)).max() <= fronts[name]["error"]
-    for name in {"alpha", "gamma", *script.READINGS} - {"verdict"}:
-        held = np.array(fronts[name], dtype=float)
-        np.testing.assert_array_equal(held.ravel(), data[name].values.ravel())
-    assert fronts["verdict"] == data["verdict"].values.ravel().tolist()
-    np.testing.assert_array_equal(
-        np.ravel(fronts["window"]), data["xi"].isel(place=[0, -1]).values.ravel()
-    )
+    for part, name in {"fronts": "collection", "plane": "critical_damping"}.items():
+        for variable, values in written[2][name].variables.items():
+            expect_values(content[part][variable], values.values)
 
 
 def test_a_scene_is_titled_with_its_law(written):
     data = written[2]["flying"]
     law = {"elastic": {"kind": "toda", "rate": 2}, "viscous": {"kind": "linear", "gamma": 0.3}}
     scene = json.loads(data.attrs["config"]) | {"law": law}
-    titled = script.describe_scene(data.assign_attrs(scene="any_scene", config=json.dumps(scene)))
+    titled = script.title_of(data.assign_attrs(scene="any_scene", config=json.dumps(scene)))
     words = "any scene, chain of 20 beads, elastic: {kind: toda, rate: 2}, "
-    assert titled["title"] == words + "viscous: {kind: linear, gamma: 0.3}"
+    assert titled == words + "viscous: {kind: linear, gamma: 0.3}"
 
 
 def test_page_is_one_file_that_says_what_it_was_made_from(written):
@@ -102,8 +83,6 @@ def test_page_is_one_file_that_says_what_it_was_made_from(written):
     record = read_json(page.with_suffix(".json"))
     assert record["files"] == {page.name: digest(page.read_bytes())}
     assert record["code_version"] in html
-    assert "beads is 20 instead of 21" in html
-    assert "not one of the paper's" in unescape(html)
 
 
 def test_what_datasets_say_is_escaped_and_a_page_that_grows_too_large_is_refused(

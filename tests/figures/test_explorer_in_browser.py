@@ -81,7 +81,7 @@ def expect_motion(page, motion):
         assert (value is None) == (field == FIELDS[0] and int(bead) == motion.sizes["bead"])
         if value is not None:
             exact = float(moment[f"{field}_grid"].sel(bead=int(bead)))
-            assert abs(float(value) - exact) <= float(error) < 1e-4
+            assert abs(float(value) - exact) <= float(error) < 1e-3
     gaps = -moment["relative_displacement_grid"]
     assert (gaps > 1e-4).sum() <= int(opened or 0) <= (gaps > 0.0).sum()
     return float(t), int(bead), int(opened or 0)
@@ -129,7 +129,8 @@ def test_crosshair_is_dragged_by_mouse_and_by_touch(page, data):
     drag(page, "motions.u", (4, 0), (12.1, 0))
     assert expect_motion(page, data["flying"])[:2] == (60.0, 12)
     for kind, at in {"Start": (5, 30), "Move": (9.1, 40.3), "End": None}.items():
-        points = [dict(zip("xy", place_on(page, "motions.spacetime", *at)))] if at else []
+        x, y = place_on(page, "motions.spacetime", *at) if at else (0, 0)
+        points = [{"x": x, "y": y}] if at else []
         page.call("Input.dispatchTouchEvent", type=f"touch{kind}", touchPoints=points)
     page.wait_for("document.getElementById('bead').value === '9'")
     assert expect_motion(page, data["flying"])[:2] == (40.0, 9)

@@ -25,7 +25,6 @@ rule write_explorer:
         provenance="<results>/explore.json",
     params:
         code=code("write_explorer"),
-        reference=reference(*EXPLORED),
         parameters=parameters(*EXPLORED, *EXPLORED_FRONTS),
     log:
         "<logs>/write_explorer.log",

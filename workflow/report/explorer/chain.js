@@ -55,13 +55,10 @@ function computeChain(chain) {
   const {u, v} = integrate(chain, {interval, steps}), rough = integrate(chain, {interval, steps: steps / 2})
   const field = (rows, others) => ({
     rows,
-    error: Math.max(...rows.map((row, k) => Math.max(...row.map((value, n) => Math.abs(value - others[k][n]))))),
+    error: extreme(Math.max, rows.map((row, k) => row.map((value, n) => Math.abs(value - others[k][n])))),
   })
   return {
-    times: u.map((_, k) => k * interval), beads: count, opens: true,
-    largest: Math.max(...u.map(row => Math.max(...row))),
-    slowest: Math.min(...v.map(row => Math.min(...row))),
-    fastest: Math.max(...v.map(row => Math.max(...row))),
+    times: u.map((_, k) => k * interval), opens: true, digits: 16,
     relative_displacement: field(u, rough.u), velocity: field(v, rough.v),
   }
 }

@@ -7,6 +7,7 @@ const SMALLEST_OVERSHOOT = 1e-6, WHITE = [255, 255, 255]
 function showFronts({fronts, plane, looks, palettes, alarm}) {
   const exponent = byId("exponent"), damping = byId("damping"), reading = byId("front-reading")
   const {alpha: alphas, gamma: gammas} = fronts
+  const value = name => fronts[name][exponent.valueAsNumber][damping.valueAsNumber]
   counted.exponent = alphas
   counted.damping = gammas
   const atlas = new Plot("atlas", {
@@ -41,41 +42,38 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
     atlas.show(ends(across, alphas), ends(upwards, gammas), plot => {
       plot.picture(picture, across, upwards)
       for (const name of CRITICAL)
-        plot.line(plane.alpha, plane.critical[name], looks[name])
+        plot.line(plane.alpha, plane[`critical_damping_${name}`], looks[name])
       plot.dots(grid.map(([one]) => one), grid.map(([, other]) => other), {radius: 1.2, fill: "#fff", edge: "#444", width: 0.5})
       plot.dots([alpha], [gamma], {radius: 8, edge: CURSOR, width: 3})
     })
   }
 
-  function drawFront(row) {
-    const [first, last] = fronts.window[row], u = fronts.relative_displacement.rows[row]
-    const xi = range(0, u.length - 1).map(k => first + (k * (last - first)) / (u.length - 1))
-    front.show(widened([first, last]), [-0.1, 1.9], plot => {
-      plot.line(xi, u, looks.exact)
-      for (const name of CONTINUUM) plot.line(xi, fronts[`relative_displacement_${name}`].rows[row], looks[name])
+  function drawFront() {
+    const xi = value("xi")
+    front.show(widened([xi[0], xi.at(-1)]), [-0.1, 1.9], plot => {
+      plot.line(xi, value("relative_displacement"), looks.exact)
+      for (const name of CONTINUUM) plot.line(xi, value(`relative_displacement_${name}`), looks[name])
     })
   }
 
   // Roots and their complex conjugates.
-  function drawRoots(row) {
-    const real = fronts.tail_root_real[row], imaginary = fronts.tail_root_imaginary[row]
+  function drawRoots() {
+    const real = value("tail_root_real"), imaginary = value("tail_root_imaginary")
     const highest = Math.max(...imaginary, 1)
     tail.show(widened([0, Math.max(...real)]), widened([-highest, highest]), plot => {
       for (const sign of [1, -1]) plot.dots(real, imaginary.map(y => sign * y), {edge: INK})
     })
   }
 
-  function drawMultipliers(row) {
-    const [real, imaginary] = ["real", "imaginary"].map(part => fronts[`multiplier_${part}`].rows[row])
+  function drawMultipliers() {
     const angles = range(0, 180).map(k => (k * Math.PI) / 90)
     spectrum.show([-1.15, 1.15], [-1.15, 1.15], plot => {
       plot.line(angles.map(Math.cos), angles.map(Math.sin), {colour: "#8a949e", width: 1})
-      plot.dots(real, imaginary, {edge: INK})
+      plot.dots(value("multiplier_real"), value("multiplier_imaginary"), {edge: INK})
     })
   }
 
-  function sayReading(alpha, gamma, row) {
-    const value = name => fronts[name][row]
+  function sayReading(alpha, gamma) {
     const [real] = value("tail_root_real"), [imaginary] = value("tail_root_imaginary"), defect = value("translation_defect")
     const tailInWords = imaginary > 0
       ? `oscillates: λ = ${rounded(real)} ± ${rounded(imaginary)} i`
@@ -92,14 +90,13 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
 
   function choose() {
     const alpha = alphas[exponent.valueAsNumber], gamma = gammas[damping.valueAsNumber]
-    const row = exponent.valueAsNumber * gammas.length + damping.valueAsNumber
     drawAtlas(alpha, gamma)
-    drawFront(row)
-    drawRoots(row)
-    drawMultipliers(row)
+    drawFront()
+    drawRoots()
+    drawMultipliers()
     sayValue(exponent, `α = ${rounded(alpha)}`)
     sayValue(damping, `γ = ${rounded(gamma)}`)
-    sayReading(alpha, gamma, row)
+    sayReading(alpha, gamma)
     keepState()
   }
 

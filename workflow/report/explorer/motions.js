@@ -13,7 +13,13 @@ function frontOf(u) {
   return range(0, u.length - 2).reduce((best, k) => (fall(k) > fall(best) ? k : best), 0) + 1
 }
 
-function showMotions({motions, palettes, alarm}) {
+// A motion with its number of beads and how far colours and axes go; gaps may be wider than the largest compression.
+function withExtent(motion) {
+  const [largest, fastest] = ["relative_displacement", "velocity"].map(name => extreme(Math.max, motion[name].rows))
+  return {...motion, beads: motion.velocity.rows[0].length, largest, fastest, slowest: extreme(Math.min, motion.velocity.rows)}
+}
+
+function showMotions({motions, palettes, alarm, digits}) {
   const scene = byId("scene"), field = byId("field"), time = byId("time"), bead = byId("bead")
   const play = byId("play"), reading = byId("motion-reading")
   const grabBead = x => { stop(); setControl(bead, Math.round(x)) }
@@ -38,7 +44,7 @@ function showMotions({motions, palettes, alarm}) {
     stop()
     const live = scene.value === "live"
     for (const part of document.querySelectorAll(".live")) part.hidden = !live
-    motion = live ? chainOfControls() : motions[scene.value]
+    motion = withExtent(live ? chainOfControls() : {...motions[scene.value], digits})
     counted.time = motion.times
     time.max = motion.times.length - 1
     time.value = Math.floor(0.17 * motion.times.length)
@@ -70,7 +76,7 @@ function showMotions({motions, palettes, alarm}) {
     const {largest, slowest, fastest, times, beads} = motion, n = bead.valueAsNumber, t = times[time.valueAsNumber]
     const u = rowOf("relative_displacement"), v = rowOf("velocity")
     const open = range(1, u.length).filter(k => motion.opens && u[k - 1] < -motion.relative_displacement.error)
-    const along = widened([1, beads]), gaps = [-GAPS_SHOWN * largest, largest], speeds = [slowest, fastest].map(Number)
+    const along = widened([1, beads]), gaps = [-GAPS_SHOWN * largest, largest], speeds = [slowest, fastest]
     const cursor = plot => plot.line([n, n], plot.yRange, {colour: CURSOR, width: 1.5})
     const curve = (plot, values) => {
       const numbers = range(1, values.length)
@@ -115,7 +121,7 @@ function showMotions({motions, palettes, alarm}) {
   }
 
   function sayReading(t, n, u, open) {
-    const say = name => withError(rowOf(name)[n - 1], motion[name].error)
+    const say = name => withError(rowOf(name)[n - 1], motion[name].error, motion.digits)
     const contact = n <= u.length ? `relative displacement ${say("relative_displacement")}, ` : "the last one, "
     const contacts = open.length === 0 ? "No contact is open" : `Open contacts: ${open.length}`
     reading.textContent = `At t = ${rounded(t)}, bead ${n}: ${contact}velocity ${say("velocity")}. ${contacts}.`

@@ -12,8 +12,9 @@ function unpack(text) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).json()
 }
 
-// A number with the decimals that its error leaves; the error is rounded up and covers this rounding too.
-function withError(value, error) {
+// A number that was rounded to some digits, with the decimals that its error leaves; the error is rounded up.
+function withError(value, solved, digits) {
+  const error = solved + (value && 0.5 * 10 ** (Math.floor(Math.log10(Math.abs(value))) + 1 - digits))
   if (!(error > 0)) return `${value}`
   const decimals = Math.min(Math.max(1 - Math.floor(Math.log10(error)), 0), 16)
   const shown = (Math.ceil(error * 10 ** decimals) + 1) / 10 ** decimals
@@ -24,6 +25,7 @@ function withError(value, error) {
 const nearest = (values, number) =>
   values.reduce((best, value, k) => (Math.abs(value - number) < Math.abs(values[best] - number) ? k : best), 0)
 
+const extreme = (choice, rows) => choice(...rows.map(row => choice(...row)))
 const widened = ([low, high]) => [low - MARGIN * (high - low), high + MARGIN * (high - low)]
 
 function ticksOf([low, high], log, count) {

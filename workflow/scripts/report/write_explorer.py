@@ -1,14 +1,12 @@
 """Write the page on which motions and fronts are explored, one file that needs no network.
 
-The page holds what datasets hold, rounded; only a chain of the reader's own is computed in it.  The
-controls are the browser's own, since these have a name, a value in words and keys for readers who
-see no picture.
+The page holds what datasets hold, with fewer digits; only a chain of the reader's own is computed
+in it.  The controls are the browser's own, with names and keys for readers who see no picture.
 """
 
 import gzip
 import json
 from base64 import b64encode
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,40 +15,18 @@ import matplotlib
 import numpy as np
 import xarray as xr
 import yaml
-from matplotlib.colors import Colormap, to_hex
+from matplotlib.colors import to_hex
 
 from granular_fronts.output.datasets import configuration_of, read_dataset
-from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.panels import contacts_open, moving_parts
 from granular_fronts.output.provenance import code_version, source_of, write_provenance
-from granular_fronts.output.style import (
-    ALARM_COLOUR,
-    CONTINUUM_LOOKS,
-    LOOKS,
-    compression_map,
-    velocity_map,
-)
+from granular_fronts.output.style import ALARM_COLOUR, LOOKS, compression_map, velocity_map
 from step import run_step
 
 LARGEST_PAGE = 5_000_000
-DIGITS = 6
-"""Of the largest number of an array; the others are rounded to the same decimal."""
-
-CRITICAL = ("tail", "double_root", "long_wave", "overshoot")
-MULTIPLIERS = ("multiplier_real", "multiplier_imaginary")
-PROFILES = ("relative_displacement", *(f"relative_displacement_{name}" for name in CONTINUUM_LOOKS))
-READINGS = (
-    "overshoot",
-    "width_10_90",
-    "error",
-    "beads_behind",
-    "translation_defect",
-    "verdict",
-    *(f"distance_{name}" for name in CONTINUUM_LOOKS),
-    "tail_root_real",
-    "tail_root_imaginary",
-)
+DIGITS = 4
+"""Significant digits of every number of the page."""
 
 
 def write_explorer(
@@ -59,7 +35,6 @@ def write_explorer(
     motions: list[Path],
     collection: Path,
     plane: Path,
-    reference: dict,
     page: Path,
     provenance: Path,
 ) -> None:
@@ -75,8 +50,6 @@ def write_explorer(
         Datasets of chains and rings with a space–time grid.
     collection, plane : Path
         Datasets of fronts and of the plane that they are chosen in.
-    reference : dict
-        What the paper computes, by scene.
     page, provenance : Path
         The HTML and the JSON file to write.
 
@@ -91,30 +64,30 @@ def write_explorer(
         name: {"label": label, "colour": colour, "dash": list(line[1]) if line != "-" else []}
         for name, (label, colour, line) in LOOKS.items()
     }
+    maps = {"relative_displacement": compression_map(), "velocity": velocity_map()}
+    maps["overshoot"] = matplotlib.colormaps["viridis_r"]
+    shares = np.linspace(0.0, 1.0, 128)
     content = {
         "motions": {data.attrs["scene"]: motion_for_page(data) for data in moving},
-        "fronts": fronts_for_page(fronts),
-        "plane": {name: atlas[name].values for name in ("alpha", "gamma", "overshoot")}
-        | {"critical": {name: atlas[f"critical_damping_{name}"].values for name in CRITICAL}},
+        "fronts": {name: variable.values for name, variable in fronts.variables.items()},
+        "plane": {name: variable.values for name, variable in atlas.variables.items()},
         "looks": looks,
-        "palettes": {
-            "relative_displacement": _palette(compression_map()),
-            "velocity": _palette(velocity_map()),
-            "overshoot": _palette(matplotlib.colormaps["viridis_r"]),
-        },
+        "palettes": {name: [to_hex(colours(x)) for x in shares] for name, colours in maps.items()},
         "alarm": ALARM_COLOUR,
+        "digits": DIGITS,
     }
     environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=True)
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
-        scenes=[describe_scene(data) for data in moving],
-        fronts=fronts,
-        legends={
-            "atlas": [looks[name] for name in CRITICAL],
-            "front": [looks[name] for name in ("exact", *CONTINUUM_LOOKS)],
+        scenes={data.attrs["scene"]: title_of(data) for data in moving},
+        sizes=fronts.sizes,
+        looks=looks,
+        configurations={
+            data.attrs["scene"]: yaml.safe_dump(configuration_of(data), sort_keys=False)
+            for data in sources
         },
-        sources=[_describe_source(data, reference) for data in sources],
         made_from=[source_of(data) for data in sources],
         code_version=code_version(),
+        digits=DIGITS,
         content=pack(content),
         scripts="\n".join(script.read_text(encoding="utf-8") for script in scripts),
     )
@@ -131,39 +104,24 @@ def write_explorer(
 
 def motion_for_page(data: xr.Dataset) -> dict[str, Any]:
     """Return what the page holds of a motion."""
-    fields = moving_parts(data, "_grid")
-    velocity = fields["velocity"]
-    return {name: round_array(values) for name, values in fields.items()} | {
-        "times": data["t_grid"].values,
-        "beads": data.sizes["bead"],
-        "opens": contacts_open(data),
-        # Colours and axes go this far; gaps may be much wider.
-        "largest": float(fields["relative_displacement"].max()),
-        "slowest": float(velocity.min()),
-        "fastest": float(velocity.max()),
+    fields = {
+        name: {"rows": values.values, "error": float(values.attrs["error_estimate"])}
+        for name, values in moving_parts(data, "_grid").items()
     }
+    return {"times": data["t_grid"].values, "opens": contacts_open(data), **fields}
 
 
-def fronts_for_page(collection: xr.Dataset) -> dict[str, Any]:
-    """Return what the page holds of fronts, a row for each, α after α."""
-    rows = collection.stack(front=("alpha", "gamma"), create_index=False).transpose("front", ...)
-    return {name: round_array(rows[name]) for name in (*PROFILES, *MULTIPLIERS)} | {
-        "alpha": collection["alpha"].values,
-        "gamma": collection["gamma"].values,
-        "window": rows["xi"].values[:, [0, -1]],
-        **{name: rows[name].values for name in READINGS},
-    }
-
-
-def round_array(values: xr.DataArray) -> dict[str, Any]:
-    """Round to a decimal: the rows, and their largest error, of the solver and of rounding."""
-    decimals = DIGITS - int(np.ceil(np.log10(np.abs(values).max())))
-    error = values.attrs["error_estimate"] + 0.5 * 10.0**-decimals
-    return {"rows": np.round(values.values, decimals), "error": float(error)}
+def title_of(data: xr.Dataset) -> str:
+    """What the page calls a scene: its name, its beads, its law as it was asked for."""
+    asked = configuration_of(data)
+    is_ring = "half_beads" in asked or asked["boundary"]["kind"] == "ring"
+    law = yaml.safe_dump(asked["law"], default_flow_style=True, width=1000, sort_keys=False)
+    beads = f"{'ring' if is_ring else 'chain'} of {data.sizes['bead']} beads"
+    return f"{data.attrs['scene'].replace('_', ' ')}, {beads}, {law.strip()[1:-1]}"
 
 
 def pack(content: Any) -> str:
-    """Return mappings, lists and arrays as compressed JSON in base 64, null where a number is."""
+    """Return mappings, lists and arrays as compressed JSON in base 64, null for NaN."""
     text = json.dumps(_plain(content), allow_nan=False, separators=(",", ":"))
     return b64encode(gzip.compress(text.encode(), mtime=0)).decode("ascii")
 
@@ -172,39 +130,13 @@ def _plain(content: Any) -> Any:
     match content:
         case dict():
             return {name: _plain(value) for name, value in content.items()}
-        case list() | tuple():
-            return [_plain(value) for value in content]
-        case np.ndarray():
-            return _plain(content.tolist())
-        case float() if np.isnan(content) or content.is_integer():
-            return None if np.isnan(content) else int(content)
+        case list() | np.ndarray():
+            return [_plain(value) for value in list(content)]
+        case float() | np.floating():
+            return float(f"{content:.{DIGITS}g}") if np.isfinite(content) else None
+        case np.generic():
+            return content.item()
     return content
-
-
-def _palette(colour_map: Colormap) -> list[str]:
-    return [to_hex(colour_map(share)) for share in np.linspace(0.0, 1.0, 128)]
-
-
-def describe_scene(data: xr.Dataset) -> dict[str, str]:
-    """What the page calls a scene: its name, its beads, its law as it was asked for."""
-    asked, scene = configuration_of(data), data.attrs["scene"]
-    is_ring = "half_beads" in asked or asked["boundary"]["kind"] == "ring"
-    law = yaml.safe_dump(asked["law"], default_flow_style=True, width=1000, sort_keys=False)
-    beads = f"{'ring' if is_ring else 'chain'} of {data.sizes['bead']} beads"
-    return {"name": scene, "title": f"{scene.replace('_', ' ')}, {beads}, {law.strip()[1:-1]}"}
-
-
-def _describe_source(data: xr.Dataset, reference: Mapping[str, Any]) -> dict[str, str]:
-    """What the page says of a dataset: its scene, its configuration, its digests."""
-    asked, scene = configuration_of(data), data.attrs["scene"]
-    departures = "not one of the paper's"
-    if scene in reference:
-        departures = describe(physical_departures(asked, reference[scene]))
-    return {
-        **source_of(data),
-        "departures": departures,
-        "configuration": yaml.safe_dump(asked, sort_keys=False, allow_unicode=True),
-    }
 
 
 if __name__ == "__main__":
