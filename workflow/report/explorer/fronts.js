@@ -10,15 +10,11 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
   const value = name => fronts[name][exponent.valueAsNumber][damping.valueAsNumber]
   counted.exponent = alphas
   counted.damping = gammas
-  const atlas = new Plot("atlas", {
-    x: "exponent α",
-    y: "damping γ",
-    log: true,
-    grab(alpha, gamma) {
-      exponent.value = nearest(alphas, alpha)
-      setControl(damping, nearest(gammas.map(Math.log), Math.log(gamma)))
-    },
-  })
+  const choosePlace = (alpha, gamma) => {
+    exponent.value = nearest(alphas, alpha)
+    setControl(damping, nearest(gammas.map(Math.log), Math.log(gamma)))
+  }
+  const atlas = new Plot("atlas", {x: "exponent α", y: "damping γ", log: true, grab: choosePlace})
   const front = new Plot("front", {x: "ξ = n − ct", y: "relative displacement u"})
   const tail = new Plot("tail", {x: "Re λ", y: "Im λ"})
   const spectrum = new Plot("spectrum", {x: "Re z", y: "Im z"})
@@ -41,8 +37,7 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
     const ends = (own, other) => [Math.min(own[0], ...other), Math.max(own[1], ...other)]
     atlas.show(ends(across, alphas), ends(upwards, gammas), plot => {
       plot.picture(picture, across, upwards)
-      for (const name of CRITICAL)
-        plot.line(plane.alpha, plane[`critical_damping_${name}`], looks[name])
+      for (const name of CRITICAL) plot.line(plane.alpha, plane[`critical_damping_${name}`], looks[name])
       plot.dots(grid.map(([one]) => one), grid.map(([, other]) => other), {radius: 1.2, fill: "#fff", edge: "#444", width: 0.5})
       plot.dots([alpha], [gamma], {radius: 8, edge: CURSOR, width: 3})
     })
@@ -56,19 +51,15 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
     })
   }
 
-  // Roots and their complex conjugates.
-  function drawRoots() {
+  function drawComplexNumbers() {
     const real = value("tail_root_real"), imaginary = value("tail_root_imaginary")
-    const highest = Math.max(...imaginary, 1)
+    const highest = Math.max(...imaginary, 1), angles = range(0, 180).map(k => (k * Math.PI) / 90)
+    // Roots and their complex conjugates.
     tail.show(widened([0, Math.max(...real)]), widened([-highest, highest]), plot => {
       for (const sign of [1, -1]) plot.dots(real, imaginary.map(y => sign * y), {edge: INK})
     })
-  }
-
-  function drawMultipliers() {
-    const angles = range(0, 180).map(k => (k * Math.PI) / 90)
     spectrum.show([-1.15, 1.15], [-1.15, 1.15], plot => {
-      plot.line(angles.map(Math.cos), angles.map(Math.sin), {colour: "#8a949e", width: 1})
+      plot.line(angles.map(Math.cos), angles.map(Math.sin), {colour: FAINT, width: 1})
       plot.dots(value("multiplier_real"), value("multiplier_imaginary"), {edge: INK})
     })
   }
@@ -92,8 +83,7 @@ function showFronts({fronts, plane, looks, palettes, alarm}) {
     const alpha = alphas[exponent.valueAsNumber], gamma = gammas[damping.valueAsNumber]
     drawAtlas(alpha, gamma)
     drawFront()
-    drawRoots()
-    drawMultipliers()
+    drawComplexNumbers()
     sayValue(exponent, `α = ${rounded(alpha)}`)
     sayValue(damping, `γ = ${rounded(gamma)}`)
     sayReading(alpha, gamma)

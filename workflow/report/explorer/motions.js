@@ -23,18 +23,12 @@ function showMotions({motions, palettes, alarm, digits}) {
   const scene = byId("scene"), field = byId("field"), time = byId("time"), bead = byId("bead")
   const play = byId("play"), reading = byId("motion-reading")
   const grabBead = x => { stop(); setControl(bead, Math.round(x)) }
+  const grabMoment = (x, t) => { grabBead(x); setControl(time, nearest(motion.times, t)) }
   const plots = {
     beads: new Plot("beads", {x: "place, in bead diameters"}),
     u: new Plot("compression", {x: "contact n", y: "relative displacement uₙ", grab: grabBead}),
     v: new Plot("velocity", {x: "bead n", y: "velocity ẋₙ", grab: grabBead}),
-    spacetime: new Plot("spacetime", {
-      x: "bead n",
-      y: "time t",
-      grab(x, t) {
-        grabBead(x)
-        setControl(time, nearest(motion.times, t))
-      },
-    }),
+    spacetime: new Plot("spacetime", {x: "bead n", y: "time t", grab: grabMoment}),
   }
   let motion, picture, film = null
 
