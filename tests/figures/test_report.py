@@ -217,7 +217,7 @@ in_browser = [
 def long_report(results):
     """A report with pictures and long tables, as a full run makes one."""
     data = read_dataset(results / "data/chain/scene.nc")
-    names = [f"figures/fig{number:02}_front" for number in range(1, 24)]
+    names = [f"figures/fig{number:02}_front" for number in range(1, 30)]
     for name in names:
         record = make_figure(results, name.removeprefix("figures/"), data)
         Image.new("RGB", (1380, 1100), "grey").save(results / f"{name}.png")
