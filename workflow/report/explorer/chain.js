@@ -7,12 +7,12 @@ const CROSSINGS = 1.6 // of the chain by a front, until the motion ends
    xₙ' = wₙ + G(uₙ₋₁) − G(uₙ), wₙ' = F(uₙ₋₁) − F(uₙ), uₙ = xₙ − xₙ₊₁, F = u₊^α, G = γ u₊^β. */
 function integrate({alpha, beta, gamma, drive, count, start}, {interval, steps}) {
   const pressed = start === "press", size = 2 * count, h = interval / steps
-  const forces = u => (u > 0 ? [u ** alpha, gamma * u ** beta] : [0, 0])
-  const outer = forces(pressed ? drive : 0)
+  const outer = pressed ? drive : 0
   function slope(state, change) {
-    let [elastic, viscous] = outer
+    let elastic = outer ** alpha, viscous = gamma * outer ** beta
     for (let n = 0; n < count; n++) {
-      const [F, G] = n < count - 1 ? forces(state[n] - state[n + 1]) : [0, 0]
+      const u = n < count - 1 ? Math.max(state[n] - state[n + 1], 0) : 0
+      const F = u && u ** alpha, G = gamma * (alpha === beta ? F : u ** beta)
       change[n] = state[count + n] + viscous - G
       change[count + n] = elastic - F
       elastic = F
@@ -21,7 +21,7 @@ function integrate({alpha, beta, gamma, drive, count, start}, {interval, steps})
   }
   const [state, stage, ...slopes] = range(1, 6).map(() => new Float64Array(size))
   // Bead 1 is at rest under pressure.
-  state[count] = pressed ? -outer[1] : drive
+  state[count] = pressed ? -gamma * drive ** beta : drive
   const u = [], v = []
   const keep = () => {
     slope(state, slopes[0])
