@@ -2,11 +2,15 @@
 
 import json
 import re
+import subprocess
+from html import unescape
 
 import pandas as pd
 import pytest
 import xarray as xr
 import yaml
+from browser import CHROMIUM, browser
+from PIL import Image
 from projects import ROOT
 from write_report import write_report
 
@@ -15,6 +19,7 @@ from granular_fronts.output.provenance import source_of, write_provenance
 from granular_fronts.output.tables import write_table
 
 PNG = b"\x89PNG\r\n\x1a\n"
+VERDICTS = ["holds"] * 8 + ["reproduced", "not judged", "does not hold", "reproduced"]
 PARAMETERS = {
     "chain/scene": {"law": {"gamma": 0.06}},
     "precision/speed_error": {"repeats": 3},
@@ -34,8 +39,23 @@ def make_figure(results, stem, data):
 
 
 def make_table(results, name, data):
-    """A table of a dataset, with its record."""
+    """A table of a dataset, with its record; that of the paper holds statements."""
     table = pd.DataFrame({"problem": ["one"], "error_estimate": [1.234567e-12]})
+    if name == "paper_numbers":
+        rows = len(VERDICTS)
+        table = pd.DataFrame(
+            {
+                "quantity": [f"number {k}" for k in range(rows)],
+                "paper_place": "section 1",
+                "printed": "0.5",
+                "computed": [0.25 + k for k in range(rows)],
+                "computed_error": 1.234567e-12,
+                "verdict": VERDICTS,
+                "criterion": "0.5 within 0.1",
+                "remark": "",
+                "expected": "holds",
+            }
+        )
     csv = results / f"tables/{name}.csv"
     write_table(table, table, csv, csv.with_suffix(".md"), [data])
     return csv.with_suffix(".json")
@@ -90,8 +110,10 @@ def test_page_holds_pictures_captions_tables_and_links(results):
         assert (results / file).exists()
     titles = yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8"))
     assert titles["speed_verdicts"]["title"] in page
-    assert "<td>1.2e-12" in page
-    assert re.search(r"all jobs\s*</td>\s*<td[^>]*>\s*3\.5\s*</td>", page)
+    assert '<td class="number">1.2e-12</td>' in page
+    assert '<td class="number">0.25 <wbr>± 1.2e-12</td>' in page
+    assert '<th scope="col">expected' not in page
+    assert '<td>all jobs</td><td class="number">3.5</td>' in page
     made_from = json.loads(re.search(r'id="made-from">(.*?)</script>', page, re.DOTALL)[1])
     data = read_dataset(results / "data/chain/scene.nc")
     assert made_from["fig01_front"]["made_from"] == [source_of(data)]
@@ -138,3 +160,102 @@ def test_report_links_to_the_page_to_explore_where_it_is_of_the_data_that_are_th
     text = write(results, pages=["explore.json"])
     assert '<a href="explore.html">' not in text
     assert re.search(r"Left out[^<]*explore", text)
+
+
+def table_of(page, name):
+    """The cells of a table of the page, row by row, and how many of its rows are folded."""
+    text = page[page.index(f'id="{name}"') :]
+    table = text[text.index("<tbody>") : text.index("</table>")]
+    rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in table.split("<tr>")[1:]]
+    return rows, table.partition('<tbody class="rest">')[2].count("<tr>")
+
+
+def test_score_counts_the_verdicts_of_its_table_and_shows_what_does_not_hold(results):
+    page = write(results)
+    card = page[page.index('class="score') : page.index("<nav")]
+    counts = re.findall(r'<span class="(\w+)">(.) ([a-z ]+): (\d+)</span>', card)
+    verdicts = pd.Series(VERDICTS).value_counts()
+    assert {verdict: int(count) for _, _, verdict, count in counts} == verdicts.to_dict()
+    signs = {verdict: (name, sign) for name, sign, verdict, _ in counts}
+    assert len({signs[one] for one in ("holds", "not judged", "does not hold")}) == 3
+    shown = [cell for row in table_of(page, "paper_numbers")[0] for cell in row]
+    for verdict, count in verdicts.items():
+        assert shown.count(f"{signs[verdict][1]} {verdict}") == count
+    failed = re.findall(r"<li>(.*?)</li>", card, re.DOTALL)
+    assert len(failed) == 1
+    assert "number 10" in failed[0]
+    assert "“0.5”" in unescape(failed[0])
+
+
+def test_tables_are_folded_after_ten_rows_and_say_what_they_mean(results):
+    page = write(results)
+    rows, folded = table_of(page, "paper_numbers")
+    assert (len(rows), folded) == (len(VERDICTS), len(VERDICTS) - 10)
+    assert f"<summary>All {len(VERDICTS)} rows</summary>" in page
+    assert table_of(page, "speed_verdicts")[1] == 0
+    listed = yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8"))
+    assert all(described["meaning"].endswith(".") for described in listed.values())
+    assert listed["paper_numbers"]["meaning"] in page
+
+
+def test_the_paper_and_what_goes_beyond_are_apart(results):
+    page = write(results)
+    places = [
+        page.index(f'id="{name}"')
+        for name in ("paper", "fig01_front", "paper_numbers", "beyond", "fig14_speed_error")
+    ]
+    assert places == sorted(places)
+
+
+in_browser = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium to show or print the report"),
+]
+
+
+@pytest.fixture
+def long_report(results):
+    """A report with pictures and long tables, as a full run makes one."""
+    data = read_dataset(results / "data/chain/scene.nc")
+    names = [f"figures/fig{number:02}_front" for number in range(1, 30)]
+    for name in names:
+        record = make_figure(results, name.removeprefix("figures/"), data)
+        Image.new("RGB", (1380, 1100), "grey").save(results / f"{name}.png")
+        record.with_suffix(".rst").write_text("**Figure.** " + "A caption of many words. " * 25)
+        files = [results / f"{name}.{ending}" for ending in ("pdf", "png", "rst")]
+        write_provenance(record, files, [data], title=name, alt="")
+    write(results, pages=[f"{name}.json" for name in names[1:]])
+    return results / "report.html"
+
+
+class TestInBrowser:
+    pytestmark = in_browser
+
+    def test_report_prints_on_few_pages_and_cuts_nothing(self, long_report, tmp_path):
+        printed = tmp_path / "report.pdf"
+        command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu"]
+        command += [f"--user-data-dir={tmp_path / 'profile'}", f"--print-to-pdf={printed}"]
+        subprocess.run([*command, long_report.as_uri()], check=True, capture_output=True)
+        pages = len(re.findall(rb"/Type\s*/Page\b", printed.read_bytes()))
+        assert 5 < pages <= 25
+
+    @pytest.mark.parametrize("width", [400, 1280, 1920])
+    def test_rows_unfold_heads_stay_and_nothing_is_wider_than_the_window(
+        self, long_report, tmp_path, width
+    ):
+        with browser(tmp_path / "profile") as page:
+            page.open(long_report.as_uri(), width, 900)
+            page.wait_for("document.readyState === 'complete'")
+            page.wait_for("document.documentElement.scrollWidth <= innerWidth")
+            height = "document.querySelector('#paper_numbers table').offsetHeight"
+            folded = page.evaluate(height)
+            page.evaluate("document.querySelector('#paper_numbers summary').click()")
+            page.wait_for(f"{height} > {folded}")
+            head = "document.querySelector('#paper_numbers th')"
+            assert page.evaluate(f"getComputedStyle({head}).position") == "sticky"
+            # In print, tables are as wide as the page at most.
+            page.call("Emulation.setEmulatedMedia", media="print")
+            page.resize(703, 1000)
+            page.wait_for("document.documentElement.scrollWidth <= innerWidth")
+            assert page.complaints() == []
+            assert page.requests() == [long_report.as_uri()]

@@ -21,23 +21,18 @@ SCENE = {
     "tolerance": {"relative": 1.0e-9, "absolute": 1.0e-12},
     "record": {"snapshots": [], "grid": {"step": 2}},
 }
-FOLDER = ROOT / "workflow" / "report" / "explorer"
+FOLDER = ROOT / "workflow/report/explorer"
 
 
 @cache
 def solved():
     """The datasets of the page, with the part of a configuration that each answers."""
     gammas = {"start": GAMMAS[0], "stop": GAMMAS[-1], "num": len(GAMMAS)}
+    plane = map_critical_damping(np.linspace(1.2, 1.6, 3), np.geomspace(0.1, 1.0, 4), 1e-3)
     return {
         "flying": (gf.simulate_chain(SCENE), SCENE),
-        "collection": (
-            collect_fronts(ALPHAS, GAMMAS),
-            {"alpha": list(ALPHAS), "gamma": gammas},
-        ),
-        "critical_damping": (
-            map_critical_damping(np.linspace(1.2, 1.6, 3), np.geomspace(0.1, 1.0, 4), 1e-3),
-            {},
-        ),
+        "collection": (collect_fronts(ALPHAS, GAMMAS), {"alpha": list(ALPHAS), "gamma": gammas}),
+        "critical_damping": (plane, {}),
     }
 
 
@@ -46,14 +41,14 @@ def write_page(folder):
     files = {name: folder / f"{name}.nc" for name in solved()}
     for name, (dataset, config) in solved().items():
         write_dataset(dataset, files[name], scene_id=name, config=config)
+    page = folder / "explore.html"
     write_explorer(
         template=FOLDER / "page.html.j2",
-        scripts=[FOLDER / f"{script}.js" for script in ("shared", "motions", "fronts")],
+        scripts=[FOLDER / f"{script}.js" for script in ("shared", "chain", "motions", "fronts")],
         motions=[files["flying"]],
         collection=files["collection"],
         plane=files["critical_damping"],
-        reference={"flying": SCENE | {"beads": 21}, "critical_damping": {}},
-        page=folder / "explore.html",
-        provenance=folder / "explore.json",
+        page=page,
+        provenance=page.with_suffix(".json"),
     )
-    return folder / "explore.html", {name: read_dataset(file) for name, file in files.items()}
+    return page, {name: read_dataset(file) for name, file in files.items()}

@@ -254,7 +254,7 @@ def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished
     assert run.returncode == 0, run.stderr
     assert parameters_of(finished / PAGE) == parameters_of_data(finished)
     for name, appended, repeated in [
-        ("workflow/scripts/report/explorer/encoding.py", "pass\n", "write_explorer"),
+        ("workflow/scripts/report/write_explorer.py", "pass\n", "write_explorer"),
         ("workflow/report/explorer/shared.js", "// Words.\n", "write_explorer"),
         (
             "src/granular_fronts/studies/front_collection.py",

@@ -7,16 +7,14 @@ EXPLORED = [
     for scene, described in config["scenes"][folder].items()
     if "grid" in described["record"]
 ]
+EXPLORER_SCRIPTS = ["shared", "chain", "motions", "fronts"]
 EXPLORED_FRONTS = ["fronts/collection", "fronts/critical_damping"]
 
 
 rule write_explorer:
     input:
         template=project("workflow/report/explorer/page.html.j2"),
-        scripts=expand(
-            project("workflow/report/explorer/{script}.js"),
-            script=["shared", "motions", "fronts"],
-        ),
+        scripts=[project(f"workflow/report/explorer/{script}.js") for script in EXPLORER_SCRIPTS],
         motions=[data_file(motion) for motion in EXPLORED],
         collection=rules.study_collection.output.dataset,
         plane=rules.study_critical_damping.output.dataset,
@@ -25,7 +23,6 @@ rule write_explorer:
         provenance="<results>/explore.json",
     params:
         code=code("write_explorer"),
-        reference=reference(*EXPLORED),
         parameters=parameters(*EXPLORED, *EXPLORED_FRONTS),
     log:
         "<logs>/write_explorer.log",

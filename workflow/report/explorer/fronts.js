@@ -1,80 +1,105 @@
-// Fronts: exponent and damping are chosen by the controls of the page or on the atlas, the panels follow.
+// Fronts: exponent and damping are chosen by controls and on the atlas, the panels follow.
 
 const CONTINUUM = ["logarithmic", "unlimited", "heteroclinic"]
+const CRITICAL = ["tail", "double_root", "long_wave", "overshoot"]
+const SMALLEST_OVERSHOOT = 1e-6, WHITE = [255, 255, 255]
 
-const exponent = byId("exponent"), damping = byId("damping"), reading = byId("front-reading")
-const alphas = fronts.alpha, gammas = fronts.gamma
-
-function drawFront() {
-  const alpha = alphas[exponent.valueAsNumber], gamma = gammas[damping.valueAsNumber]
-  const row = exponent.valueAsNumber * gammas.length + damping.valueAsNumber
-  chosen.data = {alpha: [alpha], gamma: [gamma]}
-  drawCurves(row)
-  drawRoots(row)
-  drawMultipliers(row)
-  sayValue(exponent, `α = ${rounded(alpha)}`)
-  sayValue(damping, `γ = ${rounded(gamma)}`)
-  sayReading(alpha, gamma, row)
-}
-
-function drawCurves(row) {
-  const exact = decodeRow(fronts.relative_displacement, row)
-  const first = fronts.first[row], last = fronts.last[row]
-  const data = {xi: exact.map((_, k) => first + (k * (last - first)) / (exact.length - 1)), exact}
-  for (const name of CONTINUUM)
-    data[name] = decodeRow(fronts[`relative_displacement_${name}`], row)
-  curves.data = data
-  setRange(front_panel.x_range, first, last)
-}
-
-// Roots and their complex conjugates.
-function drawRoots(row) {
-  const real = rowOf("tail_root_real", row), imaginary = rowOf("tail_root_imaginary", row)
-  roots.data = {real: [...real, ...real], imaginary: [...imaginary, ...imaginary.map(y => -y)]}
-  setRange(tail_panel.x_range, 0, Math.max(...real))
-  const highest = Math.max(...imaginary, 1)
-  setRange(tail_panel.y_range, -highest, highest)
-}
-
-function drawMultipliers(row) {
-  const real = decodeRow(fronts.multiplier_real, row)
-  const imaginary = decodeRow(fronts.multiplier_imaginary, row)
-  multipliers.data = {
-    real: real.filter(x => !Number.isNaN(x)),
-    imaginary: imaginary.filter(y => !Number.isNaN(y)),
+function showFronts({fronts, plane, looks, palettes, alarm}) {
+  const exponent = byId("exponent"), damping = byId("damping"), reading = byId("front-reading")
+  const {alpha: alphas, gamma: gammas} = fronts
+  const value = name => fronts[name][exponent.valueAsNumber][damping.valueAsNumber]
+  counted.exponent = alphas
+  counted.damping = gammas
+  const choosePlace = (alpha, gamma) => {
+    exponent.value = nearest(alphas, alpha)
+    setControl(damping, nearest(gammas.map(Math.log), Math.log(gamma)))
   }
+  const atlas = new Plot("atlas", {x: "exponent α", y: "damping γ", log: true, grab: choosePlace})
+  const front = new Plot("front", {x: "ξ = n − ct", y: "relative displacement u"})
+  const tail = new Plot("tail", {x: "Re λ", y: "Im λ"})
+  const spectrum = new Plot("spectrum", {x: "Re z", y: "Im z"})
+
+  // The plane of overshoots, each place around its exponent and damping.
+  const half = (plane.alpha[1] - plane.alpha[0]) / 2, ratio = Math.sqrt(plane.gamma[1] / plane.gamma[0])
+  const across = [plane.alpha[0] - half, plane.alpha.at(-1) + half]
+  const upwards = [plane.gamma[0] / ratio, plane.gamma.at(-1) * ratio]
+  const colours = palettes.overshoot.map(channels), failed = channels(alarm)
+  const picture = pictureOf(plane.alpha.length, plane.gamma.length, (row, column) => {
+    const overshoot = plane.overshoot[column][row]
+    if (overshoot === null) return failed
+    if (overshoot < SMALLEST_OVERSHOOT) return WHITE
+    return shareOf(colours, 1 - Math.log(overshoot) / Math.log(SMALLEST_OVERSHOOT))
+  })
+  showColours("atlas", palettes.overshoot, SMALLEST_OVERSHOOT, "1")
+
+  function drawAtlas(alpha, gamma) {
+    const grid = alphas.flatMap(one => gammas.map(other => [one, other]))
+    const ends = (own, other) => [Math.min(own[0], ...other), Math.max(own[1], ...other)]
+    atlas.show(ends(across, alphas), ends(upwards, gammas), plot => {
+      plot.picture(picture, across, upwards)
+      for (const name of CRITICAL) plot.line(plane.alpha, plane[`critical_damping_${name}`], looks[name])
+      plot.dots(grid.map(([one]) => one), grid.map(([, other]) => other), {radius: 1.2, fill: "#fff", edge: "#444", width: 0.5})
+      plot.dots([alpha], [gamma], {radius: 8, edge: CURSOR, width: 3})
+    })
+  }
+
+  function drawFront() {
+    const xi = value("xi")
+    front.show(widened([xi[0], xi.at(-1)]), [-0.1, 1.9], plot => {
+      plot.line(xi, value("relative_displacement"), looks.exact)
+      for (const name of CONTINUUM) plot.line(xi, value(`relative_displacement_${name}`), looks[name])
+    })
+  }
+
+  function drawComplexNumbers() {
+    const real = value("tail_root_real"), imaginary = value("tail_root_imaginary")
+    const highest = Math.max(...imaginary, 1), angles = range(0, 180).map(k => (k * Math.PI) / 90)
+    // Roots and their complex conjugates.
+    tail.show(widened([0, Math.max(...real)]), widened([-highest, highest]), plot => {
+      for (const sign of [1, -1]) plot.dots(real, imaginary.map(y => sign * y), {edge: INK})
+    })
+    spectrum.show([-1.15, 1.15], [-1.15, 1.15], plot => {
+      plot.line(angles.map(Math.cos), angles.map(Math.sin), {colour: FAINT, width: 1})
+      plot.dots(value("multiplier_real"), value("multiplier_imaginary"), {edge: INK})
+    })
+  }
+
+  function sayReading(alpha, gamma) {
+    const [real] = value("tail_root_real"), [imaginary] = value("tail_root_imaginary"), defect = value("translation_defect")
+    const tailInWords = imaginary > 0
+      ? `oscillates: λ = ${rounded(real)} ± ${rounded(imaginary)} i`
+      : `does not oscillate: λ = ${rounded(real)}`
+    const translation = defect === null ? "" : `; the one of translation is ${defect.toExponential(0)} from 1`
+    const distances = CONTINUUM.map(name => `${looks[name].label} ${rounded(value(`distance_${name}`))}`)
+    reading.textContent =
+      `α = ${rounded(alpha)}, γ = ${rounded(gamma)}: overshoot ${rounded(value("overshoot"))}, ` +
+      `width ${rounded(value("width_10_90"))} beads, error of u ${value("error").toExponential(0)}. ` +
+      `The tail that decays slowest ${tailInWords}. ` +
+      `Multipliers, ${value("beads_behind")} beads behind: ${value("verdict")}${translation}. ` +
+      `Largest distance to the exact front: ${distances.join(", ")}.`
+  }
+
+  function choose() {
+    const alpha = alphas[exponent.valueAsNumber], gamma = gammas[damping.valueAsNumber]
+    drawAtlas(alpha, gamma)
+    drawFront()
+    drawComplexNumbers()
+    sayValue(exponent, `α = ${rounded(alpha)}`)
+    sayValue(damping, `γ = ${rounded(gamma)}`)
+    sayReading(alpha, gamma)
+    keepState()
+  }
+
+  for (const slider of [exponent, damping]) slider.addEventListener("input", choose)
+  choose()
+  return {atlas}
 }
 
-function rowOf(name, row) {
-  const values = fronts[name], columns = values.shape[1]
-  return Array.from({length: columns}, (_, k) => values[row * columns + k])
-}
+// What tests, and whoever opens the console, can ask.
+let explorer = null
 
-function sayReading(alpha, gamma, row) {
-  const value = name => fronts[name][row]
-  const real = rowOf("tail_root_real", row)[0], imaginary = rowOf("tail_root_imaginary", row)[0]
-  const tail = imaginary > 0
-    ? `oscillates: λ = ${rounded(real)} ± ${rounded(imaginary)} i`
-    : `does not oscillate: λ = ${rounded(real)}`
-  const defect = value("translation_defect")
-  const translation = Number.isNaN(defect)
-    ? ""
-    : `; that of translation is ${defect.toExponential(0)} from 1`
-  reading.textContent =
-    `α = ${rounded(alpha)}, γ = ${rounded(gamma)}: overshoot ${rounded(value("overshoot"))}, ` +
-    `width ${rounded(value("width_10_90"))} beads, error of u ${value("error").toExponential(0)}. ` +
-    `The tail that decays slowest ${tail}. ` +
-    `Multipliers, ${value("beads_behind")} beads behind: ${value("verdict")}${translation}. ` +
-    `Largest distance to the exact front: (45) ${rounded(value("distance_logarithmic"))}, ` +
-    `(46) ${rounded(value("distance_unlimited"))}, ` +
-    `heteroclinic orbit ${rounded(value("distance_heteroclinic"))}.`
-}
-
-exponent.addEventListener("input", drawFront)
-damping.addEventListener("input", drawFront)
-document.addEventListener("tap-atlas", ({detail: {x, y}}) => {
-  exponent.value = nearest(alphas, alpha => Math.abs(alpha - x))
-  moveTo(damping, nearest(gammas, gamma => Math.abs(Math.log(gamma / y))))
+unpack(byId("content").textContent).then(content => {
+  const fronts = showFronts(content), [motions, motion] = showMotions(content)
+  followAddress()
+  explorer = {fronts, motions, motion}
 })
-
-drawFront()

@@ -1,144 +1,150 @@
-// Motions: scene, time and bead are chosen by the controls of the page, the panels follow.
+// Motions: scene, time and bead are chosen by controls and on pictures, the panels follow.
 
-const REACH = 12 // rest places on either side of the cursor that the panel of beads shows
+const REACH = 12 // rest places on either side of the bead that the panel of beads shows
 const NEIGHBOURS = 24 // beads on either side that are placed; compression brings them into view
 const OVERLAP = 0.4 // share of a diameter by which the largest compression brings two beads closer
 const FRAME = 60 // milliseconds between two moments of the film
 const GAPS_SHOWN = 0.6 // of the largest compression, downwards; deeper gaps are marked at the edge
+const LIVE = ["alpha", "beta", "gamma", "drive", "count"]
 
-const scene = byId("scene"), field = byId("field"), time = byId("time"), bead = byId("bead")
-const play = byId("play"), reading = byId("motion-reading")
-
-const motion = () => motions[scene.value]
-
-const numbersOf = values => Array.from(values, (_, k) => k + 1)
-
-// Numbers of the contacts that are open: extended by more than the error of u, where no force holds them.
-function openContacts(u, row) {
-  const chosen = motion(), encoded = chosen.relative_displacement
-  const error = encoded.error + roundingError(encoded, row)
-  return numbersOf(u).filter(n => chosen.opens && u[n - 1] < -error)
+// The first bead that the front has reached: ahead of it the compression falls most.
+function frontOf(u) {
+  const fall = k => Math.max(u[k], 0) - Math.max(u[k + 1], 0)
+  return range(0, u.length - 2).reduce((best, k) => (fall(k) > fall(best) ? k : best), 0) + 1
 }
 
-function chooseScene() {
-  const chosen = motion(), times = chosen.times, count = chosen.beads
-  const largest = chosen.largest
-  time.max = times.length - 1
-  time.value = Math.floor(0.17 * times.length)
-  bead.max = count
-  // The bead that is compressed most, at the front.
-  const u = decodeRow(chosen.relative_displacement, time.valueAsNumber)
-  bead.value = u.indexOf(Math.max(...u)) + 1
-  setRange(panels.relative_displacement.x_range, 1, count)
-  setRange(panels.relative_displacement.y_range, -GAPS_SHOWN * largest, largest)
-  setRange(panels.velocity.y_range, chosen.slowest, chosen.fastest)
-  setRange(panels.spacetime.x_range, 1, count)
-  setRange(panels.spacetime.y_range, times[0], times[times.length - 1])
-  bead_colours.setv({low: Math.min(0, chosen.slowest), high: chosen.fastest})
-  drawSpacetime()
-  drawMoment()
+// A motion with its number of beads and how far colours and axes go; gaps may be wider than the largest compression.
+function withExtent(motion) {
+  const [largest, fastest] = ["relative_displacement", "velocity"].map(name => extreme(Math.max, motion[name].rows))
+  return {...motion, beads: motion.velocity.rows[0].length, largest, fastest, slowest: extreme(Math.min, motion.velocity.rows)}
 }
 
-function drawSpacetime() {
-  const chosen = motion(), times = chosen.times, count = chosen.beads
-  const values = new Float32Array(times.length * count)
-  for (let row = 0; row < times.length; row++)
-    values.set(decodeRow(chosen[field.value], row), row * count)
-  const Picture = picture.data.image[0].constructor
-  const step = times.length > 1 ? times[1] - times[0] : 1
-  picture.data = {
-    image: [new Picture(values, [times.length, count])],
-    x: [0.5], y: [times[0] - 0.5 * step], dw: [count], dh: [step * times.length],
+function showMotions({motions, palettes, alarm, digits}) {
+  const scene = byId("scene"), field = byId("field"), time = byId("time"), bead = byId("bead")
+  const play = byId("play"), reading = byId("motion-reading")
+  const grabBead = x => { stop(); setControl(bead, Math.round(x)) }
+  const grabMoment = (x, t) => { grabBead(x); setControl(time, nearest(motion.times, t)) }
+  const plots = {
+    beads: new Plot("beads", {x: "place, in bead diameters"}),
+    u: new Plot("compression", {x: "contact n", y: "relative displacement uₙ", grab: grabBead}),
+    v: new Plot("velocity", {x: "bead n", y: "velocity ẋₙ", grab: grabBead}),
+    spacetime: new Plot("spacetime", {x: "bead n", y: "time t", grab: grabMoment}),
   }
-  const compressed = field.value === "relative_displacement", look = looks[field.value]
-  colours.setv({
-    palette: look.palette,
-    low_color: chosen.opens ? look.low_color : null,
-    low: compressed ? -chosen.largest : Math.min(0, chosen.slowest),
-    high: compressed ? chosen.largest : chosen.fastest,
-  })
-}
+  let motion, picture, film = null
 
-function drawMoment() {
-  const chosen = motion(), row = time.valueAsNumber, n = bead.valueAsNumber
-  const t = chosen.times[row]
-  const u = decodeRow(chosen.relative_displacement, row)
-  const v = decodeRow(chosen.velocity, row)
-  const open = openContacts(u, row)
-  profile.data = {n: numbersOf(u), u, v}
-  const lowest = -GAPS_SHOWN * chosen.largest
-  gaps.data = {n: open, u: open.map(number => Math.max(u[number - 1], lowest))}
-  time_cursor.location = t
-  for (const cursor of bead_cursors) cursor.location = n
-  drawBeads(n, u, v, open)
-  sayValue(time, `t = ${rounded(t)}`)
-  sayValue(bead, `n = ${n}`)
-  sayReading(t, n, open.length, row, {relative_displacement: u, velocity: v})
-}
+  const rowOf = name => motion[name].rows[time.valueAsNumber]
 
-// Bead n stays where it is, and the others are placed by the contacts between.
-function drawBeads(n, u, v, open) {
-  const scale = OVERLAP / motion().largest
-  const first = Math.max(1, n - NEIGHBOURS), last = Math.min(u.length, n + NEIGHBOURS)
-  const place = new Map([[n, n]])
-  for (let k = n; k < last; k++) place.set(k + 1, place.get(k) + 1 - scale * u[k - 1])
-  for (let k = n; k > first; k--) place.set(k - 1, place.get(k) - 1 + scale * u[k - 2])
-  const shown = []
-  for (let k = first; k <= last; k++) shown.push(k)
-  beads.data = {
-    x: shown.map(k => place.get(k)),
-    n: shown,
-    v: shown.map(k => v[k - 1]),
-    edge: shown.map(k => (k === n ? "#b35900" : "#1d2733")),
+  function chooseScene() {
+    stop()
+    const live = scene.value === "live"
+    for (const part of document.querySelectorAll(".live")) part.hidden = !live
+    motion = withExtent(live ? chainOfControls() : {...motions[scene.value], digits})
+    counted.time = motion.times
+    time.max = motion.times.length - 1
+    time.value = Math.floor(0.17 * motion.times.length)
+    bead.max = motion.beads
+    bead.value = frontOf(rowOf("relative_displacement"))
+    drawSpacetime()
   }
-  const wide = open.filter(k => k >= first && k < last)
-  openings.data = {
-    start: wide.map(k => place.get(k) + 0.5),
-    stop: wide.map(k => place.get(k + 1) - 0.5),
+
+  function chainOfControls() {
+    const chain = Object.fromEntries(LIVE.map(id => [id, byId(id).valueAsNumber]))
+    for (const id of LIVE) sayValue(byId(id), `${byId(`${id}-value`).dataset.symbol} = ${chain[id]}`)
+    return computeChain({...chain, start: byId("start").value})
   }
-  panels.beads.x_range.setv({start: n - REACH - 0.5, end: n + REACH + 0.5})
-}
 
-function sayReading(t, n, open, row, values) {
-  const say = name => {
-    const encoded = motion()[name]
-    return withError(values[name][n - 1], encoded.error + roundingError(encoded, row))
-  }
-  const contacts = open === 0 ? "No contact is open" : `Open contacts: ${open}`
-  reading.textContent =
-    `At t = ${rounded(t)}, bead ${n}: relative displacement ${say("relative_displacement")}, ` +
-    `velocity ${say("velocity")}. ${contacts}.`
-}
-
-let film = null
-
-function stop() {
-  clearInterval(film)
-  film = null
-  play.textContent = "Play"
-  reading.ariaLive = "polite"
-}
-
-function start() {
-  if (time.valueAsNumber >= Number(time.max)) time.value = 0
-  play.textContent = "Pause"
-  // A screen reader would speak of every moment of the film.
-  reading.ariaLive = "off"
-  film = setInterval(() => {
-    time.stepUp()
+  function drawSpacetime() {
+    const {largest, slowest, fastest, opens, times} = motion, {rows} = motion[field.value]
+    const compressed = field.value === "relative_displacement"
+    const [low, high] = compressed ? [-largest, largest] : [Math.min(0, slowest), fastest]
+    const palette = palettes[field.value], colours = palette.map(channels), red = channels(alarm)
+    picture = pictureOf(rows[0].length, times.length, (row, column) => {
+      const value = rows[row][column]
+      return compressed && opens && value < low ? red : shareOf(colours, (value - low) / (high - low))
+    })
+    showColours("spacetime", palette, rounded(low), rounded(high))
     drawMoment()
-    if (time.valueAsNumber >= Number(time.max)) stop()
-  }, FRAME)
+  }
+
+  function drawMoment() {
+    const {largest, slowest, fastest, times, beads} = motion, n = bead.valueAsNumber, t = times[time.valueAsNumber]
+    const u = rowOf("relative_displacement"), v = rowOf("velocity")
+    const open = range(1, u.length).filter(k => motion.opens && u[k - 1] < -motion.relative_displacement.error)
+    const along = widened([1, beads]), gaps = [-GAPS_SHOWN * largest, largest], speeds = [slowest, fastest]
+    const cursor = plot => plot.line([n, n], plot.yRange, {colour: CURSOR, width: 1.5})
+    const curve = (plot, values) => {
+      const numbers = range(1, values.length)
+      cursor(plot)
+      plot.line(numbers, values, {colour: INK, width: 1})
+      plot.dots(numbers, values, {radius: 1.5, fill: INK})
+    }
+    plots.u.show(along, widened(gaps), plot => {
+      curve(plot, u)
+      plot.dots(open, open.map(k => Math.max(u[k - 1], gaps[0])), {radius: 4, edge: alarm, width: 2})
+    })
+    plots.v.show(along, widened(speeds), plot => curve(plot, v))
+    const step = times[1] - times[0], rows = [times[0] - step / 2, times.at(-1) + step / 2]
+    plots.spacetime.show(along, widened([times[0], times.at(-1)]), plot => {
+      plot.picture(picture, [0.5, picture.width + 0.5], rows)
+      cursor(plot)
+      plot.line(plot.xRange, [t, t], {colour: CURSOR, width: 1.5})
+    })
+    drawBeads(n, u, v, open)
+    sayValue(time, `t = ${rounded(t)}`)
+    sayValue(bead, `n = ${n}`)
+    sayReading(t, n, u, open)
+    keepState()
+  }
+
+  // Bead n stays where it is, and the others are placed by the contacts between.
+  function drawBeads(n, u, v, open) {
+    const [first, last] = [Math.max(1, n - NEIGHBOURS), Math.min(v.length, n + NEIGHBOURS)]
+    const place = {[n]: n}, apart = k => 1 - (OVERLAP / motion.largest) * u[k - 1]
+    for (let k = n; k < last; k++) place[k + 1] = place[k] + apart(k)
+    for (let k = n - 1; k >= first; k--) place[k] = place[k + 1] - apart(k)
+    const shown = range(first, last), low = Math.min(0, motion.slowest)
+    const fill = shown.map(k => shareOf(palettes.velocity, (v[k - 1] - low) / (motion.fastest - low)) + "bf")
+    plots.beads.show([n - REACH - 0.5, n + REACH + 0.5], [-1, 1], plot => {
+      const radius = (plot.x(1) - plot.x(0)) / 2
+      const edge = shown.map(k => (k === n ? CURSOR : INK))
+      plot.dots(shown.map(k => place[k]), shown.map(() => 0), {radius, fill, edge, width: 1.5})
+      for (const k of open.filter(k => k >= first && k < last))
+        plot.line([place[k] + 0.5, place[k + 1] - 0.5], [0, 0], {colour: alarm, dash: [3, 3], width: 3})
+    })
+    Object.assign(plots.beads, {shown, place})
+  }
+
+  function sayReading(t, n, u, open) {
+    const say = name => withError(rowOf(name)[n - 1], motion[name].error, motion.digits)
+    const contact = n <= u.length ? `relative displacement ${say("relative_displacement")}, ` : "the last one, "
+    const contacts = open.length === 0 ? "No contact is open" : `Open contacts: ${open.length}`
+    reading.textContent = `At t = ${rounded(t)}, bead ${n}: ${contact}velocity ${say("velocity")}. ${contacts}.`
+  }
+
+  function stop() {
+    clearInterval(film)
+    film = null
+    play.textContent = "Play"
+    reading.ariaLive = "polite"
+  }
+
+  function start() {
+    if (time.value === time.max) time.value = 0
+    play.textContent = "Pause"
+    // A screen reader would speak of every moment of the film.
+    reading.ariaLive = "off"
+    film = setInterval(() => {
+      time.stepUp()
+      bead.value = frontOf(rowOf("relative_displacement"))
+      drawMoment()
+      if (time.value === time.max) stop()
+    }, FRAME)
+  }
+
+  for (const control of [scene, byId("start"), ...LIVE.map(byId)]) control.addEventListener("input", chooseScene)
+  field.addEventListener("input", drawSpacetime)
+  for (const slider of [time, bead]) slider.addEventListener("input", drawMoment)
+  play.addEventListener("click", () => (film === null ? start() : stop()))
+  chooseScene()
+  return [plots, () => motion]
 }
-
-scene.addEventListener("input", () => { stop(); chooseScene() })
-field.addEventListener("input", drawSpacetime)
-time.addEventListener("input", drawMoment)
-bead.addEventListener("input", drawMoment)
-play.addEventListener("click", () => (film === null ? start() : stop()))
-document.addEventListener("tap-spacetime", ({detail: {x, y}}) => {
-  bead.value = Math.round(x)
-  moveTo(time, nearest(motion().times, t => Math.abs(t - y)))
-})
-
-chooseScene()

@@ -1,4 +1,4 @@
-"""Write one page with figures, captions, tables, configuration and run times.
+"""Write one page with the score, figures, captions, tables, configuration and run times.
 
 The page holds everything in itself, so it can be mailed or archived as one file; its links lead to
 the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
@@ -12,6 +12,7 @@ on demand is left out, and named, where it answers another configuration.
 import json
 import os
 from base64 import b64encode
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +20,36 @@ import jinja2
 import pandas as pd
 import yaml
 from docutils.core import publish_parts
-from tabulate import tabulate
 
 from granular_fronts.output.datasets import read_sources
 from granular_fronts.output.files import complete_file, read_json
 from granular_fronts.output.provenance import disagreements
+from granular_fronts.output.statements import (
+    DOES_NOT_HOLD,
+    HOLDS,
+    NOT_JUDGED,
+    NOT_REPRODUCED,
+    OTHER_PARAMETERS,
+    REPRODUCED,
+    UNDECIDED,
+)
 from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
+
+PAPER_FIGURES = [str(number) for number in range(1, 9)]
+PAPER_TABLES = ["paper_numbers"]
+SIGNS = {
+    HOLDS: ("good", "✓"),
+    REPRODUCED: ("good", "✓"),
+    NOT_JUDGED: ("open", "–"),
+    OTHER_PARAMETERS: ("open", "–"),
+    UNDECIDED: ("open", "?"),
+    DOES_NOT_HOLD: ("bad", "✗"),
+    NOT_REPRODUCED: ("bad", "✗"),
+}
+"""Class and sign of each verdict, so that it can be read without its colour."""
+
+FOR_MACHINES = ["kind", "expected"]
 
 
 def write_report(  # noqa: PLR0913 - what its rule names
@@ -84,9 +108,25 @@ def write_report(  # noqa: PLR0913 - what its rule names
     tables = [*tables, *_with_file(".csv", shown)]
     described = read_yaml(texts)
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
+    shown_figures = [_describe_figure(provenance) for provenance in figures]
+    shown_tables = [
+        _describe_table(provenance, described[provenance.stem]) for provenance in tables
+    ]
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
-        figures=[_describe_figure(provenance) for provenance in figures],
-        tables=[_describe_table(provenance, described[provenance.stem]) for provenance in tables],
+        parts=[
+            {
+                "name": name,
+                "title": title,
+                "figures": [one for one in shown_figures if one["of_paper"] == of_paper],
+                "tables": [one for one in shown_tables if one["of_paper"] == of_paper],
+            }
+            for name, title, of_paper in (
+                ("paper", "The paper", True),
+                ("beyond", "Beyond the paper", False),
+            )
+        ],
+        judged=[table for table in shown_tables if table["score"]],
+        signs=SIGNS,
         pages=[provenance.with_suffix(".html").name for provenance in _with_file(".html", shown)],
         outdated=[file.stem for file in on_demand if file not in shown],
         run_times=_tabulate_run_times(benchmarks),
@@ -114,30 +154,39 @@ def _describe_figure(provenance: Path) -> dict[str, Any]:
     """What the page shows of a figure."""
     described = read_json(provenance)
     picture = b64encode(provenance.with_suffix(".png").read_bytes()).decode("ascii")
+    number = provenance.stem.partition("_")[0].removeprefix("fig").lstrip("0")
     return {
         "name": provenance.stem,
-        "number": provenance.stem.partition("_")[0].removeprefix("fig").lstrip("0"),
+        "number": number,
+        "of_paper": number in PAPER_FIGURES,
         "title": described["title"],
         "alt": described["alt"],
         "image": f"data:image/png;base64,{picture}",
         "caption": _render(provenance.with_suffix(".rst").read_text(encoding="utf-8")),
-        "files": [
-            f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in ("pdf", "png")
-        ],
+        "files": _files_beside(provenance, "pdf", "png"),
     }
 
 
 def _describe_table(provenance: Path, described: dict[str, str]) -> dict[str, Any]:
-    """What the page shows of a table."""
+    """What the page shows of a table, and the score of a table of statements."""
+    cells = pd.read_csv(provenance.with_suffix(".csv"), dtype=str, keep_default_na=False)
+    verdicts = cells["verdict"] if "statements" in described else []
+    failed = cells[[SIGNS[verdict][0] == "bad" for verdict in cells.get("verdict", [])]]
     return {
         "name": provenance.stem,
+        "of_paper": provenance.stem in PAPER_TABLES,
         "title": described["title"],
+        "meaning": described["meaning"],
         "caption": _render(described["caption"]),
-        "html": _tabulate_csv(provenance.with_suffix(".csv")),
-        "files": [
-            f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in ("csv", "md")
-        ],
+        "score": Counter(verdicts),
+        "failed": failed.to_dict("records"),
+        "files": _files_beside(provenance, "csv", "md"),
+        **_readable(cells),
     }
+
+
+def _files_beside(provenance: Path, *endings: str) -> list[str]:
+    return [f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in endings]
 
 
 def _render(caption: str) -> str:
@@ -148,14 +197,29 @@ def _render(caption: str) -> str:
     return publish_parts(caption, writer="html5", settings_overrides=settings)["fragment"]
 
 
-def _tabulate_csv(table: Path) -> str:
-    """Turn a CSV file with a header into HTML, its numbers rounded for reading."""
-    cells = pd.read_csv(table, dtype=str, keep_default_na=False)
+def _readable(cells: pd.DataFrame) -> dict[str, Any]:
+    """Heads and rows of a table for reading: rounded, numbers to the right, errors after ±."""
+    cells = cells.drop(columns=FOR_MACHINES, errors="ignore")
     for column in cells:
         digits = ".1e" if "error" in column else ".7g"
         cells[column] = [_shorten(cell, digits) for cell in cells[column]]
-    headers = [column.replace("_", " ") for column in cells]
-    return tabulate(cells.to_numpy().tolist(), headers, tablefmt="html", disable_numparse=True)
+    for error in [column for column in cells if column.removesuffix("_error") in cells.columns]:
+        if error.endswith("_error"):
+            value = error.removesuffix("_error")
+            cells[value] = cells[value] + " ± " + cells.pop(error)
+    heads = [
+        (column.replace("_", " "), all(_is_number(cell) for cell in cells[column]))
+        for column in cells
+    ]
+    return {"heads": heads, "rows": cells.to_numpy().tolist()}
+
+
+def _is_number(cell: str) -> bool:
+    """Whether a cell holds a number, perhaps with its error, or nothing."""
+    try:
+        return not cell or float(cell.partition(" ± ")[0]) is not None
+    except ValueError:
+        return False
 
 
 def _shorten(cell: str, digits: str) -> str:
@@ -166,8 +230,8 @@ def _shorten(cell: str, digits: str) -> str:
         return cell
 
 
-def _tabulate_run_times(benchmarks: list[Path]) -> str:
-    """Turn Snakemake's measurements into an HTML table."""
+def _tabulate_run_times(benchmarks: list[Path]) -> dict[str, Any]:
+    """Snakemake's measurements as a table, their sum last."""
     folder = os.path.commonpath([file.parent for file in benchmarks])
     rows, total = [], 0.0
     for file in benchmarks:
@@ -175,13 +239,8 @@ def _tabulate_run_times(benchmarks: list[Path]) -> str:
         job = file.relative_to(folder).with_suffix("").as_posix()
         rows.append([job, f"{float(measured['s']):.1f}", measured["max_rss"]])
         total += float(measured["s"])
-    return tabulate(
-        [*rows, ["all jobs", f"{total:.1f}", ""]],
-        headers=["job", "wall time, s", "largest memory, MiB"],
-        colalign=["left", "right", "right"],
-        tablefmt="html",
-        disable_numparse=True,
-    )
+    heads = [("job", False), ("wall time, s", True), ("largest memory, MiB", True)]
+    return {"heads": heads, "rows": [*rows, ["all jobs", f"{total:.1f}", ""]]}
 
 
 if __name__ == "__main__":

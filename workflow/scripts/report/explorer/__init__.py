@@ -1,1 +1,0 @@
-"""The page on which motions and fronts are explored: its data, its panels, and the page itself."""
