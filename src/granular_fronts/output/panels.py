@@ -144,7 +144,8 @@ def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
 
 def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> Line2D:
     """A field on (bead) at one time, a dot for each bead on a thin line of some look."""
-    [line] = axes.plot(values["bead"], values, ".-", markersize=2.5, linewidth=0.6, **look)
+    dots: dict[str, Any] = {"marker": ".", "linestyle": "-", "markersize": 2.5, "linewidth": 0.6}
+    [line] = axes.plot(values["bead"], values, **dots | look)
     axes.set(xlabel=BEAD, ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
     return line
 

@@ -67,7 +67,7 @@ MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispe
 
 CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = BLACK, BLUE, GREEN
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
-EXPONENT_COLOURS = (BLUE, GREEN)
+EXPONENT_LOOKS = ((BLUE, DASHED), (GREEN, DASH_DOTTED))
 # Whose solver it is, in figure 14.
 PACKAGE_COLOURS = {
     "ours": BLACK,

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
-from granular_fronts.output.style import EXPONENT_COLOURS, new_figure
+from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
 
 
 def plot_fig04(data: xr.Dataset) -> Figure:
@@ -18,12 +18,12 @@ def plot_fig04(data: xr.Dataset) -> Figure:
         Tabulated fluxes and fronts.
     """
     figure, panels = new_figure(3.0, [["flux", "front"]])
-    for alpha, colour in zip(data["alpha"].values, EXPONENT_COLOURS, strict=False):
+    for alpha, (colour, line) in zip(data["alpha"].values, EXPONENT_LOOKS, strict=False):
         case = data.sel(alpha=alpha)
         label = rf"$\alpha = {alpha:g}$"
-        panels["flux"].plot(data["force"], case["flux"], "-", color=colour, label=label)
+        panels["flux"].plot(data["force"], case["flux"], linestyle=line, color=colour)
         panels["flux"].plot(data["force"], case["compression"], ":", color=colour)
-        panels["front"].plot(data["xi"], case["front"], "-", color=colour, label=label)
+        panels["front"].plot(data["xi"], case["front"], linestyle=line, color=colour, label=label)
     limit: dict[str, Any] = {
         "color": "black",
         "linestyle": "-",

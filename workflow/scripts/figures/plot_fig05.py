@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import FIELD_LABELS, draw_snapshot
-from granular_fronts.output.style import EXPONENT_COLOURS, new_figure
+from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
 
 
 def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
@@ -18,10 +18,12 @@ def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
         The two periodic scenes.
     """
     figure, panels = new_figure(2.6, [list(FIELD_LABELS)])
-    for data, colour in zip((hertz, weak), EXPONENT_COLOURS, strict=True):
+    for data, (colour, line) in zip((hertz, weak), EXPONENT_LOOKS, strict=True):
         label = rf"$\alpha = {configuration_of(data)['law']['alpha']:g}$"
         for field, axes in panels.items():
-            draw_snapshot(axes, data[field].sel(t=0.0), field, color=colour, label=label)
+            draw_snapshot(
+                axes, data[field].sel(t=0.0), field, color=colour, linestyle=line, label=label
+            )
     panels["relative_displacement"].legend(loc="upper left")
     return figure
 

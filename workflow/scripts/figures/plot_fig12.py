@@ -13,7 +13,7 @@ from granular_fronts.output.style import new_figure
 from granular_fronts.studies.materials import ALPHA
 
 # Places of the regions, as shares of the sides of the panel.
-REGIONS = {"fronts rise monotonically": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
+REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
 STEPS = (1, 3, 10, 30, 100, 300, 1000)
 
 
@@ -32,7 +32,9 @@ def plot_fig12(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     _draw_overshoot(axes, data)
     draw_critical_damping(axes, data, "tail", "double_root", "long_wave", "overshoot")
     draw_materials(axes, materials, ALPHA)
-    axes.axvline(data.attrs["exchange_exponent"], color="0.4", linewidth=0.7, linestyle=":")
+    exchange = data.attrs["exchange_exponent"]
+    axes.axvline(exchange, color="0.4", linewidth=0.7, linestyle=":")
+    axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
     edge = [withStroke(linewidth=2.5, foreground="white")]
     for words, place in REGIONS.items():
         axes.text(*place, words, transform=axes.transAxes, fontsize=10, path_effects=edge)

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
 from figure_step import run_figure
-from granular_fronts.output.panels import draw_critical_damping, draw_plane
+from granular_fronts.output.panels import draw_critical_damping, draw_materials, draw_plane
 from granular_fronts.output.style import ALARM_COLOUR, new_figure
 from granular_fronts.studies.materials import ALPHA
 
@@ -37,7 +37,7 @@ def plot_fig16(atlas: xr.Dataset, curves: xr.Dataset, materials: xr.Dataset) -> 
     draw_critical_damping(panels["overshoot"], curves, *CURVES)
     gamma, alpha = atlas["gamma"].values, atlas["alpha"].values
     for axes in panels.values():
-        _draw_materials(axes, materials)
+        draw_materials(axes, materials, ALPHA)
         axes.set(xlabel=r"exponent $\alpha$ of the contact force", yscale="log")
         axes.set(xlim=(alpha[0], alpha[-1]), ylim=(gamma[0], gamma[-1]))
     panels["overshoot"].set_ylabel(r"damping $\gamma c$")
@@ -67,22 +67,6 @@ def _draw_width(axes: Axes, atlas: xr.Dataset) -> None:
     image = draw_plane(axes, atlas["width_10_90"], colours, norm)
     bar = axes.figure.colorbar(image, ax=axes, location="top", aspect=30, spacing="uniform")
     bar.set_label("width of the front, in beads")
-
-
-def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
-    """The places of real beads."""
-    for bead in materials["gamma_printed"]:
-        axes.plot(ALPHA, bead, "o", color="black", markeredgecolor="white", markersize=6)
-        axes.annotate(
-            str(bead["material"].values),
-            (ALPHA, float(bead)),
-            xytext=(7, 0),
-            textcoords="offset points",
-            va="center",
-            fontsize=9,
-            fontweight="bold",
-            path_effects=ON_COLOURS,
-        )
 
 
 if __name__ == "__main__":
