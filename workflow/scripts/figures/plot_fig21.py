@@ -79,8 +79,8 @@ def finish_plane(axes: Axes, rings: xr.Dataset, runs: list[tuple[float, float]])
     """Lines of equal ε/γc, the runs of the paper, and the axes."""
     alpha, gamma = rings["alpha"].values, rings["gamma"].values
     for ratio, line in RATIOS.items():
-        damping = np.sqrt((1.0 - 1.0 / alpha) / ratio)
-        axes.plot(alpha - 1.0, damping, color="white", linestyle=line, linewidth=0.8)
+        of_ratio = np.sqrt((1.0 - 1.0 / alpha) / ratio)
+        axes.plot(alpha - 1.0, of_ratio, color="white", linestyle=line, linewidth=0.8)
     for exponent, damping in runs:
         look: dict[str, Any] = {"color": "white", "markeredgecolor": "black", "markersize": 11}
         axes.plot(exponent - 1.0, damping, "*", zorder=5, clip_on=False, **look)
