@@ -1,12 +1,14 @@
 """Orders fitted to campaigns of rings, and how their table writes them."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
-from tabulate_ring_orders import with_error
+from tabulate_ring_orders import tabulate_ring_orders, with_error
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.campaign import measures
+from granular_fronts.output.datasets import write_dataset
 
 
 @pytest.mark.parametrize(
@@ -38,3 +40,26 @@ def test_fitted_order_is_the_power(power):
     scattered = measures.fitted_order(made_up(power, 0.1), "e")
     assert found.error < 1e-12 < 0.02 < scattered.error
     assert abs(scattered.value - power) < scattered.error
+
+
+def test_table_has_the_order_of_each_line(tmp_path):
+    """A line for each equation or formula and each value of what a campaign fixes."""
+    campaigns = {
+        "rings_damping": made_up(1.0).expand_dims(damping=[0.3, 3.0]),
+        "rings_gamma": made_up(1.5).assign_attrs(gamma=0.24),
+        "rings_mu": made_up(2.0).expand_dims(mu=[2.0]),
+    }
+    for name, rings in campaigns.items():
+        error = "residual_printed" if name == "rings_damping" else "displacement_sup_dispersive"
+        named = rings.rename(e=error)
+        for each in named.variables:
+            named[each].attrs["long_name"] = each
+        write_dataset(named, tmp_path / f"{name}.nc", scene_id=name, config={})
+    paths = [tmp_path / f"{name}.nc" for name in campaigns]
+    tabulate_ring_orders(paths, tmp_path / "orders.csv", tmp_path / "orders.md")
+    table = pd.read_csv(tmp_path / "orders.csv")
+    assert list(table["fixed"]) == ["γc = 0.3", "γc = 3", "γ = 0.24", "μ = 2"]
+    assert list(table["error of"]) == 2 * ["ẋ, (43) as printed"] + 2 * [
+        "u, logarithmic KdV–Burgers"
+    ]
+    np.testing.assert_allclose(table["order"], [1.0, 1.0, 1.5, 2.0], rtol=1e-12)

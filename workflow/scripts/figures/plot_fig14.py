@@ -124,7 +124,7 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
         axes.axvline(reference_error, color="#888888", linewidth=0.8, linestyle="--")
     scale = f"largest error (reference {reference_error:.0e})"
     problem = str(data["problem"].item())
-    axes.set_title(ON_THE_PAGE.get(problem, _label(problem)))
+    axes.set_title(ON_THE_PAGE.get(problem, _label(problem)), fontsize=8)
     axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=6.5)
     axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
     axes.tick_params(labelsize=7)

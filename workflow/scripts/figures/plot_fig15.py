@@ -80,7 +80,12 @@ def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
     axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="error after a collision")
     axes.set_title("two beads collide")
     words = "opening of the contact"
-    look: dict[str, Any] = {"fontsize": 7.5, "title_fontsize": 8, "bbox_to_anchor": (1.02, 0.2)}
+    look: dict[str, Any] = {
+        "fontsize": 7,
+        "title_fontsize": 8,
+        "handlelength": 1.2,
+        "bbox_to_anchor": (1.02, 0.2),
+    }
     axes.legend(loc="lower right", title=words, **look)
 
 

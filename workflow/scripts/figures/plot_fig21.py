@@ -16,7 +16,7 @@ from granular_fronts.output.panels import draw_plane
 from granular_fronts.output.style import ALARM_COLOUR, MODEL_LOOKS, new_figure
 
 SLOW_TIME = 1.0
-RATIOS = (0.1, 1.0)
+RATIOS = {0.1: "-", 1.0: "--"}
 LARGEST_ERROR = 0.1
 
 
@@ -78,8 +78,9 @@ def place_of(scene: xr.Dataset) -> tuple[float, float]:
 def finish_plane(axes: Axes, rings: xr.Dataset, runs: list[tuple[float, float]]) -> None:
     """Lines of equal ε/γc, the runs of the paper, and the axes."""
     alpha, gamma = rings["alpha"].values, rings["gamma"].values
-    for ratio in RATIOS:
-        axes.plot(alpha - 1.0, np.sqrt((1.0 - 1.0 / alpha) / ratio), color="white", lw=0.8)
+    for ratio, line in RATIOS.items():
+        of_ratio = np.sqrt((1.0 - 1.0 / alpha) / ratio)
+        axes.plot(alpha - 1.0, of_ratio, color="white", linestyle=line, linewidth=0.8)
     for exponent, damping in runs:
         look: dict[str, Any] = {"color": "white", "markeredgecolor": "black", "markersize": 11}
         axes.plot(exponent - 1.0, damping, "*", zorder=5, clip_on=False, **look)

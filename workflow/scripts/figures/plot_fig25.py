@@ -18,7 +18,7 @@ KINDS = {
     "measures": ("",),
 }
 FEW, TWICE, TENFOLD = 5e-3, 2.0, 10.0
-LEAST_RATIO, LARGEST_RATIO, LEAST_SHARE = 0.003, 30.0, 3e-4
+LEAST_RATIO, LARGEST_RATIO, LEAST_SHARE = 3e-4, 30.0, 3e-4
 
 
 def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -> Figure:
@@ -58,9 +58,9 @@ def _draw_wing(axes: Axes, data: xr.Dataset) -> None:
         xlim=(LEAST_RATIO, LARGEST_RATIO),
         ylim=(LEAST_SHARE, 1.2),
     )
-    axes.set_xticks([0.01, 0.1, 1.0, TWICE, TENFOLD], ["0.01", "0.1", "1", "2", "10"])
+    axes.set_xticks([0.001, 0.1, 1.0, TWICE, TENFOLD], ["0.001", "0.1", "1", "2", "10"])
     axes.minorticks_off()
-    axes.legend(loc="lower left", fontsize=6.5, handlelength=1.8)
+    axes.legend(loc="lower left", fontsize=6, handlelength=1.6)
 
 
 def _kind_of(name: str) -> str:
