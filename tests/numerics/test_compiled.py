@@ -147,17 +147,26 @@ def test_compilation_covers_all_that_the_scenes_need():
     assert run.stdout.strip() == "[]", run.stderr
 
 
+CASES_IN_ORDER = """
+import sys
+sys.path[:0] = {folders!r}
+from kernel_cases import CASES, save
+save({file!r}, CASES[::{step}])
+"""
+
+
 @pytest.mark.slow
 def test_kernels_compiled_now_and_loaded_give_the_same_bits(tmp_path):
-    environment = os.environ | {
-        "NUMBA_CACHE_DIR": str(tmp_path / "kernels"),
-        "PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in ("src", "tests/support")),
-    }
-    files = [tmp_path / f"{when}.npz" for when in ("compiled", "loaded")]
-    for file in files:
-        command = [sys.executable, "-c", f"from kernel_cases import save; save({str(file)!r})"]
-        subprocess.run(command, env=environment, capture_output=True, check=True)
-    compiled, loaded = (dict(np.load(file)) for file in files)
+    """In whichever order: what a process has loaded or compiled before changes nothing."""
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "kernels")}
+    folders = [str(ROOT / part) for part in ("src", "tests/support")]
+    found = []
+    for when, step in (("compiled", 1), ("loaded", -1)):
+        file = str(tmp_path / f"{when}.npz")
+        command = CASES_IN_ORDER.format(folders=folders, file=file, step=step)
+        subprocess.run([sys.executable, "-c", command], env=environment, check=True)
+        found.append(dict(np.load(file)))
+    compiled, loaded = found
     assert compiled.keys() == loaded.keys()
     differing = [name for name in compiled if compiled[name].tobytes() != loaded[name].tobytes()]
     assert differing == []

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 import xarray as xr
+from lammps import LAMMPS, needs_lammps
 from projects import ROOT
 from rings import assert_order
 from scipy.integrate import solve_ivp
@@ -15,7 +16,6 @@ from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError
 from granular_fronts.reference_methods.half_step import Chain, integrate
 from granular_fronts.studies.chain_scenes import pressed_chain
-from peers.lammps_chain import find_command
 
 SCRIPT = ROOT / "tools" / "references" / "make_lammps_reference.py"
 OTHERS = xr.load_dataset(ROOT / "tests" / "references" / "other_codes_reference.nc")
@@ -71,10 +71,6 @@ def test_other_codes_move_by_the_same_scheme(code, beta, gamma):
     assert float(stored["beta"]) == beta
     np.testing.assert_allclose(motion.x[-1], stored["displacement"], rtol=0, atol=1e-12)
     np.testing.assert_allclose(velocity, stored["velocity"], rtol=0, atol=2e-13)
-
-
-LAMMPS = find_command()
-needs_lammps = pytest.mark.skipif(not LAMMPS, reason="LAMMPS is not installed")
 
 
 @needs_lammps

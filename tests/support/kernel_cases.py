@@ -209,10 +209,10 @@ CASES = (
 )
 
 
-def solve_cases():
-    """All arrays of all cases, by the name of the case and a number."""
-    return {f"{case.__name__} {i}": each for case in CASES for i, each in enumerate(case())}
+def solve_cases(cases=CASES):
+    """All arrays of some cases, by the name of the case and a number."""
+    return {f"{case.__name__} {i}": each for case in cases for i, each in enumerate(case())}
 
 
-def save(file):
-    np.savez(file, **solve_cases())
+def save(file, cases=CASES):
+    np.savez(file, **solve_cases(cases))

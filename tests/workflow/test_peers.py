@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from chains import smooth_ring
+from lammps import needs_lammps
 
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -107,7 +108,7 @@ def test_failing_lammps_is_quoted(monkeypatch, tmp_path):
     assert "no whole number" in lammps_chain.METHODS["lammps_nve"](DRIVEN, 0.7, 0.0).message
 
 
-@pytest.mark.skipif(not lammps_chain.find_command(), reason="LAMMPS is not installed")
+@needs_lammps
 @pytest.mark.parametrize(("name", "order"), [("lammps_nve", 1.0), ("lammps_mvv", 2.0)])
 def test_lammps_comes_closer_at_its_order(name, order):
     system = front_initiation(gamma=0.3, end=30.0, beads=20)

@@ -11,10 +11,14 @@ import xarray as xr
 from granular_fronts.accuracy import Estimate
 from granular_fronts.campaign.measures import fitted_order
 from granular_fronts.output.datasets import read_dataset
-from granular_fronts.output.style import MODEL_LOOKS
 from granular_fronts.output.tables import write_table
 from step import run_step
 
+EQUATIONS = {
+    "logarithmic": "logarithmic Burgers",
+    "unlimited": "finite-α Burgers",
+    "dispersive": "logarithmic KdV–Burgers",
+}
 SYMBOLS = {"damping": "γc", "gamma": "γ", "mu": "μ"}
 FORMULAS = {"leading": "(51)", "printed": "(43) as printed", "first_order": "whole first order"}
 
@@ -40,9 +44,7 @@ def tabulate_ring_orders(datasets: list[Path], csv: Path, markdown: Path) -> Non
 
 def _lines(rings: xr.Dataset, fixed: str) -> Iterator[tuple[dict[str, str], Estimate]]:
     """What each line of a campaign shows, and its order."""
-    errors = {
-        f"displacement_sup_{model}": f"u, {look.label}" for model, look in MODEL_LOOKS.items()
-    }
+    errors = {f"displacement_sup_{name}": f"u, {words}" for name, words in EQUATIONS.items()}
     errors |= {f"residual_{formula}": f"ẋ, {words}" for formula, words in FORMULAS.items()}
     places: list[dict[str, Any]] = [
         {fixed: value} for value in (rings[fixed].values if fixed in rings.dims else [])
