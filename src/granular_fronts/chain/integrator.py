@@ -6,8 +6,7 @@ step size is rounded to the difference of two representable times, so that the c
 error.
 
 Output.  Steps land on the `stops` (snapshots and the end); everything else is read from the
-continuous extension (`recorder`).  With an infinite tolerance and first step the stops are all the
-ends of steps, so that a run can be repeated in other steps.
+continuous extension (`recorder`).
 """
 
 import math
@@ -70,17 +69,30 @@ def _reduction_of(error):
 
 
 @subroutine(forceinline=True)
-def _is_noteworthy(chain, table, h, t_new, recording, last):
-    """Whether an accepted step may hold something to record; ends of steps are noted at once."""
+def _complete(chain, table, recording, h, t_new, energy):
+    """Record a step that counts, and make its end the start of the next one."""
+    clock, next_, reach = chain.clock, recording.next, chain.clock.reach
+    last = min(reach, chain.contacts)
+    clock.dissipated += energy
+    clock.power = take_slopes(
+        chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, recording.track_energy
+    )
+    noteworthy = next_output(recording) <= t_new
+    if not (noteworthy or math.isnan(recording.level)):
+        noteworthy = next_passage(chain, table, h, recording, next_.arrival, last) <= last
     if recording.track_extremes:
         note_ends(chain, table, 1.0, t_new, recording.largest)
         note_ends(chain, table, -1.0, t_new, recording.smallest)
-    noteworthy = next_output(recording) <= t_new
-    if not (noteworthy or math.isnan(recording.level)):
-        noteworthy = next_passage(chain, table, h, recording, recording.next.arrival, last) <= last
-    if recording.track_extremes and not noteworthy:
-        noteworthy = next_turn(chain, table, h, recording, int64(1), last) <= last
-    return noteworthy
+        if not noteworthy:
+            noteworthy = next_turn(chain, table, h, recording, int64(1), last) <= last
+    if noteworthy:
+        record_step(chain, table, h, t_new, recording)
+    accept(chain, table, reach)
+    clock.t = t_new
+    clock.reach = max(reach, end_of_window(chain, table, last))
+    clock.accepted += 1
+    if t_new >= recording.stops[next_.stop]:
+        next_.stop += 1
 
 
 @kernel
@@ -115,32 +127,44 @@ def advance(chain, table, recording, relative, absolute, ends):
                     return NOT_FINITE
             clock.h = h * _reduction_of(error)
             continue
-        allowed = absolute + relative * largest.compression
-        if allowed < math.inf and passes_any_kink(chain, table, last):
+        if passes_any_kink(chain, table, last):
             if law.has_stiff_kinks:
                 return OPENED
+            allowed = absolute + relative * largest.compression
             at_contact = step_at_contact(chain, table, h, last, allowed)
             if shortest < at_contact < LONGEST_CUT * h:
                 clock.cut += 1
                 clock.h = at_contact
                 continue
-        clock.dissipated += energy
-        clock.power = take_slopes(
-            chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, recording.track_energy
-        )
-        if _is_noteworthy(chain, table, h, t_new, recording, last):
-            record_step(chain, table, h, t_new, recording)
-        accept(chain, table, reach)
-        clock.t = t_new
-        clock.reach = max(reach, end_of_window(chain, table, last))
-        clock.accepted += 1
+        _complete(chain, table, recording, h, t_new, energy)
         ends[steps] = t_new
         steps += 1
         if landing:
-            next_.stop += 1
             clock.h = max(clock.h, h)
         growth = _growth_of(error)
         if not landing or growth < 1.0:
             clock.h = h * (min(1.0, growth) if after_rejection else growth)
         after_rejection = False
+    return RUNNING
+
+
+@kernel
+def follow(chain, table, recording, ends, most_steps):
+    """Integrate until the last stop, or take `most_steps` steps, which end at given times.
+
+    The result is RUNNING, FINISHED, or NOT_FINITE.
+    """
+    clock, next_ = chain.clock, recording.next
+    for _ in range(most_steps):
+        if next_.stop == recording.stops.size:
+            return FINISHED
+        if interrupted():
+            return RUNNING
+        t_new = ends[clock.accepted]
+        h = t_new - clock.t
+        largest, energy = try_step(chain, table, h, clock.reach, recording.track_energy)
+        clock.right_hand_sides += rk.STAGES
+        if not math.isfinite(largest.state):
+            return NOT_FINITE
+        _complete(chain, table, recording, h, t_new, energy)
     return RUNNING

@@ -32,8 +32,6 @@ FIRST_STEP = 1.0e-6
 # force to first order, every stage carries them one bead further.
 MARGIN_WITHOUT_STIFFNESS = 4
 STEPS_PER_BLOCK = 2000
-# A tolerance with which every step lands on the next stop.
-WHATEVER_THE_ERROR = {"relative": 0.0, "absolute": np.inf}
 # How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
 CLOSE_TO_AN_END = 1.0e-6
 # An extension at which a law that acts in extension exerts a force.
@@ -111,13 +109,7 @@ def integrate(
         blocks.append(ends[: chain.clock.accepted - before])
         return status
 
-    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
-    stops = run.recording.stops
-    if 0.0 < ramp < stops[-1]:
-        rising = run.recording._replace(stops=stops[stops <= ramp])
-        _advance(run._replace(recording=rising), advance, after_block)
-        _end_ramp(run)
-    _advance(run, advance, after_block)
+    _advance_parts(run, advance, after_block)
     return np.concatenate(blocks)
 
 
@@ -133,9 +125,13 @@ def integrate_in_halves(
     stability, outputs or contacts.
     """
     halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
-    run.clock.h = np.inf
-    landing = run.recording._replace(stops=halves[halves > 0.0])
-    return integrate(run._replace(recording=landing), WHATEVER_THE_ERROR, after_block)
+    halves = halves[halves > 0.0]
+
+    def follow(chain, table, recording):
+        return integrator.follow(chain, table, recording, halves, STEPS_PER_BLOCK)
+
+    _advance_parts(run, follow, after_block)
+    return halves
 
 
 def _end_ramp(run):
@@ -143,6 +139,17 @@ def _end_ramp(run):
     run.table[D, 1] += (run.law.proportional or 0.0) * run.clock.acceleration
     run.clock.acceleration = 0.0
     integrator.begin(run.chain, run.table)
+
+
+def _advance_parts(run, advance, after_block):
+    """Advance a run to its end, up to the end of a ramp and from there."""
+    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
+    stops = run.recording.stops
+    if 0.0 < ramp < stops[-1]:
+        rising = run.recording._replace(stops=stops[stops <= ramp])
+        _advance(run._replace(recording=rising), advance, after_block)
+        _end_ramp(run)
+    _advance(run, advance, after_block)
 
 
 def _advance(run, advance, after_block):

@@ -287,13 +287,10 @@ def error_norm(law, largest, h, relative, absolute):
     """Return the error of the step in units of the tolerance, in the maximum norm over beads.
 
     u and d are each measured against absolute + relative × (largest u, largest |d|), and the
-    estimates of order 5 and 3 are combined as in DOP853.  NaN if the new state is not finite, and 0
-    where the tolerance is infinite.
+    estimates of order 5 and 3 are combined as in DOP853.  NaN if the new state is not finite.
     """
     if not math.isfinite(largest.state):
         return math.nan
-    if absolute == math.inf:
-        return 0.0
     scale_u = absolute + relative * largest.compression
     scale_d = absolute + relative * largest.rate
     scale = min(scale_d, scale_u / (h + (law.gamma if law.single else 0.0)))
