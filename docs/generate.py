@@ -134,7 +134,7 @@ def group_page(group: Group) -> str:
 
 VARIABLES = """# Variables
 
-Names of variables and coordinates in the files below `results/data`, each with its attribute
+Names of variables and coordinates in the netCDF files below `results/data`, each with its attribute
 `long_name`. A recording with coordinates of its own ends them with its name:
 `relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:
 [symbols](../symbols.md).
