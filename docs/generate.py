@@ -176,8 +176,7 @@ def _picture(name: str, results: Path, up: str) -> list[str]:
     """A figure as Markdown, or the command that draws it where it was not asked for."""
     file = _drawn(name, results)
     if not file.exists():
-        target = f"results/figures/{file.name}"
-        return [f"This figure is drawn on demand, by `snakemake -c2 {target}`."]
+        return [f"This figure is drawn on demand, by `snakemake -c2 {name}`."]
     words = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
     return [f"![{words['alt']}]({up}/results/figures/{file.name})"]
 
