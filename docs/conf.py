@@ -35,6 +35,7 @@ exclude_patterns = ["_build"]
 # Every build runs the tutorials, since the package may have changed; one that fails stops it.
 nb_execution_mode = "force"
 nb_output_stderr = "remove"
+nb_merge_streams = True
 nb_execution_timeout = 120
 nb_execution_raise_on_error = True
 # Progress bars leave widgets behind, whose scripts a page would fetch from the network.

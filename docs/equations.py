@@ -91,7 +91,10 @@ MEANINGS = {
 PREAMBLE = (
     "This index is made from the docstrings of the package by `python docs/equations.py`. Paths",
     "are below `src/granular_fronts`. **Bold** modules write the equation out, the others use it.",
-    "Our copy of the paper has no section 6: see [exact fronts](theory/exact_fronts.md).",
+    "The pages of sections [2](theory/fronts_in_lattices.md), [3](theory/granular_chains.md),",
+    "[4](theory/logarithmic_burgers.md) and [5](theory/logarithmic_kdv_burgers.md) show most of",
+    "them with their formulas. Our copy of the paper has no section 6: see [exact",
+    "fronts](theory/exact_fronts.md).",
 )
 
 BAR = r"\|"

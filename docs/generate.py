@@ -134,7 +134,7 @@ def group_page(group: Group) -> str:
 
 VARIABLES = """# Variables
 
-Names of variables and coordinates in the files below `results/data`, each with its attribute
+Names of variables and coordinates in the netCDF files below `results/data`, each with its attribute
 `long_name`. A recording with coordinates of its own ends them with its name:
 `relative_displacement_grid` on (`t_grid`, `bead`). What the letters stand for:
 [symbols](../symbols.md).
@@ -176,8 +176,7 @@ def _picture(name: str, results: Path, up: str) -> list[str]:
     """A figure as Markdown, or the command that draws it where it was not asked for."""
     file = _drawn(name, results)
     if not file.exists():
-        target = f"results/figures/{file.name}"
-        return [f"This figure is drawn on demand, by `snakemake -c2 {target}`."]
+        return [f"This figure is drawn on demand, by `snakemake -c2 {name}`."]
     words = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
     return [f"![{words['alt']}]({up}/results/figures/{file.name})"]
 
