@@ -8,9 +8,9 @@ from granular_fronts.proofs.checker import check_certificate
 
 def main(paths):
     """Print what each certificate proves; 1 if one proves nothing."""
-    if not paths:
+    if not paths or "--help" in paths:
         print(__doc__)
-        return 2
+        return 0 if paths else 2
     failed = 0
     for path in paths:
         record = check_certificate(path)
