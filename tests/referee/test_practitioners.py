@@ -60,7 +60,7 @@ def test_table_of_checks(measured):
             number = cell.removesuffix(" %")
             assert 100.0 * float(at[name]) == pytest.approx(float(number), abs=last_digit(number))
     excess = measured["excess_overshoot"].sel(beta=1.5, gamma=0.05)
-    [printed] = re.findall(r"t_c/20\$, .* a front with (\d+) % too much", README.read_text("utf-8"))
+    [printed] = re.findall(r"t_c/20\$, .* about (\d+) % too much", README.read_text("utf-8"))
     assert round(100.0 * excess.sel(step=0.05, method="nearest").item()) == int(printed)
     fine = excess.sel(step=slice(0.0201, None))
     percent = tuple(sorted((100.0 * fine).round().values))
@@ -74,7 +74,7 @@ def holds_tightly(ratio, low, high):
 
 RULE = re.search(
     r"(\S+) to (\S+) times this in\s+the middle of (\d+) beads. With β = 5/4 it is (\S+) to (\S+)"
-    r" times h/t_c,\s+with\s+β = 1 (\S+) to\s+(\S+), in the middle of (\d+) beads",
+    r" times \$h/t_c\$,\s+with\s+β = 1 (\S+) to\s+(\S+), in the middle of (\d+) beads",
     PAGE,
 )
 
@@ -140,7 +140,7 @@ def test_ejected_beads():
 
 def test_problems_and_the_time_of_a_collision():
     assert numbers(r"`results/referee` (\d+) problems") == (len(PROBLEMS),)
-    unit, count = numbers(r"t_c = (\S+), so that 0\.1 is t_c/(\d+)\.")
+    unit, count = numbers(r"t_c = (\S+)\$, so that 0\.1 is \$t_c/(\d+)\$\.")
     exact = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
     assert (round(exact, 2), round(exact / 0.1)) == (unit, count)
 

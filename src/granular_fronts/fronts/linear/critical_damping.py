@@ -1,4 +1,4 @@
-r"""Critical damping: three meanings, of which the paper's formula is a common limit.
+r"""Critical damping by the tail, by a long-wave formula, and by an overshoot too small to see.
 
 The tail behind a front is governed by the roots λ of :math:`\alpha(1 - g\lambda)S(\lambda) = 1`
 (see `tails`), :math:`g = \beta\gamma/\alpha`.  Weak damping makes the slowest a complex pair, and
