@@ -154,10 +154,10 @@ def test_rounding_moves_multipliers_no_farther_than_stated():
     front = solved(*STRONG, 1.5)
     usual = front_multipliers(front, beads_behind=40)
     more = front_multipliers(front, beads_behind=40, beads_ahead=usual.attrs["beads_ahead"] + 3)
-    certain = usual["rounding"].values < 1.0e-3
+    certain = usual["rounding"].values < 1.0e-2
     assert 10 < certain.sum() < usual.size
     for value, error in zip(usual.values[certain], usual["rounding"].values[certain], strict=True):
-        assert np.abs(more.values - value).min() < 10.0 * error
+        assert np.abs(more.values - value).min() <= error
     # What a nilpotent block leaves is anywhere.
     assert (
         np.abs(usual.values[usual["rounding"].values > 1.0]).max()

@@ -9,6 +9,7 @@ from rings import slope_and_residual
 
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
 from granular_fronts.continuum.log_burgers.starts import make_start
+from granular_fronts.errors import SolveError
 from granular_fronts.model.amplitude_scaling import SlowScales, gamma_for
 from granular_fronts.studies import ring_limit, ring_measures
 from granular_fronts.studies.ring_limit import Ring, compare
@@ -70,6 +71,12 @@ def test_fourier_series_ends_where_a_contact_opens_and_the_beads_go_on():
     motions = ring_limit.follow(ring, times, usual, finer)
     assert motions.usual.smallest < 0.0
     assert motions.usual.site.size == ring.beads
+
+
+def test_start_that_is_no_number_ends_in_an_error():
+    fourier, u = FourierRing(1.5, 0.3, 40, 16), np.full(16, 1.0)
+    with pytest.raises(SolveError, match="step size collapsed"):
+        solve_fourier_ring(fourier, u, np.full(16, np.nan), np.array([1.0]), 1e-6)
 
 
 def test_residuals_are_zero_for_the_velocities_of_their_formula():

@@ -14,10 +14,11 @@ from granular_fronts.output.datasets import write_dataset
 @pytest.mark.parametrize(
     ("value", "error", "words"),
     [
-        (0.9293, 0.042, "0.93 ± 0.04"),
+        (0.9293, 0.042, "0.93 ± 0.05"),
         (-0.061, 0.03, "−0.06 ± 0.03"),
         (0.9991, 0.0018, "0.999 ± 0.002"),
-        (np.nan, np.nan, "nan ± nan"),
+        (np.nan, np.nan, "nan"),
+        (1.0, 0.0, "1.00"),
     ],
 )
 def test_orders_are_written_with_the_digits_of_their_errors(value, error, words):

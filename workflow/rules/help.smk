@@ -2,19 +2,19 @@
 
 TARGETS_IN_WORDS = {
     "all": "The report and the tests of all finished files; made when no target is named.",
-    "figures": "All figures but 14, 15, 20, 21 and 23 to 25, which only their own targets make.",
+    "figures": "All figures whose data do not take minutes; the others have targets of their own.",
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
     "crate": "An archive of a finished run for others, a Workflow Run RO-Crate.",
     "explore": "One page to explore motions and fronts in a browser.",
     "check_results": "The tests of the finished files.",
     "animation": "A front in motion, as a moving picture and a still.",
-    "precision": "Time against error of all solvers, with figure 14; minutes on a quiet machine.",
+    "precision": "Time against error of all solvers, with figures 14 and 14b; minutes on a quiet machine.",
     "hard_cases": "Problems at the edge, with figure 15.",
     "honesty": "Stated errors of random problems against true ones, with figure 25.",
     "proofs": "Fronts proved by ball arithmetic, with figures 23 and 24; takes long.",
     "referee": "Problems with accurate answers for discrete-element codes.",
-    "ring_limit": "Rings of beads as α → 1, with figures 20 and 21.",
+    "ring_limit": "Rings of beads as α → 1, with figures 20 to 21b.",
     "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",
     "help": "This list.",
 }

@@ -150,14 +150,17 @@ def _advance(matrix, alpha, gamma, state, clock, tolerance):
             _rates(matrix, alpha, gamma, stage, slopes[row])
         new = _combined(state, step * rk.B, slopes)
         error = _error(state, new, slopes, step, tolerance)
-        accepted = error <= 1.0  # What is not a number is not.
-        factor = min(rk.LARGEST_FACTOR, rk.SAFETY * max(error, SMALLEST_ERROR) ** rk.ERROR_EXPONENT)
+        factor = rk.SMALLEST_FACTOR  # Also where the error is not a number.
+        if error < math.inf:
+            growth = rk.SAFETY * max(error, SMALLEST_ERROR) ** rk.ERROR_EXPONENT
+            factor = min(rk.LARGEST_FACTOR, max(rk.SMALLEST_FACTOR, growth))
+        accepted = error <= 1.0
         if accepted:
             t = stop if landing else t + step
             state[:] = new
             smallest = min(smallest, new[0].min())
-        if not accepted or not landing:
-            h = step * (factor if factor > rk.SMALLEST_FACTOR else rk.SMALLEST_FACTOR)
+        if not (accepted and landing):
+            h = step * factor
     return t, h, smallest
 
 

@@ -1,4 +1,4 @@
-"""The orders in ε of the lines of figures 20 and 20b."""
+"""The orders in ε of errors on rings, of u and of ẋ."""
 
 import math
 from collections.abc import Iterator
@@ -58,9 +58,12 @@ def _lines(rings: xr.Dataset, fixed: str) -> Iterator[tuple[dict[str, str], Esti
 
 def with_error(order: Estimate) -> str:
     """A fitted order and its error, with the digits that the error leaves, two at least."""
-    # A line through two points has the error 0, one through a ring that failed has none.
-    digits = max(2, math.ceil(-math.log10(order.error))) if order.error > 0.0 else 2
-    return f"{order.value:z.{digits}f} ± {order.error:.{digits}f}".replace("-", "−")
+    # A line through two points says nothing of its error, one through a ring that failed neither.
+    if not order.error > 0.0:
+        return f"{order.value:z.2f}".replace("-", "−")
+    digits = max(2, math.ceil(-math.log10(order.error)))
+    above = math.ceil(order.error * 10**digits) / 10**digits
+    return f"{order.value:z.{digits}f} ± {above:.{digits}f}".replace("-", "−")
 
 
 if __name__ == "__main__":

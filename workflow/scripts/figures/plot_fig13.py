@@ -14,7 +14,7 @@ from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 MARKERS = ("o", "s", "^", "d")
 CIRCLE = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 400))
 # Multipliers that rounding moves farther are not shown.
-LARGEST_ROUNDING = 1e-3
+LARGEST_ROUNDING = 1e-2
 
 
 def plot_fig13(data: xr.Dataset) -> Figure:

@@ -68,6 +68,7 @@ UNTOUCHED = 1.0e-16
 MOST_BEADS = 500  # on either side; the eigenvalues of so many take seconds, and Ctrl-C waits
 LARGEST_DEFECT = 1.0e-6  # of the multiplier of translation and of the flow, with a verdict
 INTEGER_XI = 1.0e-9  # distance from an integer
+UNITS_OF_ROUNDING = 10  # of the matrix and its eigenvalues, relative to its norm
 
 
 def front_multipliers(
@@ -90,7 +91,7 @@ def front_multipliers(
     -------
     xarray.DataArray
         Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus;
-        with `rounding`, by how much rounding moves each of them, to first order.
+        with `rounding`, by how much ten units of rounding move each of them, to first order.
         Attributes: translation_defect, its distance from 1; spectral_radius_without_translation;
         reflection_radius, what the module's formula for long waves gives; flow_residual;
         beads_behind, beads_ahead; verdict.
@@ -154,15 +155,15 @@ def front_multipliers(
 def multipliers(u, d, alpha, gamma, beta):
     r"""Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus.
 
-    With the changes that rounding of the matrix makes, :math:`\epsilon |T| |y| |x| / |y^* x|` of a
-    left and a right eigenvector.
+    With the changes that rounding makes, :math:`K\epsilon |T| |y| |x| / |y^* x|` of a left and a
+    right eigenvector: those of K units of rounding in the matrix, to first order.
     """
     matrix = monodromy_matrix(u, d, alpha, gamma, beta)
     values, left, right = scipy.linalg.eig(matrix, left=True)
     overlap = np.abs(np.sum(left.conj() * right, axis=0))
     # Defective ones have no overlap: rounding moves them anywhere.
     overlap = np.maximum(overlap, np.finfo(float).tiny)
-    errors = np.finfo(float).eps * np.linalg.norm(matrix, 2) / overlap
+    errors = UNITS_OF_ROUNDING * np.finfo(float).eps * np.linalg.norm(matrix, 2) / overlap
     translation = np.argmin(np.abs(values - 1.0))
     others = np.lexsort((-values.imag, -np.abs(values)))
     order = np.concatenate([[translation], others[others != translation]])
