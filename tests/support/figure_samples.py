@@ -151,7 +151,7 @@ def multipliers():
     }
     data = sample(coordinates, variables)
     # Some are moved too far by rounding to be shown.
-    return data.assign(multiplier_rounding=2e-3 * data["multiplier_rounding"])
+    return data.assign(multiplier_rounding=2e-2 * data["multiplier_rounding"])
 
 
 def speed_error():
