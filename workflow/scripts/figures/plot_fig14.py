@@ -168,13 +168,16 @@ def _failures(data: xr.Dataset) -> Iterator[str]:
     failed: dict[str, list[str]] = {}
     for method in map(str, data["method"].values):
         chosen = data.sel({"method": method})
-        missed = np.isfinite(chosen["disturbed"]) & ~np.isfinite(chosen["error"])
+        tried = np.isfinite(chosen["disturbed"])
+        missed = tried & ~np.isfinite(chosen["error"])
         if missed.any():
             listed = ", ".join(f"{value:g}" for value in chosen["tolerance"].values[missed])
-            where = f"step {listed}" if method.split("_")[0] in CODES else listed
+            where = f"at step {listed}" if method.split("_")[0] in CODES else f"at {listed}"
+            # The list of all would not fit below a panel.
+            where = "throughout" if missed.equals(tried) else where
             failed.setdefault(where, []).append(_label(method))
     for where, methods in failed.items():
-        yield f"failed at {where}: {', '.join(methods)}"
+        yield f"failed {where}: {', '.join(methods)}"
 
 
 def _missing(data: xr.Dataset) -> str:
