@@ -174,7 +174,7 @@ def _failures(data: xr.Dataset) -> Iterator[str]:
             listed = ", ".join(f"{value:g}" for value in chosen["tolerance"].values[missed])
             where = f"at step {listed}" if method.split("_")[0] in CODES else f"at {listed}"
             # The list of all would not fit below a panel.
-            where = "throughout" if missed.equals(tried) else where
+            where = "throughout" if (missed == tried).all() else where
             failed.setdefault(where, []).append(_label(method))
     for where, methods in failed.items():
         yield f"failed {where}: {', '.join(methods)}"
