@@ -1,4 +1,4 @@
-"""A curve looks the same in every figure, and curves can be told apart by everybody."""
+"""A curve looks the same in every figure; colours differ for the colour-blind and in grey."""
 
 from itertools import combinations
 
