@@ -17,6 +17,8 @@ from granular_fronts.chain.state import D, U
 
 class _State(NamedTuple):
     velocity: np.ndarray
+    momentum: float
+    largest_momentum: float  # Were all beads to move the same way.
     energy: float
     positions: np.ndarray  # 0 on a ring.
 
@@ -37,7 +39,7 @@ class Balances:
         if run.boundary.piston:
             self._check_piston(run, now, stored)
         elif run.boundary.ring:
-            self._note("momentum", now.velocity.sum() - run.momentum, np.abs(now.velocity).sum())
+            self._note("momentum", now.momentum - run.momentum, now.largest_momentum)
             self._note("energy", stored, now.energy)
         else:
             self._check_pressure(run, now, stored)
@@ -45,11 +47,14 @@ class Balances:
     def _check_pressure(self, run, now, stored):
         left = equations.force(run.law.elastic, run.boundary.left)
         right = equations.force(run.law.elastic, run.boundary.right)
+        mass = np.broadcast_to(run.beads.mass, run.chain.beads)
         moved = now.positions - self._start.positions
-        gained = (left - right) * run.clock.t
-        drift = now.velocity.sum() - run.momentum - gained
-        self._note("momentum", drift, np.abs(now.velocity).sum())
-        self._note("energy", stored - left * moved[0] + right * moved[-1], now.energy)
+        gained = (left - right + run.beads.gravity * mass.sum()) * run.clock.t
+        work = left * moved[0] - right * moved[-1] + run.beads.gravity * (mass @ moved)
+        # The force of a wall is not known beforehand.
+        drift = math.nan if run.boundary.wall else now.momentum - run.momentum - gained
+        self._note("momentum", drift, now.largest_momentum)
+        self._note("energy", stored - work, now.energy)
 
     def _check_piston(self, run, now, stored):
         """The piston keeps its velocity; its work is known but for a sum over its ramp."""
@@ -60,9 +65,9 @@ class Balances:
         risen = self._last_of_ramp.positions - self._start.positions
         moved = now.positions - self._start.positions
         work = (
-            piston.velocity_at(t) * now.velocity.sum()
+            piston.velocity_at(t) * now.momentum
             - piston.velocity_at(0.0) * run.momentum
-            - piston.acceleration_at(0.0) * risen.sum()
+            - piston.acceleration_at(0.0) * np.sum(run.beads.mass * risen)
             + right * (moved[0] - moved[-1])
         )
         self._note("momentum", now.velocity[0] - piston.velocity_at(t), piston.velocity)
@@ -92,12 +97,15 @@ def _measure(run):
     u, d, positions = run.row(U).copy(), run.row(D), np.zeros(run.chain.beads)
     if not boundary.ring:
         positions = np.flip(np.cumsum(np.flip(u)))
+    if boundary.holds_right:
         u[-1] = boundary.right
-    w = equations.generalised_velocities(d, boundary, run.momentum)
-    velocity = w + equations.velocity_correction(u, boundary, law, run.clock.t)
+    w = equations.generalised_velocities(d, boundary, law, run.momentum, run.beads)
+    velocity = w + equations.velocity_correction(u, boundary, law, run.clock.t, run.beads)
     at_piston = 0.0
     if boundary.piston:  # See the end of `equations`.
         w[0] = velocity[0]
-        at_piston = velocity[0] * equations.force(law.viscous, u[0])
-    energy = equations.energy(u, w, boundary, law.elastic) + at_piston
-    return _State(velocity, energy, positions)
+        viscosity = np.ravel(run.beads.viscosity)[0]
+        at_piston = velocity[0] * viscosity * equations.force(law.viscous, u[0])
+    energy = equations.energy(u, w, boundary, law.elastic, run.beads) + at_piston
+    momenta = run.beads.mass * velocity
+    return _State(velocity, momenta.sum(), np.abs(momenta).sum(), energy, positions)

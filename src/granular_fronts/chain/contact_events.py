@@ -26,7 +26,16 @@ import math
 
 from numba import int64, uint64
 
-from granular_fronts.chain.state import ELASTIC_SLOPES, NEW_U, VISCOUS_SLOPES, D, U
+from granular_fronts.chain.state import (
+    ELASTIC_SLOPES,
+    MOBILITY,
+    NEW_U,
+    STIFFNESS,
+    VISCOSITY,
+    VISCOUS_SLOPES,
+    D,
+    U,
+)
 from granular_fronts.model.passes import call_row_map
 from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.runge_kutta import SLOT
@@ -69,25 +78,29 @@ def _forces_at(chain, table, u):
 
 
 @subroutine
-def _contribution(chain, table, u, kink, h):
-    """Return κ: the most that the force of this compression adds to u within a step h."""
+def _contribution(chain, table, n, u, kink, h):
+    """Return κ: the most that the force of this compression adds to u_n within a step h."""
     force, damping = _forces_at(chain, table, u)
     force_at_kink, damping_at_kink = _forces_at(chain, table, kink)
-    return h * abs(damping - damping_at_kink) + h * h * abs(force - force_at_kink)
+    elastic, viscous = h * h * abs(force - force_at_kink), h * abs(damping - damping_at_kink)
+    if not chain.varied:
+        return viscous + elastic
+    mobility = 0.5 * (table[MOBILITY, n] + table[MOBILITY, n + 1])
+    return mobility * (table[VISCOSITY, n] * viscous + table[STIFFNESS, n] * elastic)
 
 
 @subroutine
-def _compression_allowed(chain, table, u, kink, h, allowed):
+def _compression_allowed(chain, table, n, u, kink, h, allowed):
     """Return a compression near the kink with κ at most `allowed`, but not much smaller.
 
     κ is taken for a power of the distance from the kink, with the exponent of the last two trials.
     """
-    distance, kappa, exponent = u - kink, _contribution(chain, table, u, kink, h), 1.0
+    distance, kappa, exponent = u - kink, _contribution(chain, table, n, u, kink, h), 1.0
     for _ in range(MOST_TRIALS):
         if SMALLEST_SHARE * allowed <= kappa <= allowed or kappa == 0.0:
             break
         nearer = distance * (0.5 * allowed / kappa) ** (1.0 / exponent)
-        kappa_there = _contribution(chain, table, kink + nearer, kink, h)
+        kappa_there = _contribution(chain, table, n, kink + nearer, kink, h)
         if kappa_there > 0.0 and kappa_there != kappa:
             exponent = math.log(kappa_there / kappa) / math.log(nearer / distance)
         distance, kappa = nearer, kappa_there
@@ -124,15 +137,16 @@ def _step_at_kink(chain, table, kink, h, last, allowed):
         u, new_u = table[U, n], table[NEW_U, n]
         if (u - kink) * (new_u - kink) >= 0.0:
             continue
-        before = _contribution(chain, table, u, kink, h)
-        after = _contribution(chain, table, new_u, kink, h)
+        before = _contribution(chain, table, n, u, kink, h)
+        after = _contribution(chain, table, n, new_u, kink, h)
         if max(before, after) <= allowed:
             continue
         zero = _time_to_kink(u - kink, _rate_of(chain, table, D, int64(0), n), new_u - kink, h)
         if after >= before:
-            beyond = _compression_allowed(chain, table, new_u, kink, h, 0.5 * allowed) - kink
+            reached = _compression_allowed(chain, table, n, new_u, kink, h, 0.5 * allowed)
+            beyond = reached - kink
             candidate = zero + beyond * (h - zero) / (new_u - kink)
-        elif _contribution(chain, table, u, kink, CROSSING * zero) <= allowed:
+        elif _contribution(chain, table, n, u, kink, CROSSING * zero) <= allowed:
             candidate = CROSSING * zero
         else:
             candidate = APPROACH * zero

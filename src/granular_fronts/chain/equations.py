@@ -1,14 +1,16 @@
 r"""The dissipative chain in its variables, its boundaries, and its balance laws.
 
-James (2021), eqs. (5) and (24)-(32), dimensionless (m = 1), with the forces of the compression u
-that follow from the potentials, :math:`F(u) = -V'(-u)` and :math:`G(u) = -W'(-u)`:
+James (2021), eqs. (5) and (24)-(32), dimensionless, with beads of masses :math:`m_n` (1 in the
+paper) and a body force :math:`m_n g` (0 there).  The forces of the compression u follow from the
+potentials, :math:`F(u) = -V'(-u)` and :math:`G(u) = -W'(-u)`:
 
 .. math::
 
-    \dot x_n = w_n + G(u_{n-1}) - G(u_n), \qquad
-    \dot w_n = F(u_{n-1}) - F(u_n), \qquad u_n = x_n - x_{n+1} .
+    m_n (\dot x_n - w_n) = G_{n-1} - G_n, \qquad
+    m_n \dot w_n = F_{n-1} - F_n + m_n g, \qquad u_n = x_n - x_{n+1} ,
 
-For the law (28) they are :math:`F = u_+^\alpha` and :math:`G = \gamma u_+^\beta`.  Three sets of
+where :math:`F_n = \kappa_n F(u_n)` and :math:`G_n = \chi_n G(u_n)` with factors κ_n and χ_n of
+contact n (1 in the paper).  For the law (28) they are :math:`F = u_+^\alpha` and :math:`G = \gamma u_+^\beta`.  Three sets of
 variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
 :math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
 arrays of states; the last axis is the bead n = 1 … N.
@@ -16,7 +18,7 @@ arrays of states; the last axis is the bead n = 1 … N.
 Balance laws, summed over the chain with pressure at the ends.  The damping forces of the held
 contacts vanish (:math:`\dot u_0 = \dot u_N = 0`), and
 
-.. math:: \frac{d}{dt}\sum_n \dot x_n = F(\delta) - F(\tilde\delta) .
+.. math:: \frac{d}{dt}\sum_n m_n \dot x_n = F(\delta) - F(\tilde\delta) + g \sum_n m_n .
 
 Contact n transmits :math:`T_n = F(u_n) + \frac{d}{dt}G(u_n)`, bead n
 receives :math:`T_{n-1} - T_n`, and the flux :math:`q_n = T_n \dot x_{n+1}` telescopes, so that
@@ -25,31 +27,33 @@ eq. (6) adds up to
 .. math::
 
     \frac{d}{dt} H(\dot x, u) = P
-      - \sum_{n=1}^{N-1} G'(u_n)\, \dot u_n^2, \quad
-    P = F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N, \quad
-    H(v, u) = \sum_{n=1}^N \tfrac12 v_n^2 + \sum_{n=1}^{N-1} V(-u_n) .
+      - \sum_{n=1}^{N-1} \chi_n G'(u_n)\, \dot u_n^2, \quad
+    P = F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N + g \sum_n m_n \dot x_n, \quad
+    H(v, u) = \sum_{n=1}^N \tfrac12 m_n v_n^2 + \sum_{n=1}^{N-1} \kappa_n V(-u_n) .
 
 Where a contact opens, its dissipated power is no smoother than G', and a
 quadrature over steps loses its order.  Subtracting
-:math:`\tfrac{d}{dt}\sum\tfrac12(\dot x_n^2 - w_n^2)` from both sides gives the same law in the
+:math:`\tfrac{d}{dt}\sum\tfrac12 m_n(\dot x_n^2 - w_n^2)` from both sides gives the same law in the
 variables (31)-(32), where all of it is as smooth as the forces:
 
 .. math::
 
-    \frac{d}{dt} H(w, u) = P - \sum_{n=1}^{N}
-      \bigl(F(u_{n-1}) - F(u_n)\bigr) \bigl(G(u_{n-1}) - G(u_n)\bigr) .
+    \frac{d}{dt} H(w, u) = P - g\,(G_0 - G_N) - \sum_{n=1}^{N}
+      \frac{(F_{n-1} - F_n)\,(G_{n-1} - G_n)}{m_n} .
 
 Where F and G both grow with u no term of the sum is negative: the damping takes energy in these
-variables too.  On a ring P is absent and both sums run over all N beads and contacts.
+variables too.  On a ring P is absent and both sums run over all N beads and contacts.  Before a
+wall contact N counts as well, :math:`F(\tilde\delta)` is absent from P, and momentum has no law of
+its own.
 
 A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
-it exerts the unknown force :math:`f = T_1 + \dot V`.  The momentum law is replaced by :math:`\dot
+it exerts the unknown force :math:`f = T_1 + m_1 \dot V`.  The momentum law is replaced by :math:`\dot
 x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + F(\tilde\delta)`, its work needs no
 quadrature while the acceleration :math:`a = \dot V` is constant:
 
 .. math::
 
-    \int f\,V\,dt = \Bigl[ V \sum_n \dot x_n - a \sum_n x_n + F(\tilde\delta) x_1 \Bigr] .
+    \int f\,V\,dt = \Bigl[ V \sum_n m_n \dot x_n - a \sum_n m_n x_n + F(\tilde\delta) x_1 \Bigr] .
 
 The viscous part of :math:`T_1` is no smoother than the power above.  In u and w the law therefore
 holds for :math:`H + V G(u_1)`, with V for the velocity of bead 1.  The sum begins with bead 2, and
@@ -60,7 +64,9 @@ from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+from scipy.optimize import brentq
 
+from granular_fronts.errors import InputError
 from granular_fronts.model.laws import Law
 from granular_fronts.model.potentials import Potential
 
@@ -81,15 +87,44 @@ class Piston(NamedTuple):
 
 
 class Boundary(NamedTuple):
-    """Held relative displacements at the ends, eq. (25), a ring, eq. (26), or a piston.
+    """Held relative displacements at the ends, eq. (25), a ring, eq. (26), a piston, a wall.
 
-    An end where δ or δ̃ is 0 is free; with a piston nothing is held at the left end.
+    An end where δ or δ̃ is 0 is free; with a piston nothing is held at the left end, and with a wall
+    at x = 0 nothing at the right one.
     """
 
     ring: bool
     left: float = 0.0
     right: float = 0.0
     piston: Piston | None = None
+    wall: bool = False
+
+    @property
+    def holds_right(self) -> bool:
+        """Whether u_N is held."""
+        return not (self.ring or self.wall)
+
+    def moving(self, u: np.ndarray) -> np.ndarray:
+        """Return the compressions of the contacts that move, of all of shape (..., N)."""
+        return u[..., :-1] if self.holds_right else u
+
+
+class Beads(NamedTuple):
+    """Masses m_n, factors κ_n and χ_n of the forces of contact n, each (N,) or 1; and g."""
+
+    mass: np.ndarray | float = 1.0
+    stiffness: np.ndarray | float = 1.0
+    viscosity: np.ndarray | float = 1.0
+    gravity: float = 0.0
+
+    @property
+    def varied(self) -> bool:
+        """Whether any of them differs along the chain."""
+        return any(np.ndim(values) for values in self[:3])
+
+
+EQUAL = Beads()
+"""The beads and contacts of the paper."""
 
 
 def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
@@ -98,14 +133,18 @@ def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
 
 
 def forces_on_both_sides(
-    u: np.ndarray, boundary: Boundary, potential: Potential, shift: npt.ArrayLike = 0.0
+    u: np.ndarray,
+    boundary: Boundary,
+    potential: Potential,
+    shift: npt.ArrayLike = 0.0,
+    factor: np.ndarray | float = 1.0,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
 
     With pressure at the ends u_N is the held value.  Behind a piston the force is larger by
-    `shift`, shape (...), than ahead of it.
+    `shift`, shape (...), than ahead of it.  The `factor` is the one of each contact.
     """
-    ahead = force(potential, u)
+    ahead = factor * force(potential, u)
     behind = np.roll(ahead, 1, axis=-1)
     if boundary.piston:
         behind[..., 0] = ahead[..., 0] + shift
@@ -115,7 +154,11 @@ def forces_on_both_sides(
 
 
 def velocity_correction(
-    u: np.ndarray, boundary: Boundary, law: Law, t: npt.ArrayLike = 0.0
+    u: np.ndarray,
+    boundary: Boundary,
+    law: Law,
+    t: npt.ArrayLike = 0.0,
+    beads: Beads = EQUAL,
 ) -> np.ndarray:
     """Return ẋ − w of every bead, eq. (31), from u of shape (..., N).
 
@@ -124,17 +167,25 @@ def velocity_correction(
     shift = 0.0
     if boundary.piston:
         shift = (law.proportional or 0.0) * boundary.piston.acceleration_at(t)
-    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, shift)
-    return behind - ahead
+        shift = shift * np.ravel(beads.mass)[0]
+    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, shift, beads.viscosity)
+    return (behind - ahead) / beads.mass
 
 
-def strain_rates(velocity: np.ndarray, u: np.ndarray, boundary: Boundary, law: Law) -> np.ndarray:
+def strain_rates(
+    velocity: np.ndarray, u: np.ndarray, boundary: Boundary, law: Law, beads: Beads = EQUAL
+) -> np.ndarray:
     """Return d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
-    w = velocity - velocity_correction(u, boundary, law)
+    w = velocity - velocity_correction(u, boundary, law, beads=beads)
     ahead = np.roll(w, -1, axis=-1)
     if not boundary.ring:
-        ahead[..., -1] = 0.0
+        ahead[..., -1] = _shift_of_last(law, beads)
     return w - ahead
+
+
+def _shift_of_last(law, beads):
+    """Return w_N − d_N, a convention of `strain`."""
+    return (law.proportional or 0.0) * beads.gravity
 
 
 def velocities(
@@ -144,32 +195,69 @@ def velocities(
     law: Law,
     momentum: npt.ArrayLike = 0.0,
     t: npt.ArrayLike = 0.0,
+    beads: Beads = EQUAL,
 ) -> np.ndarray:
     """Return velocities ẋ_n at the times t from the strain form; see `generalised_velocities`."""
-    correction = velocity_correction(u, boundary, law, t)
-    return generalised_velocities(d, boundary, momentum) + correction
+    correction = velocity_correction(u, boundary, law, t, beads)
+    return generalised_velocities(d, boundary, law, momentum, beads) + correction
 
 
 def generalised_velocities(
-    d: np.ndarray, boundary: Boundary, momentum: npt.ArrayLike = 0.0
+    d: np.ndarray,
+    boundary: Boundary,
+    law: Law,
+    momentum: npt.ArrayLike = 0.0,
+    beads: Beads = EQUAL,
 ) -> np.ndarray:
     """Return w_n from d_n: a suffix sum.
 
-    On a ring d leaves a common velocity free, and the momentum Σẋ_n = Σw_n gives it.
+    On a ring d leaves a common velocity free, and the momentum Σm_nẋ_n = Σm_nw_n gives it.
     """
     if boundary.ring:
         # Rounding leaves a sum over one turn that grows with N; the exact sum is zero.
         d = d - d.mean(axis=-1, keepdims=True)
     w = np.flip(np.cumsum(np.flip(d, axis=-1), axis=-1), axis=-1)
     if boundary.ring:
-        w = w + (momentum - w.sum(axis=-1, keepdims=True)) / w.shape[-1]
-    return w
+        mass = np.broadcast_to(beads.mass, w.shape[-1])
+        return w + (momentum - (mass * w).sum(axis=-1, keepdims=True)) / mass.sum()
+    return w + _shift_of_last(law, beads)
 
 
 def energy(
-    u: np.ndarray, velocity: np.ndarray, boundary: Boundary, potential: Potential
+    u: np.ndarray,
+    velocity: np.ndarray,
+    boundary: Boundary,
+    potential: Potential,
+    beads: Beads = EQUAL,
 ) -> np.ndarray:
     """Return H(v, u), the kinetic energy of ẋ or w and the elastic energy of moving contacts."""
-    moving = u if boundary.ring else u[..., :-1]
-    kinetic = 0.5 * np.sum(velocity**2, axis=-1)
-    return kinetic + np.sum(potential.value(-moving), axis=-1)
+    kinetic = 0.5 * np.sum(beads.mass * velocity**2, axis=-1)
+    elastic = boundary.moving(beads.stiffness * potential.value(-u))
+    return kinetic + np.sum(elastic, axis=-1)
+
+
+def equilibrium(law: Law, boundary: Boundary, beads: Beads, count: int) -> np.ndarray:
+    """Return the static compressions u_1 … u_N, where every contact bears what lies behind it.
+
+    Contact n exerts :math:`\\kappa_n F(u_n) = F(\\delta) + g \\sum_{k \\le n} m_k`, in a branch on
+    which the force grows with u.  It is an InputError if the law exerts no such force.
+    """
+    weight = beads.gravity * np.cumsum(np.broadcast_to(beads.mass, count))
+    needed = (force(law.elastic, boundary.left) + weight) / beads.stiffness
+    return np.array([_compression_of(float(one), law) for one in needed])
+
+
+def _compression_of(needed: float, law: Law) -> float:
+    """Return the smallest compression of 0 or more with this force, to the last bit or two."""
+    if needed == 0.0:
+        return 0.0
+    low, high, end = 0.0, 1.0, -law.domain[0]
+    high = min(high, 0.5 * end)
+    while force(law.elastic, high) < needed:
+        low, high = high, (2.0 * high if np.isinf(end) else 0.5 * (high + end))
+        if high in (low, np.inf, end):
+            raise InputError(
+                f"In equilibrium a contact bears the force {needed:.6g}, more than {law.elastic.name} "
+                "exerts: lower the load or the body force."
+            )
+    return brentq(lambda u: force(law.elastic, u) - needed, low, high, xtol=1.0e-300, rtol=1.0e-15)

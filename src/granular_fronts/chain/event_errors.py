@@ -24,6 +24,7 @@ from granular_fronts.chain.recording import (
     rounding_of,
     speed_and_error,
 )
+from granular_fronts.scenes.beads import bead_count
 
 # States are compared at times a factor of 2 apart: one of them is always near.
 NEAR, RECENT, FEW = 2, math.sqrt(2.0), 5
@@ -52,7 +53,7 @@ def event_errors(scene, recording, refined, contacts):
     `recording` belongs to a run and `refined` to its refinement; `contacts` is how many move.
     """
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
-    runs, every = (recording, refined), np.s_[:, 1 : scene["beads"] + 1]
+    runs, every = (recording, refined), np.s_[:, 1 : bead_count(scene) + 1]
     events = {name: tuple(getattr(one, name)[every] for one in runs) for name in names}
     profiles = tuple(one.profile_u[every] for one in runs)
     rows = np.searchsorted(recording.profile_times, monitor_times(scene))

@@ -102,7 +102,7 @@ def _take_output_stages(chain, table, h, first, last):
 
     The rows `VALUE`, `FORCE` and `DAMPING` are left as the last stage needs them.
     """
-    if chain.contacts == chain.beads:
+    if chain.ring:
         first, last = 1, chain.beads
     law, clock = chain.law, chain.clock
     for row in range(rk.NEW_SLOPE + 1, rk.SLOPES):
@@ -114,7 +114,7 @@ def _take_output_stages(chain, table, h, first, last):
             law.elastic, table[STAGE_VALUE], table[FORCE], low, contacts, law.elastic_parameters
         )
         slot = rk.SLOT[row]
-        laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, clock.acceleration, low, high)
+        laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, low, high)
         if not law.single:
             call_row_map(
                 law.viscous,
@@ -124,7 +124,7 @@ def _take_output_stages(chain, table, h, first, last):
                 contacts,
                 law.viscous_parameters,
             )
-            laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, low, high)
+            laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, low, high)
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)

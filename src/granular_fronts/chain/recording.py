@@ -28,6 +28,7 @@ from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import DEGREE
+from granular_fronts.scenes.beads import bead_count
 
 # The front's speed is fitted over these fractions of the chain: past the transient of the start,
 # before the far end.
@@ -113,7 +114,7 @@ def collect(scene, run):
     recording, next_ = run.recording, run.recording.next
     if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
-    beads = np.arange(1, scene["beads"] + 1)
+    beads = np.arange(1, bead_count(scene) + 1)
     dataset = xr.Dataset(coords={"bead": beads})
     dataset = dataset.merge(_profiles(scene, run))
     dataset = dataset.merge(_probes(scene, run))
@@ -127,24 +128,26 @@ def collect(scene, run):
 
 
 def _profiles(scene, run):
-    recording, boundary, beads = run.recording, run.boundary, scene["beads"]
+    recording, boundary, beads = run.recording, run.boundary, bead_count(scene)
     u = recording.profile_u[:, 1 : beads + 1]
     d = recording.profile_d[:, 1 : beads + 1]
-    if not boundary.ring:
+    if boundary.holds_right:
         u[:, -1] = boundary.right
     times = recording.profile_times
-    velocity = equations.velocities(d, u, boundary, run.law, run.momentum, times)
+    velocity = equations.velocities(d, u, boundary, run.law, run.momentum, times, run.beads)
     snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
     rows = np.searchsorted(recording.profile_times, snapshots)
     variables = {
         "relative_displacement": (("t", "bead"), u[rows]),
         "velocity": (("t", "bead"), velocity[rows]),
     }
+    if run.beads.varied:
+        variables["mass"] = ("bead", run.beads.mass)
     coordinates = {"t": snapshots}
     grid = _grid_times(scene)
     if grid.size:
         rows = np.searchsorted(recording.profile_times, grid)
-        moving = u if boundary.ring else u[:, :-1]
+        moving = boundary.moving(u)
         variables |= {
             "relative_displacement_grid": (("t_grid", "bead"), u[rows]),
             "velocity_grid": (("t_grid", "bead"), velocity[rows]),
@@ -159,9 +162,9 @@ def _probes(scene, run):
     probes, times, beads = _probe_samples(scene)
     samples = np.empty(times.size)
     samples[np.argsort(times, kind="stable")] = run.recording.samples
-    if not run.boundary.ring:
+    if run.boundary.holds_right:
         # The engine keeps the last bead itself where the held contact has its place.
-        samples[beads == scene["beads"]] = run.boundary.right
+        samples[beads == bead_count(scene)] = run.boundary.right
     dataset = xr.Dataset()
     for name, (moments, places) in probes.items():
         own, samples = np.split(samples, [moments.size * len(places)])
@@ -196,7 +199,7 @@ def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, flo
 
 
 def _arrivals(scene, recording):
-    every = slice(1, scene["beads"] + 1)
+    every = slice(1, bead_count(scene) + 1)
     arrival = recording.arrival[TIME, every]
     variables = {"arrival_time": ("bead", arrival), "front_speed": fitted_speed(arrival)}
     if recording.track_extremes:

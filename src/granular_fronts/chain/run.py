@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from granular_fronts.chain import equations, integrator, state
-from granular_fronts.chain.equations import Boundary, Piston
+from granular_fronts.chain.equations import EQUAL, Beads, Boundary, Piston
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.stage_passes import stage_pass
@@ -24,8 +24,10 @@ from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
+from granular_fronts.model.patterns import values_along
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
+from granular_fronts.scenes.beads import bead_count
 
 FIRST_STEP = 1.0e-6
 # Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
@@ -43,10 +45,11 @@ class Run(NamedTuple):
 
     law: Law
     boundary: Boundary
+    beads: Beads
     chain: np.record  # Of type `state.CHAIN`.
     table: np.ndarray  # Rows of the chain, see `state`.
     recording: Recording
-    momentum: float  # Σẋ_n at t = 0.
+    momentum: float  # Σm_nẋ_n at t = 0.
 
     @property
     def clock(self):
@@ -64,10 +67,10 @@ def prepare(scene: Mapping[str, Any]) -> Run:
     Forces of the start or the boundary that overflow are a SolveError.
     """
     law = make_law(scene["law"])
-    boundary = make_boundary(scene)
-    u, velocity = initial_state(scene, boundary)
+    boundary, beads = make_boundary(scene), make_beads(scene)
+    u, velocity = initial_state(scene, law, boundary, beads)
     with np.errstate(over="ignore", invalid="ignore"):
-        chain, table = make_chain(law, boundary, u, velocity)
+        chain, table = make_chain(law, boundary, u, velocity, beads)
         integrator.begin(chain, table)
     if not (np.isfinite(table[D]).all() and np.isfinite(table[state.FORCE]).all()):
         raise SolveError(
@@ -76,7 +79,8 @@ def prepare(scene: Mapping[str, Any]) -> Run:
         )
     recording = make_recording(scene, chain.ahead, table[U])
     _note_openings_at_start(recording, chain.contacts, u, velocity)
-    return Run(law, boundary, chain, table, recording, float(velocity.sum()))
+    momentum = float((beads.mass * velocity).sum())
+    return Run(law, boundary, beads, chain, table, recording, momentum)
 
 
 def _note_openings_at_start(recording, contacts, u, velocity):
@@ -170,56 +174,90 @@ def make_boundary(scene: Mapping[str, Any]) -> Boundary:
     if boundary["kind"] == "piston":
         piston = Piston(float(boundary["velocity"]), float(boundary.get("ramp", 0.0)))
         return Boundary(ring=False, right=float(boundary.get("right", 0.0)), piston=piston)
-    return Boundary(ring=False, left=float(boundary["left"]), right=float(boundary["right"]))
+    left, wall = float(boundary["left"]), boundary["kind"] == "wall"
+    return Boundary(False, left, 0.0 if wall else float(boundary["right"]), wall=wall)
 
 
-def initial_state(scene: Mapping[str, Any], boundary: Boundary) -> tuple[np.ndarray, np.ndarray]:
+def make_beads(scene: Mapping[str, Any]) -> Beads:
+    """Masses, factors of contacts and body force of a scene, which patterns give along the chain."""
+    count, contacts = bead_count(scene), scene.get("contacts", {})
+    gravity = float(scene.get("gravity", 0.0))
+    mass = scene["beads"]["mass"] if isinstance(scene["beads"], Mapping) else 1.0
+    if mass == 1.0 and not contacts:
+        return Beads(gravity=gravity)
+    ends_held = scene["boundary"]["kind"] not in ("ring", "wall")
+    elastic = contacts.get("elastic", 1.0)
+    stiffness, viscosity = (
+        values_along(pattern, count - ends_held)
+        for pattern in (elastic, contacts.get("viscous", elastic))
+    )
+    if ends_held:
+        # The held contact at the right end has a force of its own.
+        stiffness, viscosity = np.append(stiffness, 1.0), np.append(viscosity, 1.0)
+    return Beads(values_along(mass, count), stiffness, viscosity, gravity)
+
+
+def initial_state(
+    scene: Mapping[str, Any], law: Law, boundary: Boundary, beads: Beads = EQUAL
+) -> tuple[np.ndarray, np.ndarray]:
     """Relative displacements and velocities at t = 0, both of shape (N,)."""
-    beads, start = scene["beads"], scene["start"]
-    u, velocity = np.zeros(beads), np.zeros(beads)
-    if start["kind"] == "given":
+    count, start = bead_count(scene), scene["start"]
+    u, velocity = np.zeros(count), np.zeros(count)
+    if start["kind"] in ("equilibrium", "striker"):
+        u[:] = equations.equilibrium(law, boundary, beads, count)
+        velocity[: start.get("beads", 0)] = start.get("velocity", 0.0)
+    elif start["kind"] == "given":
         given = np.asarray(start["relative_displacement"], dtype=float)
         u[: given.size] = given
         velocity[:] = start["velocity"]
     elif boundary.piston:
         velocity[0] = boundary.piston.velocity_at(0.0)
-    if not boundary.ring:
+    if boundary.holds_right:
         u[-1] = boundary.right
     return u, velocity
 
 
 def make_chain(
-    law: Law, boundary: Boundary, u: np.ndarray, velocity: np.ndarray
+    law: Law, boundary: Boundary, u: np.ndarray, velocity: np.ndarray, varied: Beads = EQUAL
 ) -> tuple[np.record, np.ndarray]:
     """A record `state.CHAIN` at t = 0 and its table, with the forces of held contacts in place.
 
-    u and velocity have the shape (N,); with an end on the right u_N is the held value.
+    u and velocity have the shape (N,); with pressure on the right u_N is the held value.
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
+    margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
     chain = make_record(
         state.CHAIN,
         law=compile_law(law),
         beads=beads,
-        contacts=beads if boundary.ring else beads - 1,
+        contacts=beads - boundary.holds_right,
+        ring=boundary.ring,
+        varied=varied.varied,
+        gravity=varied.gravity,
         ahead=boundary.right,
-        margin=MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1,
+        margin=beads if varied.gravity else margin,
     )
     chain.clock.h = FIRST_STEP
     if boundary.piston:
-        chain.piston = True
+        chain.piston = np.ravel(varied.mass)[0]
         chain.clock.acceleration = boundary.piston.acceleration_at(0.0)
     rows = state.ROWS_OF_SINGLE if chain.law.single else state.ROWS_OF_PAIR
     table = state.make_table(rows, beads)
     table[U, 1 : beads + 1] = u
-    table[D, 1 : beads + 1] = equations.strain_rates(velocity, u, boundary, law)
-    if not boundary.ring:
+    table[D, 1 : beads + 1] = equations.strain_rates(velocity, u, boundary, law, varied)
+    table[state.STIFFNESS, 1 : beads + 1] = varied.stiffness
+    table[state.VISCOSITY, 1 : beads + 1] = varied.viscosity
+    table[state.MOBILITY, 1 : beads + 1] = 1.0 / np.asarray(varied.mass)
+    table[state.MOBILITY, beads + 1] = table[state.MOBILITY, 1] if boundary.ring else 1.0
+    if boundary.holds_right:
         table[U, beads] = 0.0
+    if not boundary.ring:
         for row, potential in ((state.FORCE, law.elastic), (state.DAMPING, law.viscous)):
             table[row, 0], table[row, 1:] = equations.force(
                 potential, (boundary.left, boundary.right)
             )
     moves_at_the_end = boundary.ring or table[D, beads] != 0.0
-    chain.clock.reach = beads if moves_at_the_end else end_of_window(chain, table, beads - 1)
+    chain.clock.reach = beads if moves_at_the_end else end_of_window(chain, table, chain.contacts)
     return chain, table
 
 

@@ -30,6 +30,7 @@ from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.chain import size_of_chain
 from granular_fronts.scenes.limits import show_time
 from granular_fronts.scenes.validation import check_scene
+from granular_fronts.scenes.beads import bead_count
 
 LONG = 60.0
 """Seconds above which the least time of a scene is announced."""
@@ -186,5 +187,5 @@ def _error_of_sum(scene, dataset, refined, name):
             u, other = (one[TERMS[name]].values[:, :-1] for one in (dataset, refined))
             total = (other - u).sum(axis=1)
             ends = (total, total - (other - u)[:, 0], total - (other - u)[:, -1])
-            error += np.abs(ends).max() / scene["beads"]
+            error += np.abs(ends).max() / bead_count(scene)
     return error

@@ -11,6 +11,8 @@ row        entry n
 `VALUE`    u_n of a stage
 `FORCE`    elastic force F(u_n) of the last stage; held forces at the ends stay in place
 `DAMPING`  viscous function G(u_n) of the last stage, if it has slopes of its own
+`STIFFNESS`, `VISCOSITY` factors κ_n and χ_n of the forces of a contact, read if the chain is varied
+`MOBILITY` inverse mass 1/m_n, read if the chain is varied
 `SLOPES`   sixteen rows, Δ_d F of every stage in its slot (`numerics.runge_kutta`)
 `DAMPING_SLOPES` sixteen more, Δ_d G, if it has slopes of its own
 ========== ===========================================================================
@@ -28,8 +30,8 @@ from granular_fronts.numerics.records import record_type
 from granular_fronts.numerics.runge_kutta import LONG, SLOPES, STAGES
 
 # As numpy integers, so that kernels are compiled once and not for each row.
-U, D, NEW_U, NEW_D, PARTIAL, VALUE, FORCE, DAMPING = np.arange(8)
-ELASTIC_SLOPES = np.int64(8)
+U, D, NEW_U, NEW_D, PARTIAL, VALUE, FORCE, DAMPING, STIFFNESS, VISCOSITY, MOBILITY = np.arange(11)
+ELASTIC_SLOPES = np.int64(11)
 VISCOUS_SLOPES = ELASTIC_SLOPES + SLOPES
 ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 
@@ -65,15 +67,19 @@ CHAIN = record_type(
     ("clock", CLOCK),
     ("beads", np.int64),
     ("contacts", np.int64),
-    ("piston", np.bool),
+    ("ring", np.bool),
+    ("varied", np.bool),
+    ("piston", float),
+    ("gravity", float),
     ("ahead", float),
     ("margin", np.int64),
     ("elastic_weights", float, (STAGES, LONG)),
     ("viscous_weights", float, (STAGES, LONG)),
     ("probe", float, 3),
 )
-"""Law and clock.  Number N of beads and of contacts that move, N − 1, or N on a ring; whether bead
-1 is a piston.  Compression ahead of the active window, and how many beads the window reaches beyond
+"""Law and clock.  Number N of beads and of contacts that move, N − 1, or N on a ring and before a
+wall; whether it is a ring, and whether masses or contacts differ.  Mass of bead 1 if it is a piston,
+else 0, and the body force on a bead over its mass.  Compression ahead of the active window, and how many beads the window reaches beyond
 the last one that moves.  Weights of the slopes in every stage of the present step.  Room for the
 law at a single compression.
 """

@@ -25,12 +25,24 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
   :math:`(F(\delta) - F(\tilde\delta))\,h` in every step: a linear law that a Runge-Kutta
   method keeps to round-off.
 - Ring, eq. (26): all contacts 1 … N move, indices are taken modulo N.
+- Wall on the right: contact N moves too, and entry N is :math:`u_N = x_N` as before.
 - Piston: as pressure, but bead 1 moves at a prescribed velocity V(t), whose acceleration a is
   piecewise constant.  Newton's law for this bead, of mass 1 like the others, gives the force behind
   it: :math:`F_0 = F_1 + a` closes both Laplacians, the mirror image of contact 1 shifted by a. Then
   :math:`\dot d_1 = a - F_1 + F_2`.  The shift of the viscous closure is a convention, since w_1
   takes it up.  It is γa for a single law, whose viscous slopes are γ times the elastic ones, so
   that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
+
+Masses and contacts that differ.  With masses :math:`m_n` and factors κ_n of the elastic and χ_n of
+the viscous forces of the contacts, :math:`f_n` stands for :math:`\kappa_n F(u_n)` and
+:math:`\chi_n G(u_n)`, and
+
+.. math:: (\Delta_d f)_n = \frac{f_{n-1} - f_n}{m_n} - \frac{f_n - f_{n+1}}{m_{n+1}} .
+
+A piston of mass m_1 has :math:`F_0 = F_1 + m_1 a`.  A body force :math:`m_n g` accelerates all beads
+alike and drops out of every difference but the last: the force beyond the end is continued as
+:math:`F_{N+1} = F_N + g`, of a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With a
+single law its viscous slope would be γg; therefore :math:`d_N = w_N - \gamma g` there.
 
 Active window.  Ahead of bead `reach` every contact is at rest, compressed by the same `ahead`, and
 is not visited.
@@ -58,9 +70,11 @@ from granular_fronts.chain.state import (
     DAMPING,
     ELASTIC_SLOPES,
     FORCE,
+    MOBILITY,
     NEW_D,
     NEW_U,
     PARTIAL,
+    STIFFNESS,
     VALUE,
     VISCOUS_SLOPES,
     D,
@@ -95,19 +109,57 @@ def _set_weights(chain, h):
 
 
 @subroutine
-def close(chain, table, source, shift):
-    """Close a ring, or a piston, the force behind which is shifted."""
-    if chain.contacts == chain.beads:
-        table[source, 0] = table[source, chain.beads]
-        table[source, chain.beads + 1] = table[source, 1]
-    if chain.piston:
-        table[source, 0] = table[source, 1] + shift
+def _scale(table, source, first, last):
+    """Multiply the forces of the contacts first … last by their factors."""
+    factor = source + (STIFFNESS - FORCE)
+    for n in range(uint64(first), uint64(last + 1)):
+        table[source, n] *= table[factor, n]
+
+
+@subroutine
+def _close(chain, table, source, acceleration, gravity):
+    """Continue a row of forces beyond both ends.
+
+    On a ring it goes on at the other end.  Elsewhere it stays as it is, but for the acceleration of
+    a piston and the body force.
+    """
+    beads = chain.beads
+    if chain.ring:
+        table[source, 0] = table[source, beads]
+        table[source, beads + 1] = table[source, 1]
+        return
+    table[source, beads + 1] = table[source, beads] + gravity
+    if chain.piston != 0.0:
+        table[source, 0] = table[source, 1] + chain.piston * acceleration
+
+
+@subroutine
+def _complete_forces(chain, table, source, first, last):
+    """Scale the forces of the beads first … last where contacts differ, and close their row."""
+    if chain.varied:
+        _scale(table, source, first, min(last, chain.contacts))
+    if source == FORCE:
+        _close(chain, table, source, chain.clock.acceleration, chain.gravity)
+    else:
+        _close(chain, table, source, 0.0, 0.0)
+
+
+@subroutine
+def _divide_by_masses(table, source, target, first, last):
+    """Write (f_{n-1} − f_n)/m_n − (f_n − f_{n+1})/m_{n+1} into a row."""
+    for n in range(uint64(first), uint64(last + 1)):
+        f = table[source, n]
+        behind, ahead = table[source, n - uint64(1)] - f, f - table[source, n + uint64(1)]
+        table[target, n] = table[MOBILITY, n] * behind - table[MOBILITY, n + uint64(1)] * ahead
 
 
 @subroutine(forceinline=True)
-def laplacian(chain, table, source, target, shift, first, last):
-    """Write f_{n-1} − 2 f_n + f_{n+1} into a row, for the beads first … last."""
-    close(chain, table, source, shift)
+def laplacian(chain, table, source, target, first, last):
+    """Write Δ_d f into a row, for the beads first … last."""
+    _complete_forces(chain, table, source, first, last)
+    if chain.varied:
+        _divide_by_masses(table, source, target, first, last)
+        return
     for n in range(uint64(first), uint64(last + 1)):
         f = table[source, n]
         behind, ahead = table[source, n - uint64(1)], table[source, n + uint64(1)]
@@ -115,13 +167,13 @@ def laplacian(chain, table, source, target, shift, first, last):
 
 
 @subroutine(fastmath=_REDUCE, forceinline=True)
-def _laplacian_and_squares(chain, table, source, target, shift, reach):
-    """Do the same for the beads 1 … reach, and return the sum of the squares (f_{n-1} − f_n)²."""
-    close(chain, table, source, shift)
+def _laplacian_and_squares(chain, table, target, reach):
+    """Do the same of F for equal beads 1 … reach; return the sum of the squares (F_{n-1} − F_n)²."""
+    _complete_forces(chain, table, FORCE, int64(1), reach)
     total = 0.0
     for n in range(uint64(1), uint64(reach + 1)):
-        f = table[source, n]
-        behind, ahead = table[source, n - uint64(1)], table[source, n + uint64(1)]
+        f = table[FORCE, n]
+        behind, ahead = table[FORCE, n - uint64(1)], table[FORCE, n + uint64(1)]
         table[target, n] = (behind - f) - (f - ahead)
         total += (behind - f) * (behind - f)
     return total
@@ -137,6 +189,16 @@ def _sum_of_products(table, reach):
     return total
 
 
+@subroutine(fastmath=_REDUCE, forceinline=True)
+def _varied_products(table, viscous, reach):
+    """Return Σ (F_{n-1} − F_n)(G_{n-1} − G_n)/m_n over the beads 1 … reach."""
+    total = 0.0
+    for n in range(uint64(1), uint64(reach + 1)):
+        force = table[FORCE, n - uint64(1)] - table[FORCE, n]
+        total += table[MOBILITY, n] * force * (table[viscous, n - uint64(1)] - table[viscous, n])
+    return total
+
+
 @subroutine(forceinline=True)
 def _difference_forces(chain, table, slot, reach, with_power):
     """Write slopes of the present forces into a slot; return the dissipated power, if asked.
@@ -144,21 +206,29 @@ def _difference_forces(chain, table, slot, reach, with_power):
     It is the sum over beads in the energy balance of `equations`.  With a piston it begins with
     bead 2, and a G_1 is subtracted.
     """
-    acceleration, gamma = chain.clock.acceleration, chain.law.gamma
-    target = ELASTIC_SLOPES + slot
-    if chain.law.single:
-        if not with_power:
-            laplacian(chain, table, FORCE, target, acceleration, int64(1), reach)
-            return 0.0
-        squares = _laplacian_and_squares(chain, table, FORCE, target, acceleration, reach)
-        if chain.piston:
-            squares -= acceleration * (acceleration + table[FORCE, 1])
-        return gamma * squares
-    laplacian(chain, table, FORCE, target, acceleration, int64(1), reach)
-    laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, 0.0, int64(1), reach)
+    single, acceleration, target = chain.law.single, chain.clock.acceleration, ELASTIC_SLOPES + slot
+    viscous = FORCE if single else DAMPING
+    products = 0.0
+    if single and with_power and not chain.varied:
+        products = _laplacian_and_squares(chain, table, target, reach)
+    else:
+        laplacian(chain, table, FORCE, target, int64(1), reach)
+        if not single:
+            laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, int64(1), reach)
+        if with_power:
+            if chain.varied:
+                products = _varied_products(table, viscous, reach)
+            else:
+                products = _sum_of_products(table, reach)
     if not with_power:
         return 0.0
-    return _sum_of_products(table, reach) - acceleration * table[DAMPING, 1]
+    if chain.piston != 0.0:
+        products -= acceleration * table[viscous, 1]
+        if single:
+            products -= chain.piston * acceleration * acceleration
+    # G beyond the end is continued as a constant, so that this is the whole of Σ m_n (ẋ_n − w_n).
+    products += chain.gravity * (table[viscous, 0] - table[viscous, chain.beads])
+    return products * chain.law.gamma
 
 
 @subroutine(forceinline=True)

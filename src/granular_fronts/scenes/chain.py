@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 
+from granular_fronts.scenes.beads import bead_count, contact_count, patterns_fit
 from granular_fronts.scenes.laws import (
     absolute_tolerance_errors,
     damping_rate,
@@ -33,7 +34,7 @@ Chains of 2 to 21 beads without damping, pressed or pushed from both ends, stay 
 to 1.5.
 """
 
-HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set()}
+HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set(), "wall": {"left"}}
 """Ends at which each kind of boundary holds a relative displacement."""
 
 STEPS_PER_CROSSING, STEPS_PER_DAMPING_TIME = 1.0 / 3.0, 1.0 / 20.0
@@ -80,8 +81,7 @@ def _start_lists_every_bead(scene: Mapping) -> Iterator[str]:
     """A given start lists a number for each bead and each contact."""
     if scene["start"]["kind"] != "given":
         return
-    beads = scene["beads"]
-    contacts = beads if scene["boundary"]["kind"] == "ring" else beads - 1
+    beads, contacts = bead_count(scene), contact_count(scene)
     for key, expected in [("relative_displacement", contacts), ("velocity", beads)]:
         found = len(scene["start"][key])
         if found != expected:
@@ -141,6 +141,44 @@ def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
             )
 
 
+def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
+    """A chain in equilibrium is held by what bears its weight; a body force needs such an end."""
+    boundary, kind, gravity = scene["boundary"], scene["start"]["kind"], scene.get("gravity", 0.0)
+    if gravity and boundary["kind"] in ("ring", "piston"):
+        yield (
+            f"gravity is {gravity}, but boundary.kind is {boundary['kind']}: take pressure at both "
+            "ends, or a wall."
+        )
+    if kind not in ("equilibrium", "striker"):
+        return
+    if boundary["kind"] in ("ring", "piston"):
+        yield f"start.kind is {kind}, but boundary.kind is {boundary['kind']}: take pressure or wall."
+    elif boundary["kind"] == "pressure" and (gravity or boundary["left"] != boundary["right"]):
+        yield (
+            f"start.kind is {kind}, but boundary.left is {boundary['left']}, boundary.right "
+            f"{boundary['right']} and gravity {gravity}, which do not balance: take a wall, or "
+            "equal ends without gravity."
+        )
+    elif gravity < 0.0:
+        yield (
+            f"gravity is {gravity}, away from the wall that bears the chain: give 0 or more."
+        )
+
+
+def _striker_hits(scene: Mapping) -> Iterator[str]:
+    """The striker moves, and leaves beads to hit."""
+    start = scene["start"]
+    if start["kind"] != "striker":
+        return
+    if start["velocity"] == 0.0:
+        yield "start.velocity is 0, but a striker moves: give another velocity."
+    if start["beads"] >= bead_count(scene):
+        yield (
+            f"start.beads is {start['beads']}, but the chain has {bead_count(scene)} beads: give "
+            f"{bead_count(scene) - 1} or fewer."
+        )
+
+
 def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
     alpha = exponent_of(scene["law"])
@@ -162,10 +200,10 @@ def _probes_are_on_chain(scene: Mapping) -> Iterator[str]:
                 "probe another name."
             )
         for bead in probe["beads"]:
-            if bead > scene["beads"]:
+            if bead > bead_count(scene):
                 yield (
                     f"record.probes.{name}.beads names bead {bead}, but the chain has "
-                    f"{scene['beads']} beads: choose one of 1 to {scene['beads']}."
+                    f"{bead_count(scene)} beads: choose one of 1 to {bead_count(scene)}."
                 )
 
 
@@ -200,7 +238,7 @@ def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
 
 def size_of_chain(scene: Mapping) -> Iterator[Part]:
     """A motion of `beads` beads up to `end_time`, and its record."""
-    beads, end, record = float(scene["beads"]), scene["end_time"], scene["record"]
+    beads, end, record = float(bead_count(scene)), scene["end_time"], scene["record"]
     yield Part(("beads",), (), NUMBERS_PER_BEAD * beads)
     damped = ("law.gamma",) if is_short(scene["law"]) and scene["law"]["gamma"] > 1.0 else ()
     yield Part(("beads", "end_time", *damped), (), 0.0, _motion_time(scene, beads))
@@ -240,6 +278,9 @@ CHAIN = Section(
         _start_agrees_with_piston,
         _ends_of_contacts_are_pressed,
         _strains_lie_in_domain,
+        patterns_fit,
+        _ends_bear_the_start,
+        _striker_hits,
         _softening_start_is_compressed,
         _probes_are_on_chain,
         _arrival_level_can_be_met,

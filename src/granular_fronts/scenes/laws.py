@@ -16,6 +16,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.beads import bead_count
 
 MOST_DECADES = 140
 """Decades on either side of 1 within which the square of a number is a double too."""
@@ -160,10 +161,14 @@ def decades_of_displacement(scene: Mapping) -> float:
     boundary, start = scene["boundary"], scene["start"]
     displacements = [boundary.get("left", 0.0), boundary.get("right", 0.0)]
     displacements += start.get("relative_displacement", [])
-    velocities = [boundary.get("velocity", 0.0), *start.get("velocity", [])]
-    fastest = max(map(abs, velocities))
+    velocity = start.get("velocity", [])
+    velocities = velocity if isinstance(velocity, list) else [velocity]
+    fastest = max(map(abs, [boundary.get("velocity", 0.0), *velocities]))
+    # A body force on N beads is the force of a compression, as a velocity is.
+    weight = math.sqrt(abs(scene.get("gravity", 0.0)) * bead_count(scene)) if "beads" in scene else 0.0
     return max(
-        max(map(decades, displacements)), decades_of_impact(scene["law"], fastest, MOST_DECADES)
+        max(map(decades, displacements)),
+        *(decades_of_impact(scene["law"], one, MOST_DECADES) for one in (fastest, weight)),
     )
 
 
