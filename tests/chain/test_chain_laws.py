@@ -180,12 +180,12 @@ def test_a_record_has_room_for_eight_kinks_and_eight_parameters(monkeypatch):
         kinks, functions = tuple(np.linspace(-1, 1, count)), (np.cosh, np.sinh, np.cosh)
         return gf.make_law(elastic=gf.Potential(*functions, interval=(-3, 3), kinks=kinks))
 
-    assert compile_law(law(8)).kink_count == 8
+    assert compile_law(law(8), None).kink_count == 8
     with pytest.raises(InputError, match="has 9 kinks, but a chain has room for 8"):
-        compile_law(law(9))
+        compile_law(law(9), None)
     monkeypatch.setattr(chain_run, "row_parameters", lambda *_: np.ones(9))
     with pytest.raises(InputError, match=r"has 9 parameters .* room for 8"):
-        compile_law(law(0))
+        compile_law(law(0), None)
 
 
 @pytest.mark.timing

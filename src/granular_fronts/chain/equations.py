@@ -10,8 +10,10 @@ potentials, :math:`F(u) = -V'(-u)` and :math:`G(u) = -W'(-u)`:
     m_n \dot w_n = F_{n-1} - F_n + m_n g, \qquad u_n = x_n - x_{n+1} ,
 
 where :math:`F_n = \kappa_n F(u_n)` and :math:`G_n = \chi_n G(u_n)` with factors κ_n and χ_n of
-contact n (1 in the paper).  For the law (28) they are :math:`F = u_+^\alpha` and :math:`G = \gamma u_+^\beta`.  Three sets of
-variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
+contact n (1 in the paper).  For the law (28) they are :math:`F = u_+^\alpha` and
+:math:`G = \gamma u_+^\beta`.
+
+Three sets of variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
 :math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
 arrays of states; the last axis is the bead n = 1 … N.
 
@@ -47,9 +49,9 @@ wall contact N counts as well, :math:`F(\tilde\delta)` is absent from P, and mom
 its own.
 
 A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
-it exerts the unknown force :math:`f = T_1 + m_1 \dot V`.  The momentum law is replaced by :math:`\dot
-x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n\dot x_n + F(\tilde\delta)`, its work needs no
-quadrature while the acceleration :math:`a = \dot V` is constant:
+it exerts the unknown force :math:`f = T_1 + m_1 \dot V`.  The momentum law is replaced by
+:math:`\dot x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n m_n \dot x_n + F(\tilde\delta)`, its
+work needs no quadrature while the acceleration :math:`a = \dot V` is constant:
 
 .. math::
 
@@ -127,6 +129,11 @@ EQUAL = Beads()
 """The beads and contacts of the paper."""
 
 
+def damping_ratio(law: Law, beads: Beads = EQUAL) -> float | None:
+    """Return γ if G = γF for every contact, else None."""
+    return law.proportional if np.array_equal(beads.stiffness, beads.viscosity) else None
+
+
 def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
     """Return the force −V'(−u) of a potential at the compression u, elementwise."""
     return -potential.first(-np.asarray(u, dtype=float))
@@ -166,7 +173,7 @@ def velocity_correction(
     """
     shift = 0.0
     if boundary.piston:
-        shift = (law.proportional or 0.0) * boundary.piston.acceleration_at(t)
+        shift = (damping_ratio(law, beads) or 0.0) * boundary.piston.acceleration_at(t)
         shift = shift * np.ravel(beads.mass)[0]
     behind, ahead = forces_on_both_sides(u, boundary, law.viscous, shift, beads.viscosity)
     return (behind - ahead) / beads.mass
@@ -185,7 +192,7 @@ def strain_rates(
 
 def _shift_of_last(law, beads):
     """Return w_N − d_N, a convention of `strain`."""
-    return (law.proportional or 0.0) * beads.gravity
+    return (damping_ratio(law, beads) or 0.0) * beads.gravity
 
 
 def velocities(
@@ -237,9 +244,9 @@ def energy(
 
 
 def equilibrium(law: Law, boundary: Boundary, beads: Beads, count: int) -> np.ndarray:
-    """Return the static compressions u_1 … u_N, where every contact bears what lies behind it.
+    r"""Return the static compressions u_1 … u_N, where every contact bears what lies behind it.
 
-    Contact n exerts :math:`\\kappa_n F(u_n) = F(\\delta) + g \\sum_{k \\le n} m_k`, in a branch on
+    Contact n exerts :math:`\kappa_n F(u_n) = F(\delta) + g \sum_{k \le n} m_k`, in a branch on
     which the force grows with u.  It is an InputError if the law exerts no such force.
     """
     weight = beads.gravity * np.cumsum(np.broadcast_to(beads.mass, count))
@@ -257,7 +264,7 @@ def _compression_of(needed: float, law: Law) -> float:
         low, high = high, (2.0 * high if np.isinf(end) else 0.5 * (high + end))
         if high in (low, np.inf, end):
             raise InputError(
-                f"In equilibrium a contact bears the force {needed:.6g}, more than {law.elastic.name} "
-                "exerts: lower the load or the body force."
+                f"In equilibrium a contact bears the force {needed:.6g}, more than "
+                f"{law.elastic.name} exerts: lower the load or the body force."
             )
     return brentq(lambda u: force(law.elastic, u) - needed, low, high, xtol=1.0e-300, rtol=1.0e-15)

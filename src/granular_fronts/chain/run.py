@@ -15,6 +15,7 @@ import numpy as np
 
 from granular_fronts.chain import equations, integrator, state
 from granular_fronts.chain.equations import EQUAL, Beads, Boundary, Piston
+from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.stage_passes import stage_pass
@@ -24,7 +25,6 @@ from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
 from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
-from granular_fronts.model.patterns import values_along
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.scenes.beads import bead_count
@@ -140,7 +140,8 @@ def integrate_in_halves(
 
 def _end_ramp(run):
     """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
-    run.table[D, 1] += (run.law.proportional or 0.0) * run.clock.acceleration
+    ratio = equations.damping_ratio(run.law, run.beads) or 0.0
+    run.table[D, 1] += ratio * run.clock.acceleration
     run.clock.acceleration = 0.0
     integrator.begin(run.chain, run.table)
 
@@ -179,7 +180,7 @@ def make_boundary(scene: Mapping[str, Any]) -> Boundary:
 
 
 def make_beads(scene: Mapping[str, Any]) -> Beads:
-    """Masses, factors of contacts and body force of a scene, which patterns give along the chain."""
+    """Masses, factors of contacts and body force of a scene, by its patterns."""
     count, contacts = bead_count(scene), scene.get("contacts", {})
     gravity = float(scene.get("gravity", 0.0))
     mass = scene["beads"]["mass"] if isinstance(scene["beads"], Mapping) else 1.0
@@ -228,7 +229,7 @@ def make_chain(
     margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
     chain = make_record(
         state.CHAIN,
-        law=compile_law(law),
+        law=compile_law(law, equations.damping_ratio(law, varied)),
         beads=beads,
         contacts=beads - boundary.holds_right,
         ring=boundary.ring,
@@ -261,14 +262,14 @@ def make_chain(
     return chain, table
 
 
-def compile_law(law: Law) -> np.record:
-    """What the kernels know of a law, a record of type `state.LAW`.
+def compile_law(law: Law, ratio: float | None) -> np.record:
+    """What the kernels know of a law, a record of type `state.LAW`; G = ratio F if it is a number.
 
     It is an InputError if the law has more kinks or parameters than the record has room for, or if
     a user's function cannot be compiled or has changed since.
     """
     record = make_record(state.LAW)
-    ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
+    kinks = -np.array(law.kinks[::-1])
     record.single = ratio is not None
     record.gamma = ratio if record.single else 1.0
     record.elastic = row_map(law.elastic, 1)

@@ -78,10 +78,10 @@ CHAIN = record_type(
     ("probe", float, 3),
 )
 """Law and clock.  Number N of beads and of contacts that move, N − 1, or N on a ring and before a
-wall; whether it is a ring, and whether masses or contacts differ.  Mass of bead 1 if it is a piston,
-else 0, and the body force on a bead over its mass.  Compression ahead of the active window, and how many beads the window reaches beyond
-the last one that moves.  Weights of the slopes in every stage of the present step.  Room for the
-law at a single compression.
+wall.  Whether it is a ring, and whether masses or contacts differ.  Mass of bead 1 if it is a
+piston, else 0; body force over mass.  Compression ahead of the active window, and how many beads
+the window reaches beyond the last one that moves.  Weights of the slopes in every stage of the
+present step.  Room for the law at a single compression.
 """
 
 

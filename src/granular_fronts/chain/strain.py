@@ -33,14 +33,14 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
   takes it up.  It is γa for a single law, whose viscous slopes are γ times the elastic ones, so
   that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
 
-Masses and contacts that differ.  With masses :math:`m_n` and factors κ_n of the elastic and χ_n of
-the viscous forces of the contacts, :math:`f_n` stands for :math:`\kappa_n F(u_n)` and
+Masses and contacts that differ.  With masses :math:`m_n`, and factors κ_n of the elastic and χ_n of
+the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` and
 :math:`\chi_n G(u_n)`, and
 
 .. math:: (\Delta_d f)_n = \frac{f_{n-1} - f_n}{m_n} - \frac{f_n - f_{n+1}}{m_{n+1}} .
 
-A piston of mass m_1 has :math:`F_0 = F_1 + m_1 a`.  A body force :math:`m_n g` accelerates all beads
-alike and drops out of every difference but the last: the force beyond the end is continued as
+A piston of mass m_1 has :math:`F_0 = F_1 + m_1 a`.  A body force :math:`m_n g` accelerates all
+beads alike and drops out of every difference but the last: the force beyond the end is continued as
 :math:`F_{N+1} = F_N + g`, of a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With a
 single law its viscous slope would be γg; therefore :math:`d_N = w_N - \gamma g` there.
 
@@ -168,7 +168,7 @@ def laplacian(chain, table, source, target, first, last):
 
 @subroutine(fastmath=_REDUCE, forceinline=True)
 def _laplacian_and_squares(chain, table, target, reach):
-    """Do the same of F for equal beads 1 … reach; return the sum of the squares (F_{n-1} − F_n)²."""
+    """Do the same of F for equal beads 1 … reach; return the sum of (F_{n-1} − F_n)²."""
     _complete_forces(chain, table, FORCE, int64(1), reach)
     total = 0.0
     for n in range(uint64(1), uint64(reach + 1)):
@@ -206,7 +206,8 @@ def _difference_forces(chain, table, slot, reach, with_power):
     It is the sum over beads in the energy balance of `equations`.  With a piston it begins with
     bead 2, and a G_1 is subtracted.
     """
-    single, acceleration, target = chain.law.single, chain.clock.acceleration, ELASTIC_SLOPES + slot
+    single, acceleration = chain.law.single, chain.clock.acceleration
+    target = ELASTIC_SLOPES + slot
     viscous = FORCE if single else DAMPING
     products = 0.0
     if single and with_power and not chain.varied:

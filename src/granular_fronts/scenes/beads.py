@@ -3,7 +3,7 @@
 A pattern gives one factor for each bead or contact of a chain.  It is a number for all of them, or
 a mapping whose keys multiply: `cell` repeats a list, `taper` multiplies by a ratio from one to the
 next or adds a difference, `random` draws from 1 − spread to 1 + spread, and `list` names all.  An
-`impurity` then replaces a single value.  `model.patterns` evaluates it.
+`impurity` then replaces a single value.  `chain.patterns` evaluates it.
 """
 
 from collections.abc import Iterator, Mapping

@@ -152,7 +152,7 @@ def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
     if kind not in ("equilibrium", "striker"):
         return
     if boundary["kind"] in ("ring", "piston"):
-        yield f"start.kind is {kind}, but boundary.kind is {boundary['kind']}: take pressure or wall."
+        yield f"start.kind is {kind}, but boundary.kind is {boundary['kind']}: take a wall."
     elif boundary["kind"] == "pressure" and (gravity or boundary["left"] != boundary["right"]):
         yield (
             f"start.kind is {kind}, but boundary.left is {boundary['left']}, boundary.right "
@@ -160,9 +160,7 @@ def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
             "equal ends without gravity."
         )
     elif gravity < 0.0:
-        yield (
-            f"gravity is {gravity}, away from the wall that bears the chain: give 0 or more."
-        )
+        yield (f"gravity is {gravity}, away from the wall that bears the chain: give 0 or more.")
 
 
 def _striker_hits(scene: Mapping) -> Iterator[str]:

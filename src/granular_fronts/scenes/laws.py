@@ -165,7 +165,9 @@ def decades_of_displacement(scene: Mapping) -> float:
     velocities = velocity if isinstance(velocity, list) else [velocity]
     fastest = max(map(abs, [boundary.get("velocity", 0.0), *velocities]))
     # A body force on N beads is the force of a compression, as a velocity is.
-    weight = math.sqrt(abs(scene.get("gravity", 0.0)) * bead_count(scene)) if "beads" in scene else 0.0
+    weight = (
+        math.sqrt(abs(scene.get("gravity", 0.0)) * bead_count(scene)) if "beads" in scene else 0.0
+    )
     return max(
         max(map(decades, displacements)),
         *(decades_of_impact(scene["law"], one, MOST_DECADES) for one in (fastest, weight)),
