@@ -49,7 +49,7 @@ def pulse(law, beads=40, end_time=12.0, held=0.3, **changes):
 
 def in_positions(form, scene):
     law, boundary = gf.make_law(scene["law"]), make_boundary(scene)
-    u, velocity = chain_run.initial_state(scene, boundary)
+    u, velocity = chain_run.initial_state(scene, law, boundary)
     system, y = position_forms.pack(form, law, boundary, u, velocity)
     y, _ = position_forms.integrate_adaptive(system, y, 1e-3, scene["end_time"], 1e-13, 1e-14)
     return np.concatenate(position_forms.unpack(system, y))

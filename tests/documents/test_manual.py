@@ -109,7 +109,9 @@ def test_a_key_has_type_default_unit_and_meaning():
     page = KEYS.configuration_page()
     top, chain = rows_of(page, "At the top"), rows_of(page, "scenes.chain.⟨name⟩")
     assert top["chunk_seconds"][:3] == ["number, > 0", "`30`", "s"]
-    assert chain["beads"] == ["whole number, ≥ 2", "required", "1", "Number N of beads."]
+    masses = "Number N of beads of mass 1, or their count and masses."
+    assert chain["beads"] == ["whole number or mapping, ≥ 2", "required", "1", masses]
+    assert chain["beads.mass.cell"][0].startswith("list")
     assert chain["boundary.ramp"][1] == "0"
     assert chain["boundary.ramp"][3].startswith("For kind `piston`: Time over which")
     assert chain["record.probes"][:2] == ["mapping", "none"]

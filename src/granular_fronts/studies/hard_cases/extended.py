@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from granular_fronts.accuracy import with_refinement
+from granular_fronts.chain.run import make_beads
 from granular_fronts.errors import SolveError
+from granular_fronts.scenes.beads import bead_count
 
 REAL = np.longdouble
 PI = 4 * np.arctan(REAL(1))
@@ -150,9 +152,16 @@ class Motion:
                 f"numpy.longdouble has a significand of {np.finfo(REAL).nmant + 1} bits here and "
                 "64 are needed for a reference: measure the hard cases on an x86-64 machine."
             )
-        self.beads, boundary = scene["beads"], scene["boundary"]
+        self.beads, boundary = bead_count(scene), scene["boundary"]
         self.forces, self.kinked = forces(scene["law"])
-        self.ring = boundary["kind"] == "ring"
+        self.ring, self.wall = (boundary["kind"] == kind for kind in ("ring", "wall"))
+        varied = make_beads(scene)
+        self.mass, *factors = (np.ones(self.beads, dtype=REAL) * part for part in varied[:3])
+        contacts = slice(None if self.ring or self.wall else -1)
+        self.elastic_factor, self.viscous_factor = (factor[contacts] for factor in factors)
+        self.gravity = REAL(varied.gravity)
+        # The most that a contact's force does to a bead, over that of the law to a bead of mass 1.
+        self.strength = max(factor.max() for factor in factors) / self.mass.min()
         self.piston = REAL(boundary["velocity"]) if boundary["kind"] == "piston" else None
         self.ramp = REAL(boundary.get("ramp", 0))
         ends = np.array([boundary.get("left", 0), boundary.get("right", 0)], dtype=REAL)
@@ -161,12 +170,15 @@ class Motion:
         u, velocity = self._start(scene["start"])
         self.turn = u.sum() if self.ring else REAL(0)
         x = np.concatenate([[REAL(0)], -np.cumsum(u)])[: self.beads]
+        if self.wall:
+            x += u.sum()
         still = np.concatenate([x, np.zeros(self.beads, dtype=REAL)])
         shift = self.slopes(np.zeros(1, dtype=REAL), still[None])[0, : self.beads]
         if self.piston is not None:
             shift[0] = velocity[0]
         state = np.concatenate([x, velocity - shift])
-        driven = np.array([*u, *velocity, *ends, self.piston or 0])
+        weight = np.abs(self.gravity) * self.mass.sum()
+        driven = np.array([*u, *velocity, *ends, self.piston or 0, weight])
         self.size = np.abs(driven).max()
         self.tolerance = tolerance * self.size
         self.steps: list[Step] = []
@@ -176,9 +188,10 @@ class Motion:
             now = goal
 
     def _start(self, start):
-        contacts = self.beads if self.ring else self.beads - 1
-        u, velocity = np.zeros(contacts, dtype=REAL), np.zeros(self.beads, dtype=REAL)
-        if start["kind"] == "given":
+        u, velocity = np.zeros_like(self.elastic_factor), np.zeros(self.beads, dtype=REAL)
+        if start["kind"] == "striker":
+            velocity[: start["beads"]] = start["velocity"]
+        elif start["kind"] == "given":
             u[:], velocity[:] = start["relative_displacement"], start["velocity"]
         elif self.piston is not None:
             velocity[0] = 0 if self.ramp else self.piston
@@ -193,21 +206,28 @@ class Motion:
 
     def _differences(self, x):
         """Return x_n − x_(n+1) over the moving contacts, from x or its rates."""
-        return x - np.roll(x, -1, axis=-1) if self.ring else x[..., :-1] - x[..., 1:]
+        if self.ring:
+            return x - np.roll(x, -1, axis=-1)
+        u = x.copy()
+        u[..., :-1] -= x[..., 1:]
+        return u if self.wall else u[..., :-1]
 
     def slopes(self, t, states):
         """Return (ẋ, ẇ) of states, shape (times, 2 N)."""
         out, beads = np.empty_like(states), self.beads
         transmitted = np.empty((2, len(states), beads + 1), dtype=REAL)
-        moving = slice(1, None if self.ring else -1)
-        transmitted[1, :, moving], transmitted[0, :, moving] = self.forces(self.compression(states))
+        moving = slice(1, 1 + self.elastic_factor.size)
+        elastic, viscous = self.forces(self.compression(states))
+        transmitted[1, :, moving] = self.elastic_factor * elastic
+        transmitted[0, :, moving] = self.viscous_factor * viscous
         if self.ring:
             transmitted[:, :, 0] = transmitted[:, :, -1]
         else:
-            transmitted[1, :, [0, -1]] = self.held[0][:, None]
-            transmitted[0, :, [0, -1]] = self.held[1][:, None]
-        viscous, elastic = transmitted[:, :, :-1] - transmitted[:, :, 1:]
-        out[:, :beads], out[:, beads:] = states[:, beads:] + viscous, elastic
+            held = [0] if self.wall else [0, -1]
+            transmitted[1, :, held] = self.held[0][: len(held), None]
+            transmitted[0, :, held] = self.held[1][: len(held), None]
+        viscous, elastic = (transmitted[:, :, :-1] - transmitted[:, :, 1:]) / self.mass
+        out[:, :beads], out[:, beads:] = states[:, beads:] + viscous, elastic + self.gravity
         if self.piston is not None:
             rise = np.minimum(t / self.ramp, 1) if self.ramp else np.ones_like(t)
             out[:, 0], out[:, self.beads] = self.piston * rise, 0
@@ -257,7 +277,7 @@ class Motion:
     def _effect(self, size, length):
         """Return what a kink of a contact of some size can do within a length of time."""
         elastic, viscous = self.forces(size)
-        return length * (np.abs(viscous) + length * np.abs(elastic))
+        return self.strength * length * (np.abs(viscous) + length * np.abs(elastic))
 
     def _before_a_kink(self, now, state, length):
         """Return length, or a shorter one that keeps its distance from a contact's next zero."""

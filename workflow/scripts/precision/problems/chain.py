@@ -105,7 +105,7 @@ def _run_strain_form(scene, tolerance):
 def _run_plain_form(form, scene, tolerance):
     """Run the same pair in (x, w) or (x, ẋ)."""
     law, boundary = make_law(scene["law"]), make_boundary(scene)
-    system, y = position_forms.pack(form, law, boundary, *initial_state(scene, boundary))
+    system, y = position_forms.pack(form, law, boundary, *initial_state(scene, law, boundary))
     absolute, end = ABSOLUTE_OVER_RELATIVE * tolerance, scene["end_time"]
     with Stopwatch() as watch:
         y, accepted = position_forms.integrate_adaptive(

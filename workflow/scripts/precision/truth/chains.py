@@ -91,31 +91,53 @@ def random_scene(rng: np.random.Generator) -> dict[str, Any]:
         record["probes"] = {"near": probe | {"step": stop / int(rng.integers(3, 12))}}
     if rng.random() < 0.7:
         record["arrival_level"] = size * rng.uniform(0.05, 0.4)
-    return {
+    return _unlike_beads(rng, beads, boundary, start, size) | {
         "law": law,
-        "beads": beads,
-        "boundary": boundary,
-        "start": start,
         "end_time": end,
         "tolerance": {"relative": relative, "absolute": size * relative * 10 ** rng.uniform(-3, 0)},
         "record": record,
     }
 
 
+def _unlike_beads(rng, beads, boundary, start, size):
+    """Return beads, boundary, contacts, body force and start, where a third of all chains vary."""
+    scene = {"beads": beads, "boundary": boundary, "start": start}
+    if rng.random() < 0.67:
+        return scene
+
+    def drawn(count):
+        return {"list": (10 ** rng.uniform(-1.5, 0.5, count)).tolist()}
+
+    scene["beads"] = {"count": beads, "mass": drawn(beads)}
+    if boundary["kind"] == "pressure" and start["kind"] == "rest" and rng.random() < 0.5:
+        scene["boundary"] = {"kind": "wall", "left": boundary["left"]}
+        scene["gravity"] = 0.1 * size * rng.uniform(0, 1)
+        if rng.random() < 0.5:
+            striker = {"kind": "striker", "beads": 1, "velocity": size}
+            free = {"kind": "wall", "left": 0.0}
+            scene |= {"start": striker, "boundary": free, "gravity": 0.0}
+    if rng.random() < 0.5:
+        contacts = beads - (scene["boundary"]["kind"] not in ("ring", "wall"))
+        scene["contacts"] = {"elastic": drawn(contacts)}
+        scene["contacts"] |= {"viscous": drawn(contacts)} if rng.random() < 0.5 else {}
+    return scene
+
+
 def _truths(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str, Any]:
     """Return what the variables of a dataset should hold; of events, see `events`."""
-    true = {}
+    true = {"mass": motion.mass}
     for name in ("", "_grid", *(f"_{probe}" for probe in scene["record"].get("probes", {}))):
         variable = data.get(f"relative_displacement{name}")
         if variable is None:
             continue
         times = data[variable.dims[0]].values
         u, velocity = motion.states(times)
-        whole = u if motion.ring else np.column_stack([u, np.full(len(u), motion.right)])
+        held = np.full((len(u), motion.beads - u.shape[1]), motion.right)
+        whole = np.column_stack([u, held])
         true[f"relative_displacement{name}"] = whole[:, data[variable.dims[1]].values - 1]
         true[f"velocity{name}"] = velocity
         if name == "_grid":
-            true["mean_relative_displacement"] = u.sum(axis=1) / scene["beads"]
+            true["mean_relative_displacement"] = u.sum(axis=1) / motion.beads
             true["total_velocity"] = velocity.sum(axis=1)
     return true
 
@@ -153,7 +175,7 @@ def events(scene: dict[str, Any], data: xr.Dataset, motion: Motion) -> dict[str,
 
 
 def _arrivals(scene, motion, turns, start):
-    beads, level = scene["beads"], scene["record"]["arrival_level"]
+    beads, level = motion.beads, scene["record"]["arrival_level"]
     arrival, peak, peak_time = np.full((3, beads), np.nan, dtype=np.longdouble)
     passed = motion.passages(level)
     for n in range(start.size):
