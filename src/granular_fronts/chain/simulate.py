@@ -60,8 +60,8 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     Parameters
     ----------
     scene : mapping
-        Law, beads, boundary, start, end_time, tolerance, record; dimensionless, James (2021),
-        eq. (28).
+        Law, beads, boundary, start, end_time, tolerance, record; contacts and gravity if wanted.
+        Dimensionless, James (2021), eq. (28), with masses if `beads` names them.
     name : str, optional
         What error messages and progress bars call the scene.
 
