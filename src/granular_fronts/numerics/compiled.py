@@ -2,17 +2,17 @@
 
 Numba notices a change in the file of a compiled function, but not in the files of the functions it
 calls.  Here the cache folder of a kernel carries a digest of its own module and of all that this
-one imports, so that stale machine code cannot be used, and a change in a module leaves the kernels
-alone that do not stand on it.
+one imports.  So no stale machine code is used, and a change in a module leaves unrelated kernels
+alone.
 
-Numba compiles a function once for each type of its arguments, and to it a literal integer is a type
-of its own: callers write ``int64(2)`` where others pass a variable.
+Numba compiles a function once for each type of its arguments.  A literal integer is a type of its
+own, so callers write ``int64(2)`` where others pass a variable.
 
 The cache may be kept from run to run, and passed between machines.  The key of a folder is the
-digest of the code and the versions of numba, llvmlite and NumPy, whose functions and tables kernels
-contain; numba adds the processor and the version of Python.  What does not fit, or is damaged, is
-compiled anew: each file ends with a digest of its contents, since numba takes whatever lies there
-for machine code.
+digest of the code and the versions of numba, llvmlite and NumPy, whose functions kernels contain.
+Numba adds the processor and the version of Python.  What does not fit, or is damaged, is compiled
+anew.  Each file ends with a digest of its contents, since numba takes whatever lies there for
+machine code.
 """
 
 import functools
@@ -137,9 +137,9 @@ def subroutine(function=None, /, **options):
 
     The wrappers by which Python could call it take a sixth of the time of compilation.
 
-    What fuses multiply and add, and whatever calls it up to a kernel, asks for `forceinline`: each
-    kernel that calls a function carries a copy of it, which may fuse otherwise, and of several
-    copies in a process any may run.
+    What fuses multiply and add, and whatever calls it up to a kernel, asks for `forceinline`.  Each
+    kernel carries a copy of a function that it calls, which may fuse otherwise.  Of several copies
+    in a process any may run.
     """
 
     def compile_without_wrappers(function):

@@ -8,11 +8,11 @@ The profile equation (`profile`) needs, at each grid point ξ, the three integra
     \int_{-1}^{1} \operatorname{sgn}(s)\, Q(\xi - s)\,ds, \qquad
     \int_{0}^{1} P(\xi - s)\,ds .
 
-On every cell of the grid the function is replaced by the polynomial through the `order` points
-around it, half of them on each side.  Its product with the kernel, which is linear there, is
-integrated exactly.  The weights are rational numbers, computed as such once per grid.  The rule is
-exact for polynomials of degree below `order`, with an error of the order h^order.  The spacing h
-may be any rational number, above 1 too: then the kernel covers parts of two cells only.
+On every cell of the grid the function is replaced by a polynomial. It goes through the `order`
+points around the cell, half of them on each side.  Its product with the kernel, which is linear
+there, is integrated exactly.  The weights are rational numbers, computed as such once per grid.
+The rule is exact for polynomials of degree below `order`, with an error of the order h^order.  The
+spacing h may be any rational number, above 1 too: then the kernel covers parts of two cells only.
 """
 
 import functools

@@ -144,7 +144,7 @@ def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[A
     """A figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
     Circles are beads, where they are.  Below are relative displacements and velocities against the
-    bead number; open contacts are marked at the lower edge, where the law lets them open.  What
+    bead number.  Open contacts are marked at the lower edge, where the law lets them open.  What
     shows a row returns the artists that it has changed.
     """
     fields = moving_parts(motion, "_grid")

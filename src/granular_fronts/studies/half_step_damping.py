@@ -83,8 +83,8 @@ def measure_half_step_damping(**scene):
     """Compare the scheme with accurate chains, over law, damping and step.
 
     On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
-    `excess_tail`; on (beta, gamma): `peak_exact`, `order`, `order_error`; for the chain that is
-    shown the checks of `_measure_checks` and the motion of `compare_motion`.
+    `excess_tail`.  On (beta, gamma): `peak_exact`, `order`, `order_error`.  For the chain that is
+    shown: the checks of `_measure_checks` and the motion of `compare_motion`.
     """
     unit, shown = collision_time(scene["alpha"]), scene["shown"]
     steps = unit / np.sort(scene["steps_per_collision"])

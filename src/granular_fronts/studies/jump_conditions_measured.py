@@ -17,12 +17,12 @@ velocity −c times the mean strain of its two contacts.  Strain and velocity ar
 all be in the front, but the front must first find its inner structure.  (A sharp jump would open
 the contacts of a softening law.)  This transient dies out about as the inverse square of the
 distance, and limits the accuracy of driven speeds.  The speed is the slope of the times of passage
-over the second half of the way.  The jump of the velocity and the power are measured at its end,
-over the passage of one bead and the contacts of the front.  Error: the change on the last doubling
-of the way, or a quarter of the change on the doubling before, and rounding. For the inverse square
-the change is three times the error that is left. Weakly nonlinear or strongly damped fronts form
-slowly, at an exponential rate; they need a longer way, or have larger errors.  The chain behind the
-ramp is so long that nothing that its held end reflects reaches the front.
+over the second half of the way.  The jump of the velocity and the power are measured at its end.
+They span the passage of one bead and the contacts of the front.  Error: the change on the last
+doubling of the way, or a quarter of the change on the doubling before, and rounding. For the
+inverse square the change is three times the error that is left. Weakly nonlinear or strongly damped
+fronts form slowly, at an exponential rate; they need a longer way, or have larger errors.  The
+chain behind the ramp is so long that nothing that its held end reflects reaches the front.
 
 A front that runs to smaller n is measured in the reflected chain, with the states exchanged.
 """

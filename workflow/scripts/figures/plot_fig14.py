@@ -136,7 +136,7 @@ def _name_curves(
 ) -> None:
     """The name of each curve at the right of the panel, beside its end of largest error.
 
-    The names keep the order of the ends and a distance of their own height; within that, the sum of
+    The names keep the order of the ends and a distance of their own height. Within that, the sum of
     the squares of their shifts is least (isotonic regression).
     """
     methods = sorted(ends, key=lambda method: ends[method][1])

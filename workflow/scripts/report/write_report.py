@@ -1,12 +1,12 @@
 """Write one page with the score, figures, captions, tables, configuration and run times.
 
-The page holds everything in itself, so it can be mailed or archived as one file; its links lead to
-the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
-click, hence this one.
+The page holds everything in itself, so it can be mailed or archived as one file. Its links lead to
+the files next to it. Snakemake's own report shows neither the configuration nor the figures before
+a click, hence this one.
 
 Nothing is shown that does not belong together.  The step compares the provenance of all figures and
-tables with the data and the configuration, and ends with a sentence if they disagree. What is made
-on demand is left out, and named, where it answers another configuration.
+tables with data and configuration, and ends with a sentence if they disagree. What is made on
+demand is left out, and named, where it answers another configuration.
 """
 
 import json

@@ -4,8 +4,8 @@ python workflow/scripts/tables/compare_results.py --before saved --after results
     --report changes.csv
 
 A change of a variable is measured by the largest |after − before| over the sum of both stated
-errors, element by element where the variable has a companion NAME_error and by `error_estimate`
-elsewhere.  At most 1 means that both numbers may be right.
+errors.  The errors are its companion NAME_error, element by element, or else `error_estimate`.  At
+most 1 means that both numbers may be right.
 """
 
 from pathlib import Path

@@ -16,10 +16,10 @@ or, divided by the double root λ = 0, which is no tail when α ≠ 1,
 
 Where the roots lie.  Let :math:`E = \alpha(1 - g\lambda)(2\cosh\lambda - 2) - \lambda^2`.  For
 ω > 0 the value E(iω) stays in the closed upper half-plane, and on the lines Im λ = 2πk, k ≥ 1,
-Re λ > 0, Im E is negative.  Following the argument of E round the half-strips between these lines,
-where at their far end :math:`E \approx -\alpha g \lambda e^\lambda`, gives the exact numbers of
-roots with Re λ > 0: **three with |Im λ| < 2π, one with 2π(k−1) < Im λ < 2πk for each k ≥ 2**, and
-their conjugates.  One root is looked for in each half-strip, so that none can be missed.
+Re λ > 0, Im E is negative.  The argument of E is followed round the half-strips between these
+lines, where :math:`E \approx -\alpha g \lambda e^\lambda` at the far end.  So the numbers of roots
+with Re λ > 0 are exact: **three with |Im λ| < 2π, one with 2π(k−1) < Im λ < 2πk for each k ≥ 2**,
+and their conjugates.  One root is looked for in each half-strip, so that none can be missed.
 
 Where the search ends.  In a half-strip above the height h a root λ = x + iy has
 

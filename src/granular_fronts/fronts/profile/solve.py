@@ -26,8 +26,8 @@ are at rest (`_needed_stretch`).
 
 Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α.  For these it
 falls by a factor that grows like a tower, and its sharpest part needs some (6 + 4.3α) points per
-site.  A wide front with small α − 1 needs fewer.  The spacing is found on a coarse grid, where the
-difference of convolutions by rules of two orders falls with the spacing like a known power.
+site.  A wide front with small α − 1 needs fewer.  The spacing is found on a coarse grid. There
+convolutions by rules of two orders differ by a known power of the spacing.
 """
 
 import functools

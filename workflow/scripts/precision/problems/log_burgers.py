@@ -9,8 +9,8 @@ fourier         the method of the equation with a third derivative (55), here wi
                 shares no scheme with ours.
 
 The start (49) has kinks; a smooth start of similar width shows the orders away from them.  The
-reference, finite volumes on fine cells, is computed and not stored, since it must be evaluated at
-the points of each scheme.  Its error is its distance to the Fourier method, also refined.
+reference, finite volumes on fine cells, is not stored, since it must be evaluated at the points of
+each scheme.  Its error is its distance to the Fourier method, also refined.
 """
 
 from functools import partial
