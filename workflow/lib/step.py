@@ -47,7 +47,7 @@ def run_step(
     Parameters
     ----------
     function : callable
-        The step. A ValueError or a full disk ends the run with a sentence only; the log file of the
+        The step. A ValueError or a full disk ends the run with a sentence only. The log file of the
         rule also keeps the traceback.
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import InputError
-from granular_fronts.referee.readings import NAMES, excess_damping, read_motion, velocity_scale
+from granular_fronts.referee.measurements import NAMES, excess_damping, read_motion, velocity_scale
 
 CLEAR = 0.25  # largest distance of a clear order from a whole number, and its largest scatter
 NO_ORDER = 0.3  # observed order below which the error does not depend on the step
@@ -17,12 +17,12 @@ class Finding(NamedTuple):
     """What one result shows.
 
     `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
-    states; `reading` and `excess` come from `readings`; NaN if undefined.
+    states; `measurement` and `excess` come from `measurements`; NaN if undefined.
     """
 
     step: float
     error: float
-    reading: float
+    measurement: float
     excess: float
 
 
@@ -35,10 +35,10 @@ def find(problem, answer, result):
         np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
         np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
     )
-    reading = read_motion(problem, answer["t"].values, u, v)
+    measurement = read_motion(problem, answer["t"].values, u, v)
     table = answer["reading"].values, answer["factor"].values
-    excess = excess_damping(reading, table[1], table[0])
-    return Finding(result.step, float(max(distances)), reading, excess)
+    excess = excess_damping(measurement, table[1], table[0])
+    return Finding(result.step, float(max(distances)), measurement, excess)
 
 
 def _matching_rows(problem, answer, result):
@@ -123,7 +123,7 @@ def _damping_in_words(problem, finding):
         return ""
     side = "large" if finding.excess > 0.0 else "small"
     return (
-        f"; {NAMES[problem.motion]} {finding.reading:.5g}, as if gamma were "
+        f"; {NAMES[problem.motion]} {finding.measurement:.5g}, as if gamma were "
         f"{100.0 * abs(finding.excess):.2g} % too {side}"
     )
 

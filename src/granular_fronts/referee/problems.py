@@ -50,7 +50,7 @@ class Problem(NamedTuple):
 
     `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ, and
     `interval` is the time between two states that are compared.  `factors` are the dampings over γ
-    at which `readings` are computed.
+    at which `measurements` are computed.
     """
 
     name: str
