@@ -69,8 +69,8 @@ MARGIN = 3.0  # sites kept ahead of where s reaches its end
 
 ERROR_METHOD = (
     f"change in a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
-    "on grids finer by 1.4 or more and windows longer by 1.1, or if larger what the error of the "
-    "strain makes of the number"
+    "on grids finer by 1.4 or more and windows longer by 1.1. If larger, what the error of the "
+    "strain makes of it"
 )
 
 
@@ -225,10 +225,8 @@ def _split(values):
 
 
 def _estimates(problem, values, others):
-    """Return the error of the strain that explains the changes of overshoot, width and power.
-
-    The slope feels rounding, which differs from point to point, more than any other error.
-    """
+    """Return the error of the strain that explains the changes of overshoot, width and power."""
+    # The slope feels rounding, which differs from point to point, more than any other error.
     (found, sensitivities), (again, _) = _split(values), _split(others)
     errors = np.delete(np.abs(found - again) / sensitivities, MEASURES.index("slope"), axis=0)
     # Three numbers may agree by chance where a whole front does not.

@@ -371,8 +371,8 @@ def _check_dissipation(potential, dissipation, area, R_minus, R_plus):
         return
     if abs(area.value) > area.error:
         raise InputError(
-            "Nothing dissipates between the states.  A front of a conservative chain then needs "
-            f"the signed area (20) to be 0, but it is {area.value:.6g}, as where V''' has one "
+            "Nothing dissipates between the states.  A front of a conservative chain needs "
+            f"the signed area (20) to be 0, but it is {area.value:.6g}, as for V''' of one "
             "sign (James 2021, Remark 4): add dissipation."
         )
     raise InputError(

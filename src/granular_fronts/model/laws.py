@@ -192,7 +192,7 @@ def _make_long(elastic=None, viscous=None):
     if dependent.of_hertz and elastic.shape is not kinds.hertz:
         raise InputError(
             f"The viscous potential is of kind {name}, which belongs to the elastic kind hertz, "
-            f"but the elastic one is {elastic.name}: take kind proportional, or hertz."
+            f"but the elastic one is {elastic.name}: take proportional, or hertz."
         )
     return Law(elastic, dependent.make(elastic, **values))
 

@@ -68,10 +68,8 @@ def _one_sided(spacing, order):
 
 @functools.cache
 def _moments(order, end):
-    """Return ∫_0^end L(t) dt and ∫_0^end t L(t) dt of cardinal polynomials, one denominator.
-
-    The result is the array of numerators, shape (2, order), and the denominator.
-    """
+    """Return ∫_0^end L(t) dt and ∫_0^end t L(t) dt of cardinal polynomials, one denominator."""
+    # The result is the array of numerators, shape (2, order), and the denominator.
     coefficients, denominator = _cardinals(order)
     integrals = [[end ** (k + i) / (k + i) for k in range(order)] for i in (1, 2)]
     common = math.lcm(*(integral.denominator for row in integrals for integral in row))

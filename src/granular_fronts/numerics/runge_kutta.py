@@ -69,10 +69,9 @@ def _coefficient_matrix():
 
 
 def _continuous_weights():
-    r"""Return the monomial coefficients of :math:`b_j(\theta)`, shape (DEGREE + 1, SLOPES).
-
-    DOP853 nests its interpolant as θ(F₀ + (1 − θ)(F₁ + θ(F₂ + …))); here the nest is unfolded once.
-    """
+    r"""Return the monomial coefficients of :math:`b_j(\theta)`, shape (DEGREE + 1, SLOPES)."""
+    # DOP853 nests its interpolant as θ(F₀ + (1 − θ)(F₁ + θ(F₂ + …))); here the nest is unfolded
+    # once.
     b = np.zeros(SLOPES)
     b[:STAGES] = DOP853.B
     first, new = np.eye(SLOPES)[0], np.eye(SLOPES)[NEW_SLOPE]

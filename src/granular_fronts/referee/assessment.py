@@ -54,18 +54,16 @@ def _matching_rows(problem, answer, result):
     off = np.abs(result.t[rows] - times) > SAME_TIME * problem.interval
     if off.any():
         raise InputError(
-            f"{name} has no state at t = {times[off][0]:g}, its last is at t = {result.t[-1]:g}: "
-            f"write states every {problem.interval:g} up to {times[-1]:g}, with a step that "
-            "divides this; where the run was lost, give a smaller step."
+            f"{name} has no state at t = {times[off][0]:g}, its last is at t = {result.t[-1]:g}. "
+            f"Write states every {problem.interval:g} up to {times[-1]:g}, with a step that "
+            "divides this, and a smaller step where the run was lost."
         )
     return rows
 
 
 def _check_start(problem, step, u, v):
-    """Check that a motion starts as the problem: beads touch and have its velocities.
-
-    Codes that keep velocities of half steps start with a velocity half a step before or after.
-    """
+    """Check that a motion starts as the problem: beads touch and have its velocities."""
+    # Codes that keep velocities of half steps start with a velocity half a step before or after.
     name = f"{problem.name} with step {step:g} does not start as the problem"
     farthest = float(np.abs(u).max())
     if farthest > SAME_START * problem.displacement:
@@ -129,10 +127,7 @@ def _damping_in_words(problem, finding):
 
 
 def _advice(problem, finest, order, wanted):
-    """What to change: nothing, the problem, the number of steps, or the step and the integrator.
-
-    The last two are advised only where the error falls at a clear order.
-    """
+    """What to change: nothing, problem, number of steps; at a clear order, step and integrator."""
     unclear = abs(order.value - round(order.value)) >= CLEAR or order.scatter > CLEAR
     if finest.error <= wanted:
         yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."

@@ -195,20 +195,16 @@ def _scene(law, front, u, velocity, tolerance, snapshots):
 
 
 def _settling(early, halfway, late):
-    """Return the last of three values, at a quarter, half and the whole of the way, and its error.
-
-    What follows the inverse square changes four times as much in the first doubling of the way.
-    This catches a change that happens to vanish in the second.
-    """
+    """Return the last of three values, at a quarter, half and all of the way, and its error."""
+    # What follows the inverse square changes four times as much in the first doubling of the way.
+    # This catches a change that happens to vanish in the second.
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
     return Estimate(late, change + 8.0 * EPSILON * abs(late))
 
 
 def _room_behind(law, behind, speed, beads):
-    """Return the contacts behind the ramp, so that no reflection from the end catches the front.
-
-    Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
-    """
+    """Return the contacts behind the ramp, so that no reflection from the end catches the front."""
+    # Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     lead = 0.5 * beads * (math.sqrt(law.elastic.second(behind)) / speed - 1.0)
     spread = 5.0 * math.sqrt(law.viscous.second(behind) * beads / speed)
     return ROOM_BEHIND + math.ceil(lead + spread)

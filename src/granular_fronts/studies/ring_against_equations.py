@@ -147,10 +147,8 @@ def _fields(scene):
 
 
 def _distances(chain, values, finer, scale):
-    """Return the distances of a chain's field to an equation's, and what both solvers contribute.
-
-    A gap counts as no compression; velocities keep their sign.
-    """
+    """Distances of a chain's field to an equation's, and what both solvers contribute."""
+    # A gap counts as no compression; velocities keep their sign.
     found = chain.values if chain.name.startswith("velocity") else np.maximum(chain.values, 0.0)
     difference = np.abs(found - values) / scale
     floor = (chain.attrs["error_estimate"] + np.abs(values - finer).max(axis=1)) / scale

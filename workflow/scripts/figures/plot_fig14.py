@@ -134,11 +134,9 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
 def _name_curves(
     axes: Axes, ends: dict[str, tuple[float, float]], looks: dict[str, dict[str, Any]]
 ) -> None:
-    """The name of each curve at the right of the panel, at its end of largest error.
-
-    The names keep the order of the ends and a distance of their own height. Within that, the sum of
-    the squares of their shifts is least (isotonic regression).
-    """
+    """The name of each curve at the right of the panel, at its end of largest error."""
+    # The names keep the order of the ends and a distance of their own height. Within that, the sum
+    # of the squares of their shifts is least (isotonic regression).
     methods = sorted(ends, key=lambda method: ends[method][1])
     low, high = np.log(axes.get_ylim())
     wanted = [(np.log(ends[method][1]) - low) / (high - low) for method in methods]

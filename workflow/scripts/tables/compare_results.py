@@ -75,10 +75,8 @@ def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
 
 
 def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, float]:
-    """Return the largest change of one variable over its stated errors.
-
-    A number that is missing on only one side has changed without bound.
-    """
+    """Return the largest change of one variable over its stated errors."""
+    # A number that is missing on only one side has changed without bound.
     old, new = before[name].values, after[name].values
     errors = _stated_error(before, name) + _stated_error(after, name)
     with np.errstate(invalid="ignore"):

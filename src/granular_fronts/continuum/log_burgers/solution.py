@@ -142,7 +142,7 @@ def _make_equation(alpha, averages, lowest, width):
     if smallest < 0.0:
         raise SolveError(
             f"The smallest cell average of the start is {smallest:.3g}, but a rescaled force is 0 "
-            "or more: give more points of the start, or a smoother one."
+            "or more: give a smoother start, or more of its points."
         )
     degenerate = 0.0 if alpha == 1.0 else SMALLEST_DIFFUSIVITY ** (1.0 / (alpha - 1.0))
     bound = lowest ** (1.0 / alpha)

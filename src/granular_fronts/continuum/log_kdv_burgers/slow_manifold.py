@@ -174,10 +174,8 @@ def _s_between(orbit, v_from, v_to):
 
 @kernel
 def _evaluate_slow(orbit, s, p, v):
-    """Both p and v at each s, by Newton's method in ln v.
-
-    They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
-    """
+    """Both p and v at each s, by Newton's method in ln v."""
+    # They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
     mu, h, v_half = orbit.mu, orbit.h, orbit.v_half
     rate_half = polynomial(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
     for i in range(s.size):

@@ -230,7 +230,7 @@ def _at_beads(front, beta, gamma):
     if 0 not in bead or np.any(np.diff(bead) != 1):
         raise InputError(
             f"xi runs from {xi[0]:.6g} to {xi[-1]:.6g} and holds {bead.size} integers, but every "
-            "integer around 0 is needed: evaluate the front with a whole number of points per site."
+            "integer around 0 is needed: give a whole number of points per site."
         )
     u, velocity = (front[name].values[whole] for name in ("relative_displacement", "velocity"))
     w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)

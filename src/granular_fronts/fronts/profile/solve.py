@@ -121,9 +121,8 @@ def solve_profile(problem):
         taken = f"{window.length:.2g}" if np.isfinite(window.length) else "countless"
         return _no_profile(
             problem,
-            f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
-            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and alpha and right_state "
-            "away from 1, where the force is linear",
+            f"the front and its tails take {taken} sites, but rounding hides more than "
+            f"{MOST_SITES:.0e}: bring gamma closer to 1, alpha and right_state away from it",
         )
     profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
@@ -146,7 +145,7 @@ def solve_profile(problem):
     if sharp:
         return profile._replace(
             reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points "
-            "per site: the front is too sharp for it, or its law has a kink between the states"
+            "per site: the front is too sharp, or the law has a kink between the states"
         )
     return profile._replace(reason=_reason_against(profile))
 

@@ -226,11 +226,9 @@ def _damped(window, unknowns, step, norm, tolerance):
 
 
 def _move(window, unknowns, step):
-    """Add a step, but let no contact that is stiff fall more than tenfold.
-
-    For α near 1 the toe of the front stays stiff down to u = 1e-12 and less.  A step that took u
-    below zero would cut it off.
-    """
+    """Add a step, but let no contact that is stiff fall more than tenfold."""
+    # For α near 1 the toe of the front stays stiff down to u = 1e-12 and less. A step that took u
+    # below zero would cut it off.
     moved = unknowns + step
     before, after = (split(window, each)[1][:, 0] for each in (unknowns, moved))
     toe = max(SMALLEST_TOE, LOWEST_STIFFNESS ** (1.0 / (window.law.alpha - 1.0)))

@@ -29,8 +29,8 @@ from problems.problem import Problem, Reference
 # Error per step over the sixth power of the cell width: neither space nor time is wasted.
 TOLERANCE_PER_WIDTH = 0.05
 EVALUATED_POINTS = 8192
-# Of the Fourier method: its error per step is this power of its longest step, and its start is on
-# 2⁴ times as many points.
+# Of the Fourier method: its error per step is this power of its longest step. Its start is on 2⁴
+# times as many points.
 FOURIER_ORDER, FOURIER_LEVELS = 4, 4
 SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
 
