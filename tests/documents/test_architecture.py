@@ -1,4 +1,4 @@
-"""The wings of the package: no import upward, and no circle, those inside functions included."""
+"""The folders of the package: no import upward, and no circle, those inside functions included."""
 
 from graphlib import TopologicalSorter
 
@@ -7,7 +7,7 @@ from projects import ROOT
 
 from granular_fronts.numerics.imports import module_files, named_in
 
-WINGS = (
+PACKAGES = (
     "errors",
     "arguments",
     "accuracy",
@@ -32,13 +32,13 @@ IMPORTS = {name: named_in(file) & FILES.keys() for name, file in FILES.items()}
 
 
 def upward(imports):
-    """Imports of a wing by one below it."""
-    height = {name: WINGS.index(name.split(".")[1]) for name in FILES}
+    """Imports of a package by one below it."""
+    height = {name: PACKAGES.index(name.split(".")[1]) for name in FILES}
     return {(low, high) for low in imports for high in imports[low] if height[low] < height[high]}
 
 
-def test_no_wing_imports_one_above_it_and_no_modules_each_other_in_a_circle():
-    assert {name.split(".")[1] for name in FILES} == set(WINGS)
+def test_no_package_imports_one_above_it_and_no_modules_each_other_in_a_circle():
+    assert {name.split(".")[1] for name in FILES} == set(PACKAGES)
     assert upward(IMPORTS) == set()
     low, high = "granular_fronts.numerics.band", "granular_fronts.chain.simulate"
     assert upward({low: [high], high: [low]}) == {(low, high)}

@@ -11,8 +11,8 @@ contribute.  The embedded error estimate does not see this, since its stages sit
 ends of the step.  Hence:
 
 - a step that takes a contact through a kink is accepted only if κ is below the tolerance;
-- **closing**, where κ is larger at the end of the step (the force of an open contact is zero, so
-  that everything before t* is smooth).  The step is cut to end just after t*, by so little that κ
+- **closing**, where κ is larger at the end of the step.  The force of an open contact is zero, so
+  that everything before t* is smooth.  The step is cut to end just after t*, by so little that κ
   is below the tolerance.  The next step starts on the singular side, where the stages do see the
   singularity and the ordinary controller works;
 - **opening**, where κ is larger at its start (the singular side lies before t*).  The steps are

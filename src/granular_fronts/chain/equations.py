@@ -91,8 +91,8 @@ class Piston(NamedTuple):
 class Boundary(NamedTuple):
     """Held relative displacements at the ends, eq. (25), a ring, eq. (26), a piston, a wall.
 
-    An end where δ or δ̃ is 0 is free; with a piston nothing is held at the left end, and with a wall
-    at x = 0 nothing at the right one.
+    An end where δ or δ̃ is 0 is free.  With a piston nothing is held at the left end, with a wall at
+    x = 0 nothing at the right one.
     """
 
     ring: bool

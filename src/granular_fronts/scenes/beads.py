@@ -1,9 +1,9 @@
 """How many beads a scene has, and whether what varies along its chain is possible.
 
 A pattern gives one factor for each bead or contact of a chain.  It is a number for all of them, or
-a mapping whose keys multiply: `cell` repeats a list, `taper` multiplies by a ratio from one to the
-next or adds a difference, `random` draws from 1 − spread to 1 + spread, and `list` names all.  An
-`impurity` then replaces a single value.  `chain.patterns` evaluates it.
+a mapping whose keys multiply.  A `cell` repeats a list, and a `taper` grows by a ratio or a
+difference from one to the next.  A draw that is `random` lies between 1 − spread and 1 + spread,
+and a `list` names all.  An `impurity` then replaces a single value.  `chain.patterns` evaluates it.
 """
 
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,4 @@
-"""Figure 15: errors of the hard cases beside their limits, and order through contact events."""
+"""Figure 15: errors of the hard cases and their limits, and order through contact events."""
 
 import re
 from typing import Any

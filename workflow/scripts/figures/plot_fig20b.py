@@ -61,7 +61,7 @@ def plot_fig20b(
 
 
 def _equations() -> Iterator[Line2D]:
-    """What colours and dashes stand for."""
+    """The meaning of colours and dashes."""
     for look in MODEL_LOOKS.values():
         yield Line2D([], [], **look._asdict())
 

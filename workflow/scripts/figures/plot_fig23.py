@@ -90,7 +90,7 @@ def _draw_shapes(
 
 
 def _shape_marks() -> Iterator[Line2D]:
-    """What colours and marks stand for."""
+    """The meaning of colours and marks."""
     for words, colour, marker in SHAPES.values():
         look: dict[str, Any] = {"color": colour, "markeredgecolor": "black", "markersize": 7}
         yield Line2D([], [], linestyle="-", linewidth=6, marker=marker, label=words, **look)
