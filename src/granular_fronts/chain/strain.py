@@ -41,8 +41,8 @@ the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` a
 
 A piston of mass m_1 has :math:`F_0 = F_1 + m_1 a`.  A body force :math:`m_n g` accelerates all
 beads alike and drops out of every difference but the last.  There the force is continued as
-:math:`F_{N+1} = F_N + g`, beside a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With a
-single law its viscous slope would be γg; therefore :math:`d_N = w_N - \gamma g` there.
+:math:`F_{N+1} = F_N + g`, beside a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With
+a single law its viscous slope would be γg; therefore :math:`d_N = w_N - \gamma g` there.
 
 Active window.  Ahead of bead `reach` every contact is at rest, compressed by the same `ahead`, and
 is not visited.
