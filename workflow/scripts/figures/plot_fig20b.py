@@ -113,7 +113,7 @@ def _draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
         axes.plot(epsilon, error, label=label, **look)
     axes.set_title(r"velocity less a formula," + "\n" + r"$\gamma c = 1$", fontsize=8)
     axes.set_ylabel(r"$\sup|\Delta\dot x|/\delta c$ at $\tau = 1$")
-    axes.legend(fontsize=6.5, handlelength=1.5, loc="lower right")
+    axes.legend(fontsize=7, handlelength=1.5, loc="lower right")
 
 
 if __name__ == "__main__":
