@@ -72,7 +72,7 @@ def _draw_limits(axes: Axes, campaign: xr.Dataset, parameter: str, symbol: str) 
     for marker, value in zip(MARKERS, values, strict=False):
         draw_limit(axes, campaign, 3 * marker, **{parameter: value})
     listed = ", ".join(f"{value:g} {sign}" for value, sign in zip(values, SIGNS, strict=False))
-    axes.set_title(f"${symbol} =$ {listed}", fontsize=8)
+    axes.set_title(f"${symbol} =$ {listed}", fontsize=8, loc="right")
 
 
 def _draw_over_time(axes: Axes, pulses: xr.Dataset, front: xr.Dataset) -> None:
