@@ -1,5 +1,6 @@
 """The folders of the package: no import upward, and no circle, those inside functions included."""
 
+import re
 from graphlib import TopologicalSorter
 
 from pages import load_script
@@ -60,3 +61,14 @@ def test_picture_of_the_architecture_is_that_of_the_code():
     for _, place in script.FLOW:
         if not place.startswith("results"):
             assert any(ROOT.glob(place)), place
+
+
+def test_way_of_figure_1_names_what_its_files_hold():
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    hops = [row.split("|")[2:4] for row in re.findall(r"^\| \d+ \|.*", page, re.MULTILINE)]
+    assert len(hops) == 9
+    for said, where in hops:
+        files = [ROOT / name for name in re.findall(r"`(\S+)`", where)]
+        held = "".join(file.read_text(encoding="utf-8") for file in files)
+        for name in re.findall(r"`(\S+)`", said):
+            assert re.search(rf"\b{name}\b", held), f"{name} is not in {where}"

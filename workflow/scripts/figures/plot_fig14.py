@@ -24,7 +24,7 @@ ON_THE_PAGE = {
 COLUMNS = 2
 # Heights of a name next to a panel, of what stands above and below the panel, and of the lowest
 # panel, in inches.
-NAME_HEIGHT, FRAME_HEIGHT, LOWEST = 0.125, 0.55, 1.2
+NAME_HEIGHT, FRAME_HEIGHT, LOWEST = 0.14, 0.55, 1.2
 MOST_TICKS = 5
 MARKERS = "osD^vPX<>*"
 # Discrete-element codes are given a step, not a tolerance.
@@ -61,7 +61,7 @@ def draw_problems(data: xr.Dataset) -> Figure:
         panels[row[0]].set_ylabel("seconds")
     note = _missing(data)
     if note:
-        figure.supxlabel(note, fontsize=6.5)
+        figure.supxlabel(note, fontsize=7)
     return figure
 
 
@@ -125,9 +125,9 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
     scale = f"largest error (reference {reference_error:.0e})"
     problem = str(data["problem"].item())
     axes.set_title(ON_THE_PAGE.get(problem, _label(problem)), fontsize=8)
-    axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=6.5)
+    axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=7)
     axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
-    axes.tick_params(labelsize=7)
+    axes.tick_params(which="both", labelsize=7)
     _name_curves(axes, ends, looks)
 
 
@@ -150,7 +150,7 @@ def _name_curves(
             (1.04, place),
             textcoords="axes fraction",
             color=looks[method]["color"],
-            fontsize=6,
+            fontsize=7,
             verticalalignment="center",
             arrowprops={
                 "arrowstyle": "-",

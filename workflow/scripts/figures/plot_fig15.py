@@ -84,7 +84,7 @@ def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
         "fontsize": 7,
         "title_fontsize": 8,
         "handlelength": 1.2,
-        "bbox_to_anchor": (1.02, 0.2),
+        "bbox_to_anchor": (1.02, -0.02),
     }
     axes.legend(loc="lower right", title=words, **look)
 

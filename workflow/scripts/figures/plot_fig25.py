@@ -1,5 +1,7 @@
 """Figure 25: shares of numbers whose true error exceeds a multiple of the stated one."""
 
+import math
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -30,12 +32,14 @@ def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -
         Written by measure_honesty.
     """
     problems = {"chains": chains, "exact fronts": fronts, "amplitude equations": evolutions}
-    figure, panels = new_figure(3.2, [[*problems]])
+    figure, panels = new_figure(4.0, [[*problems]])
     for kind, data in problems.items():
         _draw_kind(panels[kind], data)
         panels[kind].set_title(kind)
         panels[kind].set_xlabel(f"true error / stated error\n{_in_words(data)}", fontsize=8)
     panels["chains"].set_ylabel("share of numbers above")
+    place = math.sqrt(TWICE * TENFOLD), 1.5 * FEW
+    panels["chains"].text(*place, "should be empty", rotation=90, ha="center", fontsize=8)
     return figure
 
 
@@ -60,7 +64,7 @@ def _draw_kind(axes: Axes, data: xr.Dataset) -> None:
     )
     axes.set_xticks([0.001, 0.1, 1.0, TWICE, TENFOLD], ["0.001", "0.1", "1", "2", "10"])
     axes.minorticks_off()
-    axes.legend(loc="lower left", fontsize=6, handlelength=1.6)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.25))
 
 
 def _kind_of(name: str) -> str:

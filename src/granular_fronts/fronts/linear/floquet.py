@@ -39,9 +39,9 @@ largest multiplier except for translation is real, and
     1 - z \simeq \frac{\alpha - 1}{\sqrt\alpha\,B}\,
         \ln\frac{\sqrt\alpha + 1}{\sqrt\alpha - 1}
 
-tends to 0 with the window as it must, whatever the damping.  A front is called stable if all
-multipliers except for translation lie inside the unit circle.  An instability would be a multiplier
-outside that stays in place as B grows.
+tends to 0 with the window as it must, whatever the damping.  A front is stable if all
+multipliers except for translation lie inside the unit circle for every B.  An instability would be
+a multiplier outside that stays in place as B grows.  Finitely many windows can only find none.
 
 Section 6 of the paper is not in our copy: the definition above is ours.
 """
@@ -252,7 +252,4 @@ def _verdict(values, residual):
     outside = int(np.sum(np.abs(values[1:]) > 1.0))
     if outside:
         return f"unstable: {outside} multipliers outside the unit circle, the largest {radius:.6f}"
-    return (
-        "stable: except for translation, all multipliers lie inside the unit circle, the largest "
-        f"at {radius:.6f}"
-    )
+    return f"no unstable multiplier found: except for translation, the largest is {radius:.6f}"
