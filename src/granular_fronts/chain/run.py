@@ -183,7 +183,7 @@ def make_beads(scene: Mapping[str, Any]) -> Beads:
     """Masses, factors of contacts and body force of a scene, by its patterns."""
     count, contacts = bead_count(scene), scene.get("contacts", {})
     gravity = float(scene.get("gravity", 0.0))
-    mass = scene["beads"]["mass"] if isinstance(scene["beads"], Mapping) else 1.0
+    mass = scene["beads"].get("mass", 1.0) if isinstance(scene["beads"], Mapping) else 1.0
     if mass == 1.0 and not contacts:
         return Beads(gravity=gravity)
     ends_held = scene["boundary"]["kind"] not in ("ring", "wall")

@@ -205,9 +205,10 @@ def _probes_are_on_chain(scene: Mapping) -> Iterator[str]:
 
 
 def _arrival_level_can_be_met(scene: Mapping) -> Iterator[str]:
-    """A chain at rest comes to the level at which a front has arrived."""
+    """A chain of equal beads at rest comes to the level at which a front has arrived."""
     level, size = scene["record"].get("arrival_level", 0.0), decades_of_displacement(scene)
-    if scene["start"]["kind"] != "rest" or not math.isfinite(size):
+    unlike = isinstance(scene["beads"], Mapping) or "contacts" in scene
+    if scene["start"]["kind"] != "rest" or unlike or not math.isfinite(size):
         return
     if decades(level) > size + math.log10(LARGEST_OVERSHOOT):
         driving = 10.0**size
