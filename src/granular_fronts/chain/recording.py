@@ -61,13 +61,13 @@ def _probe_samples(scene):
     return probes, np.concatenate([[], *times]), np.concatenate([[], *beads]).astype(np.int64)
 
 
-def make_recording(scene, ahead, u):
+def make_recording(scene, chain, u):
     """Return arrays for all that the scene records; what is located on the way begins as NaN.
 
-    `ahead` is the compression ahead of the active window, and `u`, shape (columns,), the row of
-    compressions at t = 0.
+    `chain` is a record of type `state.CHAIN`, and `u`, shape (columns,), the row of compressions at
+    t = 0.
     """
-    columns = u.size
+    columns, moving = u.size, u[1 : chain.contacts + 1]
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
     profile_times = np.unique(np.concatenate([snapshots, _grid_times(scene), monitor_times(scene)]))
@@ -81,7 +81,7 @@ def make_recording(scene, ahead, u):
     return recorder.Recording(
         stops=_stops(scene, snapshots),
         profile_times=profile_times,
-        profile_u=np.full((profile_times.size, columns), ahead),
+        profile_u=np.full((profile_times.size, columns), chain.ahead),
         profile_d=np.zeros((profile_times.size, columns)),
         sample_times=times[order],
         sample_beads=beads[order],
@@ -94,7 +94,7 @@ def make_recording(scene, ahead, u):
         opening=passage.copy(),
         largest=largest,
         smallest=smallest,
-        extremes=np.array([-np.inf, np.inf]),
+        extremes=np.array([moving.max(), moving.min()]),
         coefficients=np.zeros(DEGREE + 1),
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),

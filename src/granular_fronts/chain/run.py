@@ -74,7 +74,7 @@ def prepare(scene: Mapping[str, Any]) -> Run:
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain.ahead, table[U])
+    recording = make_recording(scene, chain, table[U])
     _note_openings_at_start(recording, chain.contacts, u, velocity)
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
