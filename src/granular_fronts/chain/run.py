@@ -75,7 +75,8 @@ def prepare(scene: Mapping[str, Any]) -> Run:
             "start down, eq. (27)."
         )
     recording = make_recording(scene, chain, table[U])
-    _note_openings_at_start(recording, chain.contacts, u, velocity)
+    if velocity.any():
+        _note_openings_at_start(recording, chain.contacts, u, velocity)
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
