@@ -224,13 +224,15 @@ def extremes_of_all(recording, contacts):
     }
     rounding = rounding_of(recording, contacts)
     for kind, side in (("largest", 1.0), ("smallest", -1.0)):
-        value, time, bead = candidates(getattr(recording, kind)[:, 1 : contacts + 1])
+        event = getattr(recording, kind)[:, 1 : contacts + 1]
+        values = side * event[[VALUE, RIVAL, END]]
         # Of extremes that are equal up to rounding the first one counts.
-        ties = np.flatnonzero(side * value >= (side * value).max() - rounding)
-        best = ties[np.lexsort((bead[ties], time[ties]))[0]]
-        variables[f"{kind}_relative_displacement"] = value[best]
-        variables[f"{kind}_relative_displacement_time"] = time[best]
-        variables[f"{kind}_relative_displacement_bead"] = bead[best]
+        rows, beads = np.nonzero(values >= values.max() - rounding)
+        times = event[[TIME, RIVAL_TIME, END_TIME]][rows, beads]
+        best = np.lexsort((beads, times))[0]
+        variables[f"{kind}_relative_displacement"] = side * values[rows[best], beads[best]]
+        variables[f"{kind}_relative_displacement_time"] = times[best]
+        variables[f"{kind}_relative_displacement_bead"] = beads[best] + 1.0
     return variables
 
 
