@@ -1,5 +1,6 @@
-"""The wings of the package: no import upward, and no circle, those inside functions included."""
+"""The folders of the package: no import upward, and no circle, those inside functions included."""
 
+import re
 from graphlib import TopologicalSorter
 
 from pages import load_script
@@ -7,7 +8,7 @@ from projects import ROOT
 
 from granular_fronts.numerics.imports import module_files, named_in
 
-WINGS = (
+PACKAGES = (
     "errors",
     "arguments",
     "accuracy",
@@ -32,13 +33,13 @@ IMPORTS = {name: named_in(file) & FILES.keys() for name, file in FILES.items()}
 
 
 def upward(imports):
-    """Imports of a wing by one below it."""
-    height = {name: WINGS.index(name.split(".")[1]) for name in FILES}
+    """Imports of a package by one below it."""
+    height = {name: PACKAGES.index(name.split(".")[1]) for name in FILES}
     return {(low, high) for low in imports for high in imports[low] if height[low] < height[high]}
 
 
-def test_no_wing_imports_one_above_it_and_no_modules_each_other_in_a_circle():
-    assert {name.split(".")[1] for name in FILES} == set(WINGS)
+def test_no_package_imports_one_above_it_and_no_modules_each_other_in_a_circle():
+    assert {name.split(".")[1] for name in FILES} == set(PACKAGES)
     assert upward(IMPORTS) == set()
     low, high = "granular_fronts.numerics.band", "granular_fronts.chain.simulate"
     assert upward({low: [high], high: [low]}) == {(low, high)}
@@ -60,3 +61,14 @@ def test_picture_of_the_architecture_is_that_of_the_code():
     for _, place in script.FLOW:
         if not place.startswith("results"):
             assert any(ROOT.glob(place)), place
+
+
+def test_way_of_figure_1_names_what_its_files_hold():
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    hops = [row.split("|")[2:4] for row in re.findall(r"^\| \d+ \|.*", page, re.MULTILINE)]
+    assert len(hops) == 9
+    for said, where in hops:
+        files = [ROOT / name for name in re.findall(r"`(\S+)`", where)]
+        held = "".join(file.read_text(encoding="utf-8") for file in files)
+        for name in re.findall(r"`(\S+)`", said):
+            assert re.search(rf"\b{name}\b", held), f"{name} is not in {where}"

@@ -36,7 +36,7 @@ def project(tmp_path_factory):
     for subject in SUBJECTS:
         places = [name for name in carry_out(copy, subject) if "/" in name]
         assert len(places) == numbers[subject.split()[-1]]
-    wanted = [command(word)[-1] for word in ("fig26", "front_width.nc", "front_width.md")]
+    wanted = [command(word)[-1] for word in ("fig99", "front_width.nc", "front_width.md")]
     outcome = snakemake("-c2", *wanted, folder=copy)
     assert outcome.returncode == 0, outcome.stderr
     return copy
@@ -45,8 +45,8 @@ def project(tmp_path_factory):
 def test_a_figure_is_added_in_three_places(project):
     figures = project / "results" / "figures"
     drawn = {path.name for path in figures.iterdir()}
-    assert drawn == {f"fig26_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
-    caption = (figures / "fig26_flux_difference.rst").read_text(encoding="utf-8")
+    assert drawn == {f"fig99_flux_difference.{ending}" for ending in ("pdf", "png", "rst", "json")}
+    caption = (figures / "fig99_flux_difference.rst").read_text(encoding="utf-8")
     assert "α = 1.5, 1.1" in caption
 
 
@@ -75,10 +75,10 @@ def test_an_option_is_added_in_two_places(project):
         np.testing.assert_allclose(front["rescaled_force"], [0.5, 0.01], rtol=1e-12)
 
 
-@pytest.mark.parametrize("missing", ["scripts/figures/plot_fig26.py", "report/fig26.rst"])
+@pytest.mark.parametrize("missing", ["scripts/figures/plot_fig99.py", "report/fig99.rst"])
 def test_a_figure_without_one_of_its_places_is_not_drawn(tmp_path, missing):
     project = copy_project(tmp_path)
     carry_out(project, SUBJECTS[0], but=f"workflow/{missing}")
-    outcome = snakemake("fig26", "--dry-run", folder=project)
+    outcome = snakemake("fig99", "--dry-run", folder=project)
     assert outcome.returncode != 0
-    assert "fig26" in outcome.stdout + outcome.stderr
+    assert "fig99" in outcome.stdout + outcome.stderr

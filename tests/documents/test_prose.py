@@ -1,4 +1,4 @@
-"""README and manual are written in sentences of a length that is understood at once."""
+"""README, manual and docstrings are written in sentences that are understood at once."""
 
 import pytest
 from pages import load_script
@@ -22,6 +22,14 @@ def test_sentences_are_short(page):
         assert sum(lengths) / len(lengths) <= SENTENCES.MOST_WORDS_IN_THE_MEAN
 
 
+def test_sentences_of_docstrings_are_short():
+    # The modules of the chain still hold longer ones.
+    for module in (one for one in SENTENCES.sources() if one.parent.name != "chain"):
+        found = SENTENCES.docstring_sentences(module.read_text(encoding="utf-8"))
+        longest = max(found, key=SENTENCES.docstring_words, default="")
+        assert SENTENCES.docstring_words(longest) <= SENTENCES.MOST_WORDS_IN_A_DOCSTRING, module
+
+
 def test_what_counts_as_a_sentence():
     page = """# A heading is none
 
@@ -40,3 +48,27 @@ nor is code
 """
     found = SENTENCES.sentences(page)
     assert [len(SENTENCES.words(one)) for one in found] == [11, 6, 7]
+
+
+def test_what_counts_in_a_docstring():
+    source = """
+def one(x):
+    '''Return :math:`x + y` of a chain in ``code of words``.  Four words are here.
+
+    .. math:: x = y
+
+        - z
+
+    - An entry
+      is one sentence of six words.
+
+    Parameters
+    ----------
+    x : array, shape (beads,)
+        Two words.
+
+    >>> no prose
+    '''
+"""
+    found = SENTENCES.docstring_sentences(source)
+    assert [n for n in map(SENTENCES.docstring_words, found) if n] == [4, 4, 8, 2]

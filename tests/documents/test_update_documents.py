@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pandas as pd
 import pytest
 import update_documents as updating
@@ -75,10 +76,18 @@ def test_blocks_are_replaced_and_nothing_else(updated):
 def test_chosen_numbers_are_shown_and_all_verdicts_counted(updated):
     readme, performance, _ = updated
     for quantity in updating.SHOWN:
-        assert ["", quantity, "0.56", "0.562341", "< 1e-10", "reproduced", ""] in cells(readme)
+        assert ["", quantity, "0.56", "0.562341", "< 1e-11", "reproduced", ""] in cells(readme)
     assert not any("fronts exist" in row for row in cells(readme))
     assert "12 numbers and statements of the paper: **10** reproduced · **2** holds." in readme
     assert ["", "ring", "1e-09", "use it", ""] in cells(performance)
+
+
+@pytest.mark.parametrize("error", [2.07e-3, 1.1e-16, 3.34e-13, 9.9e-12, 1.0])
+def test_a_shown_error_is_the_next_power_of_ten_above_three_times_the_error(error):
+    shown = float(updating.bound(error).removeprefix("< "))
+    assert 3.0 * error <= shown < 30.0 * error
+    assert np.log10(shown) == pytest.approx(round(np.log10(shown)))
+    assert updating.bound(0.0) == "exact"
 
 
 def test_durations_are_sums_of_jobs(updated):

@@ -25,7 +25,7 @@ SHOWN = yaml.safe_load(REFERENCE.read_text(encoding="utf-8"))
 
 
 def test_every_figure_is_drawn_from_a_sample_of_what_the_workflow_names():
-    assert SAMPLES.keys() == LISTED.keys() == SHOWN.keys()
+    assert SAMPLES.keys() == LISTED.keys() == SHOWN.keys(), "see A figure in docs/extending.md"
     for figure, sample in SAMPLES.items():
         assert sample().keys() == LISTED[figure]["data"].keys()
 

@@ -15,6 +15,7 @@ from pictures import assert_curve, assert_labels, assert_plane, curves, image, l
 from PIL import Image
 
 import granular_fronts as gf
+from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.errors import InputError
 from granular_fronts.output.movies import MARK_HEIGHT, moving_chain
 from granular_fronts.output.style import ALARM_COLOUR, TEXT_WIDTH
@@ -116,6 +117,17 @@ def test_a_sweep_of_chains_is_named_by_what_it_measures():
     named = ("gamma", [0.3, 0.1], {"long_name": "first maximum"})
     axes = gf.plot.sweep(xr.Dataset({"overshoot": named}, {"gamma": [0.1, 0.2]}))
     assert_labels(axes, r"$\gamma$", "first maximum", "linear log")
+
+
+def test_label_of_a_sweep_of_chains_fits_beside_it():
+    meaning = KINDS["chain"].scalars["overshoot"]
+    named = ("gamma", [0.3, 0.1], {"long_name": meaning})
+    axes = gf.plot.sweep(xr.Dataset({"overshoot": named}, {"gamma": [0.1, 0.2]}))
+    axes.figure.canvas.draw()
+    assert axes.get_ylabel().split() == meaning.split()
+    label = axes.yaxis.label.get_window_extent()
+    assert axes.figure.bbox.y0 <= label.y0 < label.y1 <= axes.figure.bbox.y1
+    assert axes.figure.bbox.x0 <= label.x0
 
 
 def test_a_sweep_of_any_law_goes_through_a_factor():
@@ -310,6 +322,8 @@ def test_a_notebook_shows_figures_and_moving_pictures_and_keeps_its_looks(motion
 
 # What cannot be drawn.
 
+GRID_OF_CHAINS = xr.Dataset({"overshoot": (("alpha", "gamma"), [[0.1, 0.2]])})
+
 
 @pytest.mark.parametrize(
     ("draw", "given", "words"),
@@ -317,7 +331,8 @@ def test_a_notebook_shows_figures_and_moving_pictures_and_keeps_its_looks(motion
         (gf.plot.front, 3, "front is 3"),
         (gf.plot.front, xr.Dataset(), r"relative_displacement on \(xi\)"),
         (gf.plot.sweep, None, "sweep is None"),
-        (gf.plot.sweep, xr.Dataset(), r"overshoot on \(gamma\)"),
+        (gf.plot.sweep, xr.Dataset(), r"overshoot on \(gamma\): "),
+        (gf.plot.sweep, GRID_OF_CHAINS, r"overshoot on \(gamma\), but on \(alpha, gamma\): "),
         (gf.plot.chain, xr.Dataset(), r"on \(t, bead\): .* snapshots: \[10\]"),
         (gf.plot.space_time, xr.Dataset(), r"relative_displacement_grid .* grid: \{step: 1\}"),
         (gf.plot.animate, xr.Dataset(), r"relative_displacement_grid .* grid: \{step: 1\}"),

@@ -111,7 +111,7 @@ def test_front_is_stable(alpha, gamma, beta):
     assert result.attrs["translation_defect"] == abs(result.values[0] - 1.0)
     radius = result.attrs["spectral_radius_without_translation"]
     assert radius == np.abs(result.values[1:]).max() < 1.0
-    assert result.attrs["verdict"].startswith("stable")
+    assert result.attrs["verdict"].startswith("no unstable multiplier found")
     assert np.all(np.diff(np.abs(result.values[1:])) <= 1.0e-12)
 
 

@@ -17,12 +17,12 @@ from granular_fronts.numerics.compiled import SOURCES, CheckedFiles, cache_folde
 from granular_fronts.numerics.source_code import file_digest
 
 READ = Path.read_bytes
-WINGS = sorted({file.parent.name for file in SOURCES.glob("*/__init__.py")})
+PACKAGES = sorted({file.parent.name for file in SOURCES.glob("*/__init__.py")})
 
 
-def kernels_in(wing):
-    """Names and kernels of all modules of a wing, imported ones among them."""
-    for file in sorted((SOURCES / wing).rglob("*.py")):
+def kernels_in(package):
+    """Names and kernels of all modules of a package, imported ones among them."""
+    for file in sorted((SOURCES / package).rglob("*.py")):
         dotted = ".".join(file.relative_to(SOURCES).with_suffix("").parts)
         module = importlib.import_module(f"granular_fronts.{dotted}")
         for name, value in vars(module).items():
@@ -30,9 +30,9 @@ def kernels_in(wing):
                 yield f"{module.__name__}.{name}", value
 
 
-@pytest.mark.parametrize("wing", WINGS)
-def test_every_kernel_is_cached_under_the_digest_of_its_module(wing):
-    for name, function in kernels_in(wing):
+@pytest.mark.parametrize("package", PACKAGES)
+def test_every_kernel_is_cached_under_the_digest_of_its_module(package):
+    for name, function in kernels_in(package):
         folder = cache_folder(file_of(function.py_func))
         assert Path(function.stats.cache_path).parent == folder, name
 
@@ -114,7 +114,7 @@ COUNT_AFTER_COMPILATION = """
 import sys
 from importlib import import_module
 sys.path[:0] = {tests!r}
-from test_compiled import WINGS, kernels_in
+from test_compiled import PACKAGES, kernels_in
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.continuum.log_kdv_burgers.survey import survey_heteroclinic
 from granular_fronts.scenes.yaml_files import load_configuration
@@ -122,10 +122,10 @@ from granular_fronts.studies.fronts_compared import compare_front
 from granular_fronts.studies.ring_against_equations import compare_with_chain
 
 def count():
-    return {{name: len(f.signatures) for wing in WINGS for name, f in kernels_in(wing)}}
+    return {{name: len(f.signatures) for package in PACKAGES for name, f in kernels_in(package)}}
 
-for wing in ("chain", "continuum", "fronts", "reference_methods"):
-    import_module(f"granular_fronts.{{wing}}.compilation").compile_kernels()
+for package in ("chain", "continuum", "fronts", "reference_methods"):
+    import_module(f"granular_fronts.{{package}}.compilation").compile_kernels()
 before = count()
 scenes = load_configuration({default!r}, {smoke!r})["scenes"]
 solvers = dict(chain=simulate_chain, periodic=compare_with_chain, heteroclinic=survey_heteroclinic,

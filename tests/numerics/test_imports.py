@@ -73,18 +73,18 @@ def test_only_what_draws_stands_on_the_looks_of_figures():
 
 
 def test_imports_inside_functions_and_packages_above_are_found(tmp_path):
-    (tmp_path / "wing").mkdir()
+    (tmp_path / "package").mkdir()
     for name, text in {
-        "wing/__init__": "import beside\n",
-        "wing/kernel": "import numpy\n",
+        "package/__init__": "import beside\n",
+        "package/kernel": "import numpy\n",
         "beside": "import alone\n",
         "alone": "",
         "apart": "",
-        "script": "def step():\n    from wing import (\n        kernel as fast,\n    )\n",
+        "script": "def step():\n    from package import (\n        kernel as fast,\n    )\n",
     }.items():
         (tmp_path / f"{name}.py").write_text(text)
     found = import_closure(["script"], module_files(tmp_path))
-    assert found == {"script", "wing", "wing.kernel", "beside", "alone"}
+    assert found == {"script", "package", "package.kernel", "beside", "alone"}
 
 
 def test_unknown_module_is_refused():

@@ -133,7 +133,7 @@ def test_single_collisions():
 
 def test_ejected_beads():
     answer, (found,) = found_by_half_steps("contact_loss_steel_restitution", 0.1)
-    slow = 1.0 - found.reading / float(answer["reading"].sel(factor=1.0))
+    slow = 1.0 - found.measurement / float(answer["reading"].sel(factor=1.0))
     printed = numbers(r"the last bead is (\S+) % too slow, which reads as (\S+) % more damping")
     assert (100.0 * slow, 100.0 * found.excess) == pytest.approx(printed, abs=0.05)
 

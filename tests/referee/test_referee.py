@@ -17,8 +17,8 @@ from granular_fronts.referee.answers import states
 from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.lammps_deck import _farthest, damping_model, write_deck
+from granular_fronts.referee.measurements import excess_damping, first_peak, read_motion
 from granular_fronts.referee.problems import in_words, load_problems, read_settings
-from granular_fronts.referee.readings import excess_damping, first_peak, read_motion
 from granular_fronts.referee.results_files import Result, read_result
 
 SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
@@ -220,16 +220,16 @@ def test_advice_is_what_the_errors_allow(problem, errors, sentence, unsaid):
 
 
 @pytest.mark.parametrize("motion", ["front", "striker", "contact_loss"])
-def test_readings_are_what_they_are_called(folder, motion):
+def test_measurements_are_what_they_are_called(folder, motion):
     """Of δ = 0.1: the first peak of u in the middle, or the velocity of the last bead."""
     answer = read_dataset(folder / f"{motion}_steel_viscoelastic.nc")
-    reading = float(answer["reading"].sel(factor=1.0))
+    measurement = float(answer["reading"].sel(factor=1.0))
     if motion == "contact_loss":
-        assert reading == float(answer["velocity"][-1, -1]) / 0.1**1.25
+        assert measurement == float(answer["velocity"][-1, -1]) / 0.1**1.25
     else:
         u = answer["relative_displacement"].sel(contact=answer.sizes["bead"] // 2).values / 0.1
         peak = u[np.argmax((u[1:-1] > u[:-2]) & (u[1:-1] > u[2:]) & (u[1:-1] > 0.5)) + 1]
-        assert peak <= reading < 1.01 * peak
+        assert peak <= measurement < 1.01 * peak
 
 
 def test_beads_stay_in_the_box_of_a_deck(problem):
@@ -237,7 +237,7 @@ def test_beads_stay_in_the_box_of_a_deck(problem):
     assert abs(x - x[0]).max() < _farthest(problem.scene)
 
 
-def test_overdamped_front_has_no_reading():
+def test_overdamped_front_has_no_measurement():
     factors = np.array([0.9, 1.0, 1.1])
     for rise in (1e-3, -1e-5):
         assert np.isnan(excess_damping(1.0, factors, 1.0 + rise * np.array([-1.0, 0.0, 1.0])))
@@ -246,15 +246,15 @@ def test_overdamped_front_has_no_reading():
 
 
 def test_peak_between_states_is_close_to_that_of_the_motion():
-    """The number in the docstring of `readings`, for the front that overshoots most."""
+    """The number in the docstring of `measurements`, for the front that overshoots most."""
     problem = PROBLEMS["front_glass_viscoelastic"]
     record = problem.scene["record"]
 
-    def reading(interval):
+    def measurement(interval):
         scene = problem.scene | {"record": record | {"grid": {"step": interval}}}
         return read_motion(problem, *states(simulate_chain(scene)))
 
-    assert 1e-4 < 1.0 - reading(0.5) / reading(0.05) < 1.3e-4
+    assert 1e-4 < 1.0 - measurement(0.5) / measurement(0.05) < 1.3e-4
 
 
 def test_figure_shows_answer_and_results(folder, problem):
@@ -291,8 +291,8 @@ DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\
         (f"{FRONT}_0.1.csv", "t,bead,x\n", "has no column v"),
         (f"{FRONT}_0.1.csv", TABLE + "9" * 200_000, "is no table"),
         (f"{FRONT}_0.1.csv", "t,bead,x,v\n", "holds no states"),
-        (f"{FRONT}_0.1.csv", TABLE[:-1], "does not end with the end of a line"),
-        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-1], "does not end with the end of a line"),
+        (f"{FRONT}_0.1.csv", TABLE[:-1], "ends inside a line"),
+        (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-1], "ends inside a line"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan', so that the run was lost"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,o,0\n", "holds 'o' where a number should be"),
         (f"{FRONT}_0.1.csv", TABLE + "0,1,1,0,5,0,1\n", "has rows of more than 4 numbers"),
@@ -326,8 +326,8 @@ def test_results_of_another_motion_are_named(folder, problem):
     answer, result = read_dataset(folder / f"{FRONT}.nc"), half_steps(problem, 0.1)
     late = result.v.copy()
     late[0, 0] = 0.5 * 0.1 * 0.1**1.5
-    reading = find(problem, answer, result).reading
-    assert find(problem, answer, result._replace(v=late)).reading == reading
+    measured = find(problem, answer, result).measurement
+    assert find(problem, answer, result._replace(v=late)).measurement == measured
     shorter = {"t": result.t[:-1], "x": result.x[:-1], "v": result.v[:-1]}
     for change, sentence in (
         ({"x": result.x[:, 1:]}, "has 15 beads, but the problem has 16"),

@@ -1,4 +1,4 @@
-"""What the half-step scheme does to a front: times, roots, readings, and the checks beside them."""
+"""What the half-step scheme does to a front: times, roots, measurements, and their checks."""
 
 import math
 from types import SimpleNamespace
@@ -159,7 +159,7 @@ def test_level_and_peak_between_two_steps_are_those_of_a_sine():
         assert passing(motion, 1, event) == pytest.approx(exact, abs=1e-5)
 
 
-def test_readings_of_both_chains_are_of_the_same_thing():
+def test_measurements_of_both_chains_are_of_the_same_thing():
     case = CASE._replace(gamma=1e-9)
     fine, (exact, _) = read_motion(case, half_step_chain(case, UNIT / 400)), accurate_chain(case)
     assert fine.peak == pytest.approx(exact.peak, abs=1e-4)

@@ -139,7 +139,7 @@ def panel(sample, axes):
     parts = [
         ("x", [f"{axes.get_xlabel()} {scale(axes.get_xscale(), axes.get_xlim(), axes, 'x')}"]),
         ("y", [f"{axes.get_ylabel()} {scale(axes.get_yscale(), axes.get_ylim(), axes, 'y')}"]),
-        ("title", [axes.get_title(), axes.get_title("left")]),
+        ("title", [axes.get_title(where) for where in ("center", "left", "right")]),
         ("legend", [axes.get_legend() and entries(axes.get_legend())]),
         ("text", annotations(axes)),
         ("rows", [" | ".join(text.get_text() for text in axes.get_yticklabels())] if rows else []),

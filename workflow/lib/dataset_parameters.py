@@ -1,7 +1,7 @@
 """The parameters of each dataset: the part of the configuration that its rule is given.
 
 A figure or a table depends on its data and on their parameters.  When a job fails, Snakemake has
-already removed the dataset, and with it every trace that an earlier figure belongs to other
+already removed the dataset. Then no trace is left that an earlier figure belongs to other
 parameters.
 """
 
@@ -40,7 +40,7 @@ def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
             for family, problems in precision_problems(configuration).items()
         },
         "precision/hard_cases": {"cases": configuration["hard_cases"]},
-        **{f"precision/honesty_{wing}": one for wing, one in configuration["honesty"].items()},
+        **{f"precision/honesty_{kind}": one for kind, one in configuration["honesty"].items()},
         "proofs/fronts": configuration["proofs"]["fronts"],
         "proofs/intervals": configuration["proofs"]["intervals"],
         "proofs/shown_front": shown_front(configuration),

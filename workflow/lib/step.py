@@ -47,7 +47,7 @@ def run_step(
     Parameters
     ----------
     function : callable
-        The step. A ValueError or a full disk ends the run with a sentence only; the log file of the
+        The step. A ValueError or a full disk ends the run with a sentence only. The log file of the
         rule also keeps the traceback.
     snakemake : object, optional
         The object Snakemake puts into a script; none on the command line.
@@ -192,10 +192,8 @@ def load_yaml_or_leaf(text: str) -> Any:
 
 @contextmanager
 def _copied_output(file: str | None) -> Iterator[Callable[[str], None]]:
-    """Copy what the block prints into a log file, and give a function that writes only there.
-
-    What libraries print past Python, to the descriptors 1 and 2, goes only into the log file.
-    """
+    """Copy what the block prints into a log file, and give a function that writes only there."""
+    # What libraries print past Python, to the descriptors 1 and 2, goes only into the log file.
     if file is None:
         yield lambda text: None
         return

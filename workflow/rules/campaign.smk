@@ -66,7 +66,7 @@ rule summarise_campaign:
         "../scripts/campaign/summarise_campaign.py"
 
 
-# The chunks are kept with what is made of them: one that a failed or killed job has lost is then
+# The chunks are kept with what is made of them.  So one that a failed or killed job has lost is
 # missed, even where an older merged file is there.
 rule campaign:
     input:

@@ -5,19 +5,19 @@ rule measure_honesty:
     input:
         kernels=rules.compile_front_kernels.output.stamp,
     output:
-        dataset="<results>/data/precision/honesty_{wing}.nc",
+        dataset="<results>/data/precision/honesty_{kind}.nc",
     params:
-        code=code("measure_honesty", "truth.{wildcards.wing}"),
-        wing="{wing}",
-        problems=lambda wildcards: config["honesty"][wildcards.wing],
+        code=code("measure_honesty", "truth.{wildcards.kind}"),
+        kind="{kind}",
+        problems=lambda wildcards: config["honesty"][wildcards.kind],
     log:
-        "<logs>/measure_honesty/{wing}.log",
+        "<logs>/measure_honesty/{kind}.log",
     benchmark:
-        "<benchmarks>/measure_honesty/{wing}.tsv"
+        "<benchmarks>/measure_honesty/{kind}.tsv"
     message:
-        "Comparing stated errors with true ones: random {wildcards.wing}."
+        "Comparing stated errors with true ones: random {wildcards.kind}."
     wildcard_constraints:
-        wing="|".join(config["honesty"]),
+        kind="|".join(config["honesty"]),
     script:
         "../scripts/precision/measure_honesty.py"
 

@@ -18,12 +18,12 @@ COMPILED = {
 }
 
 
-def stamps(wings):
+def stamps(packages):
     """Return the stamps of the kernels of some packages."""
-    return [STAMPS[wing] for wing in wings]
+    return [STAMPS[package] for package in packages]
 
 
-for wing, (compiling, wings, below, what) in COMPILED.items():
+for package, (compiling, packages, below, what) in COMPILED.items():
 
     rule:
         name:
@@ -31,10 +31,12 @@ for wing, (compiling, wings, below, what) in COMPILED.items():
         input:
             kernels=stamps(below),
         output:
-            stamp=STAMPS[wing],
+            stamp=STAMPS[package],
         params:
-            code=code("compile_kernels", *(f"granular_fronts.{one}.compilation" for one in wings)),
-            wings=wings,
+            code=code(
+                "compile_kernels", *(f"granular_fronts.{one}.compilation" for one in packages)
+            ),
+            packages=packages,
         log:
             f"<logs>/{compiling}.log",
         benchmark:

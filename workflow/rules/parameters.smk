@@ -37,7 +37,7 @@ def check_history():
     """Refuse results of other parameters or code of which Snakemake has no history.
 
     What Snakemake knows of a file lies in .snakemake. Where that is lost, or the results come from
-    elsewhere, it would take any figure for one of the present configuration and code.
+    elsewhere, any figure would count as one of the present configuration and code.
     """
     if glob(".snakemake/metadata/*"):
         return

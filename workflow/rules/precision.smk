@@ -1,6 +1,6 @@
 """Speed against error; a target of its own, since a timing must run alone.
 
-A family of problems is measured by one job, which takes all cores so that nothing runs beside it.
+A family of problems is measured by one job, which takes all cores so that nothing else runs.
 """
 
 

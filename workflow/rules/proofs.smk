@@ -1,7 +1,7 @@
 """Fronts that are proved: certificates, what they prove, and the junctions of intervals of γ.
 
-Certificates lie under <results>/proofs and are no outputs: a job that was stopped goes on from its
-last one, after it has proved again from their files those that are there.
+Certificates lie under <results>/proofs and are no outputs. A job that was stopped first proves
+those files again, and goes on from the last one.
 """
 
 from proof_chunks import chunk_name, proof_chunks

@@ -1,5 +1,7 @@
-"""Scenes, a dataset each: chains (section 3.3 of the paper), rings and their amplitude equations
-(section 4), heteroclinic orbits (section 5) and exact fronts of the lattice (section 6).
+"""Scenes, a dataset each; in brackets the section of the paper.
+
+They are chains (3.3), rings and their amplitude equations (4), heteroclinic orbits (5) and exact
+fronts of the lattice (6).
 """
 
 # For each family: the rule and its script, the packages whose kernels it needs, its priority, its words.
@@ -22,13 +24,13 @@ def scene_of(family):
 
 
 for folder, family in FAMILIES.items():
-    solving, wings, urgency, words = SOLVED_BY[family]
+    solving, packages, urgency, words = SOLVED_BY[family]
 
     rule:
         name:
             solving
         input:
-            kernels=stamps(wings),
+            kernels=stamps(packages),
         output:
             dataset=f"<results>/data/{folder}/{{scene}}.nc",
         params:

@@ -1,7 +1,7 @@
 """Compile the kernels of some packages, so that jobs that start together find them ready.
 
 About twenty seconds once, then one:
-python workflow/scripts/compile_kernels.py --wings chain --stamp kernels.json
+python workflow/scripts/compile_kernels.py --packages chain --stamp kernels.json
 """
 
 import json
@@ -17,21 +17,21 @@ from granular_fronts.output.files import complete_file
 from step import run_step
 
 
-def compile_kernels(wings: list[str], stamp: Path) -> None:
+def compile_kernels(packages: list[str], stamp: Path) -> None:
     """Fill the cache of compiled kernels.
 
     Parameters
     ----------
-    wings : list of str
+    packages : list of str
         Folders of the package, each with a module `compilation`.
     stamp : Path
         JSON file that says with which numba, and in how many seconds.
     """
     start = time.perf_counter()
-    for wing in wings:
+    for package in packages:
         known = [file.parent.name for file in SOURCES.glob("*/compilation.py")]
         import_module(
-            f"granular_fronts.{choice('a wing', wing, known)}.compilation"
+            f"granular_fronts.{choice('a package', package, known)}.compilation"
         ).compile_kernels()
     seconds = round(time.perf_counter() - start, 3)
     with complete_file(stamp) as unfinished:

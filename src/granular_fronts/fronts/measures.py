@@ -42,10 +42,8 @@ def smallest_velocity_behind(front):
 
 
 def _vertex(values, sign):
-    """Return the largest (sign 1) or smallest (−1) value, by the parabola through three points.
-
-    The error is as large as what the parabola adds to the grid.
-    """
+    """Return the largest (sign 1) or smallest (−1) value, by the parabola through three points."""
+    # The error is as large as what the parabola adds to the grid.
     top = int(np.argmax(sign * values))
     left, middle, right = values[top - 1 : top + 2]
     rise = 0.125 * (left - right) ** 2 / (2.0 * middle - left - right)

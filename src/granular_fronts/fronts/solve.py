@@ -1,8 +1,8 @@
 """Exact fronts of a chain as data: the public functions.
 
-Two powers are given by their exponents and γ, in units where the compression behind is 1; γ from a
-run at another δ with β = α is multiplied by δ^((α − 1)/2), James (2021), eq. (30).  Any law is
-given as such, together with the strains that its front joins.
+Two powers are given by their exponents and γ, in units where the compression behind is 1. For β =
+α, γ of a run at another δ is multiplied by δ^((α − 1)/2), James (2021), eq. (30).  Any law is given
+as such, together with the strains that its front joins.
 """
 
 from __future__ import annotations

@@ -3,8 +3,8 @@
 The fronts are solved from strong to weak damping on one grid, compiled.  The window follows the
 tail, and the start of each front is extrapolated from those before (`numerics.extrapolation`).  For
 close neighbours two steps of Newton's iteration are left.  If the iteration does not settle, the
-grid becomes too coarse or another check fails, the sweep starts anew at that damping, with another
-window and grid.  So it does for a front whose error is too large.  If this fails too, the values
+grid becomes too coarse or another check fails, the sweep starts anew at that damping. So it does
+for a front whose error is too large. Window and grid are then new.  If this fails too, the values
 are NaN with a reason, and the sweep goes on.
 
 Accuracy.  Every stretch is swept again on a finer grid, by another order, on a longer window
@@ -69,8 +69,8 @@ MARGIN = 3.0  # sites kept ahead of where s reaches its end
 
 ERROR_METHOD = (
     f"change in a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
-    "on grids finer by 1.4 or more and windows longer by 1.1, or if larger what the error of the "
-    "strain makes of the number"
+    "on grids finer by 1.4 or more and windows longer by 1.1. If larger, what the error of the "
+    "strain makes of it"
 )
 
 
@@ -107,7 +107,7 @@ def sweep_fronts(
         `dissipated_power`, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
         `tail_frequency`, real and imaginary part of the slowest tail exponent; `converged` (0 or 1)
         and `reason`.  The `error_estimate` of the strain explains the changes of overshoot, width
-        and dissipated power; where it is too large, it is the difference of the strain.  Units
+        and dissipated power. Where it is too large, it is the difference of the strain.  Units
         belong to the law.
 
     Raises
@@ -225,10 +225,8 @@ def _split(values):
 
 
 def _estimates(problem, values, others):
-    """Return the error of the strain that explains the changes of overshoot, width and power.
-
-    The slope feels rounding, which differs from point to point, more than any other error.
-    """
+    """Return the error of the strain that explains the changes of overshoot, width and power."""
+    # The slope feels rounding, which differs from point to point, more than any other error.
     (found, sensitivities), (again, _) = _split(values), _split(others)
     errors = np.delete(np.abs(found - again) / sensitivities, MEASURES.index("slope"), axis=0)
     # Three numbers may agree by chance where a whole front does not.

@@ -96,8 +96,8 @@ def check_front_of_powers(front):
     if not {"alpha", "beta", "gamma"} <= front.attrs.keys() or front.attrs.get("right_state"):
         raise InputError(
             f"front has the law {front.attrs.get('law')} and joins R = "
-            f"{front.attrs.get('state_behind')} to {front.attrs.get('state_ahead')}, but its "
-            "multipliers are known only for two powers from compression 1 into a chain at rest: "
+            f"{front.attrs.get('state_behind')} to {front.attrs.get('state_ahead')}. "
+            "Multipliers are known only for two powers from compression 1 into a chain at rest: "
             "give such a front, scaled by eq. (30)."
         )
     return front
@@ -105,6 +105,12 @@ def check_front_of_powers(front):
 
 def check_grid(front):
     """Refuse a front that is not on the grid of its solution, from end to end."""
+    if front["relative_displacement"].dims != ("xi",) or not front.sizes["xi"]:
+        raise InputError(
+            f"front has relative_displacement of shape {front['relative_displacement'].shape}, "
+            "but must have points along xi alone: "
+            "evaluate the front as it was solved, and thin, crop or shift the values."
+        )
     xi, u = front["xi"].values, front["relative_displacement"].values
     spacing, middle = front.attrs.get("spacing", math.nan), int(np.argmin(np.abs(xi)))
     behind, ahead = (-front.attrs.get(f"state_{end}", math.nan) for end in ("behind", "ahead"))
@@ -117,9 +123,9 @@ def check_grid(front):
         )
     if not (off_grid <= SAME * spacing and off_state <= SAME * max(abs(behind), abs(ahead))):
         raise InputError(
-            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but "
-            f"solve_front steps by {spacing:g} sites, from rest to rest, half-way at xi = 0: "
-            "evaluate the front as it was solved, and thin, crop or shift the values."
+            f"front has {xi.size} points on xi, from {xi[0]:g} to {xi[-1]:g}, but solve_front "
+            f"steps by {spacing:g} sites, from rest to rest, half-way at xi = 0. Evaluate the "
+            "front as it was solved, and thin, crop or shift the values."
         )
 
 

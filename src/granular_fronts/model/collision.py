@@ -219,10 +219,8 @@ def _integrated(nu, strength, largest_step):
 
 
 def _log_restitution_by(damping, method, least, creeps=False):
-    """Return logarithm of e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances.
-
-    Below `least` ln ρ counts as −∞; where a motion `creeps` the beads never part once θ' ≤ 0.
-    """
+    """Return ln e for a damping g(ln ρ, sin θ), by a solver of SciPy with its tolerances."""
+    # Below `least` ln ρ counts as −∞; where a motion `creeps` the beads never part once θ' ≤ 0.
     theta, log_radius = _approach(damping, method, least, creeps)
     return _part(damping, theta, log_radius, method) if theta >= 0.5 * math.pi else -math.inf
 
@@ -233,10 +231,8 @@ def _steepest(nu):
 
 
 def _slow_strength(nu):
-    """Return G above which the start is forgotten on the slow curve, for ν above 1/2.
-
-    The neighbours of the curve approach it by exp(−Λ), Λ ≈ (ν 2^(1 − 1/ν) G^(1/ν) − 1)/(2 − 1/ν).
-    """
+    """Return G above which the start is forgotten on the slow curve, for ν above 1/2."""
+    # The neighbours of the curve approach it by exp(−Λ), Λ ≈ (ν 2^(1 − 1/ν) G^(1/ν) − 1)/(2 − 1/ν).
     # Near ν = 1/2 the curve is followed only where G clearly exceeds 4: hence 8 in place of 1.
     contraction = 8.0 + FORGETTING * (2.0 - 1.0 / nu)
     return (contraction / (nu * 2.0 ** (1.0 - 1.0 / nu))) ** nu

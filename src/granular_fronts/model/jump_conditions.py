@@ -15,10 +15,10 @@ eqs. (13), (17) and (12): the speed does not depend on W.  Generalised Hertz wit
 -\delta`, :math:`R_+ = 0` gives (21)-(23).  A uniform velocity may be added to all beads.
 
 Dissipation.  The balance (9), integrated over the front, is :math:`S/c = \int (\delta^+X')^2\,
-W''(\delta^+X)\,d\xi \ge 0` (16).  Hence the power lost in the whole front,
-:math:`\sum_n (\delta^+\dot x_n)^2\, W''(\delta^+x_n)` averaged over the passage of one bead, is
-:math:`cS = |cS|`, and each bead that the front passes costs the energy :math:`|S|`, whatever W; for
-Hertz :math:`\delta^{\alpha+1}|\alpha-1|k/(2(\alpha+1))`.
+W''(\delta^+X)\,d\xi \ge 0` (16).  Hence the power lost in the whole front, :math:`\sum_n
+(\delta^+\dot x_n)^2\, W''(\delta^+x_n)` averaged over the passage of one bead, is :math:`cS =
+|cS|`.  Each bead that the front passes costs the energy :math:`|S|`, whatever W; for Hertz
+:math:`\delta^{\alpha+1}|\alpha-1|k/(2(\alpha+1))`.
 
 Close states.  The differences above lose all digits as :math:`[\![R]\!] \to 0`.  With
 :math:`r(s) = R_- + s[\![R]\!]` they are integrals, where nothing cancels:
@@ -371,8 +371,8 @@ def _check_dissipation(potential, dissipation, area, R_minus, R_plus):
         return
     if abs(area.value) > area.error:
         raise InputError(
-            "Nothing dissipates between the states.  A front of a conservative chain then needs "
-            f"the signed area (20) to be 0, but it is {area.value:.6g}, as where V''' has one "
+            "Nothing dissipates between the states.  A front of a conservative chain needs "
+            f"the signed area (20) to be 0, but it is {area.value:.6g}, as for V''' of one "
             "sign (James 2021, Remark 4): add dissipation."
         )
     raise InputError(

@@ -129,10 +129,10 @@ class Parameter(NamedTuple):
 class Kind(NamedTuple):
     """A potential by name, factor × shape.
 
-    `title` is for messages; `shape` is a function ``shape(r, order, p)``; `parameters` are those of
-    the shape in the order of p, and `factor`, the one that multiplies it (None for the factor 1);
-    `kinks` are the strains at which the shape is not smooth, whose passages chains locate; `domain`
-    makes of p the open interval of r in which the shape holds.
+    `title` is for messages.  `shape` is a function ``shape(r, order, p)``, `parameters` are its own
+    in the order of p.  `factor` multiplies it (None for 1).  `kinks` are the strains at which it is
+    not smooth; chains locate their passages.  `domain` makes of p the open interval of r where it
+    holds.
     """
 
     title: str

@@ -11,9 +11,9 @@ or by the kinds of its potentials (see `model.kinds`), and Python by the same ma
 
     law: {elastic: {kind: toda, rate: 2}, viscous: {kind: linear, gamma: 0.3}}
 
-Four viscous kinds depend on the elastic potential: none; proportional, :math:`W' = \gamma V'`, for
-which one evaluation of the force serves both; kuwabara_kono, the same for a Hertz potential, that
-is :math:`\beta = \alpha`; and simon_hunt_crossley, :math:`\beta = \alpha + 1`.
+Four viscous kinds depend on the elastic potential.  They are none; proportional, :math:`W' = \gamma
+V'`; kuwabara_kono, the same for a Hertz potential, :math:`\beta = \alpha`; and simon_hunt_crossley,
+:math:`\beta = \alpha + 1`.  One evaluation of the force serves both where they are proportional.
 """
 
 from __future__ import annotations
@@ -192,7 +192,7 @@ def _make_long(elastic=None, viscous=None):
     if dependent.of_hertz and elastic.shape is not kinds.hertz:
         raise InputError(
             f"The viscous potential is of kind {name}, which belongs to the elastic kind hertz, "
-            f"but the elastic one is {elastic.name}: take kind proportional, or hertz."
+            f"but the elastic one is {elastic.name}: take proportional, or hertz."
         )
     return Law(elastic, dependent.make(elastic, **values))
 

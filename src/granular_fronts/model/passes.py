@@ -54,7 +54,7 @@ from granular_fronts.numerics.vector_functions import exponential, exponential_l
 NEGLIGIBLE = 1.0e-60
 
 # Disagreement of compiled code with Python that rounding may explain, relative to the number and to
-# the largest one: functions with a difference of near numbers lose digits.
+# the largest one. Functions with a difference of near numbers lose digits.
 OF_NUMBER, OF_LARGEST = 1.0e-7, 1.0e-10
 
 ROW = types.CPointer(types.float64)

@@ -179,8 +179,8 @@ class Potential:
         Raises
         ------
         InputError
-            If it is no expression of SymPy (a text would run as Python), has other symbols or no
-            numbers, or fails the check of `Potential`.
+            If it is no expression of SymPy (a text would run as Python), or has other symbols or no
+            numbers. If it fails the check of `Potential`.
         ModuleNotFoundError
             Without SymPy.
 

@@ -9,8 +9,8 @@ replaces `skipped` more, where `skipped` is at least `lower`.  Or nothing is lef
 is the number of rows.
 
 A row that is ready is subtracted from all rows below it before the next one.  These differ, so that
-no entry waits for the one before.  Loops run over slices with unsigned indices, which is what the
-compiler needs to see that neighbouring entries lie side by side in memory.
+no entry waits for the one before.  Loops run over slices with unsigned indices. So the compiler
+sees that neighbouring entries lie side by side in memory.
 """
 
 from numba import int64, uint64

@@ -2,9 +2,9 @@ r"""Least squares with a banded matrix, by Householder reflections.
 
 Minimise :math:`\|Ax - b\|_2` for a matrix of m rows and n ≤ m columns with
 :math:`a_{ij} = 0` outside :math:`-p \le j - i \le q`.  Column by column a reflection of the p + 1
-rows j … j + p clears what lies below the diagonal, so that R has p + q diagonals above it, and the
-work is of order :math:`n\,p\,(p + q)`.  The normal equations would square the condition number,
-and would lose half of the digits of a front whose tail is long.
+rows j … j + p clears what lies below the diagonal.  So R has p + q diagonals above it, and the work
+is of order :math:`n\,p\,(p + q)`.  The normal equations would square the condition number, and
+would lose half of the digits of a front whose tail is long.
 
 Storage.  Row i holds its entries from column i − p on: `rows[i, j - i + p]`, of width 2p + q + 1,
 the last p of which are room for R.

@@ -2,17 +2,17 @@
 
 Numba notices a change in the file of a compiled function, but not in the files of the functions it
 calls.  Here the cache folder of a kernel carries a digest of its own module and of all that this
-one imports, so that stale machine code cannot be used, and a change in a module leaves the kernels
-alone that do not stand on it.
+one imports.  So no stale machine code is used, and a change in a module leaves unrelated kernels
+alone.
 
-Numba compiles a function once for each type of its arguments, and to it a literal integer is a type
-of its own: callers write ``int64(2)`` where others pass a variable.
+Numba compiles a function once for each type of its arguments.  A literal integer is a type of its
+own, so callers write ``int64(2)`` where others pass a variable.
 
 The cache may be kept from run to run, and passed between machines.  The key of a folder is the
-digest of the code and the versions of numba, llvmlite and NumPy, whose functions and tables kernels
-contain; numba adds the processor and the version of Python.  What does not fit, or is damaged, is
-compiled anew: each file ends with a digest of its contents, since numba takes whatever lies there
-for machine code.
+digest of the code and the versions of numba, llvmlite and NumPy, whose functions kernels contain.
+Numba adds the processor and the version of Python.  What does not fit, or is damaged, is compiled
+anew.  Each file ends with a digest of its contents, since numba takes whatever lies there for
+machine code.
 """
 
 import functools
@@ -40,7 +40,7 @@ SOURCES = Path(__file__).parents[1]
 
 MODULES = module_files(SOURCES.parent)
 
-WINGS_IN_WORDS = {
+PACKAGES_IN_WORDS = {
     "chain": "the chain",
     "continuum": "the amplitude equations",
     "fronts": "the exact fronts",
@@ -50,7 +50,7 @@ WINGS_IN_WORDS = {
 }
 
 # Of each function that `kernel` compiles; a user's functions are not among them.
-_wing_of_kernel = {}
+_package_of_kernel = {}
 
 DIGEST_SIZE = hashlib.sha256().digest_size
 
@@ -90,20 +90,20 @@ class CheckedFiles(caching.IndexDataCacheFile):
 
 
 class _CompilationNotice(event.Listener):
-    """Says for each wing, once in a process, that kernels of it are compiled."""
+    """Says for each package, once in a process, that kernels of it are compiled."""
 
     def __init__(self):
         self.depth = 0
         self.announced = set()
 
     def on_start(self, event):
-        """Announce the wing of a kernel, unless it is compiled for another that calls it."""
-        wing = _wing_of_kernel.get(event.data["dispatcher"].py_func)
-        if self.depth == 0 and wing and wing not in self.announced:
-            self.announced.add(wing)
+        """Announce the package of a kernel, unless it is compiled for another that calls it."""
+        package = _package_of_kernel.get(event.data["dispatcher"].py_func)
+        if self.depth == 0 and package and package not in self.announced:
+            self.announced.add(package)
             print(
-                f"Compiling the kernels of {WINGS_IN_WORDS.get(wing, wing)}; this happens once "
-                "and takes up to a minute.",
+                f"Compiling the kernels of {PACKAGES_IN_WORDS.get(package, package)}; "
+                "this happens once and takes up to a minute.",
                 file=sys.stderr,
                 flush=True,
             )
@@ -126,7 +126,7 @@ def kernel(function=None, /, **options):
 
     def compile_cached(function):
         numba.config.CACHE_DIR = str(cache_folder(file_of(function)))
-        _wing_of_kernel[function] = _wing_of(function)
+        _package_of_kernel[function] = _package_of(function)
         return numba.njit(cache=True, **options)(function)
 
     return compile_cached(function) if function else compile_cached
@@ -137,9 +137,9 @@ def subroutine(function=None, /, **options):
 
     The wrappers by which Python could call it take a sixth of the time of compilation.
 
-    What fuses multiply and add, and whatever calls it up to a kernel, asks for `forceinline`: each
-    kernel that calls a function carries a copy of it, which may fuse otherwise, and of several
-    copies in a process any may run.
+    What fuses multiply and add, and whatever calls it up to a kernel, asks for `forceinline`.  Each
+    kernel carries a copy of a function that it calls, which may fuse otherwise.  Of several copies
+    in a process any may run.
     """
 
     def compile_without_wrappers(function):
@@ -164,7 +164,7 @@ def file_of(function):
     return Path(function.__code__.co_filename)
 
 
-def _wing_of(function):
+def _package_of(function):
     """The folder of the package that a function stands in, or the folder of its file elsewhere."""
     file = file_of(function)
     return file.relative_to(SOURCES).parts[0] if SOURCES in file.parents else file.parent.name
@@ -186,9 +186,9 @@ def callback(signature, **options):
 @functools.cache
 def cache_folder(file):
     """Folder of the machine code of a file's kernels, in NUMBA_CACHE_DIR or the user's cache."""
-    # A kernel may stand outside the package, beside others that it calls, in a test for example.
-    beside = {one.stem: one for one in file.parent.glob("*.py")}
-    modules = MODULES if file in MODULES.values() else {**MODULES, **beside}
+    # A kernel may stand outside the package with others that it calls, in a test for example.
+    near = {one.stem: one for one in file.parent.glob("*.py")}
+    modules = MODULES if file in MODULES.values() else {**MODULES, **near}
     [name] = [name for name, path in modules.items() if path == file]
     files = [modules[one] for one in import_closure([name], modules)]
     versions = f"numba{numba.__version__}_llvmlite{llvmlite.__version__}_numpy{np.__version__}"

@@ -5,11 +5,11 @@ the last ones, :math:`u = \sum_i w_i u_i` with
 
 .. math:: w_i = \prod_{j \ne i} \frac{\ln\gamma - \ln\gamma_j}{\ln\gamma_i - \ln\gamma_j} .
 
-Errors of the fronts are magnified by :math:`\sum_i |w_i|`, which is 15 for four at equal distances;
-where it would be more than `LARGEST_WEIGHT`, fewer fronts are taken.
+Errors of the fronts are magnified by :math:`\sum_i |w_i|`, which is 15 for four at equal distances.
+Fewer fronts are taken where it would be more than `LARGEST_WEIGHT`.
 
-The fronts lie in the rows of an array, front k in row k modulo their number, all with their middle
-at the same column.  Columns behind a front hold 1, columns ahead the state there.
+The fronts lie in the rows of an array, front k in row k modulo their number.  Their middles are at
+the same column.  Columns behind a front hold 1, columns ahead the state there.
 """
 
 import numpy as np

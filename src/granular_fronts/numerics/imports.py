@@ -1,9 +1,9 @@
 """Find the files that a script or a kernel needs, from imports and without running any.
 
-Let D(m) be the modules that the text of module m names in its import statements, those inside
-functions too, each with the packages above it, whose ``__init__`` runs first.  A module s needs the
-smallest set S that holds s and, with each m, all of D(m).  Modules outside the given folders belong
-to no S: an environment pins them.
+Let D(m) be the modules named in the import statements of module m, those inside functions too. Each
+comes with the packages above it, whose ``__init__`` runs first.  A module s needs the smallest set
+S that holds s and, with each m, all of D(m).  Modules outside the given folders belong to no S: an
+environment pins them.
 
 A module that is named in a string, not in an import statement, must be given with the script.
 """

@@ -8,11 +8,11 @@ The profile equation (`profile`) needs, at each grid point ξ, the three integra
     \int_{-1}^{1} \operatorname{sgn}(s)\, Q(\xi - s)\,ds, \qquad
     \int_{0}^{1} P(\xi - s)\,ds .
 
-On every cell of the grid the function is replaced by the polynomial through the `order` points
-around it, half of them on each side.  Its product with the kernel, which is linear there, is
-integrated exactly.  The weights are rational numbers, computed as such once per grid.  The rule is
-exact for polynomials of degree below `order`, with an error of the order h^order.  The spacing h
-may be any rational number, above 1 too: then the kernel covers parts of two cells only.
+On every cell of the grid the function is replaced by a polynomial. It goes through the `order`
+points around the cell, half of them on each side.  Its product with the kernel, which is linear
+there, is integrated exactly.  The weights are rational numbers, computed as such once per grid.
+The rule is exact for polynomials of degree below `order`, with an error of the order h^order.  The
+spacing h may be any rational number, above 1 too: then the kernel covers parts of two cells only.
 """
 
 import functools
@@ -68,10 +68,8 @@ def _one_sided(spacing, order):
 
 @functools.cache
 def _moments(order, end):
-    """Return ∫_0^end L(t) dt and ∫_0^end t L(t) dt of cardinal polynomials, one denominator.
-
-    The result is the array of numerators, shape (2, order), and the denominator.
-    """
+    """Return ∫_0^end L(t) dt and ∫_0^end t L(t) dt of cardinal polynomials, one denominator."""
+    # The result is the array of numerators, shape (2, order), and the denominator.
     coefficients, denominator = _cardinals(order)
     integrals = [[end ** (k + i) / (k + i) for k in range(order)] for i in (1, 2)]
     common = math.lcm(*(integral.denominator for row in integrals for integral in row))

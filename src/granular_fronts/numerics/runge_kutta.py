@@ -17,7 +17,7 @@ so that only :math:`u` enters the nonlinear terms.  An explicit Runge-Kutta meth
 
 It is the same method, rounded differently: half of the stored slopes and half of the memory
 traffic disappear.  The error estimates of the pair and its continuous extension of order 7 are
-linear in the slopes too, and go through the same algebra: for a weight vector :math:`e` the
+linear in the slopes too.  They go through the same algebra: for a weight vector :math:`e` the
 combination in :math:`u` has the weights :math:`h\gamma e` on :math:`g` and :math:`h^2 eA` on
 :math:`k`.
 
@@ -28,16 +28,17 @@ that it does not use are zero.  The new state and the error estimates use only t
 `FINAL_STAGES`.
 
 Step control.  Where the state travels from one bead to the next the error of a step oscillates.
-The step therefore grows by :math:`0.9\,e^{-1/16}` only, with e the error in units of the tolerance,
-and by the square of this where e is below `SMALL_ERROR`; after a rejection it shrinks by
-:math:`0.9\,e^{-1/8}`.
+The step therefore grows by :math:`0.9\,e^{-1/16}` only, with e the error in units of the tolerance.
+It grows by the square of this where e is below `SMALL_ERROR`, and shrinks by :math:`0.9\,e^{-1/8}`
+after a rejection.
 
 The coefficients are those of the code DOP853 of Hairer, Nørsett and Wanner (1993),
 *Solving Ordinary Differential Equations I*, section II.10, read from `scipy.integrate.DOP853`.
 
 Continuous extension.  With :math:`\theta = (t - t_0)/h \in [0, 1]` the solution is
-:math:`y_0 + h\sum_j b_j(\theta) K_j` with polynomials :math:`b_j` of degree 7 over sixteen slopes:
-the twelve stages, the slope at the new point, and three stages computed only where output falls.
+:math:`y_0 + h\sum_j b_j(\theta) K_j` with polynomials :math:`b_j` of degree 7 over sixteen slopes.
+These are the twelve stages, the slope at the new point, and three stages computed only where output
+falls.
 """
 
 import numpy as np
@@ -68,10 +69,9 @@ def _coefficient_matrix():
 
 
 def _continuous_weights():
-    r"""Return the monomial coefficients of :math:`b_j(\theta)`, shape (DEGREE + 1, SLOPES).
-
-    DOP853 nests its interpolant as θ(F₀ + (1 − θ)(F₁ + θ(F₂ + …))); here the nest is unfolded once.
-    """
+    r"""Return the monomial coefficients of :math:`b_j(\theta)`, shape (DEGREE + 1, SLOPES)."""
+    # DOP853 nests its interpolant as θ(F₀ + (1 − θ)(F₁ + θ(F₂ + …))); here the nest is unfolded
+    # once.
     b = np.zeros(SLOPES)
     b[:STAGES] = DOP853.B
     first, new = np.eye(SLOPES)[0], np.eye(SLOPES)[NEW_SLOPE]

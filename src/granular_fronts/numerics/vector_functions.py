@@ -21,11 +21,11 @@ cancels where x is small.  Adding :math:`1.5\cdot2^{52}` rounds :math:`x/\ln2` t
 the last bits of the sum.
 
 Power.  :math:`x^a = e^{a \ln x}` multiplies the relative error of the logarithm by
-:math:`a \ln x`, so the logarithm carries a second double for its own rounding.  Its leading part
-is :math:`k \ln 2 + 2s`: the remainder of the division s and the rounding of the sum are exact, and
-what follows, :math:`s R(s^2)`, is a hundred times smaller than s.  The product with a is split in
-the same way.  What is left is the rounding of r and of the last sum, about one unit of the last
-place together.
+:math:`a \ln x`, so the logarithm carries a second double for its own rounding.  Its leading part is
+:math:`k \ln 2 + 2s`.  The remainder of the division s and the rounding of the sum are exact.  What
+follows, :math:`s R(s^2)`, is a hundred times smaller than s.  The product with a is split in the
+same way.  What is left is the rounding of r and of the last sum, about one unit of the last place
+together.
 """
 
 import math
@@ -105,7 +105,7 @@ def _reduced_argument(x):
 def exponential(x):
     """Return e^x for a loop that is to be vectorised: no branch, no call.
 
-    The error is below two units of the last place.  x is above −1e20, which is not checked; the
+    The error is below two units of the last place.  That x is above −1e20 is not checked. The
     result is infinite above 1023.5 ln 2, 709.4, and about 0 below −708.
     """
     r, scale = _reduced_argument(x)

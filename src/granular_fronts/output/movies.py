@@ -144,7 +144,7 @@ def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[A
     """A figure of a motion on its space-time grid, and what shows a row of the grid in it.
 
     Circles are beads, where they are.  Below are relative displacements and velocities against the
-    bead number; open contacts are marked at the lower edge, where the law lets them open.  What
+    bead number.  Open contacts are marked at the lower edge, where the law lets them open.  What
     shows a row returns the artists that it has changed.
     """
     fields = moving_parts(motion, "_grid")
@@ -181,10 +181,8 @@ def moving_chain(motion: xr.Dataset) -> tuple[Figure, Callable[[int], Sequence[A
 def _draw_strip(
     axes: Axes, fields: dict[str, xr.DataArray]
 ) -> tuple[EllipseCollection, Callable[[int], None]]:
-    """Circles for beads, blue where they are compressed and red before a gap, and what moves them.
-
-    All move by the same multiple of their displacements.
-    """
+    """Circles for beads, blue where compressed and red before a gap, and what moves them."""
+    # All move by the same multiple of their displacements.
     u, velocity = fields.values()
     first = velocity.isel(bead=0).cumulative_integrate("t_grid").values
     # Contact n lies between beads n and n + 1.

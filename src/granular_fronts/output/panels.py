@@ -85,7 +85,7 @@ def draw_spacetime(
 
 
 def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
-    """Write the names of a front and of its reflection beside their ways in the (n, t) plane."""
+    """Write the names of a front and of its reflection next to their ways in the (n, t) plane."""
     last, arrival = int(arrivals["bead"][-1]), float(arrivals.max())
     edge = [withStroke(linewidth=2, foreground="white")]
     axes.text(0.56 * last, 0.4 * arrival, "front", fontsize=8, path_effects=edge)

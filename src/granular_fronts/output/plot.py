@@ -13,6 +13,8 @@ are set for each picture separately, so that a notebook's other figures stay as 
 =================  ============================================================================
 """
 
+from textwrap import fill
+
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
@@ -106,7 +108,7 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
     Parameters
     ----------
     sweep : xarray.Dataset
-        From `granular_fronts.sweep_fronts`, of any law.
+        From `granular_fronts.sweep_fronts`, of any law, or a campaign over the damping alone.
     axes : matplotlib.axes.Axes, optional
         Where to add the curve; a new figure by default.
 
@@ -140,7 +142,7 @@ def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
             r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
         )
         if "width_10_90" not in sweep:  # No fronts, but chains of a campaign.
-            named = sweep["overshoot"].attrs["long_name"]
+            named = fill(sweep["overshoot"].attrs["long_name"], 36)
         axes.set(xlabel=DAMPINGS[damping], ylabel=named)
     return axes
 
@@ -325,6 +327,8 @@ def _holding(
     way = f"give what gf.{source} returns" + (f" with {record} in its record" if record else "")
     found = instance(name, dataset, xr.Dataset, way)
     for variable in variables:
-        if variable not in found or found[variable].dims != dims or not found[variable].size:
-            raise InputError(f"{name} has no {variable} on ({', '.join(dims)}): {way}.")
+        there = found[variable].dims if variable in found else dims
+        if variable not in found or there != dims or not found[variable].size:
+            other = f", but on ({', '.join(map(str, there))})" if there != dims else ""
+            raise InputError(f"{name} has no {variable} on ({', '.join(dims)}){other}: {way}.")
     return found

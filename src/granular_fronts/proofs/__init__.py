@@ -1,7 +1,7 @@
 """Fronts that are proved: existence, enclosure, uniqueness and shape by ball arithmetic.
 
 A *certificate* is a file of an approximate front P̄ and of an approximate inverse A of the
-linearisation there; `certificate` makes it with floating-point arithmetic, by any method. `checker`
+linearisation there. `certificate` makes it with floating-point arithmetic, by any method. `checker`
 then proves, in balls and with only python-flint and NumPy, that a front exists near P̄, and what it
 looks like.  To trust a proof one must trust the mathematics of `existence`, `right_inverse`,
 `consequences`, `tail_roots` and `rear_expansion`, the code of `checker`, `arrays`, `balls`,

@@ -14,7 +14,7 @@ the middles K_w*g is a sum of g times integrals of K_w over cells about s = m h,
 
     Σ ∫|e'| ≤ α k' + α (k' + γ (2 + e^w + e^(−w))) ‖g‖₁,     k' = (e^w − e^(−w))/w + w ‖K_w‖₁.
 
-On an interval of γ, γ₀ + s δ with |s| ≤ 1, g is a polynomial in s, and so is e in the middles; the
+On an interval of γ, γ₀ + s δ with |s| ≤ 1, g is a polynomial in s, and so is e in the middles. The
 sum of the moduli of its coefficients is a bound there.  If the bound of ‖e‖₁ is below 1, δ − α K_w
 has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm at most (1 + ‖g‖₁)/(1 − ‖e‖₁).
 """

@@ -157,10 +157,8 @@ def describe(front, alpha, interval, n, fine, drift):
 
 
 def _expansion(alpha, gamma, half, n, xi, u):
-    """Return what Lemma 8 needs: weights θ and η away from all roots, their inverses, roots and x₀.
-
-    Nothing where there are more slow roots than a real one and a pair.
-    """
+    """Return for Lemma 8: weights θ and η away from all roots, their inverses, roots and x₀."""
+    # Nothing where there are more slow roots than a real one and a pair.
     roots, moved = (_slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
     slow, fast = _weights(alpha, gamma, roots)
     if not slow:

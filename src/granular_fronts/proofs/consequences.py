@@ -9,19 +9,19 @@ k = ‖K‖₁ = 1 + γ² for γ ≤ 1, 2γ for γ ≥ 1.
 range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w
 ↦ H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
 −b) with a common bound and Lipschitz constant.  In the splitting of L^∞ at −b this operator is
-triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal, and the index of
-the latter in L^∞ of a half line is ± the winding number of 1 + ĝ (Gohberg and Krein; kernels in
-L¹). (1 + ĝ)(1 − α K̂) = 1 + ê with |ê| ≤ ‖e‖₁ < 1, so that number is, up to sign, that of D(iω) =
-1 − α K̂(iω) = 1 − α (1 − iγω) sinc²(ω/2).  D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D
-= 1; D(−iω) is the conjugate: D winds once.  So |ind A| = 1; A being injective, ind A = −1 and dim
-ker L* = codim Ran A = 1.  Since P is Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is
-a bounded element of the kernel, not 0 as P is not constant. ∎
+triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal. Its index in L^∞
+of a half line is ± the winding number of 1 + ĝ (Gohberg and Krein; kernels in L¹). (1 + ĝ)(1 − α
+K̂) = 1 + ê with |ê| ≤ ‖e‖₁ < 1, so that number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α
+(1 − iγω) sinc²(ω/2).  D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D = 1; D(−iω) is the
+conjugate: D winds once.  So |ind A| = 1; A being injective, ind A = −1 and dim ker L* = codim Ran A
+= 1.  Since P is Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of
+the kernel, not 0 as P is not constant. ∎
 
-Consequences: the front is isolated up to shifts (let φ vanish on Ran A with φ(P') = 1; for a
+Consequences: the front is isolated up to shifts.  Let φ vanish on Ran A with φ(P') = 1.  For a
 solution P₁ near P, τ ↦ φ(P₁(· + τ) − P) has a slope near 1, as P₁' = a(u₁) K'*P₁ is near P' and P'
-is uniformly continuous; so some small shift makes it 0, then P₁ = P + A y with a small y, and the
-theorem's uniqueness gives P₁ = P); and, by the implicit function theorem for P̄ + A y in the space
-of y that vanish at both ends, it continues to a C¹ branch in γ.
+is uniformly continuous.  So some small shift makes it 0. Then P₁ = P + A y with a small y, and the
+theorem's uniqueness gives P₁ = P.  The front continues to a C¹ branch in γ, by the implicit
+function theorem for P̄ + A y in the space of y that vanish at both ends.
 
 **Lemma 5 (ahead).** Let u > 0 on (x₁ − 1, x₁], s = S(x₁)^(α−1), k s < 1 and
 

@@ -1,6 +1,6 @@
 """A proved front for a picture: ū, its error bounds, the residual, and bounds of both tails.
 
-Ahead of x₁, where Lemma 5 of `consequences` holds with s = S(x₁)^(α−1) and k = ‖K‖₁, the proof of
+Lemma 5 of `consequences` holds ahead of x₁ with s = S(x₁)^(α−1) and k = ‖K‖₁.  There the proof of
 Lemma 6 bounds u from one bead to the next: for x > x₁ + 1, as u decreases on [x − 1, ∞),
 
     c κ u(x − 1 + κ)^α ≤ u(x) ≤ k u(x − 1)^α,      c = γ − γ² (1 + γ) s/(2 (1 − k s)),
@@ -22,7 +22,7 @@ def enclosure_dataset(path):
     """Return what a certificate proves of its front; NotProvedError if that is nothing.
 
     In the middles of the cells, on `xi`: `approximation` ū, bounds of the `error` of u and of the
-    `residual`; on `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u, the latter
+    `residual`.  On `xi_ahead`, from x₁ on, bounds `decay_low` and `decay_high` of −ln u, the latter
     infinite where u has no bound from below.  Attributes: all numbers of the certificate.
     """
     front = prove(path)

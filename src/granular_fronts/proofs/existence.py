@@ -29,7 +29,7 @@ y)(ξ)| for all ‖y‖ ≤ 1, and Z₂(r) ≥ κ(ξ) |a(ū(ξ) + w) − a(ū(ξ
 zero of Q.  Then |P* − P̄| ≤ ρ r and |u* − ū| ≤ κ r, where ρ(ξ) is the norm of y ↦ (A y)(ξ), and
 |u*' − ū'| ≤ (2 + 4γ) r sup ρ.
 *Proof.* N(y) = y − Q(P̄ + A y) has the derivative 1 − L A + (a(ū + K*A y) − a(ū)) K*A, of norm at
-most q = Z₁ + Z₂(r) < 1 on the ball of radius r, and ‖N(0)‖ ≤ Y₀: by the mean value theorem N maps
+most q = Z₁ + Z₂(r) < 1 on the ball of radius r, and ‖N(0)‖ ≤ Y₀. By the mean value theorem N maps
 the ball into itself and contracts it. ∎ Neither injectivity of A nor its index is used, and no
 phase condition.  The theorem does not say that P* is the only solution near P̄: its translates are
 others.
@@ -43,12 +43,12 @@ to 0) to such functions, then P*, u* → 1 at −∞ and → 0 at +∞.
 W the largest |a(u + w) − a(u)| is at most a(p) − a(p − W), p = max(u₋, W).  For α ≥ 2, a is convex
 on ℝ and it is a(u₊ + W) − a(u₊) over u ≤ u₊.
 
-**Y₀.** On a cell, F = P̄ − ū^α is expanded in s about 0 up to s^d; the remainder is s^(d+1) times a
-Taylor coefficient of order d + 1 at another s, bounded over the whole cell and −1 ≤ s ≤ 1.  Each of
-the other coefficients is expanded about the middle of the cell; in t ∈ (−1, 1) the remainder after
-order m is t^m times a Taylor coefficient of order m at a point of the cell.  If P̄ interpolates
-fronts at γ in the interval, Y₀ is of order δ^(d+1).  Where ū may be below 1e-7 the bound is sup |P̄|
-+ sup ū₊^α.
+**Y₀.** On a cell, F = P̄ − ū^α is expanded in s about 0 up to s^d.  The remainder is s^(d+1) times
+a Taylor coefficient of order d + 1 at another s, bounded over the whole cell and −1 ≤ s ≤ 1.  Each
+of the other coefficients is expanded about the middle of the cell.  In t ∈ (−1, 1) the remainder
+after order m is t^m times a Taylor coefficient of order m at a point of the cell.  If P̄
+interpolates fronts at γ in the interval, Y₀ is of order δ^(d+1).  Where ū may be below 1e-7 the
+bound is sup |P̄| + sup ū₊^α.
 """
 
 import numpy as np

@@ -1,10 +1,10 @@
 """Join the fronts of neighbouring intervals of γ to one continuous family.
 
-On the interval of one certificate H and g are fixed, P̄ and, as K is continuous in L¹, also ū, A and
-Q depend continuously on γ in norm, and r does not depend on γ.  So the fixed point y* of a uniform
-contraction depends continuously on γ, and with it P* and u*, uniformly in ξ.  Where two intervals
-meet, each certificate gives a front, P₁ and P₂, near the P̄ of that end.  Neither is unique near P̄,
-as translates are fronts too, so that P₁ = P₂ cannot be expected; but P₂ may be a translate of P₁.
+On the interval of one certificate H, g and r are fixed.  As K is continuous in L¹, P̄, ū, A and Q
+depend continuously on γ in norm.  So the fixed point y* of a uniform contraction depends
+continuously on γ, and with it P* and u*, uniformly in ξ.  Where two intervals meet, each
+certificate gives a front, P₁ and P₂, near the P̄ of that end.  Neither is unique near P̄, as
+translates are fronts too, so that P₁ = P₂ cannot be expected; but P₂ may be a translate of P₁.
 
 **Lemma 9.** Let φ(h) = ∫ h over (−1, 1), f = φ(P₁ − P₂), and P₂(ξ) − P₂(η) ≥ m > 0 for |ξ + 1| <
 h, |η − 1| < h.  If T = |f|/m < h, some translate P₂(· + τ), |τ| ≤ T, has the same φ as P₁.  Let
@@ -22,9 +22,9 @@ L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at mos
 − Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup ω |u₁'|. From φ(h) = 0, |c| (P₁(−1) − P₁(1)) = |φ(A y)| ≤ ‖y‖ ∫ ρ.
 Hence y = 0, c = 0. ∎
 
-Shifting the second branch by τ, and each following one by the sum of the shifts before it, makes
-the family continuous over all intervals.  What is proved of each front (positivity, decrease ahead,
-the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
+The second branch is shifted by τ, and each following one by the sum of the shifts before it.  This
+makes the family continuous over all intervals.  What is proved of each front (positivity, decrease
+ahead, the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
 certificates, this holds for each α.  As φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
 below h with that φ.  So τ depends continuously on α, and the family is continuous in α and γ.
 """

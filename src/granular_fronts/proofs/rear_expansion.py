@@ -7,8 +7,8 @@ Let t = ξ − x₀, z = u − 1, Q = P − 1, v = u', ṽ = v 1_{t<0}, D(λ) = 
 e^(−λs) ds as in `tail_roots`.  For w ≥ 0 write |f|_w = sup |f| e^(−wt), K_w = K e^(−ws), and let
 Γ_w bound the norm of (δ − α K_w)^(−1) (see `balls`).
 
-**Lemma 8.** Suppose that D has no zero with 0 < Re λ ≤ θ, and with θ < Re λ < η exactly the simple
-zeros λ₁, real, or a pair λ₂, λ̄₂, or these three, where η < 2θ, and none with Re λ = η.  Then
+**Lemma 8.** Suppose that D has no zero with 0 < Re λ ≤ θ or Re λ = η, where η < 2θ. With θ < Re λ <
+η let it have exactly the simple zeros λ₁, real, or a pair λ₂, λ̄₂, or these three.  Then
 
     v = Σ C_j e^(λ_j t) + ω(t) for t < 0,      |ω(t)| ≤ Γ_η (|F_b|_η + c) e^(ηt),
     |C_j D'(λ_j) + F̂_b(λ_j)| ≤ c/(2θ − Re λ_j),
@@ -28,7 +28,7 @@ with ε = sup |a(u) − α| over t < 0.  Let |z| ≤ ζ < 1 for t < 0 and B = α
 bound of |a'| there; ε ≤ B ζ.  Then |z| ≤ V e^(θt)/θ, |(a(u) − α) ṽ| ≤ B V² e^(2θt)/θ and |F_n| ≤ c
 e^(2θt) with c = B V² ‖K_2θ‖/θ. The Laplace transform of ṽ is (F̂_b + F̂_n)/D for Re λ = θ, where
 F̂_n is analytic for Re λ < 2θ and bounded by c/(2θ − Re λ).  F_b has bounded variation and F_n is
-Lipschitz on t < 0, so the transforms are O(1/|Im λ|), and D → 1 as |Im λ| → ∞ in the strip: the
+Lipschitz on t < 0, so the transforms are O(1/|Im λ|).  As D → 1 for |Im λ| → ∞ in the strip, the
 line of the inverse transform (in L²) moves from θ to η, past −C_j e^(λ_j t).  What is left is the
 solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. ∎
 
@@ -44,13 +44,13 @@ side grows with t.  If Re λ₂ > λ₁, then u = 1 − A e^(λ₁ξ) (1 + o(1))
 u crosses 1 infinitely often, is not monotone, and max u > 1.
 
 *Proof.* z(t) = ∫ v over (−∞, t) = Σ (C_j/λ_j) e^(λ_j t) + O(e^(ηt)).  The two terms of λ₂ are
-conjugate, and their sum is 2 |C₂/λ₂| e^(Re λ₂ t) cos(Im λ₂ t + arg(C₂/λ₂)); all others are smaller
+conjugate, and their sum is 2 |C₂/λ₂| e^(Re λ₂ t) cos(Im λ₂ t + arg(C₂/λ₂)). All others are smaller
 by a factor that tends to 0. ∎
 
-**Critical damping.** On an interval of γ that contains a γ with Re λ₂ = λ₁ both cases occur.  If on
-all of it d(Re λ₂ − λ₁)/dγ > 0 (see `tail_roots`), C₂ ≠ 0, C₁ < 0 and the inequality of monotone
-fronts holds, then the front is monotone for that γ and those above, and overshoots for those below.
-That the interval contains one is shown by the order of the roots at both of its ends.
+**Critical damping.** On an interval of γ that contains a γ with Re λ₂ = λ₁ both cases occur.
+Suppose that on all of it d(Re λ₂ − λ₁)/dγ > 0 (see `tail_roots`), C₂ ≠ 0, C₁ < 0 and the inequality
+of monotone fronts holds.  Then the front is monotone for that γ and those above, and overshoots for
+those below.  That the interval contains one is shown by the order of the roots at both of its ends.
 """
 
 import math

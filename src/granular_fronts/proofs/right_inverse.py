@@ -14,8 +14,8 @@ middles x_i.  Write y = y₋ + y_w + y₊ for ξ < −b, −b < ξ < M, ξ > M. 
     A y = (δ + g)*(y₋ + s + d) + y_w + v + y₊,
 
 L_h = 1 − diag(ā(x_i)) (κ_{i−k}), κ_m = ∫ K over |s − mh| < h/2.  What the matrix leaves undone on
-the first bead, and what the window sends behind, becomes a source of the far rear; so the window
-need not reach back to where ū is 1, only to where ā is near α.
+the first bead, and what the window sends behind, becomes a source of the far rear. So the window
+need only reach back to where ā is near α, and not where ū is 1.
 
 **Defect.** Let e = g − α K − α K*g, ε = sup |ā/α − 1| over ξ < −c.  For a source σ on ξ < −b + 1,
 K*(σ + g*σ) lives on ξ < −b + 1 + q + 1 = −c, where ā = α + (ā − α) and α K*(δ + g) = g − e, so
@@ -39,9 +39,9 @@ add up:
 
  * rest_i = ‖K‖₁ Σ_j |1 − L_h H|_ij ā(x_j), as |R y_w|_j ≤ ā(x_j) ‖K‖₁ ‖y‖;
  * the norm of v on cell k is ∫|Φ_k|, Φ_k(η) = Σ_i H_ki ā(x_i) K(x_i − η).  Kinks and jumps of Φ_k
-   are at middles of cells, so that it is linear about each edge e_j of a cell, with a slope of at
-   most Σ |H_ki| ā(x_i) over |x_i − e_j| < 1, and ∫|linear| over a length h is at most h |middle| +
-   h²/4 |slope|: v_k = h Σ_j |Φ_k(e_j)| + h/2 Σ_i |H_ki| ā(x_i), as 2n edges are within 1 of x_i;
+   are at middles of cells, so it is linear about each edge e_j of a cell.  Its slope is at most Σ
+   |H_ki| ā(x_i) over |x_i − e_j| < 1, and ∫|linear| over a length h is at most h |middle| + h²/4
+   |slope|: v_k = h Σ_j |Φ_k(e_j)| + h/2 Σ_i |H_ki| ā(x_i), as 2n edges are within 1 of x_i;
  * w = v + 1 bounds f; for |ξ − x_i| < h/2, as 1 − |s| has slopes ±1 and K jumps by 2γ at 0 (met in
    cell i) and by γ at ±1 (in the cells i ± n), |K*f(ξ) − K*f(x_i)| ≤ change_i = h/2 [h Σ_{|m| ≤ n}
    w_{i+m} + γ (2 w_i + w_{i−n} + w_{i+n})];
@@ -59,12 +59,11 @@ For an interval of γ, g = g₀ + s g₁ + … like P̄ in `existence`, H is fix
 contain K and ā, depends continuously on γ.  All bounds hold for every γ of the interval.
 
 g and H are free: g is the periodic inverse of the discretised δ − α K at γ₀, g₁ half its change
-over the interval; H the columns for sources in the window of the solution of the collocation
+over the interval.  H holds the columns for sources in the window of the solution of the collocation
 equations on a longer window.  L_h has a near kernel (translation) and, as D winds once, one
-equation too many behind: v = 0 is asked for at ξ = 0, and a constant is added to the equations of
-the first bead.  In the order used here (constant
-first, phase condition in the middle) elimination without further pivoting keeps the exponentially
-small tail accurate.
+equation too many behind.  So v = 0 is asked for at ξ = 0, and a constant is added to the equations
+of the first bead.  In the order used here (constant first, phase condition in the middle)
+elimination without further pivoting keeps the exponentially small tail accurate.
 """
 
 import numpy as np

@@ -4,13 +4,13 @@ A tail u − 1 ~ e^(λξ) behind a front has D(λ) = 1 − α (1 − γλ)(2 cos
 q(λ) = λ²/(2 cosh λ − 2) and k = αγ this says that the line α − kλ meets the bell at λ.
 
 **One zero.** If f is analytic on a convex set X around m and N = m − f(m)/f'(X) lies inside X, then
-X holds exactly one zero of f, and N contains it (interval Newton operator): f(x) = f(m) + F(x) (x −
-m) with F(x), the mean of f' between m and x, in the convex set of numbers f'(X), which does not
-contain 0; so x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero (Brouwer), and every
-zero in X is in N; two zeros in X would make a mean of f' zero.  For real functions the same holds.
-If X is symmetric about the real axis and f real there, the zero is real.
+X holds exactly one zero of f, and N contains it (interval Newton operator).  For f(x) = f(m) + F(x)
+(x − m), where F(x) is the mean of f' between m and x.  It is in the convex set of numbers f'(X),
+which does not contain 0.  So x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero
+(Brouwer).  Every zero in X is in N, and two zeros in X would make a mean of f' zero.  For real
+functions the same holds.  If X is symmetric about the real axis and f real there, the zero is real.
 
-**All zeros.** Along Re λ = w, upwards, D turns m − 1 times if m zeros have 0 < Re λ < w, as it
+**All zeros.** Along Re λ = w, upwards, D turns m − 1 times if m zeros have 0 < Re λ < w.  For it
 turns −1 times along the imaginary axis (Lemma 4 of `consequences`) and D → 1 at both ends.
 
 **Moving zeros.** As D = 0 makes α (2 cosh λ − 2)/λ² = 1/(1 − γλ), a simple zero moves by
@@ -28,15 +28,15 @@ turns −1 times along the imaginary axis (Lemma 4 of `consequences`) and D → 
 
 **Lemma 11 (double roots).** T = q − λq' grows from 1 to α* = T(b) on (0, b) and falls beyond.  For
 1 < α < α* there is exactly one λ < b with T(λ) = α; with k = −q'(λ) the line touches the bell
-there, and as k grows through this value a pair of complex roots becomes two real ones.  For α > α*
-no real root is double; for α = α* the only one, b, is triple.
+there.  As k grows through this value a pair of complex roots becomes two real ones.  For α > α* no
+real root is double; for α = α* the only one, b, is triple.
 
 *Proof.* T' = −λq''.  A line with α > 1, k > 0 touches the bell at λ > 0 if and only if α = T(λ) and
 k = −q'(λ); there (λ + x, k + y) is on both if y λ = −q'' x²/2 + …, so that x² ~ 2λy/|q''| if λ < b.
 ∎
 
-**Lemma 12 (crossing).** If at γ₀ exactly the real λ₁ and the pair λ₂, λ̄₂ have 0 < Re λ < w, all
-simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0, then near γ₀ the slowest root is complex for γ <
+**Lemma 12 (crossing).** At γ₀ let exactly the real λ₁ and the pair λ₂, λ̄₂ have 0 < Re λ < w, all
+simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0.  Then near γ₀ the slowest root is complex for γ <
 γ₀ and real for γ > γ₀.
 """
 

@@ -1,8 +1,9 @@
 """Accurate answers to the problems, each with its error, as netCDF and CSV.
 
 A problem is solved by the chain's integrator, and again with two steps for each.  The largest
-difference is the error (see `chain.simulate`).  The number that depends on the damping (`readings`)
-is computed at several dampings around the given one.  So a result can be compared with each.
+difference is the error (see `chain.simulate`).  The number that depends on the damping
+(`measurements`) is computed at several dampings around the given one.  So a result can be compared
+with each.
 """
 
 import csv
@@ -13,7 +14,7 @@ import pandas as pd
 import xarray as xr
 
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.referee.readings import NAMES, read_motion, scale_of
+from granular_fronts.referee.measurements import NAMES, read_motion, scale_of
 
 LAST_BEADS = 3  # whose velocities at the end are listed
 
@@ -26,14 +27,14 @@ def solve(problem):
     """
     motion = simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)
-    readings = [_read_at(problem, factor) for factor in problem.factors]
+    measurements = [_read_at(problem, factor) for factor in problem.factors]
     names, values, errors = zip(*_quantities(motion), strict=True)
     field = {
         name: {key: motion[f"{name}_grid"].attrs[key] for key in ("error_estimate", "error_method")}
         for name in ("relative_displacement", "velocity")
     }
     worst = max(attributes["error_estimate"] for attributes in field.values())
-    reading = {
+    measurement = {
         "error_estimate": 2.0 * worst / scale_of(problem),
         "error_method": "twice the error of u or of the velocity",
         "long_name": NAMES[problem.motion],
@@ -43,7 +44,7 @@ def solve(problem):
         {
             "relative_displacement": (("t", "contact"), u, field["relative_displacement"]),
             "velocity": (("t", "bead"), v, field["velocity"]),
-            "reading": ("factor", readings, reading),
+            "reading": ("factor", measurements, measurement),
             "value": ("quantity", list(values), stated),
             "value_error": ("quantity", list(errors)),
         },

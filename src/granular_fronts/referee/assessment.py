@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from granular_fronts.errors import InputError
-from granular_fronts.referee.readings import NAMES, excess_damping, read_motion, velocity_scale
+from granular_fronts.referee.measurements import NAMES, excess_damping, read_motion, velocity_scale
 
 CLEAR = 0.25  # largest distance of a clear order from a whole number, and its largest scatter
 NO_ORDER = 0.3  # observed order below which the error does not depend on the step
@@ -17,12 +17,12 @@ class Finding(NamedTuple):
     """What one result shows.
 
     `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
-    states; `reading` and `excess` come from `readings`; NaN if undefined.
+    states; `measurement` and `excess` come from `measurements`; NaN if undefined.
     """
 
     step: float
     error: float
-    reading: float
+    measurement: float
     excess: float
 
 
@@ -35,10 +35,10 @@ def find(problem, answer, result):
         np.abs(u - answer["relative_displacement"].values).max() / problem.displacement,
         np.abs(v - answer["velocity"].values).max() / velocity_scale(problem),
     )
-    reading = read_motion(problem, answer["t"].values, u, v)
+    measurement = read_motion(problem, answer["t"].values, u, v)
     table = answer["reading"].values, answer["factor"].values
-    excess = excess_damping(reading, table[1], table[0])
-    return Finding(result.step, float(max(distances)), reading, excess)
+    excess = excess_damping(measurement, table[1], table[0])
+    return Finding(result.step, float(max(distances)), measurement, excess)
 
 
 def _matching_rows(problem, answer, result):
@@ -54,18 +54,16 @@ def _matching_rows(problem, answer, result):
     off = np.abs(result.t[rows] - times) > SAME_TIME * problem.interval
     if off.any():
         raise InputError(
-            f"{name} has no state at t = {times[off][0]:g}, its last is at t = {result.t[-1]:g}: "
-            f"write states every {problem.interval:g} up to {times[-1]:g}, with a step that "
-            "divides this; where the run was lost, give a smaller step."
+            f"{name} has no state at t = {times[off][0]:g}, its last is at t = {result.t[-1]:g}. "
+            f"Write states every {problem.interval:g} up to {times[-1]:g}, with a step that "
+            "divides this, and a smaller step where the run was lost."
         )
     return rows
 
 
 def _check_start(problem, step, u, v):
-    """Check that a motion starts as the problem: beads touch and have its velocities.
-
-    Codes that keep velocities of half steps start with a velocity half a step before or after.
-    """
+    """Check that a motion starts as the problem: beads touch and have its velocities."""
+    # Codes that keep velocities of half steps start with a velocity half a step before or after.
     name = f"{problem.name} with step {step:g} does not start as the problem"
     farthest = float(np.abs(u).max())
     if farthest > SAME_START * problem.displacement:
@@ -123,16 +121,13 @@ def _damping_in_words(problem, finding):
         return ""
     side = "large" if finding.excess > 0.0 else "small"
     return (
-        f"; {NAMES[problem.motion]} {finding.reading:.5g}, as if gamma were "
+        f"; {NAMES[problem.motion]} {finding.measurement:.5g}, as if gamma were "
         f"{100.0 * abs(finding.excess):.2g} % too {side}"
     )
 
 
 def _advice(problem, finest, order, wanted):
-    """What to change: nothing, the problem, the number of steps, or the step and the integrator.
-
-    The last two are advised only where the error falls at a clear order.
-    """
+    """What to change: nothing, problem, number of steps; at a clear order, step and integrator."""
     unclear = abs(order.value - round(order.value)) >= CLEAR or order.scatter > CLEAR
     if finest.error <= wanted:
         yield f"At step {finest.step:g} the error is below {wanted:g}, as wanted."

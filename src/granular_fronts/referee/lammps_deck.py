@@ -12,7 +12,7 @@ and no tangential force has the elastic force :math:`k_n R_\mathrm{eff}^{1/2} u^
 - ``velocity``, :math:`\eta\,\dot u`: β = 1, η = γ.
 
 A constant force :math:`\delta^{3/2}` on bead 1 is the pressure of (25).  The usual ``fix nve`` is
-the scheme of `half_step`; ``fix mvv/dpd 1.0`` is of order 2, and needs the atom style and a pair
+the scheme of `half_step`.  ``fix mvv/dpd 1.0`` is of order 2. It needs the atom style and a pair
 style of dissipative particles, here without force.
 """
 
@@ -62,7 +62,7 @@ run ${{steps}}
 def write_deck(name, title, scene, interval):
     """Return the input file of a chain.
 
-    The scene has α = 3/2, β of 3/2, 5/4 or 1, a free right end, and beads that just touch at t = 0;
+    The scene has α = 3/2, β of 3/2, 5/4 or 1, a free right end, and beads that just touch at t = 0.
     `name` begins the name of the file that LAMMPS writes, `interval` lies between two states in it.
     An InputError says that LAMMPS has no such law.
     """

@@ -34,12 +34,12 @@ WORDS = """\
 No other force acts, both ends are free, and nothing rotates.
 
 Two neighbours that overlap by u > 0 repel each other with the force
-    u^(3/2) + {gamma!r} * {beta:g} * u^({less:g}) * du/dt,
-which becomes attractive just before they part and is not cut off there. It is zero without overlap.
+    u^(3/2) + {gamma!r} * {beta:g} * u^({less:g}) * du/dt.
+It becomes attractive just before they part and is not cut off there. It is zero without overlap.
 
-Compute the motion up to t = {end_time:g}, with two steps or more, and write positions and
+Compute the motion up to t = {end_time:g}, with two steps or more. Write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
-columns t, bead, x, v, where x is the displacement from the start. Or let LAMMPS do so by
+columns t, bead, x, v. Here x is the displacement from the start. Or let LAMMPS do so by
 {name}.lmp. Then run
     python -m granular_fronts.referee {name}_*.csv --answers FOLDER_OF_THIS_FILE
 """
@@ -50,7 +50,7 @@ class Problem(NamedTuple):
 
     `motion` is one of `MOTIONS`, `scene` is as `simulate_chain` takes it, `displacement` is δ, and
     `interval` is the time between two states that are compared.  `factors` are the dampings over γ
-    at which `readings` are computed.
+    at which `measurements` are computed.
     """
 
     name: str

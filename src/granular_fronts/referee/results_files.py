@@ -47,8 +47,8 @@ def _check_last_line(path):
     """A file that was cut inside its last number still ends with a number, but not with a line."""
     if not path.read_bytes().endswith((b"\n", b"\r")):
         raise InputError(
-            f"{path} does not end with the end of a line, so that its last number may be cut off: "
-            "write the whole file again, or end its last line."
+            f"{path} ends inside a line, so its last number may be cut off: "
+            "write the file again, or end the line."
         )
 
 

@@ -28,8 +28,8 @@ vanishes if u(t) is symmetric about its maximum, as it is without damping.  A li
 :math:`\omega^2 = 2s` has the damping ratio ζ(1 + hg/2), ζ = g/ω.
 
 Stability.  Linearised at the stiffness s and the viscous coefficient g, the shortest wave of a
-chain has multipliers z, :math:`z^2 - (2 - 4h^2s - 4hg)z + 1 - 4hg = 0`, of modulus at most 1 if
-and only if :math:`h^2 s + 2hg \le 1`.
+chain has multipliers z, :math:`z^2 - (2 - 4h^2s - 4hg)z + 1 - 4hg = 0`.  Their modulus is at most 1
+if and only if :math:`h^2 s + 2hg \le 1`.
 """
 
 from collections.abc import Sequence

@@ -147,9 +147,8 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
     if alpha is not None and alpha < 1 and smallest <= 0:
         yield (
-            f"law.alpha is {alpha}, below 1, but the smallest relative displacement at first is "
-            f"{smallest}, where such a contact is infinitely stiff: take alpha of 1 or more, or a "
-            "start compressed everywhere."
+            f"law.alpha is {alpha}, below 1, where contacts are infinitely stiff at the smallest "
+            f"relative displacement, {smallest}: take alpha of 1 or more, or compress all."
         )
 
 

@@ -66,7 +66,7 @@ def _argument_errors(arguments: Mapping) -> Iterator[str]:
         if isinstance(value, Mapping | list):
             yield (
                 f"--config {key}=… holds a mapping or a list, whose numbers arrive as text: write "
-                f"it into a file, for example mine.yaml, and give --configfile mine.yaml."
+                f"it into a file, say mine.yaml, and give --configfile mine.yaml."
             )
 
 
@@ -123,10 +123,7 @@ def _places(path: str, configuration: Mapping) -> Iterator[tuple[str, object]]:
 
 
 def _name_errors(configuration: Mapping) -> Iterator[str]:
-    """Find scenes that share a name with another or with a dataset, and entries of no scene.
-
-    Scenes and datasets are found by one name, for example in the list of printed numbers.
-    """
+    """Find scenes that share a name with another or with a dataset, and entries of no scene."""
     owners = {name: f"the study {name}" for name in studies()}
     for family, scenes in configuration["scenes"].items():
         for name in scenes:

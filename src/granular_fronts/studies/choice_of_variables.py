@@ -114,10 +114,8 @@ def observed_order(form, law, scheme):
 
 
 def _part_pairs(system, scheme, steps):
-    """Return ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`.
-
-    The pairs are in one chain, too far apart to meet.
-    """
+    """Return ẋ_1 − ẋ_2 after bead 1 has come with velocity 1, for each of `GAPS`."""
+    # The pairs are in one chain, too far apart to meet.
     place = (COLLISION_END + GAPS.max()) * (np.arange(GAPS.size) - GAPS.size // 2)
     start = np.stack([place - GAPS, place], axis=1).ravel()
     velocity = np.tile([1.0, 0.0], GAPS.size)

@@ -19,7 +19,7 @@ def map_critical_damping(exponents, dampings, cut):
     """Return overshoot over the plane, and every definition of critical damping over the exponent.
 
     `overshoot` on (alpha, gamma) with the largest of its errors, NaN where a front was not found,
-    and `converged`; `critical_damping_<definition>` on (alpha), NaN where it does not apply.  The
+    and `converged`. `critical_damping_<definition>` on (alpha), NaN where it does not apply.  The
     attribute `overshoot_cut` says above which overshoot a front oscillates to the eye.
     `exchange_exponent` is the α* where the meaning of "tail" changes.
     """

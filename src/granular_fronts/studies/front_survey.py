@@ -2,7 +2,7 @@ r"""Exact fronts over the plane of exponent and damping, and how far continuum f
 
 In the frame δ = c = 1 a front with :math:`\beta = \alpha` depends only on α and γ.  At each point
 of a grid the front is solved and its properties are kept.  Each continuum front of
-`granular_fronts.studies.continuum_fronts` is compared with it: `distance_<front>` is the largest
+`granular_fronts.studies.continuum_fronts` is compared with it.  `distance_<front>` is the largest
 absolute difference of u over all ξ where either front has not come to rest.
 """
 

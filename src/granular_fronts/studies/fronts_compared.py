@@ -2,8 +2,8 @@ r"""One front by every method: profile equation, shooting, a driven chain, three
 
 Everything is shown in the frame δ = c = 1 with the phase u(0) = 1/2, where u is
 `relative_displacement` and the velocity is in units of :math:`\delta^{(\alpha+1)/2}`.  The profile
-method gives the reference on a regular grid of ξ.  Each other method is compared with it where it
-is known: shooting on its own grid, the chain at its beads, the continuum fronts on ξ.
+method gives the reference on a regular grid of ξ.  Each other method is compared with it where
+known: shooting on its own grid, the chain at beads, continuum fronts on ξ.
 
 The driven chain is semi-infinite, at rest, and pressed on by δ = 1.  After many beads its front no
 longer feels the sudden start; what is left of the transient decays only algebraically.  In units of
@@ -49,7 +49,7 @@ def compare_front(scene, name="given"):
     -------
     xarray.Dataset
         `relative_displacement` and `velocity` on `xi` and, with a suffix, by each other method:
-        `_shooting` on `xi_shooting`, `_driven` on `xi_driven`, each continuum front on `xi`;
+        `_shooting` on `xi_shooting`, `_driven` on `xi_driven`, each continuum front on `xi`.
         `<field>_difference` is the difference of the two exact methods on `xi_shooting`.
         `residual_history_<method>` on `iteration_<method>` belongs to the two exact methods.  The
         properties of the front are attributes, as in `solve_front`.

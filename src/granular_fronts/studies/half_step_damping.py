@@ -65,14 +65,14 @@ CONTINUATION = 20
 TAIL_ERROR = 1.0e-12
 TAIL_METHOD = "rounding of the roots"
 
-READING_METHOD = "change when one tabulated damping is left out"
+TABLE_METHOD = "change when one tabulated damping is left out"
 
 
 ERRORS = {
     "error": ("chain_error", CHAIN_METHOD),
     "peak": ("chain_error", CHAIN_METHOD),
     "peak_exact": ("chain_error", CHAIN_METHOD),
-    "excess_overshoot": ("reading_error", READING_METHOD),
+    "excess_overshoot": ("table_error", TABLE_METHOD),
     "order": ("order_error", ORDER_METHOD),
     "order_error": ("order_error", ORDER_METHOD),
 }
@@ -83,8 +83,8 @@ def measure_half_step_damping(**scene):
     """Compare the scheme with accurate chains, over law, damping and step.
 
     On (beta, gamma, step), the step over t_c: `error`, `peak`, `excess_overshoot`,
-    `excess_tail`; on (beta, gamma): `peak_exact`, `order`, `order_error`; for the chain that is
-    shown the checks of `_measure_checks` and the motion of `compare_motion`.
+    `excess_tail`.  On (beta, gamma): `peak_exact`, `order`, `order_error`.  For the chain that is
+    shown: the checks of `_measure_checks` and the motion of `compare_motion`.
     """
     unit, shown = collision_time(scene["alpha"]), scene["shown"]
     steps = unit / np.sort(scene["steps_per_collision"])
@@ -106,14 +106,14 @@ def measure_half_step_damping(**scene):
         found[name].attrs = {"error_estimate": largest, "error_method": method}
     chain = case(shown["beta"], shown["gamma"])
     motion = compare_motion(chain, unit / shown["steps_per_collision"])
-    found = found.drop_vars(["chain_error", "reading_error"])
+    found = found.drop_vars(["chain_error", "table_error"])
     return found.merge(_measure_checks(chain, steps)).merge(motion)
 
 
 def _measure_excess(case, steps):
     """Return the error, peak and excess damping of one chain at three or more falling steps."""
     chains = [accurate_chain(case._replace(gamma=factor * case.gamma)) for factor in FACTORS]
-    table = [reading.peak for reading, _ in chains]
+    table = [measurement.peak for measurement, _ in chains]
     exact, estimate = chains[FACTORS.index(1.0)]
     found = [read_motion(case, half_step_chain(case, step)) for step in steps]
     error = np.array([np.abs(one.u - exact.u).max() for one in found])
@@ -132,7 +132,7 @@ def _measure_excess(case, steps):
             "order": orders[-1],
             "order_error": abs(orders[-1] - orders[-2]),
             "chain_error": estimate,
-            "reading_error": np.nanmax(np.abs(overshoot - coarse)),
+            "table_error": np.nanmax(np.abs(overshoot - coarse)),
         }
     )
 

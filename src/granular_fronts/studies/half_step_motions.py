@@ -38,7 +38,7 @@ class Case(NamedTuple):
     end_time: float
 
 
-class Reading(NamedTuple):
+class Measurement(NamedTuple):
     """First peak of u in the middle, arrival times at a quarter and there, and u at the end."""
 
     peak: float
@@ -67,12 +67,12 @@ def accurate_chain(case):
     motion = _solve_accurately(case, record)
     peaks, arrivals = motion["first_peak"], motion["arrival_time"]
     u = motion["relative_displacement"]
-    reading = Reading(
+    measurement = Measurement(
         float(peaks.sel(bead=middle)),
         arrivals.sel(bead=[middle // 2, middle]).values,
         u.values[0, :-1],
     )
-    return reading, max(float(read.attrs["error_estimate"]) for read in (peaks, arrivals, u))
+    return measurement, max(float(read.attrs["error_estimate"]) for read in (peaks, arrivals, u))
 
 
 def _solve_accurately(case, record):
@@ -86,7 +86,9 @@ def read_motion(case, motion):
     """Return what is compared with the accurate chain."""
     middle = case.beads // 2
     arrivals = [passing(motion, contact, "arrival")[0] for contact in (middle // 2, middle)]
-    return Reading(passing(motion, middle, "peak")[1], np.array(arrivals), -np.diff(motion.x[-1]))
+    return Measurement(
+        passing(motion, middle, "peak")[1], np.array(arrivals), -np.diff(motion.x[-1])
+    )
 
 
 def passing(motion, contact, event):

@@ -17,12 +17,12 @@ velocity −c times the mean strain of its two contacts.  Strain and velocity ar
 all be in the front, but the front must first find its inner structure.  (A sharp jump would open
 the contacts of a softening law.)  This transient dies out about as the inverse square of the
 distance, and limits the accuracy of driven speeds.  The speed is the slope of the times of passage
-over the second half of the way.  The jump of the velocity and the power are measured at its end,
-over the passage of one bead and the contacts of the front.  Error: the change on the last doubling
-of the way, or a quarter of the change on the doubling before, and rounding. For the inverse square
-the change is three times the error that is left. Weakly nonlinear or strongly damped fronts form
-slowly, at an exponential rate; they need a longer way, or have larger errors.  The chain behind the
-ramp is so long that nothing that its held end reflects reaches the front.
+over the second half of the way.  The jump of the velocity and the power are measured at its end.
+They span the passage of one bead and the contacts of the front.  Error: the change on the last
+doubling of the way, or a quarter of the change on the doubling before, and rounding. For the
+inverse square the change is three times the error that is left. Weakly nonlinear or strongly damped
+fronts form slowly, at an exponential rate; they need a longer way, or have larger errors.  The
+chain behind the ramp is so long that nothing that its held end reflects reaches the front.
 
 A front that runs to smaller n is measured in the reflected chain, with the states exchanged.
 """
@@ -195,20 +195,16 @@ def _scene(law, front, u, velocity, tolerance, snapshots):
 
 
 def _settling(early, halfway, late):
-    """Return the last of three values, at a quarter, half and the whole of the way, and its error.
-
-    What follows the inverse square changes four times as much in the first doubling of the way.
-    This catches a change that happens to vanish in the second.
-    """
+    """Return the last of three values, at a quarter, half and all of the way, and its error."""
+    # What follows the inverse square changes four times as much in the first doubling of the way.
+    # This catches a change that happens to vanish in the second.
     change = max(abs(late - halfway), 0.25 * abs(halfway - early))
     return Estimate(late, change + 8.0 * EPSILON * abs(late))
 
 
 def _room_behind(law, behind, speed, beads):
-    """Return the contacts behind the ramp, so that no reflection from the end catches the front.
-
-    Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
-    """
+    """Return the contacts behind the ramp, so that no reflection from the end catches the front."""
+    # Waves run back at the speed of sound there, return at it, and spread by diffusion meanwhile.
     lead = 0.5 * beads * (math.sqrt(law.elastic.second(behind)) / speed - 1.0)
     spread = 5.0 * math.sqrt(law.viscous.second(behind) * beads / speed)
     return ROOM_BEHIND + math.ceil(lead + spread)

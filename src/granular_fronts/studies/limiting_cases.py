@@ -12,9 +12,9 @@ Collision.  Two beads meet elastically with the velocity :math:`v_0`; by (27) th
 for a time :math:`\propto v_0^{(1-\alpha)/(1+\alpha)}` and reach a compression :math:`\propto
 v_0^{2/(\alpha+1)}`.
 
-Continuum.  Rings that start from the same rescaled force :math:`y^0(\xi)`, with the same γc, are
-followed to the same slow time τ for exponents that tend to 1.  Their distance to the logarithmic
-Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations`).
+Continuum.  Rings that start from the same rescaled force :math:`y^0(\xi)`, with the same γc, have
+exponents that tend to 1.  They are followed to the same slow time τ. Their distance to the
+logarithmic Burgers equation (41) falls (see `granular_fronts.studies.ring_against_equations`).
 """
 
 import numpy as np

@@ -20,8 +20,8 @@ def compute_multipliers(fronts, beads_behind):
     """Multipliers of every front, by name, in windows with so many beads behind it.
 
     `multiplier_real`, `_imaginary` and the errors of `_rounding` on (scene, beads_behind,
-    multiplier), those of the compressed chain behind on (scene, branch, wavenumber); a NoFrontError
-    if there is none.
+    multiplier), those of the compressed chain behind on (scene, branch, wavenumber).  A
+    NoFrontError says that there is no front.
     """
     return xr.concat(
         [_spectra_of(law, beads_behind) for law in fronts.values()],

@@ -6,8 +6,8 @@ Theory.  A piston is a first bead of velocity V (`chain.equations`).  Far from i
 
 Transient.  What the start leaves behind are long waves between piston and front.  They run at the
 speed of sound :math:`c_s = \sqrt\alpha\,c`.  With small changes :math:`u', v'` of compression and
-velocity, :math:`v' \pm c_s u'` is constant along rays to the right and to the left; at the piston
-:math:`v' = 0`; at the front, which stays a jump between equilibria, (12) and (14) give
+velocity, :math:`v' \pm c_s u'` is constant along rays to the right and to the left.  At the piston
+:math:`v' = 0`.  At the front, which stays a jump between equilibria, (12) and (14) give
 
 .. math:: v' = \tfrac{\alpha+1}{2}\,c\,u' .
 
@@ -20,21 +20,19 @@ Its amplitude has changed by the factor :math:`-\rho`, with
     \rho = \frac{\alpha + 1 - 2\sqrt\alpha}{\alpha + 1 + 2\sqrt\alpha} = \lambda^{-2} .
 
 Every disturbance, also of the front's slowness 1/c, thus repeats itself at λ times the distance and
-time, with the factor :math:`-\lambda^{-2}`: it decays as :math:`n^{-2}`, and changes its sign again
-and again.
+time, times :math:`-\lambda^{-2}`.  It decays as :math:`n^{-2}`, and keeps changing its sign.
 
 Measurement.  The same rule removes it.  If a quantity is :math:`q` at some distance and time and
 :math:`q_\lambda` at λ times both, its limit is
 
 .. math:: q_\infty = \frac{\lambda^2 q_\lambda + q}{\lambda^2 + 1},
 
-up to the spreading of the waves by damping and dispersion and to the width of the front, within
-which they are reflected.  Both are smaller by a power of n.  The slowness is taken from the times
-at which the front (u = δ/2) passes two beads, compression and velocity on the ray :math:`x = ct/4`
-behind it, where t counts from the time at which a piston without a ramp would have had to start.
-The error estimate is a sum.  It adds the largest change of the limit over the last doubling of
-distance and time to its largest change there if :math:`q` is taken further ahead by the width of
-the front.
+up to the spreading of the waves by damping and dispersion and the width of the front that reflects
+them.  Both are smaller by a power of n.  The slowness is taken from the times at which the front (u
+= δ/2) passes two beads.  Compression and velocity are taken on the ray :math:`x = ct/4` behind it.
+Here t counts from the time at which a piston without a ramp would have had to start.  The error
+estimate adds two largest changes of the limit over the last doubling of distance and time.  One is
+its own, one that if :math:`q` is taken further ahead by the front's width.
 """
 
 import math

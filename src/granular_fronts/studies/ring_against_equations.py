@@ -15,11 +15,11 @@ Distances are taken over all N beads: `sup` is the largest absolute difference a
 mean square, of the compressions :math:`u_{n,+}/\delta` and of :math:`\dot
 x_n/\delta^{(\alpha+1)/2}`.  An equation for :math:`u^\alpha` cannot open a gap, so that gaps count
 as no compression here.  Their depth is recorded separately.  In addition `floor` is what the
-solvers contribute to `sup`.  It is the error estimate of the chain plus the difference of the
-equation to its refined run at the same beads and time (`evolution`).
+solvers contribute to `sup`.  It is the chain's error estimate plus the difference of the equation
+to its refined run at the same beads and time (`evolution`).
 
-The paper's own scheme is run too if the scene names its points, since the percentages that the
-paper quotes contain its error.
+The paper's own scheme is run too if the scene names its points.  The percentages that the paper
+quotes contain its error.
 """
 
 import numpy as np
@@ -147,10 +147,8 @@ def _fields(scene):
 
 
 def _distances(chain, values, finer, scale):
-    """Return the distances of a chain's field to an equation's, and what both solvers contribute.
-
-    A gap counts as no compression; velocities keep their sign.
-    """
+    """Distances of a chain's field to an equation's, and what both solvers contribute."""
+    # A gap counts as no compression; velocities keep their sign.
     found = chain.values if chain.name.startswith("velocity") else np.maximum(chain.values, 0.0)
     difference = np.abs(found - values) / scale
     floor = (chain.attrs["error_estimate"] + np.abs(values - finer).max(axis=1)) / scale

@@ -4,28 +4,28 @@ A ring is followed as the chain itself and by three equations for the rescaled f
 the same start and the units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55),
 which in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
 
-The chain is followed bead by bead.  A smooth wave that needs fewer points than there are beads is
-followed by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many
-places.  A contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap
-counts as no compression, since no equation for u^α can have one.
+The chain is followed bead by bead.  A smooth wave that needs fewer points than beads is followed by
+its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
+contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap counts as
+no compression, since no equation for u^α can have one.
 
 Errors at a slow time τ, each against the chain at its beads, or at those places:
 
 - `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities of
   the equation to first order; `leading` is the sup of the velocities (51);
 - `height`, of the largest u, at the vertex of the parabola through the three highest places;
-- `place`, in ξ, of where u falls for the last time, within half a turn of the equation's highest
-  point, through the middle between the extremes of the equation;
+- `place`, in ξ, of the last fall of u through the middle between the equation's extremes, within
+  half a turn of its highest point;
 - `decay`, relative, of the loss of height since the start.
 
 Heights and places are interpolated alike in the two waves that are compared, so that what
 interpolation adds all but cancels.
 
-The mean difference of velocities to first order is subtracted, since a constant is momentum of the
-whole ring, which no formula in y knows.  The formulas are measured too, without any equation and
-all without means, on the chain's own :math:`y = u^\alpha` with its slope by Fourier series:
-`residual_leading` of (51), `residual_printed` of (43), and `residual_first_order` of the whole
-first order (`model.amplitude_scaling`).
+The mean difference of velocities to first order is subtracted.  A constant is momentum of the whole
+ring, which no formula in y knows.  The formulas are measured too, without any equation or means, on
+the chain's own :math:`y = u^\alpha` with its slope by Fourier series.  They are `residual_leading`
+of (51), `residual_printed` of (43), and `residual_first_order` of the whole first order
+(`model.amplitude_scaling`).
 
 A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u exceeds that part of δ.
 It is interpolated linearly between the times of `_loss_times`.

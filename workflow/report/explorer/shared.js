@@ -153,7 +153,7 @@ class Plot {
   }
 }
 
-// What a slider stands for, in words, for eyes and for screen readers.
+// What a slider means, in words, for eyes and for screen readers.
 function sayValue(slider, words) {
   byId(`${slider.id}-value`).textContent = words
   slider.setAttribute("aria-valuetext", words)

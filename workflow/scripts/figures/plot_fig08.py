@@ -51,7 +51,7 @@ def _draw_well(axes: Axes, data: xr.Dataset) -> None:
             "shrinkB": 3,
         },
     )
-    axes.text(1.0, well - 0.005, "behind", ha="center", va="top", color=BLUE)
+    axes.text(1.0, well - 0.012, "behind", ha="center", va="top", color=BLUE)
     axes.text(0.0, 0.012, "ahead", ha="right", color=BLUE)
     axes.set(xlabel="force $y$", ylabel="potential $W(y)$", title="double well")
     axes.margins(y=0.15)

@@ -57,6 +57,9 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
         norm=LogNorm(least, 1000 * least),
         extend="min",
     )
+    # Between two dampings the colour is interpolated, and would reach beyond the exact curve.
+    above = data["critical_damping_overshoot"], data["gamma"][-1]
+    axes.fill_between(data["alpha"], *above, color="white", linewidth=0.0)
     bar = axes.figure.colorbar(filled, ax=axes, label="overshoot of the front")
     bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
 

@@ -22,9 +22,9 @@ ON_THE_PAGE = {
     "heteroclinic_underdamped": "heteroclinic orbit",
 }
 COLUMNS = 2
-# Heights of a name beside a panel, of what stands above and below the panel, and of the lowest
+# Heights of a name next to a panel, of what stands above and below the panel, and of the lowest
 # panel, in inches.
-NAME_HEIGHT, FRAME_HEIGHT, LOWEST = 0.125, 0.55, 1.2
+NAME_HEIGHT, FRAME_HEIGHT, LOWEST = 0.14, 0.55, 1.2
 MOST_TICKS = 5
 MARKERS = "osD^vPX<>*"
 # Discrete-element codes are given a step, not a tolerance.
@@ -45,7 +45,7 @@ def plot_fig14(data: xr.Dataset) -> Figure:
 
 
 def draw_problems(data: xr.Dataset) -> Figure:
-    """Draw a panel for each problem, the names of its curves beside it."""
+    """Draw a panel for each problem, the names of its curves at its right."""
     problems = [str(problem) for problem in data["problem"].values]
     rows = fill_rows(problems, COLUMNS)
     heights = [_height(data, row) for row in rows]
@@ -61,12 +61,12 @@ def draw_problems(data: xr.Dataset) -> Figure:
         panels[row[0]].set_ylabel("seconds")
     note = _missing(data)
     if note:
-        figure.supxlabel(note, fontsize=6.5)
+        figure.supxlabel(note, fontsize=7)
     return figure
 
 
 def _height(data: xr.Dataset, row: list[str]) -> float:
-    """Height of a row of panels, which the names beside the fullest of them need, in inches."""
+    """Height of a row of panels, which the names at the fullest of them need, in inches."""
     chosen = data.sel({"problem": [problem for problem in row if problem != "."]})
     solved = chosen["error"].notnull().any("tolerance").sum("method")
     return FRAME_HEIGHT + max(LOWEST, NAME_HEIGHT * int(solved.max()))
@@ -125,20 +125,18 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
     scale = f"largest error (reference {reference_error:.0e})"
     problem = str(data["problem"].item())
     axes.set_title(ON_THE_PAGE.get(problem, _label(problem)), fontsize=8)
-    axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=6.5)
+    axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=7)
     axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
-    axes.tick_params(labelsize=7)
+    axes.tick_params(which="both", labelsize=7)
     _name_curves(axes, ends, looks)
 
 
 def _name_curves(
     axes: Axes, ends: dict[str, tuple[float, float]], looks: dict[str, dict[str, Any]]
 ) -> None:
-    """The name of each curve at the right of the panel, beside its end of largest error.
-
-    The names keep the order of the ends and a distance of their own height; within that, the sum of
-    the squares of their shifts is least (isotonic regression).
-    """
+    """The name of each curve at the right of the panel, at its end of largest error."""
+    # The names keep the order of the ends and a distance of their own height. Within that, the sum
+    # of the squares of their shifts is least (isotonic regression).
     methods = sorted(ends, key=lambda method: ends[method][1])
     low, high = np.log(axes.get_ylim())
     wanted = [(np.log(ends[method][1]) - low) / (high - low) for method in methods]
@@ -152,7 +150,7 @@ def _name_curves(
             (1.04, place),
             textcoords="axes fraction",
             color=looks[method]["color"],
-            fontsize=6,
+            fontsize=7,
             verticalalignment="center",
             arrowprops={
                 "arrowstyle": "-",

@@ -1,4 +1,4 @@
-"""Figure 15: errors of the hard cases beside their limits, and order through contact events."""
+"""Figure 15: errors of the hard cases and their limits, and order through contact events."""
 
 import re
 from typing import Any
@@ -84,7 +84,7 @@ def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
         "fontsize": 7,
         "title_fontsize": 8,
         "handlelength": 1.2,
-        "bbox_to_anchor": (1.02, 0.2),
+        "bbox_to_anchor": (1.02, -0.02),
     }
     axes.legend(loc="lower right", title=words, **look)
 

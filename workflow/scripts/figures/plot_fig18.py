@@ -60,10 +60,9 @@ def plot_fig18(data: xr.Dataset) -> Figure:
 
 
 def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str) -> None:
-    """γ against velocity, full where fronts are overdamped, over dashes everywhere.
-
-    The dashes go on below the full line, since the damping where both meet lies between two points.
-    """
+    """γ against velocity, full where fronts are overdamped, over dashes everywhere."""
+    # The dashes go on below the full line, since the damping where both meet lies between two
+    # points.
     overdamped = law["gamma"].where(law["gamma"] >= law["critical_gamma"])
     axes.loglog(law["velocity_ratio"], law["gamma"], linestyle=SHORT_DASHES, color=colour)
     axes.loglog(law["velocity_ratio"], overdamped, "-", color=colour)

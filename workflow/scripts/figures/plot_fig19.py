@@ -14,7 +14,7 @@ MARKERS = "os^v"
 
 
 def plot_fig19(data: xr.Dataset) -> Figure:
-    """Draw a front of the method beside damped and conservative chains, and their distances.
+    """Draw a front of the method, damped and conservative chains, and their distances.
 
     Parameters
     ----------

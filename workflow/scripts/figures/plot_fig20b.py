@@ -61,7 +61,7 @@ def plot_fig20b(
 
 
 def _equations() -> Iterator[Line2D]:
-    """What colours and dashes stand for."""
+    """The meaning of colours and dashes."""
     for look in MODEL_LOOKS.values():
         yield Line2D([], [], **look._asdict())
 
@@ -72,7 +72,7 @@ def _draw_limits(axes: Axes, campaign: xr.Dataset, parameter: str, symbol: str) 
     for marker, value in zip(MARKERS, values, strict=False):
         draw_limit(axes, campaign, 3 * marker, **{parameter: value})
     listed = ", ".join(f"{value:g} {sign}" for value, sign in zip(values, SIGNS, strict=False))
-    axes.set_title(f"${symbol} =$ {listed}", fontsize=8)
+    axes.set_title(f"${symbol} =$ {listed}", fontsize=8, loc="right")
 
 
 def _draw_over_time(axes: Axes, pulses: xr.Dataset, front: xr.Dataset) -> None:
@@ -113,7 +113,7 @@ def _draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
         axes.plot(epsilon, error, label=label, **look)
     axes.set_title(r"velocity less a formula," + "\n" + r"$\gamma c = 1$", fontsize=8)
     axes.set_ylabel(r"$\sup|\Delta\dot x|/\delta c$ at $\tau = 1$")
-    axes.legend(fontsize=6.5, handlelength=1.5, loc="lower right")
+    axes.legend(fontsize=7, handlelength=1.5, loc="lower right")
 
 
 if __name__ == "__main__":

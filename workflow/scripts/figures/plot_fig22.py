@@ -48,7 +48,7 @@ def plot_fig22(data: xr.Dataset) -> Figure:
 
 
 def _draw_checks(axes: Axes, data: xr.Dataset) -> None:
-    """Both readings of the damping of the chain that is shown, above the checks."""
+    """Both measurements of the damping of the chain that is shown, above the checks."""
     shown = configuration_of(data)["shown"]
     chain = data.sel(beta=shown["beta"], gamma=shown["gamma"])
     finest = int(np.argmin(chain["step"].values))
@@ -109,7 +109,7 @@ def _draw_laws(axes: Axes, data: xr.Dataset, name: str) -> None:
 
 
 def _laws(data: xr.Dataset) -> Iterator[Line2D]:
-    """What colours and dashes stand for."""
+    """The meaning of colours and dashes."""
     for colour, gamma in zip(PROBE_COLOURS, data["gamma"].values, strict=False):
         yield Line2D([], [], linestyle="-", color=colour, label=rf"$\gamma = {gamma:g}$")
     for style, beta in zip(BETA_STYLES, data["beta"].values, strict=False):

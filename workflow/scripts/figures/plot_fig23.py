@@ -1,6 +1,7 @@
 """Figure 23: which fronts are proved, over exponent and damping, and what of them."""
 
 from collections.abc import Iterator
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FixedLocator, NullLocator
+from matplotlib.ticker import LogLocator, NullLocator
 
 from figure_step import run_figure
 from granular_fronts.output.style import ALARM_COLOUR, BLUE, LIGHT_BLUE, new_figure
@@ -24,8 +25,6 @@ THICKNESS = 0.4
 # Edges of bars in points: one that hides the seams of intervals, one that shows a narrow interval.
 SEAM, CRITICAL_EDGE = 0.3, 1.5
 EXPONENT_LOOKS = (("-", "o"), ("--", "s"), ("-.", "^"), (":", "D"))
-DAMPINGS = (0.05, 0.1, 0.2, 0.3, 0.5, 1.0)
-SHOWN_GAMMA = (0.03, 1.15)
 
 
 def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
@@ -46,16 +45,20 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
     figure, panels = new_figure(6.4, [["shapes"], ["shapes"], ["errors"], ["maxima"]])
     exponents = np.unique(np.concatenate([fronts["alpha"], intervals["alpha"]]))
     _draw_shapes(panels["shapes"], fronts, intervals, exponents)
-    _draw_bounds(panels["errors"], fronts, intervals, "error_bound")
-    _draw_bounds(panels["maxima"], fronts, intervals, "overshoot_bound")
+    _draw_bounds(panels["errors"], fronts, intervals, exponents, "error_bound")
+    _draw_bounds(panels["maxima"], fronts, intervals, exponents, "overshoot_bound")
     title = "proved distance to the computed front, at most"
     panels["errors"].set(title=title, ylabel=r"$|u - \bar u|$")
     title = "proved overshoot, at least"
     panels["maxima"].set(title=title, ylabel=r"$\max u - 1$", xlabel=r"damping $\gamma$")
-    panels["maxima"].legend(ncols=4, fontsize=8, loc="lower left", handletextpad=0)
+    panels["maxima"].legend(ncols=4, loc="lower left")
+    lowest, highest = (
+        [float(limit(data[end])) for data in (fronts, intervals)]
+        for limit, end in ((np.min, "gamma_low"), (np.max, "gamma_high"))
+    )
     for axes in panels.values():
-        axes.set(xscale="log", xlim=SHOWN_GAMMA)
-        axes.xaxis.set_major_locator(FixedLocator(DAMPINGS))
+        axes.set(xscale="log", xlim=(0.9 * min(lowest), 1.1 * max(highest)))
+        axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.xaxis.set_minor_locator(NullLocator())
     figure.legend(handles=list(_shape_marks()), loc="outside upper center", ncols=4)
@@ -90,29 +93,25 @@ def _draw_shapes(
 
 
 def _shape_marks() -> Iterator[Line2D]:
-    """What colours and marks stand for."""
+    """The meaning of colours and marks."""
     for words, colour, marker in SHAPES.values():
         look: dict[str, Any] = {"color": colour, "markeredgecolor": "black", "markersize": 7}
         yield Line2D([], [], linestyle="-", linewidth=6, marker=marker, label=words, **look)
 
 
-def _draw_bounds(axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset, name: str) -> None:
+def _draw_bounds(
+    axes: Axes, fronts: xr.Dataset, intervals: xr.Dataset, exponents: np.ndarray, name: str
+) -> None:
     """A bound on each interval of γ as a line, and of each front as a mark, by the exponent."""
-    for (line, marker), alpha in zip(EXPONENT_LOOKS, np.unique(fronts["alpha"]), strict=False):
+    for (line, marker), alpha in zip(cycle(EXPONENT_LOOKS), exponents, strict=False):
         family, single = (
             data.isel(certificate=data["alpha"].values == alpha) for data in (intervals, fronts)
         )
         middles = np.sqrt(family["gamma_low"] * family["gamma_high"])
-        axes.plot(middles, family[name], linestyle=line, color="0.35")
-        axes.plot(
-            single["gamma_low"],
-            single[name],
-            marker,
-            linestyle="none",
-            color="black",
-            markersize=4,
-            label=rf"$\alpha = {alpha:g}$",
-        )
+        marks: dict[str, Any] = {"marker": marker, "markersize": 4, "markerfacecolor": "black"}
+        label = rf"$\alpha = {alpha:g}$"
+        axes.plot(middles, family[name], line, color="0.35", markevery=[], label=label, **marks)
+        axes.plot(single["gamma_low"], single[name], linestyle="none", color="black", **marks)
     axes.set_yscale("log")
 
 

@@ -1,6 +1,6 @@
 """Compare stated errors of random problems with true ones, by independent programs.
 
-python workflow/scripts/precision/measure_honesty.py --wing chains \
+python workflow/scripts/precision/measure_honesty.py --kind chains \
     --problems "{seed: 1, count: 50}" --dataset honesty.nc
 """
 
@@ -15,14 +15,14 @@ from step import run_step
 from truth import ratio
 
 
-def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
+def measure_honesty(kind: str, problems: dict[str, int], dataset: Path) -> None:
     """Solve random problems of one kind, and write every number's stated and true error.
 
     Numbers whose error is more than twice the stated one, and refusals, are printed.
 
     Parameters
     ----------
-    wing : str
+    kind : str
         chains, fronts or evolutions.
     problems : dict
         Which random problems, `seed`, and how many, `count`.
@@ -30,7 +30,7 @@ def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
         The netCDF file to write, on (number).
     """
     found = []
-    cases = import_module(f"truth.{wing}").cases
+    cases = import_module(f"truth.{kind}").cases
     for name, stated, true, largest in cases(**problems):
         times = ratio(stated, true, largest)
         if not times <= 2.0:
@@ -46,7 +46,7 @@ def measure_honesty(wing: str, problems: dict[str, int], dataset: Path) -> None:
     columns = ("variable", "stated_error", "true_error", "ratio")
     measured = pd.DataFrame(found, columns=columns).rename_axis("number").to_xarray()
     measured = measured.set_coords("variable")
-    write_dataset(measured, dataset, scene_id=f"honesty_{wing}", config=problems)
+    write_dataset(measured, dataset, scene_id=f"honesty_{kind}", config=problems)
 
 
 if __name__ == "__main__":

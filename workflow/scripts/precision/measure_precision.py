@@ -1,7 +1,7 @@
 """Speed against error: our solvers and other people's on the same problems, side by side.
 
-The methods of a problem run in one process, on one thread and in turns, so that a slow moment of
-the machine hits all of them.  Each has run once before, to compile and to fill the caches. Of the
+The methods of a problem run in one process, on one thread and in turns.  So a slow moment of the
+machine hits all of them.  Each has run once before, to compile and to fill the caches. Of the
 repeats the least time counts. Errors are measured against a reference, outside the timing, and none
 is reported below the error of the reference. A method that is not installed is named and left out.
 A method that fails is kept, without an error but with its reason.

@@ -125,10 +125,7 @@ def _times_to_reach(data: xr.Dataset, level: float) -> dict[str, float]:
 
 
 def _time_to_reach(chosen: xr.Dataset, level: float) -> float:
-    """Return the milliseconds to an error of `level`, interpolated in logarithms, or NaN.
-
-    Of all runs the fastest with at most a given error counts, so that the curve is monotone.
-    """
+    """Milliseconds of the fastest run to an error of at most `level`, log-interpolated, or NaN."""
     finite = np.isfinite(chosen["error"].values)
     order = np.argsort(chosen["error"].values[finite])
     error = chosen["error"].values[finite][order]

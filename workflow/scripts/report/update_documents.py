@@ -89,8 +89,8 @@ def _statements(results: Path) -> pd.DataFrame:
 
 
 def bound(error: float) -> str:
-    """A power of ten above ten times an error: another machine may find several times as much."""
-    return f"< 1e{math.ceil(math.log10(10.0 * error)):03d}" if error > 0.0 else "exact"
+    """The power of ten above three times an error: another machine may find a larger one."""
+    return f"< 1e{math.ceil(math.log10(3.0 * error)):03d}" if error > 0.0 else "exact"
 
 
 def durations(results: Path) -> str:

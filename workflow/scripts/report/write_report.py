@@ -1,12 +1,12 @@
 """Write one page with the score, figures, captions, tables, configuration and run times.
 
-The page holds everything in itself, so it can be mailed or archived as one file; its links lead to
-the files beside it. Snakemake's own report shows neither the configuration nor the figures before a
-click, hence this one.
+The page holds everything in itself, so it can be mailed or archived as one file. Its links lead to
+the files next to it. Snakemake's own report shows neither the configuration nor the figures before
+a click, hence this one.
 
 Nothing is shown that does not belong together.  The step compares the provenance of all figures and
-tables with the data and the configuration, and ends with a sentence if they disagree. What is made
-on demand is left out, and named, where it answers another configuration.
+tables with data and configuration, and ends with a sentence if they disagree. What is made on
+demand is left out, and named, where it answers another configuration.
 """
 
 import json
@@ -74,7 +74,7 @@ def write_report(  # noqa: PLR0913 - what its rule names
     texts : Path
         Titles and captions of the tables, a YAML file.
     figures, tables : list of Path
-        Provenance of figures and tables, in the order of the page; their files lie beside it.
+        Provenance of figures and tables, in the order of the page; their files lie next to it.
     on_demand : list of Path
         Provenance of what was made on demand.
     parameters : dict
@@ -146,7 +146,7 @@ def _dump_configuration(configuration: dict) -> str:
 
 
 def _with_file(ending: str, provenances: list[Path]) -> list[Path]:
-    """The files of provenance beside which a file with some ending lies."""
+    """The files of provenance next to which a file with some ending lies."""
     return [provenance for provenance in provenances if provenance.with_suffix(ending).exists()]
 
 
@@ -163,7 +163,7 @@ def _describe_figure(provenance: Path) -> dict[str, Any]:
         "alt": described["alt"],
         "image": f"data:image/png;base64,{picture}",
         "caption": _render(provenance.with_suffix(".rst").read_text(encoding="utf-8")),
-        "files": _files_beside(provenance, "pdf", "png"),
+        "files": _files_next_to(provenance, "pdf", "png"),
     }
 
 
@@ -180,12 +180,12 @@ def _describe_table(provenance: Path, described: dict[str, str]) -> dict[str, An
         "caption": _render(described["caption"]),
         "score": Counter(verdicts),
         "failed": failed.to_dict("records"),
-        "files": _files_beside(provenance, "csv", "md"),
+        "files": _files_next_to(provenance, "csv", "md"),
         **_readable(cells),
     }
 
 
-def _files_beside(provenance: Path, *endings: str) -> list[str]:
+def _files_next_to(provenance: Path, *endings: str) -> list[str]:
     return [f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in endings]
 
 

@@ -51,9 +51,9 @@ def check_results(results: Path, configuration: dict, verdict: Path) -> None:
     if exit_code != pytest.ExitCode.OK:
         raise ValueError(
             f"The files in {results} do not pass their tests, named above: "
-            "what they show is wrong or unfinished, so do not use it. Where a verdict is not the "
-            "expected one because config/default.yaml was changed: that file holds the paper's "
-            "parameters, to which the verdicts belong; put other ones into a file laid over it."
+            "what they show is wrong or unfinished, so do not use it. The verdicts belong to the "
+            "paper's parameters, which config/default.yaml holds. Where it was changed, put other "
+            "ones into a file laid over it."
         )
     skipped = f", {outcome.skipped} that expect the paper's parameters or more tables were skipped"
     with complete_file(verdict) as unfinished:

@@ -4,8 +4,8 @@ python workflow/scripts/tables/compare_results.py --before saved --after results
     --report changes.csv
 
 A change of a variable is measured by the largest |after − before| over the sum of both stated
-errors, element by element where the variable has a companion NAME_error and by `error_estimate`
-elsewhere.  At most 1 means that both numbers may be right.
+errors.  The errors are its companion NAME_error, element by element, or else `error_estimate`.  At
+most 1 means that both numbers may be right.
 """
 
 from pathlib import Path
@@ -75,10 +75,8 @@ def changes(before: xr.Dataset, after: xr.Dataset) -> list[dict]:
 
 
 def _change_of(before: xr.Dataset, after: xr.Dataset, name: str) -> dict[str, float]:
-    """Return the largest change of one variable over its stated errors.
-
-    A number that is missing on only one side has changed without bound.
-    """
+    """Return the largest change of one variable over its stated errors."""
+    # A number that is missing on only one side has changed without bound.
     old, new = before[name].values, after[name].values
     errors = _stated_error(before, name) + _stated_error(after, name)
     with np.errstate(invalid="ignore"):

@@ -14,9 +14,9 @@ advective form (50), since :math:`\partial F = \ln v\;\partial v`.  Here `alpha`
 limit.
 
 Discretisation.  The unknowns are averages of v over N equal cells of a ring of length
-:math:`2\ell`.  Their exact rates of change are differences of the flux
-:math:`F(v) - \alpha v^{\alpha-1}\partial v` at the cells' edges, where v and its derivative are
-reconstructed from the six nearest averages:
+:math:`2\ell`.  Their exact rates of change are differences of the flux :math:`F(v) - \alpha
+v^{\alpha-1}\partial v` at the cells' edges. There v and its derivative are reconstructed from the
+six nearest averages:
 
 .. math::
 
@@ -32,9 +32,9 @@ Small values.  Below `floor` the logarithm (or the power) in F is frozen at the 
 F by at most floor/e, for a floor of 1e-16 less than the rounding of F.  It makes a start that
 vanishes identically harmless.
 
-Lower bound.  The exact solution stays above the smallest value of its start, a reconstruction need
-not.  `lift` fills cells that fell below the bound from the nearest cells that can spare it, and so
-keeps the mean.
+Lower bound.  The exact solution stays above the smallest value of its start, but a reconstruction
+need not.  `lift` fills cells that fell below the bound from the nearest cells that can spare it,
+and so keeps the mean.
 """
 
 import functools

@@ -4,18 +4,18 @@ Both equations are solved in the frame :math:`\tilde\xi = \xi - \tau` on
 :math:`-\ell \le \tilde\xi \le \ell`, with the sixth-order finite volumes of `finite_volumes` and
 the fourth-order steps of `time_steps`.
 
-Kinks of the start.  On cells of width :math:`\Delta` a kink leaves, even from exact averages, an
-error of order :math:`\Delta^3` that no later smoothness removes, far above the sixth order of the
-rest.  But diffusivity :math:`D` smooths the kink over :math:`\sqrt{D\tau}`, which soon exceeds a
-cell.  A run therefore begins on cells that are :math:`2^L` times finer, L = `start_levels`, and
+Kinks of the start.  On cells of width :math:`\Delta` a kink leaves an error of order
+:math:`\Delta^3`, even from exact averages.  No later smoothness removes it, and the rest is of
+order six.  But diffusivity :math:`D` smooths the kink over :math:`\sqrt{D\tau}`, which soon exceeds
+a cell.  A run therefore begins on cells that are :math:`2^L` times finer, L = `start_levels`, and
 pairs of cells are joined, by their exact mean, whenever
 
 .. math:: \tau = (s\Delta)^2 / D_{min},
 
 where :math:`\Delta` is the present width, s = `SMOOTH_CELLS`, and :math:`D_{min} = \alpha
 v_{min}^{\alpha-1}` the least diffusivity, 1 for the logarithmic equation. Each level covers a
-quarter of the time of the next, so that all together cost little, and the error of the kink falls
-by :math:`8^L`.
+quarter of the time of the next, so all together cost little. The error of the kink falls by
+:math:`8^L`.
 
 Foot of the wave.  A front (46) of (40) ends on zero as :math:`v \sim (\xi_0 - \xi)^{1/(\alpha-1)}`,
 for :math:`\alpha = 3/2` with a jump of its second derivative.  The floor of the start rounds it
@@ -142,7 +142,7 @@ def _make_equation(alpha, averages, lowest, width):
     if smallest < 0.0:
         raise SolveError(
             f"The smallest cell average of the start is {smallest:.3g}, but a rescaled force is 0 "
-            "or more: give more points of the start, or a smoother one."
+            "or more: give a smoother start, or more of its points."
         )
     degenerate = 0.0 if alpha == 1.0 else SMALLEST_DIFFUSIVITY ** (1.0 / (alpha - 1.0))
     bound = lowest ** (1.0 / alpha)

@@ -6,8 +6,8 @@ The start of James (2021), eq. (49), is the rescaled force
     y^0 = \max\bigl(1 - (|\xi| - w)^2,\; \eta\bigr) \;(w \le |\xi| \le \ell), \qquad w = 10.
 
 It has kinks at :math:`|\xi| = w + \sqrt{1-\eta}`.  Point values would leave an error of second
-order for ever; the averages of :math:`v = y^{1/\alpha}` over cells are differences of its integral,
-which with :math:`q = 1/\alpha` is an incomplete beta function,
+order for ever. The averages of :math:`v = y^{1/\alpha}` over cells are differences of its integral.
+With :math:`q = 1/\alpha` this is an incomplete beta function,
 
 .. math:: \int_0^s (1 - r^2)^q\,dr = \tfrac12\, B(s^2;\, \tfrac12,\, q + 1),
 

@@ -21,8 +21,8 @@ stable if its polynomial is at most 1 on
 
 .. math:: z(\theta) = -b\,\frac{G(\theta)}{G(\pi)} - i\sqrt{\frac{p\,b}{G(\pi)}}\,S(\theta),
 
-that is, if :math:`p \le p(b)`.  Along the real axis the method is stable further out per stage than
-the classical one of fourth order, and its region is wide.  So its steps are long for the diffusion
+that is, if :math:`p \le p(b)`.  The method's region is wide.  Along the real axis it reaches
+further per stage than the classical one of fourth order.  So its steps are long for the diffusion
 of a fine grid and for the advection of a coarse one.  `PARABOLA` holds :math:`p(b)` for the
 :math:`b` of `DIFFUSION_NUMBERS`, measured when the module is imported.
 """

@@ -21,7 +21,7 @@ Small values.  :math:`\ln|y|` is taken as :math:`\tfrac12\ln(y^2 + \eta^2)`, η 
 flux is then smooth, and differs from :math:`y\ln|y|` by less than 0.41 η.
 
 The start.  Amplitudes at :math:`\tau = 0` come from exact averages over `OVERSAMPLING` times as
-many cells as points, so that kinks cost an aliasing error of third order on these cells.
+many cells as points.  So kinks cost an aliasing error of third order on these cells.
 """
 
 from typing import NamedTuple

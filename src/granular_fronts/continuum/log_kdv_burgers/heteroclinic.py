@@ -11,9 +11,9 @@ Turning points.  For 0 < μ < 2 the front oscillates about 1.  Each extremum is 
 on the series.  Its deviation y − 1 is known with relative accuracy, so that turns are resolved down
 to one unit of the last digit of 1.
 
-Accuracy.  The same orbit is computed again, by series of another order over steps of other lengths,
-or with fewer terms of the expansion.  The largest difference is the error estimate of each
-variable; where it vanishes, the last digit replaces it.
+Accuracy.  The same orbit is computed again, by series of another order with other steps, or with
+fewer terms of the expansion.  The largest difference is the error estimate of each variable; where
+it vanishes, the last digit replaces it.
 """
 
 from __future__ import annotations
@@ -97,8 +97,8 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     Raises
     ------
     InputError
-        If mu is below 0 or not finite, or s is not a finite list of numbers, reaches beyond the
-        underflow of y, or over more turns than can be followed.
+        If mu is below 0 or not finite, or s is not a finite list of numbers. If s reaches beyond
+        the underflow of y, or over more turns than can be followed.
 
     Examples
     --------

@@ -18,8 +18,8 @@ Inserting this into :math:`v' = v^2 + \mu v - p`, :math:`p' = v` leaves
 for the coefficients of :math:`H = \sum h_j r^j`, with :math:`H^2 = \sum a_j r^j` and
 :math:`h_0 = 1, h_1 = h_2 = 0`.  Without damping H = 1, which is the Gaussian.  The series diverges,
 but it is asymptotic in :math:`r^2` uniformly in μ r ≤ 1, that is for all v ≥ 0.  With 48
-coefficients its error is below round-off at the far end of the tail for every μ, and on the whole
-orbit for μ ≥ 12 (measured: 4e-16 in y at μ = 12, 1e-15 at 11, 2e-13 at 10).
+coefficients its error is below round-off at the far end of the tail for every μ.  So it is on the
+whole orbit for μ ≥ 12 (measured: 4e-16 in y at μ = 12, 1e-15 at 11, 2e-13 at 10).
 
 There, near a node whose rates differ by a factor above 140, nothing needs to be integrated.  With
 :math:`\lambda_\pm` the linear rates at (1, 0), :math:`1/H = \sum i_j r^j`,
@@ -174,10 +174,8 @@ def _s_between(orbit, v_from, v_to):
 
 @kernel
 def _evaluate_slow(orbit, s, p, v):
-    """Both p and v at each s, by Newton's method in ln v.
-
-    They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
-    """
+    """Both p and v at each s, by Newton's method in ln v."""
+    # They are filled in, since numba makes a SystemError of Ctrl-C where it hands out new arrays.
     mu, h, v_half = orbit.mu, orbit.h, orbit.v_half
     rate_half = polynomial(h, mu / (2.0 * v_half + mu)) / (2.0 * v_half + mu)
     for i in range(s.size):

@@ -29,10 +29,10 @@ since with y(ξ, τ) also
 .. math:: \lambda\, y(\xi - \tau\ln\lambda,\; \tau), \qquad \lambda > 0,
 
 is a solution: waves of any height are alike in a frame of their own.  The flux is continuous but
-not Lipschitz at 0, and where y vanishes we know no proof of uniqueness: without damping
-Carles and Pelinovsky (2014), *Nonlinearity* 27, 3185-3202, construct weak solutions and leave it
-open.  Here the logarithm is cut off below the tolerance, and in the refined run below a tenth of
-that, so that the error estimate contains what this changes.
+not Lipschitz at 0, and where y vanishes we know no proof of uniqueness.  Without damping Carles and
+Pelinovsky (2014), *Nonlinearity* 27, 3185-3202, construct weak solutions and leave it open.  Here
+the logarithm is cut off below the tolerance, in the refined run below a tenth of it. So the error
+estimate contains what this changes.
 
 Balances.  The mean of y is conserved.  Multiplied by y, flux and dispersion integrate to zero over
 the ring, and
@@ -45,8 +45,8 @@ Method.  The Fourier method of `fourier_waves`, with the steps of `exponential_s
 
 Kinks of the start.  Its amplitudes are exact, but waves that N points do not resolve are missing,
 and at first a kink makes them matter.  Diffusion extinguishes them soon.  A run therefore begins on
-:math:`2^L N` points, `START_LEVELS` being L, and drops half of the waves whenever diffusion alone
-has taken a factor :math:`e^{-E}`, `EXTINCTION` being E, off each of them.
+:math:`2^L N` points, `START_LEVELS` being L. It drops half of the waves whenever diffusion alone
+has made each smaller by :math:`e^{-E}`, `EXTINCTION` being E.
 """
 
 from typing import NamedTuple
@@ -112,10 +112,10 @@ class Evolution(NamedTuple):
 def solve(scene, times, cells, tolerance, levels=None, coarser=None):
     """Solve the logarithmic KdV–Burgers equation of a periodic scene once.
 
-    Scene, times and errors are as of `log_burgers.solution.solve`; `cells` are the N points on
-    which the run goes on once the kinks of the start are smooth, 2^`levels` times as many before
-    that.  The `tolerance` is the error per step, in y, and the logarithm is cut off below it.  All
-    steps of `coarser`, an `Evolution`, are halved.
+    Scene, times and errors are as of `log_burgers.solution.solve`.  `cells` are the N points used
+    once the kinks of the start are smooth; before that there are 2^`levels` times as many.  The
+    `tolerance` is the error per step, in y, and the logarithm is cut off below it.  All steps of
+    `coarser`, an `Evolution`, are halved.
     """
     times = np.asarray(times, dtype=float)
     levels = START_LEVELS if levels is None else levels

@@ -5,9 +5,9 @@ described in `workflow/schemas/config.schema.yaml`.  Variables of the dataset:
 
 - the fronts: `rescaled_force`, `slope`, `log_rescaled_force` on (mu, s); their extrema in that
   range: `overshoot`, `turning_point` on (mu, turn), NaN where an orbit has fewer;
-- what the orbits are near (1, 0): `squared_slope_at_one`, and, measured on the orbit and not
-  computed from μ, `growth_rate` and `angular_frequency`, each with its `_error`, on (mu), NaN where
-  they cannot be measured;
+- what the orbits are near (1, 0), on (mu): `squared_slope_at_one`, `growth_rate` and
+  `angular_frequency`. The last two, each with its `_error`, are measured and not computed from μ,
+  NaN where they cannot be;
 - the double well: `potential` on (y);
 - the phase portrait: `rescaled_force_portrait`, `slope_portrait` on (trajectory, s_portrait), NaN
   where a trajectory has left the window.

@@ -19,11 +19,10 @@ where the energy e keeps its own, however weak the damping.  A step sums such a 
 series are the solution, to round-off, at every s in between.
 
 Steps lead from large s to small.  In this direction the stable manifold of the origin attracts,
-with rate :math:`2v + \mu`, and (1, 0) attracts too, so that errors contract on every monotone part.
-At the end of a step the last two terms of the series fall to the tolerance.  The product of the
-step with the rate of attraction stays below a bound, since a series of order N is stable up to
-about N/e over that rate. Starts of steps are exact: a step is rounded to the difference of two
-representable s.
+with rate :math:`2v + \mu`, and so does (1, 0). So errors contract on every monotone part.  At the
+end of a step the last two terms of the series fall to the tolerance.  The step times the rate of
+attraction stays below a bound.  A series of order N is stable up to about N/e over that rate.
+Starts of steps are exact: a step is rounded to the difference of two representable s.
 """
 
 from typing import NamedTuple
@@ -115,8 +114,9 @@ def _step_of_series(series, scale, tolerance):
 def follow(mu, accuracy, point, s_stop, p_stop, starts, jets, energies):
     """Follow a solution towards smaller s, until s ≤ s_stop, p ≤ p_stop, or there is no room left.
 
-    Fill in the s at the start of each step, the series of p in powers of s − start, shape (steps,
-    order + 1), and the last series of e.  Moves `point`; returns the number of steps and a status.
+    Fill in the s at the start of each step, the series of p in powers of s − start, and the last
+    series of e.  The series of p have the shape (steps, order + 1).  Moves `point`; returns the
+    number of steps and a status.
     """
     v = np.empty(jets.shape[1])
     for step in range(starts.size):

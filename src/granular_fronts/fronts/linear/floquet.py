@@ -25,8 +25,8 @@ Compressed chain.  Behind, a wave :math:`e^{iqn + \sigma t}` obeys :math:`\sigma
 :math:`z = e^{iq + \sigma}`.  These curves are the essential spectrum on the line; they lie inside
 the unit circle and touch it at 1, where q = 0. There is no gap: long waves die out slowly.  Nor
 does an exponential weight :math:`e^{\nu n}` open one.  The two sound waves have the velocities
-:math:`\pm\sqrt\alpha - 1` in the frame of the front.  One runs into the front and one away from it,
-as in Lax's shocks, and a weight that damps the one feeds the other.
+:math:`\pm\sqrt\alpha - 1` in the frame of the front.  As in Lax's shocks, one runs into the front
+and one away from it.  A weight that damps the one feeds the other.
 
 Window.  With B beads behind, and u = 1 held at the last of them, a long wave travels to and fro in
 :math:`B/(\sqrt\alpha - 1) + B/(\sqrt\alpha + 1)` bead-times.  The held end reflects u with the
@@ -39,9 +39,9 @@ largest multiplier except for translation is real, and
     1 - z \simeq \frac{\alpha - 1}{\sqrt\alpha\,B}\,
         \ln\frac{\sqrt\alpha + 1}{\sqrt\alpha - 1}
 
-tends to 0 with the window as it must, whatever the damping.  A front is called stable if all
-multipliers except for translation lie inside the unit circle.  An instability would be a multiplier
-outside that stays in place as B grows.
+tends to 0 with the window as it must, whatever the damping.  A front is stable if all
+multipliers except for translation lie inside the unit circle for every B.  An instability would be
+a multiplier outside that stays in place as B grows.  Finitely many windows can only find none.
 
 Section 6 of the paper is not in our copy: the definition above is ours.
 """
@@ -90,8 +90,8 @@ def front_multipliers(
     Returns
     -------
     xarray.DataArray
-        Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus;
-        with `rounding`, by how much ten units of rounding move each of them, to first order.
+        Complex multipliers on `multiplier`, that of translation first, then by decreasing modulus.
+        Coordinate `rounding`: how much ten units of rounding move each of them, to first order.
         Attributes: translation_defect, its distance from 1; spectral_radius_without_translation;
         reflection_radius, what the module's formula for long waves gives; flow_residual;
         beads_behind, beads_ahead; verdict.
@@ -99,7 +99,7 @@ def front_multipliers(
     Raises
     ------
     InputError
-        If it has not converged, its damping is too strong for the steps of the flow, or ξ = 0 or
+        If it has not converged, or its damping is too strong for the steps of the flow. If ξ = 0 or
         another integer is not among the points.
 
     Examples
@@ -230,7 +230,7 @@ def _at_beads(front, beta, gamma):
     if 0 not in bead or np.any(np.diff(bead) != 1):
         raise InputError(
             f"xi runs from {xi[0]:.6g} to {xi[-1]:.6g} and holds {bead.size} integers, but every "
-            "integer around 0 is needed: evaluate the front with a whole number of points per site."
+            "integer around 0 is needed: give a whole number of points per site."
         )
     u, velocity = (front[name].values[whole] for name in ("relative_displacement", "velocity"))
     w = velocity[1:] + gamma * np.diff(np.maximum(u, 0.0) ** beta)
@@ -252,7 +252,4 @@ def _verdict(values, residual):
     outside = int(np.sum(np.abs(values[1:]) > 1.0))
     if outside:
         return f"unstable: {outside} multipliers outside the unit circle, the largest {radius:.6f}"
-    return (
-        "stable: except for translation, all multipliers lie inside the unit circle, the largest "
-        f"at {radius:.6f}"
-    )
+    return f"no unstable multiplier found: except for translation, the largest is {radius:.6f}"

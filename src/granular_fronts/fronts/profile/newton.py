@@ -51,8 +51,8 @@ class Forces(NamedTuple):
 LONGEST_CHANGE = 0.4
 KEEP_FACTORS = 1e-5
 
-# How close to 1 s must be for its equations to count as those of the state behind, in the matrix,
-# and over how many sites their factors settle.
+# How close to 1 s must be for its equations to count in the matrix as those of the state behind.
+# Over how many sites their factors settle.
 STEADY = 1e-4
 SETTLING = 16.0
 
@@ -170,10 +170,8 @@ def largest_convolution(problem, grid, s):
 
 @subroutine(fastmath=True)
 def _assemble(problem, grid, unknowns, forces, prefix, band, border, column):
-    """Fill in the matrix, the border row of equation 0 and the column of σ; return the corner.
-
-    After row ``prefix - 1`` of the band as many rows are left out as it is short of the points.
-    """
+    """Fill in the matrix, the border row of equation 0 and the column of σ; return the corner."""
+    # After row ``prefix - 1`` of the band as many rows are left out as it is short of the points.
     s, speed, middle = unknowns.s, unknowns.speed[0], grid.middle
     points, width = s.size, grid.hat.size // 2
     skipped = points - band.shape[0]

@@ -26,8 +26,8 @@ are at rest (`_needed_stretch`).
 
 Spacing.  A front falls ahead the more sharply the larger p'(1), for Hertz contacts α.  For these it
 falls by a factor that grows like a tower, and its sharpest part needs some (6 + 4.3α) points per
-site.  A wide front with small α − 1 needs fewer.  The spacing is found on a coarse grid, where the
-difference of convolutions by rules of two orders falls with the spacing like a known power.
+site.  A wide front with small α − 1 needs fewer.  The spacing is found on a coarse grid. There
+convolutions by rules of two orders differ by a known power of the spacing.
 """
 
 import functools
@@ -121,9 +121,8 @@ def solve_profile(problem):
         taken = f"{window.length:.2g}" if np.isfinite(window.length) else "countless"
         return _no_profile(
             problem,
-            f"the front and its tails take {taken} sites, but rounding hides fronts of more than "
-            f"{MOST_SITES:.0e}: bring the damping (gamma) closer to 1, and alpha and right_state "
-            "away from 1, where the force is linear",
+            f"the front and its tails take {taken} sites, but rounding hides more than "
+            f"{MOST_SITES:.0e}: bring gamma closer to 1, alpha and right_state away from it",
         )
     profile = solve_coarse(problem, window.longer(COARSE_SHARE))
     if profile.reason:
@@ -146,7 +145,7 @@ def solve_profile(problem):
     if sharp:
         return profile._replace(
             reason=f"the quadrature still errs by {defect:.1e} at {1 / float(spacing):.4g} points "
-            "per site: the front is too sharp for it, or its law has a kink between the states"
+            "per site: the front is too sharp, or the law has a kink between the states"
         )
     return profile._replace(reason=_reason_against(profile))
 

@@ -7,9 +7,9 @@ shifted by one contact,
 .. math:: \Phi(u, d)_n = (u, d)_{n-1}, \qquad n = 1 \dots M + 1 .
 
 Ahead, contact M + 1 is untouched before and after.  Behind, contact 0 moves in the modes of the
-tail (`window`), :math:`(u, d)_0 = (1, 0) + \sum_k a_k (u, d)^{(k)}`, and the modes are tied
-to the state of the first contacts, where :math:`(u, d)_n` equals the same sum, n = 1 … 4.  The
-phase is fixed by the phase condition u = 1/2 at the `centre`.
+tail (`window`), :math:`(u, d)_0 = (1, 0) + \sum_k a_k (u, d)^{(k)}`. The modes are tied to the
+state of the first contacts, where :math:`(u, d)_n` equals the same sum, n = 1 … 4.  The phase
+condition is u = 1/2 at the `centre`.
 
 Unknowns are the amplitudes a, then u and d of every contact.  There are 2 (M + 1) + 8 + 1 equations
 for 2 M unknowns and the few amplitudes.  They can all hold, since 1 is the speed that the jump
@@ -226,11 +226,9 @@ def _damped(window, unknowns, step, norm, tolerance):
 
 
 def _move(window, unknowns, step):
-    """Add a step, but let no contact that is stiff fall more than tenfold.
-
-    For α near 1 the toe of the front stays stiff down to u = 1e-12 and less.  A step that took u
-    below zero would cut it off.
-    """
+    """Add a step, but let no contact that is stiff fall more than tenfold."""
+    # For α near 1 the toe of the front stays stiff down to u = 1e-12 and less. A step that took u
+    # below zero would cut it off.
     moved = unknowns + step
     before, after = (split(window, each)[1][:, 0] for each in (unknowns, moved))
     toe = max(SMALLEST_TOE, LOWEST_STIFFNESS ** (1.0 / (window.law.alpha - 1.0)))

@@ -16,8 +16,8 @@ themselves are lost twice as far behind the front.  Roots with more than `FASTER
 real part have died out there.
 
 Ahead.  u falls super-exponentially.  For β > 1, :math:`p = -\ln u` grows at least by the factor
-min(α, β) from bead to bead once the overdamped front of `initial_guess` has come to its end; for β
-= 1, :math:`u \sim e^{-\kappa\xi}` with :math:`\kappa = 4\gamma\sinh^2(\kappa/2)`.
+min(α, β) from bead to bead beyond the overdamped front of `initial_guess`.  For β = 1, :math:`u
+\sim e^{-\kappa\xi}` with :math:`\kappa = 4\gamma\sinh^2(\kappa/2)`.
 """
 
 import math

@@ -46,13 +46,13 @@ and 0 = γ Δz + ΔP − V σ(ν₂) e^(−ν₂t) ≥ (−2 U^α − V σ(ν₂
 
 *Proof.* Take x = x₁ in (b), in t.  Its right-hand side f is not negative: for 0 < t < 1, E = γ ∫ u
 over (t − 1, 0), and for −1 < t < 0, E = γ ∫ u over (0, t + 1).  f = O(e^(−ηt)) for every η < αμ by
-Lemma 18.  The zeros of 1 − γ k̂ in a strip are finitely many, as k̂ → 0 far up; by the proof of
-Lemma 18 there are none with −μ < Re λ ≤ 0, and on Re λ = −μ only λ = −μ, a simple one, as 1 − γ
-k̂(−ν) = σ(ν)/ν and σ'(μ) < 0.  So for some η in (μ, αμ) it is the only one with −η ≤ Re λ ≤ 0.
-The transform of u 1_{t>0} is f̂/(1 − γ k̂), where f has bounded variation, so that it is O(1/|Im
-λ|) and the line of the inverse transform (in L²) moves from Re λ > −μ to −η: u = C e^(−μt) + ω
-with C = −μ f̂(−μ)/σ'(μ) > 0, as f̂(−μ) = ∫ f e^(μt) dt > 0, and ω = O(e^(−ηt)), as it is the
-solution of ω − γ k*ω = f with this decay. ∎
+Lemma 18.  The zeros of 1 − γ k̂ in a strip are finitely many, as k̂ → 0 far up.  By the proof of
+Lemma 18 there are none with −μ < Re λ ≤ 0.  On Re λ = −μ there is only λ = −μ, a simple one, as 1 −
+γ k̂(−ν) = σ(ν)/ν and σ'(μ) < 0.  So for some η in (μ, αμ) it is the only one with −η ≤ Re λ ≤ 0.
+The transform of u 1_{t>0} is f̂/(1 − γ k̂), where f has bounded variation, so it is O(1/|Im λ|).
+The line of the inverse transform (in L²) moves from Re λ > −μ to −η: u = C e^(−μt) + ω with C = −μ
+f̂(−μ)/σ'(μ) > 0, as f̂(−μ) = ∫ f e^(μt) dt > 0. Here ω = O(e^(−ηt)), as it is the solution of ω − γ
+k*ω = f with this decay. ∎
 
 **Lemma 21 (behind).** If 1 − f̂, f = γ k + α Λ, has no zero with 0 < Re λ ≤ θ, then u − 1 =
 O(e^(θξ)) as ξ → −∞.

@@ -20,9 +20,9 @@ u ↦ u^α is smooth, so u ∈ C^m gives u' ∈ C^m. ∎
 
 **Approximation.** ū = 1 for ξ < −ℓ, 0 for ξ > m, a polynomial on each of the cells of width h =
 1/n between (continuity is not needed); ā = a(ū), L = DF(ū).  P̄ is a polynomial on the same cells,
-1 behind and 0 ahead of them, and ω ≥ |ū₊^α − P̄|: the Taylor polynomial about the middle of a cell
-with its remainder over the cell, or 0 where ū may be below 1e-11, with ω = sup ū₊^α.  Then û = γ
-k*ū + Λ*P̄ = ΔP₂ − γ ΔU₁, with antiderivatives U₁ of ū and P₂, the second one, of P̄, is a
+1 behind and 0 ahead of them, and ω ≥ |ū₊^α − P̄|.  They are the Taylor polynomial about the middle
+of a cell and its remainder over the cell. Where ū may be below 1e-11 they are 0 and sup ū₊^α.  Then
+û = γ k*ū + Λ*P̄ = ΔP₂ − γ ΔU₁, with antiderivatives U₁ of ū and P₂, the second one, of P̄, is a
 polynomial on each cell as well, 1 for ξ < −ℓ − 1 and 0 for ξ > m + 1; as ‖Λ‖₁ = 1,
 
     Y₀ = sup |ū − û| + sup ω ≥ ‖F(ū)‖.
@@ -35,9 +35,9 @@ zero of F.  Then |u* − ū| ≤ ρ r, and
     |u*' − û'| ≤ 4γ r sup ρ + 2 sup (ω + a(ū₊ + ρ r) ρ r).
 
 *Proof.* N(y) = y − F(ū + A y) has the derivative 1 − L A + Λ*((a(ū + A y) − a(ū)) A ·), of norm at
-most q = Z₁ + Z₂(r) < 1 on the ball of radius r, as ‖Λ‖₁ = 1, and ‖N(0)‖ ≤ Y₀: N maps the ball into
-itself and contracts it.  u*' − û' = γ k'*(u* − ū) + Λ'*(u*₊^α − P̄), where k' has mass 4 and Λ'
-mass 2, and |u*₊^α − ū₊^α| ≤ a(ū₊ + ρ r) ρ r as a increases. ∎
+most q = Z₁ + Z₂(r) < 1 on the ball of radius r, as ‖Λ‖₁ = 1, and ‖N(0)‖ ≤ Y₀.  So N maps the ball
+into itself and contracts it.  u*' − û' = γ k'*(u* − ū) + Λ'*(u*₊^α − P̄), where k' has mass 4 and
+Λ' mass 2, and |u*₊^α − ū₊^α| ≤ a(ū₊ + ρ r) ρ r as a increases. ∎
 
 **Lemma 16 (limits).** If A maps the y that vanish at both ends (ess sup of |y| over |ξ| > X tends
 to 0) to such functions, then u* → 1 at −∞ and → 0 at +∞.
@@ -45,8 +45,8 @@ to 0) to such functions, then u* → 1 at −∞ and → 0 at +∞.
 z does, since ∫Λ = 1 and ∫k = 0. ∎  The A of `right_inverse` does, as all its kernels have compact
 support.
 
-Z₂ is bounded as in `granular_fronts.proofs.existence`.  α and γ may be in intervals, on which ū
-and the kernels g, g₊ and the matrix H of A do not depend: all bounds hold for each of them.
+Z₂ is bounded as in `granular_fronts.proofs.existence`.  α and γ may be in intervals, on which ū and
+the kernels g, g₊ and the matrix H of A do not depend. All bounds hold for each of them.
 """
 
 from granular_fronts.fronts.solve import evaluate_front

@@ -42,9 +42,9 @@ The three sources have disjoint supports, and with w = 1 + v bounding f_w (v her
 
  * rest_i = Σ_j |1 − L_h H|_ij (2γ + Σ_m λ_{j−m} ā_m), as the bracket bounds |R y_w|_j;
  * the norm of v on cell i is ∫|Φ_i|, Φ_i(η) = Σ_j H_ij (γ k(x_j − η) + ā_m Λ(x_j − η)) for η in
-   cell m.  k and Λ' jump at middles of cells, so that on each half of a cell Φ_i is linear, with a
-   slope of at most ā_m Σ |H_ij| over the j with x_j within 1 of that half: over its length h/2,
-   ∫|Φ_i| is at most h/2 |Φ_i| at the edge of the cell + h²/8 of that;
+   cell m.  The kernels k and Λ' jump at middles of cells, so Φ_i is linear on each half of a cell.
+   Its slope is at most ā_m Σ |H_ij| over the j with x_j within 1 of that half.  Over the length
+   h/2, ∫|Φ_i| is at most h/2 |Φ_i| at the edge of the cell + h²/8 of that;
  * for |ξ − x_i| < h/2, as k jumps by 2 at 0 (met in cell i) and by 1 at ±1 (in the cells i ± n), Λ
    has slopes ±1, and with osc_j = sup |ā − ā_j| over cell j,
 
@@ -52,8 +52,8 @@ The three sources have disjoint supports, and with w = 1 + v bounding f_w (v her
                  + Σ_j λ_{i−j} osc_j w_j;
 
  * gain = max(1 + σ₋, rest_i over the first bead), gain₊ = 1 + σ₊, where |s₋| ≤ σ₋ = (γ + sup ā/2)
-   sup w over the first bead, as |−γ + (1 − |s|) ā| has at most this integral over one bead; σ₊ the
-   same over the last bead.
+   sup w over the first bead.  For |−γ + (1 − |s|) ā| has at most this integral over one bead. On
+   the last bead σ₊ is the same.
 
 **Norms.** On cell i, |(A y)(ξ)| is at most ρ_i = w_i + rest_i 1_{i < n} + gain ∫|g| over s > ξ + b
 − 1 + gain₊ ∫|g₊| over s < ξ − M; behind the window it is at most gain (1 + ‖g‖₁), ahead of it
@@ -65,13 +65,13 @@ gain₊ (1 + ‖g₊‖₁).
 onto, A is injective with closed range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y +
 g*(1_{ξ<−b} y) + g₊*(1_{ξ>M} y) by a compact operator: y_w ↦ v and d have finite rank, and s₋, s₊
 live on (−b − 1, −b) and (M, M + 1) with a common Lipschitz constant.  In the splitting of L^∞ at
-−b and M this operator is triangular, since q ≤ b and p₊ ≤ M + b, with the identity and the
-Wiener–Hopf operators of 1 + g and 1 + g₊ on the diagonal.  Their indices in L^∞ of a half line are
-± the winding numbers of 1 + ĝ and 1 + ĝ₊ (Gohberg and Krein).  (1 + ĝ)(1 − f̂) = 1 + ê with |ê| <
-1, and 1 − f̂(iω) = 1 − α (1 − i (γ/α) ω) sinc²(ω/2) winds once (Lemma 4); (1 + ĝ₊)(1 − γ k̂) = 1 +
-ê₊ with |ê₊| < 1, and 1 − γ k̂(iω) = 1 + iγω sinc²(ω/2) does not wind.  So |ind A| = 1; A being
-injective, dim ker L* = codim Ran A = 1. u and u₊^α are Lipschitz, so u' = γ k*u' + Λ*(a(u) u') is
-a bounded element of the kernel, not 0 as u is not constant. ∎
+−b and M this operator is triangular, since q ≤ b and p₊ ≤ M + b. Its diagonal holds the identity
+and the Wiener–Hopf operators of 1 + g and 1 + g₊.  Their indices in L^∞ of a half line are ± the
+winding numbers of 1 + ĝ and 1 + ĝ₊ (Gohberg and Krein).  (1 + ĝ)(1 − f̂) = 1 + ê with |ê| < 1, and
+1 − f̂(iω) = 1 − α (1 − i (γ/α) ω) sinc²(ω/2) winds once (Lemma 4); (1 + ĝ₊)(1 − γ k̂) = 1 + ê₊ with
+|ê₊| < 1, and 1 − γ k̂(iω) = 1 + iγω sinc²(ω/2) does not wind.  So |ind A| = 1; A being injective,
+dim ker L* = codim Ran A = 1. As u and u₊^α are Lipschitz, u' = γ k*u' + Λ*(a(u) u') is a bounded
+element of the kernel. It is not 0, as u is not constant. ∎
 
 So the front is isolated up to shifts and continues to a C¹ branch in γ, as after Lemma 4.
 """

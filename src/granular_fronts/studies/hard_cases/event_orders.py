@@ -13,8 +13,8 @@ Where in a step an event falls decides the error of that one run.  Each problem 
 for several gaps between the beads, which shift the events against the steps, and the median counts.
 
 The slope of error against steps is the order for fixed steps.  For adaptive methods it flatters the
-pair, since the first steps and the steps graded towards events are about as many at any tolerance.
-A slope of 8 or more says that the events do not cost the order.
+pair.  The first steps and the steps graded towards events are about as many at any tolerance.  A
+slope of 8 or more says that the events do not cost the order.
 """
 
 import numpy as np

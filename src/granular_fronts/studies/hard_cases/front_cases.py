@@ -1,9 +1,9 @@
 """Hard cases of exact fronts: where tails are degenerate, long, or sharp.
 
 Each front is solved by the profile equation and by shooting, which share no code.  At critical
-damping two roots of the tail are one, or a pair and a real root decay alike, and no sum of modes is
-well conditioned.  For weak damping the tail is hundreds of beads long, and for strong damping the
-front itself.  A large exponent makes it sharp, and an exponent near 1 magnifies rounding.
+damping two roots of the tail are one, or a pair and a real root decay alike.  Then no sum of modes
+is well conditioned.  For weak damping the tail is hundreds of beads long, and for strong damping
+the front itself.  A large exponent makes it sharp, and an exponent near 1 magnifies rounding.
 """
 
 import functools

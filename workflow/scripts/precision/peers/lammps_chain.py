@@ -45,8 +45,8 @@ def solve(system, step, _atol, integrator):
 
 def find_command():
     """Return the command from the folder of this Python or from the path, or None."""
-    beside = Path(sys.executable).with_name("lmp")
-    return str(beside) if beside.exists() else shutil.which("lmp")
+    near = Path(sys.executable).with_name("lmp")
+    return str(near) if near.exists() else shutil.which("lmp")
 
 
 def _deck_of(system):

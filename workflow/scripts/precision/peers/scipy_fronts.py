@@ -1,10 +1,10 @@
 """SciPy on the exact fronts of the lattice, James (2021), section 6: shooting by its own tools.
 
-Unknowns are u_n and d_n = w_n - w_{n+1} of a window of contacts in the frame δ = c = 1, with u_n' =
-d_n + γ ΔF(u)_n and d_n' = ΔF(u)_n, F(u) = max(u, 0)^{3/2}, u = 1 behind the window and u = 0 ahead.
-`solve_ivp` (DOP853) moves them for one unit of time; then each has to be what its left neighbour
-was, and u_0 = ½. `least_squares` takes all these equations; `root` wants as many as there are
-unknowns, and the phase replaces the equation of the first contact. The Jacobian is made by
+Unknowns are u_n and d_n = w_n - w_{n+1} of a window of contacts in the frame δ = c = 1. They obey
+u_n' = d_n + γ ΔF(u)_n and d_n' = ΔF(u)_n, F(u) = max(u, 0)^{3/2}, u = 1 behind the window and u = 0
+ahead. `solve_ivp` (DOP853) moves them for one unit of time; then each has to be what its left
+neighbour was, and u_0 = ½. `least_squares` takes all these equations; `root` wants as many as there
+are unknowns, and the phase replaces the equation of the first contact. The Jacobian is made by
 differences. All start from the front (46) of the logarithmic Burgers equation.
 """
 

@@ -1,7 +1,7 @@
 """The front of the logarithmic KdV–Burgers equation, James (2021), section 5.2.
 
-The results are y and y' at given s.  Ours are the Taylor series traced from the tail, and for
-strong damping the expansion of the slow manifold, which knows no tolerance.
+The results are y and y' at given s.  Ours are the Taylor series traced from the tail.  For strong
+damping it is the expansion of the slow manifold, which knows no tolerance.
 """
 
 from functools import partial

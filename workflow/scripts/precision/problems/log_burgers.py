@@ -9,8 +9,8 @@ fourier         the method of the equation with a third derivative (55), here wi
                 shares no scheme with ours.
 
 The start (49) has kinks; a smooth start of similar width shows the orders away from them.  The
-reference, finite volumes on fine cells, is computed and not stored, since it must be evaluated at
-the points of each scheme.  Its error is its distance to the Fourier method, also refined.
+reference, finite volumes on fine cells, is not stored, since it must be evaluated at the points of
+each scheme.  Its error is its distance to the Fourier method, also refined.
 """
 
 from functools import partial
@@ -29,8 +29,8 @@ from problems.problem import Problem, Reference
 # Error per step over the sixth power of the cell width: neither space nor time is wasted.
 TOLERANCE_PER_WIDTH = 0.05
 EVALUATED_POINTS = 8192
-# Of the Fourier method: its error per step is this power of its longest step, and its start is on
-# 2⁴ times as many points.
+# Of the Fourier method: its error per step is this power of its longest step. Its start is on 2⁴
+# times as many points.
 FOURIER_ORDER, FOURIER_LEVELS = 4, 4
 SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
 

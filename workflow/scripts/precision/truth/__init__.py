@@ -1,8 +1,8 @@
 """What is true, by programs that are independent of the package that they judge.
 
-Each module has ``cases(seed, count)``, which yields of random problems the name of a number, its
-stated error, its true one and the largest value it was found among.  They belong to the scripts and
-not to the package.  So rules and tests run the same cases, and the package cannot use them.
+Each module has ``cases(seed, count)``.  Of random problems it yields a number's name, its stated
+error, its true one and the largest value it was found among.  They belong to the scripts and not to
+the package.  So rules and tests run the same cases, and the package cannot use them.
 """
 
 from collections.abc import Iterable

@@ -1,8 +1,8 @@
 """The amplitude equations on a ring by other steps, and the true errors of the package.
 
 The equations are solved for Fourier amplitudes by the exponential steps of Cox and Matthews, J.
-Comput. Phys. 176 (2002) 430-455, with coefficients that are means over circles, each step taken
-once and in two halves; amplitudes of a start with kinks are closed formulas.  No step, no cell and
+Comput. Phys. 176 (2002) 430-455.  Their coefficients are means over circles, and each step is taken
+once and in two halves.  Amplitudes of a start with kinks are closed formulas.  No step, no cell and
 no cut-off of the logarithm is the package's.
 """
 

@@ -18,7 +18,7 @@ import numpy as np
 from granular_fronts.studies.half_step_damping import excess_by_table
 from granular_fronts.studies.half_step_motions import cubic_between
 
-LEAST_FALL = 1.0e-4  # of a reading from one tabulated damping to the next, relative
+LEAST_FALL = 1.0e-4  # of a measurement from one tabulated damping to the next, relative
 
 NAMES = {
     "front": "overshoot between states in the middle",
@@ -52,13 +52,13 @@ def read_motion(problem, t, u, v):
     return found / scale_of(problem)
 
 
-def excess_damping(reading, factors, table):
+def excess_damping(measurement, factors, table):
     """Return γ of the accurate motion with the same number, over γ, less 1; NaN if undefined.
 
     `table` holds the accurate numbers at the dampings `factors` times γ.
     """
     falls = np.diff(table).max() < -LEAST_FALL * abs(table[0])
-    return float(excess_by_table(np.array(reading), factors, table)) if falls else np.nan
+    return float(excess_by_table(np.array(measurement), factors, table)) if falls else np.nan
 
 
 def first_peak(t, u, rate):
