@@ -74,8 +74,9 @@ def prepare(scene: Mapping[str, Any]) -> Run:
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain.ahead, table[U])
-    _note_openings_at_start(recording, chain.contacts, u, velocity)
+    recording = make_recording(scene, chain, table[U])
+    if velocity.any():
+        _note_openings_at_start(recording, chain.contacts, u, velocity)
     return Run(law, boundary, chain, table, recording, float(velocity.sum()))
 
 
@@ -196,19 +197,20 @@ def make_chain(
     u and velocity have the shape (N,); with an end on the right u_N is the held value.
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
+    piston = boundary.piston
     chain = make_record(
         state.CHAIN,
         law=compile_law(law),
+        clock=make_record(
+            state.CLOCK, h=FIRST_STEP, acceleration=piston.acceleration_at(0.0) if piston else 0.0
+        ),
         beads=beads,
         contacts=beads if boundary.ring else beads - 1,
+        piston=piston is not None,
         ahead=boundary.right,
         margin=MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1,
     )
-    chain.clock.h = FIRST_STEP
-    if boundary.piston:
-        chain.piston = True
-        chain.clock.acceleration = boundary.piston.acceleration_at(0.0)
-    rows = state.ROWS_OF_SINGLE if chain.law.single else state.ROWS_OF_PAIR
+    rows = state.ROWS_OF_PAIR if law.proportional is None else state.ROWS_OF_SINGLE
     table = state.make_table(rows, beads)
     table[U, 1 : beads + 1] = u
     table[D, 1 : beads + 1] = equations.strain_rates(velocity, u, boundary, law)
@@ -219,7 +221,8 @@ def make_chain(
                 potential, (boundary.left, boundary.right)
             )
     moves_at_the_end = boundary.ring or table[D, beads] != 0.0
-    chain.clock.reach = beads if moves_at_the_end else end_of_window(chain, table, beads - 1)
+    reach = beads if moves_at_the_end else end_of_window(chain, table, beads - 1)
+    chain["clock"]["reach"] = reach
     return chain, table
 
 
@@ -229,25 +232,28 @@ def compile_law(law: Law) -> np.record:
     It is an InputError if the law has more kinks or parameters than the record has room for, or if
     a user's function cannot be compiled or has changed since.
     """
-    record = make_record(state.LAW)
     ratio, kinks = law.proportional, -np.array(law.kinks[::-1])
-    record.single = ratio is not None
-    record.gamma = ratio if record.single else 1.0
-    record.elastic = row_map(law.elastic, 1)
-    record.stage_pass = stage_pass(law.elastic) if record.single else 0
-    _fill_parameters(record.elastic_parameters, law.elastic)
-    if not record.single:
-        record.viscous = row_map(law.viscous, 1)
-        _fill_parameters(record.viscous_parameters, law.viscous)
+    single = ratio is not None
+    record = make_record(
+        state.LAW,
+        single=single,
+        gamma=ratio if single else 1.0,
+        elastic=row_map(law.elastic, 1),
+        viscous=0 if single else row_map(law.viscous, 1),
+        stage_pass=stage_pass(law.elastic) if single else 0,
+        kink_count=kinks.size,
+        has_stiff_kinks=any(np.isinf(law.elastic.second(kink)) for kink in law.kinks),
+        attraction=_acts_in_extension(law),
+    )
+    _fill_parameters(record["elastic_parameters"], law.elastic)
+    if not single:
+        _fill_parameters(record["viscous_parameters"], law.viscous)
     if kinks.size > state.MOST_KINKS:
         raise InputError(
             f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
             f"chain has room for {state.MOST_KINKS}: declare those alone that its contacts pass."
         )
-    record.kink_count = kinks.size
-    record.kinks[: kinks.size] = kinks
-    record.has_stiff_kinks = any(np.isinf(law.elastic.second(kink)) for kink in law.kinks)
-    record.attraction = _acts_in_extension(law)
+    record["kinks"][: kinks.size] = kinks
     return record
 
 
