@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 from chains import TIGHT, driven_scene, given
+from scipy.optimize import brentq
 
+from granular_fronts.chain.recorder import VALUE
 from granular_fronts.chain.recording import collect, fitted_speed, speed_and_error
 from granular_fronts.chain.run import integrate, prepare
 from granular_fronts.chain.simulate import simulate_chain, solve
@@ -188,6 +190,38 @@ def test_first_peak_is_the_first_maximum(motion):
         assert float(motion["first_peak"].sel(bead=bead)) == pytest.approx(u[first], abs=1e-6)
         time = float(motion["first_peak_time"].sel(bead=bead))
         assert time == pytest.approx(motion["t_all"].values[first], abs=2 * FINE)
+
+
+def test_a_first_peak_is_seen_where_u_turns_again_within_the_step():
+    r"""Two linear contacts: u̇_1 = 0.15 (cos τ − 1.02 cos √3τ) at τ = t − t_0 is 0 near ±0.14."""
+    share, fast, within = 1.02, np.sqrt(3.0), 0
+
+    def compressions(tau):
+        slow, quick = np.sin(tau), share * np.sin(fast * tau) / fast
+        return 1.0 + 0.15 * np.array([slow - quick, slow + quick])
+
+    top = brentq(lambda tau: np.cos(tau) - share * np.cos(fast * tau), -0.3, 0.0, xtol=1e-15)
+    for moment in np.linspace(2.0, 3.0, 21):
+        slow, quick = np.cos(moment), share * np.cos(fast * moment)
+        ends = 0.15 * (slow - quick), 0.15 * (slow + quick)
+        start = given(compressions(-moment), [ends[0], 0.0, -ends[1]])
+        held = {"kind": "pressure", "left": 1.0, "right": 1.0}
+        level = compressions(-top)[0] - 1e-5
+        scene = driven_scene(0.0, 3, moment + 0.6, 1.0, boundary=held, start=start)
+        scene["record"] = {"snapshots": [], "extremes": True, "arrival_level": level}
+        found = solve(scene, {"relative": 1e-5, "absolute": 1e-7})
+        assert float(found.dataset["first_peak_time"][0]) == pytest.approx(moment + top, abs=1e-3)
+        within += not ((moment + top < found.ends) & (found.ends < moment - top)).any()
+    assert within >= 10
+
+
+def test_no_turns_are_seen_in_the_steep_foot_of_a_front():
+    """There u grows by orders of magnitude within a step, and the cubic through its ends swings."""
+    record = {"snapshots": [], "extremes": True, "arrival_level": 0.05}
+    scene = driven_scene(0.06, 60, 60.0, record=record)
+    smallest = solve(scene, {"relative": 1e-7, "absolute": 1e-9}).recording.smallest
+    turned = smallest[VALUE, 1:60]
+    assert turned[np.isfinite(turned)].min(initial=1.0) > 0.0
 
 
 def test_first_gap_is_the_first_change_of_sign(motion):

@@ -110,11 +110,25 @@ def test_overshoot_definition_of_critical_damping_meets_its_cut():
         lambda front: front.isel(xi=slice(100, None)),
         lambda front: front.isel(xi=slice(None, -40)),
         lambda front: front.isel(xi=[0]),
+        lambda front: front.isel(xi=[]),
+        lambda front: front.isel(xi=0),
+        lambda front: front.expand_dims("case"),
         lambda front: front.drop_sel(xi=-1.0),
         lambda front: front.assign_coords(xi=front["xi"] + 1.0),
         lambda front: front.assign_coords(xi=0.5 * front["xi"]),
     ],
-    ids=["thinned", "behind", "ahead", "point", "hole", "shifted", "scaled"],
+    ids=[
+        "thinned",
+        "behind",
+        "ahead",
+        "point",
+        "empty",
+        "scalar",
+        "stacked",
+        "hole",
+        "shifted",
+        "scaled",
+    ],
 )
 def test_a_front_on_another_grid_is_refused(changed):
     """Local polynomials would go through points that are not where they seem to be."""

@@ -10,6 +10,7 @@ import llvmlite
 import numba
 import numpy as np
 import pytest
+from kernel_cases import EVERY_CASE, solve_cases
 from numba.core.registry import CPUDispatcher
 from projects import ROOT
 
@@ -150,23 +151,46 @@ def test_compilation_covers_all_that_the_scenes_need():
 CASES_IN_ORDER = """
 import sys
 sys.path[:0] = {folders!r}
-from kernel_cases import CASES, save
-save({file!r}, CASES[::{step}])
+from kernel_cases import EVERY_CASE, save
+save({file!r}, {cases})
+from test_compiled import names_of_idle_kernels
+print(names_of_idle_kernels())
 """
+RUNS = {
+    "compiled": ("EVERY_CASE", 1),
+    "loaded": ("EVERY_CASE[::-1]", 2),
+    "after other work": ("EVERY_CASE * 2", 2),
+}
+"""Cases in order, the last results of which are kept, and the threads that libraries may take."""
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+
+def names_of_idle_kernels():
+    """Names of the kernels that this process has neither compiled nor loaded."""
+    found = (pair for package in PACKAGES for pair in kernels_in(package))
+    every = {function.py_func: (name, function.signatures) for name, function in found}
+    return sorted(name for name, signatures in every.values() if not signatures)
 
 
 @pytest.mark.slow
-def test_kernels_compiled_now_and_loaded_give_the_same_bits(tmp_path):
-    """In whichever order: what a process has loaded or compiled before changes nothing."""
+def test_the_same_question_gives_the_same_bits(tmp_path):
+    """Compiled now or before, in whichever order, on one thread or two, and in this process."""
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "kernels")}
-    folders = [str(ROOT / part) for part in ("src", "tests/support")]
-    found = []
-    for when, step in (("compiled", 1), ("loaded", -1)):
+    folders = [str(ROOT / part) for part in ("src", "tests/support", "tests/numerics")]
+    found, idle = {"in this process": solve_cases(EVERY_CASE)}, {}
+    for when, (cases, threads) in RUNS.items():
         file = str(tmp_path / f"{when}.npz")
-        command = CASES_IN_ORDER.format(folders=folders, file=file, step=step)
-        subprocess.run([sys.executable, "-c", command], env=environment, check=True)
-        found.append(dict(np.load(file)))
-    compiled, loaded = found
-    assert compiled.keys() == loaded.keys()
-    differing = [name for name in compiled if compiled[name].tobytes() != loaded[name].tobytes()]
-    assert differing == []
+        code = CASES_IN_ORDER.format(folders=folders, file=file, cases=cases)
+        limits = environment | dict.fromkeys(THREADS, str(threads))
+        command = [sys.executable, "-c", code]
+        run = subprocess.run(command, env=limits, stdout=subprocess.PIPE, text=True, check=True)
+        found[when], idle[when] = dict(np.load(file)), run.stdout.strip()
+    assert idle["compiled"] == "[]"
+    bits = {
+        when: {name: np.asarray(each).tobytes() for name, each in arrays.items()}
+        for when, arrays in found.items()
+    }
+    first = bits["compiled"]
+    for when, each in bits.items():
+        differing = [name for name in {*first, *each} if each.get(name) != first.get(name)]
+        assert differing == [], when

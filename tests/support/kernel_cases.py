@@ -3,19 +3,22 @@
 Each case returns arrays, computed by compiled kernels or, after ``import uncompiled``, by Python.
 """
 
+from importlib.util import find_spec
+
 import numpy as np
 from chains import driven_scene, ring_scene, smooth_ring
 from kernels import mapped
-from potentials import fpu, hertz, toda
+from potentials import cosh, fpu, hertz, toda
 from rings import scene_with
 
 import granular_fronts as gf
 from granular_fronts.chain.equations import Boundary
+from granular_fronts.chain.fourier_ring import FourierRing, solve_fourier_ring
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.linear.tails import tail_roots
-from granular_fronts.fronts.profile.equation import power_problem
+from granular_fronts.fronts.profile.equation import front_problem, power_problem
 from granular_fronts.fronts.profile.solve import ORDER, solve_profile
 from granular_fronts.fronts.shooting import equations
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw, spread_of
@@ -27,7 +30,7 @@ from granular_fronts.numerics import interpolation
 from granular_fronts.numerics.banded_qr import solve_least_squares
 from granular_fronts.numerics.polynomials import crossing
 from granular_fronts.numerics.vector_functions import exponential, exponential_less_one
-from granular_fronts.reference_methods import position_forms
+from granular_fronts.reference_methods import half_step, position_forms
 from granular_fronts.reference_methods.theta_method import integrate_from_rest
 from granular_fronts.reference_methods.upwind import evolve_upwind
 from granular_fronts.studies.choice_of_variables import SCHEMES
@@ -75,10 +78,32 @@ def chains_of_other_laws():
     ]
 
 
+def laws_of_users():
+    """Functions of numpy, and an expression where SymPy is installed: a chain and fronts."""
+    laws = [gf.make_law(elastic=cosh(), viscous={"kind": "linear", "gamma": 0.3})]
+    if find_spec("sympy"):
+        import sympy
+
+        r = sympy.Symbol("r")
+        quartic = gf.Potential.from_expression(r**2 / 2 - r**3 / 3, r, interval=(-3.0, 0.4))
+        laws.append(gf.make_law(elastic=quartic, viscous={"kind": "linear", "gamma": 0.6}))
+    chain = driven_scene(beads=6, end_time=2.0, tolerance=LOOSE) | {"law": laws[0]}
+    problem = front_problem(laws[-1], -0.5, 0.0)
+    return [*variables(simulate_chain(chain)), solve_profile(problem).s]
+
+
 def ring_of_two_powers():
     """Powers that have no special form, on a ring."""
     scene = ring_scene(*smooth_ring(6), 0.1, 1.3, 1.1, 2.0, tolerance=LOOSE)
     return variables(simulate_chain(scene))
+
+
+def ring_by_fourier_series():
+    """A compressed wave of 16 points on a ring of 32 beads."""
+    phase = 2.0 * np.pi * np.arange(16) / 16
+    start = 1.0 + 0.1 * np.cos(phase), 0.1 * np.sin(phase)
+    wave = solve_fourier_ring(FourierRing(1.5, 0.2, 32, 16), *start, np.array([1.0]), 1e-6)
+    return [wave.relative_displacement, wave.velocity]
 
 
 def powers():
@@ -135,6 +160,11 @@ def theta_method():
     return [motion.u, motion.d]
 
 
+def half_steps():
+    motion = half_step.integrate(half_step.Chain(1.5, 1.2, 0.3, 0.1), *np.zeros((2, 6)), 0.05, 20)
+    return [motion.x, motion.v]
+
+
 def upwind():
     return [evolve_upwind(np.linspace(0.1, 1.0, 16), 5.0, 0.5).values]
 
@@ -188,17 +218,26 @@ def one_step(law):
     return [rows, solve_least_squares(matrix, lower, unknowns.size, -rows)]
 
 
+def multipliers():
+    """Eigenvalues of the front, by LAPACK: rounding moves the small ones."""
+    found = gf.front_multipliers(gf.solve_front(1.5, 0.3))
+    return [found.values, found["rounding"].values]
+
+
 CASES = (
     driven_chain,
     chain_with_gaps,
     chains_of_other_laws,
+    laws_of_users,
     ring_of_two_powers,
+    ring_by_fourier_series,
     powers,
     interpolants,
     vector_functions,
     crossings,
     positions,
     theta_method,
+    half_steps,
     upwind,
     log_burgers_in_time,
     heteroclinic_orbits,
@@ -207,6 +246,7 @@ CASES = (
     profile_of_two_powers,
     shooting,
 )
+EVERY_CASE = (*CASES, multipliers)
 
 
 def solve_cases(cases=CASES):

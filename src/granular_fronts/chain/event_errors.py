@@ -24,6 +24,7 @@ from granular_fronts.chain.recording import (
     rounding_of,
     speed_and_error,
 )
+from granular_fronts.numerics.compiled import kernel
 from granular_fronts.scenes.beads import bead_count
 
 # States are compared at times a factor of 2 apart: one of them is always near.
@@ -52,6 +53,8 @@ def event_errors(scene, recording, refined, contacts):
 
     `recording` belongs to a run and `refined` to its refinement; `contacts` is how many move.
     """
+    if np.isnan(recording.level) and not recording.track_extremes:
+        return {}
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
     runs, every = (recording, refined), np.s_[:, 1 : bead_count(scene) + 1]
     events = {name: tuple(getattr(one, name)[every] for one in runs) for name in names}
@@ -116,7 +119,7 @@ def _take_samples(events, states, rounding):
             change = np.where(own[END_TIME] == other[END_TIME], own[END] - other[END], np.nan)
             rows.append((own[END_TIME], np.abs(change), none))
     rows += [(np.full(own.size, time), np.abs(own - other), none) for time, own, other in states]
-    time, of_u, of_rate = np.moveaxis(np.array(rows), 1, 0)
+    time, of_u, of_rate = map(np.array, zip(*rows, strict=True))
     size = float(max(size, np.finfo(float).tiny))
     return Samples(time, np.maximum(of_u, np.spacing(size)), np.fmax(of_rate, rounding), size)
 
@@ -139,15 +142,20 @@ def _of_several(differences, through, time):
     return np.fmax(several, through) if is_few else several
 
 
+@kernel
 def _near(times, errors, time):
     """Return the largest error near each contact at its own time, shape (contacts,), or NaN."""
-    wide, contacts = [(0, 0), (NEAR, NEAR)], errors.shape[1]
-    times, errors = (np.pad(rows, wide, constant_values=np.nan) for rows in (times, errors))
-    largest = np.where(np.isfinite(time), 0.0, np.nan)
-    for first in range(2 * NEAR + 1):
-        there, error = times[:, first : first + contacts], errors[:, first : first + contacts]
-        counts = (there <= RECENT * time) & (time <= RECENT * there) & np.isfinite(error)
-        largest = np.maximum(largest, np.where(counts, error, 0.0).max(axis=0))
+    largest = np.full(time.size, np.nan)
+    for n in range(time.size):
+        if not math.isfinite(time[n]):
+            continue
+        largest[n] = 0.0
+        for m in range(max(0, n - NEAR), min(time.size, n + NEAR + 1)):
+            for row in range(len(times)):
+                there, error = times[row, m], errors[row, m]
+                is_near = there <= RECENT * time[n] and time[n] <= RECENT * there
+                if is_near and math.isfinite(error):
+                    largest[n] = max(largest[n], error)
     return largest
 
 

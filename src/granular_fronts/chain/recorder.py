@@ -19,6 +19,11 @@ Most steps hold nothing of note, which loops over whole rows without a branch fi
 `next_passage` looks at the contacts that wait for their arrival, `next_turn` at all.  Between the
 ends of a step u exceeds both by no more than about :math:`h|\dot u(t + h) - \dot u(t)|/2`; where
 this may matter, the polynomial of the contact decides.
+
+Of a contact that turns twice within a step the rates at both ends have one sign.  The cubic through
+the ends then turns twice, and :math:`|\dot u|` first falls, which the first stage shows.  The foot
+of a front, where u grows by orders of magnitude within a step, makes the cubic swing as well, but
+there :math:`|\dot u|` grows at once.
 """
 
 import math
@@ -59,6 +64,8 @@ _CONTRACT = {"contract"}
 
 # A turn that is second to one of its contact counts if it comes as close to the extreme of all.
 CLOSE = 1.0e-3
+# The share of itself by which |u̇| may grow until the first stage, if u is to turn twice.
+MOST_GROWTH = 0.1
 
 
 class Recording(NamedTuple):
@@ -88,7 +95,7 @@ class Recording(NamedTuple):
     # Extremes of each contact, shape (7, columns); infinite where it has not turned.
     largest: np.ndarray
     smallest: np.ndarray
-    # Largest and smallest turn of all contacts so far, or infinity.
+    # Largest and smallest u of all contacts at the start and where they have turned.
     extremes: np.ndarray
     # Work space, of the polynomial of a contact.
     coefficients: np.ndarray
@@ -220,9 +227,15 @@ def _write_output(chain, table, h, t_new, recording):
 
 
 @subroutine(forceinline=True)
+def _rate_slopes(chain):
+    """Return the first row of the slopes that u̇ takes times γ."""
+    return ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+
+
+@subroutine(forceinline=True)
 def _rate_rows(chain):
     """Return the factor γ, and the rows of its slopes at the start and at the end of the step."""
-    slopes = ELASTIC_SLOPES if chain.law.single else VISCOUS_SLOPES
+    slopes = _rate_slopes(chain)
     return chain.law.gamma, slopes + rk.SLOT[0], slopes + rk.SLOT[rk.NEW_SLOPE]
 
 
@@ -234,10 +247,9 @@ def rates(table, rows, n):
 
 
 @subroutine(forceinline=True)
-def _cubic_slope(u, new_u, rate, new_rate, h):
-    """Return a and b of the slope aθ² + bθ + u̇ of the cubic through the ends of a step."""
-    mean = (new_u - u) / h
-    return 3.0 * (rate + new_rate - 2.0 * mean), 6.0 * mean - 4.0 * rate - 2.0 * new_rate
+def _middle_rate(u, new_u, rate, new_rate, h):
+    """Return h times the middle Bézier coefficient of the slope of the cubic through both ends."""
+    return 3.0 * (new_u - u) - h * (rate + new_rate)
 
 
 @subroutine
@@ -307,6 +319,8 @@ def next_turn(chain, table, h, recording, first, last):
     largest, smallest = recording.largest, recording.smallest
     rows, (upper, lower) = _rate_rows(chain), (recording.extremes[0], recording.extremes[1])
     upper, lower = upper - CLOSE * abs(upper), lower + CLOSE * abs(lower)
+    start, first_stage, slopes = rk.SLOT[0], rk.SLOT[1], _rate_slopes(chain)
+    driven, factor, h_squared = h * rk.C[1], chain.law.gamma, h * h
     none = found = last + 1
     for n in range(uint64(first), uint64(last + 1)):
         u, new_u = table[U, n], table[NEW_U, n]
@@ -325,9 +339,13 @@ def next_turn(chain, table, h, recording, first, last):
             )
         )
         falls = (rate < 0.0) & (new_rate >= 0.0)
-        bend, change = _cubic_slope(u, new_u, rate, new_rate, h)
-        twice = (bend * rate > 0.0) & (change * rate < 0.0) & (abs(change) < 2.0 * abs(bend))
-        twice &= change * change > 4.0 * bend * rate
+        middle = _middle_rate(u, new_u, rate, new_rate, h)
+        early = driven * table[ELASTIC_SLOPES + start, n] + factor * (
+            table[slopes + first_stage, n] - table[slopes + start, n]
+        )
+        both = rate * new_rate
+        twice = (both > 0.0) & (middle * rate < 0.0) & (middle * middle > h_squared * both)
+        twice &= early * rate < MOST_GROWTH * (rate * rate)
         turns = ((rate > 0.0) & (new_rate <= 0.0)) | falls | twice
         opens = (u > 0.0) & ((new_u < 0.0) | (falls & (low < 0.0)))
         holds = (turns & counts) | opens
@@ -354,9 +372,10 @@ def _write_turn(chain, table, h, n, recording):
     """The turns of contact n within the step that count: one, or two if the cubic has as many."""
     slope = derivative(recording.coefficients)
     rate, new_rate = rates(table, _rate_rows(chain), n)
-    bend, change = _cubic_slope(table[U, n], table[NEW_U, n], rate, new_rate, h)
-    turns_twice = rate * new_rate > 0.0 and 0.0 < -change * rate < 2.0 * bend * rate
-    middle = -0.5 * change / bend if turns_twice else 1.0
+    inner = _middle_rate(table[U, n], table[NEW_U, n], rate, new_rate, h) / h
+    turns_twice = rate * new_rate > 0.0 > inner * rate
+    # Where the slope of the cubic is least: its Bézier coefficients are the rates and `inner`.
+    middle = (rate - inner) / (rate - 2.0 * inner + new_rate) if turns_twice else 1.0
     inner_rate = polynomial(slope, middle) if middle < 1.0 else new_rate
     _write_turn_between(chain, h, n, recording, slope, (0.0, middle), (rate, inner_rate))
     if middle < 1.0:

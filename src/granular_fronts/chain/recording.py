@@ -18,6 +18,8 @@ is the contact that closes it.  A piston is bead 1: its velocity is prescribed, 
 relative displacement belongs to its contact.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 import xarray as xr
 
@@ -62,13 +64,13 @@ def _probe_samples(scene):
     return probes, np.concatenate([[], *times]), np.concatenate([[], *beads]).astype(np.int64)
 
 
-def make_recording(scene, ahead, u):
+def make_recording(scene, chain, u):
     """Return arrays for all that the scene records; what is located on the way begins as NaN.
 
-    `ahead` is the compression ahead of the active window, and `u`, shape (columns,), the row of
-    compressions at t = 0.
+    `chain` is a record of type `state.CHAIN`, and `u`, shape (columns,), the row of compressions at
+    t = 0.
     """
-    columns = u.size
+    columns, moving = u.size, u[1 : chain.contacts + 1]
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
     profile_times = np.unique(np.concatenate([snapshots, _grid_times(scene), monitor_times(scene)]))
@@ -82,7 +84,7 @@ def make_recording(scene, ahead, u):
     return recorder.Recording(
         stops=_stops(scene, snapshots),
         profile_times=profile_times,
-        profile_u=np.full((profile_times.size, columns), ahead),
+        profile_u=np.full((profile_times.size, columns), chain.ahead),
         profile_d=np.zeros((profile_times.size, columns)),
         sample_times=times[order],
         sample_beads=beads[order],
@@ -95,7 +97,7 @@ def make_recording(scene, ahead, u):
         opening=passage.copy(),
         largest=largest,
         smallest=smallest,
-        extremes=np.array([-np.inf, np.inf]),
+        extremes=np.array([moving.max(), moving.min()]),
         coefficients=np.zeros(DEGREE + 1),
         track_extremes=bool(record.get("extremes", False)),
         track_energy=bool(record.get("balances", False)),
@@ -109,70 +111,76 @@ def _stops(scene, snapshots):
     return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
 
 
+class Recorded(NamedTuple):
+    """What a run has recorded: dims and values of each variable, coordinates, attributes."""
+
+    variables: dict
+    coordinates: dict
+    attributes: dict
+
+    @property
+    def dataset(self):
+        """All of it as a dataset."""
+        return xr.Dataset(self.variables, self.coordinates, self.attributes)
+
+    def values(self, name):
+        """Return the values of a variable."""
+        return self.variables[name][1]
+
+
 def collect(scene, run):
-    """Return the dataset of everything that a run of a scene has recorded."""
+    """Return what a run of a scene has recorded, as `Recorded`."""
     recording, next_ = run.recording, run.recording.next
     if next_.profile < recording.profile_times.size or next_.sample < recording.samples.size:
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
-    beads = np.arange(1, bead_count(scene) + 1)
-    dataset = xr.Dataset(coords={"bead": beads})
-    dataset = dataset.merge(_profiles(scene, run))
-    dataset = dataset.merge(_probes(scene, run))
+    contacts = int(run.chain.contacts)
+    attributes = {"contacts": contacts, "contacts_open": int(not run.chain.law.attraction)}
+    recorded = Recorded({}, {"bead": np.arange(1, bead_count(scene) + 1)}, attributes)
+    _add_profiles(recorded, scene, run)
+    _add_probes(recorded, scene, run)
     if not np.isnan(recording.level):
-        dataset = dataset.merge(_arrivals(scene, recording))
+        recorded.variables.update(_arrivals(scene, recording))
     if recording.track_extremes:
-        dataset = dataset.assign(extremes_of_all(recording, int(run.chain.contacts)))
-    return dataset.assign_attrs(
-        contacts=int(run.chain.contacts), contacts_open=int(not run.chain.law.attraction)
-    )
+        extremes = extremes_of_all(recording, contacts)
+        recorded.variables.update({name: ((), value) for name, value in extremes.items()})
+    return recorded
 
 
-def _profiles(scene, run):
+def _add_profiles(recorded, scene, run):
     recording, boundary, beads = run.recording, run.boundary, bead_count(scene)
-    u = recording.profile_u[:, 1 : beads + 1]
-    d = recording.profile_d[:, 1 : beads + 1]
-    if boundary.holds_right:
-        u[:, -1] = boundary.right
-    times = recording.profile_times
-    velocity = equations.velocities(d, u, boundary, run.law, run.momentum, times, run.beads)
-    snapshots = np.asarray(scene["record"]["snapshots"], dtype=float)
-    rows = np.searchsorted(recording.profile_times, snapshots)
-    variables = {
-        "relative_displacement": (("t", "bead"), u[rows]),
-        "velocity": (("t", "bead"), velocity[rows]),
-    }
     if run.beads.varied:
-        variables["mass"] = ("bead", run.beads.mass)
-    coordinates = {"t": snapshots}
-    grid = _grid_times(scene)
-    if grid.size:
-        rows = np.searchsorted(recording.profile_times, grid)
-        moving = boundary.moving(u)
-        variables |= {
-            "relative_displacement_grid": (("t_grid", "bead"), u[rows]),
-            "velocity_grid": (("t_grid", "bead"), velocity[rows]),
-            "mean_relative_displacement": ("t_grid", moving[rows].sum(axis=1) / beads),
-            "total_velocity": ("t_grid", velocity[rows].sum(axis=1)),
-        }
-        coordinates["t_grid"] = grid
-    return xr.Dataset(variables, coordinates)
+        recorded.variables["mass"] = ("bead",), run.beads.mass
+    if boundary.holds_right:
+        recording.profile_u[:, beads] = boundary.right
+    snapshots, grid = np.asarray(scene["record"]["snapshots"], dtype=float), _grid_times(scene)
+    for times, along, suffix in ((snapshots, "t", ""), (grid, "t_grid", "_grid")):
+        if suffix and not times.size:
+            continue
+        rows = np.searchsorted(recording.profile_times, times)
+        u, d = (of[rows, 1 : beads + 1] for of in (recording.profile_u, recording.profile_d))
+        velocity = equations.velocities(d, u, boundary, run.law, run.momentum, times, run.beads)
+        recorded.coordinates[along] = times
+        recorded.variables[f"relative_displacement{suffix}"] = (along, "bead"), u
+        recorded.variables[f"velocity{suffix}"] = (along, "bead"), velocity
+        if suffix:
+            mean = boundary.moving(u).sum(axis=1) / beads
+            recorded.variables["mean_relative_displacement"] = (along,), mean
+            recorded.variables["total_velocity"] = (along,), velocity.sum(axis=1)
 
 
-def _probes(scene, run):
+def _add_probes(recorded, scene, run):
     probes, times, beads = _probe_samples(scene)
     samples = np.empty(times.size)
     samples[np.argsort(times, kind="stable")] = run.recording.samples
     if run.boundary.holds_right:
         # The engine keeps the last bead itself where the held contact has its place.
         samples[beads == bead_count(scene)] = run.boundary.right
-    dataset = xr.Dataset()
     for name, (moments, places) in probes.items():
         own, samples = np.split(samples, [moments.size * len(places)])
-        dataset[f"relative_displacement_{name}"] = xr.DataArray(
-            own.reshape(moments.size, len(places)),
-            coords={f"t_{name}": moments, f"bead_{name}": places},
-        )
-    return dataset
+        dims = (f"t_{name}", f"bead_{name}")
+        recorded.coordinates.update(zip(dims, (moments, places), strict=True))
+        values = own.reshape(moments.size, len(places))
+        recorded.variables[f"relative_displacement_{name}"] = dims, values
 
 
 def fitted_speed(arrival: np.ndarray) -> float:
@@ -201,11 +209,11 @@ def speed_and_error(arrival: np.ndarray, errors: np.ndarray) -> tuple[float, flo
 def _arrivals(scene, recording):
     every = slice(1, bead_count(scene) + 1)
     arrival = recording.arrival[TIME, every]
-    variables = {"arrival_time": ("bead", arrival), "front_speed": fitted_speed(arrival)}
+    variables = {"arrival_time": (("bead",), arrival), "front_speed": ((), fitted_speed(arrival))}
     if recording.track_extremes:
-        variables["first_peak"] = ("bead", recording.first_peak[VALUE, every])
-        variables["first_peak_time"] = ("bead", recording.first_peak[TIME, every])
-    return xr.Dataset(variables)
+        variables["first_peak"] = ("bead",), recording.first_peak[VALUE, every]
+        variables["first_peak_time"] = ("bead",), recording.first_peak[TIME, every]
+    return variables
 
 
 def extremes_of_all(recording, contacts):
@@ -219,13 +227,15 @@ def extremes_of_all(recording, contacts):
     }
     rounding = rounding_of(recording, contacts)
     for kind, side in (("largest", 1.0), ("smallest", -1.0)):
-        value, time, bead = candidates(getattr(recording, kind)[:, 1 : contacts + 1])
+        event = getattr(recording, kind)[:, 1 : contacts + 1]
+        values = side * event[[VALUE, RIVAL, END]]
         # Of extremes that are equal up to rounding the first one counts.
-        ties = np.flatnonzero(side * value >= (side * value).max() - rounding)
-        best = ties[np.lexsort((bead[ties], time[ties]))[0]]
-        variables[f"{kind}_relative_displacement"] = value[best]
-        variables[f"{kind}_relative_displacement_time"] = time[best]
-        variables[f"{kind}_relative_displacement_bead"] = bead[best]
+        rows, beads = np.nonzero(values >= values.max() - rounding)
+        times = event[[TIME, RIVAL_TIME, END_TIME]][rows, beads]
+        best = np.lexsort((beads, times))[0]
+        variables[f"{kind}_relative_displacement"] = side * values[rows[best], beads[best]]
+        variables[f"{kind}_relative_displacement_time"] = times[best]
+        variables[f"{kind}_relative_displacement_bead"] = beads[best] + 1.0
     return variables
 
 

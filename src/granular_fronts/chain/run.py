@@ -77,8 +77,9 @@ def prepare(scene: Mapping[str, Any]) -> Run:
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain.ahead, table[U])
-    _note_openings_at_start(recording, chain.contacts, u, velocity)
+    recording = make_recording(scene, chain, table[U])
+    if velocity.any():
+        _note_openings_at_start(recording, chain.contacts, u, velocity)
     momentum = float((beads.mass * velocity).sum())
     return Run(law, boundary, beads, chain, table, recording, momentum)
 
@@ -227,21 +228,22 @@ def make_chain(
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
     margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
+    piston = boundary.piston
     chain = make_record(
         state.CHAIN,
         law=compile_law(law, equations.damping_ratio(law, varied)),
+        clock=make_record(
+            state.CLOCK, h=FIRST_STEP, acceleration=piston.acceleration_at(0.0) if piston else 0.0
+        ),
         beads=beads,
         contacts=beads - boundary.holds_right,
         ring=boundary.ring,
         varied=varied.varied,
+        piston=np.ravel(varied.mass)[0] if piston else 0.0,
         gravity=varied.gravity,
         ahead=boundary.right,
         margin=beads if varied.gravity else margin,
     )
-    chain.clock.h = FIRST_STEP
-    if boundary.piston:
-        chain.piston = np.ravel(varied.mass)[0]
-        chain.clock.acceleration = boundary.piston.acceleration_at(0.0)
     rows = state.ROWS_OF_SINGLE if chain.law.single else state.ROWS_OF_PAIR
     table = state.make_table(rows, beads)
     table[U, 1 : beads + 1] = u
@@ -258,7 +260,8 @@ def make_chain(
                 potential, (boundary.left, boundary.right)
             )
     moves_at_the_end = boundary.ring or table[D, beads] != 0.0
-    chain.clock.reach = beads if moves_at_the_end else end_of_window(chain, table, chain.contacts)
+    reach = beads if moves_at_the_end else end_of_window(chain, table, chain.contacts)
+    chain["clock"]["reach"] = reach
     return chain, table
 
 
@@ -268,25 +271,27 @@ def compile_law(law: Law, ratio: float | None) -> np.record:
     It is an InputError if the law has more kinks or parameters than the record has room for, or if
     a user's function cannot be compiled or has changed since.
     """
-    record = make_record(state.LAW)
-    kinks = -np.array(law.kinks[::-1])
-    record.single = ratio is not None
-    record.gamma = ratio if record.single else 1.0
-    record.elastic = row_map(law.elastic, 1)
-    record.stage_pass = stage_pass(law.elastic) if record.single else 0
-    _fill_parameters(record.elastic_parameters, law.elastic)
-    if not record.single:
-        record.viscous = row_map(law.viscous, 1)
-        _fill_parameters(record.viscous_parameters, law.viscous)
+    kinks, single = -np.array(law.kinks[::-1]), ratio is not None
+    record = make_record(
+        state.LAW,
+        single=single,
+        gamma=ratio if single else 1.0,
+        elastic=row_map(law.elastic, 1),
+        viscous=0 if single else row_map(law.viscous, 1),
+        stage_pass=stage_pass(law.elastic) if single else 0,
+        kink_count=kinks.size,
+        has_stiff_kinks=any(np.isinf(law.elastic.second(kink)) for kink in law.kinks),
+        attraction=_acts_in_extension(law),
+    )
+    _fill_parameters(record["elastic_parameters"], law.elastic)
+    if not single:
+        _fill_parameters(record["viscous_parameters"], law.viscous)
     if kinks.size > state.MOST_KINKS:
         raise InputError(
             f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
             f"chain has room for {state.MOST_KINKS}: declare those alone that its contacts pass."
         )
-    record.kink_count = kinks.size
-    record.kinks[: kinks.size] = kinks
-    record.has_stiff_kinks = any(np.isinf(law.elastic.second(kink)) for kink in law.kinks)
-    record.attraction = _acts_in_extension(law)
+    record["kinks"][: kinks.size] = kinks
     return record
 
 

@@ -18,16 +18,15 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from granular_fronts.accuracy import error_attributes, rounding_floor
+from granular_fronts.accuracy import largest_difference, rounding_floor
 from granular_fronts.chain.balances import Balances
 from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import Recording
-from granular_fronts.chain.recording import collect
+from granular_fronts.chain.recording import Recorded, collect
 from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, work_done
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
-from granular_fronts.scenes.beads import bead_count
 from granular_fronts.scenes.chain import size_of_chain
 from granular_fronts.scenes.limits import show_time
 from granular_fronts.scenes.validation import check_scene
@@ -47,11 +46,16 @@ TERMS = {
 class Solution(NamedTuple):
     """One integration of a scene."""
 
-    dataset: xr.Dataset
+    recorded: Recorded
     counts: dict  # Steps accepted, rejected, cut at contacts; right-hand sides.
     drifts: dict  # Largest relative drift of the balance laws.
     recording: Recording  # As the integrator left it.
     ends: np.ndarray  # Times at which the steps ended.
+
+    @property
+    def dataset(self):
+        """What the run has recorded, as a dataset."""
+        return self.recorded.dataset
 
 
 def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
@@ -149,43 +153,41 @@ def _follow(scene, activity, integrate, steps):
 
 def _with_error_estimates(scene, solution, refined):
     """Return dataset of a solution of a scene, each variable with its error by a refined one."""
-    dataset = solution.dataset
-    events = event_errors(scene, solution.recording, refined.recording, dataset.attrs["contacts"])
-    for name, variable in dataset.data_vars.items():
-        other = refined.dataset[name]
-        attributes = error_attributes(variable, other, ERROR_METHOD)
+    own, other = solution.recorded, refined.recorded
+    recordings = solution.recording, refined.recording
+    events = event_errors(scene, *recordings, own.attributes["contacts"])
+    for name, (dims, values) in own.variables.items():
+        error, method = largest_difference(values, other.values(name)), ERROR_METHOD
         if name in TERMS:
-            error = _error_of_sum(scene, dataset, refined.dataset, name)
-            attributes["error_estimate"] = max(attributes["error_estimate"], error)
+            error = max(error, _error_of_sum(scene, own, other, name))
         if name in events:
-            if variable.dims:
+            if dims:
                 # An event in only one of the runs is not certain to have happened.
-                variable.values[np.isnan(other.values)] = np.nan
+                values[np.isnan(other.values(name))] = np.nan
             # Nothing is known of a number without an error.
             error = np.inf if np.isnan(events[name]) else events[name]
-            attributes["error_estimate"] = float(np.maximum(error, rounding_floor(variable)))
-            attributes["error_method"] = EVENT_METHOD
-        variable.attrs |= attributes
-    dataset.attrs |= {
-        "solver": SOLVER,
-        "relative_tolerance": float(scene["tolerance"]["relative"]),
-        "absolute_tolerance": float(scene["tolerance"]["absolute"]),
+            error, method = float(np.maximum(error, rounding_floor(values))), EVENT_METHOD
+        own.variables[name] = dims, values, {"error_estimate": error, "error_method": method}
+    own.attributes.update(
+        solver=SOLVER,
+        relative_tolerance=float(scene["tolerance"]["relative"]),
+        absolute_tolerance=float(scene["tolerance"]["absolute"]),
         **solution.counts,
         **solution.drifts,
-    }
-    return name_variables(dataset)
+    )
+    return name_variables(own.dataset)
 
 
-def _error_of_sum(scene, dataset, refined, name):
+def _error_of_sum(scene, own, other, name):
     """Return the least error of a sum over beads, on which two runs may agree by chance."""
-    error = 4.0 * rounding_floor(dataset[TERMS[name]])
+    error = 4.0 * rounding_floor(own.values(TERMS[name]))
     if name == "mean_relative_displacement":
         # The rounding of the rates adds up as time goes on.
-        error += scene["end_time"] * rounding_floor(dataset["velocity_grid"])
+        error += scene["end_time"] * rounding_floor(own.values("velocity_grid"))
         if scene["boundary"]["kind"] != "ring":
             # The mean belongs to x_1 - x_N; the neighbours of these beads give further samples.
-            u, other = (one[TERMS[name]].values[:, :-1] for one in (dataset, refined))
-            total = (other - u).sum(axis=1)
-            ends = (total, total - (other - u)[:, 0], total - (other - u)[:, -1])
+            difference = (other.values(TERMS[name]) - own.values(TERMS[name]))[:, :-1]
+            total = difference.sum(axis=1)
+            ends = (total, total - difference[:, 0], total - difference[:, -1])
             error += np.abs(ends).max() / bead_count(scene)
     return error

@@ -105,6 +105,12 @@ def check_front_of_powers(front):
 
 def check_grid(front):
     """Refuse a front that is not on the grid of its solution, from end to end."""
+    if front["relative_displacement"].dims != ("xi",) or not front.sizes["xi"]:
+        raise InputError(
+            f"front has relative_displacement of shape {front['relative_displacement'].shape}, "
+            "but must have points along xi alone: "
+            "evaluate the front as it was solved, and thin, crop or shift the values."
+        )
     xi, u = front["xi"].values, front["relative_displacement"].values
     spacing, middle = front.attrs.get("spacing", math.nan), int(np.argmin(np.abs(xi)))
     behind, ahead = (-front.attrs.get(f"state_{end}", math.nan) for end in ("behind", "ahead"))

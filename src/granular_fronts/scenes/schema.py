@@ -90,20 +90,28 @@ def violations(
         where = "".join(_locate([*place])).removesuffix(": ") or "The file"
         yield f"{where} holds {found:,} values, above the limit of {MOST_VALUES:,}: list fewer."
         return
-    rules = load_schema(schema)
-    if definition:
-        rules = {"$ref": f"#/$defs/{definition}", "$defs": rules["$defs"]}
-    errors = sorted(_Validator(rules).iter_errors(instance), key=lambda error: str(error.path))
+    validator = _validator_of(schema, definition)
+    definitions = validator.schema["$defs"]
+    errors = sorted(validator.iter_errors(instance), key=lambda error: str(error.path))
     for error in errors:
         scene, key = _locate([*place, *error.absolute_path])
         if not key and error.validator not in ABOUT_KEYS:
             scene, key = "", scene.removesuffix(": ") or "the file"
-        yield scene + _sentence(error, key, rules["$defs"])
+        yield scene + _sentence(error, key, definitions)
 
 
 def name_entry(key: str, index: int) -> str:
     """Name an entry of a list as people count, for example ``record.snapshots (entry 1)``."""
     return f"{key} (entry {index + 1})"
+
+
+@functools.cache
+def _validator_of(schema: str, definition: str | None) -> Any:
+    """Return the validator of a schema, or of one of its definitions."""
+    rules = load_schema(schema)
+    if definition:
+        rules = {"$ref": f"#/$defs/{definition}", "$defs": rules["$defs"]}
+    return _Validator(rules)
 
 
 @functools.cache

@@ -215,7 +215,7 @@ def _follow_beads(ring, times, resolution):
     )
     run = prepare(scene)
     integrate(run, scene["tolerance"])
-    data = collect(scene, run)
+    data = collect(scene, run).dataset
     return Motion(
         site,
         data["relative_displacement"].values,

@@ -22,6 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import beta, betainc
 
+from granular_fronts.continuum.log_kdv_burgers.fourier_waves import values_at
+
 
 class Plateau(NamedTuple):
     """The start (49): half-width w of the plateau, floor η."""
@@ -63,29 +65,25 @@ class Given(NamedTuple):
 
     def values(self, xi, half_length):
         """Return y⁰ at the points `xi`, any shape, taken modulo 2ℓ."""
-        phase = np.pi * (np.asarray(xi, dtype=float) / half_length + 1.0)
-        wave_numbers, amplitudes = self._amplitudes(1.0)
-        return (np.exp(1j * np.multiply.outer(phase, wave_numbers)) @ amplitudes).real
+        return values_at(self._amplitudes(1.0), half_length, np.asarray(xi, dtype=float))
 
     def averages(self, cells, half_length, alpha):
         """Return averages of y^(1/α) over equal cells from −ℓ to ℓ, shape (cells,)."""
-        wave_numbers, amplitudes = self._amplitudes(1.0 / alpha)
+        amplitudes = self._amplitudes(1.0 / alpha)
         # Parts of cells that are fine enough for every wave.
-        parts = -(-2 * wave_numbers.size // cells)
-        turn = wave_numbers / (cells * parts)
-        averages = 0.5 * amplitudes * np.exp(1j * np.pi * turn) * np.sinc(turn)
-        averages[0] *= 2.0
+        parts = -(-2 * amplitudes.size // cells)
+        turn = np.arange(amplitudes.size) / (cells * parts)
+        averages = amplitudes * np.exp(1j * np.pi * turn) * np.sinc(turn)
         values = np.fft.irfft(averages, cells * parts, norm="forward")
         return values.reshape(cells, parts).mean(axis=1)
 
     def _amplitudes(self, power):
-        """Return the wave numbers 0 … M/2 and the amplitudes of y^q, whose real part is meant."""
+        """Return the amplitudes of y^q of the waves 0 … M/2."""
         values = np.asarray(self.rescaled_force[:-1], dtype=float) ** power
-        amplitudes = np.fft.rfft(values) / values.size
-        amplitudes[1:] *= 2.0
+        amplitudes = np.fft.rfft(values, norm="forward")
         if values.size % 2 == 0:
             amplitudes[-1] *= 0.5
-        return np.arange(amplitudes.size), amplitudes
+        return amplitudes
 
 
 def make_start(start):

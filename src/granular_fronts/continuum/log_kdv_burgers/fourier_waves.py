@@ -64,7 +64,7 @@ def values_on_points(amplitudes, points):
 
 
 def values_at(amplitudes, half_length, xi):
-    """Return the values at any points, taken modulo 2ℓ: the sum of all waves."""
+    """Return the values at any points, any shape, taken modulo 2ℓ: the sum of all waves."""
     blocks = -(-amplitudes.size // BLOCK)
     weights = np.zeros((blocks, BLOCK), complex)
     weights.flat[: amplitudes.size] = 2.0 * amplitudes
@@ -72,7 +72,7 @@ def values_at(amplitudes, half_length, xi):
     phase = np.pi * (xi / half_length + 1.0)
     waves_of_block = np.exp(1j * np.multiply.outer(phase, np.arange(BLOCK)))
     first_waves = np.exp(1j * np.multiply.outer(phase, BLOCK * np.arange(blocks)))
-    return ((waves_of_block @ weights.T) * first_waves).sum(axis=1).real
+    return ((waves_of_block @ weights.T) * first_waves).sum(axis=-1).real
 
 
 def start_amplitudes(start, half_length, points):

@@ -61,6 +61,7 @@ from granular_fronts.fronts.shooting.initial_guess import Guess, fit
 from granular_fronts.fronts.shooting.solve import LARGEST_DECAY_PER_STEP
 from granular_fronts.fronts.shooting.window import slow_roots, tail_length
 from granular_fronts.fronts.validation import check_front_of_powers
+from granular_fronts.numerics.threads import one_thread
 
 STEPS = 32
 FEWEST_BEHIND, MOST_BEHIND = 40, 300
@@ -152,6 +153,7 @@ def front_multipliers(
     )
 
 
+@one_thread()
 def multipliers(u, d, alpha, gamma, beta):
     r"""Eigenvalues of `monodromy_matrix`, the one next to 1 first, then by decreasing modulus.
 
@@ -163,7 +165,7 @@ def multipliers(u, d, alpha, gamma, beta):
     overlap = np.abs(np.sum(left.conj() * right, axis=0))
     # Defective ones have no overlap: rounding moves them anywhere.
     overlap = np.maximum(overlap, np.finfo(float).tiny)
-    errors = UNITS_OF_ROUNDING * np.finfo(float).eps * np.linalg.norm(matrix, 2) / overlap
+    errors = UNITS_OF_ROUNDING * np.finfo(float).eps * scipy.linalg.svdvals(matrix)[0] / overlap
     translation = np.argmin(np.abs(values - 1.0))
     others = np.lexsort((-values.imag, -np.abs(values)))
     order = np.concatenate([[translation], others[others != translation]])

@@ -92,7 +92,7 @@ def _run_strain_form(scene, tolerance):
     run = prepare(scene)
     with Stopwatch() as watch:
         integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
-    final = collect(scene, run).isel(t=-1)
+    final = collect(scene, run).dataset.isel(t=-1)
     work = work_done(run.clock)
     return Run(
         {name: final[name].values for name in FIELDS},
