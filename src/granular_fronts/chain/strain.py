@@ -212,7 +212,8 @@ def _final_sum(table, slopes, weights, n):
     """Return the weighted sum of the slopes of bead n over the final stages."""
     total = 0.0
     for j in range(len(weights)):
-        total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
+        if weights[j] != 0.0:
+            total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
     return total
 
 
@@ -228,15 +229,17 @@ def _add_elastic(chain, table, h, first, last):
     attraction = chain.law.attraction
     fifth = third = compression = rate = total = int64(0)
     for n in range(uint64(first), uint64(last + 1)):
+        # All sums before the stores, so that each slope is loaded once.
         b, b_a = (
             _final_sum(table, slopes, rk.FINAL_B, n),
             _final_sum(table, slopes, rk.FINAL_B_A, n),
         )
+        error_5 = _final_sum(table, slopes, rk.FINAL_5, n)
+        error_3 = b + _final_sum(table, slopes, rk.FINAL_3_LESS_B, n)
         u, d = table[U, n], table[D, n]
         new_u, new_d = u + (h * d + (h_gamma * b + h_squared * b_a)), d + h * b
         table[NEW_U, n], table[NEW_D, n] = new_u, new_d
-        fifth = max(fifth, bits_of(abs(_final_sum(table, slopes, rk.FINAL_5, n))))
-        third = max(third, bits_of(abs(_final_sum(table, slopes, rk.FINAL_3, n))))
+        fifth, third = max(fifth, bits_of(abs(error_5))), max(third, bits_of(abs(error_3)))
         compression = max(compression, bits_of(max(u, -attraction * u)))
         rate = max(rate, bits_of(abs(d)))
         total = max(total, bits_of(abs(new_u) + abs(new_d)))
@@ -257,9 +260,11 @@ def _add_viscous(chain, table, h, first, last):
     slopes = uint64(VISCOUS_SLOPES)
     fifth = third = int64(0)
     for n in range(uint64(first), uint64(last + 1)):
-        table[NEW_U, n] += h * _final_sum(table, slopes, rk.FINAL_B, n)
-        fifth = max(fifth, bits_of(abs(_final_sum(table, slopes, rk.FINAL_5, n))))
-        third = max(third, bits_of(abs(_final_sum(table, slopes, rk.FINAL_3, n))))
+        b = _final_sum(table, slopes, rk.FINAL_B, n)
+        error_5 = _final_sum(table, slopes, rk.FINAL_5, n)
+        error_3 = b + _final_sum(table, slopes, rk.FINAL_3_LESS_B, n)
+        table[NEW_U, n] += h * b
+        fifth, third = max(fifth, bits_of(abs(error_5))), max(third, bits_of(abs(error_3)))
     return h * double_of(fifth), h * double_of(third)
 
 
