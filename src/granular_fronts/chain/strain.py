@@ -162,12 +162,17 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 
 @subroutine(forceinline=True)
-def take_slopes(chain, table, source, slot, reach, with_power):
-    """Write slopes of the compressions of a row into a slot; return the power, if asked."""
-    law, last = chain.law, min(reach, chain.contacts)
+def _take_forces(law, table, source, last):
+    """Write the forces of the compressions 1 … last of a row."""
     call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
     if not law.single:
         call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
+
+
+@subroutine(forceinline=True)
+def take_slopes(chain, table, source, slot, reach, with_power):
+    """Write slopes of the compressions of a row into a slot; return the power, if asked."""
+    _take_forces(chain.law, table, source, min(reach, chain.contacts))
     return _difference_forces(chain, table, slot, reach, with_power)
 
 
@@ -181,14 +186,14 @@ def _take_stage(chain, table, row, h, reach, with_power):
         call_stage_pass(
             law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
         )
-        return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
-    if law.single:
-        sum_rows(table, VALUE, U, D, factor, elastic, weights, last)
     else:
-        sum_rows(table, PARTIAL, U, D, factor, elastic, weights, last)
-        viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
-        sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
-    return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
+        target = VALUE if law.single else PARTIAL
+        sum_rows(table, target, U, D, factor, elastic, weights, last)
+        if not law.single:
+            viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
+            sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
+        _take_forces(law, table, VALUE, last)
+    return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
 
 
 class Largest(NamedTuple):
@@ -322,9 +327,13 @@ def try_step(chain, table, h, reach, with_energy):
         with_power = with_energy and rk.B[row] != 0.0
         energy += rk.B[row] * _take_stage(chain, table, row, h, reach, with_power)
     last = min(reach, chain.contacts)
-    if reach > last:
-        _finish(chain, table, h, reach, reach)
-    return _finish(chain, table, h, int64(1), last), h * energy
+    # The last bead first, so that what is largest is that of the others.
+    first, end = (reach, reach) if reach > last else (int64(1), last)
+    while True:
+        largest = _finish(chain, table, h, first, end)
+        if first == 1:
+            return largest, h * energy
+        first, end = int64(1), last
 
 
 @subroutine
