@@ -66,7 +66,7 @@ def test_slots_hold_every_row():
         (rk.FINAL_B, rk.B),
         (rk.FINAL_B_A, rk.B @ rk.A),
         (rk.FINAL_5, rk.ERROR_5),
-        (rk.FINAL_3, rk.ERROR_3),
+        (np.add(rk.FINAL_3_LESS_B, rk.FINAL_B), rk.ERROR_3),
     ],
 )
 def test_final_stages_hold_all_that_the_new_state_needs(final, weights):

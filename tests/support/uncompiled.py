@@ -62,6 +62,7 @@ def call_stage_pass(address, table, window, last, factor, weights, parameters):
 bits.bits_of = lambda number: np.float64(number).view(np.int64)
 bits.double_of = lambda number: np.int64(number).view(np.float64)
 bits.multiply_add = multiply_add
+bits.borrowed = lambda values: values
 compiled.callback = numba.cfunc = callback
 numba.carray = carray
 ndarray.to_fixed_tuple = lambda array, size: tuple(array[:size])

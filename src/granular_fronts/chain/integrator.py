@@ -32,6 +32,7 @@ from granular_fronts.chain.strain import (
     try_step,
 )
 from granular_fronts.numerics import runge_kutta as rk
+from granular_fronts.numerics.bits import borrowed
 from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
 
@@ -96,29 +97,32 @@ def _complete(chain, table, recording, h, t_new, energy):
 
 
 @kernel
-def advance(chain, table, recording, relative, absolute, ends):
+def advance(chain, table, recording, relative, absolute, ends, prescribed):
     """Integrate until the last stop, or until so many further steps are accepted as `ends` holds.
 
-    The ends of these steps are written into `ends`.  The result is RUNNING, FINISHED, or why it
-    stopped: COLLAPSED, NOT_FINITE, OPENED.
+    The ends of these steps are written into `ends`; prescribed, they are read from there, and no
+    step is rejected.  The result is RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE,
+    OPENED.
     """
+    table, recording, ends = borrowed((table, recording, ends))
     law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
     after_rejection = False
     steps = 0
-    while steps < ends.size and not interrupted():
-        if next_.stop == stops.size:
-            return FINISHED
+    while steps < ends.size and next_.stop < stops.size and not interrupted():
         t, stop, reach = clock.t, stops[next_.stop], clock.reach
         landing = t + clock.h >= stop
-        t_new = stop if landing else t + clock.h
+        t_new = ends[steps] if prescribed else stop if landing else t + clock.h
         h, shortest = t_new - t, SHORTEST_STEP_IN_SPACINGS * np.spacing(t)
-        if h < shortest and not landing:
+        if h < shortest and not (landing or prescribed):
             return COLLAPSED
         last = min(reach, chain.contacts)
         largest, energy = try_step(chain, table, h, reach, recording.track_energy)
         clock.right_hand_sides += rk.STAGES
         error = error_norm(law, largest, h, relative, absolute)
-        if not error <= 1.0:
+        if prescribed:
+            if math.isnan(error):
+                return NOT_FINITE
+        elif not error <= 1.0:
             clock.rejected += 1
             after_rejection = True
             if math.isnan(error):
@@ -127,7 +131,7 @@ def advance(chain, table, recording, relative, absolute, ends):
                     return NOT_FINITE
             clock.h = h * _reduction_of(error)
             continue
-        if passes_any_kink(chain, table, last):
+        elif passes_any_kink(chain, table, last):
             if law.has_stiff_kinks:
                 return OPENED
             allowed = absolute + relative * largest.compression
@@ -145,26 +149,4 @@ def advance(chain, table, recording, relative, absolute, ends):
         if not landing or growth < 1.0:
             clock.h = h * (min(1.0, growth) if after_rejection else growth)
         after_rejection = False
-    return RUNNING
-
-
-@kernel
-def follow(chain, table, recording, ends, most_steps):
-    """Integrate until the last stop, or take `most_steps` steps, which end at given times.
-
-    The result is RUNNING, FINISHED, or NOT_FINITE.
-    """
-    clock, next_ = chain.clock, recording.next
-    for _ in range(most_steps):
-        if next_.stop == recording.stops.size:
-            return FINISHED
-        if interrupted():
-            return RUNNING
-        t_new = ends[clock.accepted]
-        h = t_new - clock.t
-        largest, energy = try_step(chain, table, h, clock.reach, recording.track_energy)
-        clock.right_hand_sides += rk.STAGES
-        if not math.isfinite(largest.state):
-            return NOT_FINITE
-        _complete(chain, table, recording, h, t_new, energy)
-    return RUNNING
+    return FINISHED if next_.stop == stops.size else RUNNING

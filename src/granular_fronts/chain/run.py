@@ -110,7 +110,7 @@ def integrate(
 
     def advance(chain, table, recording):
         ends, before = np.empty(STEPS_PER_BLOCK), chain.clock.accepted
-        status = integrator.advance(chain, table, recording, relative, absolute, ends)
+        status = integrator.advance(chain, table, recording, relative, absolute, ends, False)
         blocks.append(ends[: chain.clock.accepted - before])
         return status
 
@@ -133,7 +133,9 @@ def integrate_in_halves(
     halves = halves[halves > 0.0]
 
     def follow(chain, table, recording):
-        return integrator.follow(chain, table, recording, halves, STEPS_PER_BLOCK)
+        first = chain.clock.accepted
+        ends = halves[first : first + STEPS_PER_BLOCK]
+        return integrator.advance(chain, table, recording, 1.0, 1.0, ends, True)
 
     _advance_parts(run, follow, after_block)
     return halves

@@ -27,6 +27,7 @@ from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, w
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.output.progress import time_bar
+from granular_fronts.scenes.beads import bead_count
 from granular_fronts.scenes.chain import size_of_chain
 from granular_fronts.scenes.limits import show_time
 from granular_fronts.scenes.validation import check_scene

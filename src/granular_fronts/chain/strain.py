@@ -233,12 +233,17 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 
 @subroutine(forceinline=True)
-def take_slopes(chain, table, source, slot, reach, with_power):
-    """Write slopes of the compressions of a row into a slot; return the power, if asked."""
-    law, last = chain.law, min(reach, chain.contacts)
+def _take_forces(law, table, source, last):
+    """Write the forces of the compressions 1 … last of a row."""
     call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
     if not law.single:
         call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
+
+
+@subroutine(forceinline=True)
+def take_slopes(chain, table, source, slot, reach, with_power):
+    """Write slopes of the compressions of a row into a slot; return the power, if asked."""
+    _take_forces(chain.law, table, source, min(reach, chain.contacts))
     return _difference_forces(chain, table, slot, reach, with_power)
 
 
@@ -252,14 +257,14 @@ def _take_stage(chain, table, row, h, reach, with_power):
         call_stage_pass(
             law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
         )
-        return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
-    if law.single:
-        sum_rows(table, VALUE, U, D, factor, elastic, weights, last)
     else:
-        sum_rows(table, PARTIAL, U, D, factor, elastic, weights, last)
-        viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
-        sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
-    return take_slopes(chain, table, VALUE, rk.SLOT[row], reach, with_power)
+        target = VALUE if law.single else PARTIAL
+        sum_rows(table, target, U, D, factor, elastic, weights, last)
+        if not law.single:
+            viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
+            sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
+        _take_forces(law, table, VALUE, last)
+    return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
 
 
 class Largest(NamedTuple):
@@ -283,7 +288,8 @@ def _final_sum(table, slopes, weights, n):
     """Return the weighted sum of the slopes of bead n over the final stages."""
     total = 0.0
     for j in range(len(weights)):
-        total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
+        if weights[j] != 0.0:
+            total += weights[j] * table[slopes + uint64(rk.FINAL_SLOTS[j]), n]
     return total
 
 
@@ -299,15 +305,17 @@ def _add_elastic(chain, table, h, first, last):
     attraction = chain.law.attraction
     fifth = third = compression = rate = total = int64(0)
     for n in range(uint64(first), uint64(last + 1)):
+        # All sums before the stores, so that each slope is loaded once.
         b, b_a = (
             _final_sum(table, slopes, rk.FINAL_B, n),
             _final_sum(table, slopes, rk.FINAL_B_A, n),
         )
+        error_5 = _final_sum(table, slopes, rk.FINAL_5, n)
+        error_3 = b + _final_sum(table, slopes, rk.FINAL_3_LESS_B, n)
         u, d = table[U, n], table[D, n]
         new_u, new_d = u + (h * d + (h_gamma * b + h_squared * b_a)), d + h * b
         table[NEW_U, n], table[NEW_D, n] = new_u, new_d
-        fifth = max(fifth, bits_of(abs(_final_sum(table, slopes, rk.FINAL_5, n))))
-        third = max(third, bits_of(abs(_final_sum(table, slopes, rk.FINAL_3, n))))
+        fifth, third = max(fifth, bits_of(abs(error_5))), max(third, bits_of(abs(error_3)))
         compression = max(compression, bits_of(max(u, -attraction * u)))
         rate = max(rate, bits_of(abs(d)))
         total = max(total, bits_of(abs(new_u) + abs(new_d)))
@@ -328,9 +336,11 @@ def _add_viscous(chain, table, h, first, last):
     slopes = uint64(VISCOUS_SLOPES)
     fifth = third = int64(0)
     for n in range(uint64(first), uint64(last + 1)):
-        table[NEW_U, n] += h * _final_sum(table, slopes, rk.FINAL_B, n)
-        fifth = max(fifth, bits_of(abs(_final_sum(table, slopes, rk.FINAL_5, n))))
-        third = max(third, bits_of(abs(_final_sum(table, slopes, rk.FINAL_3, n))))
+        b = _final_sum(table, slopes, rk.FINAL_B, n)
+        error_5 = _final_sum(table, slopes, rk.FINAL_5, n)
+        error_3 = b + _final_sum(table, slopes, rk.FINAL_3_LESS_B, n)
+        table[NEW_U, n] += h * b
+        fifth, third = max(fifth, bits_of(abs(error_5))), max(third, bits_of(abs(error_3)))
     return h * double_of(fifth), h * double_of(third)
 
 
@@ -388,9 +398,13 @@ def try_step(chain, table, h, reach, with_energy):
         with_power = with_energy and rk.B[row] != 0.0
         energy += rk.B[row] * _take_stage(chain, table, row, h, reach, with_power)
     last = min(reach, chain.contacts)
-    if reach > last:
-        _finish(chain, table, h, reach, reach)
-    return _finish(chain, table, h, int64(1), last), h * energy
+    # The last bead first, so that what is largest is that of the others.
+    first, end = (reach, reach) if reach > last else (int64(1), last)
+    while True:
+        largest = _finish(chain, table, h, first, end)
+        if first == 1:
+            return largest, h * energy
+        first, end = int64(1), last
 
 
 @subroutine

@@ -123,8 +123,8 @@ A_WINDOWS, A_SQUARED_WINDOWS = _windows(A), _windows(A_SQUARED)
 A_SLOTS, A_SQUARED_SLOTS = _in_slots(A), _in_slots(A_SQUARED)
 FINAL_STAGES = (0, 5, 6, 7, 8, 9, 10, 11)
 FINAL_SLOTS = tuple(map(int, SLOT[list(FINAL_STAGES)]))
-FINAL_B, FINAL_B_A, FINAL_5, FINAL_3 = (
-    tuple(map(float, weights[list(FINAL_STAGES)])) for weights in (B, B_A, ERROR_5, ERROR_3)
+FINAL_B, FINAL_B_A, FINAL_5, FINAL_3_LESS_B = (
+    tuple(map(float, weights[list(FINAL_STAGES)])) for weights in (B, B_A, ERROR_5, ERROR_3 - B)
 )
 CONTINUOUS = _continuous_weights()
 CONTINUOUS_A = CONTINUOUS @ A
