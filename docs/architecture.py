@@ -62,7 +62,7 @@ path { fill: none; stroke: #4477aa; stroke-width: 1.3; marker-end: url(#head); }
 Wings = Mapping[str, set[str]]
 
 
-def read_wings(package: Path = PACKAGE) -> dict[str, set[str]]:
+def read_packages(package: Path = PACKAGE) -> dict[str, set[str]]:
     """Wings of the package, and those that each imports."""
     files = module_files(package.parent)
     imports: dict[str, set[str]] = defaultdict(set)
@@ -192,4 +192,4 @@ def draw(imports: Wings) -> str:
 
 
 if __name__ == "__main__":
-    PICTURE.write_text(draw(read_wings()), encoding="utf-8")
+    PICTURE.write_text(draw(read_packages()), encoding="utf-8")

@@ -23,8 +23,7 @@ def test_sentences_are_short(page):
 
 
 def test_sentences_of_docstrings_are_short():
-    # The modules of the chain still hold longer ones.
-    for module in (one for one in SENTENCES.sources() if one.parent.name != "chain"):
+    for module in SENTENCES.sources():
         found = SENTENCES.docstring_sentences(module.read_text(encoding="utf-8"))
         longest = max(found, key=SENTENCES.docstring_words, default="")
         assert SENTENCES.docstring_words(longest) <= SENTENCES.MOST_WORDS_IN_A_DOCSTRING, module

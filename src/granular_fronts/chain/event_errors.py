@@ -1,7 +1,7 @@
 r"""Errors of located events, from the events of two runs.
 
 Two runs may agree on a single number by chance, on many they do not.  Every event of a contact is a
-sample of the error of u or u̇: the value of an extreme is wrong by :math:`\delta u`, its time by
+sample of the error of u or u̇.  The value of an extreme is wrong by :math:`\delta u`, its time by
 :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  The states at a
 few times are samples too.  An event takes the largest of the samples near it, of contacts at most
 `NEAR` away and of times within a factor of `RECENT`. More than `FEW` events of one kind are enough:

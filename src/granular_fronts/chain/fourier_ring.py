@@ -6,10 +6,10 @@ The dissipative chain in strain form with :math:`\beta = \alpha`, James (2021), 
 
     \dot u_n = d_n + \gamma\,\Delta_d\,u_n^\alpha, \qquad \dot d_n = \Delta_d\,u_n^\alpha,
 
-holds for every n, whole or not, if it holds for the functions :math:`u(n, t)` and :math:`d(n, t)`
-of a real number n of period N: each offset :math:`n_0 \in [0, 1)` is a chain by itself.  A start
-that is smooth in n stays so while all contacts are compressed.  Then a few Fourier coefficients,
-far fewer than there are beads, hold all chains at once.  They obey the same equations with
+holds for every n, whole or not, if it holds for functions :math:`u(n, t)` and :math:`d(n, t)` of a
+real n with period N.  Each offset :math:`n_0 \in [0, 1)` is a chain by itself.  A start that is
+smooth in n stays so while all contacts are compressed.  Then a few Fourier coefficients, far fewer
+than there are beads, hold all chains at once.  They obey the same equations with
 
 .. math:: \Delta_d \to -\omega_k^2, \qquad \omega_k = 2\sin(k/2), \qquad k = 2\pi j/N,
 
@@ -98,9 +98,9 @@ def solve_fourier_ring(
 ) -> Wave:
     """Follow a smooth compressed wave on a ring; a contact that opens is a GapError.
 
-    u and the velocity start at equally spaced sites, the first at n = 0; more of them than
-    coefficients are kept loses nothing of a smooth start.  Times increase from 0 or later, in units
-    of 1/c, and the tolerance is the relative error per step.
+    u and the velocity start at equally spaced sites, the first at n = 0.  With more sites than
+    coefficients a smooth start loses nothing.  Times increase from 0 or later, in units of 1/c, and
+    the tolerance is the relative error per step.
     """
     first, speed = (_resampled(row, ring.points) for row in (u, velocity))
     if not first.min() > 0.0:

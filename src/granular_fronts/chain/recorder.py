@@ -15,15 +15,15 @@ Three of the slopes belong to stages that nothing else uses.  A slope depends on
 neighbouring contacts.  So the polynomial of contact n needs the first of the three stages on the
 contacts n ± 3, the second on n ± 2 and the third on n ± 1.  Only these are computed.
 
-Most steps hold nothing of note, which loops over whole rows without a branch find out:
+Most steps hold nothing of note.  Loops over whole rows without a branch find this out:
 `next_passage` looks at the contacts that wait for their arrival, `next_turn` at all.  Between the
 ends of a step u exceeds both by no more than about :math:`h|\dot u(t + h) - \dot u(t)|/2`; where
 this may matter, the polynomial of the contact decides.
 
 Of a contact that turns twice within a step the rates at both ends have one sign.  The cubic through
-the ends then turns twice, and :math:`|\dot u|` first falls, which the first stage shows.  The foot
-of a front, where u grows by orders of magnitude within a step, makes the cubic swing as well, but
-there :math:`|\dot u|` grows at once.
+the ends then turns twice, and :math:`|\dot u|` first falls, which the first stage shows.  In the
+foot of a front u grows by orders of magnitude within a step.  The cubic swings there as well, but
+:math:`|\dot u|` grows at once.
 """
 
 import math

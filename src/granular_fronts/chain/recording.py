@@ -10,8 +10,8 @@ Variables of the dataset (names and units are given once, in `granular_fronts.ou
   `largest_relative_displacement`, `smallest_relative_displacement`, `first_gap`, each with its
   time and bead.
 
-Attributes: `contacts`, how many contacts move, N − 1, or N on a ring; `contacts_open`, 1 where the
-law lets contacts open, since no force holds extended ones, and 0 where it does not.
+Attributes.  `contacts` is how many contacts move: N − 1, or N on a ring and before a wall.
+`contacts_open` is 1 where the law lets contacts open, since no force holds extended ones, else 0.
 
 The last bead's entry of a relative displacement is the held value at the right end.  On a ring it
 is the contact that closes it.  A piston is bead 1: its velocity is prescribed, and the first

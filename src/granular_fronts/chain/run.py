@@ -4,7 +4,7 @@ Rest means ẋ = 0, James (2021), section 3.3: where a boundary holds a contact 
 the generalised velocity starts at w_1(0) = −γ δ^β.
 
 A piston that rises to its velocity is integrated in two parts, since its acceleration jumps at the
-end of the ramp: a step lands there, and w_1 takes up the jump (see `strain`).
+end of the ramp.  A step lands there, and w_1 takes up the jump (see `strain`).
 """
 
 import functools
@@ -99,7 +99,7 @@ def integrate(
 ) -> np.ndarray:
     """Advance a run to its end; returns the times at which steps ended.
 
-    The tolerance is `relative` and `absolute`, per step, in the maximum norm over beads;
+    The tolerance is `relative` and `absolute`, per step, in the maximum norm over beads.
     `after_block` is called with the run after every `STEPS_PER_BLOCK` steps and at the end.
 
     A SolveError says that the step size collapsed, that the state is no longer finite, or that for
@@ -270,8 +270,8 @@ def make_chain(
 def compile_law(law: Law, ratio: float | None) -> np.record:
     """What the kernels know of a law, a record of type `state.LAW`; G = ratio F if it is a number.
 
-    It is an InputError if the law has more kinks or parameters than the record has room for, or if
-    a user's function cannot be compiled or has changed since.
+    More kinks or parameters than the record has room for are an InputError.  So is a user's
+    function that cannot be compiled or has changed since.
     """
     kinks, single = -np.array(law.kinks[::-1]), ratio is not None
     record = make_record(

@@ -4,8 +4,8 @@ A scene is the mapping that the configuration holds under `scenes: chain:`; its 
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
 the adaptive pair of `integrator`.
 
-Accuracy.  Every scene is integrated again, with two steps for each of the first run, so that the
-runs differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The
+Accuracy.  Every scene is integrated again, with two steps for each of the first run.  The runs thus
+differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The
 error estimate of an array is the largest difference between them.  Single numbers, which may agree
 by chance, take theirs from all events near them (`event_errors`).  The estimates come from an
 independent refinement and not from the step controller; they are no bounds.

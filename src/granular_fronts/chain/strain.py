@@ -18,20 +18,19 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
 
 - Pressure, eq. (25): the contacts 1 … N − 1 move, :math:`u_0 = \delta` and
   :math:`u_N = \tilde\delta` are held.  Entry N of the state carries the last bead itself,
-  :math:`u_N := x_N` and :math:`d_N := w_N`; it obeys the same equations if the forces beyond it are
-  continued as a constant, :math:`F_{N+1} = F_N = F(\tilde\delta)`.  Then
+  :math:`u_N := x_N` and :math:`d_N := w_N`.  It obeys the same equations if the forces beyond it
+  are continued as a constant, :math:`F_{N+1} = F_N = F(\tilde\delta)`.  Then
   :math:`x_n = \sum_{k\ge n} u_k`, :math:`w_n = \sum_{k\ge n} d_k`, and
-  :math:`\sum_n w_n = \sum_n n\,d_n` grows by exactly
-  :math:`(F(\delta) - F(\tilde\delta))\,h` in every step: a linear law that a Runge-Kutta
-  method keeps to round-off.
+  :math:`\sum_n w_n = \sum_n n\,d_n` grows by exactly :math:`(F(\delta) - F(\tilde\delta))\,h` in
+  every step: a linear law that a Runge-Kutta method keeps to round-off.
 - Ring, eq. (26): all contacts 1 … N move, indices are taken modulo N.
 - Wall on the right: contact N moves too, and entry N is :math:`u_N = x_N` as before.
 - Piston: as pressure, but bead 1 moves at a prescribed velocity V(t), whose acceleration a is
   piecewise constant.  Newton's law for this bead, of mass 1 like the others, gives the force behind
-  it: :math:`F_0 = F_1 + a` closes both Laplacians, the mirror image of contact 1 shifted by a. Then
-  :math:`\dot d_1 = a - F_1 + F_2`.  The shift of the viscous closure is a convention, since w_1
-  takes it up.  It is γa for a single law, whose viscous slopes are γ times the elastic ones, so
-  that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
+  it.  With :math:`F_0 = F_1 + a` both Laplacians are closed, by the mirror image of contact 1
+  shifted by a.  Then :math:`\dot d_1 = a - F_1 + F_2`.  The shift of the viscous closure is a
+  convention, since w_1 takes it up.  It is γa for a single law, whose viscous slopes are γ times the
+  elastic ones, so that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
 
 Masses and contacts that differ.  With masses :math:`m_n`, and factors κ_n of the elastic and χ_n of
 the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` and
@@ -54,7 +53,7 @@ g of the elastic and viscous forces (`numerics.runge_kutta`),
 
 .. math:: d^+ = d + h\, b\cdot k, \qquad u^+ = u + h\,d + h\, b\cdot g + h^2\, bA\cdot k .
 
-Error of a step.  Its estimates in d are :math:`h\,e\cdot k`; in u they are, where
+Error of a step.  Its estimates in d are :math:`h\,e\cdot k`.  In u they are, where
 :math:`G = \gamma F`, γ times as large, with another sum of the slopes k that is about h times as
 large.  One sum, measured against the smaller of scale_d and scale_u/(γ + h), serves both.  Where G
 has slopes g of its own, :math:`h\,e\cdot g` is measured against scale_u beside it, and γ is 0.
@@ -388,7 +387,7 @@ def try_step(chain, table, h, reach, with_energy):
     """Return all stages and the new state for a step h: its `Largest` and the energy dissipated.
 
     The slopes and the power at the start must be there.  The power of every stage is taken while
-    its forces are in the cache, and added up by the pair's own quadrature, of order 8.  With
+    its forces are in the cache.  It is added up by the pair's own quadrature, of order 8.  With
     pressure at the ends entry N holds the last bead.  It drives only itself, so that it stays
     outside the error norm.
     """
