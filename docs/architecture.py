@@ -1,8 +1,8 @@
-"""Draw architecture.svg: the way from a configuration to the report, and the wings of the package.
+"""Draw architecture.svg: the way from a configuration to the report, and the package's folders.
 
-The wings, what each is for and which imports which are read from the code: names of folders, first
-words of docstrings, imports.  An arrow leads from a wing to one that it imports; where a way over
-other wings leads there too, it is left out.
+The folders, what each is for and which imports which are read from the code: names of folders,
+first words of docstrings, imports.  An arrow leads from a folder to one that it imports.  Where a
+way over other folders leads there too, it is left out.
 
 python docs/architecture.py
 """
@@ -59,74 +59,74 @@ path { fill: none; stroke: #4477aa; stroke-width: 1.3; marker-end: url(#head); }
 #head path { fill: #4477aa; stroke: none; marker-end: none; }
 """
 
-Wings = Mapping[str, set[str]]
+Imports = Mapping[str, set[str]]
 
 
 def read_packages(package: Path = PACKAGE) -> dict[str, set[str]]:
-    """Wings of the package, and those that each imports."""
+    """Imports of the package, and those that each imports."""
     files = module_files(package.parent)
     imports: dict[str, set[str]] = defaultdict(set)
     for name, file in sorted(files.items()):
         if "." in name:
             found = {other for other in named_in(file) if other in files and "." in other}
-            imports[_wing_of(name)] |= {_wing_of(other) for other in found} - {_wing_of(name)}
+            imports[_folder_of(name)] |= {_folder_of(other) for other in found} - {_folder_of(name)}
     return dict(imports)
 
 
-def _wing_of(name: str) -> str:
-    """The wing of a module."""
+def _folder_of(name: str) -> str:
+    """The folder of a module."""
     return name.split(".")[1]
 
 
-def _purpose(wing: str) -> str:
-    """First words of the docstring of a wing."""
-    folder = PACKAGE / wing
-    file = folder / "__init__.py" if folder.is_dir() else folder.with_suffix(".py")
+def _purpose(folder: str) -> str:
+    """First words of the docstring of a folder."""
+    place = PACKAGE / folder
+    file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
     text = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or ""
     return re.split(r"[:,.(]", text)[0].strip()
 
 
-def _reached(wing: str, imports: Wings) -> set[str]:
-    """All wings that a wing stands on."""
-    return imports[wing].union(*(_reached(other, imports) for other in imports[wing]))
+def _reached(folder: str, imports: Imports) -> set[str]:
+    """All folders that a folder stands on."""
+    return imports[folder].union(*(_reached(other, imports) for other in imports[folder]))
 
 
-def _without_detours(imports: Wings) -> dict[str, set[str]]:
+def _without_detours(imports: Imports) -> dict[str, set[str]]:
     """Imports that no other way leads along."""
     return {
-        wing: found - set().union(*(_reached(other, imports) for other in found))
-        for wing, found in imports.items()
+        folder: found - set().union(*(_reached(other, imports) for other in found))
+        for folder, found in imports.items()
     }
 
 
-def _levels(imports: Wings) -> list[list[str]]:
-    """Wings by level, from above: each stands on what it imports; what imports nothing hangs."""
+def _levels(imports: Imports) -> list[list[str]]:
+    """Imports by level, from above: each stands on what it imports; what imports nothing hangs."""
 
-    def height(wing):
-        return 1 + max(map(height, imports[wing]), default=-1)
+    def height(folder):
+        return 1 + max(map(height, imports[folder]), default=-1)
 
-    heights = {wing: height(wing) for wing in imports}
-    for wing, found in imports.items():
+    heights = {folder: height(folder) for folder in imports}
+    for folder, found in imports.items():
         if not found:
-            heights[wing] = min(heights[name] for name in imports if wing in imports[name]) - 1
+            heights[folder] = min(heights[name] for name in imports if folder in imports[name]) - 1
     rows = range(max(heights.values()), -1, -1)
-    return [[wing for wing in imports if heights[wing] == row] for row in rows]
+    return [[folder for folder in imports if heights[folder] == row] for row in rows]
 
 
-def _places(imports: Wings) -> dict[str, tuple[float, float, float]]:
-    """Middle of each wing's box and its width; a wing stands near those that import it."""
+def _places(imports: Imports) -> dict[str, tuple[float, float, float]]:
+    """Middle of each folder's box and its width; a folder stands near those that import it."""
     found: dict[str, tuple[float, float, float]] = {}
     left, width = FRAME
-    for row, wings in enumerate(_levels(imports)):
+    for row, folders in enumerate(_levels(imports)):
 
-        def wanted(wing):
-            above = [found[name][0] for name in found if wing in imports[name]]
+        def wanted(folder):
+            above = [found[name][0] for name in found if folder in imports[name]]
             return sum(above) / len(above) if above else left + width
 
-        for place, wing in enumerate(sorted(wings, key=wanted)):
-            share = width / len(wings)
+        for place, folder in enumerate(sorted(folders, key=wanted)):
+            share = width / len(folders)
             middle = left + (place + 0.5) * share
-            found[wing] = middle, TOP + 40 + row * LEVEL, min(250, share - 8)
+            found[folder] = middle, TOP + 40 + row * LEVEL, min(250, share - 8)
     return found
 
 
@@ -145,15 +145,15 @@ def _arrow(x0: float, y0: float, x1: float, y1: float) -> str:
     return f'<path d="M{x0:.0f},{y0:.0f} C{points}"/>'
 
 
-def _draw_wings(imports: Wings) -> Iterator[str]:
-    """Boxes of the wings, and arrows to what they import."""
+def _draw_wings(imports: Imports) -> Iterator[str]:
+    """Boxes of the folders, and arrows to what they import."""
     at = _places(imports)
-    for wing, found in imports.items():
-        x, y, _ = at[wing]
+    for folder, found in imports.items():
+        x, y, _ = at[folder]
         for other in sorted(found):
             yield _arrow(x, y + BOX, at[other][0], at[other][1] - 6)
-    for wing, (x, y, width) in at.items():
-        yield from _box(x, y, width, wing, _purpose(wing))
+    for folder, (x, y, width) in at.items():
+        yield from _box(x, y, width, folder, _purpose(folder))
 
 
 def _draw_flow(height: float) -> Iterator[str]:
@@ -169,12 +169,12 @@ def _draw_flow(height: float) -> Iterator[str]:
         yield f'<path d="M{start},{rows[row] + BOX / 2:.0f} H{end}"/>'
 
 
-def draw(imports: Wings) -> str:
+def draw(imports: Imports) -> str:
     """The whole picture."""
     height = 40 + (len(_levels(imports)) - 1) * LEVEL + BOX + 16
     left, width = FRAME
     text = "Data flow from the configuration down to the report; scripts call the package, whose "
-    text += f"wings stand on each other: {', '.join(imports)}."
+    text += f"folders stand on each other: {', '.join(imports)}."
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height + 2 * TOP:.0f}">',
         f"<title>Architecture</title><desc>{text}</desc>",

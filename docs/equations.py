@@ -2,7 +2,7 @@
 
 A docstring names an equation by its number in parentheses, as in "eq. (31)", "eqs. (24)-(32)" or
 "obeys (57)"; numbers inside formulas do not count.  An equation is written out in the docstring of
-a module of the wings that its section belongs to; elsewhere it is used.
+a module of the folders that its section belongs to; elsewhere it is used.
 
 python docs/equations.py
 """
@@ -24,7 +24,7 @@ SECTIONS = (
     ("4 The logarithmic Burgers equation", ("continuum", "model"), range(35, 52)),
     ("5 The logarithmic KdV–Burgers equation", ("continuum",), range(52, 60)),
 )
-"""Title, the wings in which the equations of a section are written out, and their numbers."""
+"""Title, the folders in which the equations of a section are written out, and their numbers."""
 
 MEANINGS = {
     1: "Newton's law of a chain with contact forces F",
@@ -120,13 +120,13 @@ def _docstrings(path):
 
 def find_equations(package=PACKAGE):
     """Modules that write out each equation, and those that use it, as paths below the package."""
-    wings_of = {number: wings for _, wings, section in SECTIONS for number in section}
+    folders_of = {number: folders for _, folders, section in SECTIONS for number in section}
     written, used = defaultdict(list), defaultdict(list)
     for path in sorted(package.rglob("*.py")):
         name = path.relative_to(package)
         heading, *others = [set(_numbers(text)) for text in _docstrings(path)] or [set()]
         for number in sorted(heading.union(*others) & MEANINGS.keys()):
-            at_home = name.parts[0] in wings_of[number] and number in heading
+            at_home = name.parts[0] in folders_of[number] and number in heading
             (written if at_home else used)[number].append(name.as_posix())
     return written, used
 

@@ -29,8 +29,8 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
   piecewise constant.  Newton's law for this bead, of mass 1 like the others, gives the force behind
   it.  With :math:`F_0 = F_1 + a` both Laplacians are closed, by the mirror image of contact 1
   shifted by a.  Then :math:`\dot d_1 = a - F_1 + F_2`.  The shift of the viscous closure is a
-  convention, since w_1 takes it up.  It is γa for a single law, whose viscous slopes are γ times the
-  elastic ones, so that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
+  convention, since w_1 takes it up.  It is γa for a single law, whose viscous slopes are γ times
+  the elastic ones, so that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
 
 Masses and contacts that differ.  With masses :math:`m_n`, and factors κ_n of the elastic and χ_n of
 the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` and
