@@ -57,7 +57,7 @@ def test_packages_import_nothing_when_they_are_imported():
 def test_picture_of_the_architecture_is_that_of_the_code():
     script = load_script("architecture")
     picture = script.PICTURE.read_text(encoding="utf-8")
-    assert picture == script.draw(script.read_wings()), "run python docs/architecture.py"
+    assert picture == script.draw(script.read_packages()), "run python docs/architecture.py"
     for _, place in script.FLOW:
         if not place.startswith("results"):
             assert any(ROOT.glob(place)), place
