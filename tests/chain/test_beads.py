@@ -12,6 +12,7 @@ from granular_fronts.errors import InputError
 
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 WALL = {"kind": "wall", "left": 0.0}
+TODA = {"elastic": {"kind": "toda", "strength": 1, "rate": 1}}
 STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
 RING = {"kind": "ring"}
 WAVE = given(0.5 + 0.2 * np.cos(np.arange(12)), 0.1 * np.sin(np.arange(12)))
@@ -153,9 +154,7 @@ def test_reversed_velocities_lead_back_without_damping():
     np.testing.assert_allclose(back, np.append(np.zeros(12), [-1.0, *np.zeros(11)]), atol=1.0e-11)
 
 
-@pytest.mark.parametrize(
-    "law", [{"alpha": 1.5, "gamma": 0.2}, {"elastic": {"kind": "toda", "strength": 1, "rate": 1}}]
-)
+@pytest.mark.parametrize("law", [{"alpha": 1.5, "gamma": 0.2}, TODA])
 def test_a_chain_in_equilibrium_stays_at_rest(law):
     """Every contact bears the weight above it, Σ m_k g, with the factor of its stiffness."""
     scene = scene_of(
@@ -210,9 +209,12 @@ def test_patterns():
             },
             "13 | 12",
         ),
+        ({"beads": {"count": 5, "mass": 1.0e7}}, "beads.mass comes to 1e±7 | 1e±6"),
+        ({"beads": {"count": 5, "mass": {"taper": {"ratio": 0.01}}}}, "beads.mass comes to 1e±8"),
         ({"start": STRIKER | {"beads": 12}}, "start.beads is 12 | 11"),
         ({"start": STRIKER | {"velocity": 0.0}}, "start.velocity is 0"),
         ({"gravity": 0.1}, "gravity 0.1 | balance"),
+        ({"boundary": WALL | {"left": -0.1}, "law": TODA}, "boundary.left is -0.1 | pulls"),
         ({"gravity": -0.1, "boundary": WALL}, "gravity is -0.1 | 0 or more"),
         ({"gravity": 0.1, "boundary": RING, "start": WAVE}, "gravity is 0.1 | ring"),
         (

@@ -6,8 +6,12 @@ difference from one to the next.  A draw that is `random` lies between 1 − spr
 and a `list` names all.  An `impurity` then replaces a single value.  `chain.patterns` evaluates it.
 """
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Any
+
+MOST_DECADES = 6
+"""Decades on either side of 1 of a mass or a factor.  Light beads are fast, and set the steps."""
 
 
 def bead_count(scene: Mapping[str, Any]) -> int:
@@ -43,7 +47,7 @@ def patterns_fit(scene: Mapping) -> Iterator[str]:
 def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[str]:
     """Say what is wrong with one pattern of `count` values."""
     if not isinstance(pattern, Mapping):
-        return
+        pattern = {"cell": [pattern]}
     cell, taper = pattern.get("cell", [1.0]), pattern.get("taper", {})
     if ring and count % len(cell):
         yield (
@@ -58,8 +62,26 @@ def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[
             f"{key}.taper.difference is {taper['difference']}, with which value {count} is "
             f"{last:g}: give more than {-1.0 / (count - 1):.3g}."
         )
+        return
     for place, _ in impurities(pattern):
         if place > count:
             yield f"{key}.impurity is at {place}, but there are {count}: give 1 to {count}."
     if len(pattern.get("list", [0.0] * count)) != count:
         yield f"{key}.list has {len(pattern['list'])} values, but there are {count}: give one each."
+    placed = [math.log10(value) for _, value in impurities(pattern)]
+    furthest = max([_decades_of_factors(pattern, last, count), *map(abs, placed)])
+    if furthest > MOST_DECADES:
+        yield (
+            f"{key} comes to 1e±{furthest:.0f}, beyond the 1e±{MOST_DECADES} that a chain can "
+            "follow: bring its values nearer to 1."
+        )
+
+
+def _decades_of_factors(pattern: Mapping, last: float, count: int) -> float:
+    """Return the largest |decimal logarithm| of the product; `last` is where a taper adds to."""
+    ratio = pattern.get("taper", {}).get("ratio", 1.0)
+    spread = pattern.get("random", {}).get("spread", 0.0)
+    ends = [0.0, math.log10(last) + (count - 1) * math.log10(ratio)]
+    listed = ([math.log10(value) for value in pattern.get(key, [])] for key in ("cell", "list"))
+    sizes = [ends, [math.log10(1.0 - spread), math.log10(1.0 + spread)], *filter(None, listed)]
+    return max(abs(sum(map(min, sizes))), abs(sum(map(max, sizes))))

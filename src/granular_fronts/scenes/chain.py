@@ -159,6 +159,11 @@ def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
             f"{boundary['right']} and gravity {gravity}, which do not balance: take a wall, or "
             "equal ends without gravity."
         )
+    elif boundary["left"] < 0.0:
+        yield (
+            f"start.kind is {kind}, but boundary.left is {boundary['left']}, which pulls: give 0 "
+            "or more."
+        )
     elif gravity < 0.0:
         yield (f"gravity is {gravity}, away from the wall that bears the chain: give 0 or more.")
 
