@@ -167,6 +167,15 @@ def test_a_chain_in_equilibrium_stays_at_rest(law):
     np.testing.assert_allclose(force, weight, rtol=1.0e-12)
 
 
+def test_equilibrium_is_on_the_branch_that_begins_at_rest():
+    """The force u − 2.2 u² + 1.3 u³ takes the value 0.12 at 0.1917, 0.4651 and 1.0356."""
+    law = {"elastic": {"kind": "fpu", "cubic": 2.2, "quartic": 1.3}}
+    start = {"kind": "equilibrium"}
+    scene = scene_of(2, WALL, start, law=law, gravity=0.12)
+    u = solve(scene, scene["tolerance"]).dataset["relative_displacement"]
+    assert float(u.sel(bead=1)[0]) == pytest.approx(0.1917, abs=1.0e-4)
+
+
 def test_patterns():
     expected = [1.0, 0.3, 1.0, 0.3, 1.0]
     np.testing.assert_array_equal(values_along({"cell": [1.0, 0.3]}, 5), expected)

@@ -258,13 +258,21 @@ def _compression_of(needed: float, law: Law) -> float:
     """Return the smallest compression of 0 or more with this force, to the last bit or two."""
     if needed == 0.0:
         return 0.0
-    low, high, end = 0.0, 1.0, -law.domain[0]
-    high = min(high, 0.5 * end)
-    while force(law.elastic, high) < needed:
-        low, high = high, (2.0 * high if np.isinf(end) else 0.5 * (high + end))
-        if high in (low, np.inf, end):
-            raise InputError(
-                f"In equilibrium a contact bears the force {needed:.6g}, more than "
-                f"{law.elastic.name} exerts: lower the load or the body force."
-            )
-    return brentq(lambda u: force(law.elastic, u) - needed, low, high, xtol=1.0e-300, rtol=1.0e-15)
+    end = -law.domain[0]
+    trials = np.logspace(-150, 100, 8001)
+    if np.isfinite(end):
+        near_end = end * np.logspace(-12, -0.31, 400)
+        trials = np.concatenate([trials[trials < 0.49 * end], end - near_end[::-1]])
+    with np.errstate(over="ignore", invalid="ignore"):
+        enough = force(law.elastic, trials) >= needed
+    if not enough.any():
+        raise InputError(
+            f"In equilibrium a contact bears the force {needed:.6g}, more than {law.elastic.name} "
+            "exerts: lower the load or the body force."
+        )
+    # The first of them is the end of the branch that begins at rest.
+    first = int(np.argmax(enough))
+    low = trials[first - 1] if first else 0.0
+    return brentq(
+        lambda u: force(law.elastic, u) - needed, low, trials[first], xtol=1.0e-300, rtol=1.0e-15
+    )

@@ -185,7 +185,11 @@ def _striker_hits(scene: Mapping) -> Iterator[str]:
 def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
     alpha = exponent_of(scene["law"])
-    smallest = min(scene["start"].get("relative_displacement", [0.0]), default=math.inf)
+    start, least = scene["start"], 0.0
+    if start["kind"] in ("equilibrium", "striker"):
+        # The first contact bears the least.
+        least = scene["boundary"]["left"] + max(scene.get("gravity", 0.0), 0.0)
+    smallest = min(start.get("relative_displacement", [least]), default=math.inf)
     if alpha is not None and alpha < 1 and smallest <= 0:
         yield (
             f"law.alpha is {alpha}, below 1, where contacts are infinitely stiff at the smallest "
