@@ -167,9 +167,12 @@ def _of_first_opening(samples, deepest, own, other, found, refined):
     if np.isnan(refined["first_gap_time"]):
         return dict.fromkeys(names, np.inf)
     first = int(found["first_gap_bead"]) - 1
-    if -deepest[first] <= _near(samples.time, samples.of_u, own[TIME])[first]:
+    of_u = _near(samples.time, samples.of_u, own[TIME])[first]
+    if -deepest[first] <= of_u:
         return dict.fromkeys(names, np.inf)  # It touches: the gap is no wider than its error.
-    error = _error_of_passage(samples, own, other)[first]
+    # No other opening may be near the first one, on which alone two runs agree by chance.
+    through = of_u / own[STEEPNESS, first]
+    error = np.fmax(_error_of_passage(samples, own, other)[first], through)
     rivals = np.flatnonzero(own[TIME] <= found["first_gap_time"] + 2.0 * error)
     return {
         name: max([least, abs(found[name] - refined[name]), *abs(values[rivals] - found[name])])
