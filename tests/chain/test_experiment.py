@@ -186,6 +186,27 @@ def test_peaks_of_a_damped_chain_decay_in_proportion_to_the_damping():
     assert rates[1] == pytest.approx(2.0 * rates[0], rel=0.05)
 
 
+def test_spectrum_of_a_squeezed_dimer_has_its_band_gap():
+    """With K = F'(u) = 3/2 no wave has a frequency between (2K)^½/2π and (2K/m)^½/2π."""
+    sensor = {"contacts": [40], "start": 0.0, "stop": 150.0, "step": 0.2}
+    record = {"snapshots": [], "sensors": {"inside": sensor}}
+    held = {"kind": "pressure", "left": 1.0, "right": 1.0}
+    start = {"kind": "striker", "beads": 1, "velocity": 1e-3}
+    beads = {"count": 160, "mass": {"cell": [1.0, 0.3]}}
+    changes = {"beads": beads, "boundary": held, "start": start, "record": record}
+    found = gf.spectrum(
+        gf.simulate_chain(driven_scene(0.0, end_time=150.0) | changes)["contact_force_inside"]
+    )
+    frequency, amplitude = found["frequency"].values, found["amplitude"].values[:, 0]
+    edges, resolution = np.sqrt([3.0, 3.0 / 0.3]) / (2.0 * np.pi), found.attrs["resolution"]
+    gap = (frequency > edges[0] + resolution) & (frequency < edges[1] - resolution)
+    assert amplitude[gap].max() < 0.01 * amplitude.max()
+    waves = frequency[amplitude > 0.5 * amplitude.max()]
+    middle = edges.mean()
+    seen = [waves[waves < middle].max(), waves[waves > middle].min()]
+    np.testing.assert_allclose(seen, edges, atol=resolution)
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
