@@ -27,6 +27,8 @@ import math
 from numba import int64, uint64
 
 from granular_fronts.chain.state import (
+    ALPHA,
+    BETA,
     ELASTIC_SLOPES,
     MOBILITY,
     NEW_U,
@@ -66,22 +68,31 @@ def passes_any_kink(chain, table, last):
 
 
 @subroutine
-def _forces_at(chain, table, u):
-    """Return F and G of one compression."""
-    law, probe = chain.law, chain.probe
-    probe[0] = u
-    call_row_map(law.elastic, probe, probe[1:], 0, 0, law.elastic_parameters)
+def _forces_at(chain, table, n, u):
+    """Return F and G of contact n at one compression, which takes the place of contact 1."""
+    law = chain.law
+    of_u, force, damping, exponent = chain.probe[0], chain.probe[1], chain.probe[2], chain.probe[3]
+    of_u[1] = u
+    if law.of_contacts:
+        exponent[0], exponent[1] = table[ALPHA, 0], table[ALPHA, n]
+        call_row_map(law.elastic, of_u, force, 1, 1, exponent)
+    else:
+        call_row_map(law.elastic, of_u, force, 1, 1, law.elastic_parameters)
     if law.single:
-        return probe[1], law.gamma * probe[1]
-    call_row_map(law.viscous, probe, probe[2:], 0, 0, law.viscous_parameters)
-    return probe[1], probe[2]
+        return force[1], law.gamma * force[1]
+    if law.of_contacts:
+        exponent[0], exponent[1] = table[BETA, 0], table[BETA, n]
+        call_row_map(law.viscous, of_u, damping, 1, 1, exponent)
+    else:
+        call_row_map(law.viscous, of_u, damping, 1, 1, law.viscous_parameters)
+    return force[1], damping[1]
 
 
 @subroutine
 def _contribution(chain, table, n, u, kink, h):
     """Return κ: the most that the force of this compression adds to u_n within a step h."""
-    force, damping = _forces_at(chain, table, u)
-    force_at_kink, damping_at_kink = _forces_at(chain, table, kink)
+    force, damping = _forces_at(chain, table, n, u)
+    force_at_kink, damping_at_kink = _forces_at(chain, table, n, kink)
     elastic, viscous = h * h * abs(force - force_at_kink), h * abs(damping - damping_at_kink)
     if not chain.varied:
         return viscous + elastic

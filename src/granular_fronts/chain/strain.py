@@ -66,6 +66,8 @@ from numba import int64, uint64
 
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import (
+    ALPHA,
+    BETA,
     DAMPING,
     ELASTIC_SLOPES,
     FORCE,
@@ -232,11 +234,31 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 
 @subroutine(forceinline=True)
+def take_elastic_forces(law, table, source, first, last):
+    """Write the elastic forces of the compressions first … last of a row."""
+    if law.of_contacts:
+        call_row_map(law.elastic, table[source], table[FORCE], first, last, table[ALPHA])
+    else:
+        call_row_map(law.elastic, table[source], table[FORCE], first, last, law.elastic_parameters)
+
+
+@subroutine(forceinline=True)
+def take_damping(law, table, source, first, last):
+    """Write the viscous functions of the compressions first … last of a row."""
+    if law.of_contacts:
+        call_row_map(law.viscous, table[source], table[DAMPING], first, last, table[BETA])
+    else:
+        call_row_map(
+            law.viscous, table[source], table[DAMPING], first, last, law.viscous_parameters
+        )
+
+
+@subroutine(forceinline=True)
 def _take_forces(law, table, source, last):
     """Write the forces of the compressions 1 … last of a row."""
-    call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
+    take_elastic_forces(law, table, source, int64(1), last)
     if not law.single:
-        call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
+        take_damping(law, table, source, int64(1), last)
 
 
 @subroutine(forceinline=True)

@@ -4,11 +4,20 @@ A pattern gives one factor for each bead or contact of a chain.  It is a number 
 a mapping whose keys multiply.  A `cell` repeats a list, and a `taper` grows by a ratio or a
 difference from one to the next.  A draw that is `random` lies between 1 − spread and 1 + spread,
 and a `list` names all.  An `impurity` then replaces a single value.  `chain.patterns` evaluates it.
+
+Beads may be spheres of materials instead, by a `cell` or `list` of words such as ``steel 9.5 mm``.
+Then :math:`m_n` is in units of the first mass, and the factor of contact n is its stiffness over
+that of two spheres like the first one (`model.materials`).
 """
 
 import math
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import Any
+
+from granular_fronts.errors import InputError
+from granular_fronts.model.materials import Body, body_of, hertz_stiffness
+from granular_fronts.scenes.schema import name_entry
 
 MOST_DECADES = 6
 """Decades on either side of 1 of a mass or a factor.  Light beads are fast, and set the steps."""
@@ -28,20 +37,120 @@ def contact_count(scene: Mapping[str, Any]) -> int:
 def impurities(pattern: Mapping[str, Any]) -> list[tuple[int, float]]:
     """Return place and value of each impurity of a pattern."""
     given = pattern.get("impurity", [])
-    return [
-        (one["bead"], one["mass"]) if "bead" in one else (one["contact"], one["factor"])
-        for one in ([given] if isinstance(given, Mapping) else given)
-    ]
+    found = []
+    for one in [given] if isinstance(given, Mapping) else given:
+        place = "bead" if "bead" in one else "contact"
+        [value] = (one[key] for key in one if key != place)
+        found.append((one[place], value))
+    return found
+
+
+def mass_pattern(scene: Mapping[str, Any]) -> Any:
+    """Return the pattern of the masses, those of spheres over the first one."""
+    beads = scene["beads"]
+    if not isinstance(beads, Mapping):
+        return 1.0
+    if has_materials(scene):
+        spheres = _bodies(scene)[: beads["count"]]
+        return {"list": [sphere.mass / spheres[0].mass for sphere in spheres]}
+    return beads.get("mass", 1.0)
+
+
+def elastic_pattern(scene: Mapping[str, Any]) -> Any:
+    """Return the pattern of the elastic factors, of spheres over the contact of two first ones."""
+    if not has_materials(scene):
+        return scene.get("contacts", {}).get("elastic", 1.0)
+    bodies = _bodies(scene)
+    like_first = hertz_stiffness(bodies[0], bodies[0])
+    return {"list": [hertz_stiffness(*pair) / like_first for pair in pairwise(bodies)]}
+
+
+def has_materials(scene: Mapping[str, Any]) -> bool:
+    """Return whether the beads are spheres of materials."""
+    return bool(_words(scene["beads"]))
+
+
+def _words(beads: Any) -> list[str]:
+    """Return the spheres that beads are named by, none if they are not."""
+    return (beads.get("cell") or beads.get("list") or []) if isinstance(beads, Mapping) else []
+
+
+def _bodies(scene: Mapping[str, Any]) -> list[Body]:
+    """Return the spheres of a chain, and the body that its last contact touches, if it moves."""
+    words, count = _words(scene["beads"]), bead_count(scene)
+    spheres = [body_of(word) for word in words]
+    bodies = [spheres[n % len(words)] for n in range(count)]
+    kind = scene["boundary"]["kind"]
+    if kind == "wall":
+        bodies.append(body_of(scene["boundary"]["material"]))
+    return [*bodies, bodies[0]] if kind == "ring" else bodies
 
 
 def patterns_fit(scene: Mapping) -> Iterator[str]:
     """Every pattern fits its chain, and all its values are above 0."""
-    ring = scene["boundary"]["kind"] == "ring"
-    if isinstance(scene["beads"], Mapping):
-        mass = scene["beads"].get("mass", 1.0)
-        yield from _pattern_errors("beads.mass", mass, bead_count(scene), ring)
-    for key, pattern in scene.get("contacts", {}).items():
-        yield from _pattern_errors(f"contacts.{key}", pattern, contact_count(scene), ring)
+    errors = [*_material_errors(scene)]
+    if errors:
+        yield from errors
+        return
+    ring, contacts = scene["boundary"]["kind"] == "ring", contact_count(scene)
+    yield from _pattern_errors("beads.mass", mass_pattern(scene), bead_count(scene), ring)
+    patterns = {"elastic": elastic_pattern(scene)} | scene.get("contacts", {})
+    for key, pattern in patterns.items():
+        yield from _pattern_errors(f"contacts.{key}", pattern, contacts, ring)
+
+
+def _material_errors(scene: Mapping) -> Iterator[str]:
+    """Say what is wrong with beads and walls of materials."""
+    beads, boundary = scene["beads"], scene["boundary"]
+    words = _words(beads)
+    if not words:
+        if "material" in boundary:
+            yield (
+                f"boundary.material is {boundary['material']}, but the beads have no material: "
+                "name theirs in beads.cell, as in steel 9.5 mm."
+            )
+        return
+    key = "cell" if "cell" in beads else "list"
+    given = [name for name in ("cell", "list", "mass") if name in beads]
+    given += [
+        f"contacts.{name}" for name in ("elastic", "alpha") if name in scene.get("contacts", {})
+    ]
+    if len(given) > 1:
+        yield (
+            f"beads.{key} names materials, which set masses and stiffness, but {given[1]} is given "
+            "too: leave one of them out."
+        )
+    if key == "list" and len(words) != beads["count"]:
+        yield (
+            f"beads.list has {len(words)} entries, but there are {beads['count']} beads: give one "
+            "each, or a cell."
+        )
+    if boundary["kind"] == "ring" and beads["count"] % len(words):
+        yield (
+            f"beads.{key} has {len(words)} entries, but a ring of {beads['count']} has no whole "
+            "number of such cells: take another count."
+        )
+    if boundary["kind"] == "wall" and "material" not in boundary:
+        yield "boundary.material is missing: name the material of the wall, as in steel."
+    yield from _body_errors(
+        {name_entry(f"beads.{key}", i): word for i, word in enumerate(words)}, True
+    )
+    if "material" in boundary:
+        yield from _body_errors({"boundary.material": boundary["material"]}, False)
+
+
+def _body_errors(named: Mapping[str, str], spheres: bool) -> Iterator[str]:
+    """Say which of the bodies, by key, are none, or are no spheres or no walls."""
+    for key, words in named.items():
+        try:
+            body = body_of(words)
+        except InputError as error:
+            yield f"{key}: {error}"
+            continue
+        if spheres and math.isinf(body.radius):
+            yield f"{key} is {words}, without a diameter: give one, as in {words} 9.5 mm."
+        elif not spheres and math.isfinite(body.radius):
+            yield f"{key} is {words}, but a wall is flat: leave out the diameter."
 
 
 def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[str]:
