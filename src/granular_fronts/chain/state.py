@@ -53,9 +53,9 @@ LAW = record_type(
     ("attraction", float),
 )
 """A law as the kernels know it.  Addresses of the row maps F and G, and of the loop that sums
-slopes and takes F at once (0 without one); their parameters.  Whether G = γF; whether exponents are
-those of contacts, so that rows of the table are the parameters; and γ (if not single, 1, the factor
-of the viscous slopes).  Compressions at which F or G is not smooth, and whether F' is infinite
+slopes and takes F at once (0 without one); their parameters.  Whether G = γF, and whether rows of
+the table are the parameters, with exponents of contacts.  γ (if not single, 1, the factor of the
+viscous slopes).  Compressions at which F or G is not smooth, and whether F' is infinite
 there, so that no contact may pass.  1 if the law acts in extension too, else 0."""
 
 CLOCK = record_type(

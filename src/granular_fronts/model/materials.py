@@ -10,8 +10,9 @@ press on each other with
     \frac1{R_*} = \frac1{R_1} + \frac1{R_2} ,
 
 where u is how far they approach (K. L. Johnson, *Contact Mechanics*, 1985, section 4.2).  A flat
-wall has :math:`R = \infty`.  The law is static and elastic.  Its constants of steel or glass are
-known to a few per cent; those of polymers depend on the rate, and differ by tens of per cent.
+wall has :math:`R = \infty`.  The law is static and elastic.  Elastic constants of metals and
+glass are known to a few per cent.  Those of polymers depend on the rate, and data sheets differ by
+tens of per cent.
 
 A body is written as its material and its diameter, ``steel 9.5 mm``; a wall as its material alone.
 """
@@ -34,7 +35,7 @@ class Material(NamedTuple):
     source: str
 
 
-_CHAINS = "as in Daraio, Nesterenko, Herbold and Jin, Phys. Rev. E 73, 026610 (2006)"
+_CHAINS = "as in Daraio, Nesterenko, Herbold and Jin (2006)"
 
 MATERIALS = {
     "steel": Material(7810.0, 210.0e9, 0.30, "AISI 52100, of bearing balls; data sheets"),
@@ -47,9 +48,7 @@ MATERIALS = {
     "tungsten_carbide": Material(14900.0, 630.0e9, 0.22, "with 6 per cent cobalt; data sheets"),
     "acetal": Material(1420.0, 3.1e9, 0.35, "Delrin 500; data sheet"),
     "nylon": Material(1140.0, 2.8e9, 0.40, "nylon 66, dry; data sheets"),
-    "cork": Material(
-        180.0, 20.0e6, 0.0, "Gibson, Easterling and Ashby, Proc. R. Soc. A 377, 99 (1981)"
-    ),
+    "cork": Material(180.0, 20.0e6, 0.0, "Gibson, Easterling and Ashby (1981)"),
 }
 """Materials by name."""
 

@@ -109,7 +109,7 @@ class Scaling:
 
         >>> chain = gf.Scaling.of_spheres("steel 9.5 mm", velocity=1.0)
         >>> print(f"{chain.to_physical(1.0, 'force'):.0f} N, {chain.time * 1e6:.1f} µs")
-        412 N, 8.5 µs
+        300 N, 11.7 µs
         """
         body = named_body("first", first)
         return cls(body.mass, contact_stiffness(first, first), damping, velocity)

@@ -6,8 +6,8 @@ difference from one to the next.  A draw that is `random` lies between 1 − spr
 and a `list` names all.  An `impurity` then replaces a single value.  `chain.patterns` evaluates it.
 
 Beads may be spheres of materials instead, by a `cell` or `list` of words such as ``steel 9.5 mm``.
-Then :math:`m_n` is in units of the first mass, and the factor of contact n is its stiffness over
-that of two spheres like the first one (`model.materials`).
+Then :math:`m_n` is in units of the first mass.  The factor of contact n is its stiffness over that
+of two spheres like the first one (`model.materials`).
 """
 
 import math
