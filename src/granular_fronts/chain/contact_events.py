@@ -27,13 +27,13 @@ import math
 from numba import int64, uint64
 
 from granular_fronts.chain.state import (
-    ALPHA,
-    BETA,
+    ELASTIC_PARAMETERS,
     ELASTIC_SLOPES,
     MOBILITY,
     NEW_U,
     STIFFNESS,
     VISCOSITY,
+    VISCOUS_PARAMETERS,
     VISCOUS_SLOPES,
     D,
     U,
@@ -68,24 +68,27 @@ def passes_any_kink(chain, table, last):
 
 
 @subroutine
+def _force_at(chain, table, row_map, parameters, n, u):
+    """Return F or G of contact n at one compression, which takes the place of contact 1."""
+    probe = chain.probe
+    compression, force, exponent = probe[0], probe[1], probe[2]
+    compression[1] = u
+    if chain.law.of_contacts:
+        exponent[0], exponent[1] = table[parameters, 0], table[parameters, n]
+        call_row_map(row_map, compression, force, 1, 1, exponent)
+    else:
+        call_row_map(row_map, compression, force, 1, 1, table[parameters])
+    return force[1]
+
+
+@subroutine
 def _forces_at(chain, table, n, u):
-    """Return F and G of contact n at one compression, which takes the place of contact 1."""
+    """Return F and G of contact n at one compression."""
     law = chain.law
-    of_u, force, damping, exponent = chain.probe[0], chain.probe[1], chain.probe[2], chain.probe[3]
-    of_u[1] = u
-    if law.of_contacts:
-        exponent[0], exponent[1] = table[ALPHA, 0], table[ALPHA, n]
-        call_row_map(law.elastic, of_u, force, 1, 1, exponent)
-    else:
-        call_row_map(law.elastic, of_u, force, 1, 1, law.elastic_parameters)
+    force = _force_at(chain, table, law.elastic, ELASTIC_PARAMETERS, n, u)
     if law.single:
-        return force[1], law.gamma * force[1]
-    if law.of_contacts:
-        exponent[0], exponent[1] = table[BETA, 0], table[BETA, n]
-        call_row_map(law.viscous, of_u, damping, 1, 1, exponent)
-    else:
-        call_row_map(law.viscous, of_u, damping, 1, 1, law.viscous_parameters)
-    return force[1], damping[1]
+        return force, law.gamma * force
+    return force, _force_at(chain, table, law.viscous, VISCOUS_PARAMETERS, n, u)
 
 
 @subroutine

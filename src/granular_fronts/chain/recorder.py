@@ -43,7 +43,7 @@ from granular_fronts.chain.state import (
     U,
 )
 from granular_fronts.chain.state import VALUE as STAGE_VALUE
-from granular_fronts.chain.strain import laplacian, take_damping, take_elastic_forces
+from granular_fronts.chain.strain import laplacian, take_forces
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import subroutine
@@ -117,11 +117,10 @@ def _take_output_stages(chain, table, h, first, last):
         low, high = max(1, first - distance), min(clock.reach, last + distance)
         contacts = min(high, chain.contacts)
         _sum_all_slots(chain, table, row, h, low, contacts)
-        take_elastic_forces(law, table, STAGE_VALUE, low, contacts)
+        take_forces(law, table, STAGE_VALUE, low, contacts)
         slot = rk.SLOT[row]
         laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, low, high)
         if not law.single:
-            take_damping(law, table, STAGE_VALUE, low, contacts)
             laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, low, high)
 
 

@@ -246,7 +246,7 @@ def make_chain(
     piston = boundary.piston
     chain = make_record(
         state.CHAIN,
-        law=compile_law(law, equations.damping_ratio(law, varied)),
+        law=compile_law(law, equations.damping_ratio(law, varied), varied.alpha is not None),
         clock=make_record(
             state.CLOCK, h=FIRST_STEP, acceleration=piston.acceleration_at(0.0) if piston else 0.0
         ),
@@ -267,8 +267,12 @@ def make_chain(
     table[state.VISCOSITY, 1 : beads + 1] = varied.viscosity
     table[state.MOBILITY, 1 : beads + 1] = 1.0 / np.asarray(varied.mass)
     table[state.MOBILITY, beads + 1] = table[state.MOBILITY, 1] if boundary.ring else 1.0
-    if varied.alpha is not None:
-        _take_exponents(chain, table, law, varied)
+    for row, potential, exponents in (
+        (state.ELASTIC_PARAMETERS, law.elastic, varied.alpha),
+        (state.VISCOUS_PARAMETERS, law.viscous, varied.beta),
+    ):
+        given = _parameters(potential) if exponents is None else [potential.factor, *exponents]
+        table[row, : len(given)] = given
     if boundary.holds_right:
         table[U, beads] = 0.0
     if not boundary.ring:
@@ -282,39 +286,25 @@ def make_chain(
     return chain, table
 
 
-def _take_exponents(chain, table, law, varied):
-    """Make the forces of the law powers with an exponent for each contact."""
-    compiled = chain["law"]
-    compiled["of_contacts"], compiled["stage_pass"] = True, 0
-    compiled["elastic"] = compiled["viscous"] = map_of_exponents()
-    for row, potential, exponents in (
-        (state.ALPHA, law.elastic, varied.alpha),
-        (state.BETA, law.viscous, varied.beta),
-    ):
-        table[row, 0], table[row, 1 : exponents.size + 1] = potential.factor, exponents
-
-
-def compile_law(law: Law, ratio: float | None) -> np.record:
+def compile_law(law: Law, ratio: float | None, of_contacts: bool = False) -> np.record:
     """What the kernels know of a law, a record of type `state.LAW`; G = ratio F if it is a number.
 
-    More kinks or parameters than the record has room for are an InputError.  So is a user's
-    function that cannot be compiled or has changed since.
+    Contacts may have exponents of their own.  More kinks than the record has room for are an
+    InputError.  So is a user's function that cannot be compiled or has changed since.
     """
     kinks, single = -np.array(law.kinks[::-1]), ratio is not None
     record = make_record(
         state.LAW,
         single=single,
         gamma=ratio if single else 1.0,
-        elastic=row_map(law.elastic, 1),
-        viscous=0 if single else row_map(law.viscous, 1),
-        stage_pass=stage_pass(law.elastic) if single else 0,
+        of_contacts=of_contacts,
+        elastic=map_of_exponents() if of_contacts else row_map(law.elastic, 1),
+        viscous=map_of_exponents() if of_contacts else 0 if single else row_map(law.viscous, 1),
+        stage_pass=stage_pass(law.elastic) if single and not of_contacts else 0,
         kink_count=kinks.size,
         has_stiff_kinks=any(np.isinf(law.elastic.second(kink)) for kink in law.kinks),
         attraction=_acts_in_extension(law),
     )
-    _fill_parameters(record["elastic_parameters"], law.elastic)
-    if not single:
-        _fill_parameters(record["viscous_parameters"], law.viscous)
     if kinks.size > state.MOST_KINKS:
         raise InputError(
             f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
@@ -324,15 +314,15 @@ def compile_law(law: Law, ratio: float | None) -> np.record:
     return record
 
 
-def _fill_parameters(room, potential):
-    """Write the parameters of the force of a potential."""
+def _parameters(potential):
+    """Return the parameters of the force of a potential."""
     parameters = row_parameters(potential, 1)
     if parameters.size > state.MOST_PARAMETERS:
         raise InputError(
             f"{potential.name} has {parameters.size} parameters with its factor, but a chain has "
             f"room for {state.MOST_PARAMETERS}: make some of them constants of its kind."
         )
-    room[: parameters.size] = parameters
+    return parameters
 
 
 def _acts_in_extension(law):

@@ -16,7 +16,7 @@ from itertools import pairwise
 from typing import Any
 
 from granular_fronts.errors import InputError
-from granular_fronts.model.materials import Body, body_of, hertz_stiffness
+from granular_fronts.model.materials import body_of, hertz_stiffness
 from granular_fronts.scenes.schema import name_entry
 
 MOST_DECADES = 6
@@ -45,45 +45,39 @@ def impurities(pattern: Mapping[str, Any]) -> list[tuple[int, float]]:
     return found
 
 
+def has_materials(scene: Mapping[str, Any]) -> bool:
+    """Return whether the beads are spheres of materials."""
+    return bool(_words(scene["beads"])[1])
+
+
+def _words(beads: Any) -> tuple[str, list[str]]:
+    """Return the key of the spheres that beads are given by, and the words for them."""
+    given = beads if isinstance(beads, Mapping) else {}
+    key = "list" if "list" in given else "cell"
+    return key, given.get(key, [])
+
+
 def mass_pattern(scene: Mapping[str, Any]) -> Any:
     """Return the pattern of the masses, those of spheres over the first one."""
-    beads = scene["beads"]
-    if not isinstance(beads, Mapping):
-        return 1.0
-    if has_materials(scene):
-        spheres = _bodies(scene)[: beads["count"]]
-        return {"list": [sphere.mass / spheres[0].mass for sphere in spheres]}
-    return beads.get("mass", 1.0)
+    key, words = _words(scene["beads"])
+    if not words:
+        return scene["beads"].get("mass", 1.0) if isinstance(scene["beads"], Mapping) else 1.0
+    masses = [body_of(word).mass for word in words]
+    return {key: [mass / masses[0] for mass in masses]}
 
 
 def elastic_pattern(scene: Mapping[str, Any]) -> Any:
     """Return the pattern of the elastic factors, of spheres over the contact of two first ones."""
-    if not has_materials(scene):
+    _, words = _words(scene["beads"])
+    if not words:
         return scene.get("contacts", {}).get("elastic", 1.0)
-    bodies = _bodies(scene)
+    # The sphere ahead of the last one is the first of a ring; it is not touched at a held end.
+    bodies = [body_of(words[n % len(words)]) for n in range(bead_count(scene) + 1)]
+    if "material" in scene["boundary"]:
+        bodies[-1] = body_of(scene["boundary"]["material"])
     like_first = hertz_stiffness(bodies[0], bodies[0])
-    return {"list": [hertz_stiffness(*pair) / like_first for pair in pairwise(bodies)]}
-
-
-def has_materials(scene: Mapping[str, Any]) -> bool:
-    """Return whether the beads are spheres of materials."""
-    return bool(_words(scene["beads"]))
-
-
-def _words(beads: Any) -> list[str]:
-    """Return the spheres that beads are named by, none if they are not."""
-    return (beads.get("cell") or beads.get("list") or []) if isinstance(beads, Mapping) else []
-
-
-def _bodies(scene: Mapping[str, Any]) -> list[Body]:
-    """Return the spheres of a chain, and the body that its last contact touches, if it moves."""
-    words, count = _words(scene["beads"]), bead_count(scene)
-    spheres = [body_of(word) for word in words]
-    bodies = [spheres[n % len(words)] for n in range(count)]
-    kind = scene["boundary"]["kind"]
-    if kind == "wall":
-        bodies.append(body_of(scene["boundary"]["material"]))
-    return [*bodies, bodies[0]] if kind == "ring" else bodies
+    factors = [hertz_stiffness(*pair) / like_first for pair in pairwise(bodies)]
+    return {"list": factors[: contact_count(scene)]}
 
 
 def patterns_fit(scene: Mapping) -> Iterator[str]:
@@ -93,7 +87,8 @@ def patterns_fit(scene: Mapping) -> Iterator[str]:
         yield from errors
         return
     ring, contacts = scene["boundary"]["kind"] == "ring", contact_count(scene)
-    yield from _pattern_errors("beads.mass", mass_pattern(scene), bead_count(scene), ring)
+    key = "beads" if has_materials(scene) else "beads.mass"
+    yield from _pattern_errors(key, mass_pattern(scene), bead_count(scene), ring)
     patterns = {"elastic": elastic_pattern(scene)} | scene.get("contacts", {})
     for key, pattern in patterns.items():
         yield from _pattern_errors(f"contacts.{key}", pattern, contacts, ring)
@@ -101,56 +96,33 @@ def patterns_fit(scene: Mapping) -> Iterator[str]:
 
 def _material_errors(scene: Mapping) -> Iterator[str]:
     """Say what is wrong with beads and walls of materials."""
-    beads, boundary = scene["beads"], scene["boundary"]
-    words = _words(beads)
+    beads, boundary, contacts = scene["beads"], scene["boundary"], scene.get("contacts", {})
+    (key, words), wall = _words(beads), boundary.get("material")
     if not words:
-        if "material" in boundary:
+        if wall:
             yield (
-                f"boundary.material is {boundary['material']}, but the beads have no material: "
-                "name theirs in beads.cell, as in steel 9.5 mm."
+                f"boundary.material is {wall}, but the beads have no material: name theirs in "
+                "beads.cell, as in steel 9.5 mm."
             )
         return
-    key = "cell" if "cell" in beads else "list"
-    given = [name for name in ("cell", "list", "mass") if name in beads]
-    given += [
-        f"contacts.{name}" for name in ("elastic", "alpha") if name in scene.get("contacts", {})
-    ]
+    given = [f"beads.{name}" for name in ("cell", "list", "mass") if name in beads]
+    given += [f"contacts.{name}" for name in ("elastic", "alpha") if name in contacts]
     if len(given) > 1:
         yield (
-            f"beads.{key} names materials, which set masses and stiffness, but {given[1]} is given "
+            f"{given[0]} names materials, which set masses and stiffness, but {given[1]} is given "
             "too: leave one of them out."
         )
-    if key == "list" and len(words) != beads["count"]:
-        yield (
-            f"beads.list has {len(words)} entries, but there are {beads['count']} beads: give one "
-            "each, or a cell."
-        )
-    if boundary["kind"] == "ring" and beads["count"] % len(words):
-        yield (
-            f"beads.{key} has {len(words)} entries, but a ring of {beads['count']} has no whole "
-            "number of such cells: take another count."
-        )
-    if boundary["kind"] == "wall" and "material" not in boundary:
+    if boundary["kind"] == "wall" and not wall:
         yield "boundary.material is missing: name the material of the wall, as in steel."
-    yield from _body_errors(
-        {name_entry(f"beads.{key}", i): word for i, word in enumerate(words)}, True
-    )
-    if "material" in boundary:
-        yield from _body_errors({"boundary.material": boundary["material"]}, False)
-
-
-def _body_errors(named: Mapping[str, str], spheres: bool) -> Iterator[str]:
-    """Say which of the bodies, by key, are none, or are no spheres or no walls."""
-    for key, words in named.items():
+    named = {name_entry(f"beads.{key}", index): word for index, word in enumerate(words)}
+    for place, word in (named | ({"boundary.material": wall} if wall else {})).items():
         try:
-            body = body_of(words)
+            is_flat = math.isinf(body_of(word).radius)
         except InputError as error:
-            yield f"{key}: {error}"
+            yield f"{place}: {error}"
             continue
-        if spheres and math.isinf(body.radius):
-            yield f"{key} is {words}, without a diameter: give one, as in {words} 9.5 mm."
-        elif not spheres and math.isfinite(body.radius):
-            yield f"{key} is {words}, but a wall is flat: leave out the diameter."
+        if is_flat and place in named:
+            yield f"{place} is {word}, without a diameter: give one, as in {word} 9.5 mm."
 
 
 def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[str]:
