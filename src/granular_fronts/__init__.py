@@ -15,6 +15,7 @@ _HOME_OF = {
     "collide": "granular_fronts.model.collision",
     "critical_damping": "granular_fronts.fronts.linear.critical_damping",
     "damping_for_restitution": "granular_fronts.model.collision",
+    "contact_stiffness": "granular_fronts.model.materials",
     "damping_from_restitution": "granular_fronts.model.scaling",
     "evaluate_front": "granular_fronts.fronts.solve",
     "evolve_log_burgers": "granular_fronts.continuum.evolution",

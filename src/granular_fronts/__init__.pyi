@@ -19,6 +19,7 @@ from granular_fronts.model.collision import damping_for_restitution as damping_f
 from granular_fronts.model.collision import restitution as restitution
 from granular_fronts.model.jump_conditions import jump_conditions as jump_conditions
 from granular_fronts.model.laws import make_law as make_law
+from granular_fronts.model.materials import contact_stiffness as contact_stiffness
 from granular_fronts.model.potentials import Potential as Potential
 from granular_fronts.model.scaling import Scaling as Scaling
 from granular_fronts.model.scaling import damping_from_restitution as damping_from_restitution

@@ -63,6 +63,7 @@ POSSIBLE = {
     | {"alpha": 1.5, "beta": 1.5},
     "check_certificate": {"path": ROOT / "tests/proofs/test_proof_data/overshoot.npz"},
     "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
+    "contact_stiffness": {"first": "steel 5 mm", "second": "glass"},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "damping_for_restitution": {"e": 0.9, "alpha": 1.5, "beta": 1.5},
     "damping_from_restitution": {"e": 0.9, "impact_velocity": 0.5, "mass": 0.1, "stiffness": 1e9}

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 
-from granular_fronts.scenes.beads import bead_count, contact_count, patterns_fit
+from granular_fronts.scenes.beads import bead_count, contact_count, has_materials, patterns_fit
 from granular_fronts.scenes.laws import (
     absolute_tolerance_errors,
     damping_rate,
@@ -13,6 +13,7 @@ from granular_fronts.scenes.laws import (
     exponent_of,
     front_speed,
     is_short,
+    made_law,
 )
 from granular_fronts.scenes.limits import (
     COLUMNS_PER_ROW,
@@ -113,12 +114,13 @@ def _ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
     for end in ("left", "right"):
         if boundary.get(end, 0) < 0:
             yield f"boundary.{end} is {boundary[end]}, below its limit 0: give 0 or more."
-    for key, value in [
-        ("boundary.velocity", boundary.get("velocity", 1)),
-        ("record.arrival_level", scene["record"].get("arrival_level", 1)),
-    ]:
-        if value <= 0:
-            yield f"{key} is {value}, but must be above 0: give a number above 0."
+    if (velocity := boundary.get("velocity", 0)) < 0:
+        yield (
+            f"boundary.velocity is {velocity}, below its limit 0: give 0, a wall, or a number "
+            "above 0."
+        )
+    if (level := scene["record"].get("arrival_level", 1)) <= 0:
+        yield f"record.arrival_level is {level}, but must be above 0: give a number above 0."
 
 
 def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
@@ -139,6 +141,23 @@ def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
                 f"{key} is {u}, but the law holds for relative displacements between {-high:g} "
                 f"and {-low:g} only: give one between, or another law."
             )
+
+
+def _exponents_fit_the_law(scene: Mapping) -> Iterator[str]:
+    """Exponents of contacts replace those of the law (28), and spheres have 3/2."""
+    law, contacts = scene["law"], scene.get("contacts", {})
+    alpha, is_power = exponent_of(law) or 0.0, is_short(law) or made_law(law).is_power
+    for key in sorted({"alpha", "beta"} & contacts.keys()):
+        if not is_power or alpha < 1:
+            yield (
+                f"contacts.{key} is given, but the law is not {{alpha, beta, gamma}} with alpha of "
+                "1 or more: take such a law."
+            )
+    if has_materials(scene) and alpha != 1.5:
+        yield (
+            f"beads names materials, which touch by Hertz's law, but law.alpha is {alpha}: give "
+            "alpha 1.5, or masses."
+        )
 
 
 def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
@@ -179,6 +198,24 @@ def _striker_hits(scene: Mapping) -> Iterator[str]:
         yield (
             f"start.beads is {start['beads']}, but the chain has {bead_count(scene)} beads: give "
             f"{bead_count(scene) - 1} or fewer."
+        )
+
+
+def _striker_at_a_distance_is_free(scene: Mapping) -> Iterator[str]:
+    """Nothing presses or pulls a striker before it hits."""
+    start = scene["start"]
+    if not start.get("gap"):
+        return
+    left, alpha = scene["boundary"].get("left", 0.0), exponent_of(scene["law"])
+    if alpha is None or alpha < 1:
+        yield (
+            f"start.gap is {start['gap']}, but contacts of this law are not free when open: take "
+            "alpha of 1 or more, or leave the gap out."
+        )
+    if left > 0.0:
+        yield (
+            f"start.gap is {start['gap']}, but boundary.left is {left}, which presses the striker: "
+            "give 0."
         )
 
 
@@ -302,8 +339,10 @@ CHAIN = Section(
         _ends_of_contacts_are_pressed,
         _strains_lie_in_domain,
         patterns_fit,
+        _exponents_fit_the_law,
         _ends_bear_the_start,
         _striker_hits,
+        _striker_at_a_distance_is_free,
         _softening_start_is_compressed,
         _series_are_on_chain,
         _arrival_level_can_be_met,
