@@ -82,7 +82,7 @@ GROUPS = (
 )
 
 NAMES = {
-    "chains": "simulate_chain",
+    "chains": "simulate_chain pulses peak_decay spectrum",
     "fronts": """solve_front evaluate_front sweep_fronts tail_roots critical_damping
         front_multipliers""",
     "equations": "log_burgers_front heteroclinic evolve_log_burgers evolve_log_kdv_burgers",

@@ -1,5 +1,8 @@
 """The public names with their types, as `__init__.py` imports them when they are first used."""
 
+from granular_fronts.chain.experiment import peak_decay as peak_decay
+from granular_fronts.chain.experiment import pulses as pulses
+from granular_fronts.chain.experiment import spectrum as spectrum
 from granular_fronts.chain.simulate import simulate_chain as simulate_chain
 from granular_fronts.continuum.evolution import evolve_log_burgers as evolve_log_burgers
 from granular_fronts.continuum.evolution import evolve_log_kdv_burgers as evolve_log_kdv_burgers

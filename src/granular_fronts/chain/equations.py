@@ -241,6 +241,20 @@ def generalised_velocities(
     return w + _shift_of_last(law, beads)
 
 
+def transmitted_forces(
+    u: np.ndarray, velocity: np.ndarray, boundary: Boundary, law: Law, beads: Beads = EQUAL
+) -> np.ndarray:
+    """Return the forces T_n of all contacts, of the shape (..., N) of `u` and `velocity`."""
+    ahead = np.roll(velocity, -1, axis=-1)
+    if boundary.wall:
+        ahead[..., -1] = 0.0
+    elif not boundary.ring:
+        ahead[..., -1] = velocity[..., -1]
+    elastic = beads.stiffness * force(law.elastic.with_exponents(beads.alpha), u)
+    slope = law.viscous.with_exponents(beads.beta).second(-u)  # G'(u)
+    return elastic + beads.viscosity * slope * (velocity - ahead)
+
+
 def energy(
     u: np.ndarray,
     velocity: np.ndarray,

@@ -234,20 +234,34 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
         )
 
 
-def _probes_are_on_chain(scene: Mapping) -> Iterator[str]:
-    """Every probe is on a bead, and its name is its own."""
-    for name, probe in scene["record"].get("probes", {}).items():
-        if name == "grid":
-            yield (
-                "record.probes.grid has the name of the record of the space–time grid: give the "
-                "probe another name."
-            )
-        for bead in probe["beads"]:
-            if bead > bead_count(scene):
-                yield (
-                    f"record.probes.{name}.beads names bead {bead}, but the chain has "
-                    f"{bead_count(scene)} beads: choose one of 1 to {bead_count(scene)}."
-                )
+def _series(scene: Mapping) -> dict[str, Mapping]:
+    """Return every probe set and sensor by its key."""
+    record = scene["record"]
+    return {
+        f"record.{kind}.{name}": entry
+        for kind in ("probes", "sensors")
+        for name, entry in record.get(kind, {}).items()
+    }
+
+
+def _series_are_on_chain(scene: Mapping) -> Iterator[str]:
+    """Every probe and sensor is on the chain, and its name is its own."""
+    limits = {"beads": bead_count(scene), "contacts": contact_count(scene)}
+    named = {"grid": "of the record of the space–time grid"}
+    for key, entry in _series(scene).items():
+        name = key.rpartition(".")[2]
+        if name in named:
+            yield f"{key} has the name {named[name]}: give it another name."
+        named[name] = f"of {key}"
+        if not limits.keys() & entry.keys():
+            yield f"{key} has neither contacts nor beads: say where it is."
+        for places, most in limits.items():
+            for number in entry.get(places, []):
+                if number > most:
+                    yield (
+                        f"{key}.{places} names {places[:-1]} {number}, but the chain has {most} "
+                        f"{places}: choose one of 1 to {most}."
+                    )
 
 
 def _arrival_level_can_be_met(scene: Mapping) -> Iterator[str]:
@@ -268,7 +282,7 @@ def _arrival_level_can_be_met(scene: Mapping) -> Iterator[str]:
 def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
     """Nothing is recorded after the motion."""
     record, end_time = scene["record"], scene["end_time"]
-    times = {f"record.probes.{n}.stop": p["stop"] for n, p in record.get("probes", {}).items()}
+    times = {f"{key}.stop": entry["stop"] for key, entry in _series(scene).items()}
     times |= {name_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
     if "grid" in record:
         times["record.grid.step"] = record["grid"]["step"]
@@ -287,9 +301,11 @@ def size_of_chain(scene: Mapping) -> Iterator[Part]:
     damped = ("law.gamma",) if is_short(scene["law"]) and scene["law"]["gamma"] > 1.0 else ()
     yield Part(("beads", "end_time", *damped), (), 0.0, _motion_time(scene, beads))
     yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
-    for name, probe in record.get("probes", {}).items():
-        key, samples = f"record.probes.{name}", points_of(probe) * len(probe["beads"])
-        yield grid_part((f"{key}.stop",), (f"{key}.step",), COLUMNS_PER_ROW * samples)
+    for key, entry in _series(scene).items():
+        # A sensor needs the whole chain, since momentum and energy of all beads beyond it count.
+        columns = beads if "sensors" in key else len(entry["beads"])
+        numbers = COLUMNS_PER_ROW * points_of(entry) * columns
+        yield grid_part((f"{key}.stop",), (f"{key}.step",), numbers)
     if "grid" in record:
         rows = end / record["grid"]["step"]
         numbers = COLUMNS_PER_ROW * rows * beads
@@ -328,7 +344,7 @@ CHAIN = Section(
         _striker_hits,
         _striker_at_a_distance_is_free,
         _softening_start_is_compressed,
-        _probes_are_on_chain,
+        _series_are_on_chain,
         _arrival_level_can_be_met,
         record_ends_with_motion,
     ),
