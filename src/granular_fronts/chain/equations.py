@@ -250,9 +250,9 @@ def transmitted_forces(
         ahead[..., -1] = 0.0
     elif not boundary.ring:
         ahead[..., -1] = velocity[..., -1]
-    elastic = force(law.elastic.with_exponents(beads.alpha), u)
+    elastic = beads.stiffness * force(law.elastic.with_exponents(beads.alpha), u)
     slope = law.viscous.with_exponents(beads.beta).second(-u)  # G'(u)
-    return beads.stiffness * elastic + beads.viscosity * slope * (velocity - ahead)
+    return elastic + beads.viscosity * slope * (velocity - ahead)
 
 
 def energy(
