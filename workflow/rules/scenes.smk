@@ -18,9 +18,15 @@ SOLVED_BY = {
 }
 
 
+# Those of the configuration, and those of papers of others.
+SCENES = {
+    family: config["scenes"][family] | scenes_of_papers(family) for family in FAMILIES.values()
+}
+
+
 def scene_of(family):
     """Return a function for `params`: the scene that the wildcard names."""
-    return lambda wildcards: config["scenes"][family][wildcards.scene]
+    return lambda wildcards: SCENES[family][wildcards.scene]
 
 
 for folder, family in FAMILIES.items():
@@ -46,7 +52,7 @@ for folder, family in FAMILIES.items():
         message:
             f"{words} of scene {{wildcards.scene}}."
         wildcard_constraints:
-            scene="|".join(config["scenes"][family]),
+            scene="|".join(SCENES[family]),
         priority: urgency
         script:
             "{params.script}"
