@@ -87,8 +87,8 @@ from granular_fronts.numerics.compiled import kernel, subroutine
 # Loops run over whole vector registers; a remainder costs as much as a block.
 WINDOW_BLOCK = 8
 
-# A multiply and an add may fuse; sums over beads may be reordered where nothing but a norm or an
-# energy comes out of them.
+# A multiply and an add may fuse. Sums over beads may be reordered where only a norm or an energy
+# comes out of them.
 _CONTRACT = {"contract"}
 _REDUCE = {"contract", "nsz", "reassoc"}
 
