@@ -52,6 +52,8 @@ html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
 html_context = {"default_mode": "auto"}
 html_static_path = ["_static"]
 html_css_files = ["manual.css"]
+# Pages at the top without pages below them have no other place to lead to.
+html_sidebars = dict.fromkeys(("gallery", "how_to", "practitioners"), [])
 html_show_sourcelink = False
 html_copy_source = False
 

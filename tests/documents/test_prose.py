@@ -1,5 +1,7 @@
 """Pages, docstrings, comments and captions have sentences that are understood at once."""
 
+import re
+
 import pytest
 from pages import load_script
 from projects import ROOT
@@ -45,6 +47,20 @@ def test_what_counts_in_comments_descriptions_and_captions(tmp_path):
         found = SENTENCES.source_sentences(tmp_path / name)
         counts[name] = [n for n in map(SENTENCES.plain_words, found) if n]
     assert counts == {"module.py": [5], "listed.yaml": [3, 3, 1], "caption.rst": [1, 1, 4]}
+
+
+PRIVATE = re.compile(
+    r"\b(stands?(?! for)|beside|mend\w*|obstacles?|lacking|doubt|wings?|at hand|tells?)\b",
+    re.IGNORECASE,
+)
+"""Words that readers from outside do not use in this way."""
+
+
+def test_no_page_or_source_has_private_words():
+    found = {page: SENTENCES.sentences(text) for page, text in PAGES.items()}
+    found |= {path: SENTENCES.source_sentences(path) for path in SENTENCES.sources()}
+    assert [(path, one) for path in found for one in found[path] if PRIVATE.search(one)] == []
+    assert PRIVATE.search("This stands beside that.")
 
 
 def test_what_counts_as_a_sentence():
