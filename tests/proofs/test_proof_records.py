@@ -1,6 +1,7 @@
 """What is proved as data: chunks of intervals, records, families, and the enclosure of a front."""
 
 import json
+from fractions import Fraction
 from itertools import pairwise
 
 import join_intervals
@@ -36,7 +37,7 @@ def test_chunks_meet_at_decimals_and_cover_the_interval():
 def kept():
     """Records of the certificates that are kept, as data."""
     rows = [
-        proved(name) | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
+        proved(name) | {"name": name, "path": DATA / f"{name}.npz", "seconds": 1.0}
         for name in PROVED
     ]
     return rows, records_dataset(rows)
@@ -49,6 +50,9 @@ def test_data_hold_what_the_checker_says(kept):
         one = data.sel(certificate=row["name"])
         assert float(one["error_bound"]) == row["error"]
         assert float(one["radius"]) == row["numbers"]["radius"]
+        for parameter in ("alpha", "gamma"):
+            ends = one["ends"].sel(parameter=parameter).values
+            assert tuple(map(Fraction, ends)) == row[parameter]
         assert str(one["statements"].values).splitlines() == row["statements"]
         found = one[["left", "right"]].dropna("inequality")
         sides = {known["name"]: (known["left"], known["right"]) for known in row["inequalities"]}
@@ -103,13 +107,16 @@ def test_rounded_bounds_are_bounds(kept):
 
 def test_what_is_joined_is_one_family_and_stretches_are_joined_where_they_touch(kept):
     _, data = kept
-    one = data.assign(joined=("certificate", [0, 1, 0, 1]))
-    names, groups = zip(*tabulate_proofs.families(one), strict=True)
+    third, near = "0.3333333333333333333", "1/3"
+    gammas = [["0.1", third], [third, near], ["0.5", "0.6"], ["0.7", "0.7"]]
+    ends = [[["1.5", "1.5"], gamma] for gamma in gammas]
+    rows = data.assign(ends=data["ends"].copy(data=ends), joined=("certificate", [0, 1, 0, 1]))
+    names, groups = zip(*tabulate_proofs.families(rows), strict=True)
     assert names == ("family, alpha = 1.5",) * 2
     assert [group.sizes["certificate"] for group in groups] == [2, 2]
-    ends = ("certificate", [0.1, 0.2, 0.5, 0.7]), ("certificate", [0.2, 0.3, 0.6, 0.9])
-    rows = data.assign(gamma_low=ends[0], gamma_high=ends[1])
-    assert tabulate_proofs.stretches(rows) == "0.1 to 0.3 and 0.5 to 0.6 and 0.7 to 0.9"
+    assert tabulate_proofs.stretches(rows) == "0.1 to 1/3 and 0.5 to 0.6 and 0.7"
+    rows["ends"][1, 1, 0] = near
+    assert tabulate_proofs.stretches(rows).startswith(f"0.1 to {third} and 1/3 and 0.5")
 
 
 def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail():

@@ -16,8 +16,6 @@ def main(paths):
         record = check_certificate(path)
         failed |= not record["proved"]
         print(f"{path}: {'proved' if record['proved'] else 'not proved: ' + record['reason']}")
-        if record["proved"]:
-            print(f"  for alpha in {record['alpha']}, gamma in {record['gamma']}:")
         for line in record["statements"]:
             print(f"  {line}")
         for found in record["inequalities"]:

@@ -1,5 +1,7 @@
 """Read the arrays of a certificate, and check their kinds and shapes."""
 
+from decimal import Context, Decimal, Inexact
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +11,7 @@ from granular_fronts.proofs.balls import NotProvedError
 
 LONGEST = 1000  # of the sizes that a certificate names
 LARGEST = 2**30  # bytes of all its arrays
+DECIMALS = Context(prec=99, traps=[Inexact])  # more digits than 64 bits over 64 bits can have
 
 
 def load(path):
@@ -54,6 +57,26 @@ def require_lengths(have, want):
         raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
 
 
+def ends(data, name):
+    """Return both ends of the interval of α or γ, for all of which a certificate speaks."""
+    low, below, high, under = data[name].tolist()
+    return Fraction(low, below), Fraction(high, under)
+
+
+def written(number):
+    """Return a fraction as a decimal where it is one, so that no digit is lost."""
+    try:
+        return f"{DECIMALS.divide(Decimal(number.numerator), Decimal(number.denominator)):f}"
+    except Inexact:
+        return str(number)
+
+
+def in_words(data, name, symbol):
+    """Return the interval of α or γ as a part of a statement."""
+    low, high = map(written, ends(data, name))
+    return f"{symbol} = {low}" if low == high else f"each {symbol} in [{low}, {high}]"
+
+
 def both_ends(data, name):
     """Return both ends of the interval of α or γ, as balls."""
-    return [arb(fmpq(*map(int, data[name][k : k + 2]))) for k in (0, 2)]
+    return [arb(fmpq(end.numerator, end.denominator)) for end in ends(data, name)]

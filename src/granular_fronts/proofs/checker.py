@@ -13,7 +13,7 @@ import numpy as np
 from flint import arb, arb_poly, arb_series, fmpq
 
 from granular_fronts import arguments
-from granular_fronts.proofs.arrays import load, require_arrays, require_lengths
+from granular_fronts.proofs.arrays import ends, load, require_arrays, require_lengths
 from granular_fronts.proofs.balls import (
     MATRIX_UNIT,
     UNIT,
@@ -72,15 +72,15 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Returns
     -------
     dict
-        `proved` (bool) and, where it is False, `reason`.  `alpha` and `gamma` bound the parameters
-        for which the `statements` hold; `error` bounds the distance of u* from ū.  `numbers` always
-        holds `radius` (of the ball of y).  Where proved it holds `overshoot` (max u* is above it),
-        bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds `amplitude_low`, `amplitude_high` of A
-        or B.  The value 1 marks `monotone`, `oscillates` (behind, so that max u* > 1) and
-        `critical` (monotone above some γ, and not below).  Dashpots have `tail_start` (x₁, rounded
-        up), and `tail_low`, `tail_high`, the values at x₁ of exponentials that bound u* ahead.
-        `inequalities` are dicts of `name`, `left`, `right` (left < right, rounded outwards) and
-        their `margin`.
+        `proved` (bool) and, where it is False, `reason`.  The `statements` hold for all parameters
+        between the ends `alpha` and `gamma`, pairs of exact fractions; `error` bounds the distance
+        of u* from ū.  `numbers` always holds `radius` (of the ball of y).  Where proved it holds
+        `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
+        `amplitude_low`, `amplitude_high` of A or B.  The value 1 marks `monotone`, `oscillates`
+        (behind, so that max u* > 1) and `critical` (monotone above some γ, and not below).
+        Dashpots have `tail_start` (x₁, rounded up), and `tail_low`, `tail_high`, the values at x₁
+        of exponentials that bound u* ahead.  `inequalities` are dicts of `name`, `left`, `right`
+        (left < right, rounded outwards) and their `margin`.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
             data = load(path)
             front = DashpotFront(data) if "strain" in data else Front(_checked(data))
             statements = list(front.prove())
-            record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+        record |= {name: ends(data, name) for name in ("alpha", "gamma")}
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except NotProvedError as failure:
@@ -174,9 +174,9 @@ class Front(Contraction):
         self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * self.r
         self.error = above(largest([*self.u_error, *(self.outer_kappa * self.r)]))
         yield (
-            "There is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0 ahead, with |u* − ū| <"
-            f" {1.001 * self.error:.3e} on the whole line; it is the only P̄ + A y with ‖y‖ <"
-            f" {0.999 * float(farthest):.3e}."
+            f"{self.parameters()} there is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0"
+            f" ahead, with |u* − ū| < {1.001 * self.error:.3e} on the whole line; it is the"
+            f" only P̄ + A y with ‖y‖ < {0.999 * float(farthest):.3e}."
         )
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 

@@ -30,10 +30,10 @@ below h with that φ.  So τ depends continuously on α, and the family is conti
 """
 
 import math
-from fractions import Fraction
 
 from flint import arb, arb_poly, fmpq
 
+from granular_fronts.proofs.arrays import ends
 from granular_fronts.proofs.balls import NotProvedError, bounds, in_balls, largest, power, size
 from granular_fronts.proofs.checker import Front, read
 from granular_fronts.proofs.consequences import shape
@@ -62,10 +62,11 @@ def prove(path, last=None):
 
 
 def record(path, front):
-    """Return what is proved, as in `check_certificate`, with `path`; `gamma` are two fractions."""
+    """Return what is proved, as in `check_certificate`, with `path`."""
     return {
         "path": str(path),
-        "gamma": ends(front),
+        "alpha": ends(front.data, "alpha"),
+        "gamma": ends(front.data, "gamma"),
         "error": front.error,
         "numbers": front.numbers,
         "statements": front.statements,
@@ -73,16 +74,10 @@ def record(path, front):
     }
 
 
-def ends(front, name="gamma"):
-    """Return both ends of the interval of γ, or of α."""
-    numbers = front.data[name].tolist()
-    return Fraction(*numbers[:2]), Fraction(*numbers[2:])
-
-
 def join(first, second):
     """Lemma 9 at the common end of two intervals; noted among the inequalities of the second."""
-    (_, high), (low, _) = ends(first), ends(second)
-    if high != low or ends(first, "alpha") != ends(second, "alpha"):
+    (_, high), (low, _) = (ends(front.data, "gamma") for front in (first, second))
+    if high != low or ends(first.data, "alpha") != ends(second.data, "alpha"):
         raise NotProvedError(f"the intervals do not meet: {high} and {low}")
     n = math.lcm(first.n, second.n)
     one, two = _Side(first, 1, n), _Side(second, -1, n)

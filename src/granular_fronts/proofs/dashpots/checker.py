@@ -124,9 +124,10 @@ class DashpotFront(Contraction):
         self.slope_error = 4 * self.gamma * worst + 2 * force_error
         self.error = above(worst)
         yield (
-            "With linear dashpots (β = 1) there is a front u* = ū + A y*, u* = Λ*u*₊^α + γ k*u*,"
-            f" from 1 behind to 0 ahead, with |u* − ū| < {1.001 * self.error:.3e} on the whole"
-            f" line; it is the only ū + A y with ‖y‖ < {0.999 * float(farthest):.3e}."
+            f"{self.parameters()}, with linear dashpots (β = 1), there is a front u* = ū + A"
+            " y*, u* = Λ*u*₊^α + γ k*u*, from 1 behind to 0 ahead, with |u* − ū| <"
+            f" {1.001 * self.error:.3e} on the whole line; it is the only ū + A y with"
+            f" ‖y‖ < {0.999 * float(farthest):.3e}."
         )
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 
