@@ -134,6 +134,7 @@ class Part(Law):
     """What `lead` needs of a front."""
 
     fall = -5
+    shift = arb(0)
 
 
 RATE = acb(1.9)

@@ -186,7 +186,16 @@ def test_bounds_that_are_not_finite_bound_nothing():
             with pytest.raises(balls.NotProvedError, match="not finite"):
                 balls.largest(values)
     assert balls.largest([flint.arb(2), flint.arb(3), flint.arb(1)]) == 3
-    assert balls.above(flint.arb(1)) > 1
+
+
+def test_doubles_of_bounds_are_bounds_and_the_nearest_where_they_can_be():
+    for exact in (0, 1, -3, 0.1):
+        assert balls.above(flint.arb(exact)) == exact
+    with in_balls():
+        third = flint.arb(1) / 3
+        for sign in (1, -1):
+            assert flint.arb(balls.above(sign * third)) > sign * third
+            assert balls.above(sign * third) - sign / 3 < 1e-15
 
 
 def test_powers_and_bounds_of_polynomials_contain_all_values():

@@ -76,7 +76,9 @@ def test_only_what_is_proved_is_in_the_data(kept):
     assert not data["joined"].any()
     one = data.sel(certificate="monotone")
     rate = gf.tail_roots(1.5, 0.3, count=1)[0].real
-    assert float(one["rate_low"]) < rate < float(one["rate_high"]) < float(one["rate_low"]) + 1e-13
+    low, high = (float(one[f"rate_{end}"]) for end in ("low", "high"))
+    assert low < high < low + 1e-13
+    assert abs(rate - low) < 1e-14
 
 
 def test_table_names_the_shape_and_the_least_margin(kept):

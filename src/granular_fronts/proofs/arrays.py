@@ -10,7 +10,13 @@ from flint import arb, fmpq
 from granular_fronts.proofs.balls import NotProvedError
 
 LONGEST = 1000  # of the sizes that a certificate names
-LARGEST = 2**30  # bytes of all its arrays
+LARGEST = 2**28  # bytes of all its arrays
+LONGEST_CHECK = 60.0  # seconds that a check may take,
+PAIR, ENTRY, PIECE = (
+    2e-6,
+    5e-6,
+    5e-4,
+)  # of which a pair of rows, a cell of g, a polynomial take so many
 DECIMALS = Context(prec=99, traps=[Inexact])  # more digits than 64 bits over 64 bits can have
 
 
@@ -26,7 +32,7 @@ def load(path):
                 return {name: file[name] for name in file.files}
     except Exception as error:
         raise NotProvedError(f"{path} is no file of arrays as prove_front writes it") from error
-    raise NotProvedError(f"{path} holds more than {LARGEST >> 30} GiB")
+    raise NotProvedError(f"{path} holds more than {LARGEST >> 20} MiB")
 
 
 def require_arrays(data, fields, sizes):
@@ -57,6 +63,16 @@ def require_lengths(have, want):
         raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
 
 
+def require_short(rows, entries, pieces):
+    """Stop before a check that would take more than a minute: of a matrix, inverses and cells."""
+    seconds = PAIR * rows**2 + ENTRY * entries + PIECE * pieces
+    if seconds > LONGEST_CHECK:
+        raise NotProvedError(
+            f"its check would take about {seconds:.0f} s, and above {LONGEST_CHECK:.0f} s none is"
+            " begun"
+        )
+
+
 def ends(data, name):
     """Return both ends of the interval of α or γ, for all of which a certificate speaks."""
     low, below, high, under = data[name].tolist()
@@ -71,9 +87,9 @@ def written(number):
         return str(number)
 
 
-def in_words(data, name, symbol):
+def in_words(interval, symbol):
     """Return the interval of α or γ as a part of a statement."""
-    low, high = map(written, ends(data, name))
+    low, high = map(written, interval)
     return f"{symbol} = {low}" if low == high else f"each {symbol} in [{low}, {high}]"
 
 

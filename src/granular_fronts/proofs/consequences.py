@@ -36,6 +36,10 @@ The negative part of K has mass at most γ²/2 (for γ > 1 it has γ − 1/2 ≤
 2γ) S^α.  With S^α ≤ s (1 + γ) I/(1 − k s) both conditions give u(x) > 0 and u'(x) < 0 if I(x) > 0.
 At a first zero x > x₁ of u we would have I(x) > 0, so there is none. ∎
 
+**Normalisation.** A translate of a front is a front.  Let u' ≤ −m < 0 for |ξ| ≤ h, let d = |u(0) −
+1/2| < m h, and u' < 0 on an interval [x₀, ∞) with x₀ ≤ −2h.  Then u = 1/2 at one ξ₀ ≥ x₀ only, and
+|ξ₀| ≤ d/m.  Amplitudes and families are those of u(· + ξ₀), the translate that is 1/2 at 0.
+
 **Lemma 6 (double exponential tail).** Then ln(−ln u(x))/x → ln α as x → ∞.
 
 *Proof.* For x > x₁ + 1, u decreases on [x − 1, ∞), so u(x) ≤ k u(x − 1)^α.  Below, u(x) ≥ c I(x)
@@ -66,18 +70,37 @@ def shape(front):
     front.require("u > 0 in the window", arb(0), -largest(-low[:x1]))
     front.require("u > 0 behind it", front.outer_kappa[0] * front.r, arb(1))
     fall, slope = x1, []
-    while fall:
-        steepest = bounds(front.u[fall - 1].derivative() * 2 * front.n)[1] + front.slope_error
-        if not steepest < 0:
-            break
-        fall, slope = fall - 1, [*slope, steepest]
+    while fall and _steepest(front, fall - 1) < 0:
+        fall, slope = fall - 1, [*slope, _steepest(front, fall - 1)]
     if slope:
         front.require("u' < 0 in the window", largest(slope), arb(0))
     front.fall = fmpq(fall, front.n) - front.left
     yield (
         f"u* > 0 on the whole line, u*' < 0 for ξ ≥ {front.fall}, and ln(−ln u*)/ξ → ln α as ξ → ∞."
     )
+    zero = front.left * front.n
+    yield normalise(front, fall, largest(_steepest(front, j) for j in (zero - 1, zero)))
     yield from overshoot(front, [u[0] for u in front.u] - front.u_error)
+
+
+def _steepest(front, j):
+    """Return the upper bound of u*' on a cell."""
+    return bounds(front.u[j].derivative() * 2 * front.n)[1] + front.slope_error
+
+
+def normalise(front, fall, steepest):
+    """Return where u* = 1/2, from the first cell on which it falls and u*' next to ξ = 0."""
+    zero = front.left * front.n
+    front.require("u* falls about 0", arb(fall), arb(zero - 1))
+    front.require("u*' < 0 about 0", steepest, arb(0))
+    gap = abs(front.u[zero](arb(-1)) - fmpq(1, 2)) + front.kappa[zero] * front.r
+    front.shift = (gap / -steepest).upper()
+    front.require("u* = 1/2 within a cell of 0", front.shift, arb(1) / front.n)
+    front.numbers["shift"] = above(front.shift)
+    return (
+        f"u* = 1/2 at one ξ₀ ≥ {fmpq(fall, front.n) - front.left} only, and |ξ₀| <"
+        f" {1.001 * front.numbers['shift']:.1e}."
+    )
 
 
 def overshoot(front, tops):

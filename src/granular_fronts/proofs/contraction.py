@@ -4,7 +4,7 @@ from functools import partial
 
 from flint import arb, fmpq
 
-from granular_fronts.proofs.arrays import both_ends, in_words
+from granular_fronts.proofs.arrays import both_ends, ends, in_words
 from granular_fronts.proofs.balls import Inequalities, above, largest, power
 
 
@@ -21,8 +21,8 @@ class Contraction(Inequalities):
 
     def parameters(self):
         """Return for which α and γ the statements hold, exactly."""
-        alpha, gamma = (in_words(self.data, *name) for name in (("alpha", "α"), ("gamma", "γ")))
-        return f"For {alpha} and {gamma}"
+        alpha, gamma = (ends(self.data, name) for name in ("alpha", "gamma"))
+        return f"For {in_words(alpha, 'α')} and {in_words(gamma, 'γ')}"
 
     def a(self, u):
         """Return α u₊^(α − 1)."""
