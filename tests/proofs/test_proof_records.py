@@ -1,9 +1,13 @@
 """What is proved as data: chunks of intervals, records, families, and the enclosure of a front."""
 
 import json
+import shutil
+import subprocess
+import tarfile
 from fractions import Fraction
 from itertools import pairwise
 
+import archive_certificates
 import join_intervals
 import numpy as np
 import prove_chunk
@@ -13,7 +17,7 @@ from certificates import DATA, PROVED, proved
 from proof_chunks import chunk_name, proof_chunks
 
 import granular_fronts as gf
-from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.proofs.enclosure import enclosure_dataset
 from granular_fronts.proofs.records import records_dataset
 
@@ -138,6 +142,46 @@ def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail():
     # Ahead of all cells the bounds still grow as they must, by about 3/2 for each bead.
     growth = data["decay_low"].values[-1] / data["decay_low"].values[-21]
     assert growth == pytest.approx(1.5, rel=0.02)
+
+
+def test_archive_holds_the_certificates_and_their_sums(tmp_path, kept):
+    """The sums are those of another program's algorithm, and the bytes are always the same."""
+    rows, _ = kept
+    folder = tmp_path / "proofs"
+    for name, part in (("fronts", rows[:1]), ("intervals", rows[1:])):
+        (folder / name).mkdir(parents=True)
+        copies = [
+            row | {"path": shutil.copy(row["path"], folder / name / f"{row['name']}.npz")}
+            for row in part
+        ]
+        write_dataset(records_dataset(copies), tmp_path / f"{name}.nc", scene_id=name, config={})
+    made = []
+    for k in (1, 2):
+        files = tmp_path / f"{k}.tar", tmp_path / f"{k}.sha256"
+        inputs = tmp_path / "fronts.nc", tmp_path / "intervals.nc", folder
+        archive_certificates.archive_certificates(*inputs, *files)
+        made.append([file.read_bytes() for file in files])
+    assert made[0] == made[1]
+    with tarfile.open(tmp_path / "1.tar") as tar:
+        tar.extractall(tmp_path / "unpacked", filter="data")
+    done = subprocess.run(
+        ["sha256sum", "--strict", "-c", "SHA256SUMS"],
+        cwd=tmp_path / "unpacked",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count(": OK") == len(rows)
+    assert (tmp_path / "1.sha256").read_bytes() == made[0][1]
+    names = {
+        file.relative_to(tmp_path / "unpacked").as_posix()
+        for file in (tmp_path / "unpacked").rglob("*.npz")
+    }
+    assert names == {
+        f"fronts/{rows[0]['name']}.npz",
+        *(f"intervals/{row['name']}.npz" for row in rows[1:]),
+    }
 
 
 @pytest.mark.slow
