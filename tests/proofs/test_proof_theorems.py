@@ -1,6 +1,7 @@
 """Theorems A and B and the normalisation: said where they hold, and refused where they do not."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -114,6 +115,15 @@ def test_what_is_nearer_is_no_other_solution():
     with in_balls():
         data = load("monotone") | {"gamma": np.array([31, 100, 31, 100])}
         assert balls.largest(map(Front(data).residual, range(100, 300))) > 1e-4
+
+
+def test_page_states_the_distances_of_certificates():
+    page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| .* \| (0\.\d+) \|$", page, re.MULTILINE)
+    assert len(rows) == 3
+    for name, printed in rows:
+        W = proved(name)["numbers"]["unique_within"]
+        assert 0.98 * W < float(printed) < W
 
 
 # Normalisation.

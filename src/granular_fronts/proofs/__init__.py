@@ -6,11 +6,11 @@ then proves, in balls and with only python-flint and NumPy, that a front exists 
 looks like.  `families` joins certificates to a continuous family.  `dashpots` does the same for
 linear dashpots (β = 1).
 
-To trust a proof one must trust the mathematics in the docstrings and the code of `checker`,
+To trust a proof one must trust the mathematics in the docstrings.  The code is that of `checker`,
 `arrays`, `balls`, `contraction`, `uniqueness`, `consequences`, `tail_roots`, `rear_expansion` and
-`families`, Python, python-flint, and these parts of NumPy: the reading of npz files, sums of
-integers, integers below 2⁵³ as doubles (`balls.unit_plus` refuses others), and the loops of
-`convolve`, `cumsum`, `sum` and `abs` over arrays of balls.
+`families`.  Below it are Python, python-flint and a part of NumPy.  That part reads npz files, sums
+integers, and holds integers below 2⁵³ as doubles; `balls.unit_plus` refuses others.  It also loops
+over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
 """
 
 from importlib.util import find_spec

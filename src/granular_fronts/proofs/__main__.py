@@ -1,8 +1,10 @@
 """Check certificates of fronts, with python-flint and NumPy alone.
 
-python -m granular_fronts.proofs FILE ...           each certificate by itself
-python -m granular_fronts.proofs --family FOLDER    all certificates there as one family in γ
-python -m granular_fronts.proofs --critical 3/2 2   enclosures of the critical damping γ_x(α)
+python -m granular_fronts.proofs FILE ...           Each certificate by itself.
+
+python -m granular_fronts.proofs --family FOLDER    All certificates there as one family in γ.
+
+python -m granular_fronts.proofs --critical 3/2 2   Enclosures of the critical damping γ_x(α).
 """
 
 import sys

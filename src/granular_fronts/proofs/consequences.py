@@ -6,16 +6,30 @@ k = ‖K‖₁ = 1 + γ² for γ ≤ 1, 2γ for γ ≥ 1.
 **Lemma 4 (the linearisation).** L* = DQ(P*) is onto and its kernel is spanned by P*'.
 
 *Proof.* L*A = DG(y*) is invertible, as ‖1 − DG(y*)‖ < 1; so L* is onto, A is injective with closed
-range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w
-↦ H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
+range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w ↦
+H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
 −b) with a common bound and Lipschitz constant.  In the splitting of L^∞ at −b this operator is
-triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal. Its index in L^∞
-of a half line is ± the winding number of 1 + ĝ (Gohberg and Krein; kernels in L¹). (1 + ĝ)(1 − α
-K̂) = 1 + ê with |ê| ≤ ‖e‖₁ < 1, so that number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α
-(1 − iγω) sinc²(ω/2).  D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D = 1; D(−iω) is the
-conjugate: D winds once.  So |ind A| = 1; A being injective, ind A = −1 and dim ker L* = codim Ran A
-= 1.  Since P is Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of
-the kernel, not 0 as P is not constant. ∎
+triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal.  Its index in L^∞
+of a half line is ± the winding number of 1 + ĝ (Lemma 22).  (1 + ĝ)(1 − α K̂) = 1 + ê with |ê| ≤
+‖e‖₁ < 1, so that number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α (1 − iγω) sinc²(ω/2).
+D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D = 1; D(−iω) is the conjugate: D winds once.
+So |ind A| = 1; A being injective, ind A = −1 and dim ker L* = codim Ran A = 1.  Since P is
+Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of the kernel, not 0
+as P is not constant.  ∎
+
+**Lemma 22 (index on a half line).** Let k ∈ L¹ and f = 1 + k̂ ≠ 0 on ℝ.  Then y ↦ y + k*y, cut to
+(0, ∞), is a Fredholm operator in L^∞(0, ∞), and its index is ± the winding number of f.
+
+*Proof.* Write W(f) for it, and f₊, f₋ for functions c + k̂ with k = 0 on (−∞, 0) or on (0, ∞).  Then
+W(f₋ f f₊) = W(f₋) W(f) W(f₊).  So W(f±) is invertible if 1/f± is such a function too.  Rational
+functions r without poles on ℝ are dense, as polynomials times e^(−s) are in L¹(0, ∞).  By Wiener's
+lemma 1/f is in the algebra, so that 1/r → 1/f as r → f, and f = r (1 + n) with n of norm below 1.
+The logarithm of 1 + n is a power series; cut at 0 it gives 1 + n = f₋ f₊ with inverses.  A factor
+(ω − a)/(ω − b) of r is an f₊ or f₋ if a and b are in the same half plane.  Else it is a product of
+both and of q = (ω − i)/(ω + i) or 1/q.  So f = f₋ q^κ f₊ with the winding number κ.  One of W(q),
+W(1/q) is S y = y − 2v, v(x) = ∫ e^(t−x) y(t) dt over (0, x).  As v' = y − v, S y = z means v' − v =
+z, v(0) = 0.  This v is bounded if and only if ∫ e^(−t) z(t) dt = 0, so S has index −1.  The other
+one, y − 2 ∫ e^(x−t) y(t) dt over (x, ∞), is its left inverse, of index 1. ∎
 
 Consequences: the front is isolated up to shifts.  Let φ vanish on Ran A with φ(P') = 1.  For a
 solution P₁ near P, τ ↦ φ(P₁(· + τ) − P) has a slope near 1, as P₁' = a(u₁) K'*P₁ is near P' and P'

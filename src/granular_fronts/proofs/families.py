@@ -22,10 +22,9 @@ L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at mos
 − Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup ω |u₁'|. From φ(h) = 0, |c| (P₁(−1) − P₁(1)) = |φ(A y)| ≤ ‖y‖ ∫ ρ.
 Hence y = 0, c = 0. ∎
 
-**Theorem A (threshold).** Let a family be joined, and let one certificate show that damping is
-critical (`rear_expansion`), all before it that max u > 1, and all after it that u' < 0.  If γ_x of
-Lemma 12 is in the interval of the first, then u' < 0 on ℝ if and only if γ ≥ γ_x, and max u > 1
-for γ < γ_x.
+**Theorem A (threshold).** Let one certificate of a family show that damping is critical
+(`rear_expansion`).  Let all before it show max u > 1, and all after it u' < 0.  If γ_x of Lemma 12
+is in the interval of that one, then u' < 0 on ℝ if and only if γ ≥ γ_x, and max u > 1 for γ < γ_x.
 
 *Proof.* The three roots of the certificate are all up to η, and those of Lemma 12 the slowest three
 at γ_x.  Where their order is not certain, Re λ₂ − λ₁ grows with γ, so γ_x is its only zero on the
@@ -33,8 +32,8 @@ interval.  Above it the front is monotone, and below it overshoots. ∎
 
 The second branch is shifted by τ, and each following one by the sum of the shifts before it.  This
 makes the family continuous over all intervals.  So is that of the translates with the value 1/2 at
-0 (`consequences`).  The place ξ₀ of 1/2 depends continuously on γ, and at a junction both fronts
-have it in common, since each falls from two cells before 0 on.  What is proved of each front
+0 (`consequences`).  The place ξ₀ of 1/2 depends continuously on γ.  At a junction both fronts have
+it in common, since each falls from two cells before 0 on.  What is proved of each front
 (positivity, decrease ahead, the maximum above 1) does not change by shifts.  If α is in an
 interval, the same in all certificates, this holds for each α.  As φ(P₂(· + τ)) falls with τ for |τ|
 < h, τ is the only shift below h with that φ.  So τ depends continuously on α, and the family is

@@ -8,7 +8,14 @@ import xarray as xr
 from granular_fronts.proofs.arrays import written
 
 BEHIND = "rate_low", "rate_high", "amplitude_low", "amplitude_high"  # of the leading term
-NUMBERS = "radius", *BEHIND, "monotone", "oscillates", "critical"  # that are variables
+NUMBERS = (
+    "radius",
+    "unique_within",
+    *BEHIND,
+    "monotone",
+    "oscillates",
+    "critical",
+)  # that are variables
 JOINED = "the front before is a translate"  # the last inequality of a junction
 
 
@@ -53,6 +60,6 @@ def records_dataset(records):
     data["joined"] = "certificate", np.isfinite(known.values).astype(int)
     data["processor_seconds"].attrs["units"] = "s"
     data["bytes"].attrs["units"] = "byte"
-    for name in ("error_bound", "radius", "overshoot_bound", *BEHIND):
+    for name in ("error_bound", "radius", "unique_within", "overshoot_bound", *BEHIND):
         data[name].attrs["error_method"] = "a bound that is proved, rounded outwards"
     return data
