@@ -87,7 +87,7 @@ def test_computed_front_lies_in_the_enclosure(record, front, computed):
     mu = optimize.brentq(lambda rate: 2 * GAMMA * (np.cosh(rate) - 1) - rate, 1, 5)
     assert slow < mu < fast
     assert u[-11] / u[-1] == pytest.approx(np.exp(mu), rel=1e-3)
-    falls = float(eval(record["statements"][2].split("ξ ≥ ")[1].split(",")[0]))
+    falls = float(eval(record["statements"][3].split("ξ ≥ ")[1].split(",")[0]))
     u = gf.evaluate_front(computed, np.linspace(falls - 0.5, 8, 300))
     assert (np.diff(u)[20:] < 0).all()
     assert np.diff(u).max() > 0
