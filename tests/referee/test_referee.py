@@ -130,6 +130,7 @@ def test_every_problem_has_its_files_and_numbers(folder):
     assert any(name.startswith("contact_loss") for name in gaps)
     rows = (folder / f"{FRONT}.csv").read_text().splitlines()
     answer = read_dataset(folder / f"{FRONT}.nc")
+    assert answer["value"].attrs["error_estimate"] == answer["value_error"].max() > 0.0
     states = answer.sel(t=[20.0, 40.0])
     v = states["velocity"].values
     u = np.pad(states["relative_displacement"].values, [(0, 0), (0, 1)])
