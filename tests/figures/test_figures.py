@@ -102,7 +102,7 @@ def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_d
 def test_data_of_something_else_are_named(path, tmp_path):
     other = tmp_path / "other.nc"
     data = read_dataset(path).drop_vars("relative_displacement_transient")
-    write_dataset(data, other, scene_id="other", config={})
-    with pytest.raises(DatasetError, match=r"other\.nc does not hold what plot_fig03 draws"):
+    write_dataset(data, other, scene_id="other", config=configuration_of(data))
+    with pytest.raises(DatasetError, match=r"other\.nc does not hold .* '\w+'\): let"):
         make_files(other, tmp_path / "fig", "A caption.")
     assert not (tmp_path / "fig.png").exists()

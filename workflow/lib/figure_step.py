@@ -103,8 +103,9 @@ def _drawn(
         return draw(**data)
     except KeyError as error:
         files = ", ".join(str(path) for path in paths.values())
+        missing = str(error.args[0]).partition(". ")[0]  # What follows is a list of like names.
         raise DatasetError(
-            f"{files} does not hold what {draw.__name__} draws ({error.args[0]}): let its scene "
+            f"{files} does not hold what {draw.__name__} draws ({missing}): let its scene "
             "record it, or delete a file that was put there from elsewhere."
         ) from error
 
