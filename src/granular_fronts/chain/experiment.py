@@ -68,7 +68,8 @@ def pulses(series: xr.DataArray, prominence: float = PROMINENCE) -> xr.Dataset:
     series : xarray.DataArray
         Samples along time at several places, such as ``motion["contact_force_near"]``.
     prominence : float, optional
-        Part of the largest deviation from the start that a pulse rises above its surroundings.  Range 0 to 1.
+        Part of the largest deviation from the start that a pulse rises above its surroundings.
+        Range 0 to 1.
 
     Returns
     -------
