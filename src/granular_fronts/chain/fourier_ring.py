@@ -127,7 +127,7 @@ def solve_fourier_ring(
 
 def _integrate(ring, start, times, tolerance):
     """Return the values of u and d at the given times, and the smallest u after any step."""
-    matrices, state, states = ring.second_difference, start.reshape(2, ring.points), []
+    matrices, state, states = ring.second_difference, start.copy(), []
     t, h, smallest = 0.0, FIRST_STEP, start[: ring.points].min()
     for stop in times:
         t, h, least = _advance(matrices, ring.alpha, ring.gamma, state, (t, h, stop), tolerance)
@@ -136,7 +136,7 @@ def _integrate(ring, start, times, tolerance):
             raise GapError(OPEN.format(time=t))
         if t < stop:
             raise SolveError(f"At t = {t:.6g} of a ring the step size collapsed to {h:.3g}.")
-        states.append(state.copy())
+        states.append(state.reshape(2, ring.points).copy())
     return states, float(smallest)
 
 
@@ -147,10 +147,9 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
     The clock holds time, step and stop; the result is the time, the next step and the smallest u.
     """
     t, h, stop = clock
-    slopes = np.empty((rk.STAGES, *state.shape))
-    start, stage, new = state.ravel(), np.empty(state.size), np.empty(state.size)
-    errors, nothing = (np.empty(state.size), np.empty(state.size)), np.zeros(state.size)
-    parts = np.empty((2, state.shape[1] // 2))
+    stage, new, fifth, third = np.empty((4, state.size))
+    slopes, nothing = np.empty((rk.STAGES, state.size)), np.zeros(state.size)
+    parts = np.empty((2, state.size // 4))
     smallest = np.inf
     while t < stop and smallest > 0.0 and not interrupted():
         landing = t + h >= stop
@@ -159,12 +158,12 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
         if step < SHORTEST_STEP * stop and not landing:
             break
         for row in range(rk.STAGES):
-            _combine(start, step * rk.A[row], slopes, stage)
-            _rates(matrices, alpha, gamma, stage.reshape(state.shape), parts, slopes[row])
-        _combine(start, step * rk.B, slopes, new)
-        _combine(nothing, rk.ERROR_5, slopes, errors[0])
-        _combine(nothing, rk.ERROR_3, slopes, errors[1])
-        error = step * _norm(start, new, errors, tolerance)
+            _combine(state, step, rk.A[row], slopes, stage)
+            _rates(matrices, alpha, gamma, stage, parts, slopes[row])
+        _combine(state, step, rk.B, slopes, new)
+        _combine(nothing, step, rk.ERROR_5, slopes, fifth)
+        _combine(nothing, step, rk.ERROR_3, slopes, third)
+        error = _norm(state, new, fifth, third, tolerance)
         factor = rk.SMALLEST_FACTOR  # Also where the error is not a number.
         if error < math.inf:
             growth = rk.SAFETY * max(error, SMALLEST_ERROR) ** rk.ERROR_EXPONENT
@@ -172,8 +171,8 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
         accepted = error <= 1.0
         if accepted:
             t = stop if landing else t + step
-            start[:] = new
-            smallest = min(smallest, new[: state.shape[1]].min())
+            state[:] = new
+            smallest = min(smallest, new[: new.size // 2].min())
         if not (accepted and landing):
             h = step * factor
     return t, h, smallest
@@ -182,8 +181,9 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
 @subroutine(fastmath=_CONTRACT, forceinline=True)
 def _rates(matrices, alpha, gamma, state, parts, result):
     """Time derivatives of u and d; `parts` is work space for half a ring."""
-    u, d, change, force = state[0], state[1], result[0], result[1]
     half = uint64(parts.shape[1])
+    u, d = state[: 2 * half], state[2 * half :]
+    change, force = result[: 2 * half], result[2 * half :]
     for n in range(uint64(d.size)):
         whole = power(u[n], alpha)
         force[n] = whole if u[n] > NEGLIGIBLE else 0.0
@@ -194,11 +194,21 @@ def _rates(matrices, alpha, gamma, state, parts, result):
     for n in range(half):
         even, odd = force[n], force[n + half]
         force[n], force[n + half] = even + odd, even - odd
-    # Both means are zero, and their rounding would add up over a long time.
-    force -= force.mean()
+    _subtract_mean(force)
     for n in range(uint64(d.size)):
         change[n] = d[n] + gamma * force[n]
-    change -= change.mean()
+    _subtract_mean(change)
+
+
+@subroutine(fastmath={"reassoc"}, forceinline=True)
+def _subtract_mean(row):
+    """Subtract the mean of a row, which is zero, but whose rounding would add up in a long time."""
+    total = 0.0
+    for n in range(uint64(row.size)):
+        total += row[n]
+    mean = total / row.size
+    for n in range(uint64(row.size)):
+        row[n] -= mean
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
@@ -218,27 +228,27 @@ def _multiply(matrices, parts, products):
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
-def _combine(start, weights, slopes, result):
-    """Write a row plus a weighted sum of slopes."""
+def _combine(start, step, weights, slopes, result):
+    """Write a row plus a step along a weighted sum of slopes."""
     result[:] = start
     for row in range(rk.STAGES):
-        weight, slope = weights[row], slopes[row].ravel()
+        weight = step * weights[row]
         if weight != 0.0:
             for n in range(uint64(result.size)):
-                result[n] += weight * slope[n]
+                result[n] += weight * slopes[row, n]
 
 
 @subroutine(fastmath={"contract", "reassoc"}, forceinline=True)
-def _norm(old, new, errors, tolerance):
-    """Error of a step in units of tolerance and step, from both estimates as DOP853 weighs them."""
-    fifth = third = 0.0
+def _norm(old, new, fifth, third, tolerance):
+    """Error of a step in units of the tolerance, from both estimates as DOP853 weighs them."""
+    total, lower = 0.0, 0.0
     for n in range(uint64(old.size)):
         scale = tolerance * (0.01 + max(abs(old[n]), abs(new[n])))
-        fifth += (errors[0][n] / scale) ** 2
-        third += (errors[1][n] / scale) ** 2
-    if fifth == 0.0:
+        total += (fifth[n] / scale) ** 2
+        lower += (third[n] / scale) ** 2
+    if total == 0.0:
         return 0.0
-    return fifth / math.sqrt((fifth + 0.01 * third) * old.size)
+    return total / math.sqrt((total + 0.01 * lower) * old.size)
 
 
 def _resampled(values, points):
