@@ -147,8 +147,8 @@ def test_rest_means_zero_velocity_and_not_zero_w():
     [
         Boundary(True),
         Boundary(False, 0.3, 0.2),
-        Boundary(False, 0.0, 0.2, piston=make_drive({"velocity": 0.5, "ramp": 3.0})),
-        Boundary(False, 0.0, 0.2, force=make_drive({"force": 0.1})),
+        Boundary(False, 0.0, 0.2, make_drive({"velocity": 0.5, "ramp": 3.0}), piston=True),
+        Boundary(False, 0.0, 0.2, make_drive({"force": 0.1})),
     ],
     ids=["ring", "pressure", "piston", "force"],
 )

@@ -50,13 +50,14 @@ class Balances:
         mass = np.broadcast_to(run.beads.mass, run.chain.beads)
         moved = now.positions - self._start.positions
         work = left * moved[0] - right * moved[-1] + run.beads.gravity * (mass @ moved)
-        self._note("energy", stored - work, now.energy)
         if boundary.piston:
-            drift = now.velocity[0] - boundary.piston.value(t)
-            self._note("momentum", drift, boundary.piston.largest)
+            drift, largest = now.velocity[0] - boundary.drive.value(t), boundary.drive.largest
+            self._note("momentum", drift, largest)
+            self._note("energy", stored - work, max(now.energy, 0.5 * mass[0] * largest**2))
             return
+        self._note("energy", stored - work, now.energy)
         gained = (left - right + run.beads.gravity * mass.sum()) * t
-        gained += boundary.force.integral(t) if boundary.force else 0.0
+        gained += boundary.drive.integral(t) if boundary.drive else 0.0
         # The force of a wall is not known beforehand.
         drift = math.nan if boundary.wall else now.momentum - run.momentum - gained
         self._note("momentum", drift, now.largest_momentum)

@@ -44,9 +44,10 @@ class Drive(NamedTuple):
         return self.pieces["start"][1:]
 
     @property
-    def is_zero(self) -> bool:
-        """Whether the drive vanishes at all times."""
-        return not any(self.pieces[name].any() for name in ("constant", "rate", "amplitude"))
+    def is_constant(self) -> bool:
+        """Whether the drive is a single constant."""
+        first = self.pieces[0]
+        return len(self.pieces) == 1 and not (first["rate"] or first["amplitude"])
 
     @property
     def largest(self) -> float:
@@ -81,4 +82,4 @@ class Drive(NamedTuple):
 def make_drive(boundary: Mapping[str, Any]) -> Drive | None:
     """Return the drive of a boundary of a scene, None if its left end is held."""
     pieces = pieces_of(boundary)
-    return Drive(np.array(pieces, DRIVE).view(np.recarray)) if pieces else None
+    return Drive(np.array(pieces, DRIVE)) if pieces else None

@@ -72,16 +72,16 @@ from granular_fronts.model.potentials import Potential
 class Boundary(NamedTuple):
     """Held relative displacements at the ends, eq. (25), a ring, eq. (26), a drive, a wall.
 
-    An end where δ or δ̃ is 0 is free.  Nothing is held at the left end where the velocity of bead 1,
-    a `piston`, or the `force` on it is given.  With a wall at x = 0 nothing is at the right end.
+    An end where δ or δ̃ is 0 is free.  A `drive` in place of δ is the force on bead 1, or with a
+    `piston` its velocity.  With a wall at x = 0 nothing is held at the right end.
     """
 
     ring: bool
     left: float = 0.0
     right: float = 0.0
-    piston: Drive | None = None
+    drive: Drive | None = None
+    piston: bool = False
     wall: bool = False
-    force: Drive | None = None
 
     @property
     def holds_right(self) -> bool:
@@ -89,9 +89,9 @@ class Boundary(NamedTuple):
         return not (self.ring or self.wall)
 
     @property
-    def drive(self) -> Drive | None:
+    def closing_drive(self) -> Drive | None:
         """The force on bead 1, or the acceleration of the piston."""
-        return self.piston.derivative() if self.piston else self.force
+        return self.drive.derivative() if self.piston else self.drive
 
     def moving(self, u: np.ndarray) -> np.ndarray:
         """Return the compressions of the contacts that move, of all of shape (..., N)."""
@@ -118,8 +118,8 @@ EQUAL = Beads()
 
 def damping_ratio(law: Law, boundary: Boundary, beads: Beads = EQUAL) -> float | None:
     """Return γ if G = γF for every contact and beyond the ends, else None."""
-    drive, ratio = boundary.drive, law.proportional
-    if ratio and drive and not drive.is_zero:
+    ratio, drive = law.proportional, boundary.drive
+    if ratio and drive and not (boundary.piston and drive.is_constant):
         return None
     return ratio if np.array_equal(beads.stiffness, beads.viscosity) else None
 
@@ -232,8 +232,8 @@ def equilibrium(law: Law, boundary: Boundary, beads: Beads, count: int) -> np.nd
     """
     weight = beads.gravity * np.cumsum(np.broadcast_to(beads.mass, count))
     load = force(law.elastic, boundary.left if boundary.wall else boundary.right)
-    if boundary.wall and boundary.force:
-        load = boundary.force.value(0.0)
+    if boundary.wall and boundary.drive:
+        load = boundary.drive.value(0.0)
     needed = (load + weight) / beads.stiffness
     return np.array([_compression_of(float(one), law) for one in needed])
 

@@ -145,7 +145,7 @@ def integrate_in_halves(
 
 def _advance(run, advance, after_block):
     """Advance a run to the last of its stops, from one break point of its drive to the next."""
-    stops, drive, shown = run.recording.stops, run.boundary.drive, 0
+    stops, drive, shown = run.recording.stops, run.boundary.closing_drive, 0
     breaks = drive.breaks[drive.breaks < stops[-1]] if drive else []
     for piece, end in enumerate([*breaks, stops[-1]]):
         if piece:
@@ -166,9 +166,8 @@ def make_boundary(scene: Mapping[str, Any]) -> Boundary:
     """Boundary conditions (25) or (26) of a scene, with its drive."""
     boundary = scene["boundary"]
     left, right = (float(boundary.get(end, 0.0)) for end in ("left", "right"))
-    driven = "piston" if boundary["kind"] == "piston" else "force"
-    ring, wall = (boundary["kind"] == kind for kind in ("ring", "wall"))
-    return Boundary(ring, left, right, wall=wall, **{driven: make_drive(boundary)})
+    ring, piston, wall = (boundary["kind"] == kind for kind in ("ring", "piston", "wall"))
+    return Boundary(ring, left, right, make_drive(boundary), piston, wall)
 
 
 def make_beads(scene: Mapping[str, Any]) -> Beads:
@@ -204,7 +203,7 @@ def initial_state(
         u[: given.size] = given
         velocity[:] = start["velocity"]
     if boundary.piston:
-        velocity[0] = boundary.piston.value(0.0)
+        velocity[0] = boundary.drive.value(0.0)
     if boundary.holds_right:
         u[-1] = boundary.right
     return u, velocity
@@ -219,7 +218,7 @@ def make_chain(
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
     margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
-    drive = boundary.drive
+    drive = boundary.closing_drive
     chain = make_record(
         state.CHAIN,
         law=compile_law(law, equations.damping_ratio(law, boundary, varied)),

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-LARGEST_STEP = 10.0
-"""Radians of a harmonic that no step spans: even at loose tolerances it takes less than 3."""
+LARGEST_STEP = 30.0
+"""Radians of a harmonic that no step spans; the loosest tolerances led to 10."""
 
 
 class Piece(NamedTuple):
