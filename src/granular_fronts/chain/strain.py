@@ -257,6 +257,15 @@ def _sum(table, row, reach):
     return total
 
 
+@subroutine(fastmath=_REDUCE)
+def _slope_of_first(table, row):
+    """Return what the stages before `row` give for the slope of w_1."""
+    total = 0.0
+    for earlier in range(row):
+        total += rk.A[row, earlier] * table[ELASTIC_SLOPES + rk.SLOT[earlier], 0]
+    return total
+
+
 @subroutine
 def _supplied_power(chain, table, w_1):
     """Return F_0 ẋ_1, what a drive supplies, from w_1 and the present forces."""
@@ -304,10 +313,7 @@ def _take_stage(chain, table, row, h, reach, with_power):
     take_drive(chain, chain.clock.t + factor)
     power = _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
     if with_power and chain.driven:
-        w_1 = chain.clock.w_1
-        for earlier in range(row):
-            w_1 += h * rk.A[row, earlier] * table[ELASTIC_SLOPES + rk.SLOT[earlier], 0]
-        power -= _supplied_power(chain, table, w_1)
+        power -= _supplied_power(chain, table, chain.clock.w_1 + h * _slope_of_first(table, row))
     return power
 
 
