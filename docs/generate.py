@@ -82,12 +82,12 @@ GROUPS = (
 )
 
 NAMES = {
-    "chains": "simulate_chain",
+    "chains": "simulate_chain pulses peak_decay spectrum",
     "fronts": """solve_front evaluate_front sweep_fronts tail_roots critical_damping
         front_multipliers""",
     "equations": "log_burgers_front heteroclinic evolve_log_burgers evolve_log_kdv_burgers",
     "laws": """make_law Potential jump_conditions collide restitution damping_for_restitution
-        Scaling sphere_stiffness damping_from_restitution""",
+        Scaling sphere_stiffness contact_stiffness damping_from_restitution""",
     "proofs": "prove_front check_certificate",
     "plots": "plot",
 }
@@ -97,8 +97,12 @@ NAMES = {
 def public_names() -> str:
     """The groups of public names, each name with the first sentence of its docstring."""
     lines = ["# Python", "", "```python", "import granular_fronts as gf", "```", ""]
-    lines += ["Every argument and result is dimensionless, except those of `gf.Scaling` and of the"]
-    lines += ["functions beside it. Every example on these pages is run by a test."]
+    lines += [
+        "Arguments and results are dimensionless. Only `gf.Scaling`, `gf.sphere_stiffness` and"
+    ]
+    lines += [
+        "`gf.damping_from_restitution` have units, those of real beads. A test runs every example."
+    ]
     for group in GROUPS:
         lines += ["", f"## {group.title}", "", group.words, "", "| name | what |", "|---|---|"]
         for name, value in _members(group):

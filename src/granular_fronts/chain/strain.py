@@ -40,7 +40,7 @@ the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` a
 
 A piston of mass m_1 has :math:`F_0 = F_1 + m_1 a`.  A body force :math:`m_n g` accelerates all
 beads alike and drops out of every difference but the last.  There the force is continued as
-:math:`F_{N+1} = F_N + g`, beside a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With
+:math:`F_{N+1} = F_N + g`, at a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With
 a single law its viscous slope would be γg; therefore :math:`d_N = w_N - \gamma g` there.
 
 Active window.  Ahead of bead `reach` every contact is at rest, compressed by the same `ahead`, and
@@ -56,7 +56,7 @@ g of the elastic and viscous forces (`numerics.runge_kutta`),
 Error of a step.  Its estimates in d are :math:`h\,e\cdot k`.  In u they are, where
 :math:`G = \gamma F`, γ times as large, with another sum of the slopes k that is about h times as
 large.  One sum, measured against the smaller of scale_d and scale_u/(γ + h), serves both.  Where G
-has slopes g of its own, :math:`h\,e\cdot g` is measured against scale_u beside it, and γ is 0.
+has slopes g of its own, :math:`h\,e\cdot g` is also measured, against scale_u, and γ is 0.
 """
 
 import math
@@ -67,6 +67,7 @@ from numba import int64, uint64
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import (
     DAMPING,
+    ELASTIC_PARAMETERS,
     ELASTIC_SLOPES,
     FORCE,
     MOBILITY,
@@ -75,6 +76,7 @@ from granular_fronts.chain.state import (
     PARTIAL,
     STIFFNESS,
     VALUE,
+    VISCOUS_PARAMETERS,
     VISCOUS_SLOPES,
     D,
     U,
@@ -87,8 +89,8 @@ from granular_fronts.numerics.compiled import kernel, subroutine
 # Loops run over whole vector registers; a remainder costs as much as a block.
 WINDOW_BLOCK = 8
 
-# A multiply and an add may fuse; sums over beads may be reordered where nothing but a norm or an
-# energy comes out of them.
+# A multiply and an add may fuse. Sums over beads may be reordered where only a norm or an energy
+# comes out of them.
 _CONTRACT = {"contract"}
 _REDUCE = {"contract", "nsz", "reassoc"}
 
@@ -232,17 +234,19 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 
 @subroutine(forceinline=True)
-def _take_forces(law, table, source, last):
-    """Write the forces of the compressions 1 … last of a row."""
-    call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
+def take_forces(law, table, source, first, last):
+    """Write the forces of the compressions first … last of a row."""
+    u, parameters = table[source], table[ELASTIC_PARAMETERS]
+    call_row_map(law.elastic, u, table[FORCE], first, last, parameters)
     if not law.single:
-        call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
+        parameters = table[VISCOUS_PARAMETERS]
+        call_row_map(law.viscous, u, table[DAMPING], first, last, parameters)
 
 
 @subroutine(forceinline=True)
 def take_slopes(chain, table, source, slot, reach, with_power):
     """Write slopes of the compressions of a row into a slot; return the power, if asked."""
-    _take_forces(chain.law, table, source, min(reach, chain.contacts))
+    take_forces(chain.law, table, source, int64(1), min(reach, chain.contacts))
     return _difference_forces(chain, table, slot, reach, with_power)
 
 
@@ -253,16 +257,15 @@ def _take_stage(chain, table, row, h, reach, with_power):
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
     elastic, weights = (ELASTIC_SLOPES + first, terms), chain.elastic_weights[row]
     if law.stage_pass != 0:
-        call_stage_pass(
-            law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
-        )
+        parameters = table[ELASTIC_PARAMETERS]
+        call_stage_pass(law.stage_pass, table, elastic, last, factor, weights, parameters)
     else:
         target = VALUE if law.single else PARTIAL
         sum_rows(table, target, U, D, factor, elastic, weights, last)
         if not law.single:
             viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
             sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
-        _take_forces(law, table, VALUE, last)
+        take_forces(law, table, VALUE, int64(1), last)
     return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
 
 
