@@ -51,7 +51,7 @@ class Solution(NamedTuple):
     counts: dict  # Steps accepted, rejected, cut at contacts; right-hand sides.
     drifts: dict  # Largest relative drift of the balance laws.
     recording: Recording  # As the integrator left it.
-    ends: np.ndarray  # Times at which the steps ended.
+    ends: list[np.ndarray]  # Times at which the steps ended, for each clock of the run.
 
     @property
     def dataset(self):
@@ -147,9 +147,7 @@ def _follow(scene, activity, integrate, steps):
             ends = integrate(run, steps, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    return Solution(
-        collect(scene, run), work_done(run.clock), balances.drifts(), run.recording, ends
-    )
+    return Solution(collect(scene, run), work_done(run), balances.drifts(), run.recording, ends)
 
 
 def _with_error_estimates(scene, solution, refined):

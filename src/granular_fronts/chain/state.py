@@ -56,11 +56,12 @@ factor of the viscous slopes).  Compressions at which F or G is not smooth, and 
 infinite there, so that no contact may pass.  1 if the law acts in extension too, else 0."""
 
 CLOCK = record_type(
-    *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
+    *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated", "rate")],
     *[(name, np.int64) for name in ("reach", "accepted", "rejected", "cut", "right_hand_sides")],
 )
-"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0.  Last
-bead of the active window; steps accepted, rejected and cut at contacts; right-hand sides."""
+"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0, and
+largest |d| when the last step began.  Last bead of the active window; steps accepted, rejected and
+cut at contacts; right-hand sides."""
 
 CHAIN = record_type(
     ("law", LAW),
