@@ -225,6 +225,9 @@ def _example(head: str, defaults: Any) -> list[str]:
     return ["", "For example:", "", "```yaml", text.strip(), "```"]
 
 
+OF_SCENE = "An axis is any number of the scene, such as `start.velocity`."
+
+
 def campaign_page() -> str:
     """The keys of a campaign, and the axes and scalars of each kind."""
     schema = load_schema("campaign")
@@ -233,8 +236,8 @@ def campaign_page() -> str:
     lines += ["", "A complete example, `config/campaigns/smoke.yaml`:", ""]
     lines += ["```yaml", example, "```"]
     for name, kind in KINDS.items():
-        lines += ["", f"## Kind {name}", "", "| axis | range | default | meaning |"]
-        lines += ["|---|---|---|---|"]
+        head = ["| axis | range | default | meaning |", "|---|---|---|---|"]
+        lines += ["", f"## Kind {name}", "", *(head if kind.parameters else [OF_SCENE])]
         for key, axis in kind.parameters.items():
             default = {...: "required", None: "α"}.get(axis.default, axis.default)
             lines.append(f"| `{key}` | {_range_of(axis)} | {default} | {axis.meaning} |")

@@ -1,5 +1,8 @@
 """The public names with their types, as `__init__.py` imports them when they are first used."""
 
+from granular_fronts.chain.experiment import peak_decay as peak_decay
+from granular_fronts.chain.experiment import pulses as pulses
+from granular_fronts.chain.experiment import spectrum as spectrum
 from granular_fronts.chain.simulate import simulate_chain as simulate_chain
 from granular_fronts.continuum.evolution import evolve_log_burgers as evolve_log_burgers
 from granular_fronts.continuum.evolution import evolve_log_kdv_burgers as evolve_log_kdv_burgers
@@ -16,6 +19,7 @@ from granular_fronts.model.collision import damping_for_restitution as damping_f
 from granular_fronts.model.collision import restitution as restitution
 from granular_fronts.model.jump_conditions import jump_conditions as jump_conditions
 from granular_fronts.model.laws import make_law as make_law
+from granular_fronts.model.materials import contact_stiffness as contact_stiffness
 from granular_fronts.model.potentials import Potential as Potential
 from granular_fronts.model.scaling import Scaling as Scaling
 from granular_fronts.model.scaling import damping_from_restitution as damping_from_restitution

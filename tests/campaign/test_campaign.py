@@ -64,7 +64,7 @@ REFUSED = [
     ({"record": {"scalars": ["speed"]}}, "record.scalars names speed | front_speed"),
     (profile(3, 1, 2), "record.profile.start is 3"),
     (profile(1, 1e9, 10**9), "record.profile.count is 1000000000 | 100000 or less"),
-    ({"kind": "frnt"}, 'kind is "frnt" | chain or front or heteroclinic or ring'),
+    ({"kind": "frnt"}, 'kind is "frnt" | chain or front or heteroclinic or motion or ring'),
     ({"colour": 1}, "colour is no key"),
 ]
 

@@ -9,6 +9,7 @@ import granular_fronts as gf
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.simulate import solve
 from granular_fronts.errors import InputError
+from granular_fronts.scenes.beads import bead_count, elastic_pattern, mass_pattern
 
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 WALL = {"kind": "wall", "left": 0.0}
@@ -19,6 +20,10 @@ WAVE = given(0.5 + 0.2 * np.cos(np.arange(12)), 0.1 * np.sin(np.arange(12)))
 DIMER = {"count": 12, "mass": {"cell": [1.0, 0.3]}}
 STIFF = {"elastic": {"cell": [1.0, 2.0]}}
 SOFT_DAMPING = STIFF | {"viscous": {"taper": {"ratio": 1.1}}}
+FLAT = {"alpha": {"impurity": {"contact": 5, "exponent": 1.0}}}
+POWERS = {"alpha": {"cell": [1.5, 2.0]}, "beta": {"cell": [1.0, 2.5, 1.5]}}
+AT_A_DISTANCE = STRIKER | {"beads": 2, "gap": 0.5}
+LEFT_WALL = {"kind": "piston", "velocity": 0.0}
 
 
 def scene_of(beads=DIMER, boundary=FREE, start=STRIKER, end_time=12.0, **changes):
@@ -30,12 +35,17 @@ def scene_of(beads=DIMER, boundary=FREE, start=STRIKER, end_time=12.0, **changes
 
 def by_newton(scene):
     """u and velocity at the end, by SciPy from m ẍ = T_(n−1) − T_n + m g in positions."""
-    mass = values_along(scene["beads"]["mass"], scene["beads"]["count"])
+    mass = values_along(mass_pattern(scene), bead_count(scene))
     law, boundary, count = scene["law"], scene["boundary"], mass.size
     kind, gravity = boundary["kind"], scene.get("gravity", 0.0)
     contacts = count - (kind not in ("ring", "wall"))
-    patterns = scene.get("contacts", {})
-    elastic = patterns.get("elastic", 1.0)
+    if kind == "piston":
+        mass[0] = np.inf
+    patterns, elastic = scene.get("contacts", {}), elastic_pattern(scene)
+    own = patterns.get("alpha", {})
+    alpha = values_along(own, contacts, law["alpha"])
+    same = law["alpha"] == law["beta"]
+    beta = values_along(patterns.get("beta", own if same else {}), contacts, law["beta"])
     stiffness, viscosity = (
         values_along(pattern, contacts) for pattern in (elastic, patterns.get("viscous", elastic))
     )
@@ -52,8 +62,8 @@ def by_newton(scene):
         x, v = np.split(state, 2)
         u, rate = compressions(x, turn), compressions(v, 0.0)
         pressed = np.maximum(u, 0.0)
-        damping = viscosity * law["gamma"] * law["beta"] * pressed ** (law["beta"] - 1.0)
-        forces = stiffness * pressed ** law["alpha"] + np.where(u > 0.0, damping, 0.0) * rate
+        damping = viscosity * law["gamma"] * beta * pressed ** (beta - 1.0)
+        forces = stiffness * pressed**alpha + np.where(u > 0.0, damping, 0.0) * rate
         held = [max(boundary.get(end, 0.0), 0.0) ** law["alpha"] for end in ("left", "right")]
         behind = forces[-1] if kind == "ring" else held[0]
         ahead = [] if contacts == count else [held[1]]
@@ -63,7 +73,7 @@ def by_newton(scene):
     state = solve_ivp(slopes, (0, scene["end_time"]), state, "DOP853", rtol=1e-11, atol=1e-13).y
     x, v = np.split(state[:, -1], 2)
     u = compressions(x, turn)
-    return np.concatenate([u, v] if contacts == count else [u, [boundary["right"]], v])
+    return np.concatenate([u, v] if contacts == count else [u, [boundary.get("right", 0.0)], v])
 
 
 @pytest.mark.parametrize(
@@ -78,6 +88,12 @@ def by_newton(scene):
         {"contacts": SOFT_DAMPING},
         {"boundary": WALL, "gravity": 0.05, "beta": 2.5},
         {"beads": {"count": 12, "mass": {"impurity": {"bead": 6, "mass": 1.0e-2}}}},
+        {"contacts": FLAT},
+        {"contacts": STIFF | POWERS, "boundary": WALL, "gravity": 0.05},
+        {"contacts": SOFT_DAMPING | FLAT, "beta": 1.0, "boundary": RING, "start": WAVE},
+        {"start": AT_A_DISTANCE},
+        {"start": AT_A_DISTANCE, "boundary": WALL, "gravity": 0.05, "contacts": POWERS},
+        {"boundary": LEFT_WALL, "start": given([-0.2] + [0.0] * 10, [0.0, -0.5] + [0.0] * 10)},
     ],
     ids=[
         "striker",
@@ -89,6 +105,12 @@ def by_newton(scene):
         "factors",
         "pair-gravity",
         "impurity",
+        "flat",
+        "powers",
+        "flat-ring",
+        "gap",
+        "gap-gravity",
+        "left-wall",
     ],
 )
 def test_a_chain_of_unlike_beads_agrees_with_newtons_law(changes):
@@ -98,7 +120,11 @@ def test_a_chain_of_unlike_beads_agrees_with_newtons_law(changes):
 
 
 @pytest.mark.parametrize("beta", [1.5, 1.0])
-@pytest.mark.parametrize("contacts", [{}, STIFF, SOFT_DAMPING], ids=["masses", "stiff", "both"])
+@pytest.mark.parametrize(
+    "contacts",
+    [{}, STIFF, SOFT_DAMPING, STIFF | FLAT, POWERS],
+    ids=["masses", "stiff", "both", "flat", "powers"],
+)
 @pytest.mark.parametrize(
     ("boundary", "start", "gravity"),
     [
@@ -128,7 +154,8 @@ def test_equal_masses_and_factors_are_the_uniform_chain():
     plain = last_state(driven_scene(beads=24))
     varied = last_state(driven_scene(beads={"count": 24, "mass": {"cell": [1.0, 1.0]}}))
     scaled = last_state(driven_scene(beads=24, contacts=ones))
-    np.testing.assert_allclose([varied, scaled], [plain, plain], rtol=0, atol=1.0e-13)
+    powers = last_state(driven_scene(beads=24, contacts={"alpha": {"cell": [1.5] * 5}}))
+    np.testing.assert_allclose([varied, scaled, powers], [plain] * 3, rtol=0, atol=1.0e-13)
 
 
 def test_scaling_all_masses_scales_time():
@@ -222,6 +249,17 @@ def test_patterns():
         ({"beads": {"count": 5, "mass": {"taper": {"ratio": 0.01}}}}, "beads.mass comes to 1e±8"),
         ({"start": STRIKER | {"beads": 12}}, "start.beads is 12 | 11"),
         ({"start": STRIKER | {"velocity": 0.0}}, "start.velocity is 0"),
+        ({"start": AT_A_DISTANCE, "law": TODA}, "start.gap is 0.5 | not free when open"),
+        (
+            {"start": AT_A_DISTANCE, "boundary": WALL | {"left": 0.1}},
+            "start.gap is 0.5 | boundary.left is 0.1",
+        ),
+        ({"contacts": FLAT, "law": TODA}, "contacts.alpha | alpha, beta, gamma"),
+        ({"contacts": {"beta": 2.0}, "alpha": 0.9, "beta": 1.0}, "contacts.beta | 1 or more"),
+        (
+            {"contacts": {"alpha": {"impurity": {"contact": 20, "exponent": 1}}}},
+            "contacts.alpha.impurity is at 20 | 11",
+        ),
         ({"gravity": 0.1}, "gravity 0.1 | balance"),
         ({"boundary": WALL | {"left": -0.1}, "law": TODA}, "boundary.left is -0.1 | pulls"),
         ({"gravity": -0.1, "boundary": WALL}, "gravity is -0.1 | 0 or more"),

@@ -185,7 +185,7 @@ def test_a_record_has_room_for_eight_kinks_and_eight_parameters(monkeypatch):
         compile_law(law(9), None)
     monkeypatch.setattr(chain_run, "row_parameters", lambda *_: np.ones(9))
     with pytest.raises(InputError, match=r"has 9 parameters .* room for 8"):
-        compile_law(law(0), None)
+        make_chain(law(0), make_boundary(pulse({})), np.ones(3), np.ones(3))
 
 
 @pytest.mark.timing

@@ -109,7 +109,7 @@ def test_a_key_has_type_default_unit_and_meaning():
     page = KEYS.configuration_page()
     top, chain = rows_of(page, "At the top"), rows_of(page, "scenes.chain.⟨name⟩")
     assert top["chunk_seconds"][:3] == ["number, > 0", "`30`", "s"]
-    masses = "Number N of beads of mass 1, or their count and masses."
+    masses = "Number N of beads of mass 1, or their count with masses or materials."
     assert chain["beads"] == ["whole number or mapping, ≥ 2", "required", "1", masses]
     assert chain["beads.mass.cell"][0].startswith("list")
     assert chain["boundary.ramp"][1] == "0"

@@ -18,7 +18,7 @@ from granular_fronts.model.scaling import (
 )
 
 STEEL = {"mass": 0.147, "stiffness": 1.4e10, "damping": 1.0e-6, "velocity": 0.5}
-QUANTITIES = ["displacement", "velocity", "time", "force", "energy"]
+QUANTITIES = ["displacement", "velocity", "acceleration", "time", "force", "energy"]
 
 
 def random_scalings(count):

@@ -121,6 +121,7 @@ FRONT = {
 }
 ORBIT = {"mu": [1], "profile": {"start": -1, "stop": 1, "step": 0.5}}
 CHAIN, FRONT_SCENE = f"scenes.chain.{SCENE}", "scenes.front.underdamped"
+BALL = {"gamma": 0.05, "mass": 0.147, "radius": 0.0165}
 GLASS, STATES = "laws.materials.beads.glass", "laws.jump_conditions.cases.mine"
 RING, RINGS = "scenes.periodic.weak", "laws.limiting_cases.rings"
 THETA, HALF_STEPS = "laws.numerical_damping", "laws.half_step_damping"
@@ -210,7 +211,7 @@ SECTIONS_REFUSED = [
     ("laws.limiting_cases.strong_gamma", 40, "end_time is 240, | strong_gamma 40 | 656"),
     # Units.
     (f"{GLASS}.radius", 19.6, "radius is 19.6 | 2.5e-06 kg/m³ | 1 to 30000"),
-    (f"{GLASS}.youngs_modulus", 70, "youngs_modulus is 70 Pa | 10000 to 2e+12 Pa"),
+    ("laws.materials.beads", {"steal": BALL}, "beads.steal: | did you mean steel?"),
     # Ranges and steps.
     ("exact_fronts.survey.gamma.start", 2, "survey.gamma.start is 2 | stop 2"),
     (f"{THETA}.profile.step", 0.7, "profile.step is 0.7"),

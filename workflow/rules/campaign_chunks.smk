@@ -7,6 +7,7 @@ CAMPAIGNS = project("config", "campaigns")
 CAMPAIGN_NAME = "[a-z][a-z0-9_]*"
 KERNELS_OF_KIND = {
     "chain": rules.compile_kernels.output.stamp,
+    "motion": rules.compile_kernels.output.stamp,
     "front": rules.compile_front_kernels.output.stamp,
     "heteroclinic": rules.compile_continuum_kernels.output.stamp,
     "ring": [

@@ -19,6 +19,7 @@ from typing import NamedTuple
 from granular_fronts.campaign.chain_scenes import time_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
+from granular_fronts.campaign.motion_scenes import name_in_grid, point_errors, scene_errors
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.limits import NUMBERS_PER_BEAD, Part, part_errors
 from granular_fronts.scenes.schema import violations
@@ -55,8 +56,8 @@ class Campaign(NamedTuple):
     axes : tuple of str
         The parameters that vary.
     settings : dict
-        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None); `law`
-        and `start` if the campaign gives them.
+        What else decides the result of a point: `tolerance`, `scalars`, `profile` (or None); `law`,
+        `start` and `scene` if the campaign gives them.
     chunk_points : int or None
         Most points of a chunk; None to choose it from what a point of the kind costs.
     """
@@ -111,10 +112,14 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     for check in (_form_errors, _choice_errors, _start_errors):
         _raise_if_any(name, check(given))
     law, fixed, record = given.get("law"), given.get("fixed", {}), given.get("record", {})
-    axes = {name_of(axis) if law else axis: values for axis, values in given["axes"].items()}
+    rename = name_of if law else name_in_grid
+    axes = {rename(axis): values for axis, values in given["axes"].items()}
     kind = KINDS[given["kind"]].of_start(given.get("start")).of_choice([*axes, *fixed])
     if law:
         kind = kind.of_law(varied_numbers(axes))
+    if kind.of_scene:
+        _raise_if_any(name, scene_errors(given))
+        kind = kind.of_numbers(dict(zip(axes, given["axes"], strict=True)))
     for errors in (
         _name_errors(given["kind"], kind, axes, fixed, record),
         ranges_increase(given),
@@ -132,7 +137,9 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
     grid = constant | varied
     _raise_if_any(name, _count_errors(kind, grid, given))
     _raise_if_any(name, _value_errors(kind, grid, varied))
-    if law:
+    if kind.of_scene:
+        _raise_if_any(name, point_errors(given["scene"], grid))
+    elif law:
         _raise_if_any(name, errors_of_law(law, grid))
     elif given["kind"] == "chain":
         _raise_if_any(name, time_errors(grid, given.get("tolerance", DEFAULT_TOLERANCE)))
@@ -149,7 +156,7 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
             "scalars": sorted(scalars, key=list(kind.scalars).index),
             "profile": record.get("profile"),
         }
-        | {key: given[key] for key in ("law", "start") if key in given},
+        | {key: given[key] for key in ("law", "start", "scene") if key in given},
         chunk_points=given.get("chunk_points"),
     )
 
@@ -222,7 +229,14 @@ def _count_errors(kind: Kind, grid: Mapping[str, tuple], given: Mapping) -> Iter
 
 
 def _form_errors(given) -> Iterator[str]:
-    """Say that a kind has no law, or that an axis varies a law that is not given."""
+    """Say that a kind has no law, or an axis none to vary; or that a scene is missing or idle."""
+    if KINDS[given["kind"]].of_scene != ("scene" in given):
+        advice = "leave it out" if "scene" in given else "give the scene whose numbers vary"
+        yield (
+            f"scene is {'given' if 'scene' in given else 'missing'}, but of all kinds motion alone "
+            f"has one, and kind is {given['kind']}: {advice}."
+        )
+        return
     if "law" in given:
         if KINDS[given["kind"]].beside_law is None:
             yield f"law is given, but kind {given['kind']} has no law: leave it out."

@@ -51,6 +51,8 @@ class Kind(NamedTuple):
         Profiles that a motion may start from; empty for a kind that has no choice.
     of_formula : tuple of str
         Parameters of every start but ``given``.
+    of_scene : bool
+        Whether a campaign gives a scene, of which its axes vary the numbers.
     """
 
     module: str
@@ -64,6 +66,7 @@ class Kind(NamedTuple):
     one_of: tuple[tuple[str, ...], ...] = ()
     starts: tuple[str, ...] = ()
     of_formula: tuple[str, ...] = ()
+    of_scene: bool = False
 
     def of_start(self, start) -> "Kind":
         """Return the kind without the parameters that a given start does not have."""
@@ -81,6 +84,11 @@ class Kind(NamedTuple):
         }
         kept = self._without(("alpha", "beta", "gamma")).parameters
         return self._replace(parameters=numbers | self.beside_law | kept)
+
+    def of_numbers(self, axes) -> "Kind":
+        """Return the kind for a scene of which some numbers vary, by their names in the grid."""
+        numbers = {name: Parameter(axis, -math.inf) for name, axis in axes.items()}
+        return self._replace(parameters=numbers)
 
     def _without(self, names) -> "Kind":
         kept = {name: value for name, value in self.parameters.items() if name not in names}
@@ -188,6 +196,22 @@ KINDS: dict[str, Kind] = {
             "ahead": Parameter("strain ahead of the front", -math.inf, default=0.0),
             "damping": Parameter("factor of the viscous potential", 0.0, above=True, default=1.0),
         },
+    ),
+    "motion": Kind(
+        module="granular_fronts.campaign.motion_points",
+        seconds_per_point=0.15,
+        parameters={},
+        scalars={
+            "largest_force": "largest peak of the force at the last contact; NaN if none passes",
+            "time_of_flight": "time between the first arrivals at the first and the last contact",
+            "transmitted_momentum": "momentum gained by the beads beyond the last contact",
+            "transmitted_energy": "energy gained by the beads beyond the last contact",
+            "last_velocity": "velocity of the last bead at the end",
+        },
+        profile=("velocity", "velocity at the end"),
+        profile_along=("bead", "bead number n"),
+        profile_counts=True,
+        of_scene=True,
     ),
     "heteroclinic": Kind(
         module="granular_fronts.campaign.heteroclinic_points",

@@ -104,8 +104,10 @@ def _measure(run):
     at_piston = 0.0
     if boundary.piston:  # See the end of `equations`.
         w[0] = velocity[0]
-        viscosity = np.ravel(run.beads.viscosity)[0]
-        at_piston = velocity[0] * viscosity * equations.force(law.viscous, u[0])
+        viscous = run.beads.viscosity * equations.force(
+            law.viscous.with_exponents(run.beads.beta), u
+        )
+        at_piston = velocity[0] * viscous[0]
     energy = equations.energy(u, w, boundary, law.elastic, run.beads) + at_piston
     momenta = run.beads.mass * velocity
     return _State(velocity, momenta.sum(), np.abs(momenta).sum(), energy, positions)

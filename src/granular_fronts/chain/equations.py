@@ -11,7 +11,7 @@ potentials, :math:`F(u) = -V'(-u)` and :math:`G(u) = -W'(-u)`:
 
 where :math:`F_n = \kappa_n F(u_n)` and :math:`G_n = \chi_n G(u_n)` with factors κ_n and χ_n of
 contact n (1 in the paper).  For the law (28) they are :math:`F = u_+^\alpha` and
-:math:`G = \gamma u_+^\beta`.
+:math:`G = \gamma u_+^\beta`, whose exponents may be those of each contact.
 
 Three sets of variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
 :math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
@@ -112,12 +112,17 @@ class Boundary(NamedTuple):
 
 
 class Beads(NamedTuple):
-    """Masses m_n, factors κ_n and χ_n of the forces of contact n, each (N,) or 1; and g."""
+    """Masses m_n, factors κ_n and χ_n of the forces of contact n, each (N,) or 1; and g.
+
+    Exponents of the forces, (N,), are None where all contacts have those of the law.
+    """
 
     mass: np.ndarray | float = 1.0
     stiffness: np.ndarray | float = 1.0
     viscosity: np.ndarray | float = 1.0
     gravity: float = 0.0
+    alpha: np.ndarray | None = None
+    beta: np.ndarray | None = None
 
     @property
     def varied(self) -> bool:
@@ -131,7 +136,9 @@ EQUAL = Beads()
 
 def damping_ratio(law: Law, beads: Beads = EQUAL) -> float | None:
     """Return γ if G = γF for every contact, else None."""
-    return law.proportional if np.array_equal(beads.stiffness, beads.viscosity) else None
+    factors = np.array_equal(beads.stiffness, beads.viscosity)
+    exponents = beads.alpha is None or np.array_equal(beads.alpha, beads.beta)
+    return law.proportional if factors and exponents else None
 
 
 def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
@@ -145,13 +152,15 @@ def forces_on_both_sides(
     potential: Potential,
     shift: npt.ArrayLike = 0.0,
     factor: np.ndarray | float = 1.0,
+    exponents: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
 
     With pressure at the ends u_N is the held value.  Behind a piston the force is larger by
-    `shift`, shape (...), than ahead of it.  The `factor` is the one of each contact.
+    `shift`, shape (...), than ahead of it.  The `factor` is the one of each contact, as are
+    `exponents` in place of that of the potential.
     """
-    ahead = factor * force(potential, u)
+    ahead = factor * force(potential.with_exponents(exponents), u)
     behind = np.roll(ahead, 1, axis=-1)
     if boundary.piston:
         behind[..., 0] = ahead[..., 0] + shift
@@ -175,7 +184,9 @@ def velocity_correction(
     if boundary.piston:
         shift = (damping_ratio(law, beads) or 0.0) * boundary.piston.acceleration_at(t)
         shift = shift * np.ravel(beads.mass)[0]
-    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, shift, beads.viscosity)
+    behind, ahead = forces_on_both_sides(
+        u, boundary, law.viscous, shift, beads.viscosity, beads.beta
+    )
     return (behind - ahead) / beads.mass
 
 
@@ -230,6 +241,20 @@ def generalised_velocities(
     return w + _shift_of_last(law, beads)
 
 
+def transmitted_forces(
+    u: np.ndarray, velocity: np.ndarray, boundary: Boundary, law: Law, beads: Beads = EQUAL
+) -> np.ndarray:
+    """Return the forces T_n of all contacts, of the shape (..., N) of `u` and `velocity`."""
+    ahead = np.roll(velocity, -1, axis=-1)
+    if boundary.wall:
+        ahead[..., -1] = 0.0
+    elif not boundary.ring:
+        ahead[..., -1] = velocity[..., -1]
+    elastic = beads.stiffness * force(law.elastic.with_exponents(beads.alpha), u)
+    slope = law.viscous.with_exponents(beads.beta).second(-u)  # G'(u)
+    return elastic + beads.viscosity * slope * (velocity - ahead)
+
+
 def energy(
     u: np.ndarray,
     velocity: np.ndarray,
@@ -239,18 +264,25 @@ def energy(
 ) -> np.ndarray:
     """Return H(v, u), the kinetic energy of ẋ or w and the elastic energy of moving contacts."""
     kinetic = 0.5 * np.sum(beads.mass * velocity**2, axis=-1)
-    elastic = boundary.moving(beads.stiffness * potential.value(-u))
+    values = potential.with_exponents(beads.alpha).value(-u)
+    elastic = boundary.moving(beads.stiffness * values)
     return kinetic + np.sum(elastic, axis=-1)
 
 
-def equilibrium(law: Law, boundary: Boundary, beads: Beads, count: int) -> np.ndarray:
+def equilibrium(
+    law: Law, boundary: Boundary, beads: Beads, count: int, free: int = 0
+) -> np.ndarray:
     r"""Return the static compressions u_1 … u_N, where every contact bears what lies behind it.
 
     Contact n exerts :math:`\kappa_n F(u_n) = F(\delta) + g \sum_{k \le n} m_k`, in a branch on
-    which the force grows with u.  It is an InputError if the law exerts no such force.
+    which the force grows with u.  The first `free` beads are borne by nothing.  It is an InputError
+    if the law exerts no such force.
     """
-    weight = beads.gravity * np.cumsum(np.broadcast_to(beads.mass, count))
+    borne = beads.mass * (np.arange(count) >= free)
+    weight = beads.gravity * np.cumsum(borne)
     needed = (force(law.elastic, boundary.left) + weight) / beads.stiffness
+    if beads.alpha is not None:
+        return needed ** (1.0 / beads.alpha)
     return np.array([_compression_of(float(one), law) for one in needed])
 
 

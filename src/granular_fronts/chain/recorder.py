@@ -43,8 +43,8 @@ from granular_fronts.chain.state import (
     U,
 )
 from granular_fronts.chain.state import VALUE as STAGE_VALUE
-from granular_fronts.chain.strain import laplacian
-from granular_fronts.model.passes import NEGLIGIBLE, call_row_map
+from granular_fronts.chain.strain import laplacian, take_forces
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import subroutine
 from granular_fronts.numerics.polynomials import crossing, derivative, polynomial
@@ -117,20 +117,10 @@ def _take_output_stages(chain, table, h, first, last):
         low, high = max(1, first - distance), min(clock.reach, last + distance)
         contacts = min(high, chain.contacts)
         _sum_all_slots(chain, table, row, h, low, contacts)
-        call_row_map(
-            law.elastic, table[STAGE_VALUE], table[FORCE], low, contacts, law.elastic_parameters
-        )
+        take_forces(law, table, STAGE_VALUE, low, contacts)
         slot = rk.SLOT[row]
         laplacian(chain, table, FORCE, ELASTIC_SLOPES + slot, low, high)
         if not law.single:
-            call_row_map(
-                law.viscous,
-                table[STAGE_VALUE],
-                table[DAMPING],
-                low,
-                contacts,
-                law.viscous_parameters,
-            )
             laplacian(chain, table, DAMPING, VISCOUS_SLOPES + slot, low, high)
 
 

@@ -4,6 +4,7 @@ Variables of the dataset (names and units are given once, in `granular_fronts.ou
 
 - snapshots, on which steps land: `relative_displacement`, `velocity` on (t, bead);
 - each probe set, by its name S: `relative_displacement_S` on (t_S, bead_S);
+- each sensor, by its name S: what `sensors` reads off whole states;
 - the space-time grid: `relative_displacement_grid`, `velocity_grid` on (t_grid, bead), and the
   reductions `mean_relative_displacement`, `total_velocity` on (t_grid);
 - located events: `arrival_time`, `first_peak`, `first_peak_time` on (bead), `front_speed`;
@@ -26,6 +27,7 @@ import xarray as xr
 from granular_fronts.accuracy import rounding_floor
 from granular_fronts.chain import equations, recorder
 from granular_fronts.chain.recorder import END, END_TIME, RIVAL, RIVAL_TIME, STEEPNESS, TIME, VALUE
+from granular_fronts.chain.sensors import read_sensors, times_of_states
 from granular_fronts.errors import SolveError
 from granular_fronts.numerics.grids import regular_points
 from granular_fronts.numerics.records import make_record
@@ -73,7 +75,8 @@ def make_recording(scene, chain, u):
     columns, moving = u.size, u[1 : chain.contacts + 1]
     record = scene["record"]
     snapshots = np.asarray(record["snapshots"], dtype=float)
-    profile_times = np.unique(np.concatenate([snapshots, _grid_times(scene), monitor_times(scene)]))
+    moments = [snapshots, _grid_times(scene), monitor_times(scene), *times_of_states(scene)]
+    profile_times = np.unique(np.concatenate(moments))
     _, times, beads = _probe_samples(scene)
     order = np.argsort(times, kind="stable")
     passage = np.full((STEEPNESS + 1, columns), np.nan)
@@ -138,12 +141,23 @@ def collect(scene, run):
     recorded = Recorded({}, {"bead": np.arange(1, bead_count(scene) + 1)}, attributes)
     _add_profiles(recorded, scene, run)
     _add_probes(recorded, scene, run)
+    for variables, coordinates in read_sensors(scene, run, _states_at):
+        recorded.variables.update(variables)
+        recorded.coordinates.update(coordinates)
     if not np.isnan(recording.level):
         recorded.variables.update(_arrivals(scene, recording))
     if recording.track_extremes:
         extremes = extremes_of_all(recording, contacts)
         recorded.variables.update({name: ((), value) for name, value in extremes.items()})
     return recorded
+
+
+def _states_at(run, times):
+    """Return u and the velocities of all beads at times of whole states."""
+    recording, inside = run.recording, slice(1, run.chain.beads + 1)
+    rows = np.searchsorted(recording.profile_times, times)
+    u, d = (of[rows, inside] for of in (recording.profile_u, recording.profile_d))
+    return u, equations.velocities(d, u, run.boundary, run.law, run.momentum, times, run.beads)
 
 
 def _add_profiles(recorded, scene, run):
@@ -156,9 +170,7 @@ def _add_profiles(recorded, scene, run):
     for times, along, suffix in ((snapshots, "t", ""), (grid, "t_grid", "_grid")):
         if suffix and not times.size:
             continue
-        rows = np.searchsorted(recording.profile_times, times)
-        u, d = (of[rows, 1 : beads + 1] for of in (recording.profile_u, recording.profile_d))
-        velocity = equations.velocities(d, u, boundary, run.law, run.momentum, times, run.beads)
+        u, velocity = _states_at(run, times)
         recorded.coordinates[along] = times
         recorded.variables[f"relative_displacement{suffix}"] = (along, "bead"), u
         recorded.variables[f"velocity{suffix}"] = (along, "bead"), velocity

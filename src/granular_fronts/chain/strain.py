@@ -67,6 +67,7 @@ from numba import int64, uint64
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import (
     DAMPING,
+    ELASTIC_PARAMETERS,
     ELASTIC_SLOPES,
     FORCE,
     MOBILITY,
@@ -75,6 +76,7 @@ from granular_fronts.chain.state import (
     PARTIAL,
     STIFFNESS,
     VALUE,
+    VISCOUS_PARAMETERS,
     VISCOUS_SLOPES,
     D,
     U,
@@ -232,17 +234,19 @@ def _difference_forces(chain, table, slot, reach, with_power):
 
 
 @subroutine(forceinline=True)
-def _take_forces(law, table, source, last):
-    """Write the forces of the compressions 1 … last of a row."""
-    call_row_map(law.elastic, table[source], table[FORCE], 1, last, law.elastic_parameters)
+def take_forces(law, table, source, first, last):
+    """Write the forces of the compressions first … last of a row."""
+    u, parameters = table[source], table[ELASTIC_PARAMETERS]
+    call_row_map(law.elastic, u, table[FORCE], first, last, parameters)
     if not law.single:
-        call_row_map(law.viscous, table[source], table[DAMPING], 1, last, law.viscous_parameters)
+        parameters = table[VISCOUS_PARAMETERS]
+        call_row_map(law.viscous, u, table[DAMPING], first, last, parameters)
 
 
 @subroutine(forceinline=True)
 def take_slopes(chain, table, source, slot, reach, with_power):
     """Write slopes of the compressions of a row into a slot; return the power, if asked."""
-    _take_forces(chain.law, table, source, min(reach, chain.contacts))
+    take_forces(chain.law, table, source, int64(1), min(reach, chain.contacts))
     return _difference_forces(chain, table, slot, reach, with_power)
 
 
@@ -253,16 +257,15 @@ def _take_stage(chain, table, row, h, reach, with_power):
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
     elastic, weights = (ELASTIC_SLOPES + first, terms), chain.elastic_weights[row]
     if law.stage_pass != 0:
-        call_stage_pass(
-            law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
-        )
+        parameters = table[ELASTIC_PARAMETERS]
+        call_stage_pass(law.stage_pass, table, elastic, last, factor, weights, parameters)
     else:
         target = VALUE if law.single else PARTIAL
         sum_rows(table, target, U, D, factor, elastic, weights, last)
         if not law.single:
             viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
             sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
-        _take_forces(law, table, VALUE, last)
+        take_forces(law, table, VALUE, int64(1), last)
     return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
 
 

@@ -25,7 +25,8 @@ Weak damping.  :math:`v_c` is the velocity at which γ = 1.  For β above (α + 
 weak well below it, for smaller β well above, and at β = (α + 1)/2 no velocity changes γ.
 
 Spheres.  Two equal spheres of radius R, Young's modulus E and Poisson's ratio ν press on each other
-with :math:`k u^{3/2}`, :math:`k = E\sqrt{2R}/(3(1-\nu^2))` (Hertz).
+with :math:`k u^{3/2}`, :math:`k = E\sqrt{2R}/(3(1-\nu^2))` (Hertz); of unlike bodies see
+`materials`.
 """
 
 import math
@@ -35,6 +36,7 @@ from typing import TYPE_CHECKING, TypeVar
 from granular_fronts.arguments import choice, double_precision, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.model.collision import damping_for_restitution
+from granular_fronts.model.materials import contact_stiffness, named_body
 
 if TYPE_CHECKING:
     import numpy as np
@@ -99,6 +101,19 @@ class Scaling:
             if not math.isfinite(sum(1.0 / scale for scale in scales) + sum(scales)):
                 raise OverflowError
 
+    @classmethod
+    def of_spheres(cls, first: str, velocity: float, damping: float = 0.0) -> "Scaling":
+        """Return the scales of a chain whose first bead has this material and diameter.
+
+        A scene with `beads` of materials has masses and stiffness in these units.
+
+        >>> chain = gf.Scaling.of_spheres("steel 9.5 mm", velocity=1.0)
+        >>> print(f"{chain.to_physical(1.0, 'force'):.0f} N, {chain.time * 1e6:.1f} µs")
+        300 N, 11.7 µs
+        """
+        body = named_body("first", first)
+        return cls(body.mass, contact_stiffness(first, first), damping, velocity)
+
     @property
     def time(self) -> float:
         """T₀ in seconds."""
@@ -158,7 +173,10 @@ class Scaling:
         return math.copysign(1.0 / self.time, self.alpha - 1.0)
 
     def to_physical(self, value: Value, quantity: str) -> Value:
-        """Return a dimensionless displacement, velocity, time, force or energy in SI units."""
+        """Return a dimensionless value in SI units.
+
+        The quantity is displacement, velocity, acceleration, time, force or energy.
+        """
         return value * self._scale(quantity)
 
     def to_dimensionless(self, value: Value, quantity: str) -> Value:
@@ -173,6 +191,7 @@ class Scaling:
         return {
             "displacement": self.length,
             "velocity": self.velocity,
+            "acceleration": self.velocity / self.time,
             "time": self.time,
             "force": self.force,
             "energy": self.mass * self.velocity**2,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 
-from granular_fronts.scenes.beads import bead_count, contact_count, patterns_fit
+from granular_fronts.scenes.beads import bead_count, contact_count, has_materials, patterns_fit
 from granular_fronts.scenes.laws import (
     absolute_tolerance_errors,
     damping_rate,
@@ -13,6 +13,7 @@ from granular_fronts.scenes.laws import (
     exponent_of,
     front_speed,
     is_short,
+    made_law,
 )
 from granular_fronts.scenes.limits import (
     COLUMNS_PER_ROW,
@@ -113,12 +114,13 @@ def _ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
     for end in ("left", "right"):
         if boundary.get(end, 0) < 0:
             yield f"boundary.{end} is {boundary[end]}, below its limit 0: give 0 or more."
-    for key, value in [
-        ("boundary.velocity", boundary.get("velocity", 1)),
-        ("record.arrival_level", scene["record"].get("arrival_level", 1)),
-    ]:
-        if value <= 0:
-            yield f"{key} is {value}, but must be above 0: give a number above 0."
+    if (velocity := boundary.get("velocity", 0)) < 0:
+        yield (
+            f"boundary.velocity is {velocity}, below its limit 0: give 0, a wall, or a number "
+            "above 0."
+        )
+    if (level := scene["record"].get("arrival_level", 1)) <= 0:
+        yield f"record.arrival_level is {level}, but must be above 0: give a number above 0."
 
 
 def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
@@ -139,6 +141,23 @@ def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
                 f"{key} is {u}, but the law holds for relative displacements between {-high:g} "
                 f"and {-low:g} only: give one between, or another law."
             )
+
+
+def _exponents_fit_the_law(scene: Mapping) -> Iterator[str]:
+    """Exponents of contacts replace those of the law (28), and spheres have 3/2."""
+    law, contacts = scene["law"], scene.get("contacts", {})
+    alpha, is_power = exponent_of(law) or 0.0, is_short(law) or made_law(law).is_power
+    for key in sorted({"alpha", "beta"} & contacts.keys()):
+        if not is_power or alpha < 1:
+            yield (
+                f"contacts.{key} is given, but the law is not {{alpha, beta, gamma}} with alpha of "
+                "1 or more: take such a law."
+            )
+    if has_materials(scene) and alpha != 1.5:
+        yield (
+            f"beads names materials, which touch by Hertz's law, but law.alpha is {alpha}: give "
+            "alpha 1.5, or masses."
+        )
 
 
 def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
@@ -182,6 +201,24 @@ def _striker_hits(scene: Mapping) -> Iterator[str]:
         )
 
 
+def _striker_at_a_distance_is_free(scene: Mapping) -> Iterator[str]:
+    """Nothing presses or pulls a striker before it hits."""
+    start = scene["start"]
+    if not start.get("gap"):
+        return
+    left, alpha = scene["boundary"].get("left", 0.0), exponent_of(scene["law"])
+    if alpha is None or alpha < 1:
+        yield (
+            f"start.gap is {start['gap']}, but contacts of this law are not free when open: take "
+            "alpha of 1 or more, or leave the gap out."
+        )
+    if left > 0.0:
+        yield (
+            f"start.gap is {start['gap']}, but boundary.left is {left}, which presses the striker: "
+            "give 0."
+        )
+
+
 def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     """With α < 1 no contact just touches: its stiffness αu^(α − 1) would be infinite."""
     alpha = exponent_of(scene["law"])
@@ -197,20 +234,34 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
         )
 
 
-def _probes_are_on_chain(scene: Mapping) -> Iterator[str]:
-    """Every probe is on a bead, and its name is its own."""
-    for name, probe in scene["record"].get("probes", {}).items():
-        if name == "grid":
-            yield (
-                "record.probes.grid has the name of the record of the space–time grid: give the "
-                "probe another name."
-            )
-        for bead in probe["beads"]:
-            if bead > bead_count(scene):
-                yield (
-                    f"record.probes.{name}.beads names bead {bead}, but the chain has "
-                    f"{bead_count(scene)} beads: choose one of 1 to {bead_count(scene)}."
-                )
+def _series(scene: Mapping) -> dict[str, Mapping]:
+    """Return every probe set and sensor by its key."""
+    record = scene["record"]
+    return {
+        f"record.{kind}.{name}": entry
+        for kind in ("probes", "sensors")
+        for name, entry in record.get(kind, {}).items()
+    }
+
+
+def _series_are_on_chain(scene: Mapping) -> Iterator[str]:
+    """Every probe and sensor is on the chain, and its name is its own."""
+    limits = {"beads": bead_count(scene), "contacts": contact_count(scene)}
+    named = {"grid": "of the record of the space–time grid"}
+    for key, entry in _series(scene).items():
+        name = key.rpartition(".")[2]
+        if name in named:
+            yield f"{key} has the name {named[name]}: give it another name."
+        named[name] = f"of {key}"
+        if not limits.keys() & entry.keys():
+            yield f"{key} has neither contacts nor beads: say where it is."
+        for places, most in limits.items():
+            for number in entry.get(places, []):
+                if number > most:
+                    yield (
+                        f"{key}.{places} names {places[:-1]} {number}, but the chain has {most} "
+                        f"{places}: choose one of 1 to {most}."
+                    )
 
 
 def _arrival_level_can_be_met(scene: Mapping) -> Iterator[str]:
@@ -231,7 +282,7 @@ def _arrival_level_can_be_met(scene: Mapping) -> Iterator[str]:
 def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
     """Nothing is recorded after the motion."""
     record, end_time = scene["record"], scene["end_time"]
-    times = {f"record.probes.{n}.stop": p["stop"] for n, p in record.get("probes", {}).items()}
+    times = {f"{key}.stop": entry["stop"] for key, entry in _series(scene).items()}
     times |= {name_entry("record.snapshots", i): t for i, t in enumerate(record["snapshots"])}
     if "grid" in record:
         times["record.grid.step"] = record["grid"]["step"]
@@ -250,9 +301,11 @@ def size_of_chain(scene: Mapping) -> Iterator[Part]:
     damped = ("law.gamma",) if is_short(scene["law"]) and scene["law"]["gamma"] > 1.0 else ()
     yield Part(("beads", "end_time", *damped), (), 0.0, _motion_time(scene, beads))
     yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
-    for name, probe in record.get("probes", {}).items():
-        key, samples = f"record.probes.{name}", points_of(probe) * len(probe["beads"])
-        yield grid_part((f"{key}.stop",), (f"{key}.step",), COLUMNS_PER_ROW * samples)
+    for key, entry in _series(scene).items():
+        # A sensor needs the whole chain, since momentum and energy of all beads beyond it count.
+        columns = beads if "sensors" in key else len(entry["beads"])
+        numbers = COLUMNS_PER_ROW * points_of(entry) * columns
+        yield grid_part((f"{key}.stop",), (f"{key}.step",), numbers)
     if "grid" in record:
         rows = end / record["grid"]["step"]
         numbers = COLUMNS_PER_ROW * rows * beads
@@ -286,10 +339,12 @@ CHAIN = Section(
         _ends_of_contacts_are_pressed,
         _strains_lie_in_domain,
         patterns_fit,
+        _exponents_fit_the_law,
         _ends_bear_the_start,
         _striker_hits,
+        _striker_at_a_distance_is_free,
         _softening_start_is_compressed,
-        _probes_are_on_chain,
+        _series_are_on_chain,
         _arrival_level_can_be_met,
         record_ends_with_motion,
     ),

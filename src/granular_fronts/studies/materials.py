@@ -18,6 +18,7 @@ import xarray as xr
 from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.model.collision import damping_for_restitution, restitution, weak_damping_slope
+from granular_fronts.model.materials import material_of
 from granular_fronts.model.scaling import (
     Scaling,
     damping_from_restitution,
@@ -37,13 +38,16 @@ ROOT = {"error_estimate": 4e-16, "error_method": "rounding of a root of two equa
 def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
     """Return the restitution, damping and fronts of beads of several materials, all in SI units.
 
-    Each has `gamma` as printed for impacts at v₀, `mass`, `radius`, `youngs_modulus` and
-    `poisson_ratio`.  On (material,) there are `gamma_printed`, `restitution` by the linear rule,
+    Each has `gamma` as printed for impacts at v₀, `mass` and `radius`, under the name of its
+    material.  On (material,) there are `gamma_printed`, `restitution` by the linear rule,
     `gamma` of the exact collision, `restitution_exact` of the printed γ, `contact_damping` γ₀ and
     `stiffness` k.  On (material, piston_velocity) and (material, force) there are `gamma_front_…`
     and `mu_front_…`.  Below `critical_gamma` these fronts oscillate.
     """
-    rows = [_evaluate(bead, impact_velocity, piston_velocities, forces) for bead in beads.values()]
+    rows = [
+        _evaluate(name, bead, impact_velocity, piston_velocities, forces)
+        for name, bead in beads.items()
+    ]
     dims = {"piston": "piston_velocity", "force": "force"}
     variables = {}
     for name in rows[0]:
@@ -65,10 +69,11 @@ def evaluate_materials(beads, impact_velocity, piston_velocities, forces):
     )
 
 
-def _evaluate(bead, impact_velocity, piston_velocities, forces):
+def _evaluate(name, bead, impact_velocity, piston_velocities, forces):
     """Return everything of one material, by the name of the variable."""
     mass = bead["mass"]
-    stiffness = sphere_stiffness(bead["radius"], bead["youngs_modulus"], bead["poisson_ratio"])
+    _, modulus, ratio, _ = material_of(name)
+    stiffness = sphere_stiffness(bead["radius"], modulus, ratio)
     e = 1.0 - bead["gamma"] / weak_damping_slope(ALPHA)
     damping = damping_from_restitution(e, impact_velocity, mass, stiffness, ALPHA)
 

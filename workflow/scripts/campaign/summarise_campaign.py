@@ -1,16 +1,18 @@
-"""Sum up a campaign: points solved and failed, why, the range of every scalar, the work.
+"""Sum up a campaign: points solved and failed, why, range of every scalar, work, means over seeds.
 
 python workflow/scripts/campaign/summarise_campaign.py --dataset results/data/campaigns/smoke.nc
     --csv smoke.csv --markdown smoke.md
 """
 
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
+from granular_fronts.campaign.averages import mean_over
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
 from step import run_step
@@ -41,6 +43,7 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
             opening,
             _count_points(merged).to_markdown(index=False),
             shown.to_markdown(index=False, disable_numparse=True),
+            *_average_seeds(merged),
         ]
         unfinished.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
     print(opening, file=sys.stderr)
@@ -75,6 +78,16 @@ def _describe_scalars(merged: xr.Dataset) -> pd.DataFrame:
             spread = np.quantile(finite, [0.0, 0.5, 1.0]) if finite.size else [np.nan] * 3
             rows.append((name, finite.size, *spread, variable.attrs["error_estimate"]))
     return pd.DataFrame(rows, columns=["variable", "points", *FORMATS])
+
+
+def _average_seeds(merged: xr.Dataset) -> Iterator[str]:
+    """Tables of means over random draws and their errors, for an axis that is a seed."""
+    for axis in merged["status"].dims:
+        if str(axis).endswith("seed"):
+            means = mean_over(merged, str(axis))
+            rows = means.to_dataframe() if means.dims else means.to_pandas().to_frame().T
+            yield f"Means over {axis}, with their errors:"
+            yield rows.reset_index().to_markdown(index=False, floatfmt=".6g")
 
 
 if __name__ == "__main__":

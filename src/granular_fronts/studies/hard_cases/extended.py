@@ -191,6 +191,7 @@ class Motion:
         u, velocity = np.zeros_like(self.elastic_factor), np.zeros(self.beads, dtype=REAL)
         if start["kind"] == "striker":
             velocity[: start["beads"]] = start["velocity"]
+            u[start["beads"] - 1] = -start.get("gap", 0)
         elif start["kind"] == "given":
             u[:], velocity[:] = start["relative_displacement"], start["velocity"]
         elif self.piston is not None:

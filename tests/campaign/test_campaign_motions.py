@@ -1,0 +1,139 @@
+"""Campaigns over the numbers of a scene: mass ratio, taper, impurity, disorder, striker."""
+
+import numpy as np
+import pytest
+import xarray as xr
+import yaml
+from campaigns import ROOT, all_chunks, campaign, refusal, solve, solved_points
+from configurations import assert_refused
+
+import granular_fronts as gf
+from granular_fronts.campaign import merging
+from granular_fronts.campaign.averages import mean_over
+from granular_fronts.campaign.motion_scenes import scene_at
+
+SENSORS = {"far": {"contacts": [5, 15], "start": 0, "stop": 30, "step": 0.1}}
+SCENE = {
+    "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0},
+    "beads": {"count": 20, "mass": {"cell": [1, 1]}},
+    "boundary": {"kind": "pressure", "left": 0, "right": 0},
+    "start": {"kind": "striker", "beads": 1, "velocity": 1},
+    "end_time": 30,
+    "tolerance": {"relative": 1.0e-8, "absolute": 1.0e-10},
+    "record": {"snapshots": [], "sensors": SENSORS},
+}
+RATIOS = {"kind": "motion", "scene": SCENE, "axes": {"beads.mass.cell.2": [0.3, 1.0]}}
+RANDOM = {"random": {"spread": 0.1, "seed": 1}, "impurity": {"bead": 1, "mass": 1}}
+SEEDS = {
+    "kind": "motion",
+    "scene": SCENE | {"beads": {"count": 20, "mass": RANDOM}},
+    "axes": {"beads.mass.random.spread": [0.1, 0.2], "beads.mass.random.seed": [1, 2, 3, 4]},
+}
+
+
+def test_a_point_is_the_motion_of_its_scene():
+    solved = solved_points(
+        campaign(RATIOS, record={"profile": {"start": 1, "stop": 25, "count": 25}})
+    )
+    for column, ratio in enumerate([0.3, 1.0]):
+        record = SCENE["record"] | {"snapshots": [30]}
+        scene = SCENE | {"beads": {"count": 20, "mass": {"cell": [1, ratio]}}, "record": record}
+        motion = gf.simulate_chain(scene)
+        pulses = gf.pulses(motion["contact_force_far"])
+        first = pulses["arrival"].sel(pulse=1)
+        expected = {
+            "largest_force": pulses["peak"].sel(contact_far=15).max(),
+            "time_of_flight": first.sel(contact_far=15) - first.sel(contact_far=5),
+            "last_velocity": motion["velocity"][0, -1],
+            "transmitted_energy": motion["transmitted_energy_far"][-1, 1],
+            "transmitted_momentum": motion["transmitted_momentum_far"][-1, 1],
+        }
+        for name, value in expected.items():
+            assert solved.values[name][0, column] == value.item()
+            assert 0.0 < solved.errors[name] < 1e-4
+        profile = solved.values["velocity"][0, column]
+        np.testing.assert_array_equal(profile[:20], motion["velocity"][0])
+        assert np.isnan(profile[20:]).all()
+
+
+def test_axes_find_numbers_in_lists_and_keep_whole_ones():
+    points = {"beads_mass_random_seed": 7.0, "beads_mass_random_spread": 0.5, "end_time": 12.5}
+    scene = scene_at(SEEDS["scene"], points)
+    assert scene["beads"]["mass"]["random"] == {"spread": 0.5, "seed": 7}
+    assert type(scene["beads"]["mass"]["random"]["seed"]) is int
+    assert scene["end_time"] == 12.5
+    assert scene_at(SCENE, {"beads_mass_cell_2": 0.3})["beads"]["mass"]["cell"] == [1, 0.3]
+    assert SCENE["beads"]["mass"]["cell"] == [1, 1]
+
+
+def test_means_over_seeds_have_their_standard_error(tmp_path):
+    asked = campaign(SEEDS)
+    files = [solve(chunk, tmp_path) for chunk in all_chunks(asked, 3)]
+    merged = merging.merge_chunks(asked, files)
+    assert merged["largest_force"].dims == ("beads_mass_random_spread", "beads_mass_random_seed")
+    assert merged["beads_mass_random_seed"].attrs["long_name"] == "beads.mass.random.seed"
+    means = mean_over(merged, "beads_mass_random_seed")
+    values = merged["largest_force"].values
+    np.testing.assert_allclose(means["largest_force"], values.mean(axis=1))
+    scatter = values.std(axis=1, ddof=1) / 2.0
+    error = merged["largest_force"].error_estimate
+    np.testing.assert_allclose(means["largest_force_error"], scatter + error)
+
+
+def test_means_leave_failed_points_out_and_know_nothing_of_one_value():
+    values = [[1.0, 2.0, np.nan], [5.0, np.nan, np.nan]]
+    data = xr.Dataset({"x": (("a", "seed"), values, {"error_estimate": 0.25})})
+    means = mean_over(data, "seed")
+    np.testing.assert_allclose(means["x"], [1.5, 5.0])
+    np.testing.assert_allclose(means["x_error"], [0.5 + 0.25, np.inf])
+
+
+def test_a_scatter_of_draws_covers_the_mean_of_many():
+    """Of 400 means of 16 normal numbers 96 % lie within two standard errors, give or take 3 %."""
+    draws = np.random.default_rng(5).normal(3.0, 1.0, (400, 16))
+    data = xr.Dataset({"x": (("sample", "seed"), draws, {"error_estimate": 0.0})})
+    means = mean_over(data, "seed")
+    inside = np.abs(means["x"] - 3.0) < 2.0 * means["x_error"]
+    assert 0.9 < inside.mean() < 0.97
+
+
+@pytest.mark.parametrize("name", ["dimer_ratio", "taper", "impurity", "disorder", "striker"])
+def test_campaigns_of_the_project_are_possible_and_small(name):
+    file = ROOT / "config" / "campaigns" / f"{name}.yaml"
+    asked = campaign(yaml.safe_load(file.read_text(encoding="utf-8")))
+    assert asked.size * asked.kind.seconds_per_point < 60.0
+
+
+@pytest.mark.slow
+def test_resonances_of_a_dimer_are_those_of_the_literature():
+    """Jayaprakash, Starosvetsky, Vakakis (2011, 2013): solitary waves at 0.34, losses at 0.59."""
+    file = ROOT / "config" / "campaigns" / "dimer_ratio.yaml"
+    given = yaml.safe_load(file.read_text(encoding="utf-8"))
+    best, worst = [0.28, 0.31, 0.34, 0.37, 0.4], [0.53, 0.56, 0.59, 0.62, 0.65]
+    solved = solved_points(campaign(given, axes={"beads.mass.cell.2": best + worst}))
+    force = solved.values["largest_force"][0]
+    assert best[np.argmax(force[:5])] == 0.34
+    assert worst[np.argmin(solved.values["transmitted_energy"][0, 5:])] == 0.59
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"axes": {"start.velocty": [1.0]}}, "axes.start.velocty | did you mean start.velocity"),
+        ({"axes": {"start.velocity": [0.0, 1.0]}}, "start.velocity is 0,"),
+        ({"axes": {"beads.count": [20, 20.5]}}, "beads.count is 20.5"),
+        ({"axes": {"beads.mass.cell.2": [-1.0, 1.0]}}, "beads.mass.cell (entry 2) is -1,"),
+        ({"tolerance": 1e-8}, "tolerance is given"),
+        ({"fixed": {"beads": 30}}, "fixed is given"),
+        ({"scene": SCENE | {"record": {"snapshots": []}}}, "sensors has 0 entries"),
+        ({"kind": "chain"}, "scene is given | kind is chain"),
+        ({"record": {"scalars": ["transmitted"]}}, "transmitted"),
+    ],
+)
+def test_impossible_campaigns_of_motions_are_refused(changes, words):
+    assert_refused(refusal(RATIOS, **changes), words)
+
+
+def test_a_motion_needs_its_scene():
+    without = {key: value for key, value in RATIOS.items() if key != "scene"}
+    assert_refused(refusal(without), "scene is missing | kind is motion")

@@ -1,0 +1,225 @@
+"""Pulses, decay and spectra of series: closed forms, orders of sampling, and known waves."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from chains import driven_scene
+
+import granular_fronts as gf
+from granular_fronts.chain.experiment import time_of_flight
+from granular_fronts.errors import InputError
+from granular_fronts.fronts.solitary_waves import solitary_wave
+
+WIDTH = 2.0 * np.sqrt(np.log(2.0))
+STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
+FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
+
+
+def sampled(function, step, end=20.0, error=0.0, places=(3,)):
+    """A series of a function of time, the same at each place."""
+    times = np.arange(0.0, end + 0.5 * step, step)
+    values = np.repeat(function(times)[:, None], len(places), axis=1)
+    coordinates = {"t": times, "contact": list(places)}
+    return xr.DataArray(values, coordinates, ("t", "contact"), attrs={"error_estimate": error})
+
+
+def two_pulses(t):
+    """Gaussians of height 1 and 0.4 at 6.03 and 14.07, on a base of 0.2."""
+    return 0.2 + np.exp(-((t - 6.03) ** 2)) + 0.4 * np.exp(-((t - 14.07) ** 2))
+
+
+TRUE = {"peak": [1.2, 0.6], "width": [WIDTH, WIDTH]}
+TRUE["arrival"] = [6.03 - 0.5 * WIDTH, 14.07 - 0.5 * WIDTH]
+
+
+def test_pulses_have_the_order_of_the_spline_and_honest_errors():
+    """A spline of degree 5 has the order 6."""
+    errors = []
+    for step in (0.2, 0.1, 0.05):
+        found = gf.pulses(sampled(two_pulses, step))
+        assert found.sizes == {"pulse": 2, "contact": 1}
+        wrong = [np.abs(found[name][:, 0] - true).max().item() for name, true in TRUE.items()]
+        assert (np.array(wrong) <= [found[f"{name}_error"].max() for name in TRUE]).all()
+        errors.append(wrong)
+    orders = np.log2(np.divide(errors[:-1], errors[1:]))
+    assert (orders > 5.0).all()
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_error_of_the_series_is_in_that_of_its_pulses(seed):
+    """A smooth disturbance as large as the error moves no pulse by more than is stated."""
+    size, phase = 1e-4, np.random.default_rng(seed).uniform(0.0, 2.0 * np.pi)
+    found = gf.pulses(
+        sampled(lambda t: two_pulses(t) + size * np.sin(2.0 * t + phase), 0.05, error=size)
+    )
+    for name, true in TRUE.items():
+        wrong, stated = np.abs(found[name][:, 0] - true), found[f"{name}_error"][:, 0]
+        assert (wrong <= stated).all()
+        assert wrong.max() > 0.01 * stated.max()
+
+
+def test_small_bumps_are_no_pulses_and_a_front_has_no_width():
+    def front(t):
+        return 0.5 * (1.0 + np.tanh(t - 5.0)) + 0.05 * np.exp(-((t - 10.0) ** 2))
+
+    [peak] = gf.pulses(sampled(front, 0.05), prominence=0.01)["peak"].values[:, 0]
+    assert peak == pytest.approx(front(10.0), abs=1e-6)
+    found = gf.pulses(sampled(front, 0.05), prominence=0.2)
+    assert found["peak"].isnull().all()
+    assert gf.pulses(sampled(front, 0.05), prominence=0.01)["width"].isnull().all()
+    assert gf.pulses(sampled(np.zeros_like, 0.05))["arrival"].isnull().all()
+
+
+def test_spectrum_of_two_sines_shows_their_frequencies_and_amplitudes():
+    """On frequencies of the transform amplitudes are exact; two at twice the resolution."""
+    step, count = 0.05, 800
+    apart = 2.0 / (step * count)
+
+    def sines(t):
+        return (
+            3.0
+            + 0.3 * np.sin(2 * np.pi * 1.5 * t)
+            + 0.1 * np.cos(2 * np.pi * (1.5 + 2 * apart) * t)
+        )
+
+    found = gf.spectrum(sampled(sines, step, step * (count - 1)))
+    amplitude = found["amplitude"].isel(contact=0)
+    assert found.attrs["resolution"] == pytest.approx(apart)
+    at = [amplitude.sel(frequency=f, method="nearest") for f in (1.5, 1.5 + 2 * apart, 0.7, 0.0)]
+    np.testing.assert_allclose(at, [0.3, 0.1, 0.0, 0.0], rtol=0, atol=1e-12)
+    assert amplitude.idxmax().item() == pytest.approx(1.5)
+
+
+def test_amplitudes_err_by_no_more_than_is_stated():
+    """Errors in step with the sine are the worst of one size: 4/π of it."""
+    size, sine = 1e-3, sampled(np.sin, 0.05, 80.0, error=1e-3)
+    found, other = gf.spectrum(sine), gf.spectrum(sine + size * np.sign(sine))
+    change = np.abs(found["amplitude"] - other["amplitude"]).max().item()
+    assert size < change < found["amplitude"].attrs["error_estimate"]
+
+
+def test_decay_of_exponential_and_power_are_told_apart():
+    n = np.arange(2, 40)
+    for form, peaks in (("exponential", 0.7 * np.exp(-0.03 * n)), ("power", 0.7 * n**-0.25)):
+        series = xr.DataArray(peaks, {"bead": n}, ("bead",), attrs={"error_estimate": 0.0})
+        fit = gf.peak_decay(series)
+        own, other = fit.sel(form=form), fit.drop_sel(form=form).squeeze()
+        expected = [0.03 if form == "exponential" else 0.25, np.log(0.7)]
+        np.testing.assert_allclose([own["rate"], own["log_amplitude"]], expected, rtol=1e-12)
+        assert own["residual"] < 1e-13 < 1e-2 < other["residual"]
+
+
+def test_error_of_a_decay_holds_that_of_the_peaks():
+    """The worst signs of the errors of the peaks move the rate by as much as is stated."""
+    n, size = np.arange(1, 21), 1e-6
+    exact = xr.DataArray(np.exp(-0.03 * n), {"bead": n}, ("bead",), attrs={"error_estimate": size})
+    fit, other = (
+        gf.peak_decay(one).sel(form="exponential")
+        for one in (exact, (exact + size * np.sign(n.mean() - n)).assign_attrs(exact.attrs))
+    )
+    assert abs(other["rate"] - fit["rate"]) == pytest.approx(fit["rate_error"].item(), rel=1e-3)
+    assert other["residual"] < fit["residual_error"]
+
+
+def struck(velocity=1.0, gamma=0.0, relative=1e-10, beads=40, end=45.0):
+    """A striker on equal Hertz beads, felt at every fourth contact."""
+    sensor = {"contacts": list(range(12, 33, 4)), "beads": [20]}
+    scale = velocity**-0.2
+    sensor |= {"start": 0.0, "stop": end * scale, "step": 0.05 * scale}
+    record = {"snapshots": [], "sensors": {"far": sensor}, "arrival_level": 0.05, "extremes": True}
+    scene = driven_scene(gamma, beads, end * scale, boundary=FREE, record=record)
+    tolerance = {"relative": relative, "absolute": 1e-2 * relative * velocity}
+    return scene | {"start": STRIKER | {"velocity": velocity}, "tolerance": tolerance}
+
+
+def test_pulse_of_a_striker_is_the_solitary_wave_whatever_its_force():
+    """Its length is that of the wave from its own equation, and its speed grows as force^(1/6).
+
+    The force of Nesterenko's long wave, a sixth power of a cosine over 5π/√10 = 4.97 beads, is
+    5 % longer.
+    """
+    wave = solitary_wave(1.5)
+    force = xr.DataArray(
+        np.maximum(wave.u, 0.0) ** 1.5, {"xi": wave.xi}, ("xi",), attrs={"error_estimate": 1e-12}
+    )
+    exact = gf.pulses(force).squeeze()
+    lengths, speeds = [], []
+    for velocity in (0.01, 1.0):
+        series = gf.simulate_chain(struck(velocity))["contact_force_far"]
+        speeds.append(12.0 / time_of_flight(series, 20, 32).value)
+        measured = gf.pulses(series).isel(pulse=0, contact_far=-1)
+        lengths.append(measured["width"].item() * speeds[-1])
+        assert measured["peak"].item() == pytest.approx(
+            exact["peak"].item() * speeds[-1] ** 6, rel=1e-6
+        )
+    assert lengths[0] == pytest.approx(lengths[1], rel=1e-7)
+    assert lengths[0] == pytest.approx(exact["width"].item(), rel=1e-6)
+    long_wave = 2.0 * np.arccos(2.0 ** (-1.0 / 6.0)) * 5.0 / np.sqrt(10.0)
+    assert long_wave / exact["width"].item() == pytest.approx(1.056, abs=1e-3)
+
+
+@pytest.mark.parametrize("relative", [1e-4, 1e-6])
+def test_errors_of_pulses_in_a_chain_bound_the_true_ones(relative):
+    """Against the motion at a hundredth of the step of the sensor, and at a small tolerance."""
+    fine = struck(relative=1e-12, gamma=0.05)
+    fine["record"]["sensors"]["far"]["step"] /= 5.0
+    series = [
+        gf.simulate_chain(scene)["contact_force_far"]
+        for scene in (struck(relative=relative, gamma=0.05), fine)
+    ]
+    found, true = map(gf.pulses, series)
+    for name in ("arrival", "peak", "width"):
+        wrong, stated = np.abs(found[name] - true[name])[0], found[f"{name}_error"][0]
+        assert (wrong < 2.0 * stated).all()
+        assert (stated < 1e-3).all()
+
+
+def test_peaks_of_a_damped_chain_decay_in_proportion_to_the_damping():
+    rates = []
+    for gamma in (0.002, 0.004):
+        motion = gf.simulate_chain(struck(gamma=gamma))
+        fit = gf.peak_decay(gf.pulses(motion["contact_force_far"])["peak"].sel(pulse=1))
+        rates.append(fit["rate"].sel(form="exponential").item())
+        of_u = motion["first_peak"].sel(bead=slice(12, 32))
+        u = gf.peak_decay(of_u).sel(form="exponential")
+        assert 1.5 * u["rate"] == pytest.approx(rates[-1], rel=0.1)
+    assert rates[1] == pytest.approx(2.0 * rates[0], rel=0.05)
+
+
+def test_spectrum_of_a_squeezed_dimer_has_its_band_gap():
+    """With K = F'(u) = 3/2 no wave has a frequency between (2K)^½/2π and (2K/m)^½/2π."""
+    sensor = {"contacts": [40], "start": 0.0, "stop": 150.0, "step": 0.2}
+    record = {"snapshots": [], "sensors": {"inside": sensor}}
+    held = {"kind": "pressure", "left": 1.0, "right": 1.0}
+    start = {"kind": "striker", "beads": 1, "velocity": 1e-3}
+    beads = {"count": 160, "mass": {"cell": [1.0, 0.3]}}
+    changes = {"beads": beads, "boundary": held, "start": start, "record": record}
+    found = gf.spectrum(
+        gf.simulate_chain(driven_scene(0.0, end_time=150.0) | changes)["contact_force_inside"]
+    )
+    frequency, amplitude = found["frequency"].values, found["amplitude"].values[:, 0]
+    edges, resolution = np.sqrt([3.0, 3.0 / 0.3]) / (2.0 * np.pi), found.attrs["resolution"]
+    gap = (frequency > edges[0] + resolution) & (frequency < edges[1] - resolution)
+    assert amplitude[gap].max() < 0.01 * amplitude.max()
+    waves = frequency[amplitude > 0.5 * amplitude.max()]
+    middle = edges.mean()
+    seen = [waves[waves < middle].max(), waves[waves > middle].min()]
+    np.testing.assert_allclose(seen, edges, atol=resolution)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda one: gf.pulses(one.isel(t=slice(10))), "series has 10 samples | 24"),
+        (lambda one: gf.spectrum(one.isel(t=[0, *range(5, 60)])), "steps of 0.05 to 0.25 | equal"),
+        (lambda one: gf.pulses(one.drop_attrs()), "error_estimate"),
+        (lambda one: gf.peak_decay(one.isel(contact=0) - 5.0), "above 0"),
+        (lambda one: gf.peak_decay(one), "dimensions"),
+        (lambda one: gf.peak_decay(one.isel(t=[5, 9], contact=0)), "2 numbers | three"),
+    ],
+)
+def test_series_that_cannot_be_measured_are_refused(call, words):
+    series = sampled(two_pulses, 0.05)
+    with xr.set_options(keep_attrs=True), pytest.raises(InputError) as caught:
+        call(series)
+    assert all(word in str(caught.value) for word in words.split(" | "))

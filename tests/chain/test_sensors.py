@@ -1,0 +1,134 @@
+"""Sensors: Newton's law at a bead, and what passes a contact, against references."""
+
+import numpy as np
+import pytest
+from chains import driven_scene, given
+from scipy.integrate import simpson
+from scipy.interpolate import make_interp_spline
+
+import granular_fronts as gf
+from granular_fronts.chain.patterns import values_along
+from granular_fronts.errors import InputError
+from granular_fronts.studies.hard_cases.extended import Motion
+
+MASSES = {"count": 12, "mass": {"cell": [1.0, 0.4, 2.0]}}
+FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
+STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
+WAVE = given(0.5 + 0.2 * np.cos(np.arange(12)), 0.1 * np.sin(np.arange(12)))
+REST = {"kind": "rest"}
+FACTORS = {"elastic": {"cell": [1.0, 2.0]}, "viscous": {"taper": {"ratio": 1.1}}}
+ELASTIC = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+TODA = {"elastic": {"kind": "toda", "strength": 1, "rate": 1}, "viscous": {"kind": "none"}}
+
+
+def sensed(sensor, end=8.0, **changes):
+    """A motion of twelve beads behind a striker, with a sensor `one`."""
+    sensor = {"start": 0.0, "stop": end, "step": 0.02} | sensor
+    record = {"snapshots": [], "sensors": {"one": sensor}}
+    scene = {"beads": MASSES, "boundary": FREE, "start": STRIKER, "record": record}
+    return driven_scene(0.2, end_time=end) | scene | changes
+
+
+@pytest.mark.parametrize(
+    ("inside", "changes"),
+    [
+        ([1, 11], {"boundary": {"kind": "pressure", "left": 0.3, "right": 0.2}, "start": REST}),
+        ([1, 12], {"boundary": {"kind": "wall", "left": 0.1}, "gravity": 0.05, "start": REST}),
+        ([1, 12], {"boundary": {"kind": "ring"}, "start": WAVE}),
+        ([1, 2], {"boundary": {"kind": "piston", "velocity": 0.4, "ramp": 9.0}, "start": REST}),
+        ([1, 3], {"law": {"alpha": 1.5, "beta": 2.5, "gamma": 0.3}}),
+        ([1, 3], {"contacts": FACTORS}),
+    ],
+    ids=["pressure", "wall", "ring", "piston", "exponents", "factors"],
+)
+def test_forces_on_both_sides_accelerate_the_bead(inside, changes):
+    """m ẍ = T_(n−1) − T_n + m g, with the mean from the sensor and ẍ from a spline through ẋ."""
+    motion = gf.simulate_chain(sensed({"contacts": inside, "beads": inside}, **changes))
+    mean, ahead = motion["bead_force_one"].values, motion["contact_force_one"].values
+    newton = 2.0 * (mean - ahead) / values_along(MASSES["mass"], 12)[np.subtract(inside, 1)]
+    newton += changes.get("gravity", 0.0)
+    times = motion["t_one"].values
+    acceleration = make_interp_spline(times, motion["velocity_one"].values, 7).derivative()(times)
+    difference = np.abs(newton - acceleration)[10:-10]
+    assert (np.abs(newton).max(axis=0) > 0.02).all()
+    # Where a contact closes or opens forces have kinks, which no spline follows.
+    assert np.median(difference) < 1.0e-9
+    assert np.quantile(difference, 0.9) < 1.0e-4
+
+
+def test_last_bead_feels_half_of_its_only_contact():
+    motion = gf.simulate_chain(sensed({"contacts": [11], "beads": [12]}, 12.0))
+    only, momentum = motion["contact_force_one"], motion["transmitted_momentum_one"]
+    assert only.max() > 0.05
+    np.testing.assert_array_equal(2.0 * motion["bead_force_one"].values, only.values)
+    mass = values_along(MASSES["mass"], 12)[-1]
+    np.testing.assert_allclose(mass * motion["velocity_one"].values, momentum.values, atol=1e-14)
+
+
+@pytest.mark.parametrize("law", [ELASTIC, TODA], ids=["hertz", "toda"])
+def test_what_passes_a_contact_is_the_integral_of_its_force(law):
+    """∫ T dt and ∫ T ẋ_(n+1) dt by Simpson's rule, of order 4."""
+    errors = []
+    for step in (0.1, 0.05, 0.025):
+        sensor = {"contacts": [3], "beads": [4], "step": step}
+        motion = gf.simulate_chain(sensed(sensor, 6.0, law=law))
+        force, velocity = motion["contact_force_one"][:, 0], motion["velocity_one"][:, 0]
+        gained = [motion[f"transmitted_{name}_one"][-1, 0] for name in ("momentum", "energy")]
+        passed = [simpson(of, x=motion["t_one"]) for of in (force, force.values * velocity.values)]
+        assert min(gained) > 0.05
+        errors.append(np.abs(np.subtract(passed, gained)))
+    orders = np.log2(np.divide(errors[:-1], errors[1:]))
+    assert (orders > 3.5).all()
+
+
+@pytest.mark.parametrize("relative", [1e-5, 1e-8, 1e-11])
+@pytest.mark.parametrize(
+    "law", [ELASTIC | {"gamma": 0.2}, ELASTIC | {"beta": 1.0, "gamma": 0.1}, TODA]
+)
+def test_stated_errors_are_within_a_factor_of_two(law, relative):
+    """Against the reference in extended precision, with forces and sums from its states."""
+    tolerance = {"relative": relative, "absolute": 1e-2 * relative}
+    # For β = 1 the force jumps at the impact, at t = 0.
+    sensor = {"contacts": [1, 6, 9], "beads": [3, 12], "start": 0.05, "step": 0.37}
+    scene = sensed(sensor, law=law, tolerance=tolerance)
+    motion, reference = gf.simulate_chain(scene), Motion(scene)
+    u, velocity = (of.astype(float) for of in reference.states(motion["t_one"].values))
+    made, mass = gf.make_law(**law), reference.mass.astype(float)
+    force = -made.elastic.first(-u) - made.viscous.second(-u) * np.diff(velocity, axis=1)
+    energy = 0.5 * mass * velocity**2 + np.pad(made.elastic.value(-u), ((0, 0), (0, 1)))
+    both = np.pad(force, ((0, 0), (1, 1)))
+    true = {
+        "contact_force": force,
+        "bead_force": 0.5 * (both[:, 1:] + both[:, :-1]),
+        "velocity": velocity,
+        "transmitted_momentum": np.cumsum((mass * velocity)[:, ::-1], axis=1)[:, -2::-1],
+        "transmitted_energy": np.cumsum(energy[:, ::-1], axis=1)[:, -2::-1],
+    }
+    for name, values in true.items():
+        found = motion[f"{name}_one"]
+        error = np.abs(found.values - values[:, found[found.dims[1]].values - 1]).max()
+        assert error <= 2.0 * found.attrs["error_estimate"] + 1e-14
+
+
+@pytest.mark.parametrize(
+    ("sensor", "words"),
+    [
+        ({"contacts": [12]}, "sensors.one.contacts names contact 12 | 11 contacts | 1 to 11"),
+        ({"beads": [13]}, "sensors.one.beads names bead 13 | 12 beads"),
+        ({}, "sensors.one has neither contacts nor beads"),
+        ({"contacts": [1], "step": 30.0}, "sensors.one.step"),
+        ({"contacts": [1], "stop": 9.0}, "sensors.one.stop is 9.0 | end_time 8.0"),
+        ({"contacts": [1], "step": 1e-8}, "sensors.one.step = 1e-08 | GiB"),
+    ],
+)
+def test_impossible_sensors_are_refused(sensor, words):
+    with pytest.raises(InputError) as caught:
+        gf.simulate_chain(sensed(sensor))
+    assert all(word in str(caught.value) for word in words.split(" | "))
+
+
+def test_a_sensor_has_a_name_of_its_own():
+    scene = sensed({"contacts": [1]})
+    scene["record"]["probes"] = {"one": {"beads": [1], "start": 0.0, "stop": 1.0, "step": 0.5}}
+    with pytest.raises(InputError, match=r"sensors\.one has the name of record\.probes\.one"):
+        gf.simulate_chain(scene)

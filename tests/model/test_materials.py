@@ -1,0 +1,128 @@
+"""Spheres of materials: Hertz's law for unlike bodies, chains of them in SI units, refusals."""
+
+import math
+
+import numpy as np
+import pytest
+from chains import driven_scene, last_state
+from scipy.integrate import solve_ivp
+
+import granular_fronts as gf
+from granular_fronts.errors import InputError
+from granular_fronts.model.materials import MATERIALS, UNITS, body_of
+from granular_fronts.scenes.beads import elastic_pattern
+
+FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
+STEEL_WALL = {"kind": "wall", "left": 0.0, "material": "steel"}
+STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
+
+
+def chain_of(beads, boundary=FREE, end_time=10.0, **changes):
+    start = {"boundary": boundary, "start": STRIKER, "end_time": end_time}
+    return driven_scene(0.0, beads, **(start | {"record": {"snapshots": [end_time]}} | changes))
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_materials_are_solids(name):
+    """A wave of compression is faster than one of shear, and both are slower than in diamond."""
+    density, modulus, ratio, source = MATERIALS[name]
+    shear = modulus / (2.0 * (1.0 + ratio))
+    bulk = modulus / (3.0 * (1.0 - 2.0 * ratio))
+    slow, fast = np.sqrt(np.array([shear, bulk + 4.0 / 3.0 * shear]) / density)
+    assert 50.0 < slow < fast < 18_000.0
+    assert source
+
+
+def test_bodies_by_words():
+    for words in ("steel 20 mm", "steel 2cm", "steel 0.02 m", "steel 2e4 um", " steel  20.0mm "):
+        assert body_of(words).radius == pytest.approx(0.01, rel=1.0e-15)
+    assert body_of("ptfe 3 in").radius == pytest.approx(1.5 * UNITS["in"])
+    assert body_of("steel 20 mm").mass == pytest.approx(7810.0 * 4.0e-6 / 3.0 * math.pi)
+    # Porter et al., Phys. Rev. E 77, 015601 (2008): beads of 4.76 mm of 0.45 g and 0.123 g.
+    for words, grams, error in (("stainless_steel", 0.45, 0.005), ("ptfe", 0.123, 0.0005)):
+        assert 1.0e3 * body_of(f"{words} 4.76 mm").mass == pytest.approx(grams, abs=error)
+
+
+def test_contacts_are_hertzian():
+    """Equal spheres have the k of Remark 6, a wall is a sphere without end, compliances add."""
+    equal = gf.contact_stiffness("glass 8 mm", "glass 8 mm")
+    assert equal == pytest.approx(gf.sphere_stiffness(0.004, 70.0e9, 0.22), rel=1.0e-14)
+    assert gf.contact_stiffness("glass 8 mm", "glass") == pytest.approx(math.sqrt(2.0) * equal)
+    far = gf.contact_stiffness("ptfe 8 mm", "steel 1e9 m")
+    assert gf.contact_stiffness("ptfe 8 mm", "steel") == pytest.approx(far, rel=1.0e-11)
+    sizes = "glass 8 mm", "steel 8 mm"
+    soft, stiff = (gf.contact_stiffness(size, size) for size in sizes)
+    mixed = gf.contact_stiffness(*sizes)
+    assert 2.0 / mixed == pytest.approx(1.0 / soft + 1.0 / stiff, rel=1.0e-14)
+
+
+def test_a_chain_of_ten_materials_in_si_units():
+    """Newton's law in kilograms, metres and seconds, against the scene and its scaling."""
+    words = [f"{name} {size} mm" for name, size in zip(MATERIALS, range(5, 15), strict=False)]
+    bodies = [body_of(word) for word in words]
+    mass = np.array([body.mass for body in bodies])
+    pairs = zip(words, [*words[1:], "brass"], strict=True)
+    stiffness = np.array([gf.contact_stiffness(*pair) for pair in pairs])
+    wall = STEEL_WALL | {"material": "brass"}
+    scene = chain_of({"count": 10, "list": words}, wall, end_time=40.0)
+    scaling = gf.Scaling.of_spheres(words[0], velocity=0.3)
+
+    def slopes(t, state):
+        x, v = np.split(state, 2)
+        force = stiffness * np.maximum(x - np.append(x[1:], 0.0), 0.0) ** 1.5
+        return np.concatenate([v, -np.diff(force, prepend=0.0) / mass])
+
+    start = np.append(np.zeros(10), 0.3 * np.eye(10)[0])
+    end = scaling.to_physical(40.0, "time")
+    found = solve_ivp(slopes, (0.0, end), start, "DOP853", rtol=1.0e-12, atol=1.0e-18).y[:, -1]
+    x, v = np.split(found, 2)
+    u, velocity = np.split(last_state(scene), 2)
+    u, velocity = scaling.to_physical(u, "displacement"), scaling.to_physical(velocity, "velocity")
+    np.testing.assert_allclose(u, x - np.append(x[1:], 0.0), rtol=0, atol=1.0e-8 * abs(x).max())
+    np.testing.assert_allclose(velocity, v, rtol=0, atol=1.0e-8)
+
+
+def test_equal_spheres_are_the_uniform_chain():
+    plain = last_state(chain_of(12))
+    spheres = last_state(chain_of({"count": 12, "cell": ["brass 5 mm", "brass 0.5 cm"]}))
+    np.testing.assert_allclose(spheres, plain, rtol=0, atol=1.0e-13)
+
+
+def test_a_ring_closes_with_the_contact_of_its_last_and_first_sphere():
+    scene = chain_of({"count": 4, "cell": ["steel 9.5 mm", "ptfe 4.8 mm"]}, {"kind": "ring"})
+    [factor] = set(elastic_pattern(scene)["list"])
+    unlike = gf.contact_stiffness("steel 9.5 mm", "ptfe 4.8 mm")
+    assert factor == pytest.approx(unlike / gf.contact_stiffness(*2 * ["steel 9.5 mm"]))
+
+
+@pytest.mark.parametrize(
+    ("beads", "changes", "words"),
+    [
+        ("steal 9.5 mm", {}, "beads.cell (entry 1): 'steal' is no material: did you mean steel?"),
+        ("steel 9.5 kg", {}, "'steel 9.5 kg' has the unit kg, which is no length | mm"),
+        ("steel 9.5", {}, "has the unit none | mm"),
+        ("steel 0 mm", {}, "has the diameter 0: give a number above 0"),
+        ("steel -3 mm", {}, "has the diameter -3: give a number above 0"),
+        ("steel 1e999 mm", {}, "has the diameter 1e999"),
+        ("steel", {}, "without a diameter: give one, as in steel 9.5 mm"),
+        ("9.5 mm steel", {}, "is no body | as in steel 9.5 mm"),
+        ("steel 5 mm", {"alpha": 2.0}, "law.alpha is 2.0: give alpha 1.5"),
+        ("steel 5 mm", {"boundary": {"kind": "wall", "left": 0.0}}, "boundary.material is missing"),
+        ("steel 5 mm", {"boundary": STEEL_WALL | {"material": "wood"}}, "'wood' is no material"),
+        ("steel 5 mm", {"contacts": {"elastic": 2.0}}, "contacts.elastic is given"),
+        (12, {"boundary": STEEL_WALL}, "boundary.material is steel | no material"),
+        ({"count": 3, "list": ["steel 1 m"]}, {}, "beads.list has 1 values | 3"),
+        ({"count": 3, "cell": ["steel 1 m"], "mass": 2.0}, {}, "but beads.mass is given"),
+        ({"count": 2, "list": ["steel 1 m", "steel 1 um"]}, {}, "beads comes to 1e±18"),
+    ],
+)
+def test_impossible_spheres_are_refused(beads, changes, words):
+    beads = {"count": 12, "cell": [beads]} if isinstance(beads, str) else beads
+    with pytest.raises(InputError) as caught:
+        gf.simulate_chain(chain_of(beads, **changes))
+    assert all(word in str(caught.value) for word in words.split(" | "))
+
+
+def test_two_walls_do_not_touch():
+    with pytest.raises(InputError, match="are flat"):
+        gf.contact_stiffness("steel", "glass")
