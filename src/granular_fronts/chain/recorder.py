@@ -83,7 +83,7 @@ class Recording(NamedTuple):
     samples: np.ndarray
     # A record of type `NEXT`.
     next: np.record
-    # Level whose first passage is timed at each contact, NaN for none, and for each contact 1 if u
+    # Level whose first passage is timed at each contact, NaN for none. For each contact 1 if u
     # rises through it, −1 if it falls.
     level: float
     side: np.ndarray

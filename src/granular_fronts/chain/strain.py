@@ -40,7 +40,7 @@ the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` a
 
 A piston of mass m_1 has :math:`F_0 = F_1 + m_1 a`.  A body force :math:`m_n g` accelerates all
 beads alike and drops out of every difference but the last.  There the force is continued as
-:math:`F_{N+1} = F_N + g`, beside a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With
+:math:`F_{N+1} = F_N + g`, at a bead of mass 1, so that :math:`\dot w_N` alone receives g.  With
 a single law its viscous slope would be γg; therefore :math:`d_N = w_N - \gamma g` there.
 
 Active window.  Ahead of bead `reach` every contact is at rest, compressed by the same `ahead`, and
@@ -56,7 +56,7 @@ g of the elastic and viscous forces (`numerics.runge_kutta`),
 Error of a step.  Its estimates in d are :math:`h\,e\cdot k`.  In u they are, where
 :math:`G = \gamma F`, γ times as large, with another sum of the slopes k that is about h times as
 large.  One sum, measured against the smaller of scale_d and scale_u/(γ + h), serves both.  Where G
-has slopes g of its own, :math:`h\,e\cdot g` is measured against scale_u beside it, and γ is 0.
+has slopes g of its own, :math:`h\,e\cdot g` is also measured, against scale_u, and γ is 0.
 """
 
 import math
@@ -89,8 +89,8 @@ from granular_fronts.numerics.compiled import kernel, subroutine
 # Loops run over whole vector registers; a remainder costs as much as a block.
 WINDOW_BLOCK = 8
 
-# A multiply and an add may fuse; sums over beads may be reordered where nothing but a norm or an
-# energy comes out of them.
+# A multiply and an add may fuse. Sums over beads may be reordered where only a norm or an energy
+# comes out of them.
 _CONTRACT = {"contract"}
 _REDUCE = {"contract", "nsz", "reassoc"}
 
