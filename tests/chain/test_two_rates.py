@@ -65,6 +65,21 @@ def test_an_overlap_too_short_is_noticed(overlap):
     assert np.abs(spoilt - by_one_length_each(scene)).max() > 1.0e-14
 
 
+def test_a_run_goes_on_after_a_long_step_as_if_it_had_not_been_left():
+    """A step that all beads take follows; it needs slopes that long steps do not leave behind."""
+    scene = smooth_scene()
+    ends = [np.array([*times, 4.5]) for times in (SHORT, LONG)]
+    states = []
+    for parts in ([[4.0, 4.5]], [[4.0], [4.5]]):
+        run = prepare(scene)
+        for stops in parts:
+            run.recording.next.stop = 0
+            recording = run.recording._replace(stops=np.array(stops))
+            integrate_in_halves(run._replace(recording=recording), ends)
+        states.append(np.array([run.row(U), run.row(D)]))
+    np.testing.assert_array_equal(*states)
+
+
 def test_the_order_is_that_of_the_pair_across_the_cut():
     scene = smooth_scene()
     near = np.s_[:, CUT - 40 : CUT + 40]
@@ -141,13 +156,15 @@ def test_momentum_is_kept_to_rounding_by_one_length_and_to_the_tolerance_by_two(
     [
         ("record", {"grid": {"step": 1.0}}),
         ("record", {"probes": {"first": {"beads": [1], "start": 0, "stop": 9, "step": 1}}}),
+        ("record", {"sensors": {"one": {"contacts": [1], "start": 0, "stop": 9, "step": 1}}}),
         ("record", {"extremes": True}),
         ("record", {"balances": True}),
         ("boundary", {"kind": "ring"}),
+        ("contacts", {"alpha": {"impurity": {"place": 5, "value": 2.0}}}),
     ],
 )
 def test_one_length_serves_what_two_cannot(place, change):
-    scene = long_scene()
+    scene = long_scene(contacts={})
     assert takes_two_rates(scene)
     scene[place] |= change
     assert not takes_two_rates(scene)

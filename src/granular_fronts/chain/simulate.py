@@ -2,7 +2,7 @@ r"""From a scene to a dataset: front initiation and every other driven or period
 
 A scene is the mapping that the configuration holds under `scenes: chain:`; its keys are described
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
-the adaptive pair of `integrator`.
+the adaptive pair of `integrator`, by steps of two lengths if the chain is long (`two_rates`).
 
 Accuracy.  Every scene is integrated again, with two steps for each of the first run.  The runs thus
 differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The

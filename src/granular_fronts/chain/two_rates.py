@@ -7,7 +7,7 @@ errors allow steps several times as long as in the front, up to the limit of sta
 Domain of dependence.  A stage of a Runge-Kutta step takes from the earlier ones nothing but the
 forces of a contact and its two neighbours.  With s stages, what is wrong at one contact therefore
 reaches s contacts further within a step, and none beyond.  A chain may thus be cut anywhere and
-closed there by any other motion: k steps spoil sk contacts beside the cut.
+closed there by any other motion.  In k steps only the sk contacts nearest to the cut are spoiled.
 
 One long step.  At the time t a contact m behind the front is chosen, the last of those behind.
 
@@ -21,8 +21,8 @@ length keep to rounding, is kept up to errors of truncation.
 
 The first part is cut off by a bead of constant velocity, the second by a wall, so that either is a
 chain like others.  The short steps are those that the whole chain would take.  The long steps
-have a step control of their own.  Their errors stay in the chain for as long as it is followed,
-while those of the front are swept over; they are held to a small share of the tolerance.
+have a step control of their own, which keeps their errors to a small share of the tolerance.
+Otherwise the growing waves of steps at the limit of stability would add to the error of the front.
 """
 
 import math
@@ -34,7 +34,13 @@ from numba import int64, uint64
 
 from granular_fronts.chain.integrator import COLLAPSED, FINISHED, RUNNING, advance, begin
 from granular_fronts.chain.recorder import NEXT, Recording
-from granular_fronts.chain.state import D, U
+from granular_fronts.chain.state import (
+    ELASTIC_PARAMETERS,
+    MOST_PARAMETERS,
+    VISCOUS_PARAMETERS,
+    D,
+    U,
+)
 from granular_fronts.chain.strain import WINDOW_BLOCK
 from granular_fronts.numerics.bits import borrowed, from_column
 from granular_fronts.numerics.compiled import kernel, subroutine
@@ -43,8 +49,9 @@ from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.scenes.beads import bead_count
 
-# Chains with fewer beads take steps of one length.
+# Chains with fewer beads take steps of one length, and so do scenes that record one of these.
 FEWEST_BEADS = 2000
+NEED_ONE_LENGTH = ("grid", "probes", "sensors", "extremes", "balances")
 # Contacts in short steps ahead of the cut, and the least number that moves when two lengths begin.
 WIDTH, SHORTEST_WINDOW = 192, 768
 # Most short steps for each long one, and parts of a long one for which an overlap is left.
@@ -52,7 +59,7 @@ MOST_SHORT_STEPS, MOST_PARTS = 16, 4
 # How many short steps are first tried for a long one, and how much smaller errors behind are kept.
 FIRST_RATIO, CAUTION = 4.0, 30.0
 # While long steps do not pay, the next one to be tried grows slowly.
-RECOVERY = 1.005
+RECOVERY = 1.002
 STEPS_PER_BLOCK = 2000
 # Room for the ends of these steps, and of those behind; more steps behind count as a collapse.
 BLOCK_SIZES = STEPS_PER_BLOCK + MOST_SHORT_STEPS, 100_000
@@ -70,12 +77,15 @@ class Behind(NamedTuple):
 def takes_two_rates(scene: Mapping[str, Any]) -> bool:
     """Whether a scene is solved with steps of two lengths.
 
-    What is recorded between the ends of steps, or summed over beads, needs steps of one length.
-    So do rings and short chains.
+    What is recorded at many times, or summed over beads, needs steps of one length.  So do rings,
+    short chains, and contacts with exponents of their own.
     """
-    needs_one = any(map(scene["record"].get, ("grid", "probes", "extremes", "balances")))
-    has_room = bead_count(scene) >= FEWEST_BEADS and scene["boundary"]["kind"] != "ring"
-    return has_room and not needs_one
+    return (
+        bead_count(scene) >= FEWEST_BEADS
+        and scene["boundary"]["kind"] != "ring"
+        and not {"alpha", "beta"} & scene.get("contacts", {}).keys()
+        and not any(map(scene["record"].get, NEED_ONE_LENGTH))
+    )
 
 
 def prepare_behind(chain: np.record, recording: Recording) -> Behind:
@@ -131,6 +141,8 @@ def _advance_behind(chain, table, behind, absolute, ends, m, room, prescribed):
     end = (m + room * behind.overlap + WINDOW_BLOCK - 1) // WINDOW_BLOCK * WINDOW_BLOCK
     end, status = min(end, chain.clock.reach), RUNNING
     while status == RUNNING:
+        # A held contact is never the first beyond a cut, which changes the force there.
+        end = chain.beads if end >= chain.contacts else end
         _copy(states, 0, table, U, 0, end + 1)
         cut.beads, cut.contacts, clock.reach = end, min(end, chain.contacts), end
         clock.t, clock.accepted, nothing.next.stop = start, accepted, 0
@@ -168,6 +180,10 @@ def _advance_front(chain, table, recording, skipped, relative, absolute, ends, p
     chain.piston, clock.acceleration = 1.0, 0.0
     _number_from(chain, next_, skipped)
     front = from_column(table, skipped)
+    for n in range(MOST_PARAMETERS):
+        # The law finds its parameters where their rows begin.
+        front[ELASTIC_PARAMETERS, n] = table[ELASTIC_PARAMETERS, n]
+        front[VISCOUS_PARAMETERS, n] = table[VISCOUS_PARAMETERS, n]
     front_recording = Recording(
         recording.stops,
         recording.profile_times,
@@ -212,13 +228,14 @@ def advance_two_rates(chain, table, recording, behind, relative, absolute, ends,
     """
     table, recording, behind, ends = borrowed((table, recording, behind, ends))
     clock, slow, next_, stops = chain.clock, behind.chain.clock, recording.next, recording.stops
-    first, first_behind, have_slopes = clock.accepted, slow.accepted, True
+    first, first_behind, have_slopes = clock.accepted, slow.accepted, False
     while (
         clock.accepted - first < STEPS_PER_BLOCK and next_.stop < stops.size and not interrupted()
     ):
         in_front = ends[0][clock.accepted - first :]
         in_back = ends[1][slow.accepted - first_behind :]
-        short, parts = _short_steps(clock, slow), int64(MOST_PARTS)
+        short = _short_steps(clock, slow)
+        parts = int64(MOST_PARTS if short > 1 else 1)
         if prescribed:
             short, parts = _steps_to_common_end(in_front, in_back)
         m, profile = clock.reach - WIDTH, next_.profile
@@ -226,7 +243,7 @@ def advance_two_rates(chain, table, recording, behind, relative, absolute, ends,
             # Contacts that wait for their arrival are followed in front alone.
             m = min(m, next_.arrival - 1)
         skipped = (m - short * behind.overlap) // WINDOW_BLOCK * WINDOW_BLOCK
-        if short == 1 or skipped < 1:
+        if max(short, parts) == 1 or skipped < 1:
             skipped = int64(0)
             if not prescribed:
                 short, parts, slow.h = int64(1), int64(1), RECOVERY * slow.h
