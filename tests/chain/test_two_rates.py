@@ -102,6 +102,13 @@ CHAINS = {
     "two functions": {"law": {"alpha": 1.5, "beta": 1.0, "gamma": 0.1}},
     "undamped": {"gamma": 0.0, "end_time": 1700.0},
     "pushed": {"boundary": {"kind": "piston", "velocity": 0.05, "ramp": 20.0, "right": 0.0}},
+    "pressed more and more": {
+        "boundary": {
+            "kind": "force",
+            "force": {"table": {"times": [0, 1500, 1800], "values": [0.03, 0.03, 0.05]}},
+            "right": 0.0,
+        }
+    },
     "unlike beads": {
         "beads": {"count": FEWEST_BEADS, "mass": {"cell": [1.0, 0.9]}},
         "contacts": {"elastic": {"cell": [1.0, 1.1, 1.0]}},

@@ -51,7 +51,7 @@ class Solution(NamedTuple):
     counts: dict  # Steps accepted, rejected, cut at contacts; right-hand sides.
     drifts: dict  # Largest relative drift of the balance laws.
     recording: Recording  # As the integrator left it.
-    ends: list[np.ndarray]  # Times at which the steps ended, for each clock of the run.
+    ends: list[np.ndarray]  # Times at which the steps ended, for each chain of the run.
 
     @property
     def dataset(self):

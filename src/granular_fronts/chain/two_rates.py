@@ -135,7 +135,6 @@ def _advance_behind(chain, table, behind, absolute, ends, m, room, prescribed):
     cut, nothing, states = behind.chain, behind.recording, behind.states
     clock = cut.clock
     start, accepted, columns = clock.t, clock.accepted, states.shape[1]
-    clock.acceleration = chain.clock.acceleration
     nothing.stops[0] = chain.clock.t
     _copy(table, U, states, 2, m + 1, columns)
     end = (m + room * behind.overlap + WINDOW_BLOCK - 1) // WINDOW_BLOCK * WINDOW_BLOCK
@@ -172,12 +171,12 @@ def _number_from(chain, next_, skipped):
 @subroutine
 def _advance_front(chain, table, recording, skipped, relative, absolute, ends, prescribed):
     """Take the beads that are not skipped some steps ahead, at most to the next stop."""
-    clock, next_ = chain.clock, recording.next
+    next_ = recording.next
     stops = recording.stops[: next_.stop + 1]
     if skipped == 0:
         return advance(chain, table, recording, stops, relative, absolute, ends, prescribed)
-    piston, acceleration = chain.piston, clock.acceleration
-    chain.piston, clock.acceleration = 1.0, 0.0
+    piston, driven = chain.piston, chain.driven
+    chain.piston, chain.driven, chain.clock.drive = 1.0, False, 0.0
     _number_from(chain, next_, skipped)
     front = from_column(table, skipped)
     for n in range(MOST_PARAMETERS):
@@ -208,7 +207,7 @@ def _advance_front(chain, table, recording, skipped, relative, absolute, ends, p
     begin(chain, front)
     status = advance(chain, front, front_recording, stops, relative, absolute, ends, prescribed)
     _number_from(chain, next_, -skipped)
-    chain.piston, clock.acceleration = piston, acceleration
+    chain.piston, chain.driven = piston, driven
     return status
 
 
