@@ -117,6 +117,30 @@ def test_what_is_nearer_is_no_other_solution():
         assert balls.largest(map(Front(data).residual, range(100, 300))) > 1e-4
 
 
+def test_distance_counts_the_line_outside_and_single_cells(fronts):
+    """Where κ is large behind, ahead, or in one cell, the bounds grow with it by hand formulas."""
+    W = arb("0.001")
+    with in_balls():
+        for u, place in ((1, 0), (0, 1)):
+            bounds = []
+            for size in (100, 200):
+                front = copy(fronts["α"])
+                front.outer_kappa = [arb(size if place == k else 0) for k in (0, 1)]
+                bounds.append(_Neighbourhood(front).bound(W))
+            grown, rise = bounds[1] - bounds[0], front.rise(arb(u), arb(u), W)
+            assert float(grown.mid()) == pytest.approx(100 * float(rise.mid()), rel=1e-4)
+        front = copy(fronts["α"])
+        front.kappa = front.kappa.copy()
+        j = front.left * front.n + 3
+        before = _Neighbourhood(front)
+        front.kappa[j] = arb("0.01") / front.r
+        after = _Neighbourhood(front)
+        top = front.u_high[j] + arb("0.01")
+        gap = front.a(top) * arb("0.011") - front.a(front.u_high[j] + W) * W
+        grown = after.shift(W) * after.fall - before.shift(W) * before.fall
+        assert float(grown.mid()) == pytest.approx(float(gap.mid()) / front.n, rel=1e-4)
+
+
 def test_page_states_the_distances_of_certificates():
     page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| `(\w+)` \| .* \| (0\.\d+) \|$", page, re.MULTILINE)
