@@ -5,8 +5,8 @@ norm over beads (`strain`), and steps that respect contact events (`contact_even
 step size is rounded to the difference of two representable times, so that the clock carries no
 error.
 
-Output.  Steps land on the `stops` (snapshots and the end); everything else is read from the
-continuous extension (`recorder`).
+Output.  Steps land on the `stops` (snapshots, break points of a drive, the end); everything else is
+read from the continuous extension (`recorder`).
 """
 
 import math
@@ -28,6 +28,7 @@ from granular_fronts.chain.strain import (
     end_of_window,
     error_norm,
     forget_slopes,
+    take_drive,
     take_slopes,
     try_step,
 )
@@ -49,6 +50,7 @@ LONGEST_CUT = 0.999
 def begin(chain, table):
     """Slopes and dissipated power of the state at the start of a step."""
     clock = chain.clock
+    take_drive(chain, clock.t)
     clock.power = take_slopes(chain, table, U, rk.SLOT[0], clock.reach, bool(1))
 
 
@@ -75,6 +77,7 @@ def _complete(chain, table, recording, h, t_new, energy):
     clock, next_, reach = chain.clock, recording.next, chain.clock.reach
     last = min(reach, chain.contacts)
     clock.dissipated += energy
+    take_drive(chain, t_new)
     clock.power = take_slopes(
         chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, recording.track_energy
     )

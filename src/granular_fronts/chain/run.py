@@ -3,8 +3,8 @@
 Rest means ẋ = 0, James (2021), section 3.3: where a boundary holds a contact compressed at t = 0,
 the generalised velocity starts at w_1(0) = −γ δ^β.
 
-A piston that rises to its velocity is integrated in two parts, since its acceleration jumps at the
-end of the ramp.  A step lands there, and w_1 takes up the jump (see `strain`).
+A chain with a drive is integrated from one of its break points to the next.  A step lands on each,
+so that no step has a jump of the force, or of the piston's acceleration, inside.
 """
 
 import functools
@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from granular_fronts.chain import equations, integrator, state
-from granular_fronts.chain.equations import EQUAL, Beads, Boundary, Piston
+from granular_fronts.chain.drives import make_drive
+from granular_fronts.chain.equations import EQUAL, Beads, Boundary
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
@@ -82,7 +83,8 @@ def prepare(scene: Mapping[str, Any]) -> Run:
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain, table[U])
+    breaks = boundary.drive.breaks if boundary.drive else np.empty(0)
+    recording = make_recording(scene, chain, table[U], breaks)
     if velocity.any():
         _note_openings_at_start(recording, chain.contacts, u, velocity)
     momentum = float((beads.mass * velocity).sum())
@@ -105,7 +107,7 @@ def integrate(
     """Advance a run to its end; returns the times at which steps ended.
 
     The tolerance is `relative` and `absolute`, per step, in the maximum norm over beads.
-    `after_block` is called with the run after every `STEPS_PER_BLOCK` steps and at the end.
+    `after_block` is called with the run after about `STEPS_PER_BLOCK` steps each and at the end.
 
     A SolveError says that the step size collapsed, that the state is no longer finite, or that for
     α < 1 a contact opened.
@@ -116,10 +118,10 @@ def integrate(
     def advance(chain, table, recording):
         ends, before = np.empty(STEPS_PER_BLOCK), chain.clock.accepted
         status = integrator.advance(chain, table, recording, relative, absolute, ends, False)
-        blocks.append(ends[: chain.clock.accepted - before])
+        blocks.append(ends[: chain.clock.accepted - before].copy())
         return status
 
-    _advance_parts(run, advance, after_block)
+    _advance(run, advance, after_block)
     return np.concatenate(blocks)
 
 
@@ -142,49 +144,35 @@ def integrate_in_halves(
         ends = halves[first : first + STEPS_PER_BLOCK]
         return integrator.advance(chain, table, recording, 1.0, 1.0, ends, True)
 
-    _advance_parts(run, follow, after_block)
+    _advance(run, follow, after_block)
     return halves
 
 
-def _end_ramp(run):
-    """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
-    ratio = equations.damping_ratio(run.law, run.beads) or 0.0
-    run.table[D, 1] += ratio * run.clock.acceleration
-    run.clock.acceleration = 0.0
-    integrator.begin(run.chain, run.table)
-
-
-def _advance_parts(run, advance, after_block):
-    """Advance a run to its end, up to the end of a ramp and from there."""
-    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
-    stops = run.recording.stops
-    if 0.0 < ramp < stops[-1]:
-        rising = run.recording._replace(stops=stops[stops <= ramp])
-        _advance(run._replace(recording=rising), advance, after_block)
-        _end_ramp(run)
-    _advance(run, advance, after_block)
-
-
 def _advance(run, advance, after_block):
-    """Advance a run to the last of its stops."""
-    status = integrator.RUNNING
-    while status == integrator.RUNNING:
-        status = advance(run.chain, run.table, run.recording)
-        after_block(run)
-    if status != integrator.FINISHED:
-        raise SolveError(_cause(status, run))
+    """Advance a run to the last of its stops, from one break point of its drive to the next."""
+    stops, drive, shown = run.recording.stops, run.boundary.closing_drive, 0
+    breaks = drive.breaks[drive.breaks < stops[-1]] if drive else []
+    for piece, end in enumerate([*breaks, stops[-1]]):
+        if piece:
+            run.chain.drive = drive.pieces[piece]
+            integrator.begin(run.chain, run.table)
+        part = run.recording._replace(stops=stops[: np.searchsorted(stops, end, side="right")])
+        status = integrator.RUNNING
+        while status == integrator.RUNNING:
+            status = advance(run.chain, run.table, part)
+            if end == stops[-1] or run.clock.accepted >= shown + STEPS_PER_BLOCK:
+                after_block(run)
+                shown = run.clock.accepted
+        if status != integrator.FINISHED:
+            raise SolveError(_cause(status, run))
 
 
 def make_boundary(scene: Mapping[str, Any]) -> Boundary:
-    """Boundary conditions (25) or (26) of a scene, or its piston."""
+    """Boundary conditions (25) or (26) of a scene, with its drive."""
     boundary = scene["boundary"]
-    if boundary["kind"] == "ring":
-        return Boundary(ring=True)
-    if boundary["kind"] == "piston":
-        piston = Piston(float(boundary["velocity"]), float(boundary.get("ramp", 0.0)))
-        return Boundary(ring=False, right=float(boundary.get("right", 0.0)), piston=piston)
-    left, wall = float(boundary["left"]), boundary["kind"] == "wall"
-    return Boundary(False, left, 0.0 if wall else float(boundary["right"]), wall=wall)
+    left, right = (float(boundary.get(end, 0.0)) for end in ("left", "right"))
+    ring, piston, wall = (boundary["kind"] == kind for kind in ("ring", "piston", "wall"))
+    return Boundary(ring, left, right, make_drive(boundary), piston, wall)
 
 
 def make_beads(scene: Mapping[str, Any]) -> Beads:
@@ -227,8 +215,8 @@ def initial_state(
         given = np.asarray(start["relative_displacement"], dtype=float)
         u[: given.size] = given
         velocity[:] = start["velocity"]
-    elif boundary.piston:
-        velocity[0] = boundary.piston.velocity_at(0.0)
+    if boundary.piston:
+        velocity[0] = boundary.drive.value(0.0)
     if boundary.holds_right:
         u[-1] = boundary.right
     return u, velocity
@@ -243,18 +231,18 @@ def make_chain(
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
     margin = MARGIN_WITHOUT_STIFFNESS if has_slack and varied.alpha is None else STAGES + 1
-    piston = boundary.piston
+    drive, ratio = boundary.closing_drive, equations.damping_ratio(law, boundary, varied)
     chain = make_record(
         state.CHAIN,
-        law=compile_law(law, equations.damping_ratio(law, varied), varied.alpha is not None),
-        clock=make_record(
-            state.CLOCK, h=FIRST_STEP, acceleration=piston.acceleration_at(0.0) if piston else 0.0
-        ),
+        law=compile_law(law, ratio, varied.alpha is not None),
+        clock=make_record(state.CLOCK, h=FIRST_STEP),
         beads=beads,
         contacts=beads - boundary.holds_right,
         ring=boundary.ring,
         varied=varied.varied,
-        piston=np.ravel(varied.mass)[0] if piston else 0.0,
+        driven=drive is not None,
+        drive=drive.pieces[0] if drive else 0.0,
+        piston=np.ravel(varied.mass)[0] if boundary.piston else 0.0,
         gravity=varied.gravity,
         ahead=boundary.right,
         margin=beads if varied.gravity else margin,

@@ -32,7 +32,7 @@ def archive_certificates(
     archive : Path
         The tar file to write: certificates are compressed already.
     sums : Path
-        The sums again, beside the archive.
+        The sums again, in a file next to the archive.
     """
     known = (read_dataset(path, path.stem)["file"].values for path in (fronts, intervals))
     files = sorted(Path(str(file)) for part in known for file in part)
