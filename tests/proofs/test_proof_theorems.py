@@ -360,6 +360,8 @@ def long(name):
     data = dict(np.load(FAMILY / "0.262000.npz"))
     if name == "parts":
         data["starts"][3] = 999
+        data["profile"] = np.concatenate([data["profile"][:, :1]] * 2000, axis=1)
+        data["sizes"][0] = 2000 / data["sizes"][2] - data["sizes"][1]
     else:
         data["sizes"][6] = 1000
         data["inverse"] = np.zeros((1, 20_000 * sum(data["sizes"][3:5])), dtype=np.int32)
@@ -373,6 +375,16 @@ def test_a_check_that_would_take_long_is_not_begun(name, tmp_path):
     record = check_certificate(tmp_path / "long.npz")
     assert not record["proved"]
     assert "its check would take about" in record["reason"]
+
+
+@pytest.mark.parametrize("large", [0, 1, 2, 3])
+def test_each_size_of_a_certificate_is_limited(large):
+    """Figure 1 is checked, the largest of the configuration; one size times ten thousand is not."""
+    sizes = [2112, 652_800, 4800, 6432]
+    arrays.require_short(*sizes)
+    sizes[large] *= 10_000
+    with pytest.raises(NotProvedError, match="above 60 s none is begun"):
+        arrays.require_short(*sizes)
 
 
 def test_a_line_of_many_parts_is_not_followed():
