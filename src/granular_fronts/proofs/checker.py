@@ -44,7 +44,7 @@ from granular_fronts.proofs.tail_roots import require_zeros
 from granular_fronts.proofs.uniqueness import unique
 
 TAYLOR_ORDER = 8  # of the residual about the middle of a cell
-PARTS_AT_ONCE = 10  # parts of γ behind take as long as the cells once
+PARTS_AT_ONCE = 50  # parts of γ behind take as long as the cells once
 MOST_POWERS = 8  # of s in P̄ and in an inverse
 SMALL_STRAIN = 1e-7  # where ū may be below, no Taylor polynomial of ū^α is made
 EXPANSION = {  # kind of number and axes
@@ -130,7 +130,7 @@ class Front(Contraction):
         require_lengths(have, want)
         entries = sum(data[name].size for name in data if name.endswith("inverse"))
         parts = 1 + int(data["starts"][-1]) / PARTS_AT_ONCE if "starts" in data else 1
-        require_short(self.W, entries, len(data["profile"]) * want[0] * parts)
+        require_short(self.W, entries, n * self.fine, len(data["profile"]) * want[0] * parts)
         self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
         known = [self.integrate(k, rows) for k, rows in enumerate(data["profile"].tolist())]
         self.profile, first, second = (
