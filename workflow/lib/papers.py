@@ -1,8 +1,7 @@
 """Papers of others: each is a folder of ``papers`` whose `paper.yaml` adds to the lists.
 
-Under `scenes`, `studies`, `figures` and `tables` it has what config/default.yaml,
-workflow/studies.yaml, workflow/figures.yaml and workflow/tables.yaml have for the main paper. A
-study also has its `parameters` there, since no configuration holds them.  Every name begins with
+Its `scenes` are like those of config/default.yaml.  Its `studies`, `figures` and `tables` are like
+the files of these names in ``workflow``; a study carries its `parameters`.  Every name begins with
 that of the folder, so that no two papers share one. All is made on demand.
 """
 
