@@ -1,4 +1,4 @@
-"""Fronts behind impacts beside exact fronts: shape, overshoot and height."""
+"""Fronts behind impacts and exact fronts: shape, overshoot and height."""
 
 import xarray as xr
 from matplotlib.figure import Figure

@@ -1,4 +1,4 @@
-"""Pulses behind an impact: their closed form, fronts beside exact ones, the end of separation."""
+"""Pulses behind an impact: their closed form, fronts and exact ones, the end of separation."""
 
 import doctest
 import json

@@ -1,4 +1,4 @@
-r"""Fronts of the pulse behind an impact, beside exact fronts of the same height.
+r"""Fronts of the pulse behind an impact, and exact fronts of the same height.
 
 One bead strikes a chain at rest (:math:`m = v_0 = 1`), whose law is a power α and a dashpot, β = 1,
 that acts in contact.  At some contacts n the front is compared with theory.
