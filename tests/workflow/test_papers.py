@@ -1,5 +1,6 @@
 """Papers of others: folders that add to the lists of the main paper, and leave its run as it is."""
 
+import re
 import shlex
 
 import pandas as pd
@@ -11,6 +12,7 @@ from tabulate_statements import find_measure
 
 import papers as papers_of_others
 from granular_fronts.errors import InputError
+from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.statements import (
     ANSWERS,
     NOT_JUDGED,
@@ -116,3 +118,29 @@ def test_another_verdict_than_the_expected_one_ends_the_run(project):
     statements.write_text(written, encoding="utf-8")
     assert outcome.returncode != 0
     assert "not reproduced, but reproduced is expected" in outcome.stdout + outcome.stderr
+
+
+@pytest.mark.slow
+def test_the_page_of_a_paper_shows_what_is_computed(project):
+    outcome = snakemake("papers/rosas_2007", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/rosas_2007.md").read_text(encoding="utf-8")
+    shown = [
+        float(number.replace("−", "-"))
+        for number in re.findall(r"^\| .* \| ([−\d.]+)(?: ± [\d.]+)? \|$", page, re.MULTILINE)
+    ]
+    rows = pd.read_csv(project / "results/tables/rosas_2007_statements.csv")
+    computed = rows["computed"][[0, 2, 3, 4, 5]]
+    assert shown == pytest.approx(computed.tolist(), rel=3e-3)
+    [separation] = re.findall(r"two pulses is γ = ([\d.]+) ± ([\d.]+)\.", page)
+    assert float(separation[0]) == pytest.approx(
+        rows["computed"].iloc[-1], abs=float(separation[1])
+    )
+    front = read_dataset(project / "results/data/fronts/rosas_2007_fronts.nc")
+    [pair] = re.findall(r"overshoot is ([\d.]+), that of the exact front ([\d.]+)\.", page)
+    last = front.sel(gamma=0.05).isel(contact=-1)
+    assert float(pair[0]) == pytest.approx(float(last["overshoot"]), abs=5.1e-5)
+    assert float(pair[1]) == pytest.approx(float(last["exact_overshoot"]), abs=5.1e-5)
+    [places] = re.findall(r"^(\d+) for γ = 0.1, ([\d ]+) for γ = 0.05 and (\d+) for", page, re.M)
+    found = front["contact_of_critical_damping"].sel(gamma=[0.1, 0.05, 0.3]).values
+    assert [float(place.replace(" ", "")) for place in places] == pytest.approx(found, rel=0.03)
