@@ -238,6 +238,17 @@ def test_figure_18_dashes_where_fronts_oscillate_and_leaves_no_hole():
         assert 0 < oscillating.sum() < oscillating.size
 
 
+def test_figure_29_has_the_means_over_the_seeds_with_their_standard_errors():
+    _, draws, shown = picture("fig29")
+    energy = draws["transmitted_energy"]
+    drawn = (np.asarray(line.get_ydata(), float) for line in curves(shown["passed"])[2:5])
+    mean, *ends = drawn
+    standard = energy.std("beads_mass_random_seed", ddof=1) / 2**0.5 + 1e-6
+    np.testing.assert_allclose(mean, energy.mean("beads_mass_random_seed"))
+    for end, sign in zip(ends, (-1.0, 1.0), strict=True):
+        np.testing.assert_allclose(end, mean + sign * standard)
+
+
 def test_colour_maps_keep_their_order_in_grey():
     greys = [each(np.linspace(0.0, 1.0, 33)) @ GREY for each in (compression_map(), velocity_map())]
     for grey in (greys[0][16:], greys[0][16::-1], greys[1]):

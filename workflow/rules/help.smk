@@ -15,6 +15,7 @@ TARGETS_IN_WORDS = {
     "proofs": "Fronts proved by ball arithmetic, with figures 23 and 24; takes long.",
     "referee": "Problems with accurate answers for discrete-element codes.",
     "ring_limit": "Rings of beads as α → 1, with figures 20 to 21b.",
+    "real_chains": "A striker on chains of unlike beads, with figures 26 to 29.",
     "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",
     "help": "This list.",
 }

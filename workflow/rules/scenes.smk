@@ -18,9 +18,14 @@ SOLVED_BY = {
 }
 
 
+def scenes_of(family):
+    """Return the scenes of a family by name, also those that are made on demand."""
+    return config["scenes"][family] | (config["real_chains"] if family == "chain" else {})
+
+
 def scene_of(family):
     """Return a function for `params`: the scene that the wildcard names."""
-    return lambda wildcards: config["scenes"][family][wildcards.scene]
+    return lambda wildcards: scenes_of(family)[wildcards.scene]
 
 
 for folder, family in FAMILIES.items():
@@ -46,7 +51,7 @@ for folder, family in FAMILIES.items():
         message:
             f"{words} of scene {{wildcards.scene}}."
         wildcard_constraints:
-            scene="|".join(config["scenes"][family]),
+            scene="|".join(scenes_of(family)),
         priority: urgency
         script:
             "{params.script}"
