@@ -70,6 +70,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 # An installation keeps a copy of what it was made from: time stamps say nothing.
 .PHONY: $(shell cat environment.txt pyproject.toml | cmp -s - .venv/installed || echo .venv/installed)
 .venv/installed:
+	@case "$(CURDIR)" in *" "*) echo "Snakemake starts no job by a Python whose path holds a blank: move $(CURDIR)." >&2; exit 1;; esac
 	@command -v $(PYTHON) >/dev/null || { \
 	    echo "There is no $(PYTHON) here: please install Python 3.11 or newer." >&2; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and \

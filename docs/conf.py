@@ -52,8 +52,12 @@ html_theme_options = {"show_prev_next": True, "navigation_with_keys": False}
 html_context = {"default_mode": "auto"}
 html_static_path = ["_static"]
 html_css_files = ["manual.css"]
+# Pages at the top without pages below them have no other place to lead to.
+html_sidebars = {page: [] for page in ("gallery", "how_to", "practitioners")}
 html_show_sourcelink = False
 html_copy_source = False
+# A browser refuses to fetch summaries where the manual is read from files.
+html_show_search_summary = False
 
 
 RESULTS = HERE.parent / "results"

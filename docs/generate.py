@@ -97,8 +97,11 @@ NAMES = {
 def public_names() -> str:
     """The groups of public names, each name with the first sentence of its docstring."""
     lines = ["# Python", "", "```python", "import granular_fronts as gf", "```", ""]
-    lines += ["Every argument and result is dimensionless, except those of `gf.Scaling` and of the"]
-    lines += ["functions beside it. Every example on these pages is run by a test."]
+    lines += [
+        "Arguments and results are dimensionless. Only `gf.Scaling`, `gf.sphere_stiffness`,",
+        "`gf.contact_stiffness` and `gf.damping_from_restitution` have units, those of real beads.",
+        "A test runs every example.",
+    ]
     for group in GROUPS:
         lines += ["", f"## {group.title}", "", group.words, "", "| name | what |", "|---|---|"]
         for name, value in _members(group):

@@ -10,7 +10,7 @@ TEXTS = {path: path.read_text("utf-8") for path in ROOT.glob("src/granular_front
 PROVED = {  # "Lemma 9": the file and the line where its proof begins
     found[1]: f"sources/{path.relative_to(ROOT)}.html#L-{text.count(chr(10), 0, found.start()) + 1}"
     for path, text in TEXTS.items()
-    for found in re.finditer(r"\*\*((?:Lemma|Theorem) \d+)", text)
+    for found in re.finditer(r"\*\*((?:Lemma|Theorem) (?:\d+|[AB]\b))", text)
 }
 PAPERS = {  # "James (2021)": its place in the bibliography
     found[2]: f"bibliography.html#{found[1]}"
@@ -28,7 +28,7 @@ PLACES = PROVED | PAPERS | FIGURE_PLACES | EQUATIONS
 NAMED = re.compile(
     "|".join(
         [
-            r"\b(?P<kind>[Ff]igure|Lemma|Theorem)s?\s(?P<number>\d+b?)\b",
+            r"\b(?P<kind>[Ff]igure|Lemma|Theorem)s?\s(?P<number>\d+b?|[AB])\b",
             r"(?:,| and| to|–)\s?(?P<next>\d+b?)\b",
             REFERENCE.pattern,
             *map(re.escape, PAPERS),

@@ -1,16 +1,19 @@
-"""How long the sentences of README, manual and docstrings are: python docs/sentences.py.
+"""How long sentences of pages, docstrings, comments and captions are: python docs/sentences.py.
 
-Only prose counts: no code, tables, headings, displayed formulas or comments. A formula in a line, a
-piece of code and a number are one word each in a page. None of them is a word in a docstring, nor
-is a single letter, since a docstring writes many formulas as plain text.
+Only prose counts: no code, tables, headings or displayed formulas. A formula in a line, a piece of
+code and a number are one word each in a page. None of them is a word anywhere else, nor is a single
+letter, since docstrings and comments write many formulas as plain text.
 """
 
 import ast
 import re
+from collections.abc import Iterator
 from inspect import cleandoc
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
+import yaml
 from measured import ROOT, pages
 
 MOST_WORDS = 35
@@ -18,8 +21,10 @@ MOST_WORDS = 35
 
 MOST_WORDS_IN_THE_MEAN = 18
 
-MOST_WORDS_IN_A_DOCSTRING = 22
-"""Words of the longest sentence that a module of the package or a script may have."""
+MOST_WORDS_IN_SOURCES = 22
+"""Words of the longest sentence of package, workflow and configuration: docstrings, comments,
+captions, descriptions.
+"""
 
 LEFT_OUT = re.compile(
     r"^( *)(```|~~~).*?^\1\2\s*$|^---\n.*?^---$|<!--.*?-->|\$\$.*?\$\$"
@@ -40,7 +45,18 @@ CODE = re.compile(r"(:\w+:)?(``?)[^`]*\2")
 ENTRY = re.compile(r"^( *)(?:[-*] |\d+\. |\w+ {2,}(?=\S))", re.MULTILINE)
 END = re.compile(r"(?<=[.!?∎])[*_)\"”’]*\s+(?=[*_(\"“‘]*[^\Wa-z])")
 WORD = re.compile(r"[^\W_][\w.,’'·⁻^*/−-]*")
-DOCSTRING_WORD = re.compile(r"(?<!\w)[A-Za-z][a-zé-]+")
+PLAIN_WORD = re.compile(r"(?<!\w)[A-Za-z][a-zé-]+")
+
+COMMENT = re.compile(r"(?:^ *(?:#|//) .*\n)+", re.MULTILINE)
+MARK = re.compile(r"^ *(?:#|//) ", re.MULTILINE)
+KEY = re.compile(r"^(?=\w+: )", re.MULTILINE)
+"""Where a comment on a YAML file explains its next key."""
+
+VALUE = re.compile(r"\{%.*?%\}|\{\{.*?\}\}|\([a-p]\)", re.DOTALL)
+"""What a template fills in, and the letter of a panel, with which a sentence may begin."""
+
+WORDED_KEYS = ("title", "alt", "caption", "meaning", "description", "message", "remark")
+"""Keys of YAML files with texts that people read."""
 
 
 def sentences(text: str) -> list[str]:
@@ -66,8 +82,33 @@ def words(sentence: str) -> list[str]:
 
 
 def sources() -> list[Path]:
-    """Modules of the package, and the workflow's own Python."""
-    return sorted([*(ROOT / "src").rglob("*.py"), *(ROOT / "workflow").rglob("*.py")])
+    """Files of package, workflow and configuration that hold prose."""
+    endings = {".py", ".smk", ".yaml", ".rst", ".js"}
+    folders = [ROOT / name for name in ("src", "workflow", "config")]
+    files = [path for folder in folders for path in folder.rglob("*") if path.suffix in endings]
+    return sorted([*files, ROOT / "Snakefile", ROOT / "workflow" / "Snakefile"])
+
+
+def source_sentences(path: Path) -> list[str]:
+    """The sentences of docstrings, comments, captions and descriptions of a file."""
+    text = path.read_text(encoding="utf-8")
+    blocks = [part for block in COMMENT.findall(text) for part in KEY.split(MARK.sub("", block))]
+    if path.suffix == ".rst":
+        blocks.append(text)
+    if path.suffix == ".yaml":
+        blocks += _described(yaml.safe_load(text))
+    plain = [CODE.sub("X", VALUE.sub("X", block)) for block in blocks]
+    found = [one for block in plain for one in END.split(" ".join(block.split()))]
+    return found + (docstring_sentences(text) if path.suffix == ".py" else [])
+
+
+def _described(content: Any) -> Iterator[str]:
+    """The texts of a YAML file that people read."""
+    parts = content.items() if isinstance(content, dict) else []
+    yield from (text for key, text in parts if key in WORDED_KEYS and isinstance(text, str))
+    for below in content.values() if isinstance(content, dict) else content:
+        if isinstance(below, dict | list):
+            yield from _described(below)
 
 
 def docstring_sentences(source: str) -> list[str]:
@@ -87,22 +128,21 @@ def _indentation(line: str) -> int:
     return len(line) - len(line.lstrip()) if line.strip() else -1
 
 
-def docstring_words(sentence: str) -> int:
-    """How many words a sentence of a docstring has."""
-    return len(DOCSTRING_WORD.findall(sentence))
+def plain_words(sentence: str) -> int:
+    """How many words a sentence has that is not a page's."""
+    return len(PLAIN_WORD.findall(sentence))
 
 
 def main() -> None:
-    """Print the mean and the longest sentence of every page, and the longest of every module."""
+    """Print the mean and the longest sentence of every page, and the longest of every source."""
     for page in pages():
         if found := sentences(page.read_text(encoding="utf-8")):
             longest = max(found, key=lambda one: len(words(one)))
             mean = sum(map(len, map(words, found))) / len(found)
             print(f"{mean:5.1f} {len(words(longest)):4} {page.relative_to(ROOT)}: {longest[:90]}")
-    for module in sources():
-        found = docstring_sentences(module.read_text(encoding="utf-8"))
-        longest = max(found, key=docstring_words, default="")
-        print(f"{docstring_words(longest):10} {module.relative_to(ROOT)}: {longest[:90]}")
+    for path in sources():
+        longest = max(source_sentences(path), key=plain_words, default="")
+        print(f"{plain_words(longest):10} {path.relative_to(ROOT)}: {longest[:90]}")
 
 
 if __name__ == "__main__":

@@ -42,6 +42,7 @@ TRUSTED = (
     "arrays",
     "contraction",
     "tail_roots",
+    "uniqueness",
     "consequences",
     "dashpots.row_norms",
     "dashpots.ahead",

@@ -36,7 +36,8 @@ class NoSpaceError(OSError):
 
 def end_with_reader() -> None:
     """Let a program end in silence, as others do, when nobody reads on: ``… | head``."""
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    if hasattr(signal, "SIGPIPE"):  # Windows has none.
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
 
 
 @contextmanager

@@ -11,7 +11,11 @@ import granular_fronts as gf
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_burgers.starts import Given, Plateau
 from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
-from granular_fronts.continuum.log_kdv_burgers.exponential_steps import Motion, phi_functions
+from granular_fronts.continuum.log_kdv_burgers.exponential_steps import (
+    Motion,
+    doubled,
+    phi_functions,
+)
 from granular_fronts.continuum.log_kdv_burgers.fourier_waves import (
     Equation,
     flux_amplitudes,
@@ -42,8 +46,9 @@ def test_phi_functions_are_the_means_over_circles():
     first = (exponential - 1.0) / w
     second = (first - 1.0) / w
     third = (second - 0.5) / w
-    for found, values in zip(phi_functions(z), (exponential, first, second, third), strict=True):
-        np.testing.assert_allclose(found, values.mean(axis=1), rtol=2e-13, atol=1e-15)
+    for functions in (phi_functions(z), doubled(*phi_functions(0.5 * z))):
+        for found, values in zip(functions, (exponential, first, second, third), strict=True):
+            np.testing.assert_allclose(found, values.mean(axis=1), rtol=2e-13, atol=1e-15)
 
 
 def test_rates_are_those_of_the_equation():

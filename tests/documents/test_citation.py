@@ -23,6 +23,7 @@ PRINTED_FIGURES = range(1, 9)
     [
         ("vendor.citation-file-format", "CITATION.cff"),
         ("vendor.github-workflows", ".github/workflows/ci.yml"),
+        ("vendor.github-workflows", ".github/workflows/weekly.yml"),
     ],
 )
 def test_file_has_the_form_that_its_readers_expect(schema, file):

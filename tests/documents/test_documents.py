@@ -133,11 +133,17 @@ def test_a_configuration_that_can_be_computed_is_said_so(mine):
 
 @pytest.mark.slow
 def test_page_on_proofs_is_true(tmp_path, monkeypatch):
-    """Its command accepts the certificates kept, and its examples prove what they say."""
-    [command], [code, dashpots, critical] = commands(PROOFS), blocks(PROOFS, "python")
-    assert command.startswith("python -m granular_fronts.proofs ")
-    outcome = run([sys.executable, *shlex.split(command)[1:]])
-    assert outcome.returncode == 0, outcome.stderr
+    """Its commands accept the certificates kept and print what it shows, as its examples prove."""
+    [code, dashpots, critical] = blocks(PROOFS, "python")
+    printed = ""
+    for command in commands(PROOFS):
+        assert command.startswith("python -m granular_fronts.proofs ")
+        outcome = run([sys.executable, *shlex.split(command)[1:]])
+        assert outcome.returncode == 0, outcome.stderr
+        printed += outcome.stdout
+    shown = [line.strip() for block in blocks(PROOFS, "text") for line in block.splitlines()]
+    assert len(shown) == 5
+    assert [line for line in shown if line not in printed] == []
     monkeypatch.chdir(tmp_path)
     names = {}
     exec(code, names)
@@ -145,6 +151,7 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
     assert "monotone" in names["record"]["statements"][-1]
     assert len(names["family"]) == len(names["records"]) == 2
     assert [one["gamma"] for one in names["family"]] == [one["gamma"] for one in names["records"]]
+    assert "one continuous family" in names["theorem"][0]
     exec(critical, names)
     assert names["record"]["numbers"]["critical"] == 1
     assert "is monotone" in names["record"]["statements"][-1]

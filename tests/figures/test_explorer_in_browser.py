@@ -5,7 +5,8 @@ import re
 import numpy as np
 import pytest
 from browser import CHROMIUM, browser
-from explored import SCENE, write_page
+from chains import driven_scene, given
+from explored import SCENE, TOLERANCE, write_page
 
 import granular_fronts as gf
 from granular_fronts.output.style import CONTINUUM_LOOKS
@@ -211,22 +212,12 @@ def test_chain_computed_in_the_page_is_near_the_one_of_the_package(page, data, c
     show(page, f"{data['address']}#scene=live&{state}")
     assert page.evaluate("!document.querySelector('.live.warning').hidden")
     times, beads = page.evaluate("explorer.motion().times"), chain["count"]
-    left, start = float(chain["drive"]), {"kind": "rest"}
+    held, law = float(chain["drive"]), [chain[name] for name in ("alpha", "beta")]
+    changes = {"tolerance": TOLERANCE, "record": {"snapshots": times[::12]}}
     if chain["start"] == "strike":
-        velocity = [left, *[0.0] * (beads - 1)]
-        left = 0.0
-        start = {"kind": "given", "relative_displacement": velocity[1:], "velocity": velocity}
-    exact = gf.simulate_chain(
-        {
-            "law": {name: chain[name] for name in ("alpha", "beta", "gamma")},
-            "beads": beads,
-            "boundary": {"kind": "pressure", "left": left, "right": 0.0},
-            "start": start,
-            "end_time": times[-1],
-            "tolerance": {"relative": 1.0e-9, "absolute": 1.0e-12},
-            "record": {"snapshots": times[::12]},
-        }
-    )
+        struck = [held] + [0.0] * (beads - 1)
+        held, changes["start"] = 0.0, given(struck[1:], struck)
+    exact = gf.simulate_chain(driven_scene(chain["gamma"], beads, times[-1], *law, held, **changes))
     for field in FIELDS:
         computed = rows_of(page, field)[::12]
         difference = np.abs(computed - exact[field].values[:, : computed.shape[1]]).max()

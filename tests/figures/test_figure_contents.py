@@ -249,6 +249,18 @@ def test_figure_29_has_the_means_over_the_seeds_with_their_standard_errors():
         np.testing.assert_allclose(end, mean + sign * standard)
 
 
+def test_figures_20_name_the_damping_and_the_ratio_that_they_show():
+    samples = SAMPLES["fig20b"]()
+    for name, axis, values in (("damping", "damping", [0.3, 0.7]), ("mu", "mu", [3.0, 8.0])):
+        samples[name] = samples[name].assign_coords({axis: values})
+    samples["leading"] = samples["leading"].assign_coords(mu=[3.0])
+    limits = panels(draw("fig20", {name: samples[name] for name in ("damping", "mu")}))
+    assert limits["damping"].get_title().endswith(r"$\gamma c = 0.7$")
+    assert limits["mu"].get_title().startswith(r"$\mu = 3$")
+    others = panels(draw("fig20b", samples))
+    assert others["velocity"].get_title().endswith(r"$\gamma c = 0.7$")
+
+
 def test_colour_maps_keep_their_order_in_grey():
     greys = [each(np.linspace(0.0, 1.0, 33)) @ GREY for each in (compression_map(), velocity_map())]
     for grey in (greys[0][16:], greys[0][16::-1], greys[1]):

@@ -12,7 +12,12 @@ from chains import driven_scene
 
 from figure_step import write_figure
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.output.datasets import configuration_of, read_dataset, write_dataset
+from granular_fronts.output.datasets import (
+    DatasetError,
+    configuration_of,
+    read_dataset,
+    write_dataset,
+)
 from granular_fronts.output.files import read_json
 
 BEADS = 24
@@ -86,9 +91,18 @@ def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_d
     make_files(path, tmp_path / "fig", "A caption.", {"scene": paper})
     caption = (tmp_path / "fig.rst").read_text(encoding="utf-8")
     assert "law.gamma is 0.06 instead of 0.21." in caption
-    make_files(path, tmp_path / "fig", "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', ' }}y")
+    make_files(path, tmp_path / "fig", "{{ '\n\n.. raw:: html\n\n   *x_*' }}{{ ', a:b' }}")
     first, *others = (tmp_path / "fig.rst").read_text(encoding="utf-8").splitlines()
-    assert first == r".. raw:: html \*x\_\*, y"
+    assert first == r".. raw\:\: html \*x\_\*, a\:b"
     assert "Scene scene is not one of the paper's." in " ".join(others)
     with pytest.raises(jinja2.UndefinedError, match="strength"):
         make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")
+
+
+def test_data_of_something_else_are_named(path, tmp_path):
+    other = tmp_path / "other.nc"
+    data = read_dataset(path).drop_vars("relative_displacement_transient")
+    write_dataset(data, other, scene_id="other", config=configuration_of(data))
+    with pytest.raises(DatasetError, match=r"other\.nc does not hold .* '\w+'\): let"):
+        make_files(other, tmp_path / "fig", "A caption.")
+    assert not (tmp_path / "fig.png").exists()

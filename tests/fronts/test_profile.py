@@ -17,6 +17,7 @@ from granular_fronts.fronts.profile.solve import (
     make_grid,
     rate_ahead,
     refine,
+    solve_coarse,
     solve_on_grid,
     solve_profile,
 )
@@ -203,3 +204,14 @@ def test_rate_ahead_solves_its_equation():
     gamma = 0.7
     kappa = rate_ahead(power_problem(1.5, gamma, 1.0))
     assert kappa == pytest.approx(4.0 * gamma * np.sinh(0.5 * kappa) ** 2, rel=1e-12)
+
+
+@pytest.mark.parametrize(("alpha", "gamma"), [(1.05, 0.3), (1.5, 0.02), (3.0, 0.1)])
+def test_a_refined_front_forgets_the_front_that_it_starts_from(alpha, gamma):
+    """From one of the coarse grid, a thousand times as far off, it comes out the same."""
+    found = solve_profile(power_problem(alpha, gamma, alpha))
+    coarse = solve_coarse(found.problem, choose_window(found.problem))
+    refined, again = refine(found), refine(found._replace(s=coarse.evaluate(found.xi)))
+    error = np.abs(found.evaluate(refined.xi) - refined.s).max()
+    assert np.abs(coarse.evaluate(refined.xi) - refined.s).max() > 1e3 * error
+    assert np.abs(again.s - refined.s).max() < error

@@ -57,6 +57,21 @@ def test_errors_of_measures_follow_from_that_of_the_strain(name):
     assert front["slope_error"] >= 0.25 * error / front["spacing"]
 
 
+@pytest.mark.parametrize("alpha", [1.5, 3.0])
+def test_errors_of_a_sweep_hold(alpha):
+    """Each refined front starts from the front that it judges, and finds its error all the same."""
+    gammas = np.geomspace(0.05, 1.5, 41)
+    sweep, found = gf.sweep_fronts(alpha, gammas), []
+    for k in range(0, gammas.size, 10):
+        law = powers(alpha, alpha, float(gammas[k]))
+        front = gf.solve_front(law=law, states=(-1.0, 0.0))
+        for name, value in fronts.TrueFront(front, law, -1.0, 0.0).measures().items():
+            stated, error = float(sweep[f"{name}_error"][k]), abs(sweep[name].values[k] - value)
+            found.append((name, stated, float(error), float(abs(value))))
+    assert hold(found)
+    assert not hold([(name, 0.01 * stated, *numbers) for name, stated, *numbers in found])
+
+
 def test_errors_scale_with_the_jump():
     """With β = (α + 1)/2 fronts of all sizes have one shape, and the same relative errors."""
     law = powers(1.5, 1.25, 0.3)

@@ -131,7 +131,7 @@ def test_points_that_fail_are_named_and_the_sweep_goes_on(alpha, gammas):
     [(0, "fails a check on the grid of the sweep"), (1, "error of the front cannot be estimated")],
 )
 def test_a_front_without_values_has_not_converged(monkeypatch, found, reason):
-    nothing = np.full((found, len(sweeps.COLUMNS)), np.nan)
+    nothing = np.full((2, found, len(sweeps.COLUMNS)), np.nan)
     monkeypatch.setattr(sweeps, "follow", lambda *_: nothing)
     fronts = gf.sweep_fronts(1.5, [0.5])
     assert fronts["converged"].values.tolist() == [0]

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy
 from potentials import NO_DISSIPATION, READY, fpu, hertz, lennard_jones, morse, toda
+from projects import ROOT
 
 import granular_fronts as gf
 from granular_fronts.model.jump_conditions import jump_conditions, signed_area
@@ -93,6 +94,22 @@ def test_third_derivative_is_not_needed_for_states_far_apart():
     front, without = (jump_conditions(potential, -1.0, 0.0) for potential in (exact, bare))
     assert without.speed == front.speed
     assert without.energy_per_bead == pytest.approx(front.energy_per_bead, rel=1e-14)
+
+
+def test_only_a_chain_at_rest_takes_the_power_that_the_page_on_findings_names():
+    page = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
+    assert "A front of Hertz contacts that runs into a chain at rest loses the power" in page
+    at_rest, compressed, other = (
+        jump_conditions(law, *states).dissipated_power
+        for law, states in (
+            (hertz(1.5), (-1.0, 0.0)),
+            (hertz(1.5), (-1.0, -0.1)),
+            (toda(), (-1.0, 0.0)),
+        )
+    )
+    assert at_rest == pytest.approx(0.5 / 5.0, rel=1e-13)
+    assert compressed < 0.8 * at_rest
+    assert abs(other - at_rest) > 0.5 * at_rest
 
 
 def test_speed_does_not_depend_on_the_dissipation():

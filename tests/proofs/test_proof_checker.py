@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from copy import copy
+from fractions import Fraction
 from pathlib import Path
 
 import flint
@@ -17,6 +18,7 @@ from granular_fronts.proofs.__main__ import main
 from granular_fronts.proofs.balls import NotProvedError, in_balls
 from granular_fronts.proofs.checker import Front, check_certificate, read
 from granular_fronts.proofs.consequences import shape
+from granular_fronts.proofs.uniqueness import unique
 
 
 def check(data, folder):
@@ -38,11 +40,20 @@ def test_certificates_prove_what_they_proved(name):
         assert one["margin"] == one["right"] - one["left"] > 0
 
 
-def test_parameters_are_enclosed():
-    low, high = proved("overshoot")["gamma"]
-    assert low <= 0.3 < 0.300000001 <= high < 0.30000001
-    low, high = proved("overshoot")["alpha"]
-    assert low <= 2 <= high < 2 + 1e-12
+def test_parameters_are_exact():
+    """What holds for all γ of an interval need not hold beside it."""
+    record = proved("overshoot")
+    assert record["gamma"] == (Fraction(3, 10), Fraction(300000001, 10**9))
+    assert record["alpha"] == (2, 2)
+    assert record["statements"][0].startswith("For α = 2 and each γ in [0.3, 0.300000001] there is")
+
+
+@pytest.mark.parametrize("number", ["1/3", "2", "263245873786073432/1000000000000000000", "7/2048"])
+def test_parameters_are_written_to_the_last_digit(number):
+    assert Fraction(arrays.written(Fraction(number))) == Fraction(number)
+    assert ("/" in arrays.written(Fraction(number))) == (number == "1/3")
+    smallest = Fraction(1, 2**62)
+    assert Fraction(arrays.written(smallest)) == smallest
 
 
 def test_front_at_three_tenths_is_monotone_and_steeper_ones_overshoot():
@@ -186,7 +197,7 @@ def enclosed():
     """A front of which all is proved but how it comes from 1 behind."""
     with in_balls():
         front = Front(read(DATA / "monotone.npz"))
-        assert len([*front.exists(), *shape(front)]) == 3
+        assert len([*front.exists(), *unique(front), *shape(front)]) == 5
     return front
 
 
@@ -200,7 +211,7 @@ def rear_of(front, data, folder):
 
 
 def test_the_rear_is_proved_from_what_is_right(enclosed, tmp_path):
-    assert rear_of(enclosed, load("monotone"), tmp_path) == PROVED["monotone"]["statements"][3:]
+    assert rear_of(enclosed, load("monotone"), tmp_path) == PROVED["monotone"]["statements"][5:]
 
 
 @pytest.mark.parametrize("lie", [lie for lie in LIES_BEHIND if lie not in LATE_BEHIND])

@@ -1,5 +1,7 @@
 """Critical damping proved: fronts that oscillate behind, monotone intervals, and the crossing."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from certificates import DATA
@@ -7,6 +9,7 @@ from flint import acb, arb
 
 import granular_fronts as gf
 from granular_fronts.proofs import rear_expansion, tail_roots
+from granular_fronts.proofs.__main__ import main
 from granular_fronts.proofs.arrays import load
 from granular_fronts.proofs.balls import NotProvedError, in_balls
 from granular_fronts.proofs.checker import check_certificate
@@ -47,7 +50,8 @@ def test_fronts_below_oscillate_and_those_above_are_monotone(records):
     with in_balls():
         law, *_ = tail_roots.crossing(arb(1.5), gamma, (complex(real), complex(pair)), 1e-9)
         low, high = records[AROUND]["gamma"]
-        assert records[BELOW]["gamma"][1] < low < law.gamma < high < records[ABOVE]["gamma"][0]
+        assert arb(float(low)) < law.gamma < arb(float(high))
+    assert records[BELOW]["gamma"][1] < low < high < records[ABOVE]["gamma"][0]
 
 
 @pytest.mark.parametrize(
@@ -61,6 +65,25 @@ def test_an_interval_beside_the_crossing_is_not_critical(low, high, inside, tmp_
     record = check_certificate(tmp_path / "front.npz")
     assert record["proved"]
     assert ("critical" in record["numbers"]) == inside
+
+
+@pytest.mark.slow
+def test_fronts_on_both_sides_of_critical_damping_are_told_apart(folder, capsys):
+    """γ_x lies between two γ that are the same double; each file speaks of its own alone."""
+    below, above = "0.263245873786073432", "0.26324587378607344"
+    files = [str(folder / f"{name}.npz") for name in ("below", "above")]
+    records = [
+        gf.prove_front("3/2", gamma, file)
+        for gamma, file in zip((below, above), files, strict=True)
+    ]
+    assert float(below) == float(above)
+    assert [record["gamma"] for record in records] == [(Fraction(g),) * 2 for g in (below, above)]
+    assert main(files) == 0
+    first, second = capsys.readouterr().out.split(files[1])
+    assert f"For α = 1.5 and γ = {below} there is" in first
+    assert "changes its sign infinitely often" in first
+    assert f"For α = 1.5 and γ = {above} there is" in second
+    assert "the front is monotone" in second
 
 
 @pytest.mark.slow
@@ -111,6 +134,7 @@ class Part(Law):
     """What `lead` needs of a front."""
 
     fall = -5
+    shift = arb(0)
 
 
 RATE = acb(1.9)

@@ -1,5 +1,7 @@
 """Fronts with linear dashpots: what is proved, that wrong claims are not, and the bounds anew."""
 
+import copy
+
 import numpy as np
 import pytest
 from certificates import (
@@ -13,6 +15,7 @@ from certificates import (
     quadrature,
     setting,
 )
+from flint import arb_poly
 from scipy import optimize
 
 import granular_fronts as gf
@@ -87,7 +90,7 @@ def test_computed_front_lies_in_the_enclosure(record, front, computed):
     mu = optimize.brentq(lambda rate: 2 * GAMMA * (np.cosh(rate) - 1) - rate, 1, 5)
     assert slow < mu < fast
     assert u[-11] / u[-1] == pytest.approx(np.exp(mu), rel=1e-3)
-    falls = float(eval(record["statements"][2].split("ξ ≥ ")[1].split(",")[0]))
+    falls = float(eval(record["statements"][3].split("ξ ≥ ")[1].split(",")[0]))
     u = gf.evaluate_front(computed, np.linspace(falls - 0.5, 8, 300))
     assert (np.diff(u)[20:] < 0).all()
     assert np.diff(u).max() > 0
@@ -111,6 +114,29 @@ def test_residual_is_bounded(front):
             found.append(abs(strain(front, xi) - quadrature(flux, xi, front.n)))
     bound = {one["name"]: one["left"] for one in front.inequalities}["Y0 < (1 − Z1 − Z2(r)) r"]
     assert 0.1 * bound < max(found) < bound + 1e-14
+
+
+def test_powers_of_strains_are_bounded_on_every_cell(front):
+    """|ū₊^α − P̄| is below its bound; where P̄ is 0 that is far below the bounds of other cells."""
+    with balls.in_balls():
+        cells = [*zip(front.u, front.P, map(balls.above, front.remainders), strict=True)]
+        for u, P, bound in cells:
+            for place in (-1, -0.4, 0, 1):
+                exact = max(float(u(place)), 0.0) ** ALPHA
+                assert abs(exact - float(P(place))) <= bound + 1e-15 * exact
+    ahead = [bound for _, P, bound in cells if not P.coeffs()]
+    assert 0.0 < max(ahead) < 1e-4 * max(bound for *_, bound in cells)
+
+
+def test_strain_that_falls_to_almost_nothing_in_a_cell_is_taken_for_nothing(front):
+    """Its Taylor polynomial would be worse than 0."""
+    steep = copy.copy(front)
+    with balls.in_balls():
+        steep.u = [arb_poly([5.25e-11, -4.75e-11])]
+        steep.u_low, steep.u_high = map(balls.array, zip(*map(balls.bounds, steep.u), strict=True))
+        P, bound = steep.force(0)
+    assert not P.coeffs()
+    assert float(bound) == pytest.approx(1e-10**ALPHA)
 
 
 def kernels(front):

@@ -142,8 +142,7 @@ def test_boxes_of_alpha_and_gamma_are_one_family(tmp_path):
     for path, gamma in zip(paths, pairwise(ends), strict=True):
         record = prove_front(alpha, gamma, path)
         assert record["proved"], record["reason"]
-        low, high = record["alpha"]
-        assert low <= 1.4998 < 1.5002 <= high
+        assert record["alpha"] == tuple(map(Fraction, alpha))
         front = prove(path)
         with in_balls():
             strain = [float(u[0].mid()) for u in front.at(flint.arb(0))[1]]
@@ -187,7 +186,16 @@ def test_bounds_that_are_not_finite_bound_nothing():
             with pytest.raises(balls.NotProvedError, match="not finite"):
                 balls.largest(values)
     assert balls.largest([flint.arb(2), flint.arb(3), flint.arb(1)]) == 3
-    assert balls.above(flint.arb(1)) > 1
+
+
+def test_doubles_of_bounds_are_bounds_and_the_nearest_where_they_can_be():
+    for exact in (0, 1, -3, 0.1):
+        assert balls.above(flint.arb(exact)) == exact
+    with in_balls():
+        third = flint.arb(1) / 3
+        for sign in (1, -1):
+            assert flint.arb(balls.above(sign * third)) > sign * third
+            assert balls.above(sign * third) - sign / 3 < 1e-15
 
 
 def test_powers_and_bounds_of_polynomials_contain_all_values():

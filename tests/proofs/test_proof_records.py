@@ -1,8 +1,13 @@
 """What is proved as data: chunks of intervals, records, families, and the enclosure of a front."""
 
 import json
+import shutil
+import subprocess
+import tarfile
+from fractions import Fraction
 from itertools import pairwise
 
+import archive_certificates
 import join_intervals
 import numpy as np
 import prove_chunk
@@ -12,7 +17,7 @@ from certificates import DATA, PROVED, proved
 from proof_chunks import chunk_name, proof_chunks
 
 import granular_fronts as gf
-from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.datasets import read_dataset, write_dataset
 from granular_fronts.proofs.enclosure import enclosure_dataset
 from granular_fronts.proofs.records import records_dataset
 
@@ -36,7 +41,7 @@ def test_chunks_meet_at_decimals_and_cover_the_interval():
 def kept():
     """Records of the certificates that are kept, as data."""
     rows = [
-        proved(name) | {"name": name, "alpha": 1.5, "path": DATA / f"{name}.npz", "seconds": 1.0}
+        proved(name) | {"name": name, "path": DATA / f"{name}.npz", "seconds": 1.0}
         for name in PROVED
     ]
     return rows, records_dataset(rows)
@@ -49,6 +54,9 @@ def test_data_hold_what_the_checker_says(kept):
         one = data.sel(certificate=row["name"])
         assert float(one["error_bound"]) == row["error"]
         assert float(one["radius"]) == row["numbers"]["radius"]
+        for parameter in ("alpha", "gamma"):
+            ends = one["ends"].sel(parameter=parameter).values
+            assert tuple(map(Fraction, ends)) == row[parameter]
         assert str(one["statements"].values).splitlines() == row["statements"]
         found = one[["left", "right"]].dropna("inequality")
         sides = {known["name"]: (known["left"], known["right"]) for known in row["inequalities"]}
@@ -72,7 +80,9 @@ def test_only_what_is_proved_is_in_the_data(kept):
     assert not data["joined"].any()
     one = data.sel(certificate="monotone")
     rate = gf.tail_roots(1.5, 0.3, count=1)[0].real
-    assert float(one["rate_low"]) < rate < float(one["rate_high"]) < float(one["rate_low"]) + 1e-13
+    low, high = (float(one[f"rate_{end}"]) for end in ("low", "high"))
+    assert low < high < low + 1e-13
+    assert abs(rate - low) < 1e-14
 
 
 def test_table_names_the_shape_and_the_least_margin(kept):
@@ -103,13 +113,16 @@ def test_rounded_bounds_are_bounds(kept):
 
 def test_what_is_joined_is_one_family_and_stretches_are_joined_where_they_touch(kept):
     _, data = kept
-    one = data.assign(joined=("certificate", [0, 1, 0, 1]))
-    names, groups = zip(*tabulate_proofs.families(one), strict=True)
+    third, near = "0.3333333333333333333", "1/3"
+    gammas = [["0.1", third], [third, near], ["0.5", "0.6"], ["0.7", "0.7"]]
+    ends = [[["1.5", "1.5"], gamma] for gamma in gammas]
+    rows = data.assign(ends=data["ends"].copy(data=ends), joined=("certificate", [0, 1, 0, 1]))
+    names, groups = zip(*tabulate_proofs.families(rows), strict=True)
     assert names == ("family, alpha = 1.5",) * 2
     assert [group.sizes["certificate"] for group in groups] == [2, 2]
-    ends = ("certificate", [0.1, 0.2, 0.5, 0.7]), ("certificate", [0.2, 0.3, 0.6, 0.9])
-    rows = data.assign(gamma_low=ends[0], gamma_high=ends[1])
-    assert tabulate_proofs.stretches(rows) == "0.1 to 0.3 and 0.5 to 0.6 and 0.7 to 0.9"
+    assert tabulate_proofs.stretches(rows) == "0.1 to 1/3 and 0.5 to 0.6 and 0.7"
+    rows["ends"][1, 1, 0] = near
+    assert tabulate_proofs.stretches(rows).startswith(f"0.1 to {third} and 1/3 and 0.5")
 
 
 def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail():
@@ -129,6 +142,41 @@ def test_computed_front_lies_in_the_enclosure_and_in_the_bounds_of_its_tail():
     # Ahead of all cells the bounds still grow as they must, by about 3/2 for each bead.
     growth = data["decay_low"].values[-1] / data["decay_low"].values[-21]
     assert growth == pytest.approx(1.5, rel=0.02)
+
+
+def test_archive_holds_the_certificates_and_their_sums(tmp_path, kept):
+    """The sums are those of another program's algorithm, and the bytes are always the same."""
+    rows, _ = kept
+    folder = tmp_path / "proofs"
+    for name, part in (("fronts", rows[:1]), ("intervals", rows[1:])):
+        (folder / name).mkdir(parents=True)
+        copies = [
+            row | {"path": shutil.copy(row["path"], folder / name / f"{row['name']}.npz")}
+            for row in part
+        ]
+        write_dataset(records_dataset(copies), tmp_path / f"{name}.nc", scene_id=name, config={})
+    made = []
+    for k in (1, 2):
+        files = tmp_path / f"{k}.tar", tmp_path / f"{k}.sha256"
+        inputs = tmp_path / "fronts.nc", tmp_path / "intervals.nc", folder
+        archive_certificates.archive_certificates(*inputs, *files)
+        made.append([file.read_bytes() for file in files])
+    assert made[0] == made[1]
+    with tarfile.open(tmp_path / "1.tar") as tar:
+        tar.extractall(tmp_path / "unpacked", filter="data")
+    done = subprocess.run(
+        ["sha256sum", "--strict", "-c", "SHA256SUMS"],
+        cwd=tmp_path / "unpacked",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count(": OK") == len(rows)
+    assert (tmp_path / "1.sha256").read_bytes() == made[0][1]
+    found = {path.name: path.parent.name for path in (tmp_path / "unpacked").rglob("*.npz")}
+    first, *rest = (f"{row['name']}.npz" for row in rows)
+    assert found == {first: "fronts"} | dict.fromkeys(rest, "intervals")
 
 
 @pytest.mark.slow

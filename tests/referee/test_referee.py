@@ -130,6 +130,7 @@ def test_every_problem_has_its_files_and_numbers(folder):
     assert any(name.startswith("contact_loss") for name in gaps)
     rows = (folder / f"{FRONT}.csv").read_text().splitlines()
     answer = read_dataset(folder / f"{FRONT}.nc")
+    assert answer["value"].attrs["error_estimate"] == answer["value_error"].max() > 0.0
     states = answer.sel(t=[20.0, 40.0])
     v = states["velocity"].values
     u = np.pad(states["relative_displacement"].values, [(0, 0), (0, 1)])
@@ -295,6 +296,11 @@ DUMP = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x vx\n1 0 0\
         (f"{FRONT}_0.1.dump", "ITEM: TIME\n0\n" + DUMP[:-1], "ends inside a line"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,nan,0\n", "holds 'nan', so that the run was lost"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,o,0\n", "holds 'o' where a number should be"),
+        (
+            f"{FRONT}_0.1.csv",
+            TABLE + '1,1,"0,5",0\n',
+            "holds '0,5' where a number should be: write whole states, with decimal points",
+        ),
         (f"{FRONT}_0.1.csv", TABLE + "0,1,1,0,5,0,1\n", "has rows of more than 4 numbers"),
         (f"{FRONT}_0.1.csv", TABLE + "1,1,0,0\n", "has 3 rows for 2 times and beads 1 to 2"),
         (f"{FRONT}_0.1.csv", TABLE + "0,1,0,0\n1,2,0,0\n", "has 4 rows for 2 times and beads"),

@@ -3,6 +3,7 @@
 from functools import cache
 
 import numpy as np
+from chains import driven_scene
 from projects import ROOT
 from write_explorer import write_explorer
 
@@ -12,15 +13,9 @@ from granular_fronts.studies.damping_map import map_critical_damping
 from granular_fronts.studies.front_collection import collect_fronts
 
 ALPHAS, GAMMAS = (1.2, 1.5), (0.1, 0.3, 0.9)
-SCENE = {
-    "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.06},
-    "beads": 20,
-    "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
-    "start": {"kind": "rest"},
-    "end_time": 80,
-    "tolerance": {"relative": 1.0e-9, "absolute": 1.0e-12},
-    "record": {"snapshots": [], "grid": {"step": 2}},
-}
+TOLERANCE = {"relative": 1.0e-9, "absolute": 1.0e-12}
+RECORD = {"snapshots": [], "grid": {"step": 2}}
+SCENE = driven_scene(beads=20, end_time=80.0, tolerance=TOLERANCE, record=RECORD)
 FOLDER = ROOT / "workflow/report/explorer"
 
 

@@ -19,7 +19,7 @@ from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.profile.equation import front_problem, power_problem
-from granular_fronts.fronts.profile.solve import ORDER, solve_profile
+from granular_fronts.fronts.profile.solve import refine, solve_profile
 from granular_fronts.fronts.shooting import equations
 from granular_fronts.fronts.shooting.bead_flow import PowerLaw, spread_of
 from granular_fronts.fronts.shooting.initial_guess import continuum_guess, fit
@@ -194,7 +194,7 @@ def tails():
 def profile():
     """The profile equation from nothing, and the fronts of other dampings on its grid."""
     front = solve_profile(power_problem(1.5, 0.65, 1.5))
-    return [front.s, follow(front, np.array([0.65, 0.6, 0.55, 0.5]), ORDER)]
+    return [front.s, *follow(front, refine(front), np.array([0.65, 0.6, 0.55, 0.5]))]
 
 
 def profile_of_two_powers():

@@ -45,3 +45,13 @@ def test_changed_pins_are_installed_whatever_the_time_stamps(installed, target):
     pins.write_text(pins.read_text() + "another==1.0\n")
     os.utime(pins, (0, 0))
     assert PINS[target] in installs(installed, target)
+
+
+def test_blank_in_the_path_is_named_before_anything_is_installed(tmp_path):
+    folder = tmp_path / "a b"
+    folder.mkdir()
+    for name in ("Makefile", "pyproject.toml", "environment.txt"):
+        shutil.copy(ROOT / name, folder)
+    run = subprocess.run(["make", "lint"], cwd=folder, capture_output=True, text=True, check=False)
+    assert f"blank: move {folder}." in run.stderr
+    assert not (folder / ".venv").exists()

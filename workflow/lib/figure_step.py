@@ -26,7 +26,7 @@ import matplotlib
 import xarray as xr
 from matplotlib.figure import Figure
 
-from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.provenance import write_provenance
@@ -85,7 +85,7 @@ def write_figure(  # noqa: PLR0913 - what its rule names
         one for given in data.values() for one in (given if isinstance(given, list) else [given])
     ]
     matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
-    save_figure(draw(**data), pdf, png, every)
+    save_figure(_drawn(draw, data, paths), pdf, png, every)
     computed = {name: _for_each(configuration_of, given) for name, given in data.items()}
     words = fill(template.read_text(encoding="utf-8"), computed, finalize=_without_markup)
     text = "\n\n".join([words.strip(), *_departure_notes(every, reference)])
@@ -93,6 +93,21 @@ def write_figure(  # noqa: PLR0913 - what its rule names
         unfinished.write_text(f"{text}\n", encoding="utf-8")
     facts = {"title": fill(title, computed), "alt": fill(alt, computed)}
     write_provenance(provenance, [pdf, png, caption], every, **facts)
+
+
+def _drawn(
+    draw: Callable[..., Figure], data: Mapping[str, Any], paths: Mapping[str, Any]
+) -> Figure:
+    """Draw a figure; a DatasetError says that the files hold something else than it shows."""
+    try:
+        return draw(**data)
+    except KeyError as error:
+        files = ", ".join(str(path) for path in paths.values())
+        missing = str(error.args[0]).partition(". ")[0]  # What follows is a list of like names.
+        raise DatasetError(
+            f"{files} does not hold what {draw.__name__} draws ({missing}): let its scene "
+            "record it, or delete a file that was put there from elsewhere."
+        ) from error
 
 
 def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
@@ -111,7 +126,7 @@ def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], s
 
 def _without_markup(value: Any) -> str:
     """Return a value of a data file as words of a caption, whatever reStructuredText it holds."""
-    return re.sub(r"([_*`|\\])", r"\\\1", re.sub(r"\s+", " ", str(value)))
+    return re.sub(r"([_*`|\\:])", r"\\\1", re.sub(r"\s+", " ", str(value)))
 
 
 def _departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) -> Iterator[str]:

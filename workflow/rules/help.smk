@@ -13,6 +13,7 @@ TARGETS_IN_WORDS = {
     "hard_cases": "Problems at the edge, with figure 15.",
     "honesty": "Stated errors of random problems against true ones, with figure 25.",
     "proofs": "Fronts proved by ball arithmetic, with figures 23 and 24; takes long.",
+    "certificates": "An archive of all certificates of fronts, with their SHA-256 sums; takes long.",
     "referee": "Problems with accurate answers for discrete-element codes.",
     "ring_limit": "Rings of beads as α → 1, with figures 20 to 21b.",
     "real_chains": "A striker on chains of unlike beads, with figures 26 to 29.",

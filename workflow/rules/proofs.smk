@@ -122,6 +122,33 @@ rule tabulate_proofs:
         "../scripts/proofs/tabulate_proofs.py"
 
 
+rule archive_certificates:
+    input:
+        fronts=rules.prove_fronts.output.dataset,
+        intervals=rules.join_intervals.output.dataset,
+    output:
+        archive="<results>/certificates.tar",
+        sums="<results>/certificates.sha256",
+    params:
+        code=code("archive_certificates"),
+        folder=f"{config['results']}/proofs",
+    log:
+        "<logs>/archive_certificates.log",
+    benchmark:
+        "<benchmarks>/archive_certificates.tsv"
+    message:
+        "Archiving the certificates of fronts."
+    script:
+        "../scripts/proofs/archive_certificates.py"
+
+
+rule certificates:
+    input:
+        rules.archive_certificates.output,
+    message:
+        "All certificates are in one archive: {input[0]}."
+
+
 rule proofs:
     input:
         rules.tabulate_proofs.output,

@@ -126,8 +126,8 @@ def _time_to_kink(u, rate, new_u, h):
     """Return the first zero in (0, h) of the parabola with u and `rate` at 0 and new_u at h."""
     curvature = (new_u - u - rate * h) / (h * h)
     root = math.sqrt(max(rate * rate - 4.0 * curvature * u, 0.0))
-    # Of the two equal forms of the root, the one without cancellation: u and new_u differ in sign,
-    # so exactly one zero lies in the interval.
+    # Of the two equal forms of the root, this one has no cancellation. Exactly one zero lies in the
+    # interval, since u and new_u differ in sign.
     denominator = -(rate + math.copysign(root, -u))
     if denominator != 0.0:
         zero = 2.0 * u / denominator

@@ -4,7 +4,7 @@ A series is a variable of a motion along time at several places, such as `contac
 sensor S (`sensors`).  It has J samples at equal steps h, and the error ε of its values.
 
 Pulses.  A spline of degree 5 runs through the samples.  It errs by :math:`O(h^6)` where the series
-is smooth.  A pulse is a maximum that stands out from its surroundings, by a given share of the
+is smooth.  A pulse is a maximum that rises above its surroundings, by a given share of the
 largest deviation from the start (its *prominence*).  The level half-way between the value
 :math:`s_0` at the start and the peak :math:`s_p` is
 
@@ -49,7 +49,7 @@ from granular_fronts.accuracy import Estimate, estimate, variable_and_errors
 from granular_fronts.errors import InputError
 
 PROMINENCE = 0.1
-"""Share of the largest deviation by which a pulse stands out."""
+"""Share of the largest deviation that a pulse rises above its surroundings."""
 
 DEGREE = 5
 LEAST_SAMPLES = 4 * (DEGREE + 1)
@@ -68,7 +68,8 @@ def pulses(series: xr.DataArray, prominence: float = PROMINENCE) -> xr.Dataset:
     series : xarray.DataArray
         Samples along time at several places, such as ``motion["contact_force_near"]``.
     prominence : float, optional
-        Part of the largest deviation from the start by which a pulse stands out.  Range 0 to 1.
+        Part of the largest deviation from the start that a pulse rises above its surroundings.
+        Range 0 to 1.
 
     Returns
     -------

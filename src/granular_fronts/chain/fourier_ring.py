@@ -13,10 +13,12 @@ than there are beads, hold all chains at once.  They obey the same equations wit
 
 .. math:: \Delta_d \to -\omega_k^2, \qquad \omega_k = 2\sin(k/2), \qquad k = 2\pi j/N,
 
-exactly, and :math:`u^\alpha` is taken at M equally spaced places; on the values there
-:math:`\Delta_d` is a circulant matrix.  No long-wave expansion enters: this is the chain itself and
-not another model of it.  The coefficients that are left out fall exponentially for an analytic
-wave.  The sum of u over the ring is kept to round-off.
+exactly, and :math:`u^\alpha` is taken at M equally spaced places.  On the values there
+:math:`\Delta_d` is a circulant matrix.  Waves with an even number of turns have one sign at places
+half a ring apart, the others have both.  Sums and differences of such places are therefore
+multiplied apart, each by a matrix of half the size.  No long-wave expansion enters: this is the
+chain itself and not another model of it.  The coefficients that are left out fall exponentially for
+an analytic wave.  The sum of u over the ring is kept to round-off.
 
 Cost.  The explicit steps of order 8 (DOP853) are as long as the shortest wave kept allows, about
 :math:`5/k_{max}`, against about 1 for the beads.  A wave of :math:`2\ell/\varepsilon` beads over
@@ -30,13 +32,18 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numba import uint64
 from scipy.fft import irfft, rfft, rfftfreq
 from scipy.linalg import circulant
 
 from granular_fronts.errors import SolveError
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.interrupts import interrupted
+from granular_fronts.numerics.vector_functions import power
+
+_CONTRACT = {"contract"}
 
 FIRST_STEP = 1e-3
 SHORTEST_STEP = 1e-14  # In units of the time to be reached.
@@ -66,7 +73,7 @@ class FourierRing(NamedTuple):
     alpha: float
     gamma: float
     beads: int  # N.
-    points: int  # M, even; waves up to M/2 turns are kept.
+    points: int  # M, a multiple of 8; waves up to M/2 turns are kept.
 
     @property
     def wave_numbers(self):
@@ -75,8 +82,11 @@ class FourierRing(NamedTuple):
 
     @property
     def second_difference(self):
-        """Matrix of Δ_d on values at the M places, a circulant."""
-        return circulant(irfft(-4.0 * np.sin(0.5 * self.wave_numbers) ** 2, self.points))
+        """Matrices of Δ_d on sums and on differences of places half a ring apart, each halved."""
+        half = self.points // 2
+        rows = circulant(irfft(-4.0 * np.sin(0.5 * self.wave_numbers) ** 2, self.points))[:half]
+        near, far = 0.5 * rows[:, :half], 0.5 * rows[:, half:]
+        return np.array([near + far, near - far])
 
     def strain_rates(self, u, velocity):
         """Return the values of d = w_n − w_{n+1} from u and ẋ, eq. (31)."""
@@ -117,27 +127,29 @@ def solve_fourier_ring(
 
 def _integrate(ring, start, times, tolerance):
     """Return the values of u and d at the given times, and the smallest u after any step."""
-    matrix, state, states = ring.second_difference, start.reshape(2, ring.points), []
+    matrices, state, states = ring.second_difference, start.copy(), []
     t, h, smallest = 0.0, FIRST_STEP, start[: ring.points].min()
     for stop in times:
-        t, h, least = _advance(matrix, ring.alpha, ring.gamma, state, (t, h, stop), tolerance)
+        t, h, least = _advance(matrices, ring.alpha, ring.gamma, state, (t, h, stop), tolerance)
         smallest = min(smallest, least)
         if not smallest > 0.0:
             raise GapError(OPEN.format(time=t))
         if t < stop:
             raise SolveError(f"At t = {t:.6g} of a ring the step size collapsed to {h:.3g}.")
-        states.append(state.copy())
+        states.append(state.reshape(2, ring.points).copy())
     return states, float(smallest)
 
 
 @kernel
-def _advance(matrix, alpha, gamma, state, clock, tolerance):
+def _advance(matrices, alpha, gamma, state, clock, tolerance):
     """Step u and d in place up to a stop, to a gap, or to where the steps become too short.
 
     The clock holds time, step and stop; the result is the time, the next step and the smallest u.
     """
     t, h, stop = clock
-    slopes = np.empty((rk.STAGES, *state.shape))
+    stage, new, fifth, third = np.empty((4, state.size))
+    slopes, nothing = np.empty((rk.STAGES, state.size)), np.zeros(state.size)
+    parts = np.empty((2, state.size // 4))
     smallest = np.inf
     while t < stop and smallest > 0.0 and not interrupted():
         landing = t + h >= stop
@@ -146,10 +158,12 @@ def _advance(matrix, alpha, gamma, state, clock, tolerance):
         if step < SHORTEST_STEP * stop and not landing:
             break
         for row in range(rk.STAGES):
-            stage = _combined(state, step * rk.A[row], slopes)
-            _rates(matrix, alpha, gamma, stage, slopes[row])
-        new = _combined(state, step * rk.B, slopes)
-        error = _error(state, new, slopes, step, tolerance)
+            _combine(state, step, rk.A[row], slopes, stage)
+            _rates(matrices, alpha, gamma, stage, parts, slopes[row])
+        _combine(state, step, rk.B, slopes, new)
+        _combine(nothing, step, rk.ERROR_5, slopes, fifth)
+        _combine(nothing, step, rk.ERROR_3, slopes, third)
+        error = _norm(state, new, fifth, third, tolerance)
         factor = rk.SMALLEST_FACTOR  # Also where the error is not a number.
         if error < math.inf:
             growth = rk.SAFETY * max(error, SMALLEST_ERROR) ** rk.ERROR_EXPONENT
@@ -158,50 +172,83 @@ def _advance(matrix, alpha, gamma, state, clock, tolerance):
         if accepted:
             t = stop if landing else t + step
             state[:] = new
-            smallest = min(smallest, new[0].min())
+            smallest = min(smallest, new[: new.size // 2].min())
         if not (accepted and landing):
             h = step * factor
     return t, h, smallest
 
 
-@subroutine
-def _rates(matrix, alpha, gamma, state, result):
-    """Time derivatives of u and d."""
-    d, change, force = state[1], result[0], result[1]
-    force[:] = 0.0
-    for place in range(d.size):
-        power = max(state[0, place], 0.0) ** alpha
-        for other in range(d.size):
-            force[other] += matrix[place, other] * power
-    # Both means are zero, and their rounding would add up over a long time.
-    force -= force.mean()
-    change[:] = d + gamma * force
-    change -= change.mean()
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _rates(matrices, alpha, gamma, state, parts, result):
+    """Time derivatives of u and d; `parts` is work space for half a ring."""
+    half = uint64(parts.shape[1])
+    u, d = state[: 2 * half], state[2 * half :]
+    change, force = result[: 2 * half], result[2 * half :]
+    for n in range(uint64(d.size)):
+        whole = power(u[n], alpha)
+        force[n] = whole if u[n] > NEGLIGIBLE else 0.0
+    for n in range(half):
+        near, far = force[n], force[n + half]
+        parts[0, n], parts[1, n] = near + far, near - far
+    _multiply(matrices, parts, force)
+    for n in range(half):
+        even, odd = force[n], force[n + half]
+        force[n], force[n + half] = even + odd, even - odd
+    _subtract_mean(force)
+    for n in range(uint64(d.size)):
+        change[n] = d[n] + gamma * force[n]
+    _subtract_mean(change)
 
 
-@subroutine
-def _combined(state, weights, slopes):
-    """The state and a weighted sum of slopes."""
-    result = state.copy()
+@subroutine(fastmath={"reassoc"}, forceinline=True)
+def _subtract_mean(row):
+    """Subtract the mean of a row, which is zero, but whose rounding would add up in a long time."""
+    total = 0.0
+    for n in range(uint64(row.size)):
+        total += row[n]
+    mean = total / row.size
+    for n in range(uint64(row.size)):
+        row[n] -= mean
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _multiply(matrices, parts, products):
+    """Write both symmetric matrices times their halves of a row, four rows of each at a time."""
+    half = uint64(parts.shape[1])
+    for part in range(uint64(2)):
+        rows, values, first = matrices[part], parts[part], part * half
+        products[first : first + half] = 0.0
+        for block in range(half // uint64(4)):
+            j = uint64(4) * block
+            a, b, c, e = values[j], values[j + 1], values[j + 2], values[j + 3]
+            for n in range(half):
+                products[first + n] += (a * rows[j, n] + b * rows[j + 1, n]) + (
+                    c * rows[j + 2, n] + e * rows[j + 3, n]
+                )
+
+
+@subroutine(fastmath=_CONTRACT, forceinline=True)
+def _combine(start, step, weights, slopes, result):
+    """Write a row plus a step along a weighted sum of slopes."""
+    result[:] = start
     for row in range(rk.STAGES):
-        weight = weights[row]
+        weight = step * weights[row]
         if weight != 0.0:
-            for part in range(2):
-                for place in range(state.shape[1]):
-                    result[part, place] += weight * slopes[row, part, place]
-    return result
+            for n in range(uint64(result.size)):
+                result[n] += weight * slopes[row, n]
 
 
-@subroutine
-def _error(old, new, slopes, step, tolerance):
+@subroutine(fastmath={"contract", "reassoc"}, forceinline=True)
+def _norm(old, new, fifth, third, tolerance):
     """Error of a step in units of the tolerance, from both estimates as DOP853 weighs them."""
-    nothing = np.zeros_like(old)
-    scale = tolerance * (0.01 + np.maximum(np.abs(old), np.abs(new)))
-    fifth = np.sum((_combined(nothing, rk.ERROR_5, slopes) / scale) ** 2)
-    third = np.sum((_combined(nothing, rk.ERROR_3, slopes) / scale) ** 2)
-    if fifth == 0.0:
+    total, lower = 0.0, 0.0
+    for n in range(uint64(old.size)):
+        scale = tolerance * (0.01 + max(abs(old[n]), abs(new[n])))
+        total += (fifth[n] / scale) ** 2
+        lower += (third[n] / scale) ** 2
+    if total == 0.0:
         return 0.0
-    return step * fifth / math.sqrt((fifth + 0.01 * third) * old.size)
+    return total / math.sqrt((total + 0.01 * lower) * old.size)
 
 
 def _resampled(values, points):

@@ -19,7 +19,14 @@ from granular_fronts.accuracy import EPSILON, refined_by
 from granular_fronts.arguments import array, choice
 from granular_fronts.errors import InputError, NoFrontError
 from granular_fronts.fronts.profile.equation import FrontProblem, front_problem, power_problem
-from granular_fronts.fronts.profile.solve import ORDER, REFINED_ORDER, refine, solve_profile
+from granular_fronts.fronts.profile.solve import (
+    FINER,
+    LONGER,
+    ORDER,
+    REFINED_ORDER,
+    refine,
+    solve_profile,
+)
 from granular_fronts.fronts.properties import MEASURES, errors_of_measures, measure, velocity
 from granular_fronts.fronts.shooting import solve as shooting
 from granular_fronts.fronts.validation import (
@@ -41,7 +48,7 @@ ACCEPTED_ERROR = 1e-12  # of the strain of a converged front, relative to the la
 
 ERROR_METHODS = {
     "profile": f"largest difference to a solution with {REFINED_ORDER} instead of {ORDER} points "
-    "per polynomial, on a grid finer by 1.4 or more and a window longer by 1.1",
+    f"per polynomial, on a grid finer by {FINER} or more and a window longer by {LONGER}",
     "shooting": "largest difference to a solution with twice the time steps, in a window longer by "
     f"{shooting.LONGER_BEHIND:g} behind and {shooting.LONGER_AHEAD} beads ahead",
 }

@@ -7,8 +7,10 @@ grid becomes too coarse or another check fails, the sweep starts anew at that da
 for a front whose error is too large. Window and grid are then new.  If this fails too, the values
 are NaN with a reason, and the sweep goes on.
 
-Accuracy.  Every stretch is swept again on a finer grid, by another order, on a longer window
-(`profile.solve.refine`).  The differences are the error estimates.
+Accuracy.  Every front is solved again on a finer grid, by another order, on a longer window
+(`profile.solve.refine`).  That iteration starts from the front itself.  It ends where the finer
+equations hold to round-off, and so forgets the grid that it came from.  The differences are the
+error estimates.
 """
 
 from __future__ import annotations
@@ -31,6 +33,8 @@ from granular_fronts.fronts.profile.solve import (
     AT_REST,
     BELOW,
     DEFECT,
+    FINER,
+    LONGER,
     MOST_POINTS,
     ORDER,
     REFINED_ORDER,
@@ -54,6 +58,7 @@ from granular_fronts.fronts.validation import (
 from granular_fronts.model.laws import Law
 from granular_fronts.numerics.compiled import kernel, subroutine
 from granular_fronts.numerics.extrapolation import REMEMBERED, predict, remember
+from granular_fronts.numerics.interpolation import interpolate_all
 from granular_fronts.numerics.interrupts import interrupted
 from granular_fronts.numerics.quadrature import kernel_weights
 from granular_fronts.output.datasets import name_variables
@@ -68,9 +73,9 @@ COLUMNS = (*MEASURES, *SENSITIVITIES, *PLAIN)
 MARGIN = 3.0  # sites kept ahead of where s reaches its end
 
 ERROR_METHOD = (
-    f"change in a second sweep with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
-    "on grids finer by 1.4 or more and windows longer by 1.1. If larger, what the error of the "
-    "strain makes of it"
+    f"change in a second solution with {REFINED_ORDER} instead of {ORDER} points per polynomial, "
+    f"on grids finer by {FINER} or more and windows longer by {LONGER}. If larger, what the error "
+    "of the strain makes of it"
 )
 
 
@@ -169,21 +174,18 @@ def _stretch(problem, dampings):
             nothing,
             f"the refinement that should estimate the error failed: {finer.reason}",
         )
-    found = follow(start, dampings, ORDER)
-    again = follow(finer, dampings[: len(found)], REFINED_ORDER)
-    common = min(len(found), len(again))
-    reason = "" if common else "the front fails a check on the grid of the sweep"
-    return found[:common], again[:common], reason
+    found, again = follow(start, finer, dampings)
+    reason = "" if len(found) else "the front fails a check on the grid of the sweep"
+    return found, again, reason
 
 
 def _alone(problem):
     """Return one front on its own window and grid: values on two grids, error of the strain."""
     start = solve_profile(problem)
     finer = refine(start) if not start.reason else start
-    damping = np.array([problem.damping])
     if not finer.reason:
-        found, again = follow(start, damping, ORDER), follow(finer, damping, REFINED_ORDER)
-        if len(found) and len(again):
+        found, again = follow(start, finer, np.array([problem.damping]))
+        if len(found):
             difference = float(np.abs(start.evaluate(finer.xi) - finer.s).max())
             return found[0], again[0], abs(problem.jump) * difference
     return None, None, math.inf
@@ -233,66 +235,79 @@ def _estimates(problem, values, others):
     return np.maximum(abs(problem.jump) * errors.max(axis=0), 2.0 * EPSILON * problem.size)
 
 
-def follow(start, dampings, order):
+def follow(start, finer, dampings):
     """Return values of the fronts that follow from a first one, on its grid, by decreasing damping.
 
-    The shape is (fronts, columns), up to the first front that fails a check.
+    `finer` is the refined first front, and each is solved again on its grid.  The shape is (2,
+    fronts, columns), up to the first front that fails a check on either grid.
     """
-    spacing, middle = start.spacing, start.middle
-    problem = start.problem
-    slowest = lowest_roots_of_all(problem.behind.p_slope, problem.tail_damping, 1)[0].real
-    values = np.full((dampings.size, len(COLUMNS)), math.nan)
-    reached = _follow_on_grid(
-        problem,
-        dampings,
-        make_grid(spacing, middle, kernel_weights(spacing, order)),
-        make_grid(spacing, middle, differences_of_rules(spacing, order)),
-        middle * float(spacing) * slowest,
-        start.s,
-        values,
+    values = np.full((2, dampings.size, len(COLUMNS)), math.nan)
+    reached = _follow_on_grids(
+        start.problem, dampings, _grids(start, ORDER), _grids(finer, REFINED_ORDER), start.s, values
     )
-    return values[:reached]
+    return values[:, :reached]
+
+
+def _grids(profile, order):
+    """Return the grid of a profile by the rule of an order, and by its difference to another."""
+    rules = (of(profile.spacing, order) for of in (kernel_weights, differences_of_rules))
+    return tuple(make_grid(profile.spacing, profile.middle, weights) for weights in rules)
 
 
 @kernel
-def _follow_on_grid(first_problem, dampings, grid, differences, decay, start, values):
-    """Solve front after front and measure it; return how many passed all checks."""
+def _follow_on_grids(first_problem, dampings, usual, finer, start, values):
+    """Solve front after front on both grids and measure it; return how many passed all checks."""
     history, places = np.empty(STEPS + 1), np.log(dampings)
-    middles = np.empty(dampings.size, dtype=np.int64)
+    middles = np.empty((2, dampings.size), dtype=np.int64)
+    spacing, ratio = usual[0].spacing, usual[0].spacing / finer[0].spacing
     for k in range(dampings.size):
         if interrupted():
             return 0
-        values[k, 10], values[k, 11] = _slowest_tail(first_problem, dampings[k])
-        needed = decay / (values[k, 10] * grid.spacing)
-        if not needed <= MOST_POINTS:
+        values[:, k, 10], values[:, k, 11] = _slowest_tail(first_problem, dampings[k])
+        longer = values[0, 0, 10] / values[0, k, 10]
+        if not longer * finer[0].middle <= MOST_POINTS:
             # Such a window is not even tried; the sweep starts anew there, and says so.
-            dampings, middles = dampings[:k], middles[:k]
+            dampings = dampings[:k]
             break
-        middles[k] = math.ceil(needed)
-    center = grid.middle
-    for middle in middles:
+        middles[0, k] = math.ceil(longer * usual[0].middle)
+        middles[1, k] = math.ceil(longer * finer[0].middle)
+    center = usual[0].middle
+    for middle in middles[0, : dampings.size]:
         center = max(center, middle)
-    past = np.empty((REMEMBERED, center - grid.middle + start.size))
-    remember(start, center - grid.middle, 0.0, past[0])
+    past = np.empty((REMEMBERED, center - usual[0].middle + start.size))
+    remember(start, center - usual[0].middle, 0.0, past[0])
     for k in range(dampings.size):
-        problem = with_damping(first_problem, dampings[k])
+        problem, middle = with_damping(first_problem, dampings[k]), middles[0, k]
         # The sweep starts from the front of the first damping.
         known = max(k, 1)
-        first, margin = center - middles[k], int(MARGIN / grid.spacing)
+        first, margin = center - middle, int(MARGIN / spacing)
         s = predict(past, known, places[:known], places[k], first, margin)
-        s[middles[k]] = 0.5
-        unknowns = Unknowns(s, np.ones(1))
-        own = Grid(grid.spacing, middles[k], grid.hat, grid.jump)
-        tolerance = TOLERANCE * problem.magnification
-        count, status = newton.iterate(problem, own, tolerance, unknowns, history)
-        passes = status == newton.SETTLED and _is_front(problem, own, unknowns, history[count])
-        defect = newton.largest_convolution(problem, differences, s)
-        if not (passes and defect <= 1.5 * DEFECT * problem.magnification):
+        if not _solve(problem, usual, middle, s, history, values[0, k]):
             return k
         remember(s, first, 0.0, past[k % REMEMBERED])
-        values[k, :8] = measures(problem, grid.spacing, s)
-        values[k, 8], values[k, 9] = history[count], unknowns.speed[0] - 1.0
+        ahead = math.ceil(LONGER * ratio * (s.size - middle))
+        positions = np.arange(-middles[1, k], ahead) / ratio
+        refined = interpolate_all(s, positions, 1.0, 0.0, middle)
+        if not _solve(problem, finer, middles[1, k], refined, history, values[1, k]):
+            return k
     return dampings.size
+
+
+@subroutine
+def _solve(problem, grids, middle, s, history, row):
+    """Solve a front from a start and measure it; return whether it passes all checks."""
+    (grid, differences), unknowns = grids, Unknowns(s, np.ones(1))
+    s[middle] = 0.5
+    own = Grid(grid.spacing, middle, grid.hat, grid.jump)
+    tolerance = TOLERANCE * problem.magnification
+    count, status = newton.iterate(problem, own, tolerance, unknowns, history)
+    passes = status == newton.SETTLED and _is_front(problem, own, unknowns, history[count])
+    defect = newton.largest_convolution(problem, differences, s)
+    if not (passes and defect <= 1.5 * DEFECT * problem.magnification):
+        return False
+    row[:8] = measures(problem, grid.spacing, s)
+    row[8], row[9] = history[count], unknowns.speed[0] - 1.0
+    return True
 
 
 @subroutine

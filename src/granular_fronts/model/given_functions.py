@@ -14,8 +14,8 @@ from granular_fronts.errors import InputError
 
 # Gauss nodes on [−1, 1] at which functions are compared with each other.
 GAUSS_NODES = np.polynomial.legendre.leggauss(12)[0]
-# Step of the finite differences, relative to the interval, and disagreement that the check lets
-# pass, relative to the largest derivative on the interval.
+# Step of the finite differences, relative to the interval. Disagreement that the check lets pass,
+# relative to the largest derivative on the interval.
 DIFFERENCE_STEP, DIFFERENCE_TOLERANCE = 1.0e-4, 1.0e-6
 
 

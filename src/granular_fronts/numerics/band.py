@@ -9,13 +9,17 @@ replaces `skipped` more, where `skipped` is at least `lower`.  Or nothing is lef
 is the number of rows.
 
 A row that is ready is subtracted from all rows below it before the next one.  These differ, so that
-no entry waits for the one before.  Loops run over slices with unsigned indices. So the compiler
-sees that neighbouring entries lie side by side in memory.
+no entry waits for the one before.  Unknowns are found in blocks: what they take from outside of
+their block waits for none of it.  Loops run over slices with unsigned indices. So the compiler sees
+that neighbouring entries lie side by side in memory.
 """
 
 from numba import int64, uint64
 
 from granular_fronts.numerics.compiled import kernel, subroutine
+
+BLOCK = 4
+"""Unknowns that are found together, at most as many as diagonals below the main one."""
 
 
 @kernel(fastmath=True, error_model="numpy")
@@ -52,13 +56,21 @@ def _subtract(band, lower, ready, i, place):
 @kernel(fastmath=True)
 def substitute(band, lower, prefix, skipped, x):
     """Solve in place with the factors of `factorise`."""
-    for i in range(x.size):
-        row = _compact(i, prefix, skipped)
-        first = max(0, lower - i)
-        x[i] -= product(band[row, first:lower], x[i - lower + first : i])
-    for i in range(x.size - 1, -1, -1):
-        row = _compact(i, prefix, skipped)
-        x[i] = (x[i] - product(band[row, lower + 1 :], x[i + 1 :])) * band[row, lower]
+    for start in range(0, x.size, BLOCK):
+        for i in range(start, min(start + BLOCK, x.size)):
+            row, ready = _compact(i, prefix, skipped), uint64(i - start)
+            first, near = max(0, lower - i), lower - (i - start)
+            total = product(band[row, first:near], x[i - lower + first : start])
+            for k in range(ready):
+                total += band[row, near + k] * x[start + k]
+            x[i] -= total
+    for start in range(x.size, 0, -BLOCK):
+        for i in range(start - 1, max(start - BLOCK, 0) - 1, -1):
+            row, ready = _compact(i, prefix, skipped), uint64(start - 1 - i)
+            total = product(band[row, lower + start - i :], x[start:])
+            for k in range(ready):
+                total += band[row, lower + 1 + k] * x[i + 1 + k]
+            x[i] = (x[i] - total) * band[row, lower]
 
 
 @subroutine

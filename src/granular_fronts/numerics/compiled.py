@@ -81,7 +81,7 @@ class CheckedFiles(caching.IndexDataCacheFile):
             content = Path(path).read_bytes()
         except FileNotFoundError:
             return False
-        # In an index the version of numba stands before what is dumped.
+        # An index begins with the version of numba.
         content = content.removeprefix(pickle.dumps(self._version, protocol=-1))
         return hashlib.sha256(content[:-DIGEST_SIZE]).digest() == content[-DIGEST_SIZE:]
 
@@ -192,12 +192,12 @@ class Subroutine(CPUDispatcher):
 
 
 def file_of(function):
-    """The file that a function stands in."""
+    """The file that defines a function."""
     return Path(function.__code__.co_filename)
 
 
 def _package_of(function):
-    """The folder of the package that a function stands in, or the folder of its file elsewhere."""
+    """The folder of the package that defines a function, or the folder of its file elsewhere."""
     file = file_of(function)
     return file.relative_to(SOURCES).parts[0] if SOURCES in file.parents else file.parent.name
 
@@ -218,7 +218,7 @@ def callback(signature, **options):
 @functools.cache
 def cache_folder(file):
     """Folder of the machine code of a file's kernels, in NUMBA_CACHE_DIR or the user's cache."""
-    # A kernel may stand outside the package with others that it calls, in a test for example.
+    # A kernel may be outside the package with others that it calls, in a test for example.
     near = {one.stem: one for one in file.parent.glob("*.py")}
     modules = MODULES if file in MODULES.values() else {**MODULES, **near}
     [name] = [name for name, path in modules.items() if path == file]

@@ -3,10 +3,14 @@
 A *certificate* is a file of an approximate front P̄ and of an approximate inverse A of the
 linearisation there. `certificate` makes it with floating-point arithmetic, by any method. `checker`
 then proves, in balls and with only python-flint and NumPy, that a front exists near P̄, and what it
-looks like.  To trust a proof one must trust the mathematics of `existence`, `right_inverse`,
-`consequences`, `tail_roots` and `rear_expansion`, the code of `checker`, `arrays`, `balls`,
-`contraction`, `consequences`, `tail_roots` and `rear_expansion`, and python-flint below it.
-`dashpots` does the same for linear dashpots (β = 1).
+looks like.  `families` joins certificates to a continuous family.  `dashpots` does the same for
+linear dashpots (β = 1).
+
+To trust a proof one must trust the mathematics in the docstrings.  The code is that of `checker`,
+`arrays`, `balls`, `contraction`, `uniqueness`, `consequences`, `tail_roots`, `rear_expansion` and
+`families`.  Below it are Python, python-flint and a part of NumPy.  That part reads npz files, sums
+integers, and holds integers below 2⁵³ as doubles; `balls.unit_plus` refuses others.  It also loops
+over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
 """
 
 from importlib.util import find_spec

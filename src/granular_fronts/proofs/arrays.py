@@ -1,5 +1,7 @@
 """Read the arrays of a certificate, and check their kinds and shapes."""
 
+from decimal import Context, Decimal, Inexact
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +10,11 @@ from flint import arb, fmpq
 from granular_fronts.proofs.balls import NotProvedError
 
 LONGEST = 1000  # of the sizes that a certificate names
-LARGEST = 2**30  # bytes of all its arrays
+LARGEST = 2**28  # bytes of all its arrays
+LONGEST_CHECK = 60.0  # seconds that a check may take; of these, measured,
+PAIR, ENTRY = 2e-6, 5e-6  # for two rows of the matrix, and for a cell of an inverse
+FINE, PIECE = 3e-4, 5e-4  # for a cell of the kernel on one bead, and for a polynomial
+DECIMALS = Context(prec=99, traps=[Inexact])  # more digits than 64 bits over 64 bits can have
 
 
 def load(path):
@@ -23,7 +29,7 @@ def load(path):
                 return {name: file[name] for name in file.files}
     except Exception as error:
         raise NotProvedError(f"{path} is no file of arrays as prove_front writes it") from error
-    raise NotProvedError(f"{path} holds more than {LARGEST >> 30} GiB")
+    raise NotProvedError(f"{path} holds more than {LARGEST >> 20} MiB")
 
 
 def require_arrays(data, fields, sizes):
@@ -54,6 +60,36 @@ def require_lengths(have, want):
         raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
 
 
+def require_short(rows, entries, fine, pieces):
+    """Stop before a check that would take more than a minute: of a matrix, inverses and cells."""
+    seconds = PAIR * rows**2 + ENTRY * entries + FINE * fine + PIECE * pieces
+    if seconds > LONGEST_CHECK:
+        raise NotProvedError(
+            f"its check would take about {seconds:.0f} s, and above {LONGEST_CHECK:.0f} s none is"
+            " begun"
+        )
+
+
+def ends(data, name):
+    """Return both ends of the interval of α or γ, for all of which a certificate speaks."""
+    low, below, high, under = data[name].tolist()
+    return Fraction(low, below), Fraction(high, under)
+
+
+def written(number):
+    """Return a fraction as a decimal where it is one, so that no digit is lost."""
+    try:
+        return f"{DECIMALS.divide(Decimal(number.numerator), Decimal(number.denominator)):f}"
+    except Inexact:
+        return str(number)
+
+
+def in_words(interval, symbol):
+    """Return the interval of α or γ as a part of a statement."""
+    low, high = map(written, interval)
+    return f"{symbol} = {low}" if low == high else f"each {symbol} in [{low}, {high}]"
+
+
 def both_ends(data, name):
     """Return both ends of the interval of α or γ, as balls."""
-    return [arb(fmpq(*map(int, data[name][k : k + 2]))) for k in (0, 2)]
+    return [arb(fmpq(end.numerator, end.denominator)) for end in ends(data, name)]

@@ -20,18 +20,37 @@ has the inverse (δ + g)*(δ + e)^(−1) in L¹ ⊕ ℂδ, of norm at most (1 + 
 """
 
 import math
+import textwrap
 from contextlib import contextmanager
 
 import numpy as np
 from flint import acb, arb, arb_poly, ctx, fmpq
 
 PRECISION, SERIES = 80, 12  # bits, and terms of the longest series
+LONGEST_LINE = 400  # letters of a reason
+EXACT = 2**53  # up to it all integers are doubles
 UNIT = arb(0, 1)  # the interval from −1 to 1
 MATRIX_UNIT, INVERSE_UNIT = 2.0**-16, 2.0**-20  # of H − 1 and of g as a certificate stores them
 
 
 class NotProvedError(Exception):
     """Names what is not certain, or which field is not what it must be."""
+
+
+@contextmanager
+def in_a_sentence(subject=""):
+    """Whatever goes wrong is not proved, and is said in one short line."""
+    try:
+        yield
+    except NotProvedError as failure:
+        raise NotProvedError(_line(f"{subject}{failure}")) from failure
+    except Exception as failure:
+        words = f"{subject}its numbers lead to no bound: {type(failure).__name__}, {failure}"
+        raise NotProvedError(_line(words)) from failure
+
+
+def _line(words):
+    return textwrap.shorten(words, LONGEST_LINE, placeholder=" …")
 
 
 class Inequalities:
@@ -51,10 +70,10 @@ class Inequalities:
 
 
 @contextmanager
-def in_balls():
+def in_balls(precision=PRECISION):
     """Precision, and the longest series, that the proof needs; as they were afterwards."""
     before = ctx.prec, ctx.cap
-    ctx.prec, ctx.cap = PRECISION, SERIES
+    ctx.prec, ctx.cap = precision, SERIES
     try:
         yield
     finally:
@@ -128,7 +147,16 @@ def slope_kernel(w, n):
 
 def summed(differences):
     """Return the integers from their second differences; of a matrix, once along each axis."""
-    return differences.cumsum(axis=0).cumsum(axis=-1)
+    return differences.cumsum(axis=0, dtype=np.int64).cumsum(axis=-1)
+
+
+def unit_plus(differences):
+    """Return the matrices H and H − 1, exactly: doubles hold whole units up to EXACT of them."""
+    units = summed(differences)
+    if not abs(units).max() < EXACT - 1 / MATRIX_UNIT:
+        raise NotProvedError("the matrix H has entries that doubles do not hold")
+    correction = units * MATRIX_UNIT
+    return np.eye(len(units)) + correction, correction
 
 
 def convolve(f, g):
@@ -150,6 +178,11 @@ def antiderivatives(pieces, h):
 def size(f):
     """Return the bound of the modulus of a polynomial on (−1, 1)."""
     return sum(map(abs, f.coeffs()), arb(0))
+
+
+def slopes(pieces, n, error):
+    """Return bounds of the modulus of a slope, from polynomials on cells and an error."""
+    return [size(f.derivative()) * 2 * n + error for f in pieces]
 
 
 def bounds(f):
@@ -212,5 +245,6 @@ def tops(values):
 
 
 def above(x):
-    """Return a double above a ball."""
-    return math.nextafter(float(x.upper()), math.inf)
+    """Return a double that no point of a ball exceeds."""
+    found = float(x.upper())
+    return found if arb(found) >= x else math.nextafter(found, math.inf)

@@ -17,10 +17,13 @@ from granular_fronts.proofs.checker import EXPANSION, check_certificate
 from granular_fronts.proofs.dashpots.certificate import describe as describe_dashpots
 from granular_fronts.proofs.existence import approximate, chebyshev_nodes
 
-# What a user may choose, where nothing is chosen.
+# What a user may choose, and what is tried one after another where nothing is chosen.
 CELLS = 20  # of the window per bead
 FINE = 40  # cells of the inverse behind per cell of the window
 DRIFT = 6e-4  # largest |a(u)/α − 1| behind the window
+USUAL = CELLS, FINE, DRIFT
+COARSE_REASON = "Z1 < 1"  # what fails where the cells are too wide
+FINER = (30, 60, 3e-4), (44, 80, 2e-4)
 
 # The approximate front.
 SMALL_STIFFNESS, SMALL_FORCE = 1e-3, 1e-11  # P̄ is 0 ahead of all larger a(u)/α and u^α
@@ -52,9 +55,9 @@ def prove_front(
     alpha: Rational | tuple[Rational, Rational],
     gamma: Rational | tuple[Rational, Rational],
     path: str | Path,
-    cells: int = CELLS,
-    fine: int = FINE,
-    drift: float = DRIFT,
+    cells: int | None = None,
+    fine: int | None = None,
+    drift: float | None = None,
     beta: int | None = None,
 ) -> dict[str, Any]:
     """Prove that a front exists, near the computed one, and what it looks like.
@@ -68,11 +71,12 @@ def prove_front(
     path : str or path
         The certificate is written here, in a folder that exists.
     cells : int, optional
-        Cells of the window per bead, from 8 to 200.
+        Cells of the window per bead, from 8 to 200; 20, and if all three are left out and Z₁ is not
+        below 1, up to 44.
     fine : int, optional
-        Cells of the inverse behind per cell of the window, from 1 to 1000.
+        Cells of the inverse behind per cell of the window, from 1 to 1000; 40.
     drift : float, optional
-        Largest absolute value of a(u)/α − 1 behind the window, between 0 and 1.
+        Largest absolute value of a(u)/α − 1 behind the window, between 0 and 1; 6e-4.
     beta : 1, optional
         Exponent of the damping: α by default, or 1, linear dashpots, whose intervals must be
         narrow, as the approximate front does not depend on γ.
@@ -98,9 +102,7 @@ def prove_front(
     """
     exponents, interval = interval_of(alpha, "alpha", above=1), interval_of(gamma, "gamma")
     path = arguments.new_file("path", path)
-    cells = arguments.count("cells", cells, least=8, most=200)
-    fine = arguments.count("fine", fine, most=1000)
-    drift = arguments.scalar("drift", drift, above=0.0, below=1.0)
+    meshes = _meshes(cells, fine, drift)
     if beta is not None and arguments.scalar("beta", beta) != 1.0:
         raise InputError(
             f"beta is {beta}, but fronts are proved for β = 1 and β = α: leave it out."
@@ -109,12 +111,31 @@ def prove_front(
     if not front.attrs["converged"]:
         raise InputError(f"no front to prove: {front.attrs['reason']}.")
     described = describe_dashpots if beta == 1 else describe
-    fields = described(front, exponents, interval, cells, fine, drift)
-    record = _write_and_check(path, fields)
+    for mesh in meshes:
+        fields = described(front, exponents, interval, *mesh)
+        record = _write_and_check(path, fields)
+        if record["proved"] or COARSE_REASON not in record["reason"]:
+            break
     if not record["proved"] and "roots" in fields:  # Perhaps without the expansion behind.
         fields = {name: values for name, values in fields.items() if name not in EXPANSION}
         record = _write_and_check(path, fields | {"weights": fields["weights"][:1]})
     return record
+
+
+def _meshes(cells, fine, drift):
+    """Return the choices to try: one where something is given."""
+    checks = (
+        lambda given: arguments.count("cells", given, least=8, most=200),
+        lambda given: arguments.count("fine", given, most=1000),
+        lambda given: arguments.scalar("drift", given, above=0.0, below=1.0),
+    )
+    given = [
+        None if value is None else check(value)
+        for check, value in zip(checks, (cells, fine, drift), strict=True)
+    ]
+    if given == [None, None, None]:
+        return USUAL, *FINER
+    return ([own if value is None else value for own, value in zip(USUAL, given, strict=True)],)
 
 
 def _write_and_check(path, fields):

@@ -13,9 +13,8 @@ import numpy as np
 from flint import arb, arb_poly, arb_series, fmpq
 
 from granular_fronts import arguments
-from granular_fronts.proofs.arrays import load, require_arrays, require_lengths
+from granular_fronts.proofs.arrays import ends, load, require_arrays, require_lengths, require_short
 from granular_fronts.proofs.balls import (
-    MATRIX_UNIT,
     UNIT,
     NotProvedError,
     above,
@@ -24,6 +23,7 @@ from granular_fronts.proofs.balls import (
     bounds,
     convolve,
     horner,
+    in_a_sentence,
     in_balls,
     inverse_defect,
     kernel,
@@ -32,16 +32,19 @@ from granular_fronts.proofs.balls import (
     powers,
     size,
     slope_kernel,
-    summed,
+    slopes,
     tops,
+    unit_plus,
 )
 from granular_fronts.proofs.consequences import shape
 from granular_fronts.proofs.contraction import Contraction
 from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.rear_expansion import expand
 from granular_fronts.proofs.tail_roots import require_zeros
+from granular_fronts.proofs.uniqueness import unique
 
 TAYLOR_ORDER = 8  # of the residual about the middle of a cell
+PARTS_AT_ONCE = 50  # parts of γ behind take as long as the cells once
 MOST_POWERS = 8  # of s in P̄ and in an inverse
 SMALL_STRAIN = 1e-7  # where ū may be below, no Taylor polynomial of ū^α is made
 EXPANSION = {  # kind of number and axes
@@ -72,15 +75,16 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     Returns
     -------
     dict
-        `proved` (bool) and, where it is False, `reason`.  `alpha` and `gamma` bound the parameters
-        for which the `statements` hold; `error` bounds the distance of u* from ū.  `numbers` always
-        holds `radius` (of the ball of y).  Where proved it holds `overshoot` (max u* is above it),
-        bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds `amplitude_low`, `amplitude_high` of A
-        or B.  The value 1 marks `monotone`, `oscillates` (behind, so that max u* > 1) and
-        `critical` (monotone above some γ, and not below).  Dashpots have `tail_start` (x₁, rounded
-        up), and `tail_low`, `tail_high`, the values at x₁ of exponentials that bound u* ahead.
-        `inequalities` are dicts of `name`, `left`, `right` (left < right, rounded outwards) and
-        their `margin`.
+        `proved` (bool) and, where it is False, `reason`.  The `statements` hold for all parameters
+        between the ends `alpha` and `gamma`, pairs of exact fractions; `error` bounds the distance
+        of u* from ū.  `numbers` always holds `radius` (of the ball of y) and `shift`, a bound of
+        the size of ξ₀, where u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B,
+        `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
+        `amplitude_low`, `amplitude_high` of A or B.  The value 1 marks `monotone`, `oscillates`
+        (behind, so that max u* > 1) and `critical` (monotone above some γ, and not below).
+        Dashpots have `tail_start`, and `tail_low`, `tail_high`, the values there of exponentials
+        that bound u* ahead.  `inequalities` are dicts of `name`, `left`, `right`
+        (left < right, rounded outwards) and their `margin`.
 
     Raises
     ------
@@ -96,17 +100,15 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
     path = arguments.path("path", path)
     record = {"proved": False, "reason": "", "statements": [], "inequalities": []}
     try:
-        with in_balls():
+        with in_balls(), in_a_sentence():
             data = load(path)
             front = DashpotFront(data) if "strain" in data else Front(_checked(data))
             statements = list(front.prove())
-            record["alpha"], record["gamma"] = ([-above(-x), above(x)] for x in front.law)
+            record |= {name: ends(data, name) for name in ("alpha", "gamma")}
         record |= {"error": front.error, "statements": statements, "proved": True}
         record |= {"numbers": front.numbers, "inequalities": front.inequalities}
     except NotProvedError as failure:
         record["reason"] = str(failure)
-    except Exception as failure:
-        record["reason"] = f"{type(failure).__name__}: {failure}"
     return record
 
 
@@ -126,6 +128,9 @@ class Front(Contraction):
         have = *(data[name].shape[1] for name in ("profile", "inverse")), *data["correction"].shape
         want = (behind + ahead) * n, (self.p + q) * n * self.fine, self.W, self.W
         require_lengths(have, want)
+        entries = sum(data[name].size for name in data if name.endswith("inverse"))
+        parts = 1 + int(data["starts"][-1]) / PARTS_AT_ONCE if "starts" in data else 1
+        require_short(self.W, entries, n * self.fine, len(data["profile"]) * want[0] * parts)
         self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
         known = [self.integrate(k, rows) for k, rows in enumerate(data["profile"].tolist())]
         self.profile, first, second = (
@@ -162,8 +167,17 @@ class Front(Contraction):
     def prove(self):
         """All statements."""
         yield from self.exists()
+        yield from unique(self)
         yield from shape(self)
         yield from self.rear()
+
+    def unknown(self, u):
+        """Return P of u."""
+        return power(u, self.alpha)
+
+    def unknown_gap(self, top, gap):
+        """Return the bound of the difference of P where u is below `top` and differs by `gap`."""
+        return self.a(top) * gap
 
     def exists(self):
         """The theorem: a solution, its enclosure and its uniqueness; Lemma 4."""
@@ -173,10 +187,11 @@ class Front(Contraction):
         self.P_error, self.u_error = self.rho * self.r, self.kappa * self.r
         self.slope_error = (2 + 4 * self.gamma) * largest([*self.rho, self.rho_behind]) * self.r
         self.error = above(largest([*self.u_error, *(self.outer_kappa * self.r)]))
+        self.slopes = slopes(self.u, self.n, self.slope_error)
         yield (
-            "There is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0 ahead, with |u* − ū| <"
-            f" {1.001 * self.error:.3e} on the whole line; it is the only P̄ + A y with ‖y‖ <"
-            f" {0.999 * float(farthest):.3e}."
+            f"{self.parameters()} there is a front P* = P̄ + A y*, u* = K*P*, from 1 behind to 0"
+            f" ahead, with |u* − ū| < {1.001 * self.error:.3e} on the whole line; it is the"
+            f" only P̄ + A y with ‖y‖ < {0.999 * float(farthest):.3e}."
         )
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 
@@ -218,13 +233,12 @@ class Front(Contraction):
         tails, defect = inverse_defect(*law, n * self.fine, self.data["inverse"], begin)
         self.require("‖e‖", defect, arb(1))
 
-        ones = np.eye(W)
-        H = ones + summed(self.data["correction"]) * MATRIX_UNIT
+        H, correction = unit_plus(self.data["correction"])
         rest, v = array([0] * W), array([0] * W)
         for j in range(W):  # columns of 1 − L_h H
             varying = self.half * UNIT * convolve(sign, H[:, j])
             smooth = (convolve(flat, H[:, j]) + varying)[n:-n]
-            rest += np.abs(ones[:, j] - H[:, j] + a_mid * smooth) * (a_mid[j] * nK)
+            rest += np.abs(a_mid * smooth - correction[:, j]) * (a_mid[j] * nK)
         for k in range(W):  # rows of H diag(a)
             row = H[k] * a_mid
             edges = convolve(middles[::-1], row)[n - 1 : n + W]
@@ -273,7 +287,7 @@ def read(path):
 
 def _checked(data):
     """Return the arrays of a certificate, if they have the kinds and shapes that they must have."""
-    fields = FIELDS | EXPANSION if len(data["weights"]) == 2 else FIELDS
+    fields = FIELDS | EXPANSION if len(data.get("weights", ())) == 2 else FIELDS
     require_arrays(data, fields, sizes=7)
     if max(len(data["profile"]), len(data["inverse"])) > MOST_POWERS:
         raise NotProvedError("there are too many powers of s")

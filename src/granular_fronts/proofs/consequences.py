@@ -6,16 +6,30 @@ k = ‖K‖₁ = 1 + γ² for γ ≤ 1, 2γ for γ ≥ 1.
 **Lemma 4 (the linearisation).** L* = DQ(P*) is onto and its kernel is spanned by P*'.
 
 *Proof.* L*A = DG(y*) is invertible, as ‖1 − DG(y*)‖ < 1; so L* is onto, A is injective with closed
-range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w
-↦ H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
+range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w ↦
+H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
 −b) with a common bound and Lipschitz constant.  In the splitting of L^∞ at −b this operator is
-triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal. Its index in L^∞
-of a half line is ± the winding number of 1 + ĝ (Gohberg and Krein; kernels in L¹). (1 + ĝ)(1 − α
-K̂) = 1 + ê with |ê| ≤ ‖e‖₁ < 1, so that number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α
-(1 − iγω) sinc²(ω/2).  D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D = 1; D(−iω) is the
-conjugate: D winds once.  So |ind A| = 1; A being injective, ind A = −1 and dim ker L* = codim Ran A
-= 1.  Since P is Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of
-the kernel, not 0 as P is not constant. ∎
+triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal.  Its index in L^∞
+of a half line is ± the winding number of 1 + ĝ (Lemma 22).  (1 + ĝ)(1 − α K̂) = 1 + ê with |ê| ≤
+‖e‖₁ < 1, so that number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α (1 − iγω) sinc²(ω/2).
+D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D = 1; D(−iω) is the conjugate: D winds once.
+So |ind A| = 1; A being injective, ind A = −1 and dim ker L* = codim Ran A = 1.  Since P is
+Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of the kernel, not 0
+as P is not constant.  ∎
+
+**Lemma 22 (index on a half line).** Let k ∈ L¹ and f = 1 + k̂ ≠ 0 on ℝ.  Then y ↦ y + k*y, cut to
+(0, ∞), is a Fredholm operator in L^∞(0, ∞), and its index is ± the winding number of f.
+
+*Proof.* Write W(f) for it, and f₊, f₋ for functions c + k̂ with k = 0 on (−∞, 0) or on (0, ∞).  Then
+W(f₋ f f₊) = W(f₋) W(f) W(f₊).  So W(f±) is invertible if 1/f± is such a function too.  Rational
+functions r without poles on ℝ are dense, as polynomials times e^(−s) are in L¹(0, ∞).  By Wiener's
+lemma 1/f is in the algebra, so that 1/r → 1/f as r → f, and f = r (1 + n) with n of norm below 1.
+The logarithm of 1 + n is a power series; cut at 0 it gives 1 + n = f₋ f₊ with inverses.  A factor
+(ω − a)/(ω − b) of r is an f₊ or f₋ if a and b are in the same half plane.  Else it is a product of
+both and of q = (ω − i)/(ω + i) or 1/q.  So f = f₋ q^κ f₊ with the winding number κ.  One of W(q),
+W(1/q) is S y = y − 2v, v(x) = ∫ e^(t−x) y(t) dt over (0, x).  As v' = y − v, S y = z means v' − v =
+z, v(0) = 0.  This v is bounded if and only if ∫ e^(−t) z(t) dt = 0, so S has index −1.  The other
+one, y − 2 ∫ e^(x−t) y(t) dt over (x, ∞), is its left inverse, of index 1. ∎
 
 Consequences: the front is isolated up to shifts.  Let φ vanish on Ran A with φ(P') = 1.  For a
 solution P₁ near P, τ ↦ φ(P₁(· + τ) − P) has a slope near 1, as P₁' = a(u₁) K'*P₁ is near P' and P'
@@ -35,6 +49,10 @@ The negative part of K has mass at most γ²/2 (for γ > 1 it has γ − 1/2 ≤
 γ²/2 S^α.  Derivatives: u'(x) = −I + ∫₀¹ P(x + s) ds + γ (2 P(x) − P(x − 1) − P(x + 1)) ≤ −I + (1 +
 2γ) S^α.  With S^α ≤ s (1 + γ) I/(1 − k s) both conditions give u(x) > 0 and u'(x) < 0 if I(x) > 0.
 At a first zero x > x₁ of u we would have I(x) > 0, so there is none. ∎
+
+**Normalisation.** A translate of a front is a front.  Let u' ≤ −m < 0 for |ξ| ≤ h, let d = |u(0) −
+1/2| < m h, and u' < 0 on an interval [x₀, ∞) with x₀ ≤ −2h.  Then u = 1/2 at one ξ₀ ≥ x₀ only, and
+|ξ₀| ≤ d/m.  Amplitudes and families are those of u(· + ξ₀), the translate that is 1/2 at 0.
 
 **Lemma 6 (double exponential tail).** Then ln(−ln u(x))/x → ln α as x → ∞.
 
@@ -66,18 +84,37 @@ def shape(front):
     front.require("u > 0 in the window", arb(0), -largest(-low[:x1]))
     front.require("u > 0 behind it", front.outer_kappa[0] * front.r, arb(1))
     fall, slope = x1, []
-    while fall:
-        steepest = bounds(front.u[fall - 1].derivative() * 2 * front.n)[1] + front.slope_error
-        if not steepest < 0:
-            break
-        fall, slope = fall - 1, [*slope, steepest]
+    while fall and _steepest(front, fall - 1) < 0:
+        fall, slope = fall - 1, [*slope, _steepest(front, fall - 1)]
     if slope:
         front.require("u' < 0 in the window", largest(slope), arb(0))
     front.fall = fmpq(fall, front.n) - front.left
     yield (
         f"u* > 0 on the whole line, u*' < 0 for ξ ≥ {front.fall}, and ln(−ln u*)/ξ → ln α as ξ → ∞."
     )
+    zero = front.left * front.n
+    yield normalise(front, fall, largest(_steepest(front, j) for j in (zero - 1, zero)))
     yield from overshoot(front, [u[0] for u in front.u] - front.u_error)
+
+
+def _steepest(front, j):
+    """Return the upper bound of u*' on a cell."""
+    return bounds(front.u[j].derivative() * 2 * front.n)[1] + front.slope_error
+
+
+def normalise(front, fall, steepest):
+    """Return where u* = 1/2, from the first cell on which it falls and u*' next to ξ = 0."""
+    zero = front.left * front.n
+    front.require("u* falls about 0", arb(fall), arb(zero - 1))
+    front.require("u*' < 0 about 0", steepest, arb(0))
+    gap = abs(front.u[zero](arb(-1)) - fmpq(1, 2)) + front.kappa[zero] * front.r
+    front.shift = (gap / -steepest).upper()
+    front.require("u* = 1/2 within a cell of 0", front.shift, arb(1) / front.n)
+    front.numbers["shift"] = above(front.shift)
+    return (
+        f"u* = 1/2 at one ξ₀ ≥ {fmpq(fall, front.n) - front.left} only, and |ξ₀| <"
+        f" {1.001 * front.numbers['shift']:.1e}."
+    )
 
 
 def overshoot(front, tops):

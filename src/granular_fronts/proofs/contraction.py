@@ -4,7 +4,7 @@ from functools import partial
 
 from flint import arb, fmpq
 
-from granular_fronts.proofs.arrays import both_ends
+from granular_fronts.proofs.arrays import both_ends, ends, in_words
 from granular_fronts.proofs.balls import Inequalities, above, largest, power
 
 
@@ -18,6 +18,11 @@ class Contraction(Inequalities):
         self.law = self.alpha, self.gamma = least.union(most), self.low.union(self.high)
         self.require("alpha > 1", arb(1), self.alpha)
         self.require("gamma > 0", arb(0), self.gamma)
+
+    def parameters(self):
+        """Return for which α and γ the statements hold, exactly."""
+        alpha, gamma = (ends(self.data, name) for name in ("alpha", "gamma"))
+        return f"For {in_words(alpha, 'α')} and {in_words(gamma, 'γ')}"
 
     def a(self, u):
         """Return α u₊^(α − 1)."""

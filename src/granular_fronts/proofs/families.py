@@ -22,21 +22,59 @@ L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at mos
 − Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup ω |u₁'|. From φ(h) = 0, |c| (P₁(−1) − P₁(1)) = |φ(A y)| ≤ ‖y‖ ∫ ρ.
 Hence y = 0, c = 0. ∎
 
+**Theorem A (threshold).** Let one certificate of a family show that damping is critical
+(`rear_expansion`).  Let all before it show max u > 1, and all after it u' < 0.  If γ_x of Lemma 12
+is in the interval of that one, then u' < 0 on ℝ if and only if γ ≥ γ_x, and max u > 1 for γ < γ_x.
+
+*Proof.* The three roots of the certificate are all up to η, and those of Lemma 12 the slowest three
+at γ_x.  Where their order is not certain, Re λ₂ − λ₁ grows with γ, so γ_x is its only zero on the
+interval.  Above it the front is monotone, and below it overshoots. ∎
+
 The second branch is shifted by τ, and each following one by the sum of the shifts before it.  This
-makes the family continuous over all intervals.  What is proved of each front (positivity, decrease
-ahead, the maximum above 1) does not change by shifts.  If α is in an interval, the same in all
-certificates, this holds for each α.  As φ(P₂(· + τ)) falls with τ for |τ| < h, τ is the only shift
-below h with that φ.  So τ depends continuously on α, and the family is continuous in α and γ.
+makes the family continuous over all intervals.  So is that of the translates with the value 1/2 at
+0 (`consequences`).  The place ξ₀ of 1/2 depends continuously on γ.  At a junction both fronts have
+it in common, since each falls from two cells before 0 on.  What is proved of each front
+(positivity, decrease ahead, the maximum above 1) does not change by shifts.  If α is in an
+interval, the same in all certificates, this holds for each α.  As φ(P₂(· + τ)) falls with τ for |τ|
+< h, τ is the only shift below h with that φ.  So τ depends continuously on α, and the family is
+continuous in α and γ.
 """
 
 import math
-from fractions import Fraction
+from itertools import groupby, takewhile
+from pathlib import Path
 
 from flint import arb, arb_poly, fmpq
 
-from granular_fronts.proofs.balls import NotProvedError, bounds, in_balls, largest, power, size
+from granular_fronts.proofs.arrays import ends, in_words, written
+from granular_fronts.proofs.balls import (
+    NotProvedError,
+    bounds,
+    in_a_sentence,
+    in_balls,
+    largest,
+    power,
+    size,
+)
 from granular_fronts.proofs.checker import Front, read
-from granular_fronts.proofs.consequences import shape
+from granular_fronts.proofs.tail_roots import critical_damping
+
+DIGITS = 20  # of γ_x in a statement
+SHAPES = {
+    "overshoots": "the front overshoots, max u* > 1",
+    "monotone": "u*' < 0 on the whole line: the front is monotone",
+}
+
+
+def certificates_below(folder):
+    """Return the certificates in a folder and in those inside it, in the order of γ."""
+    paths, lows = [*Path(folder).rglob("*.npz")], {}
+    if not paths:
+        raise NotProvedError(f"there is no certificate in {folder}")
+    for path in paths:
+        with in_a_sentence(f"{path}: "):
+            lows[path] = ends(read(path), "gamma")
+    return sorted(paths, key=lows.get)
 
 
 def prove_family(paths):
@@ -47,7 +85,8 @@ def prove_family(paths):
     """
     last = None
     for path in paths:
-        last = prove(path, last)
+        with in_a_sentence(f"{path}: "):
+            last = prove(path, last)
         yield record(path, last)
 
 
@@ -55,17 +94,62 @@ def prove(path, last=None):
     """Return the front of a certificate, proved from its file and joined to the one before."""
     with in_balls():
         front = Front(read(path))
-        front.statements = [*front.exists(), *shape(front), *front.rear()]
+        front.statements = list(front.prove())
         if last is not None:
             join(last, front)
     return front
 
 
+def conclude(records):
+    """Yield what the records of a family prove together, of all its γ."""
+    exponents, gammas = in_words(records[0]["alpha"], "α"), in_words(_span(records), "γ")
+    yield (
+        f"For {exponents} and {gammas} the fronts u*, shifted to u*(0) = 1/2, are one continuous"
+        " family."
+    )
+    kinds = [_kind(record["numbers"]) for record in records]
+    for kind, group in groupby(zip(kinds, records, strict=True), lambda pair: pair[0]):
+        if kind in SHAPES:
+            yield f"For {in_words(_span([record for _, record in group]), 'γ')} {SHAPES[kind]}."
+    for at in (k for k, kind in enumerate(kinds) if kind == "critical"):
+        before = list(takewhile(lambda kind: kind == "overshoots", reversed(kinds[:at])))
+        after = list(takewhile(lambda kind: kind == "monotone", kinds[at + 1 :]))
+        yield _threshold(records[at], _span(records[at - len(before) : at + 1 + len(after)]))
+
+
+def _span(records):
+    """Return both ends of the interval of γ of neighbouring certificates."""
+    return records[0]["gamma"][0], records[-1]["gamma"][1]
+
+
+def _threshold(record, gammas):
+    """Return that fronts are monotone from γ_x on, which one certificate contains."""
+    (alpha, _), (low, high) = record["alpha"], record["gamma"]
+    with in_balls():
+        gamma = critical_damping(alpha).gamma
+        if not arb(fmpq(low.numerator, low.denominator)) < gamma:
+            raise NotProvedError(f"γ_x is not above {written(low)}")
+        if not gamma < arb(fmpq(high.numerator, high.denominator)):
+            raise NotProvedError(f"γ_x is not below {written(high)}")
+        return (
+            f"For {in_words(gammas, 'γ')}: u*' < 0 on the whole line if and only if γ ≥ γ_x, γ_x ="
+            f" {gamma.str(DIGITS)}; for γ < γ_x the front overshoots, max u* > 1."
+        )
+
+
+def _kind(numbers):
+    """Return what is proved of the shape of all fronts of a certificate."""
+    overshoots = numbers.keys() & {"overshoot", "oscillates"}
+    known = numbers.keys() & {"monotone", "critical"}
+    return "overshoots" if overshoots else known.pop() if known else "open"
+
+
 def record(path, front):
-    """Return what is proved, as in `check_certificate`, with `path`; `gamma` are two fractions."""
+    """Return what is proved, as in `check_certificate`, with `path`."""
     return {
         "path": str(path),
-        "gamma": ends(front),
+        "alpha": ends(front.data, "alpha"),
+        "gamma": ends(front.data, "gamma"),
         "error": front.error,
         "numbers": front.numbers,
         "statements": front.statements,
@@ -73,16 +157,10 @@ def record(path, front):
     }
 
 
-def ends(front, name="gamma"):
-    """Return both ends of the interval of γ, or of α."""
-    numbers = front.data[name].tolist()
-    return Fraction(*numbers[:2]), Fraction(*numbers[2:])
-
-
 def join(first, second):
     """Lemma 9 at the common end of two intervals; noted among the inequalities of the second."""
-    (_, high), (low, _) = ends(first), ends(second)
-    if high != low or ends(first, "alpha") != ends(second, "alpha"):
+    (_, high), (low, _) = (ends(front.data, "gamma") for front in (first, second))
+    if high != low or ends(first.data, "alpha") != ends(second.data, "alpha"):
         raise NotProvedError(f"the intervals do not meet: {high} and {low}")
     n = math.lcm(first.n, second.n)
     one, two = _Side(first, 1, n), _Side(second, -1, n)

@@ -6,9 +6,10 @@ from pathlib import Path
 
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.solve import solve_front
+from granular_fronts.proofs.arrays import ends
 from granular_fronts.proofs.balls import NotProvedError
 from granular_fronts.proofs.certificate import CELLS, DRIFT, FINE, describe, interval_of, rational
-from granular_fronts.proofs.families import ends, prove, record
+from granular_fronts.proofs.families import prove, record
 from granular_fronts.proofs.stored import write
 
 STEP = Fraction(1, 10**6)  # ends of intervals are multiples of this
@@ -74,20 +75,20 @@ def prove_interval(alpha, low, high, folder, cells=CELLS, fine=FINE, drift=DRIFT
             continue
         now = time.process_time()
         yield record(path, found) | {"seconds": now - start}
-        begin, at = ends(found)
+        begin, at = ends(found.data, "gamma")
         steps = int((at - begin) / STEP * (growth if found.Z1 < ROOM else 1)) + 1
         start, last = now, found
 
 
 def _require_place(front, alpha, at, high):
-    low, end = ends(front)
-    if low != at or not low < end <= high or ends(front, "alpha") != alpha:
+    low, end = ends(front.data, "gamma")
+    if low != at or not low < end <= high or ends(front.data, "alpha") != alpha:
         raise NotProvedError("a certificate in the folder belongs to another interval")
 
 
 def _require_conclusion(front):
     """Stop where a narrower interval may show whether its fronts are monotone or overshoot."""
-    low, high = ends(front)
+    low, high = ends(front.data, "gamma")
     open_question = "roots" in front.data and not CONCLUSIONS & front.numbers.keys()
     if open_question and high - low > NARROW * STEP:
         raise NotProvedError("the interval is too wide to say whether its fronts are monotone")

@@ -34,7 +34,8 @@ solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. �
 
 **Monotone fronts.** Let λ₂, if there is one, have Re λ₂ ≥ λ₁.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂
 − λ₁)t) + Γ_η (|F_b|_η + c) e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, as the right-hand
-side grows with t.  If Re λ₂ > λ₁, then u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁ e^(−λ₁x₀)/λ₁.
+side grows with t.  If Re λ₂ > λ₁, then u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁ e^(−λ₁x₀)/λ₁;
+of u(· + ξ₀) it is e^(λ₁ξ₀) times that, and B is e^(ξ₀ Re λ₂) times that of Lemma 13.
 
 **Lemma 13 (oscillation).** Let λ₂ with C₂ ≠ 0 have Re λ₂ < λ₁ if λ₁ is in the strip.  Then, with B
 = 2 |C₂/λ₂| e^(−Re λ₂ x₀) and some φ,
@@ -59,6 +60,7 @@ from copy import copy
 from flint import acb, acb_poly, arb, arb_poly, fmpq
 
 from granular_fronts.proofs.balls import (
+    UNIT,
     NotProvedError,
     above,
     antiderivatives,
@@ -151,6 +153,7 @@ def lead(part, modes, rest, x0):
     `rest` is the bound of ω and its rate.
     """
     real, pair = modes.get("real"), modes.get("pair")
+    from_x0 = part.shift * UNIT - x0  # of the place where u* = 1/2
     ahead = pair[0].real - real[0].real if real and pair else None
     kind = "either"
     if not pair or (real and ahead > 0):
@@ -160,12 +163,12 @@ def lead(part, modes, rest, x0):
     if kind != "real":
         part.require("C2 is not 0", arb(0), abs(pair[1]))
     if kind == "pair":
-        B = 2 * abs(pair[1] / pair[0]) * (-pair[0].real * x0).exp()
+        B = 2 * abs(pair[1] / pair[0]) * (pair[0].real * from_x0).exp()
         return kind, pair[0], B, False
     part.require("C1 < 0", real[1].real, arb(0))
     if kind == "either":
         part.require("Re λ2 − λ1 grows", speed(part, real[0]).real, speed(part, pair[0]).real)
-    A = -real[1].real * (-real[0].real * x0).exp() / real[0].real
+    A = -real[1].real * (real[0].real * from_x0).exp() / real[0].real
     t = arb(part.fall - x0)
     others = rest[0] * ((rest[1] - real[0].real) * t).exp()
     if pair:
@@ -197,7 +200,7 @@ def _statements(front, found):
     if set(kinds) == {"real"}:
         front.numbers |= bounds
         yield (
-            f"u* = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {rate.str(15)},"
+            f"u*(ξ + ξ₀) = 1 − A exp(λ ξ) (1 + o(1)) as ξ → −∞, λ = {rate.str(15)},"
             f" {low:.6f} − 1e-6 < A < {high:.6f} + 1e-6."
         )
         if all(monotone):
@@ -207,7 +210,7 @@ def _statements(front, found):
         waves = _hull(root.imag for root in roots)
         front.numbers |= bounds | {"oscillates": 1.0}
         yield (
-            f"u* = 1 + B exp(ρ ξ) (cos(ω ξ + φ) + o(1)) as ξ → −∞, ρ = {rate.str(15)}, ω ="
+            f"u*(ξ + ξ₀) = 1 + B exp(ρ ξ) (cos(ω ξ + φ) + o(1)) as ξ → −∞, ρ = {rate.str(15)}, ω ="
             f" {waves.str(15)}, 0 < B < {high:.6f} + 1e-6: u* − 1 changes its sign infinitely"
             " often, and the front overshoots."
         )

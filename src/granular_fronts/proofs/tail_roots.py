@@ -40,7 +40,9 @@ simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0.  Then near γ�
 γ₀ and real for γ > γ₀.
 """
 
+import cmath
 import math
+from fractions import Fraction
 
 from flint import acb, acb_series, arb, arb_series, fmpq
 
@@ -49,7 +51,11 @@ from granular_fronts.proofs.balls import UNIT, Inequalities, NotProvedError, dis
 NEWTON_STEPS = 4  # from double precision to beyond that of the balls
 BEND_PARTS = 1024  # intervals of unit length are cut into in Lemma 10
 STRIP = arb(fmpq(1, 32))  # to both sides of a double root or of a crossing, free of other roots
+MOST_PARTS = 50_000  # of a line, which take some seconds
 SHORTEST = arb(fmpq(1, 2**30))  # part of a line that is cut no further
+KNOWN_CROSSING = Fraction(3, 2), 1.92, 2.92  # α, λ₁ and Im λ₂, roughly
+ALONG = 32  # steps in which α is changed from there by a factor of e
+NEAR = 1e-8  # radius of the squares about roots that doubles have found
 FARTHEST = arb(20)  # real part of a line that is followed, in time that grows as its exponential
 
 
@@ -116,9 +122,12 @@ def require_zeros(law, name, w, count):
     waves, height = w.exp() + (-w).exp() + 2, arb(4)
     while not law.alpha * (1 + law.gamma * (w + height)) * waves < height**2:
         height *= 2
-    turn, parts = -symbol(law, acb(w, height), law.middle).arg(), [(arb(0), height)]
+    turn, parts, done = -symbol(law, acb(w, height), law.middle).arg(), [(arb(0), height)], 0
     while parts:
         low, high = parts.pop()
+        done += 1
+        if done > MOST_PARTS:
+            raise NotProvedError(f"{name}: the line with real part {w} has too many parts")
         start, end = (symbol(law, acb(w, y), law.middle) for y in (low, high))
         whole = symbol(law, acb(w, low.union(high)))
         if (whole / start).real > 0:
@@ -191,3 +200,40 @@ def crossing(alpha, gamma, starts, radius):
     require_zeros(law, "no slower root", (real.real - STRIP).mid(), 0)
     require_zeros(law, "three roots there", (real.real + STRIP).mid(), 3)
     return law, real, pair
+
+
+def critical_damping(alpha):
+    """Return γ_x of a fraction α in a ball: Lemma 12 near what Newton's method finds in doubles."""
+    gamma, real, pair = _nearly_critical(alpha)
+    return crossing(arb(fmpq(alpha.numerator, alpha.denominator)), gamma, (real, pair), NEAR)[0]
+
+
+def _nearly_critical(alpha):
+    """Return γ, λ₁ and λ₂ = λ₁ + iy with D = 0 at both, along α from a known crossing."""
+    start, x, y = KNOWN_CROSSING
+    steps = 1 + abs(round(ALONG * math.log(alpha / start)))
+    for k in range(1, steps + 1):
+        at = float(start) * float(alpha / start) ** (k / steps)
+        for _ in range(2 * NEWTON_STEPS):
+            f, over_x, over_y = _pair_defect(at, x, y)
+            turn = (over_x.conjugate() * over_y).imag
+            x += (over_y.conjugate() * f).imag / turn
+            y -= (over_x.conjugate() * f).imag / turn
+    return _damping_of(at, x), complex(x), complex(x, y)
+
+
+def _damping_of(alpha, x):
+    """Return the γ with D(x) = 0."""
+    return (1 - x * x / (alpha * (2 * math.cosh(x) - 2))) / x
+
+
+def _pair_defect(alpha, x, y, step=1e-5):
+    """Return D(x + iy), where γ makes D(x) = 0, and its derivatives by x and y."""
+
+    def defect(x, y):
+        z = complex(x, y)
+        return 1 - alpha * (1 - _damping_of(alpha, x) * z) * (2 * cmath.cosh(z) - 2) / z**2
+
+    ways = ((step, 0), (0, step))
+    slopes = ((defect(x + a, y + b) - defect(x - a, y - b)) / (2 * step) for a, b in ways)
+    return defect(x, y), *slopes

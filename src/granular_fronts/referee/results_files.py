@@ -128,8 +128,8 @@ def _number(path, text=""):
         found = float(text)
     except (TypeError, ValueError):
         raise InputError(
-            f"{path} holds {reprlib.repr(text or '')} where a number should be: write the whole "
-            "state again."
+            f"{path} holds {reprlib.repr(text or '')} where a number should be: write whole "
+            "states, with decimal points."
         ) from None
     if not math.isfinite(found):
         raise InputError(f"{path} holds {text!r}, so that the run was lost: take a smaller step.")

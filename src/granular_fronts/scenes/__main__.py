@@ -1,8 +1,10 @@
 """Validate configuration files: ``python -m granular_fronts.scenes config/default.yaml mine.yaml``.
 
-Snakemake says of a file with a YAML error only that it has one; this says where it is.
+Each file is laid over those before it, and the whole is checked.  Snakemake says of a file with a
+YAML error only that it has one; this says where it is.
 """
 
+import argparse
 import sys
 
 from granular_fronts.errors import InputError, end_with_reader
@@ -11,8 +13,15 @@ from granular_fronts.scenes.yaml_files import load_configuration
 
 if __name__ == "__main__":
     end_with_reader()
+    parser = argparse.ArgumentParser(
+        prog="python -m granular_fronts.scenes",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("files", nargs="+", metavar="FILE")
+    files = parser.parse_args().files
     try:
-        validate_configuration(load_configuration(*sys.argv[1:]), sys.argv[1:])
+        validate_configuration(load_configuration(*files), files)
     except InputError as error:
         sys.exit(str(error))
     print("The configuration can be computed.")

@@ -115,8 +115,8 @@ class Resolution(NamedTuple):
     equation_tolerance: float
 
     def points(self, half_length):
-        """Return the points of a Fourier series on the ring, even."""
-        return 2 * math.ceil(half_length * self.wave_number / math.pi)
+        """Return the points of a Fourier series on the ring, a multiple of 16."""
+        return 16 * math.ceil(half_length * self.wave_number / (8.0 * math.pi))
 
     def cells(self, half_length):
         """Return the cells of an equation on the ring, even."""

@@ -10,7 +10,7 @@ from figure_step import run_figure
 from granular_fronts.output.style import CONTINUUM_LOOKS, fill_rows, new_figure
 
 COLUMNS = 3
-# Where the name of a curve stands: its place along the curve, and how far from it in points.
+# Where the name of a curve is: its place along the curve, and how far from it in points.
 NAMES = {
     "logarithmic": (0.98, (0, 16), "right"),
     "unlimited": (0.78, (-8, -8), "right"),

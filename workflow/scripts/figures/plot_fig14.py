@@ -22,7 +22,7 @@ ON_THE_PAGE = {
     "heteroclinic_underdamped": "heteroclinic orbit",
 }
 COLUMNS = 2
-# Heights of a name next to a panel, of what stands above and below the panel, and of the lowest
+# Heights of a name next to a panel, of what is above and below the panel, and of the lowest
 # panel, in inches.
 NAME_HEIGHT, FRAME_HEIGHT, LOWEST = 0.14, 0.55, 1.2
 MOST_TICKS = 5

@@ -1,7 +1,6 @@
 """Figure 15: errors of the hard cases and their limits, and order through contact events."""
 
 import re
-from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -20,6 +19,7 @@ METHODS = {
     "positions_and_velocities": r"not located, in $(x, \dot x)$",
 }
 MARKERS = ("o", "s", "^")
+OPENING = "(b) opening of the contact"
 
 
 def plot_fig15(data: xr.Dataset) -> Figure:
@@ -34,6 +34,8 @@ def plot_fig15(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(height, [["cases", "orders"]])
     _draw_cases(panels["cases"], data)
     _draw_orders(panels["orders"], data)
+    methods, names = panels["orders"].get_legend_handles_labels()
+    figure.legend(methods, names, loc="outside lower center", title=OPENING, ncols=3)
     return figure
 
 
@@ -79,14 +81,6 @@ def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
         )
     axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="error after a collision")
     axes.set_title("two beads collide")
-    words = "opening of the contact"
-    look: dict[str, Any] = {
-        "fontsize": 7,
-        "title_fontsize": 8,
-        "handlelength": 1.2,
-        "bbox_to_anchor": (1.02, -0.02),
-    }
-    axes.legend(loc="lower right", title=words, **look)
 
 
 if __name__ == "__main__":

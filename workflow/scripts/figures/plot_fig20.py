@@ -13,7 +13,6 @@ from granular_fronts.output.style import MODEL_LOOKS, new_figure
 
 SUP = "displacement_sup"
 MARKERS = ("o", "s", "^")
-DAMPING, MU = 1.0, 2.0
 ERROR_LABEL = r"largest error of $u/\delta$ at $\tau = 1$"
 
 
@@ -26,10 +25,11 @@ def plot_fig20(damping: xr.Dataset, mu: xr.Dataset) -> Figure:
         Campaigns of rings at fixed γc and μ, from the slow manifold.
     """
     figure, panels = new_figure(3.4, [["damping", "mu"]])
-    draw_limit(panels["damping"], damping, damping=DAMPING)
-    draw_limit(panels["mu"], mu, mu=MU)
-    panels["damping"].set_title(rf"damping fixed, $\gamma c = {DAMPING:g}$")
-    panels["mu"].set_title(rf"$\mu = {MU:g}$ fixed: $\gamma c$ falls with $\varepsilon$")
+    middle, least = middle_damping(damping), smallest_mu(mu)
+    draw_limit(panels["damping"], damping, damping=middle)
+    draw_limit(panels["mu"], mu, mu=least)
+    panels["damping"].set_title(rf"damping fixed, $\gamma c = {middle:g}$")
+    panels["mu"].set_title(rf"$\mu = {least:g}$ fixed: $\gamma c$ falls with $\varepsilon$")
     panels["damping"].set_ylabel(ERROR_LABEL)
     panels["mu"].sharey(panels["damping"])
     for axes in panels.values():
@@ -38,6 +38,16 @@ def plot_fig20(damping: xr.Dataset, mu: xr.Dataset) -> Figure:
     handles, labels = panels["damping"].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=4)
     return figure
+
+
+def middle_damping(campaign: xr.Dataset) -> float:
+    """The middle one of the values of γc."""
+    return campaign["damping"].values[campaign.sizes["damping"] // 2]
+
+
+def smallest_mu(campaign: xr.Dataset) -> float:
+    """The smallest μ, at which dispersion matters most."""
+    return campaign["mu"].values.min()
 
 
 def draw_limit(

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from plot_fig20 import ERROR_LABEL, MARKERS, MU, SUP, draw_limit
+from plot_fig20 import ERROR_LABEL, MARKERS, SUP, draw_limit, middle_damping, smallest_mu
 
 from figure_step import run_figure
 from granular_fronts.campaign.measures import selected
@@ -90,7 +90,8 @@ def _draw_over_time(axes: Axes, pulses: xr.Dataset, front: xr.Dataset) -> None:
 
 def _draw_starts(axes: Axes, mu: xr.Dataset, leading: xr.Dataset, plateau: xr.Dataset) -> None:
     """Root mean square error of u from the slow manifold, (51), and the plateau of the paper."""
-    mu, leading = mu.sel(mu=MU), leading.sel(mu=MU)
+    least = smallest_mu(mu)
+    mu, leading = mu.sel(mu=least), leading.sel(mu=least)
     for rings, marker in ((mu, "o"), (leading, "x"), (plateau, "^")):
         for model in ("logarithmic", "dispersive"):
             epsilon, error, _ = selected(rings, f"{RMS}_{model}")
@@ -101,9 +102,10 @@ def _draw_starts(axes: Axes, mu: xr.Dataset, leading: xr.Dataset, plateau: xr.Da
 
 
 def _draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
-    """Largest distance of ẋ to (51), to (43) and to the whole first order, at γc = 1."""
+    """Largest distance of ẋ to (51), to (43) and to the whole first order, at the middle γc."""
+    middle = middle_damping(damping)
     for formula, (label, marker) in FORMULAS.items():
-        epsilon, error, _ = selected(damping, f"residual_{formula}", damping=1.0)
+        epsilon, error, _ = selected(damping, f"residual_{formula}", damping=middle)
         look: dict[str, Any] = {
             "color": CHAIN_COLOUR,
             "linestyle": "-",
@@ -111,7 +113,7 @@ def _draw_velocities(axes: Axes, damping: xr.Dataset) -> None:
             "markersize": 3.5,
         }
         axes.plot(epsilon, error, label=label, **look)
-    axes.set_title(r"velocity less a formula," + "\n" + r"$\gamma c = 1$", fontsize=8)
+    axes.set_title(r"velocity less a formula," + "\n" + rf"$\gamma c = {middle:g}$", fontsize=8)
     axes.set_ylabel(r"$\sup|\Delta\dot x|/\delta c$ at $\tau = 1$")
     axes.legend(fontsize=7, handlelength=1.5, loc="lower right")
 

@@ -51,7 +51,7 @@ def plot_fig23(fronts: xr.Dataset, intervals: xr.Dataset) -> Figure:
     panels["errors"].set(title=title, ylabel=r"$|u - \bar u|$")
     title = "proved overshoot, at least"
     panels["maxima"].set(title=title, ylabel=r"$\max u - 1$", xlabel=r"damping $\gamma$")
-    panels["maxima"].legend(ncols=4, loc="lower left")
+    panels["maxima"].legend(ncols=2, loc="lower left")
     lowest, highest = (
         [float(limit(data[end])) for data in (fronts, intervals)]
         for limit, end in ((np.min, "gamma_low"), (np.max, "gamma_high"))

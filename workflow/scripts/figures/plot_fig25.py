@@ -31,7 +31,7 @@ def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -
     chains, fronts, evolutions : xarray.Dataset
         Written by measure_honesty.
     """
-    problems = {"chains": chains, "exact fronts": fronts, "amplitude equations": evolutions}
+    problems = {"chains": chains, "exact fronts": fronts, "equations": evolutions}
     figure, panels = new_figure(4.0, [[*problems]])
     for kind, data in problems.items():
         _draw_kind(panels[kind], data)

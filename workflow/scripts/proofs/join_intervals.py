@@ -46,7 +46,6 @@ def _joined(before: xr.Dataset, after: xr.Dataset) -> xr.Dataset:
     last, path = (Path(str(file)) for file in (before["file"].values[-1], kept["file"].values))
     row = record(path, prove(path, prove(last))) | {
         "name": str(kept["certificate"].values),
-        "alpha": float(kept["alpha"]),
         "seconds": float(kept["processor_seconds"]),
     }
     return xr.concat(

@@ -41,7 +41,7 @@ def prove_chunk(chunk: dict, folder: Path, dataset: Path) -> None:
     try:
         for row in prove_interval(folder=folder, **chunk):
             name = f"{chunk['alpha']:g}/{Path(row['path']).stem}"
-            rows.append(row | {"name": name, "alpha": chunk["alpha"]})
+            rows.append(row | {"name": name})
             if time.monotonic() - shown > SECONDS_BETWEEN_LINES:
                 shown = time.monotonic()
                 _show_progress(rows, chunk)

@@ -49,7 +49,7 @@ def _prove(name: str, case: dict[str, Any], path: Path) -> dict[str, Any]:
             f"Front {name} is not proved, {found['reason']}: give it more cells or a smaller drift."
         )
     seconds = time.process_time() - start
-    law = {"alpha": case["alpha"], "beta": case.get("beta", case["alpha"])}
+    law = {"beta": case.get("beta", case["alpha"])}
     return found | law | {"name": name, "path": path, "seconds": seconds}
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -49,18 +50,16 @@ def families(joined: xr.Dataset) -> Iterator[tuple[str, xr.Dataset]]:
     starts = np.flatnonzero(joined["joined"].values == 0)
     for start, stop in zip(starts, [*starts[1:], joined.sizes["certificate"]], strict=True):
         rows = joined.isel(certificate=slice(start, stop))
-        yield f"family, alpha = {float(rows['alpha'][0]):g}", rows
+        yield f"family, alpha = {stretches(rows, 'alpha')}", rows
 
 
 def describe(name: str, group: xr.Dataset) -> dict[str, Any]:
     """Return what is proved of a front or of a family, with the worst of its bounds."""
-    ends = float(group["gamma_low"].min()), float(group["gamma_high"].max())
-    low, high = (f"{end:.13g}" for end in ends)
     return {
         "front": name,
-        "alpha": float(group["alpha"][0]),
+        "alpha": stretches(group, "alpha"),
         "beta": float(group["beta"][0]),
-        "gamma": low if low == high else f"{low} to {high}",
+        "gamma": stretches(group),
         "shape": "; ".join(_shapes(group)) or "existence and tails",
         "error of ū below": f"{_rounded(float(group['error_bound'].max()), 3, ROUND_CEILING):.2e}",
         "certificates": group.sizes["certificate"],
@@ -99,15 +98,15 @@ def _rounded(bound: float, digits: int, rounding: str) -> float:
     return float(Context(digits, rounding).create_decimal_from_float(bound))
 
 
-def stretches(rows: xr.Dataset) -> str:
-    """Return the intervals that certificates cover, those that touch each other as one."""
-    found: list[list[float]] = []
-    for low, high in zip(rows["gamma_low"].values, rows["gamma_high"].values, strict=True):
-        if found and low <= found[-1][1]:
+def stretches(rows: xr.Dataset, parameter: str = "gamma") -> str:
+    """Return the intervals that certificates cover, exactly; those that touch each other as one."""
+    found: list[list[str]] = []
+    for low, high in rows["ends"].sel(parameter=parameter).values:
+        if found and Fraction(low) <= Fraction(found[-1][1]):
             found[-1][1] = high
         else:
             found.append([low, high])
-    return " and ".join(f"{low:.12g} to {high:.12g}" for low, high in found)
+    return " and ".join(low if low == high else f"{low} to {high}" for low, high in found)
 
 
 def margins(name: str, group: xr.Dataset) -> Iterator[dict[str, Any]]:

@@ -120,7 +120,7 @@ def proved(results: Path) -> str:
 
 
 def _replace_block(text: str, name: str, content: str) -> str:
-    """The text with what stands between the marks of a block replaced."""
+    """The text, with another one between the marks of a block."""
     mark = f"<!-- {name} -->\n"
     return text.replace(mark + block(text, name), mark + content)
 

@@ -20,11 +20,10 @@ from matplotlib.colors import to_hex
 from granular_fronts.output.datasets import configuration_of, read_dataset
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.panels import contacts_open, moving_parts
-from granular_fronts.output.provenance import code_version, source_of, write_provenance
+from granular_fronts.output.provenance import code_version, write_provenance
 from granular_fronts.output.style import ALARM_COLOUR, LOOKS, compression_map, velocity_map
 from step import run_step
 
-LARGEST_PAGE = 5_000_000
 DIGITS = 4
 """Significant digits of every number of the page."""
 
@@ -52,11 +51,6 @@ def write_explorer(
         Datasets of fronts and of the plane that they are chosen in.
     page, provenance : Path
         The HTML and the JSON file to write.
-
-    Raises
-    ------
-    ValueError
-        If the page would be larger than a page should be.
     """
     sources = [read_dataset(file) for file in [*motions, collection, plane]]
     *moving, fronts, atlas = sources
@@ -85,18 +79,11 @@ def write_explorer(
             data.attrs["scene"]: yaml.safe_dump(configuration_of(data), sort_keys=False)
             for data in sources
         },
-        made_from=[source_of(data) for data in sources],
         code_version=code_version(),
         digits=DIGITS,
         content=pack(content),
         scripts="\n".join(script.read_text(encoding="utf-8") for script in scripts),
     )
-    if (size := len(html.encode())) > LARGEST_PAGE:
-        raise ValueError(
-            f"The page has {size / 1e6:.1f} MB, more than {LARGEST_PAGE / 1e6:g}: record fewer "
-            "times (record.grid.step of scenes.chain and scenes.periodic) or fewer fronts "
-            "(explorer)."
-        )
     with complete_file(page) as unfinished:
         unfinished.write_text(html, encoding="utf-8")
     write_provenance(provenance, [page], sources)
@@ -122,21 +109,18 @@ def title_of(data: xr.Dataset) -> str:
 
 def pack(content: Any) -> str:
     """Return mappings, lists and arrays as compressed JSON in base 64, null for NaN."""
-    text = json.dumps(_plain(content), allow_nan=False, separators=(",", ":"))
+    text = json.dumps(content, default=_plain, allow_nan=False, separators=(",", ":"))
     return b64encode(gzip.compress(text.encode(), mtime=0)).decode("ascii")
 
 
-def _plain(content: Any) -> Any:
-    match content:
-        case dict():
-            return {name: _plain(value) for name, value in content.items()}
-        case list() | np.ndarray():
-            return [_plain(value) for value in list(content)]
-        case float() | np.floating():
-            return float(f"{content:.{DIGITS}g}") if np.isfinite(content) else None
-        case np.generic():
-            return content.item()
-    return content
+def _plain(values: np.ndarray) -> Any:
+    """An array as lists of numbers with the digits of the page, or of words."""
+
+    def rounded(value: float) -> float | None:
+        return float(f"{value:.{DIGITS}g}") if np.isfinite(value) else None
+
+    numbers = values.dtype.kind == "f"
+    return (np.vectorize(rounded, otypes=[object])(values) if numbers else values).tolist()
 
 
 if __name__ == "__main__":

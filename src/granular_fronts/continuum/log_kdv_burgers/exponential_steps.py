@@ -23,7 +23,10 @@ difference of both is kept below the tolerance in the maximum norm.  :math:`N(u^
 
 The functions :math:`\varphi_0 = e^z`, :math:`\varphi_{j+1} = (\varphi_j - 1/j!)/z` come from this
 recursion where :math:`|z| \ge 1`, and from the series of :math:`\varphi_3` elsewhere, since the
-recursion loses digits there.
+recursion loses digits there.  Those of the whole step follow from the half one by
+
+.. math:: \varphi_k(z) = 2^{-k} \Bigl[ \varphi_0(\tfrac z2)\, \varphi_k(\tfrac z2)
+    + \sum_{j=1}^{k} \frac{\varphi_j(z/2)}{(k - j)!} \Bigr] .
 """
 
 import math
@@ -62,6 +65,16 @@ def phi_functions(z):
     return exponential, first, second, np.where(small, series, (second - 0.5) / far)
 
 
+def doubled(exponential, first, second, third):
+    """Return the functions at twice the argument."""
+    return (
+        exponential**2,
+        0.5 * (exponential + 1.0) * first,
+        0.25 * ((exponential + 1.0) * second + first),
+        0.125 * ((exponential + 1.0) * third + second + 0.5 * first),
+    )
+
+
 class Weights(NamedTuple):
     """Weights of a step for each wave: of u, and of the fluxes in U₂, U₃, U₄ and u⁺."""
 
@@ -77,8 +90,8 @@ def _weights_of_step(equation, points, h):
     """Return the weights for a step of length h; the weights of fluxes contain −iκh."""
     kappa = wave_numbers(equation, points)
     z, derivative = h * linear_rates(equation, kappa), -1j * h * kappa
-    half, half_1, half_2, _ = phi_functions(0.5 * z)
-    whole, phi_1, phi_2, phi_3 = phi_functions(z)
+    at_half = phi_functions(0.5 * z)
+    (half, half_1, half_2, _), (whole, phi_1, phi_2, phi_3) = at_half, doubled(*at_half)
     return Weights(
         half,
         whole,

@@ -81,7 +81,8 @@ def iterate(problem, grid, tolerance, unknowns, history):
         if not history[step] < 1e6:
             return step, NOT_FINITE
         if step > 0:
-            remaining = change * change / last if step > 1 else change
+            # One step with new factors is taken to leave a share by which they could be kept.
+            remaining = change * (change / last if step > 1 else KEEP_FACTORS)
             solved = history[step] < 100.0 * tolerance * (1.0 + damping_number)
             if solved and (remaining < tolerance or 0.5 * last < change < ROUND_OFF):
                 return step, SETTLED

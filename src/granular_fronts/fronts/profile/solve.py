@@ -68,6 +68,8 @@ FINEST = Fraction(1, 128)  # what is not resolved with this spacing is not smoot
 DEFECT = 2e-13  # largest difference of the two rules on the final grid
 ASSUMED_POWER = 12  # of the spacing, which that difference is taken to follow
 
+FINER, LONGER = 1.4, 1.1  # by how much the refined grid is finer, and its window longer
+
 # What a front keeps to, where rounding is not magnified.
 AT_REST = 5e-14
 BELOW = 1e-12
@@ -161,8 +163,8 @@ def refine(profile):
     window = Window(spacing * profile.middle, spacing * (profile.s.size - profile.middle))
     return solve_on_grid(
         profile.problem,
-        window.longer(1.1, 1.1),
-        rational(spacing / 1.4),
+        window.longer(LONGER, LONGER),
+        rational(spacing / FINER),
         REFINED_ORDER,
         profile.evaluate,
     )

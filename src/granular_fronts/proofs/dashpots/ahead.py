@@ -63,7 +63,7 @@ O(e^(θξ)) as ξ → −∞.
 from flint import arb, fmpq
 
 from granular_fronts.proofs.balls import NotProvedError, above, array, bounds, largest, power
-from granular_fronts.proofs.consequences import overshoot
+from granular_fronts.proofs.consequences import normalise, overshoot
 from granular_fronts.proofs.tail_roots import Law, require_zeros
 
 
@@ -81,13 +81,16 @@ def shape(front):
         falls -= 1
     front.require("u' < 0 in the window", largest(steepest[falls:x1]), arb(0))
     start, falls_from = (fmpq(k, front.n) - front.left for k in (x1, falls))
-    least, most = -above(-V / fast), above(U)
-    front.numbers |= {"tail_start": above(arb(start)), "tail_low": least, "tail_high": most}
+    rounded = above(arb(start))  # Not below x₁, so that the upper bound holds for it too.
+    least, most = -above(-V / fast * (fast * (start - arb(rounded))).exp()), above(U)
+    front.numbers |= {"tail_start": rounded, "tail_low": least, "tail_high": most}
     yield (
         f"u* > 0 on the whole line, u*' < 0 for ξ ≥ {falls_from}, and with t = ξ − {start}"
         f" {0.999 * least:.3e} exp(−{float(fast)!r} t) < u* < {1.001 * most:.3e}"
         f" exp(−{float(slow)!r} t) for t ≥ 0."
     )
+    zero = front.left * front.n
+    yield normalise(front, falls, largest(steepest[zero - 1 : zero + 1]))
     yield "u* = C exp(−μξ) (1 + o(1)) as ξ → ∞, C > 0, where μ = 2γ (cosh μ − 1) > 0."
     yield from overshoot(front, front.u_mid - front.rho * front.r)
     front.require("theta > 0", arb(0), theta)

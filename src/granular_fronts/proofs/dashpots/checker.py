@@ -7,7 +7,7 @@ is assumed about them.
 
 from flint import arb, arb_poly, arb_series
 
-from granular_fronts.proofs.arrays import require_arrays, require_lengths
+from granular_fronts.proofs.arrays import require_arrays, require_lengths, require_short
 from granular_fronts.proofs.balls import (
     UNIT,
     above,
@@ -17,10 +17,12 @@ from granular_fronts.proofs.balls import (
     largest,
     power,
     size,
+    slopes,
 )
 from granular_fronts.proofs.contraction import Contraction
 from granular_fronts.proofs.dashpots.ahead import shape
 from granular_fronts.proofs.dashpots.row_norms import bound_inverse
+from granular_fronts.proofs.uniqueness import unique
 
 TAYLOR_ORDER = 8  # of P̄ about the middle of a cell
 SMALL_STRAIN = 1e-11  # where ū may be below, P̄ is 0
@@ -72,6 +74,8 @@ class DashpotFront(Contraction):
                 (3,),
             ),
         )
+        entries = data["inverse_behind"].size + data["inverse_ahead"].size
+        require_short(W, entries, ng, 2 * len(data["strain"]))
         reach, window = arb(sizes["p_ahead"]), arb(self.b + sizes["M"])
         self.require("p₊ < M + b + 1", reach, window + 1)
 
@@ -111,7 +115,16 @@ class DashpotFront(Contraction):
     def prove(self):
         """All statements."""
         yield from self.exists()
+        yield from unique(self)
         yield from shape(self)
+
+    def unknown(self, u):
+        """Return u, the unknown itself."""
+        return u
+
+    def unknown_gap(self, top, gap):
+        """Return the bound of the difference of u."""
+        return gap
 
     def exists(self):
         """The theorem: a solution, its enclosure and its uniqueness; Lemma 17."""
@@ -123,10 +136,13 @@ class DashpotFront(Contraction):
         force_error = largest(self.remainders) + self.a(tallest) * worst
         self.slope_error = 4 * self.gamma * worst + 2 * force_error
         self.error = above(worst)
+        self.kappa, self.outer_kappa = self.rho, (self.rho_behind, self.rho_ahead)
+        self.slopes = slopes(self.smooth, self.n, self.slope_error)
         yield (
-            "With linear dashpots (β = 1) there is a front u* = ū + A y*, u* = Λ*u*₊^α + γ k*u*,"
-            f" from 1 behind to 0 ahead, with |u* − ū| < {1.001 * self.error:.3e} on the whole"
-            f" line; it is the only ū + A y with ‖y‖ < {0.999 * float(farthest):.3e}."
+            f"{self.parameters()}, with linear dashpots (β = 1), there is a front u* = ū + A"
+            " y*, u* = Λ*u*₊^α + γ k*u*, from 1 behind to 0 ahead, with |u* − ū| <"
+            f" {1.001 * self.error:.3e} on the whole line; it is the only ū + A y with"
+            f" ‖y‖ < {0.999 * float(farthest):.3e}."
         )
         yield "Its linearisation maps L^∞ onto L^∞, and its kernel is spanned by the derivative."
 

@@ -4,7 +4,6 @@ import numpy as np
 from flint import arb
 
 from granular_fronts.proofs.balls import (
-    MATRIX_UNIT,
     array,
     convolve,
     defect,
@@ -12,8 +11,8 @@ from granular_fronts.proofs.balls import (
     kernel,
     largest,
     slope_kernel,
-    summed,
     tops,
+    unit_plus,
 )
 
 
@@ -73,12 +72,11 @@ def _matrix(front, a):
     sign_middles, sign = slope_kernel(arb(0), n)
     sources = 2 * gamma + convolve(tent, a)[n:-n]
     halves = convolve(array([1, *[2] * (2 * n - 1), 1]), a)[n:-n]
-    ones = np.eye(W)
-    H = ones + summed(front.data["correction"]) * MATRIX_UNIT
+    H, correction = unit_plus(front.data["correction"])
     rest, v = array([0] * W), array([0] * W)
     for j in range(W):  # columns of 1 − L_h H
         smooth = (convolve(tent, a * H[:, j]) + gamma * convolve(sign, H[:, j]))[n:-n]
-        rest += np.abs(ones[:, j] - H[:, j] + smooth) * sources[j]
+        rest += np.abs(smooth - correction[:, j]) * sources[j]
     for i in range(W):  # Φ_i at the edges of cells
         jumps, tents = (
             convolve(f[::-1], H[i])[n - 1 : n + W] for f in (gamma * sign_middles, tent_middles)

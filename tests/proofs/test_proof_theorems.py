@@ -1,0 +1,410 @@
+"""Theorems A and B and the normalisation: said where they hold, and refused where they do not."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from copy import copy
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from certificates import DATA, floats, load, proved
+from flint import arb
+from projects import ROOT
+
+import granular_fronts as gf
+from granular_fronts.proofs import arrays, balls, tail_roots
+from granular_fronts.proofs.__main__ import main
+from granular_fronts.proofs.arrays import ends
+from granular_fronts.proofs.balls import NotProvedError, in_balls
+from granular_fronts.proofs.checker import Front, check_certificate, read
+from granular_fronts.proofs.consequences import normalise, shape
+from granular_fronts.proofs.dashpots.checker import DashpotFront
+from granular_fronts.proofs.families import certificates_below, conclude, prove_family
+from granular_fronts.proofs.uniqueness import FINENESS, _Neighbourhood, unique
+
+SHIPPED = ROOT / "docs/certificates"
+FAMILY, DASHPOTS = SHIPPED / "critical_damping", SHIPPED / "dashpots.npz"
+
+
+@pytest.fixture(scope="module")
+def fronts():
+    """One enclosed front of each law."""
+    with in_balls():
+        found = Front(read(DATA / "monotone.npz")), DashpotFront(arrays.load(DASHPOTS))
+        for front in found:
+            list(front.exists())
+    return dict(zip(("α", "1"), found, strict=True))
+
+
+# Theorem B.
+
+
+def distance_without_another(front, alpha, law):
+    """The inequality of Theorem B in doubles: its largest W, on a mesh of all W."""
+    n, r = front.n, float(front.r.mid())
+
+    def a(u):
+        return alpha * np.maximum(u, 0) ** (alpha - 1)
+
+    low, high, kappa, rho = map(floats, (front.u_low, front.u_high, front.kappa, front.rho))
+    xi = (np.arange(len(low)) + 0.5) / n - front.left
+    slopes = floats(front.slopes)
+    reach = int(np.ceil(n / 16))
+    padded = np.pad(slopes, reach, mode="edge")
+    steep = np.max([padded[k : k + len(slopes)] for k in range(2 * reach + 1)], axis=0)
+    inside = abs(xi) < 1
+
+    def unknown(u):
+        return np.maximum(u, 0) ** alpha if law == "α" else u
+
+    before = abs(xi + 1) < reach / n
+    after = abs(xi - 1) < reach / n
+    fall = unknown((low - kappa * r)[before]).min() - unknown((high + kappa * r)[after]).max()
+    weight = rho[inside].sum() / n / fall
+    widths = np.geomspace(1e-5, 0.06, 4000)
+    holds = []
+    for W in widths:
+        error = kappa * r
+        grow = a(high + np.maximum(error, W)) if law == "α" else np.ones_like(high)
+        T = (grow * (error + W))[inside].sum() / n / fall
+        V = np.maximum(W, error + T * steep)
+        top = np.maximum(low, V)
+        rise = a(top) - a(top - V)  # α ≤ 2
+        total = float(front.Z1.mid()) + (kappa * rise).max() + 2 * weight * (steep * rise).max()
+        holds.append(reach / n > T and total < 1)
+    return widths[np.flatnonzero(holds)[-1]]
+
+
+@pytest.mark.parametrize("law", ["α", "1"])
+def test_no_other_solution_is_as_near_as_stated(law, fronts):
+    """W by other code; with a W that is one step larger, or with W = 1, nothing is concluded."""
+    front = copy(fronts[law])
+    front.inequalities, front.numbers = [], {}
+    with in_balls():
+        [statement] = unique(front)
+        near = _Neighbourhood(front)
+        W = front.numbers["unique_within"]
+        assert near.bound(arb(W)) < 1
+        assert not near.bound(arb(W * 2 ** (1 / FINENESS))) < 1
+        assert not near.bound(arb(1)) < 1  # u = 0 and u = 1 are solutions, too.
+    assert f"{0.999 * W:.3e}" in statement
+    best = distance_without_another(front, 1.5, law)
+    assert W < best < 1.001 * W * 2 ** (1 / FINENESS)
+
+
+def test_uniqueness_is_not_said_of_a_bad_inverse(fronts):
+    front = copy(fronts["α"])
+    front.numbers, front.Z1 = {}, arb(1)
+    with in_balls():
+        assert list(unique(front)) == []
+        assert "unique_within" not in front.numbers
+        front.kappa = 0 * front.kappa + 0.5 / front.r
+        with pytest.raises(NotProvedError, match=r"falls over \(−1, 1\)"):
+            list(unique(front))
+
+
+def test_what_is_nearer_is_no_other_solution():
+    """The front of γ = 0.31 is nearer to that of 0.3 than W, and solves another equation."""
+    W = proved("monotone")["numbers"]["unique_within"]
+    xi = np.linspace(-12, 5, 400)
+    own, other = (gf.solve_front(1.5, gamma) for gamma in (0.3, 0.31))
+    assert abs(gf.evaluate_front(own, xi) - gf.evaluate_front(other, xi)).max() < W
+    with in_balls():
+        data = load("monotone") | {"gamma": np.array([31, 100, 31, 100])}
+        assert balls.largest(map(Front(data).residual, range(100, 300))) > 1e-4
+
+
+def test_distance_counts_the_line_outside_and_single_cells(fronts):
+    """Where κ is large behind, ahead, or in one cell, the bounds grow with it by hand formulas."""
+    W = arb("0.001")
+    with in_balls():
+        for u, place in ((1, 0), (0, 1)):
+            bounds = []
+            for size in (100, 200):
+                front = copy(fronts["α"])
+                front.outer_kappa = [arb(size if place == k else 0) for k in (0, 1)]
+                bounds.append(_Neighbourhood(front).bound(W))
+            grown, rise = bounds[1] - bounds[0], front.rise(arb(u), arb(u), W)
+            assert float(grown.mid()) == pytest.approx(100 * float(rise.mid()), rel=1e-4)
+        front = copy(fronts["α"])
+        front.kappa = front.kappa.copy()
+        j = front.left * front.n + 3
+        before = _Neighbourhood(front)
+        front.kappa[j] = arb("0.01") / front.r
+        after = _Neighbourhood(front)
+        top = front.u_high[j] + arb("0.01")
+        gap = front.a(top) * arb("0.011") - front.a(front.u_high[j] + W) * W
+        grown = after.shift(W) * after.fall - before.shift(W) * before.fall
+        assert float(grown.mid()) == pytest.approx(float(gap.mid()) / front.n, rel=1e-4)
+
+
+def test_page_states_the_distances_of_certificates():
+    page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| .* \| (0\.\d+) \|$", page, re.MULTILINE)
+    assert len(rows) == 3
+    for name, printed in rows:
+        W = proved(name)["numbers"]["unique_within"]
+        assert 0.98 * W < float(printed) < W
+
+
+# Normalisation.
+
+
+def test_half_is_where_the_computed_front_has_it(fronts):
+    record = proved("monotone")
+    computed = gf.solve_front(1.5, 0.3)
+    assert abs(gf.evaluate_front(computed, [0.0])[0] - 0.5) < 1e-9
+    assert 0 < record["numbers"]["shift"] < 1e-9
+    assert any(line.startswith("u* = 1/2 at one ξ₀ ≥ -12 only") for line in record["statements"])
+    for front in fronts.values():
+        with in_balls():
+            steepest = balls.largest(front.slopes[front.left * front.n - 1 :][:2])
+            with pytest.raises(NotProvedError, match="< 0 about 0"):
+                normalise(front, 0, steepest)  # It rises, or may.
+            with pytest.raises(NotProvedError, match="falls about 0"):
+                normalise(front, front.left * front.n - 1, -steepest)
+
+
+def test_a_front_that_is_shifted_by_two_cells_is_refused(fronts):
+    front = copy(fronts["α"])
+    front.u, front.inequalities = [*front.u[2:], *front.u[-2:]], []
+    with in_balls(), pytest.raises(NotProvedError, match="within a cell of 0"):
+        list(shape(front))
+
+
+def test_amplitude_contains_that_of_every_possible_shift(fronts):
+    """A e^(λξ₀) for |ξ₀| up to a bound that is made large: A widens by that factor, hardly more."""
+    front = copy(fronts["α"])
+    with in_balls():
+        list(shape(front))
+        amplitudes = []
+        for front.shift in (arb(0), arb("0.01")):
+            front.inequalities, front.numbers = [], {}
+            list(front.rear())
+            numbers = front.numbers
+            amplitudes.append((numbers["amplitude_low"], numbers["amplitude_high"]))
+    (low, high), (lower, higher) = amplitudes
+    factor = np.exp(1.47265948276491 * 0.01)
+    assert 0.999 * low / factor < lower < low / factor
+    assert high * factor < higher * (1 + 1e-12) < 1.001 * high * factor
+
+
+# Theorem A.
+
+
+def rows(*kinds, alpha=(Fraction(3, 2),) * 2, start="0.26"):
+    """Records of neighbouring certificates, of which the named is proved."""
+    gammas = [Fraction(start) + Fraction(k, 200) for k in range(len(kinds) + 1)]
+    return [
+        {"alpha": alpha, "gamma": pair, "numbers": {kind: 1.0} if kind else {}}
+        for kind, *pair in zip(kinds, gammas[:-1], gammas[1:], strict=True)
+    ]
+
+
+def test_threshold_is_said_of_what_is_proved_around_it():
+    """γ_x = 0.26324… is in the second of the intervals from 0.255, each 0.005 wide."""
+    kinds = "oscillates", "critical", "monotone"
+    first, below, above, threshold = conclude(rows(*kinds, start="0.255"))
+    assert first.startswith("For α = 1.5 and each γ in [0.255, 0.27] the fronts u*")
+    assert below == "For each γ in [0.255, 0.26] the front overshoots, max u* > 1."
+    assert above.startswith("For each γ in [0.265, 0.27] u*' < 0 on the whole line")
+    assert threshold.startswith("For each γ in [0.255, 0.27]: u*' < 0 on the whole line if and on")
+    assert "γ_x = [0.2632458737860734325" in threshold
+    alone = list(conclude(rows(None, "critical", "overshoot", start="0.255")))
+    assert alone[-1].startswith("For each γ in [0.26, 0.265]: u*' < 0")
+
+
+@pytest.mark.parametrize(
+    "kinds", [("monotone", "oscillates"), ("overshoot", None, "monotone"), ("monotone",) * 2]
+)
+def test_no_threshold_is_said_without_a_critical_certificate(kinds):
+    assert "if and only if" not in " ".join(conclude(rows(*kinds)))
+
+
+@pytest.mark.parametrize(("start", "side"), [("0.27", "above"), ("0.25", "below")])
+def test_a_critical_certificate_elsewhere_is_refused(start, side):
+    """A forged one, since γ_x is not in its interval."""
+    with pytest.raises(NotProvedError, match=f"γ_x is not {side}"):
+        list(conclude(rows("critical", start=start)))
+
+
+@pytest.mark.slow
+def test_family_that_is_shipped_says_its_theorem(capsys):
+    assert main(["--family", str(FAMILY)]) == 0
+    *files, _, below, above, threshold = capsys.readouterr().out.splitlines()
+    assert [line.split(": ")[1] for line in files] == [
+        "proved",
+        *2 * ["proved, joined to the one before"],
+    ]
+    assert "[0.26, 0.262] the front overshoots" in below
+    assert "[0.2634, 0.2645] u*' < 0" in above
+    assert "[0.26, 0.2645]: u*' < 0 on the whole line if and only if γ ≥ γ_x" in threshold
+
+
+@pytest.mark.slow
+def test_shipped_certificates_prove_what_the_page_says():
+    quadratic = check_certificate(SHIPPED / "quadratic.npz")
+    low, high = quadratic["gamma"]
+    assert low < Fraction("0.397888496") < Fraction("0.397888497") < high
+    assert quadratic["numbers"]["critical"] == 1
+    dashpots = check_certificate(DASHPOTS)
+    assert dashpots["numbers"]["overshoot"] > 1.0136
+    assert dashpots["numbers"]["unique_within"] > 0.007
+
+
+# Broken families and files: one sentence each, on any console.
+
+
+def gap(folder):
+    (folder / "0.262000.npz").unlink()
+
+
+def damaged(folder):
+    file = folder / "0.262000.npz"
+    file.write_bytes(file.read_bytes()[:-2000])
+
+
+def of_dashpots(folder):
+    shutil.copy(DASHPOTS, folder)
+
+
+def empty(folder):
+    for file in folder.iterdir():
+        file.unlink()
+
+
+def without_weights(folder):
+    data = dict(np.load(folder / "0.262000.npz"))
+    del data["weights"]
+    np.savez(folder / "0.262000.npz", **data)
+
+
+BROKEN = {
+    "damaged": (damaged, "is no file of arrays"),
+    "dashpots": (of_dashpots, "the fields are"),
+    "empty": (empty, "there is no certificate in"),
+    "without weights": (without_weights, "the fields are"),
+    "a gap": pytest.param(gap, "do not meet", marks=pytest.mark.slow),
+}
+
+
+@pytest.mark.parametrize(("broken", "reason"), BROKEN.values(), ids=BROKEN)
+def test_a_broken_family_is_one_sentence(broken, reason, tmp_path, capsys):
+    folder = tmp_path / "family"
+    shutil.copytree(FAMILY, folder)
+    broken(folder)
+    assert main(["--family", str(folder)]) == 1
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last.startswith(f"{folder}: not proved: ")
+    assert reason in last
+    assert len(last) < 600
+
+
+@pytest.mark.slow
+def test_a_forged_member_is_refused(tmp_path):
+    """The critical certificate, said of the interval above it, between its neighbours."""
+    shutil.copytree(FAMILY, tmp_path / "family")
+    file = tmp_path / "family/0.263400.npz"
+    data = dict(np.load(FAMILY / "0.262000.npz"))
+    np.savez(file, **(data | {"gamma": np.array([2634, 10000, 2645, 10000])}))
+    with pytest.raises(NotProvedError, match=r"0\.263400\.npz: "):
+        list(prove_family(certificates_below(tmp_path / "family")))
+
+
+def test_certificates_are_taken_in_the_order_of_gamma(tmp_path):
+    for name, file in zip("cab", sorted(FAMILY.iterdir()), strict=True):
+        (tmp_path / name).mkdir()
+        shutil.copy(file, tmp_path / name / "front.npz")
+    found = certificates_below(tmp_path)
+    assert [file.parent.name for file in found] == ["c", "a", "b"]
+    gammas = [ends(read(file), "gamma") for file in found]
+    assert gammas[0][1] == gammas[1][0] < gammas[1][1] == gammas[2][0]
+
+
+@pytest.mark.slow
+def test_console_without_greek_letters_shows_everything():
+    command = [
+        sys.executable,
+        "-m",
+        "granular_fronts.proofs",
+        str(DATA / "overshoot.npz"),
+        "nowhere",
+    ]
+    environment = os.environ | {"PYTHONIOENCODING": "cp1252", "PYTHONPATH": str(ROOT / "src")}
+    done = subprocess.run(command, capture_output=True, check=False, env=environment)
+    assert done.returncode == 1
+    assert done.stderr == b""
+    assert b"not proved: there is no file nowhere" in done.stdout
+    assert rb"max u* > 1.00107" in done.stdout
+
+
+def test_critical_damping_is_printed_without_scipy(capsys):
+    assert main(["--critical", "3/2", "5"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("alpha = 3/2: gamma_x = [0.2632458737860734325032993281")
+    assert lines[1].startswith("alpha = 5: gamma_x = [1.3643853233753060339887298")
+    assert main(["--critical", "11/10", "one", "3/0", "nan", "-2"]) == 1
+    assert all(line.startswith("not proved: ") for line in capsys.readouterr().out.splitlines())
+    assert main(["--critical"]) == main(["--family"]) == 2
+    assert main(["-h"]) == main(["--help"]) == 0
+
+
+# Checks that end.
+
+
+def long(name):
+    """A certificate whose check would not end soon, from one that is proved."""
+    data = dict(np.load(FAMILY / "0.262000.npz"))
+    if name == "parts":
+        data["starts"][3] = 999
+        data["profile"] = np.concatenate([data["profile"][:, :1]] * 2000, axis=1)
+        data["sizes"][0] = 2000 / data["sizes"][2] - data["sizes"][1]
+    else:
+        data["sizes"][6] = 1000
+        data["inverse"] = np.zeros((1, 20_000 * sum(data["sizes"][3:5])), dtype=np.int32)
+        data["slow_inverse"] = np.zeros((1, 20_000_000), dtype=np.int32)
+    return data
+
+
+@pytest.mark.parametrize("name", ["parts", "inverse"])
+def test_a_check_that_would_take_long_is_not_begun(name, tmp_path):
+    np.savez(tmp_path / "long.npz", **long(name))
+    record = check_certificate(tmp_path / "long.npz")
+    assert not record["proved"]
+    assert "its check would take about" in record["reason"]
+
+
+@pytest.mark.parametrize("large", [0, 1, 2, 3])
+def test_each_size_of_a_certificate_is_limited(large):
+    """Figure 1 is checked, the largest of the configuration; one size times ten thousand is not."""
+    sizes = [2112, 652_800, 4800, 6432]
+    arrays.require_short(*sizes)
+    sizes[large] *= 10_000
+    with pytest.raises(NotProvedError, match="above 60 s none is begun"):
+        arrays.require_short(*sizes)
+
+
+def test_a_line_of_many_parts_is_not_followed():
+    with in_balls(), pytest.raises(NotProvedError, match="too many parts"):
+        tail_roots.require_zeros(tail_roots.Law(arb(1.5), arb(0.3)), "theta", arb(19.9), 0)
+
+
+# What is exact in doubles.
+
+
+def test_matrix_of_the_window_is_exact_or_refused():
+    differences = np.zeros((3, 3), dtype=np.int16)
+    differences[0, 0], differences[1, 2] = 32767, -32768
+    H, correction = balls.unit_plus(differences)
+    units = np.cumsum(np.cumsum(differences.astype(object), axis=0), axis=1)
+    for matrix, extra in ((correction, 0), (H, 1)):
+        exact = [
+            [Fraction(int(u), 2**16) + extra * (i == j) for j, u in enumerate(row)]
+            for i, row in enumerate(units)
+        ]
+        assert [[Fraction(x) for x in row] for row in matrix.tolist()] == exact
+    with pytest.raises(NotProvedError, match="doubles do not hold"):
+        balls.unit_plus(np.full((1, 1), 2**53, dtype=np.int64))

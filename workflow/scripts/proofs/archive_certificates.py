@@ -1,0 +1,52 @@
+"""Put all certificates of fronts into one archive, with the SHA-256 sum of each.
+
+python workflow/scripts/proofs/archive_certificates.py --fronts fronts.nc --intervals intervals.nc
+    --folder results/proofs --archive certificates.tar --sums certificates.sha256
+
+The archive has the same bytes wherever it is made from the same certificates.
+"""
+
+import hashlib
+import io
+import tarfile
+from pathlib import Path
+
+from granular_fronts.output.datasets import read_dataset
+from granular_fronts.output.files import complete_file
+from step import run_step
+
+SUMS = "SHA256SUMS"  # checked by: sha256sum -c SHA256SUMS
+
+
+def archive_certificates(
+    fronts: Path, intervals: Path, folder: Path, archive: Path, sums: Path
+) -> None:
+    """Archive the certificates that two datasets name.
+
+    Parameters
+    ----------
+    fronts, intervals : Path
+        Written by prove_fronts and join_intervals.
+    folder : Path
+        All certificates lie in folders inside it, one for each family, as in the archive.
+    archive : Path
+        The tar file to write: certificates are compressed already.
+    sums : Path
+        The sums again, in a file next to the archive.
+    """
+    known = (read_dataset(path, path.stem)["file"].values for path in (fronts, intervals))
+    files = sorted(Path(str(file)) for part in known for file in part)
+    members = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
+    lines = (f"{hashlib.sha256(data).hexdigest()}  {name}\n" for name, data in members.items())
+    text = "".join(lines).encode()
+    with complete_file(sums) as unfinished:
+        unfinished.write_bytes(text)
+    with complete_file(archive) as unfinished, tarfile.open(unfinished, "w") as tar:
+        for name, data in ({SUMS: text} | members).items():
+            member = tarfile.TarInfo(name)
+            member.size = len(data)
+            tar.addfile(member, io.BytesIO(data))
+
+
+if __name__ == "__main__":
+    run_step(archive_certificates, globals().get("snakemake"))
