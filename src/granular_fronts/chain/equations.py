@@ -28,10 +28,10 @@ eq. (6) adds up to
 
 .. math::
 
-    \frac{d}{dt} H(\dot x, u) = P
-      - \sum_{n=1}^{N-1} \chi_n G'(u_n)\, \dot u_n^2, \quad
-    P = F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N + g \sum_n m_n \dot x_n, \quad
-    H(v, u) = \sum_{n=1}^N \tfrac12 m_n v_n^2 + \sum_{n=1}^{N-1} \kappa_n V(-u_n) .
+    \frac{d}{dt} H(\dot x, u) &= P
+      - \sum_{n=1}^{N-1} \chi_n G'(u_n)\, \dot u_n^2, \\
+    P &= F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N + g \sum_n m_n \dot x_n, \\
+    H(v, u) &= \sum_{n=1}^N \tfrac12 m_n v_n^2 + \sum_{n=1}^{N-1} \kappa_n V(-u_n) .
 
 Where a contact opens, its dissipated power is no smoother than G', and a
 quadrature over steps loses its order.  Subtracting

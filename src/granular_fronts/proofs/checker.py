@@ -78,8 +78,8 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         `proved` (bool) and, where it is False, `reason`.  The `statements` hold for all parameters
         between the ends `alpha` and `gamma`, pairs of exact fractions; `error` bounds the distance
         of u* from ū.  `numbers` always holds `radius` (of the ball of y) and `shift`, a bound of
-        |ξ₀|, u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B, `overshoot`
-        (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
+        the size of ξ₀, where u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B,
+        `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
         `amplitude_low`, `amplitude_high` of A or B.  The value 1 marks `monotone`, `oscillates`
         (behind, so that max u* > 1) and `critical` (monotone above some γ, and not below).
         Dashpots have `tail_start`, and `tail_low`, `tail_high`, the values there of exponentials
