@@ -98,10 +98,9 @@ def public_names() -> str:
     """The groups of public names, each name with the first sentence of its docstring."""
     lines = ["# Python", "", "```python", "import granular_fronts as gf", "```", ""]
     lines += [
-        "Arguments and results are dimensionless. Only `gf.Scaling`, `gf.sphere_stiffness` and"
-    ]
-    lines += [
-        "`gf.damping_from_restitution` have units, those of real beads. A test runs every example."
+        "Arguments and results are dimensionless. Only `gf.Scaling`, `gf.sphere_stiffness`,",
+        "`gf.contact_stiffness` and `gf.damping_from_restitution` have units, those of real beads.",
+        "A test runs every example.",
     ]
     for group in GROUPS:
         lines += ["", f"## {group.title}", "", group.words, "", "| name | what |", "|---|---|"]

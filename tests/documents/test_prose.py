@@ -50,7 +50,7 @@ def test_what_counts_in_comments_descriptions_and_captions(tmp_path):
 
 
 PRIVATE = re.compile(
-    r"\b(stands?(?! for)|beside|mend\w*|obstacles?|lacking|doubt|wings?|at hand|tells?)\b",
+    r"\b(stands?(?! for| out)|beside|mend\w*|obstacles?|lacking|doubt|wings?|at hand|tells?)\b",
     re.IGNORECASE,
 )
 """Words that readers from outside do not use in this way."""

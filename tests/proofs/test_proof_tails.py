@@ -4,7 +4,6 @@ import math
 import re
 from fractions import Fraction
 
-import flint
 import numpy as np
 import pytest
 from flint import acb, arb, fmpq
@@ -13,7 +12,7 @@ from projects import ROOT
 import granular_fronts as gf
 from granular_fronts.fronts.linear.critical_damping import meaning_changes_at
 from granular_fronts.proofs import tail_roots
-from granular_fronts.proofs.balls import NotProvedError
+from granular_fronts.proofs.balls import NotProvedError, in_balls
 from granular_fronts.proofs.tail_roots import Law
 
 HERTZ = Fraction(3, 2)
@@ -26,9 +25,8 @@ BEND = 2.3469413041671690
 @pytest.fixture(scope="module", autouse=True)
 def digits():
     """Fifty digits, and those of others again afterwards."""
-    before, flint.ctx.prec = flint.ctx.prec, PRECISION
-    yield
-    flint.ctx.prec = before
+    with in_balls(PRECISION):
+        yield
 
 
 def ball(fraction):
@@ -45,8 +43,7 @@ def enclosures():
             law, _ = tail_roots.double_root(ball(alpha), roots[0].real, 1e-4)
             yield ("γ_c, double root", str(alpha)), law.gamma, gamma
         else:
-            real, pair = sorted(roots[:2], key=lambda root: root.imag)
-            law, *_ = tail_roots.crossing(ball(alpha), gamma, (real, pair), 1e-9)
+            law = tail_roots.critical_damping(alpha)
             yield ("γ_c, crossing", str(alpha)), law.gamma, gamma
     for gamma in DAMPINGS:
         law, starts = Law(ball(HERTZ), ball(gamma)), gf.tail_roots(1.5, float(gamma), count=5)

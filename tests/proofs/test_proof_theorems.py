@@ -117,6 +117,30 @@ def test_what_is_nearer_is_no_other_solution():
         assert balls.largest(map(Front(data).residual, range(100, 300))) > 1e-4
 
 
+def test_distance_counts_the_line_outside_and_single_cells(fronts):
+    """Where κ is large behind, ahead, or in one cell, the bounds grow with it by hand formulas."""
+    W = arb("0.001")
+    with in_balls():
+        for u, place in ((1, 0), (0, 1)):
+            bounds = []
+            for size in (100, 200):
+                front = copy(fronts["α"])
+                front.outer_kappa = [arb(size if place == k else 0) for k in (0, 1)]
+                bounds.append(_Neighbourhood(front).bound(W))
+            grown, rise = bounds[1] - bounds[0], front.rise(arb(u), arb(u), W)
+            assert float(grown.mid()) == pytest.approx(100 * float(rise.mid()), rel=1e-4)
+        front = copy(fronts["α"])
+        front.kappa = front.kappa.copy()
+        j = front.left * front.n + 3
+        before = _Neighbourhood(front)
+        front.kappa[j] = arb("0.01") / front.r
+        after = _Neighbourhood(front)
+        top = front.u_high[j] + arb("0.01")
+        gap = front.a(top) * arb("0.011") - front.a(front.u_high[j] + W) * W
+        grown = after.shift(W) * after.fall - before.shift(W) * before.fall
+        assert float(grown.mid()) == pytest.approx(float(gap.mid()) / front.n, rel=1e-4)
+
+
 def test_page_states_the_distances_of_certificates():
     page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| `(\w+)` \| .* \| (0\.\d+) \|$", page, re.MULTILINE)
@@ -325,6 +349,7 @@ def test_critical_damping_is_printed_without_scipy(capsys):
     assert main(["--critical", "11/10", "one", "3/0", "nan", "-2"]) == 1
     assert all(line.startswith("not proved: ") for line in capsys.readouterr().out.splitlines())
     assert main(["--critical"]) == main(["--family"]) == 2
+    assert main(["-h"]) == main(["--help"]) == 0
 
 
 # Checks that end.
@@ -335,6 +360,8 @@ def long(name):
     data = dict(np.load(FAMILY / "0.262000.npz"))
     if name == "parts":
         data["starts"][3] = 999
+        data["profile"] = np.concatenate([data["profile"][:, :1]] * 2000, axis=1)
+        data["sizes"][0] = 2000 / data["sizes"][2] - data["sizes"][1]
     else:
         data["sizes"][6] = 1000
         data["inverse"] = np.zeros((1, 20_000 * sum(data["sizes"][3:5])), dtype=np.int32)
@@ -348,6 +375,16 @@ def test_a_check_that_would_take_long_is_not_begun(name, tmp_path):
     record = check_certificate(tmp_path / "long.npz")
     assert not record["proved"]
     assert "its check would take about" in record["reason"]
+
+
+@pytest.mark.parametrize("large", [0, 1, 2, 3])
+def test_each_size_of_a_certificate_is_limited(large):
+    """Figure 1 is checked, the largest of the configuration; one size times ten thousand is not."""
+    sizes = [2112, 652_800, 4800, 6432]
+    arrays.require_short(*sizes)
+    sizes[large] *= 10_000
+    with pytest.raises(NotProvedError, match="above 60 s none is begun"):
+        arrays.require_short(*sizes)
 
 
 def test_a_line_of_many_parts_is_not_followed():

@@ -61,7 +61,7 @@ class _Motion(NamedTuple):
 
     run: Run
     scene: dict
-    ends: np.ndarray
+    ends: list[np.ndarray]
     length: float
     speed: float
 

@@ -1,8 +1,8 @@
 """Momentum law and energy balance of a run, James (2021), section 3.3 and eq. (6).
 
 `equations` states the laws.  Energy is measured in u and w, where openings of contacts do no harm.
-The work at the ends is exact.  A constant force does work on the displacement of its bead, and the
-work of a piston follows from momentum and positions.  The dissipated energy is integrated with the
+A constant force does work on the displacement of its bead, and the impulse of a drive is its
+integral; both are exact.  The work of a drive and the dissipated energy are integrated with the
 motion, by the method of each step.
 """
 
@@ -27,7 +27,7 @@ class Balances:
     """Largest drifts of both laws, noted after blocks of steps."""
 
     def __init__(self, run):
-        self._start = self._last_of_ramp = _measure(run)
+        self._start = _measure(run)
         self._drift = {"momentum": 0.0, "energy": 0.0}
         self._scale = {"momentum": 0.0, "energy": self._start.energy}
         self._tracks_energy = run.recording.track_energy
@@ -36,42 +36,31 @@ class Balances:
         """Compare the run with the exact laws at its present time."""
         now = _measure(run)
         stored = now.energy - self._start.energy + run.clock.dissipated
-        if run.boundary.piston:
-            self._check_piston(run, now, stored)
-        elif run.boundary.ring:
+        if run.boundary.ring:
             self._note("momentum", now.momentum - run.momentum, now.largest_momentum)
             self._note("energy", stored, now.energy)
         else:
-            self._check_pressure(run, now, stored)
+            self._check_ends(run, now, stored)
 
-    def _check_pressure(self, run, now, stored):
-        left = equations.force(run.law.elastic, run.boundary.left)
-        right = equations.force(run.law.elastic, run.boundary.right)
+    def _check_ends(self, run, now, stored):
+        t, boundary = run.clock.t, run.boundary
+        # The work of a drive is part of what is stored.
+        left = 0.0 if boundary.drive else equations.force(run.law.elastic, boundary.left)
+        right = equations.force(run.law.elastic, boundary.right)
         mass = np.broadcast_to(run.beads.mass, run.chain.beads)
         moved = now.positions - self._start.positions
-        gained = (left - right + run.beads.gravity * mass.sum()) * run.clock.t
         work = left * moved[0] - right * moved[-1] + run.beads.gravity * (mass @ moved)
+        if boundary.piston:
+            drift, largest = now.velocity[0] - boundary.drive.value(t), boundary.drive.largest
+            self._note("momentum", drift, largest)
+            self._note("energy", stored - work, max(now.energy, 0.5 * mass[0] * largest**2))
+            return
+        self._note("energy", stored - work, now.energy)
+        gained = (left - right + run.beads.gravity * mass.sum()) * t
+        gained += boundary.drive.integral(t) if boundary.drive else 0.0
         # The force of a wall is not known beforehand.
-        drift = math.nan if run.boundary.wall else now.momentum - run.momentum - gained
+        drift = math.nan if boundary.wall else now.momentum - run.momentum - gained
         self._note("momentum", drift, now.largest_momentum)
-        self._note("energy", stored - work, now.energy)
-
-    def _check_piston(self, run, now, stored):
-        """The piston keeps its velocity; its work is known but for a sum over its ramp."""
-        t, piston = run.clock.t, run.boundary.piston
-        right = equations.force(run.law.elastic, run.boundary.right)
-        if t <= piston.ramp:
-            self._last_of_ramp = now
-        risen = self._last_of_ramp.positions - self._start.positions
-        moved = now.positions - self._start.positions
-        work = (
-            piston.velocity_at(t) * now.momentum
-            - piston.velocity_at(0.0) * run.momentum
-            - piston.acceleration_at(0.0) * np.sum(run.beads.mass * risen)
-            + right * (moved[0] - moved[-1])
-        )
-        self._note("momentum", now.velocity[0] - piston.velocity_at(t), piston.velocity)
-        self._note("energy", stored - work, now.energy)
 
     def drifts(self):
         """Return the largest relative drifts of momentum and energy; NaN where not tracked.
@@ -100,14 +89,7 @@ def _measure(run):
     if boundary.holds_right:
         u[-1] = boundary.right
     w = equations.generalised_velocities(d, boundary, law, run.momentum, run.beads)
-    velocity = w + equations.velocity_correction(u, boundary, law, run.clock.t, run.beads)
-    at_piston = 0.0
-    if boundary.piston:  # See the end of `equations`.
-        w[0] = velocity[0]
-        viscous = run.beads.viscosity * equations.force(
-            law.viscous.with_exponents(run.beads.beta), u
-        )
-        at_piston = velocity[0] * viscous[0]
-    energy = equations.energy(u, w, boundary, law.elastic, run.beads) + at_piston
+    velocity = w + equations.velocity_correction(u, boundary, law, run.beads)
+    energy = equations.energy(u, w, boundary, law.elastic, run.beads)
     momenta = run.beads.mass * velocity
     return _State(velocity, momenta.sum(), np.abs(momenta).sum(), energy, positions)

@@ -28,10 +28,10 @@ eq. (6) adds up to
 
 .. math::
 
-    \frac{d}{dt} H(\dot x, u) = P
-      - \sum_{n=1}^{N-1} \chi_n G'(u_n)\, \dot u_n^2, \quad
-    P = F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N + g \sum_n m_n \dot x_n, \quad
-    H(v, u) = \sum_{n=1}^N \tfrac12 m_n v_n^2 + \sum_{n=1}^{N-1} \kappa_n V(-u_n) .
+    \frac{d}{dt} H(\dot x, u) &= P
+      - \sum_{n=1}^{N-1} \chi_n G'(u_n)\, \dot u_n^2, \\
+    P &= F(\delta) \dot x_1 - F(\tilde\delta) \dot x_N + g \sum_n m_n \dot x_n, \\
+    H(v, u) &= \sum_{n=1}^N \tfrac12 m_n v_n^2 + \sum_{n=1}^{N-1} \kappa_n V(-u_n) .
 
 Where a contact opens, its dissipated power is no smoother than G', and a
 quadrature over steps loses its order.  Subtracting
@@ -48,18 +48,13 @@ variables too.  On a ring P is absent and both sums run over all N beads and con
 wall contact N counts as well, :math:`F(\tilde\delta)` is absent from P, and momentum has no law of
 its own.
 
-A piston is bead 1 with a prescribed velocity V(t), constant or rising linearly from 0: what drives
-it exerts the unknown force :math:`f = T_1 + m_1 \dot V`.  The momentum law is replaced by
-:math:`\dot x_1 = V`, and since :math:`f = \frac{d}{dt}\sum_n m_n \dot x_n + F(\tilde\delta)`, its
-work needs no quadrature while the acceleration :math:`a = \dot V` is constant:
+A prescribed force f(t) on bead 1 takes the place of :math:`F(\delta)` in all of these, with
+:math:`G_0 = 0`.  Momentum grows by its integral.
 
-.. math::
-
-    \int f\,V\,dt = \Bigl[ V \sum_n m_n \dot x_n - a \sum_n m_n x_n + F(\tilde\delta) x_1 \Bigr] .
-
-The viscous part of :math:`T_1` is no smoother than the power above.  In u and w the law therefore
-holds for :math:`H + V G(u_1)`, with V for the velocity of bead 1.  The sum begins with bead 2, and
-:math:`a\,G(u_1)` is taken from it.
+A piston is bead 1 with a prescribed velocity V(t): its momentum law is :math:`\dot x_1 = V`.  With
+:math:`G_0 = G_1` eq. (31) gives :math:`w_1 = V`, and the law in u and w holds with the force
+:math:`F_0 = F_1 + m_1 \dot V` in place of :math:`F(\delta)`.  What drives the piston also bears
+:math:`\frac{d}{dt} G_1`; that work is in neither side.
 """
 
 from typing import NamedTuple
@@ -68,43 +63,35 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq
 
+from granular_fronts.chain.drives import Drive
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import Law
 from granular_fronts.model.potentials import Potential
 
 
-class Piston(NamedTuple):
-    """Motion of bead 1, whose velocity rises linearly from 0 over the time `ramp`."""
-
-    velocity: float
-    ramp: float
-
-    def velocity_at(self, t: float) -> float:
-        """Return V(t)."""
-        return self.velocity * min(t / self.ramp, 1.0) if self.ramp else self.velocity
-
-    def acceleration_at(self, t: npt.ArrayLike) -> npt.ArrayLike:
-        """Return the acceleration up to the time t, elementwise, the end of the ramp included."""
-        return self.velocity / self.ramp * (np.asarray(t) <= self.ramp) if self.ramp else 0.0
-
-
 class Boundary(NamedTuple):
-    """Held relative displacements at the ends, eq. (25), a ring, eq. (26), a piston, a wall.
+    """Held relative displacements at the ends, eq. (25), a ring, eq. (26), a drive, a wall.
 
-    An end where δ or δ̃ is 0 is free.  With a piston nothing is held at the left end, with a wall at
-    x = 0 nothing at the right one.
+    An end where δ or δ̃ is 0 is free.  A `drive` in place of δ is the force on bead 1, or with a
+    `piston` its velocity.  With a wall at x = 0 nothing is held at the right end.
     """
 
     ring: bool
     left: float = 0.0
     right: float = 0.0
-    piston: Piston | None = None
+    drive: Drive | None = None
+    piston: bool = False
     wall: bool = False
 
     @property
     def holds_right(self) -> bool:
         """Whether u_N is held."""
         return not (self.ring or self.wall)
+
+    @property
+    def closing_drive(self) -> Drive | None:
+        """The force on bead 1, or the acceleration of the piston."""
+        return self.drive.derivative() if self.piston else self.drive
 
     def moving(self, u: np.ndarray) -> np.ndarray:
         """Return the compressions of the contacts that move, of all of shape (..., N)."""
@@ -134,11 +121,14 @@ EQUAL = Beads()
 """The beads and contacts of the paper."""
 
 
-def damping_ratio(law: Law, beads: Beads = EQUAL) -> float | None:
-    """Return γ if G = γF for every contact, else None."""
+def damping_ratio(law: Law, boundary: Boundary, beads: Beads = EQUAL) -> float | None:
+    """Return γ if G = γF for every contact and beyond the ends, else None."""
+    ratio, drive = law.proportional, boundary.drive
+    if ratio and drive and not (boundary.piston and drive.is_constant):
+        return None
     factors = np.array_equal(beads.stiffness, beads.viscosity)
     exponents = beads.alpha is None or np.array_equal(beads.alpha, beads.beta)
-    return law.proportional if factors and exponents else None
+    return ratio if factors and exponents else None
 
 
 def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
@@ -150,20 +140,19 @@ def forces_on_both_sides(
     u: np.ndarray,
     boundary: Boundary,
     potential: Potential,
-    shift: npt.ArrayLike = 0.0,
     factor: np.ndarray | float = 1.0,
     exponents: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
 
-    With pressure at the ends u_N is the held value.  Behind a piston the force is larger by
-    `shift`, shape (...), than ahead of it.  The `factor` is the one of each contact, as are
-    `exponents` in place of that of the potential.
+    With pressure at the ends u_N is the held value.  Behind a piston the force is the one ahead of
+    it.  The `factor` is the one of each contact, as are `exponents` in place of that of the
+    potential.
     """
     ahead = factor * force(potential.with_exponents(exponents), u)
     behind = np.roll(ahead, 1, axis=-1)
     if boundary.piston:
-        behind[..., 0] = ahead[..., 0] + shift
+        behind[..., 0] = ahead[..., 0]
     elif not boundary.ring:
         behind[..., 0] = force(potential, boundary.left)
     return behind, ahead
@@ -173,20 +162,10 @@ def velocity_correction(
     u: np.ndarray,
     boundary: Boundary,
     law: Law,
-    t: npt.ArrayLike = 0.0,
     beads: Beads = EQUAL,
 ) -> np.ndarray:
-    """Return ẋ − w of every bead, eq. (31), from u of shape (..., N).
-
-    The convention for w of a piston depends on the time (`strain`).
-    """
-    shift = 0.0
-    if boundary.piston:
-        shift = (damping_ratio(law, beads) or 0.0) * boundary.piston.acceleration_at(t)
-        shift = shift * np.ravel(beads.mass)[0]
-    behind, ahead = forces_on_both_sides(
-        u, boundary, law.viscous, shift, beads.viscosity, beads.beta
-    )
+    """Return ẋ − w of every bead, eq. (31), from u of shape (..., N)."""
+    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, beads.viscosity, beads.beta)
     return (behind - ahead) / beads.mass
 
 
@@ -194,16 +173,16 @@ def strain_rates(
     velocity: np.ndarray, u: np.ndarray, boundary: Boundary, law: Law, beads: Beads = EQUAL
 ) -> np.ndarray:
     """Return d_n = w_n − w_{n+1} at t = 0 from velocities; with an end on the right d_N = w_N."""
-    w = velocity - velocity_correction(u, boundary, law, beads=beads)
+    w = velocity - velocity_correction(u, boundary, law, beads)
     ahead = np.roll(w, -1, axis=-1)
     if not boundary.ring:
-        ahead[..., -1] = _shift_of_last(law, beads)
+        ahead[..., -1] = _shift_of_last(law, boundary, beads)
     return w - ahead
 
 
-def _shift_of_last(law, beads):
+def _shift_of_last(law, boundary, beads):
     """Return w_N − d_N, a convention of `strain`."""
-    return (damping_ratio(law, beads) or 0.0) * beads.gravity
+    return (damping_ratio(law, boundary, beads) or 0.0) * beads.gravity
 
 
 def velocities(
@@ -212,11 +191,10 @@ def velocities(
     boundary: Boundary,
     law: Law,
     momentum: npt.ArrayLike = 0.0,
-    t: npt.ArrayLike = 0.0,
     beads: Beads = EQUAL,
 ) -> np.ndarray:
-    """Return velocities ẋ_n at the times t from the strain form; see `generalised_velocities`."""
-    correction = velocity_correction(u, boundary, law, t, beads)
+    """Return velocities ẋ_n from the strain form; see `generalised_velocities`."""
+    correction = velocity_correction(u, boundary, law, beads)
     return generalised_velocities(d, boundary, law, momentum, beads) + correction
 
 
@@ -238,7 +216,7 @@ def generalised_velocities(
     if boundary.ring:
         mass = np.broadcast_to(beads.mass, w.shape[-1])
         return w + (momentum - (mass * w).sum(axis=-1, keepdims=True)) / mass.sum()
-    return w + _shift_of_last(law, beads)
+    return w + _shift_of_last(law, boundary, beads)
 
 
 def transmitted_forces(
@@ -275,12 +253,21 @@ def equilibrium(
     r"""Return the static compressions u_1 … u_N, where every contact bears what lies behind it.
 
     Contact n exerts :math:`\kappa_n F(u_n) = F(\delta) + g \sum_{k \le n} m_k`, in a branch on
-    which the force grows with u.  The first `free` beads are borne by nothing.  It is an InputError
-    if the law exerts no such force.
+    which the force grows with u.  Before a wall f(0) of a drive takes the place of F(δ); without a
+    wall δ̃ that of δ.  The first `free` beads are borne by nothing.  It is an InputError if the law
+    exerts no such force.
     """
     borne = beads.mass * (np.arange(count) >= free)
     weight = beads.gravity * np.cumsum(borne)
-    needed = (force(law.elastic, boundary.left) + weight) / beads.stiffness
+    load = force(law.elastic, boundary.left if boundary.wall else boundary.right)
+    if boundary.wall and boundary.drive:
+        load = boundary.drive.value(0.0)
+    needed = (load + weight) / beads.stiffness
+    if needed.min() < 0.0:
+        raise InputError(
+            f"In equilibrium a contact would bear the force {needed.min():.6g}, which pulls: press "
+            "the chain at t = 0."
+        )
     if beads.alpha is not None:
         return needed ** (1.0 / beads.alpha)
     return np.array([_compression_of(float(one), law) for one in needed])

@@ -5,8 +5,8 @@ norm over beads (`strain`), and steps that respect contact events (`contact_even
 step size is rounded to the difference of two representable times, so that the clock carries no
 error.
 
-Output.  Steps land on the `stops` (snapshots and the end); everything else is read from the
-continuous extension (`recorder`).
+Output.  Steps land on the `stops` (snapshots, break points of a drive, the end); everything else is
+read from the continuous extension (`recorder`).
 """
 
 import math
@@ -28,6 +28,7 @@ from granular_fronts.chain.strain import (
     end_of_window,
     error_norm,
     forget_slopes,
+    take_drive,
     take_slopes,
     try_step,
 )
@@ -49,6 +50,7 @@ LONGEST_CUT = 0.999
 def begin(chain, table):
     """Slopes and dissipated power of the state at the start of a step."""
     clock = chain.clock
+    take_drive(chain, clock.t)
     clock.power = take_slopes(chain, table, U, rk.SLOT[0], clock.reach, bool(1))
 
 
@@ -75,6 +77,7 @@ def _complete(chain, table, recording, h, t_new, energy):
     clock, next_, reach = chain.clock, recording.next, chain.clock.reach
     last = min(reach, chain.contacts)
     clock.dissipated += energy
+    take_drive(chain, t_new)
     clock.power = take_slopes(
         chain, table, NEW_U, rk.SLOT[rk.NEW_SLOPE], reach, recording.track_energy
     )
@@ -97,15 +100,15 @@ def _complete(chain, table, recording, h, t_new, energy):
 
 
 @kernel
-def advance(chain, table, recording, relative, absolute, ends, prescribed):
-    """Integrate until the last stop, or until so many further steps are accepted as `ends` holds.
+def advance(chain, table, recording, stops, relative, absolute, ends, prescribed):
+    """Integrate until the last of the stops, or for as many further steps as `ends` holds.
 
     The ends of these steps are written into `ends`; prescribed, they are read from there, and no
     step is rejected.  The result is RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE,
     OPENED.
     """
-    table, recording, ends = borrowed((table, recording, ends))
-    law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
+    table, recording, stops, ends = borrowed((table, recording, stops, ends))
+    law, clock, next_ = chain.law, chain.clock, recording.next
     after_rejection = False
     steps = 0
     while steps < ends.size and next_.stop < stops.size and not interrupted():
@@ -141,12 +144,11 @@ def advance(chain, table, recording, relative, absolute, ends, prescribed):
                 clock.h = at_contact
                 continue
         _complete(chain, table, recording, h, t_new, energy)
+        clock.rate = largest.rate
         ends[steps] = t_new
         steps += 1
-        if landing:
-            clock.h = max(clock.h, h)
-        growth = _growth_of(error)
-        if not landing or growth < 1.0:
+        growth, shortened = _growth_of(error), landing and h < clock.h
+        if growth < 1.0 or not shortened:
             clock.h = h * (min(1.0, growth) if after_rejection else growth)
         after_rejection = False
     return FINISHED if next_.stop == stops.size else RUNNING

@@ -43,7 +43,7 @@ from granular_fronts.chain.state import (
     U,
 )
 from granular_fronts.chain.state import VALUE as STAGE_VALUE
-from granular_fronts.chain.strain import laplacian, take_forces
+from granular_fronts.chain.strain import laplacian, take_drive, take_forces
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
 from granular_fronts.numerics.compiled import subroutine
@@ -116,6 +116,7 @@ def _take_output_stages(chain, table, h, first, last):
         distance = rk.SLOPES - row
         low, high = max(1, first - distance), min(clock.reach, last + distance)
         contacts = min(high, chain.contacts)
+        take_drive(chain, clock.t + h * rk.C[row])
         _sum_all_slots(chain, table, row, h, low, contacts)
         take_forces(law, table, STAGE_VALUE, low, contacts)
         slot = rk.SLOT[row]

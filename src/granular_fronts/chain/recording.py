@@ -66,11 +66,11 @@ def _probe_samples(scene):
     return probes, np.concatenate([[], *times]), np.concatenate([[], *beads]).astype(np.int64)
 
 
-def make_recording(scene, chain, u):
+def make_recording(scene, chain, u, breaks):
     """Return arrays for all that the scene records; what is located on the way begins as NaN.
 
-    `chain` is a record of type `state.CHAIN`, and `u`, shape (columns,), the row of compressions at
-    t = 0.
+    `chain` is a record of type `state.CHAIN`, `u`, shape (columns,), the row of compressions at
+    t = 0, and `breaks` are the break points of a drive.
     """
     columns, moving = u.size, u[1 : chain.contacts + 1]
     record = scene["record"]
@@ -85,7 +85,7 @@ def make_recording(scene, chain, u):
         event[[VALUE, RIVAL]], event[END], event[END_TIME] = none, u, 0.0
     level = float(record.get("arrival_level", np.nan))
     return recorder.Recording(
-        stops=_stops(scene, snapshots),
+        stops=_stops(float(scene["end_time"]), np.append(snapshots, breaks)),
         profile_times=profile_times,
         profile_u=np.full((profile_times.size, columns), chain.ahead),
         profile_d=np.zeros((profile_times.size, columns)),
@@ -107,11 +107,9 @@ def make_recording(scene, chain, u):
     )
 
 
-def _stops(scene, snapshots):
-    """Return the times on which steps land: snapshots, end of a piston's ramp, end of motion."""
-    end_time, ramp = float(scene["end_time"]), float(scene["boundary"].get("ramp", 0.0))
-    inside = np.append(snapshots, ramp)
-    return np.union1d(inside[(inside > 0.0) & (inside < end_time)], end_time)
+def _stops(end_time, times):
+    """Return the times on which steps land, the end of the motion among them."""
+    return np.union1d(times[(times > 0.0) & (times < end_time)], end_time)
 
 
 class Recorded(NamedTuple):
@@ -157,7 +155,7 @@ def _states_at(run, times):
     recording, inside = run.recording, slice(1, run.chain.beads + 1)
     rows = np.searchsorted(recording.profile_times, times)
     u, d = (of[rows, inside] for of in (recording.profile_u, recording.profile_d))
-    return u, equations.velocities(d, u, run.boundary, run.law, run.momentum, times, run.beads)
+    return u, equations.velocities(d, u, run.boundary, run.law, run.momentum, run.beads)
 
 
 def _add_profiles(recorded, scene, run):

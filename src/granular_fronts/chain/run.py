@@ -3,24 +3,33 @@
 Rest means ẋ = 0, James (2021), section 3.3: where a boundary holds a contact compressed at t = 0,
 the generalised velocity starts at w_1(0) = −γ δ^β.
 
-A piston that rises to its velocity is integrated in two parts, since its acceleration jumps at the
-end of the ramp.  A step lands there, and w_1 takes up the jump (see `strain`).
+A chain with a drive is integrated from one of its break points to the next.  A step lands on each,
+so that no step has a jump of the force, or of the piston's acceleration, inside.
 """
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from granular_fronts.chain import equations, integrator, state
-from granular_fronts.chain.equations import EQUAL, Beads, Boundary, Piston
+from granular_fronts.chain.drives import make_drive
+from granular_fronts.chain.equations import EQUAL, Beads, Boundary
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.recorder import STEEPNESS, TIME, VALUE, Recording
 from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.stage_passes import stage_pass
 from granular_fronts.chain.state import D, U
 from granular_fronts.chain.strain import end_of_window
+from granular_fronts.chain.two_rates import (
+    BLOCK_SIZES,
+    STEPS_PER_BLOCK,
+    Behind,
+    advance_two_rates,
+    prepare_behind,
+    takes_two_rates,
+)
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
@@ -38,7 +47,6 @@ FIRST_STEP = 1.0e-6
 # Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
 # force to first order, every stage carries them one bead further.
 MARGIN_WITHOUT_STIFFNESS = 4
-STEPS_PER_BLOCK = 2000
 # How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
 CLOSE_TO_AN_END = 1.0e-6
 # An extension at which a law that acts in extension exerts a force.
@@ -55,11 +63,17 @@ class Run(NamedTuple):
     table: np.ndarray  # Rows of the chain, see `state`.
     recording: Recording
     momentum: float  # Σm_nẋ_n at t = 0.
+    behind: Behind | None = None  # For steps of two lengths.
 
     @property
     def clock(self):
         """Time and work so far (`state.CLOCK`)."""
         return self.chain.clock
+
+    @property
+    def chains(self):
+        """The whole chain, and the beads behind its front if their steps have another length."""
+        return [self.chain, self.behind.chain] if self.behind else [self.chain]
 
     def row(self, row):
         """Entries 1 … N of a row of the table, a view."""
@@ -82,11 +96,18 @@ def prepare(scene: Mapping[str, Any]) -> Run:
             "The forces at t = 0 overflow double precision: scale the boundary values and the "
             "start down, eq. (27)."
         )
-    recording = make_recording(scene, chain, table[U])
+    breaks = boundary.drive.breaks if boundary.drive else np.empty(0)
+    recording = make_recording(scene, chain, table[U], breaks)
     if velocity.any():
         _note_openings_at_start(recording, chain.contacts, u, velocity)
     momentum = float((beads.mass * velocity).sum())
-    return Run(law, boundary, beads, chain, table, recording, momentum)
+    behind = None
+    if takes_two_rates(scene):
+        behind = prepare_behind(chain, recording)
+        # Steps of both lengths end where a state is recorded.
+        times = recording.profile_times
+        recording = recording._replace(stops=np.union1d(recording.stops, times[times > 0.0]))
+    return Run(law, boundary, beads, chain, table, recording, momentum, behind)
 
 
 def _note_openings_at_start(recording, contacts, u, velocity):
@@ -101,90 +122,96 @@ def integrate(
     run: Run,
     tolerance: Mapping[str, float],
     after_block: Callable[[Run], None] = lambda run: None,
-) -> np.ndarray:
-    """Advance a run to its end; returns the times at which steps ended.
+) -> list[np.ndarray]:
+    """Advance a run to its end; returns the times at which steps ended, for each of its chains.
 
     The tolerance is `relative` and `absolute`, per step, in the maximum norm over beads.
-    `after_block` is called with the run after every `STEPS_PER_BLOCK` steps and at the end.
+    `after_block` is called with the run after about `STEPS_PER_BLOCK` steps each and at the end.
 
     A SolveError says that the step size collapsed, that the state is no longer finite, or that for
     α < 1 a contact opened.
     """
     relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
-    blocks = []
+    clocks, blocks = [chain.clock for chain in run.chains], []
 
-    def advance(chain, table, recording):
-        ends, before = np.empty(STEPS_PER_BLOCK), chain.clock.accepted
-        status = integrator.advance(chain, table, recording, relative, absolute, ends, False)
-        blocks.append(ends[: chain.clock.accepted - before])
+    def advance(run):
+        before = [clock.accepted for clock in clocks]
+        ends = [np.empty(size) for size in BLOCK_SIZES[: len(clocks)]]
+        status = _take_steps(run, relative, absolute, ends, False)
+        counts = [clock.accepted - first for clock, first in zip(clocks, before, strict=True)]
+        blocks.append([times[:count].copy() for times, count in zip(ends, counts, strict=True)])
         return status
 
-    _advance_parts(run, advance, after_block)
-    return np.concatenate(blocks)
+    _advance(run, advance, after_block)
+    return [np.concatenate(parts) for parts in zip(*blocks, strict=True)]
 
 
 def integrate_in_halves(
     run: Run,
-    ends: np.ndarray,
+    ends: Sequence[np.ndarray],
     after_block: Callable[[Run], None] = lambda run: None,
-) -> np.ndarray:
+) -> list[np.ndarray]:
     """Advance a run to its end by two steps for each of another run of the same scene.
 
     `ends` are the times at which the steps of that run ended; returns those of the halves.  Where
     the error is one of truncation it is smaller by 2⁸, whatever limited the steps: accuracy,
     stability, outputs or contacts.
     """
-    halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
-    halves = halves[halves > 0.0]
+    clocks, halves = [chain.clock for chain in run.chains], [_halve(times) for times in ends]
 
-    def follow(chain, table, recording):
-        first = chain.clock.accepted
-        ends = halves[first : first + STEPS_PER_BLOCK]
-        return integrator.advance(chain, table, recording, 1.0, 1.0, ends, True)
+    def follow(run):
+        rest = [times[clock.accepted :] for times, clock in zip(halves, clocks, strict=True)]
+        return _take_steps(run, 1.0, 1.0, rest, True)
 
-    _advance_parts(run, follow, after_block)
+    _advance(run, follow, after_block)
     return halves
 
 
-def _end_ramp(run):
-    """End the acceleration of the piston, whose velocity ẋ_1 stays as it is."""
-    ratio = equations.damping_ratio(run.law, run.beads) or 0.0
-    run.table[D, 1] += ratio * run.clock.acceleration
-    run.clock.acceleration = 0.0
-    integrator.begin(run.chain, run.table)
+def _halve(ends):
+    """Return the ends of two steps for each one."""
+    halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
+    return halves[halves > 0.0]
 
 
-def _advance_parts(run, advance, after_block):
-    """Advance a run to its end, up to the end of a ramp and from there."""
-    ramp = run.boundary.piston.ramp if run.boundary.piston else 0.0
-    stops = run.recording.stops
-    if 0.0 < ramp < stops[-1]:
-        rising = run.recording._replace(stops=stops[stops <= ramp])
-        _advance(run._replace(recording=rising), advance, after_block)
-        _end_ramp(run)
-    _advance(run, advance, after_block)
+def _take_steps(run, relative, absolute, ends, prescribed):
+    """Advance a run by a block of steps, whose ends are written or read, and return the status."""
+    chain, table, recording = run.chain, run.table, run.recording
+    if run.behind:
+        return advance_two_rates(
+            chain, table, recording, run.behind, relative, absolute, tuple(ends), prescribed
+        )
+    ends = ends[0][:STEPS_PER_BLOCK]
+    return integrator.advance(
+        chain, table, recording, recording.stops, relative, absolute, ends, prescribed
+    )
 
 
 def _advance(run, advance, after_block):
-    """Advance a run to the last of its stops."""
-    status = integrator.RUNNING
-    while status == integrator.RUNNING:
-        status = advance(run.chain, run.table, run.recording)
-        after_block(run)
-    if status != integrator.FINISHED:
-        raise SolveError(_cause(status, run))
+    """Advance a run to the last of its stops, from one break point of its drive to the next."""
+    stops, drive, shown = run.recording.stops, run.boundary.closing_drive, 0
+    breaks = drive.breaks[drive.breaks < stops[-1]] if drive else []
+    for piece, end in enumerate([*breaks, stops[-1]]):
+        if piece:
+            for chain in run.chains:
+                chain.drive = drive.pieces[piece]
+            integrator.begin(run.chain, run.table)
+        part = run.recording._replace(stops=stops[: np.searchsorted(stops, end, side="right")])
+        status = integrator.RUNNING
+        while status == integrator.RUNNING:
+            status = advance(run._replace(recording=part))
+            if end == stops[-1] or run.clock.accepted >= shown + STEPS_PER_BLOCK:
+                after_block(run)
+                shown = run.clock.accepted
+        if status != integrator.FINISHED:
+            raise SolveError(_cause(status, run))
 
 
 def make_boundary(scene: Mapping[str, Any]) -> Boundary:
-    """Boundary conditions (25) or (26) of a scene, or its piston."""
+    """Boundary conditions (25) or (26) of a scene, with its drive."""
     boundary = scene["boundary"]
-    if boundary["kind"] == "ring":
-        return Boundary(ring=True)
-    if boundary["kind"] == "piston":
-        piston = Piston(float(boundary["velocity"]), float(boundary.get("ramp", 0.0)))
-        return Boundary(ring=False, right=float(boundary.get("right", 0.0)), piston=piston)
-    left, wall = float(boundary["left"]), boundary["kind"] == "wall"
-    return Boundary(False, left, 0.0 if wall else float(boundary["right"]), wall=wall)
+    left, right = (float(boundary.get(end, 0.0)) for end in ("left", "right"))
+    ring, piston, wall = (boundary["kind"] == kind for kind in ("ring", "piston", "wall"))
+    return Boundary(ring, left, right, make_drive(boundary), piston, wall)
 
 
 def make_beads(scene: Mapping[str, Any]) -> Beads:
@@ -227,8 +254,8 @@ def initial_state(
         given = np.asarray(start["relative_displacement"], dtype=float)
         u[: given.size] = given
         velocity[:] = start["velocity"]
-    elif boundary.piston:
-        velocity[0] = boundary.piston.velocity_at(0.0)
+    if boundary.piston:
+        velocity[0] = boundary.drive.value(0.0)
     if boundary.holds_right:
         u[-1] = boundary.right
     return u, velocity
@@ -243,18 +270,18 @@ def make_chain(
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
     margin = MARGIN_WITHOUT_STIFFNESS if has_slack and varied.alpha is None else STAGES + 1
-    piston = boundary.piston
+    drive, ratio = boundary.closing_drive, equations.damping_ratio(law, boundary, varied)
     chain = make_record(
         state.CHAIN,
-        law=compile_law(law, equations.damping_ratio(law, varied), varied.alpha is not None),
-        clock=make_record(
-            state.CLOCK, h=FIRST_STEP, acceleration=piston.acceleration_at(0.0) if piston else 0.0
-        ),
+        law=compile_law(law, ratio, varied.alpha is not None),
+        clock=make_record(state.CLOCK, h=FIRST_STEP),
         beads=beads,
         contacts=beads - boundary.holds_right,
         ring=boundary.ring,
         varied=varied.varied,
-        piston=np.ravel(varied.mass)[0] if piston else 0.0,
+        driven=drive is not None,
+        drive=drive.pieces[0] if drive else 0.0,
+        piston=np.ravel(varied.mass)[0] if boundary.piston else 0.0,
         gravity=varied.gravity,
         ahead=boundary.right,
         margin=beads if varied.gravity else margin,
@@ -337,9 +364,11 @@ def _is_at_rest_without_stiffness(law, u):
     return law.elastic.second(-u) == 0.0 and law.viscous.second(-u) == 0.0
 
 
-def work_done(clock: np.record) -> dict[str, int]:
-    """Steps and right-hand sides so far, as a dict."""
-    return {
+def work_done(run: Run) -> dict[str, int]:
+    """Steps and right-hand sides so far, as a dict, and steps behind a front with its own."""
+    clock = run.clock
+    behind = {"steps_behind": int(run.behind.chain.clock.accepted)} if run.behind else {}
+    return behind | {
         "steps_accepted": int(clock.accepted),
         "steps_rejected": int(clock.rejected),
         "steps_cut_at_contacts": int(clock.cut),

@@ -10,7 +10,8 @@ Contact n transmits the force of James (2021), eq. (5), with the factors of `equ
 A sensor inside bead n shows the mean of the forces on both sides, :math:`(T_{n-1} + T_n)/2`; their
 difference accelerates the bead, :math:`m_n \ddot x_n = T_{n-1} - T_n + m_n g`.  Beyond the ends
 the forces are those that the boundary exerts: :math:`T_0 = F(\delta)` and
-:math:`T_N = F(\tilde\delta)`, and :math:`T_0 = T_1 + m_1 \dot V` behind a piston.
+:math:`T_N = F(\tilde\delta)`; a drive exerts :math:`T_0 = f`, and behind a piston
+:math:`T_0 = T_1 + m_1 \dot V`.
 
 Momentum and energy that contact n has transmitted are what the beads beyond it have gained,
 
@@ -81,9 +82,10 @@ def read_sensors(scene, run, states_at):
 def _forces_behind(run, force, times):
     """Return the forces T_(n−1) behind all beads."""
     behind, boundary = np.roll(force, 1, axis=-1), run.boundary
-    if boundary.piston:
-        first = np.ravel(run.beads.mass)[0]
-        behind[:, 0] = force[:, 0] + first * boundary.piston.acceleration_at(times)
+    if boundary.drive:
+        behind[:, 0] = boundary.closing_drive.value(times)
+        if boundary.piston:
+            behind[:, 0] = force[:, 0] + np.ravel(run.beads.mass)[0] * behind[:, 0]
     elif not boundary.ring:
         behind[:, 0] = equations.force(run.law.elastic, boundary.left)
     return behind

@@ -2,7 +2,7 @@ r"""From a scene to a dataset: front initiation and every other driven or period
 
 A scene is the mapping that the configuration holds under `scenes: chain:`; its keys are described
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
-the adaptive pair of `integrator`.
+the adaptive pair of `integrator`, by steps of two lengths if the chain is long (`two_rates`).
 
 Accuracy.  Every scene is integrated again, with two steps for each of the first run.  The runs thus
 differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The
@@ -51,7 +51,7 @@ class Solution(NamedTuple):
     counts: dict  # Steps accepted, rejected, cut at contacts; right-hand sides.
     drifts: dict  # Largest relative drift of the balance laws.
     recording: Recording  # As the integrator left it.
-    ends: np.ndarray  # Times at which the steps ended.
+    ends: list[np.ndarray]  # Times at which the steps ended, for each chain of the run.
 
     @property
     def dataset(self):
@@ -147,9 +147,7 @@ def _follow(scene, activity, integrate, steps):
             ends = integrate(run, steps, after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
-    return Solution(
-        collect(scene, run), work_done(run.clock), balances.drifts(), run.recording, ends
-    )
+    return Solution(collect(scene, run), work_done(run), balances.drifts(), run.recording, ends)
 
 
 def _with_error_estimates(scene, solution, refined):

@@ -58,19 +58,28 @@ not smooth, and whether F' is infinite there, so that no contact may pass.  1 if
 extension too, else 0."""
 
 CLOCK = record_type(
-    *[(name, float) for name in ("t", "h", "acceleration", "power", "dissipated")],
+    *[(name, float) for name in ("t", "h", "drive", "w_1", "power", "dissipated", "rate")],
     *[(name, np.int64) for name in ("reach", "accepted", "rejected", "cut", "right_hand_sides")],
 )
-"""Time, next step, acceleration of the piston, power dissipated at t and energy since t = 0.  Last
-bead of the active window; steps accepted, rejected and cut at contacts; right-hand sides."""
+"""Time and next step.  Drive at the last stage, and w_1 at t, if something drives the chain.  Power
+dissipated at t less the power of the drive, and the energy of both since t = 0.  Largest |d| when
+the last step began.  Last bead of the active window; steps accepted, rejected and cut at contacts;
+right-hand sides."""
+
+DRIVE = record_type(
+    *[(name, float) for name in ("start", "constant", "rate", "amplitude", "frequency", "phase")]
+)
+"""A piece of a drive (`drives`)."""
 
 CHAIN = record_type(
     ("law", LAW),
     ("clock", CLOCK),
+    ("drive", DRIVE),
     ("beads", np.int64),
     ("contacts", np.int64),
     ("ring", np.bool),
     ("varied", np.bool),
+    ("driven", np.bool),
     ("piston", float),
     ("gravity", float),
     ("ahead", float),
@@ -79,11 +88,12 @@ CHAIN = record_type(
     ("viscous_weights", float, (STAGES, LONG)),
     ("probe", float, (3, 2)),
 )
-"""Law and clock.  Number N of beads and of contacts that move, N − 1, or N on a ring and before a
-wall.  Whether it is a ring, and whether masses or contacts differ.  Mass of bead 1 if it is a
-piston, else 0; body force over mass.  Compression ahead of the active window, and how many beads
-the window reaches beyond the last one that moves.  Weights of the slopes in every stage of the
-present step.  Room for the law at a single compression.
+"""Law and clock.  Present piece of the force on bead 1, or of the acceleration of a piston.  Number
+N of beads and of contacts that move, N − 1, or N on a ring and before a wall.  Whether it is a
+ring, whether masses or contacts differ, and whether something drives the left end.  Mass of bead 1
+if it is a piston, else 0; body force over mass.  Compression ahead of the active window, and how
+many beads the window reaches beyond the last one that moves.  Weights of the slopes in every stage
+of the present step.  Room for the law at a single compression.
 """
 
 

@@ -25,12 +25,16 @@ Boundaries.  Arrays run over n = 0 … N + 1, so that an index is the paper's be
   every step: a linear law that a Runge-Kutta method keeps to round-off.
 - Ring, eq. (26): all contacts 1 … N move, indices are taken modulo N.
 - Wall on the right: contact N moves too, and entry N is :math:`u_N = x_N` as before.
-- Piston: as pressure, but bead 1 moves at a prescribed velocity V(t), whose acceleration a is
-  piecewise constant.  Newton's law for this bead, of mass 1 like the others, gives the force behind
-  it.  With :math:`F_0 = F_1 + a` both Laplacians are closed, by the mirror image of contact 1
-  shifted by a.  Then :math:`\dot d_1 = a - F_1 + F_2`.  The shift of the viscous closure is a
-  convention, since w_1 takes it up.  It is γa for a single law, whose viscous slopes are γ times
-  the elastic ones, so that eq. (31) reads :math:`\dot x_1 = w_1 + \gamma a`; otherwise it is 0.
+- Force: as pressure, but with a prescribed force f(t) on bead 1, :math:`F_0 = f(t)` and
+  :math:`G_0 = 0`.
+- Piston: as pressure, but bead 1 moves at a prescribed velocity V(t) of acceleration a(t).
+  Newton's law for this bead, of mass 1 like the others, gives the force behind it,
+  :math:`F_0 = F_1 + a(t)`.  With :math:`G_0 = G_1` eq. (31) reads :math:`\dot x_1 = w_1`.
+
+A force or an acceleration of time is taken at the time of each stage.  Its pieces (`drives`) are
+smooth, and steps end where they meet.  A single law, below, would need :math:`G_0 = \gamma F_0`,
+and with it :math:`\gamma\dot f` in :math:`\dot w_1`.  Where γ is not 0, a law that is driven so
+has slopes of G of its own.
 
 Masses and contacts that differ.  With masses :math:`m_n`, and factors κ_n of the elastic and χ_n of
 the viscous force of contact n, :math:`f_n` stands for :math:`\kappa_n F(u_n)` and
@@ -110,6 +114,19 @@ def _set_weights(chain, h):
 
 
 @subroutine
+def take_drive(chain, t):
+    """Evaluate the drive, if there is one, at the time t of a stage."""
+    if not chain.driven:
+        return
+    piece = chain.drive
+    s = t - piece.start
+    value = piece.constant + piece.rate * s
+    if piece.amplitude != 0.0:
+        value += piece.amplitude * math.sin(piece.frequency * s + piece.phase)
+    chain.clock.drive = value
+
+
+@subroutine
 def _scale(table, source, first, last):
     """Multiply the forces of the contacts first … last by their factors."""
     factor = source + (STIFFNESS - FORCE)
@@ -118,11 +135,11 @@ def _scale(table, source, first, last):
 
 
 @subroutine
-def _close(chain, table, source, acceleration, gravity):
+def _close(chain, table, source, drive, gravity):
     """Continue a row of forces beyond both ends.
 
-    On a ring it goes on at the other end.  Elsewhere it stays as it is, but for the acceleration of
-    a piston and the body force.
+    On a ring it goes on at the other end.  Elsewhere it stays as it is, but for the drive of a
+    piston and the body force.
     """
     beads = chain.beads
     if chain.ring:
@@ -131,7 +148,7 @@ def _close(chain, table, source, acceleration, gravity):
         return
     table[source, beads + 1] = table[source, beads] + gravity
     if chain.piston != 0.0:
-        table[source, 0] = table[source, 1] + chain.piston * acceleration
+        table[source, 0] = table[source, 1] + chain.piston * drive
 
 
 @subroutine
@@ -140,7 +157,9 @@ def _complete_forces(chain, table, source, first, last):
     if chain.varied:
         _scale(table, source, first, min(last, chain.contacts))
     if source == FORCE:
-        _close(chain, table, source, chain.clock.acceleration, chain.gravity)
+        if chain.driven:
+            table[FORCE, 0] = chain.clock.drive
+        _close(chain, table, source, chain.clock.drive, chain.gravity)
     else:
         _close(chain, table, source, 0.0, 0.0)
 
@@ -204,10 +223,9 @@ def _varied_products(table, viscous, reach):
 def _difference_forces(chain, table, slot, reach, with_power):
     """Write slopes of the present forces into a slot; return the dissipated power, if asked.
 
-    It is the sum over beads in the energy balance of `equations`.  With a piston it begins with
-    bead 2, and a G_1 is subtracted.
+    It is the sum over beads in the energy balance of `equations`.
     """
-    single, acceleration = chain.law.single, chain.clock.acceleration
+    single = chain.law.single
     target = ELASTIC_SLOPES + slot
     viscous = FORCE if single else DAMPING
     products = 0.0
@@ -222,15 +240,40 @@ def _difference_forces(chain, table, slot, reach, with_power):
                 products = _varied_products(table, viscous, reach)
             else:
                 products = _sum_of_products(table, reach)
+    if chain.driven:
+        # Of the first bead alone: the slope of w_1.
+        table[target, 0] = table[MOBILITY, 1] * (table[FORCE, 0] - table[FORCE, 1]) + chain.gravity
     if not with_power:
         return 0.0
-    if chain.piston != 0.0:
-        products -= acceleration * table[viscous, 1]
-        if single:
-            products -= chain.piston * acceleration * acceleration
     # G beyond the end is continued as a constant, so that this is the whole of Σ m_n (ẋ_n − w_n).
     products += chain.gravity * (table[viscous, 0] - table[viscous, chain.beads])
     return products * chain.law.gamma
+
+
+@subroutine(fastmath=_REDUCE)
+def _sum(table, row, reach):
+    """Return the sum of a row over the beads 1 … reach."""
+    total = 0.0
+    for n in range(uint64(1), uint64(reach + 1)):
+        total += table[row, n]
+    return total
+
+
+@subroutine(fastmath=_REDUCE)
+def _slope_of_first(table, row):
+    """Return what the stages before `row` give for the slope of w_1."""
+    total = 0.0
+    for earlier in range(row):
+        total += rk.A[row, earlier] * table[ELASTIC_SLOPES + rk.SLOT[earlier], 0]
+    return total
+
+
+@subroutine
+def _supplied_power(chain, table, w_1):
+    """Return F_0 ẋ_1, what a drive supplies, from w_1 and the present forces."""
+    viscous = FORCE if chain.law.single else DAMPING
+    difference = chain.law.gamma * (table[viscous, 0] - table[viscous, 1])
+    return table[FORCE, 0] * (w_1 + table[MOBILITY, 1] * difference)
 
 
 @subroutine(forceinline=True)
@@ -247,7 +290,11 @@ def take_forces(law, table, source, first, last):
 def take_slopes(chain, table, source, slot, reach, with_power):
     """Write slopes of the compressions of a row into a slot; return the power, if asked."""
     take_forces(chain.law, table, source, int64(1), min(reach, chain.contacts))
-    return _difference_forces(chain, table, slot, reach, with_power)
+    power = _difference_forces(chain, table, slot, reach, with_power)
+    if with_power and chain.driven:
+        chain.clock.w_1 = _sum(table, source + (D - U), reach)
+        power -= _supplied_power(chain, table, chain.clock.w_1)
+    return power
 
 
 @subroutine(forceinline=True)
@@ -266,7 +313,11 @@ def _take_stage(chain, table, row, h, reach, with_power):
             viscous, weights = (VISCOUS_SLOPES + first, terms), chain.viscous_weights[row]
             sum_rows(table, VALUE, PARTIAL, D, 0.0, viscous, weights, last)
         take_forces(law, table, VALUE, int64(1), last)
-    return _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
+    take_drive(chain, chain.clock.t + factor)
+    power = _difference_forces(chain, table, rk.SLOT[row], reach, with_power)
+    if with_power and chain.driven:
+        power -= _supplied_power(chain, table, chain.clock.w_1 + h * _slope_of_first(table, row))
+    return power
 
 
 class Largest(NamedTuple):
@@ -413,6 +464,7 @@ def try_step(chain, table, h, reach, with_energy):
 def accept(chain, table, reach):
     """Make the new state and its slopes the start of the next step."""
     start, end = rk.SLOT[0], rk.SLOT[rk.NEW_SLOPE]
+    table[ELASTIC_SLOPES + start, 0] = table[ELASTIC_SLOPES + end, 0]
     for n in range(uint64(1), uint64(reach + 1)):
         table[U, n] = table[NEW_U, n]
         table[D, n] = table[NEW_D, n]

@@ -24,7 +24,7 @@ def main(words):
     commands = {"--family": check_family, "--critical": print_critical_damping}
     if hasattr(sys.stdout, "reconfigure"):  # Consoles without Greek letters get their numbers.
         sys.stdout.reconfigure(errors="backslashreplace")
-    if not words or "--help" in words:
+    if not words or {"-h", "--help"} & set(words):
         print(__doc__)
         return 0 if words else 2
     if words[0] in commands and len(words) == 1:

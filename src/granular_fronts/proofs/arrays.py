@@ -11,12 +11,9 @@ from granular_fronts.proofs.balls import NotProvedError
 
 LONGEST = 1000  # of the sizes that a certificate names
 LARGEST = 2**28  # bytes of all its arrays
-LONGEST_CHECK = 60.0  # seconds that a check may take,
-PAIR, ENTRY, PIECE = (
-    2e-6,
-    5e-6,
-    5e-4,
-)  # of which a pair of rows, a cell of g, a polynomial take so many
+LONGEST_CHECK = 60.0  # seconds that a check may take; of these, measured,
+PAIR, ENTRY = 2e-6, 5e-6  # for two rows of the matrix, and for a cell of an inverse
+FINE, PIECE = 3e-4, 5e-4  # for a cell of the kernel on one bead, and for a polynomial
 DECIMALS = Context(prec=99, traps=[Inexact])  # more digits than 64 bits over 64 bits can have
 
 
@@ -63,9 +60,9 @@ def require_lengths(have, want):
         raise NotProvedError(f"the arrays have the lengths {have}, not {want}")
 
 
-def require_short(rows, entries, pieces):
+def require_short(rows, entries, fine, pieces):
     """Stop before a check that would take more than a minute: of a matrix, inverses and cells."""
-    seconds = PAIR * rows**2 + ENTRY * entries + PIECE * pieces
+    seconds = PAIR * rows**2 + ENTRY * entries + FINE * fine + PIECE * pieces
     if seconds > LONGEST_CHECK:
         raise NotProvedError(
             f"its check would take about {seconds:.0f} s, and above {LONGEST_CHECK:.0f} s none is"

@@ -44,7 +44,7 @@ from granular_fronts.proofs.tail_roots import require_zeros
 from granular_fronts.proofs.uniqueness import unique
 
 TAYLOR_ORDER = 8  # of the residual about the middle of a cell
-PARTS_AT_ONCE = 10  # parts of γ behind take as long as the cells once
+PARTS_AT_ONCE = 50  # parts of γ behind take as long as the cells once
 MOST_POWERS = 8  # of s in P̄ and in an inverse
 SMALL_STRAIN = 1e-7  # where ū may be below, no Taylor polynomial of ū^α is made
 EXPANSION = {  # kind of number and axes
@@ -78,8 +78,8 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         `proved` (bool) and, where it is False, `reason`.  The `statements` hold for all parameters
         between the ends `alpha` and `gamma`, pairs of exact fractions; `error` bounds the distance
         of u* from ū.  `numbers` always holds `radius` (of the ball of y) and `shift`, a bound of
-        |ξ₀|, u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B, `overshoot`
-        (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
+        the size of ξ₀, where u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B,
+        `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
         `amplitude_low`, `amplitude_high` of A or B.  The value 1 marks `monotone`, `oscillates`
         (behind, so that max u* > 1) and `critical` (monotone above some γ, and not below).
         Dashpots have `tail_start`, and `tail_low`, `tail_high`, the values there of exponentials
@@ -130,7 +130,7 @@ class Front(Contraction):
         require_lengths(have, want)
         entries = sum(data[name].size for name in data if name.endswith("inverse"))
         parts = 1 + int(data["starts"][-1]) / PARTS_AT_ONCE if "starts" in data else 1
-        require_short(self.W, entries, len(data["profile"]) * want[0] * parts)
+        require_short(self.W, entries, n * self.fine, len(data["profile"]) * want[0] * parts)
         self.nK = 2 * self.gamma if self.gamma >= 1 else 1 + self.gamma**2
         known = [self.integrate(k, rows) for k, rows in enumerate(data["profile"].tolist())]
         self.profile, first, second = (

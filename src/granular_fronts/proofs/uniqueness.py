@@ -68,6 +68,7 @@ class _Neighbourhood:
         behind, ahead = front.outer_kappa
         self.steep = [steep[0], *steep, steep[-1]]
         self.kappa = [behind, *front.kappa, ahead]
+        self.errors = [kappa * front.r for kappa in self.kappa]
         self.low, self.high = [arb(1), *front.u_low, arb(0)], [arb(1), *front.u_high, arb(0)]
         start, end = ((front.left + side) * n for side in (-1, 1))
         self.inside = range(start, end)
@@ -78,20 +79,25 @@ class _Neighbourhood:
         self.fall = -largest(lowest) - largest(highest)
         self.weight = sum((front.rho[j] for j in self.inside), arb(0)) / n / self.fall
 
-    def bound(self, W):
-        """Return the left side of the inequality of Theorem B."""
+    def shift(self, W):
+        """Return T."""
         front = self.front
-        errors = [kappa * front.r for kappa in self.kappa]
         gaps = (
-            front.unknown_gap(front.u_high[j] + errors[j + 1].max(W), errors[j + 1] + W)
+            front.unknown_gap(front.u_high[j] + self.errors[j + 1].max(W), self.errors[j + 1] + W)
             for j in self.inside
         )
-        T = sum(gaps, arb(0)) / front.n / self.fall
+        return sum(gaps, arb(0)) / front.n / self.fall
+
+    def bound(self, W):
+        """Return the left side of the inequality of Theorem B."""
+        front, T = self.front, self.shift(W)
         if not T < self.H:
             return arb("inf")
         rises = [
             front.rise(low, high, W.max(error + T * steep))
-            for low, high, error, steep in zip(self.low, self.high, errors, self.steep, strict=True)
+            for low, high, error, steep in zip(
+                self.low, self.high, self.errors, self.steep, strict=True
+            )
         ]
         inner = largest(kappa * rise for kappa, rise in zip(self.kappa, rises, strict=True))
         outer = largest(steep * rise for steep, rise in zip(self.steep, rises, strict=True))

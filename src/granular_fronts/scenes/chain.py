@@ -4,6 +4,12 @@ import math
 from collections.abc import Iterator, Mapping
 
 from granular_fronts.scenes.beads import bead_count, contact_count, has_materials, patterns_fit
+from granular_fronts.scenes.drives import (
+    LARGEST_STEP,
+    fastest_of,
+    key_of_drive,
+    value_at_start,
+)
 from granular_fronts.scenes.laws import (
     absolute_tolerance_errors,
     damping_rate,
@@ -35,7 +41,13 @@ Chains of 2 to 21 beads without damping, pressed or pushed from both ends, stay 
 to 1.5.
 """
 
-HELD_ENDS = {"pressure": {"left", "right"}, "piston": {"right"}, "ring": set(), "wall": {"left"}}
+HELD_ENDS = {
+    "pressure": {"left", "right"},
+    "force": {"right"},
+    "piston": {"right"},
+    "ring": set(),
+    "wall": {"left"},
+}
 """Ends at which each kind of boundary holds a relative displacement."""
 
 STEPS_PER_CROSSING, STEPS_PER_DAMPING_TIME = 1.0 / 3.0, 1.0 / 20.0
@@ -97,12 +109,12 @@ def _start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
     boundary, start = scene["boundary"], scene["start"]
     if boundary["kind"] != "piston" or start["kind"] != "given":
         return
-    begins = 0 if boundary.get("ramp") else boundary["velocity"]
+    begins = value_at_start(boundary)
     found = start["velocity"][0] if start["velocity"] else begins
     if found != begins:
         yield (
             f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
-            f"velocity {begins}: give {begins} first."
+            f"velocity {begins:g}: give {begins:g} first."
         )
 
 
@@ -114,7 +126,9 @@ def _ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
     for end in ("left", "right"):
         if boundary.get(end, 0) < 0:
             yield f"boundary.{end} is {boundary[end]}, below its limit 0: give 0 or more."
-    if (velocity := boundary.get("velocity", 0)) < 0:
+    velocity = boundary.get("velocity", 0)
+    # A function of time may retreat for a while.
+    if not isinstance(velocity, Mapping) and velocity < 0:
         yield (
             f"boundary.velocity is {velocity}, below its limit 0: give 0, a wall, or a number "
             "above 0."
@@ -163,6 +177,7 @@ def _exponents_fit_the_law(scene: Mapping) -> Iterator[str]:
 def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
     """A chain in equilibrium is held by what bears its weight; a body force needs such an end."""
     boundary, kind, gravity = scene["boundary"], scene["start"]["kind"], scene.get("gravity", 0.0)
+    driven = boundary["kind"] in ("force", "piston")
     if gravity and boundary["kind"] in ("ring", "piston"):
         yield (
             f"gravity is {gravity}, but boundary.kind is {boundary['kind']}: take pressure at both "
@@ -170,15 +185,20 @@ def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
         )
     if kind not in ("equilibrium", "striker"):
         return
-    if boundary["kind"] in ("ring", "piston"):
+    if boundary["kind"] == "ring" or (boundary["kind"] == "piston" and kind == "striker"):
         yield f"start.kind is {kind}, but boundary.kind is {boundary['kind']}: take a wall."
+    elif driven and gravity:
+        yield (
+            f"start.kind is {kind}, but gravity is {gravity} and boundary.kind {boundary['kind']}, "
+            "which do not balance: take a wall."
+        )
     elif boundary["kind"] == "pressure" and (gravity or boundary["left"] != boundary["right"]):
         yield (
             f"start.kind is {kind}, but boundary.left is {boundary['left']}, boundary.right "
             f"{boundary['right']} and gravity {gravity}, which do not balance: take a wall, or "
             "equal ends without gravity."
         )
-    elif boundary["left"] < 0.0:
+    elif boundary.get("left", 0.0) < 0.0:
         yield (
             f"start.kind is {kind}, but boundary.left is {boundary['left']}, which pulls: give 0 "
             "or more."
@@ -212,6 +232,8 @@ def _striker_at_a_distance_is_free(scene: Mapping) -> Iterator[str]:
             f"start.gap is {start['gap']}, but contacts of this law are not free when open: take "
             "alpha of 1 or more, or leave the gap out."
         )
+    if key_of_drive(scene["boundary"]):
+        yield f"start.gap is {start['gap']}, but a force acts on the striker: leave one out."
     if left > 0.0:
         yield (
             f"start.gap is {start['gap']}, but boundary.left is {left}, which presses the striker: "
@@ -225,7 +247,10 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     start, least = scene["start"], 0.0
     if start["kind"] in ("equilibrium", "striker"):
         # The first contact bears the least.
-        least = scene["boundary"]["left"] + max(scene.get("gravity", 0.0), 0.0)
+        boundary = scene["boundary"]
+        pressed = value_at_start(boundary) if key_of_drive(boundary) == "force" else 0.0
+        pressed = boundary.get("left", boundary.get("right", pressed))
+        least = pressed + max(scene.get("gravity", 0.0), 0.0)
     smallest = min(start.get("relative_displacement", [least]), default=math.inf)
     if alpha is not None and alpha < 1 and smallest <= 0:
         yield (
@@ -300,6 +325,10 @@ def size_of_chain(scene: Mapping) -> Iterator[Part]:
     yield Part(("beads",), (), NUMBERS_PER_BEAD * beads)
     damped = ("law.gamma",) if is_short(scene["law"]) and scene["law"]["gamma"] > 1.0 else ()
     yield Part(("beads", "end_time", *damped), (), 0.0, _motion_time(scene, beads))
+    if fastest := fastest_of(scene["boundary"]):
+        key = f"boundary.{key_of_drive(scene['boundary'])}.harmonic.angular_frequency"
+        steps = fastest * end / LARGEST_STEP
+        yield Part(("end_time", key), (), 0.0, steps * SECONDS_PER_STEP)
     yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
     for key, entry in _series(scene).items():
         # A sensor needs the whole chain, since momentum and energy of all beads beyond it count.
@@ -317,7 +346,7 @@ def _motion_time(scene: Mapping, beads: float) -> float:
     size, boundary = decades_of_displacement(scene), scene["boundary"]
     # Beads that nothing holds fly apart, and long steps follow them.
     flies_apart = boundary["kind"] == "pressure" and not (boundary["left"] or boundary["right"])
-    thrown = boundary["kind"] == "piston" and not boundary.get("right", 0.0)
+    thrown = boundary["kind"] in ("piston", "force") and not boundary.get("right", 0.0)
     if flies_apart or not math.isfinite(size):
         return 0.0
     law, end = scene["law"], scene["end_time"]

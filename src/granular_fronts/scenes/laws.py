@@ -17,6 +17,7 @@ from typing import Any
 
 from granular_fronts.errors import InputError
 from granular_fronts.scenes.beads import bead_count
+from granular_fronts.scenes.drives import key_of_drive, largest_of
 
 MOST_DECADES = 140
 """Decades on either side of 1 within which the square of a number is a double too."""
@@ -103,9 +104,27 @@ def decades_of_impact(law: Any, velocity: float, most: int) -> float:
     sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
     energies = np.fmax(*(elastic.value(sign * 10.0**sizes) for sign in (-1.0, 1.0)))
     energies -= elastic.value(0.0)
-    inside = -(10.0**sizes) > elastic.domain[0]
-    enough = ~inside | (energies >= float(velocity) ** 2)
-    return float(sizes[np.argmax(enough)]) if enough.any() else float(most)
+    return _first_size(elastic, sizes, energies >= float(velocity) ** 2)
+
+
+def decades_of_load(law: Any, load: float, most: int) -> float:
+    """Return the size of the strain at which a contact bears a force, within 10^±most."""
+    if load == 0.0:
+        return -math.inf
+    if is_short(law):
+        return math.log10(load) / law["alpha"]
+    import numpy as np
+
+    elastic = made_law(law).elastic
+    sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
+    forces = np.fmax(*(abs(elastic.first(sign * 10.0**sizes)) for sign in (-1.0, 1.0)))
+    return _first_size(elastic, sizes, forces >= load)
+
+
+def _first_size(potential: Any, sizes: Any, enough: Any) -> float:
+    """Return the first size at which something is enough, or beyond which no contact is pressed."""
+    enough = enough | (-(10.0**sizes) <= potential.domain[0])
+    return float(sizes[enough.argmax()] if enough.any() else sizes[-1])
 
 
 def front_speed(law: Any, size: float) -> float:
@@ -163,13 +182,15 @@ def decades_of_displacement(scene: Mapping) -> float:
     displacements += start.get("relative_displacement", [])
     velocity = start.get("velocity", [])
     velocities = velocity if isinstance(velocity, list) else [velocity]
-    fastest = max(map(abs, [boundary.get("velocity", 0.0), *velocities]))
+    drive, driven = largest_of(boundary), key_of_drive(boundary)
+    fastest = max(map(abs, [drive if driven == "velocity" else 0.0, *velocities]))
     # A body force on N beads is the force of a compression, as a velocity is.
     weight = (
         math.sqrt(abs(scene.get("gravity", 0.0)) * bead_count(scene)) if "beads" in scene else 0.0
     )
     return max(
         max(map(decades, displacements)),
+        decades_of_load(scene["law"], drive, MOST_DECADES) if driven == "force" else -math.inf,
         *(decades_of_impact(scene["law"], one, MOST_DECADES) for one in (fastest, weight)),
     )
 

@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
+from granular_fronts.scenes.drives import drive_errors
 from granular_fronts.scenes.laws import energies_are_representable, law_errors
 from granular_fronts.scenes.limits import Part, part_errors
 
@@ -33,7 +34,7 @@ class Need(NamedTuple):
 class Section(NamedTuple):
     """Checks of a section in addition to its schema.
 
-    Its `checks` come after those of all sections: of its law, `ranges_increase` and
+    Its `checks` come after those of all sections: of its law and drive, `ranges_increase` and
     `steps_fit_ranges`.
     """
 
@@ -46,7 +47,7 @@ class Section(NamedTuple):
         """Say what is wrong with a section that obeys the schema; each level relies on the last."""
         checks = (ranges_increase, steps_fit_ranges, *self.checks)
         return (
-            [*law_errors(given)]
+            [*law_errors(given), *drive_errors(given)]
             or [*energies_are_representable(given)]
             or [error for check in checks for error in check(given)]
             or [*(part_errors(given, [*self.size(given)]) if self.size else [])]

@@ -75,7 +75,7 @@ class DashpotFront(Contraction):
             ),
         )
         entries = data["inverse_behind"].size + data["inverse_ahead"].size
-        require_short(W, entries, 2 * len(data["strain"]))
+        require_short(W, entries, ng, 2 * len(data["strain"]))
         reach, window = arb(sizes["p_ahead"]), arb(self.b + sizes["M"])
         self.require("p₊ < M + b + 1", reach, window + 1)
 

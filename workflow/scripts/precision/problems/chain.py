@@ -93,7 +93,7 @@ def _run_strain_form(scene, tolerance):
     with Stopwatch() as watch:
         integrate(run, {"relative": tolerance, "absolute": ABSOLUTE_OVER_RELATIVE * tolerance})
     final = collect(scene, run).dataset.isel(t=-1)
-    work = work_done(run.clock)
+    work = work_done(run)
     return Run(
         {name: final[name].values for name in FIELDS},
         **watch.times,
