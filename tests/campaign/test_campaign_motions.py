@@ -106,7 +106,7 @@ def test_campaigns_of_the_project_are_possible_and_small(name):
 
 @pytest.mark.slow
 def test_resonances_of_a_dimer_are_those_of_the_literature():
-    """Jayaprakash, Starosvetsky, Vakakis (2011, 2013): solitary waves at 0.34, losses at 0.59."""
+    """A solitary wave near the mass 0.34, and the largest losses near 0.59, as figure 26 shows."""
     file = ROOT / "config" / "campaigns" / "dimer_ratio.yaml"
     given = yaml.safe_load(file.read_text(encoding="utf-8"))
     best, worst = [0.28, 0.31, 0.34, 0.37, 0.4], [0.53, 0.56, 0.59, 0.62, 0.65]

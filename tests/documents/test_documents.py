@@ -179,6 +179,13 @@ def test_shown_campaign_is_possible():
     assert check_campaign(yaml.safe_load(text), "shown").size > 10_000
 
 
+def test_laboratory_scene_is_the_same_in_yaml_and_in_python():
+    page = ROOT / "docs" / "tutorials" / "laboratory.md"
+    [text], names = blocks(page, "yaml"), {}
+    exec(blocks(page, "{code-cell}")[0].partition("motion =")[0], names)
+    assert yaml.safe_load(text)["scenes"]["chain"]["steel_ptfe"] == names["scene"]
+
+
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda page: page.relative_to(ROOT).as_posix())
 def test_named_files_and_links_exist(document):
     text = document.read_text(encoding="utf-8")

@@ -238,6 +238,17 @@ def test_figure_18_dashes_where_fronts_oscillate_and_leaves_no_hole():
         assert 0 < oscillating.sum() < oscillating.size
 
 
+def test_figure_29_has_the_means_over_the_seeds_with_their_standard_errors():
+    _, draws, shown = picture("fig29")
+    energy = draws["transmitted_energy"]
+    drawn = (np.asarray(line.get_ydata(), float) for line in curves(shown["passed"])[2:5])
+    mean, *ends = drawn
+    standard = energy.std("beads_mass_random_seed", ddof=1) / 2**0.5 + 1e-6
+    np.testing.assert_allclose(mean, energy.mean("beads_mass_random_seed"))
+    for end, sign in zip(ends, (-1.0, 1.0), strict=True):
+        np.testing.assert_allclose(end, mean + sign * standard)
+
+
 def test_figures_20_name_the_damping_and_the_ratio_that_they_show():
     samples = SAMPLES["fig20b"]()
     for name, axis, values in (("damping", "damping", [0.3, 0.7]), ("mu", "mu", [3.0, 8.0])):

@@ -144,6 +144,7 @@ SECTIONS_REFUSED = [
     # Names that clash, or that nothing has.
     ("scenes.front.survey", FRONT, "scenes.front.survey has the name of the study survey"),
     ("scenes.heteroclinic.weak", ORBIT, "weak has the name of scenes.heteroclinic.weak"),
+    ("scenes.front.tapered", FRONT, "tapered has the name of scenes.front.tapered"),
     ("precision.log_burgers.nosuch", ..., "nosuch names no periodic scene | weak, hertz"),
     # Counts and steps beyond the schema's limits.
     ("proofs.intervals.hertz.parts", [{"to": 1, "chunks": 10**9}], "chunks is 1000000000 | 10000"),
@@ -162,6 +163,9 @@ SECTIONS_REFUSED = [
     ("precision.chain.contact_loss.end_time", 1e300, "end_time is 1e+300 | 10000"),
     ("precision.log_burgers.weak.longest_steps", [1e-30], "(entry 1) is 1e-30 | 1e-06"),
     ("precision.log_burgers.weak.reference.points", 9, "points is 9 | multiple of 2"),
+    ("real_chains.tapered.beads.mass", {"taper": {"ratio": -1}}, "ratio is -1 | above 0"),
+    ("real_chains.tapered.beads.count", 1, "real_chains.tapered.beads.count is 1 | 2"),
+    ("real_chains.impurity_light.beads.count", 20, "impurity is at 30 | there are 20"),
     # Sizes.
     ("scenes.front.underdamped.window.step", 1e-9, "window.step = 1e-09 | 8,047 GiB"),
     ("scenes.front.underdamped.driven_bead", 10**7, "driven_bead = 10000000 | 29 days"),

@@ -49,6 +49,16 @@ for figure in FIGURES:
             f"Figure {number_of(figure)} is drawn."
 
 
+rule real_chains:
+    input:
+        rules.fig26.input,
+        rules.fig27.input,
+        rules.fig28.input,
+        rules.fig29.input,
+    message:
+        "Chains of unlike beads are drawn; the next report shows them: {input}."
+
+
 rule figures:
     input:
         FIGURE_FILES,

@@ -16,6 +16,7 @@ TARGETS_IN_WORDS = {
     "certificates": "An archive of all certificates of fronts, with their SHA-256 sums; takes long.",
     "referee": "Problems with accurate answers for discrete-element codes.",
     "ring_limit": "Rings of beads as α → 1, with figures 20 to 21b.",
+    "real_chains": "A striker on chains of unlike beads, with figures 26 to 29.",
     "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",
     "papers": "What this project makes of papers of others.",
     "help": "This list.",

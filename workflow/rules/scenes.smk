@@ -18,15 +18,15 @@ SOLVED_BY = {
 }
 
 
-# Those of the configuration, and those of papers of others.
-SCENES = {
-    family: config["scenes"][family] | scenes_of_papers(family) for family in FAMILIES.values()
-}
+def scenes_of(family):
+    """Return the scenes of a family by name, also those that are made on demand or are of papers."""
+    on_demand = config["real_chains"] if family == "chain" else {}
+    return config["scenes"][family] | on_demand | scenes_of_papers(family)
 
 
 def scene_of(family):
     """Return a function for `params`: the scene that the wildcard names."""
-    return lambda wildcards: SCENES[family][wildcards.scene]
+    return lambda wildcards: scenes_of(family)[wildcards.scene]
 
 
 for folder, family in FAMILIES.items():
@@ -52,7 +52,7 @@ for folder, family in FAMILIES.items():
         message:
             f"{words} of scene {{wildcards.scene}}."
         wildcard_constraints:
-            scene="|".join(SCENES[family]),
+            scene="|".join(scenes_of(family)),
         priority: urgency
         script:
             "{params.script}"

@@ -45,6 +45,9 @@ from granular_fronts.numerics.vector_functions import power
 
 _CONTRACT = {"contract"}
 
+# Weights of the new state and of both error estimates.
+FINAL = np.stack([rk.B, rk.ERROR_5, rk.ERROR_3])
+
 FIRST_STEP = 1e-3
 SHORTEST_STEP = 1e-14  # In units of the time to be reached.
 SMALLEST_ERROR = 1e-12  # In units of the tolerance.
@@ -147,9 +150,8 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
     The clock holds time, step and stop; the result is the time, the next step and the smallest u.
     """
     t, h, stop = clock
-    stage, new, fifth, third = np.empty((4, state.size))
-    slopes, nothing = np.empty((rk.STAGES, state.size)), np.zeros(state.size)
-    parts = np.empty((2, state.size // 4))
+    slopes, stage = np.empty((rk.STAGES, state.size)), np.empty(state.size)
+    ends, parts = np.empty((3, state.size)), np.empty((2, state.size // 4))
     smallest = np.inf
     while t < stop and smallest > 0.0 and not interrupted():
         landing = t + h >= stop
@@ -158,12 +160,11 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
         if step < SHORTEST_STEP * stop and not landing:
             break
         for row in range(rk.STAGES):
-            _combine(state, step, rk.A[row], slopes, stage)
+            _combine(state, 1.0, step, rk.A[row], slopes, stage)
             _rates(matrices, alpha, gamma, stage, parts, slopes[row])
-        _combine(state, step, rk.B, slopes, new)
-        _combine(nothing, step, rk.ERROR_5, slopes, fifth)
-        _combine(nothing, step, rk.ERROR_3, slopes, third)
-        error = _norm(state, new, fifth, third, tolerance)
+        for k in range(3):
+            _combine(state, 1.0 if k == 0 else 0.0, step, FINAL[k], slopes, ends[k])
+        error = _norm(state, ends, tolerance)
         factor = rk.SMALLEST_FACTOR  # Also where the error is not a number.
         if error < math.inf:
             growth = rk.SAFETY * max(error, SMALLEST_ERROR) ** rk.ERROR_EXPONENT
@@ -171,8 +172,9 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
         accepted = error <= 1.0
         if accepted:
             t = stop if landing else t + step
-            state[:] = new
-            smallest = min(smallest, new[: new.size // 2].min())
+            for n in range(uint64(state.size)):
+                state[n] = ends[0, n]
+            smallest = min(smallest, ends[0, : state.size // 2].min())
         if not (accepted and landing):
             h = step * factor
     return t, h, smallest
@@ -217,7 +219,8 @@ def _multiply(matrices, parts, products):
     half = uint64(parts.shape[1])
     for part in range(uint64(2)):
         rows, values, first = matrices[part], parts[part], part * half
-        products[first : first + half] = 0.0
+        for n in range(half):
+            products[first + n] = 0.0
         for block in range(half // uint64(4)):
             j = uint64(4) * block
             a, b, c, e = values[j], values[j + 1], values[j + 2], values[j + 3]
@@ -228,9 +231,10 @@ def _multiply(matrices, parts, products):
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)
-def _combine(start, step, weights, slopes, result):
-    """Write a row plus a step along a weighted sum of slopes."""
-    result[:] = start
+def _combine(start, share, step, weights, slopes, result):
+    """Write a share of a row plus a step along a weighted sum of slopes."""
+    for n in range(uint64(result.size)):
+        result[n] = share * start[n]
     for row in range(rk.STAGES):
         weight = step * weights[row]
         if weight != 0.0:
@@ -239,8 +243,9 @@ def _combine(start, step, weights, slopes, result):
 
 
 @subroutine(fastmath={"contract", "reassoc"}, forceinline=True)
-def _norm(old, new, fifth, third, tolerance):
+def _norm(old, ends, tolerance):
     """Error of a step in units of the tolerance, from both estimates as DOP853 weighs them."""
+    new, fifth, third = ends[0], ends[1], ends[2]
     total, lower = 0.0, 0.0
     for n in range(uint64(old.size)):
         scale = tolerance * (0.01 + max(abs(old[n]), abs(new[n])))

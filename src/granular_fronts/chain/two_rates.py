@@ -57,7 +57,7 @@ WIDTH, SHORTEST_WINDOW = 192, 768
 # Most short steps for each long one, and parts of a long one for which an overlap is left.
 MOST_SHORT_STEPS, MOST_PARTS = 16, 4
 # How many short steps are first tried for a long one, and how much smaller errors behind are kept.
-FIRST_RATIO, CAUTION = 4.0, 30.0
+FIRST_RATIO, CAUTION = 4.0, 100.0
 # While long steps do not pay, the next one to be tried grows slowly.
 RECOVERY = 1.002
 STEPS_PER_BLOCK = 2000

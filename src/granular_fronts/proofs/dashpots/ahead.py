@@ -11,10 +11,10 @@ comparison with such exponentials.  Unlike with β = α the tail is exponential.
 
 **Lemma 18.** u = O(e^(−νξ)) as ξ → ∞ for every ν < μ.
 
-*Proof.* With k̂(λ) = ∫ k(s) e^(−λs) ds, Re (1 − γ k̂(−ν + iω)) = 1 − 2γ ∫₀¹ sinh(ντ) cos(ωτ) dτ ≥
-1 − 2γ (cosh ν − 1)/ν = σ(ν)/ν > 0 for 0 < ν < μ, and 1 for ν = 0.  So δ − γ k has an inverse δ + G
-with ∫ |G| (1 + e^(νs)) ds < ∞ for each ν < μ (Wiener, with weights).  Let s(x) = sup |u| over ξ >
-x.  Cutting at x leaves
+*Proof.* With k̂(λ) = ∫ k(s) e^(−λs) ds, Re (1 − γ k̂(−ν + iω)) = 1 − 2γ ∫₀¹ sinh(ντ) cos(ωτ) dτ ≥ 1
+− 2γ (cosh ν − 1)/ν = σ(ν)/ν > 0 for 0 < ν < μ, and 1 for ν = 0.  So δ − γ k has an inverse δ + G
+with ∫ |G| (1 + e^(νs)) ds < ∞ for each ν < μ (Lemma 23 of `consequences`).  Let s(x) = sup |u| over
+ξ > x.  Cutting at x leaves
 
     u 1_{>x} − γ k*(u 1_{>x}) = 1_{>x} Λ*P + E,                                                 (b)
 

@@ -67,11 +67,12 @@ g*(1_{ξ<−b} y) + g₊*(1_{ξ>M} y) by a compact operator: y_w ↦ v and d hav
 live on (−b − 1, −b) and (M, M + 1) with a common Lipschitz constant.  In the splitting of L^∞ at −b
 and M this operator is triangular, since q ≤ b and p₊ ≤ M + b.  Its diagonal holds the identity and
 the Wiener–Hopf operators of 1 + g and 1 + g₊.  Their indices in L^∞ of a half line are ± the
-winding numbers of 1 + ĝ and 1 + ĝ₊ (Lemma 22 of `consequences`).  (1 + ĝ)(1 − f̂) = 1 + ê with |ê|
-< 1, and 1 − f̂(iω) = 1 − α (1 − i (γ/α) ω) sinc²(ω/2) winds once (Lemma 4); (1 + ĝ₊)(1 − γ k̂) = 1
-+ ê₊ with |ê₊| < 1, and 1 − γ k̂(iω) = 1 + iγω sinc²(ω/2) does not wind.  So |ind A| = 1; A being
-injective, dim ker L* = codim Ran A = 1.  As u and u₊^α are Lipschitz, u' = γ k*u' + Λ*(a(u) u') is
-a bounded element of the kernel.  It is not 0, as u is not constant.  ∎
+winding numbers of 1 + ĝ and 1 + ĝ₊ (Lemma 22 of `consequences`; as there, both have inverses of the
+kind 1 + l̂).  (1 + ĝ)(1 − f̂) = 1 + ê with |ê| < 1, and 1 − f̂(iω) = 1 − α (1 − i (γ/α) ω)
+sinc²(ω/2) winds once (Lemma 4); (1 + ĝ₊)(1 − γ k̂) = 1 + ê₊ with |ê₊| < 1, and 1 − γ k̂(iω) = 1 +
+iγω sinc²(ω/2) does not wind.  So |ind A| = 1; A being injective, dim ker L* = codim Ran A = 1.  As
+u and u₊^α are Lipschitz, u' = γ k*u' + Λ*(a(u) u') is a bounded element of the kernel.  It is not
+0, as u is not constant. ∎
 
 So the front is isolated up to shifts and continues to a C¹ branch in γ, as after Lemma 4.
 """
