@@ -19,8 +19,9 @@ from pages import (
 )
 from projects import ROOT
 
-START, HOW_TO, PROOFS, PRACTITIONERS = (
-    ROOT / "docs" / f"{name}.md" for name in ("start", "how_to", "proofs", "practitioners")
+START, HOW_TO, PROOFS, PRACTITIONERS, YOUR_PAPER = (
+    ROOT / "docs" / f"{name}.md"
+    for name in ("start", "how_to", "proofs", "practitioners", "papers/your_paper")
 )
 MADE_BY_THE_BUILD = ("generated", "_build", "jupyter_execute")
 DOCUMENTS = [
@@ -33,9 +34,9 @@ DOCUMENTS = [
 ]
 
 
-# Those of the page on extensions are run on a copy of the project, those of proofs as they are,
-# those for practitioners in the folder of the answers (test_practitioners.py).
-ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS)
+# Those of the pages on extensions and papers are run on a copy of the project, those of proofs as
+# they are, those for practitioners in the folder of the answers (test_practitioners.py).
+ELSEWHERE = (EXTENDING, PROOFS, PRACTITIONERS, YOUR_PAPER)
 SHOWN = {line for page in DOCUMENTS if page not in ELSEWHERE for line in commands(page)}
 NAMED = {
     line for page in DOCUMENTS if page.name != "CHANGELOG.md" for line in commands_in_lines(page)

@@ -86,7 +86,6 @@ def write(results, on_demand=True, pages=(), **parameters):
     names += pages
     write_report(
         template=ROOT / "workflow/report/page.html.j2",
-        texts=ROOT / "workflow/tables.yaml",
         figures=[results / "figures/fig01_front.json"],
         tables=[results / "tables/paper_numbers.json"],
         on_demand=[results / name for name in names],
@@ -95,6 +94,7 @@ def write(results, on_demand=True, pages=(), **parameters):
         benchmarks=[results / "job.tsv", results / "other.tsv"],
         verdict=results / "verdict.txt",
         configuration={"scenes": {"beads": 4}},
+        texts=yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8")),
         page=results / "report.html",
     )
     return (results / "report.html").read_text(encoding="utf-8")

@@ -36,22 +36,23 @@ def all_blocks(document):
     return [(language, textwrap.dedent(block)) for _, language, block in found]
 
 
-def placed_blocks(subject):
-    """File, side, line and text of each block under a heading of the page on extensions."""
-    sections = EXTENDING.read_text(encoding="utf-8").split("\n## ")
+def placed_blocks(subject, page=EXTENDING):
+    """File, side, line and text of each block under a heading of a page."""
+    sections = page.read_text(encoding="utf-8").split("\n## ")
     [section] = [section for section in sections if section.startswith(subject)]
     for _, _, block in FENCE.findall(section):
         if match := PLACE.match(block := textwrap.dedent(block)):
             yield *match.groups(), block[match.end() :]
 
 
-def carry_out(project, subject, but=None):
-    """Change a project as the page on extensions says; the files that were changed."""
+def carry_out(project, subject, but=None, page=EXTENDING):
+    """Change a project as a page says; the files that were changed."""
     changed = set()
-    for name, side, line, text in placed_blocks(subject):
+    for name, side, line, text in placed_blocks(subject, page):
         if name == but:
             continue
         file = project / name
+        file.parent.mkdir(exist_ok=True)
         lines = file.read_text(encoding="utf-8").splitlines(True) if file.exists() else []
         at = len(lines)
         if side:

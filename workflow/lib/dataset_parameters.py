@@ -11,6 +11,7 @@ from operator import getitem
 from typing import Any
 
 from granular_fronts.scenes.study import studies
+from papers import listed_in_papers, scenes_of_papers
 
 FAMILIES = {
     "chain": "chain",
@@ -45,6 +46,18 @@ def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
         "proofs/fronts": configuration["proofs"]["fronts"],
         "proofs/intervals": configuration["proofs"]["intervals"],
         "proofs/shown_front": shown_front(configuration),
+    }
+
+
+def parameters_of_papers() -> dict[str, Any]:
+    """Return the parameters of the datasets of papers of others, which no configuration changes."""
+    return {
+        f"{folder}/{name}": scene
+        for folder, family in FAMILIES.items()
+        for name, scene in scenes_of_papers(family).items()
+    } | {
+        f"{study['folder']}/{name}": study["parameters"]
+        for name, study in listed_in_papers("studies").items()
     }
 
 

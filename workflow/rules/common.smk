@@ -14,12 +14,14 @@ SOURCE = os.path.join(PROJECT, "src")
 LIBRARY = os.path.join(PROJECT, "workflow", "lib")
 SCRIPTS = os.path.join(PROJECT, "workflow", "scripts")
 DRAWING = os.path.join(SCRIPTS, "figures")
+# Each paper of others has its own scripts.
+PAPERS = sorted(glob(os.path.join(PROJECT, "papers", "*", "")))
 
 # The package and its compiled kernels are found without an installation, here and by the jobs.
 sys.path[:0] = [SOURCE, LIBRARY]
 os.environ.update(
     PYTHONPATH=os.pathsep.join(
-        filter(None, [SOURCE, LIBRARY, DRAWING, os.environ.get("PYTHONPATH")])
+        filter(None, [SOURCE, LIBRARY, DRAWING, *PAPERS, os.environ.get("PYTHONPATH")])
     ),
     NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
 )
@@ -36,7 +38,7 @@ from granular_fronts.numerics.imports import import_closure, module_files
 from run_lock import LOCK_VARIABLE, lock_folder
 
 MODULES = module_files(
-    *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", "")))])
+    *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", ""))), *PAPERS])
 )
 # It hands a script what the rule names, and has no part in what comes out.
 del MODULES["step"]

@@ -10,7 +10,7 @@ for figure in FIGURES:
             f"plot_{figure}"
         input:
             **figure_inputs(figure),
-            template=project("workflow", "report", f"{figure}.rst"),
+            template=template_of(figure),
         output:
             pdf=f"<results>/{stem_of(figure)}.pdf",
             png=report(

@@ -18,8 +18,12 @@ TARGETS_IN_WORDS = {
     "ring_limit": "Rings of beads as α → 1, with figures 20 to 21b.",
     "real_chains": "A striker on chains of unlike beads, with figures 26 to 29.",
     "campaign": "A grid of parameter points; add --config campaign=NAME, a file of config/campaigns.",
+    "papers": "What this project makes of papers of others.",
     "help": "This list.",
 }
+
+
+TARGETS_IN_WORDS |= {f"papers/{name}": f"{paper['title']}." for name, paper in papers().items()}
 
 
 # A figure has the words of the rule that draws it.

@@ -4,14 +4,20 @@ from altered_files import make_altered_files_again
 from dataset_parameters import (
     FAMILIES,
     default_parameters,
+    parameters_of_papers,
     parameters_on_demand,
     precision_problems,
 )
 from granular_fronts.output.files import read_json
 from granular_fronts.output.provenance import code_version, disagreements
 from granular_fronts.scenes.yaml_files import read_yaml
+from papers import listed_in_papers, papers, scenes_of_papers
 
-PARAMETERS = default_parameters(config) | parameters_on_demand(config)
+# A mistake in a paper's folder is one sentence.
+with exit_on_error("A paper of others cannot be computed."):
+    papers()
+
+PARAMETERS = default_parameters(config) | parameters_on_demand(config) | parameters_of_papers()
 DATASETS = expand("<results>/data/{dataset}.nc", dataset=default_parameters(config))
 
 
@@ -69,7 +75,7 @@ def parameters(*datasets):
 @cache
 def paper_parameters():
     """Return the parameters that the paper has, by the name of the scene."""
-    every = default_parameters(DEFAULTS) | parameters_on_demand(DEFAULTS)
+    every = default_parameters(DEFAULTS) | parameters_on_demand(DEFAULTS) | parameters_of_papers()
     return {dataset.rpartition("/")[2]: part for dataset, part in every.items()}
 
 

@@ -1,7 +1,7 @@
 """Figures and tables: what they are made from, and the files of each."""
 
-FIGURES = load_yaml("workflow", "figures.yaml")
-TABLES = load_yaml("workflow", "tables.yaml")
+FIGURES = load_yaml("workflow", "figures.yaml") | listed_in_papers("figures")
+TABLES = load_yaml("workflow", "tables.yaml") | listed_in_papers("tables")
 FOLDERS = {family: folder for folder, family in FAMILIES.items()}
 
 
@@ -45,12 +45,17 @@ def figure_inputs(figure):
 
 def stem_of(figure):
     """Return what the names of all files of a figure begin with."""
-    return f"figures/{figure}_{FIGURES[figure]['name']}"
+    return "_".join([f"figures/{figure}", *filter(None, [FIGURES[figure].get("name")])])
 
 
 def script_of(figure):
     """Return the name of the script that draws a figure."""
     return FIGURES[figure].get("script", f"plot_{figure}")
+
+
+def template_of(figure):
+    """Return the template of the caption of a figure."""
+    return project(FIGURES[figure].get("folder", "workflow/report"), f"{figure}.rst")
 
 
 def number_of(figure):
@@ -92,7 +97,8 @@ def table_inputs(table):
     """Return the files behind a table, for each argument of its script."""
     files = [data_file(dataset) for dataset in tabulated_from(table)]
     if statements := TABLES[table].get("statements"):
-        return {"statements": project("config", statements), "datasets": files}
+        folder = TABLES[table].get("folder", "config")
+        return {"statements": project(folder, statements), "datasets": files}
     return {"dataset": files[0]} if len(files) == 1 else {"datasets": files}
 
 
@@ -134,14 +140,19 @@ ON_DEMAND = made_on_demand()
 
 
 def datasets_on_demand():
-    """Return the datasets that something on demand may be made from; a campaign only if it was."""
+    """Return the datasets that something on demand may be made from.
+
+    A campaign, or what a paper of others lists, only if something was made from it.
+    """
     behind = {stem_of(figure): datasets_of(figure) for figure in FIGURES}
     behind |= {f"tables/{table}": one.get("data", []) for table, one in TABLES.items()}
-    campaigns = {
+    behind_made = {
         dataset
         for stem, datasets in behind.items()
         if os.path.join(config["results"], f"{stem}.json") in ON_DEMAND
         for dataset in datasets
-        if dataset.startswith("campaigns/") and os.path.exists(project("config", f"{dataset}.yaml"))
+        if dataset in parameters_of_papers()
+        or dataset.startswith("campaigns/")
+        and os.path.exists(project("config", f"{dataset}.yaml"))
     }
-    return [*parameters_on_demand(config), *sorted(campaigns)]
+    return [*parameters_on_demand(config), *sorted(behind_made)]

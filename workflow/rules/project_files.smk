@@ -14,6 +14,7 @@ PROJECT_FILES = [
     "codecheck.yml",
     "config/**/*",
     "docs/**/*",
+    "papers/**/*",
     "profiles/default/config.yaml",
     "pyproject.toml",
     "src/**/*",

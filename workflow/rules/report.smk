@@ -1,10 +1,16 @@
 """One page with figures, captions, tables, configuration and run times."""
 
+# Titles and captions of the tables of the page.
+SHOWN_TABLES = {
+    table: TABLES[table]
+    for table in TABLES
+    if table in DEFAULT_TABLES or f"{config['results']}/tables/{table}.json" in ON_DEMAND
+}
+
 
 rule write_report:
     input:
         template=project("workflow", "report", "page.html.j2"),
-        texts=project("workflow", "tables.yaml"),
         figures=[f"<results>/{stem_of(figure)}.json" for figure in DEFAULT_FIGURES],
         tables=[f"<results>/tables/{name}.json" for name in DEFAULT_TABLES],
         files=FIGURE_FILES + TABLE_FILES,
@@ -33,6 +39,7 @@ rule write_report:
     params:
         code=code("write_report"),
         configuration=config,
+        texts=lambda wildcards: SHOWN_TABLES,
         results=subpath(output.page, parent=True),
         on_demand=ON_DEMAND,
         parameters=parameters(*default_parameters(config), *datasets_on_demand()),

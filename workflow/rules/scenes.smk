@@ -19,8 +19,9 @@ SOLVED_BY = {
 
 
 def scenes_of(family):
-    """Return the scenes of a family by name, also those that are made on demand."""
-    return config["scenes"][family] | (config["real_chains"] if family == "chain" else {})
+    """Return the scenes of a family by name, also those that are made on demand or are of papers."""
+    on_demand = config["real_chains"] if family == "chain" else {}
+    return config["scenes"][family] | on_demand | scenes_of_papers(family)
 
 
 def scene_of(family):

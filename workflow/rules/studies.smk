@@ -2,7 +2,7 @@
 
 from granular_fronts.scenes.study import studies
 
-for study, described in studies().items():
+for study, described in (studies() | listed_in_papers("studies")).items():
 
     rule:
         name:

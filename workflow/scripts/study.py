@@ -10,6 +10,7 @@ from pathlib import Path
 from granular_fronts.arguments import choice
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.scenes.study import studies
+from papers import listed_in_papers
 from step import run_step
 
 
@@ -19,13 +20,14 @@ def study(study: str, section: dict, dataset: Path) -> None:
     Parameters
     ----------
     study : str
-        Its name in workflow/studies.yaml.
+        Its name in workflow/studies.yaml or in a paper's folder.
     section : dict
         Its part of the configuration, the arguments of its function.
     dataset : Path
         The netCDF file to write.
     """
-    function = studies()[choice("a study", study, list(studies()))]["function"]
+    listed = studies() | listed_in_papers("studies")
+    function = listed[choice("a study", study, list(listed))]["function"]
     module, _, name = function.rpartition(".")
     computed = getattr(import_module(module), name)(**section)
     write_dataset(computed, dataset, scene_id=study, config=section)

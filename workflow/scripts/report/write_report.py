@@ -11,6 +11,7 @@ demand is left out, and named, where it answers another configuration.
 
 import json
 import os
+import re
 from base64 import b64encode
 from collections import Counter
 from pathlib import Path
@@ -33,7 +34,6 @@ from granular_fronts.output.statements import (
     REPRODUCED,
     UNDECIDED,
 )
-from granular_fronts.scenes.yaml_files import read_yaml
 from step import run_step
 
 PAPER_FIGURES = [str(number) for number in range(1, 9)]
@@ -54,7 +54,6 @@ FOR_MACHINES = ["kind", "expected"]
 
 def write_report(  # noqa: PLR0913 - what its rule names
     template: Path,
-    texts: Path,
     figures: list[Path],
     tables: list[Path],
     on_demand: list[Path],
@@ -63,6 +62,7 @@ def write_report(  # noqa: PLR0913 - what its rule names
     benchmarks: list[Path],
     verdict: Path,
     configuration: dict,
+    texts: dict,
     page: Path,
 ) -> None:
     """Fill the template of the page.
@@ -71,8 +71,6 @@ def write_report(  # noqa: PLR0913 - what its rule names
     ----------
     template : Path
         Jinja2 template of the page.
-    texts : Path
-        Titles and captions of the tables, a YAML file.
     figures, tables : list of Path
         Provenance of figures and tables, in the order of the page; their files lie next to it.
     on_demand : list of Path
@@ -87,6 +85,8 @@ def write_report(  # noqa: PLR0913 - what its rule names
         What the tests of the finished files said.
     configuration : dict
         The merged configuration that was computed.
+    texts : dict
+        Titles and captions of the tables, by their names.
     page : Path
         The HTML file to write.
 
@@ -106,12 +106,9 @@ def write_report(  # noqa: PLR0913 - what its rule names
     # A figure alone has a caption of its own.
     figures = sorted([*figures, *_with_file(".rst", shown)])
     tables = [*tables, *_with_file(".csv", shown)]
-    described = read_yaml(texts)
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     shown_figures = [_describe_figure(provenance) for provenance in figures]
-    shown_tables = [
-        _describe_table(provenance, described[provenance.stem]) for provenance in tables
-    ]
+    shown_tables = [_describe_table(provenance, texts[provenance.stem]) for provenance in tables]
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
         parts=[
             {
@@ -154,7 +151,8 @@ def _describe_figure(provenance: Path) -> dict[str, Any]:
     """What the page shows of a figure."""
     described = read_json(provenance)
     picture = b64encode(provenance.with_suffix(".png").read_bytes()).decode("ascii")
-    number = provenance.stem.partition("_")[0].removeprefix("fig").lstrip("0")
+    numbered = re.match(r"fig0*(\w+?)_", provenance.stem)
+    number = numbered[1] if numbered else provenance.stem
     return {
         "name": provenance.stem,
         "number": number,
