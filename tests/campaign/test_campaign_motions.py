@@ -105,7 +105,7 @@ def test_campaigns_of_the_project_are_possible_and_small(name):
 
 
 @pytest.mark.slow
-def test_resonances_of_a_dimer_are_those_of_the_literature():
+def test_a_dimer_carries_and_scatters_pulses_at_the_masses_of_figure_26():
     """A solitary wave near the mass 0.34, and the largest losses near 0.59, as figure 26 shows."""
     file = ROOT / "config" / "campaigns" / "dimer_ratio.yaml"
     given = yaml.safe_load(file.read_text(encoding="utf-8"))
