@@ -84,7 +84,7 @@ def words(sentence: str) -> list[str]:
 def sources() -> list[Path]:
     """Files of package, workflow and configuration that hold prose."""
     endings = {".py", ".smk", ".yaml", ".rst", ".js"}
-    folders = [ROOT / name for name in ("src", "workflow", "config")]
+    folders = [ROOT / name for name in ("src", "workflow", "config", "papers")]
     files = [path for folder in folders for path in folder.rglob("*") if path.suffix in endings]
     return sorted([*files, ROOT / "Snakefile", ROOT / "workflow" / "Snakefile"])
 

@@ -46,7 +46,7 @@ def plot_rosas_2007_fronts(fronts: xr.Dataset) -> Figure:
     panels["height"].plot(
         fronts["contact"],
         fronts["height_of_momentum"].isel(gamma=-1),
-        "k-",
+        "k--",
         lw=0.8,
         label="by momentum",
     )
@@ -60,8 +60,9 @@ def plot_rosas_2007_fronts(fronts: xr.Dataset) -> Figure:
     panels["height"].set_xticks(fronts["contact"].values, map(str, fronts["contact"].values))
     panels["height"].minorticks_off()
     panels["height"].set_yticks(HEIGHTS, map(str, HEIGHTS))
-    handles, labels = panels["height"].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=5)
+    named = [panels[panel].get_legend_handles_labels() for panel in ("height", "overshoot")]
+    handles, labels = (first + second for first, second in zip(*named, strict=True))
+    figure.legend(handles, labels, loc="outside lower center", ncols=6)
     return figure
 
 

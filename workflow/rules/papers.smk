@@ -13,6 +13,9 @@ for paper, listed in papers().items():
                 for folder, family in FAMILIES.items()
                 for scene in listed["scenes"].get(family, [])
             ],
+            studies=[
+                data_file(f"{one['folder']}/{name}") for name, one in listed["studies"].items()
+            ],
         output:
             verdict=f"<results>/papers/{paper}.txt",
         params:

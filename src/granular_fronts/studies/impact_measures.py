@@ -143,15 +143,6 @@ def power_of_decay(fronts, gamma, first, last):
     return Estimate(math.log(ratio.value), ratio.error / ratio.value) / math.log(last / first)
 
 
-def end_of_oscillation(fronts, gamma, contact):
-    """Return where the front reaches critical damping by its speed, over that by its momentum."""
-    front, power = fronts.sel(gamma=gamma), (ALPHA + 1.0) / (ALPHA - 1.0)
-    damping = tabulated(front.sel(contact=contact), "damping")
-    place = contact * (fronts.attrs["critical_damping"] / damping.value) ** power
-    by_speed = Estimate(place, power * place * damping.error / damping.value)
-    return by_speed / tabulated(front, "contact_of_critical_damping")
-
-
 def separating_damping(found):
     """Return the largest damping at which the pulses separate."""
     return tabulated(found, "separating_damping")
