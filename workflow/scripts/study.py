@@ -10,24 +10,25 @@ from pathlib import Path
 from granular_fronts.arguments import choice
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.scenes.study import studies
-from papers import listed_in_papers
 from step import run_step
 
 
-def study(study: str, section: dict, dataset: Path) -> None:
+def study(study: str, section: dict, dataset: Path, function: str | None = None) -> None:
     """Compute a study and write its data.
 
     Parameters
     ----------
     study : str
-        Its name in workflow/studies.yaml or in a paper's folder.
+        Its name in workflow/studies.yaml.
     section : dict
         Its part of the configuration, the arguments of its function.
     dataset : Path
         The netCDF file to write.
+    function : str, optional
+        Place of what computes it, as that list names it by default; other lists may give another.
     """
-    listed = studies() | listed_in_papers("studies")
-    function = listed[choice("a study", study, list(listed))]["function"]
+    if function is None:
+        function = studies()[choice("a study", study, list(studies()))]["function"]
     module, _, name = function.rpartition(".")
     computed = getattr(import_module(module), name)(**section)
     write_dataset(computed, dataset, scene_id=study, config=section)
