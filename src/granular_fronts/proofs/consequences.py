@@ -26,11 +26,11 @@ Then W(f₋ f f₊) = W(f₋) W(f) W(f₊).  So W(f±) is invertible if 1/f± is
 Rational functions r without poles on ℝ are dense, as polynomials times e^(−s) are in L¹(0, ∞).  As
 1/f is such a function, 1/r → 1/f as r → f, and f = r (1 + n) with n of norm below 1.  The logarithm
 of 1 + n is a power series; cut at 0 it gives 1 + n = f₋ f₊ with inverses.  A factor (ω − a)/(ω − b)
-of r is an f₊ or f₋ if a and b are in the same half plane.  Else it is a product of both and of q =
-(ω − i)/(ω + i) or 1/q.  So f = f₋ q^κ f₊ with the winding number κ.  One of W(q), W(1/q) is S y = y
-− 2v, v(x) = ∫ e^(t−x) y(t) dt over (0, x).  As v' = y − v, S y = z means v' − v = z, v(0) = 0.
-This v is bounded if and only if ∫ e^(−t) z(t) dt = 0, so S has index −1.  The other one, y − 2 ∫
-e^(x−t) y(t) dt over (x, ∞), is its left inverse, of index 1. ∎
+of r is an f₊ or f₋ if a and b are in the same half plane.  Else it is a product of an f₊, an f₋ and
+of q = (ω − i)/(ω + i) or 1/q.  So f = f₋ q^κ f₊ with the winding number κ; f₋ and f₊ have none.
+One of W(q), W(1/q) is S y = y − 2v, v(x) = ∫ e^(t−x) y(t) dt over (0, x).  As v' = y − v, S y = z
+means v' − v = z, v(0) = 0.  This v is bounded if and only if ∫ e^(−t) z(t) dt = 0, so S has index
+−1.  The other one, y − 2 ∫ e^(x−t) y(t) dt over (x, ∞), is its left inverse, of index 1. ∎
 
 Consequences: the front is isolated up to shifts.  Let φ vanish on Ran A with φ(P') = 1.  For a
 solution P₁ near P, τ ↦ φ(P₁(· + τ) − P) has a slope near 1, as P₁' = a(u₁) K'*P₁ is near P' and P'
@@ -66,10 +66,11 @@ sup ln v/x ≤ ln α/(1 − κ) for every κ. ∎
 = 1 − k̂(λ), k̂(λ) = ∫ k(s) e^(−λs) ds, have no zero with v ≤ Re λ ≤ w.  Then δ − k has an inverse δ
 + G with ∫ |G| (e^(−vs) + e^(−ws)) ds < ∞.
 
-*Proof.* By parts, k̂ = O(1/|Im λ|) in each strip.  So f → 1 far up, and for some ε > 0 there is no
-zero with v − ε ≤ Re λ ≤ w + ε.  There 1/f − 1 − k̂ = k̂²/f = O(1/|Im λ|²).  Its inverse transform H
-is the same on all lines of the strip, by Cauchy's theorem.  On the line Re λ = x it is O(e^(xs)).
-The outer lines bound H by e^((v − ε)s) for s > 0 and by e^((w + ε)s) for s < 0.  Let G = k + H. ∎
+*Proof.* By parts, k̂ = O(1/|Im λ|) in each strip.  So f → 1 far up and down, and for some ε > 0
+there is no zero with v − ε ≤ Re λ ≤ w + ε.  There 1/f − 1 − k̂ = k̂²/f = O(1/|Im λ|²).  Its inverse
+transform H is the same on all lines of the strip, by Cauchy's theorem.  On the line Re λ = x it is
+O(e^(xs)).  The outer lines bound H by e^((v − ε)s) for s > 0 and by e^((w + ε)s) for s < 0.  Let G
+= k + H. ∎
 
 **Lemma 7 (behind).** If D has no zero with 0 < Re λ ≤ θ, then u − 1 = O(e^(θξ)) as ξ → −∞.
 
