@@ -10,9 +10,10 @@ press on each other with
     \frac1{R_*} = \frac1{R_1} + \frac1{R_2} ,
 
 where u is how far they approach (K. L. Johnson, *Contact Mechanics*, 1985, section 4.2).  A flat
-wall has :math:`R = \infty`.  The law is static and elastic.  Elastic constants of metals and
-glass are known to a few per cent.  Those of polymers depend on the rate, and data sheets differ by
-tens of per cent.
+wall has :math:`R = \infty`.  The law is static and elastic.  Elastic constants of metals and glass
+vary by a few per cent between makers.  Those of polymers and cork vary by tens of per cent.  Data
+sheets were read for the two steels alone; all other numbers are usual values, from no single
+source.
 
 A body is written as its material and its diameter, ``steel 9.5 mm``; a wall as its material alone.
 """
@@ -27,7 +28,7 @@ from granular_fronts.errors import InputError
 
 
 class Material(NamedTuple):
-    """Density in kg/m³, Young's modulus in Pa, Poisson's ratio, and where they come from."""
+    """Density in kg/m³, Young's modulus in Pa, Poisson's ratio, and what they belong to."""
 
     density: float
     youngs_modulus: float
@@ -35,20 +36,18 @@ class Material(NamedTuple):
     source: str
 
 
-_CHAINS = "as in Daraio, Nesterenko, Herbold and Jin (2006)"
-
 MATERIALS = {
     "steel": Material(7810.0, 210.0e9, 0.30, "AISI 52100, of bearing balls; data sheets"),
-    "stainless_steel": Material(8000.0, 193.0e9, 0.30, f"AISI 316, {_CHAINS}"),
-    "ptfe": Material(2178.0, 1.46e9, 0.46, f"polytetrafluoroethylene, {_CHAINS}"),
-    "glass": Material(2500.0, 70.0e9, 0.22, "soda-lime glass; data sheets"),
-    "aluminium": Material(2700.0, 68.9e9, 0.33, "6061-T6; data sheets"),
-    "brass": Material(8530.0, 110.0e9, 0.375, "C26000; data sheets"),
-    "alumina": Material(3890.0, 375.0e9, 0.22, "99.5 per cent; data sheets"),
-    "tungsten_carbide": Material(14900.0, 630.0e9, 0.22, "with 6 per cent cobalt; data sheets"),
-    "acetal": Material(1420.0, 3.1e9, 0.35, "Delrin 500; data sheet"),
-    "nylon": Material(1140.0, 2.8e9, 0.40, "nylon 66, dry; data sheets"),
-    "cork": Material(180.0, 20.0e6, 0.0, "Gibson, Easterling and Ashby (1981)"),
+    "stainless_steel": Material(8000.0, 193.0e9, 0.30, "AISI 316; data sheets, but for ν"),
+    "ptfe": Material(2178.0, 1.46e9, 0.46, "polytetrafluoroethylene, as usual in papers on chains"),
+    "glass": Material(2500.0, 70.0e9, 0.22, "soda-lime glass"),
+    "aluminium": Material(2700.0, 68.9e9, 0.33, "6061-T6"),
+    "brass": Material(8530.0, 110.0e9, 0.375, "C26000"),
+    "alumina": Material(3890.0, 375.0e9, 0.22, "99.5 per cent"),
+    "tungsten_carbide": Material(14900.0, 630.0e9, 0.22, "with 6 per cent cobalt"),
+    "acetal": Material(1420.0, 3.1e9, 0.35, "Delrin 500"),
+    "nylon": Material(1140.0, 2.8e9, 0.40, "nylon 66, dry"),
+    "cork": Material(180.0, 20.0e6, 0.0, "order of magnitude"),
 }
 """Materials by name."""
 
