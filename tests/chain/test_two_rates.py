@@ -167,7 +167,7 @@ def test_momentum_is_kept_to_rounding_by_one_length_and_to_the_tolerance_by_two(
         ("record", {"extremes": True}),
         ("record", {"balances": True}),
         ("boundary", {"kind": "ring"}),
-        ("contacts", {"alpha": {"impurity": {"place": 5, "value": 2.0}}}),
+        ("contacts", {"alpha": {"impurity": {"contact": 5, "exponent": 2.0}}}),
     ],
 )
 def test_one_length_serves_what_two_cannot(place, change):
@@ -175,4 +175,14 @@ def test_one_length_serves_what_two_cannot(place, change):
     assert takes_two_rates(scene)
     scene[place] |= change
     assert not takes_two_rates(scene)
+
+
+def test_short_chains_take_one_length():
     assert not takes_two_rates(long_scene(beads=FEWEST_BEADS - 1))
+
+
+def test_the_start_is_recorded_as_it_is_given():
+    scene = smooth_scene() | {"record": {"snapshots": [0.0, 0.05]}}
+    assert takes_two_rates(scene)
+    first = solve(scene, USUAL).dataset["relative_displacement"].sel(t=0.0).values[:-1]
+    np.testing.assert_array_equal(first, scene["start"]["relative_displacement"])

@@ -20,9 +20,10 @@ that of the pair, and the price is s(k + p) contacts of double work.  Momentum, 
 length keep to rounding, is kept up to errors of truncation.
 
 The first part is cut off by a bead of constant velocity, the second by a wall, so that either is a
-chain like others.  The short steps are those that the whole chain would take.  The long steps
-have a step control of their own, which keeps their errors to a small share of the tolerance.
-Otherwise the growing waves of steps at the limit of stability would add to the error of the front.
+chain like others.  The short steps are at most those that the whole chain would take: what is
+spoiled near the cut may shorten one.  The long steps have a step control of their own, which keeps
+their errors to a small share of the tolerance.  Otherwise the growing waves of steps at the limit
+of stability would add to the error of the front.
 """
 
 import math
@@ -102,7 +103,8 @@ def prepare_behind(chain: np.record, recording: Recording) -> Behind:
 @subroutine
 def _short_steps(clock, slow):
     """Return how many short steps to take for a long one."""
-    if clock.reach < SHORTEST_WINDOW:
+    # The state at t = 0 is recorded in the first step, and only ends of long steps are completed.
+    if clock.t == 0.0 or clock.reach < SHORTEST_WINDOW:
         return int64(1)
     if slow.h == 0.0:
         slow.h = FIRST_RATIO * clock.h
