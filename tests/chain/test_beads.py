@@ -274,3 +274,26 @@ def test_impossible_chains_are_refused(changes, words):
     with pytest.raises(InputError) as caught:
         gf.simulate_chain(scene_of(**changes))
     assert all(word in str(caught.value) for word in words.split(" | "))
+
+
+@pytest.mark.parametrize(
+    "contacts", [{"elastic": {"cell": [1, 2]}}, {"alpha": {"cell": [1.5, 2]}}, {"elastic": 2}]
+)
+def test_contacts_that_differ_move_everywhere_where_all_are_compressed_alike(contacts):
+    """No contact is at rest though all have the compression of the right end."""
+    beads = 100
+    start = {"kind": "given", "relative_displacement": [0.5] * (beads - 1), "velocity": [0] * beads}
+    motion = gf.simulate_chain(
+        {
+            "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1},
+            "beads": beads,
+            "contacts": contacts,
+            "boundary": {"kind": "pressure", "left": 0.5, "right": 0.5},
+            "start": start,
+            "end_time": 5.0,
+            "tolerance": {"relative": 1e-9, "absolute": 1e-11},
+            "record": {"snapshots": [5.0], "balances": True},
+        }
+    )
+    assert motion.attrs["momentum_drift"] < 1e-13
+    assert motion.attrs["energy_drift"] < 1e-10

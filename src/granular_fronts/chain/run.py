@@ -308,8 +308,10 @@ def make_chain(
                 potential, (boundary.left, boundary.right)
             )
     moves_at_the_end = boundary.ring or table[D, beads] != 0.0
-    reach = beads if moves_at_the_end else end_of_window(chain, table, chain.contacts)
-    chain["clock"]["reach"] = reach
+    # Contacts that differ are not in balance where all are compressed alike.
+    unlike = varied.alpha is not None or np.any(np.not_equal(varied.stiffness, 1.0))
+    moves = moves_at_the_end or (unlike and boundary.right != 0.0)
+    chain["clock"]["reach"] = beads if moves else end_of_window(chain, table, chain.contacts)
     return chain, table
 
 
