@@ -14,7 +14,8 @@ A pulse *arrives* where the series rises through this level, and its *width* is 
 
 Errors of pulses.  Everything is measured again on every other sample.  The change exceeds the error
 of sampling, by about 2⁶ where the series is smooth.  Errors of the series move the peak and the
-level by at most ε each, and so a passage of the level by :math:`2\varepsilon/|\dot s|`.
+level by at most ε each, and so a passage of the level by :math:`2\varepsilon/|\dot s|`.  The change
+of the peak counts for passages too, over the slope, since two passages may agree by chance.
 
 Decay.  The peaks :math:`s_n > 0` at the places n are compared with
 
@@ -23,7 +24,8 @@ Decay.  The peaks :math:`s_n > 0` at the places n are compared with
 by least squares of :math:`\ln s_n`.  The residual is the root mean square of what is left of
 :math:`\ln s_n`: the form that fits has the smaller one.  The fit is linear in :math:`\ln s_n`, with
 a matrix M.  The errors of λ and :math:`\ln A` are twice their standard errors and
-:math:`\sum_n |M_{\cdot n}|\,\varepsilon/s_n`, which errors of the peaks add in the worst case.
+:math:`-\sum_n |M_{\cdot n}| \ln(1 - \varepsilon/s_n)`, which errors of the peaks add in the worst
+case.
 
 Time of flight is the difference of the first arrivals at two places.
 
@@ -32,9 +34,10 @@ Spectrum.  With the window of Hann, :math:`h_j = \sin^2(\pi j/J)`, the amplitude
 
 .. math:: a_k = 2\,\Bigl|\sum_j h_j (s_j - \bar s)\, e^{-2\pi i jk/J}\Bigr| \Big/ \sum_j h_j .
 
-A sine of one of these frequencies and of amplitude A gives A.  Two sines are told apart if their
-frequencies differ by more than the resolution, :math:`2/(Jh)`.  It is the width at half its height
-of the window's main lobe.  Amplitudes err by at most 4ε, of which the mean adds half.
+A sine of one of these frequencies and of amplitude A gives A, but for the first and the last one.
+Two sines are told apart if their frequencies differ by more than the resolution, :math:`2/(Jh)`.
+It is the width at half its height of the window's main lobe.  Amplitudes err by at most 4ε, of
+which the mean adds half.
 """
 
 import math
@@ -152,7 +155,10 @@ def _pulses_of(series, share=PROMINENCE):
             for k, curve in curves.items()
         )
         rise, _, width = own
-        moved = [2.0 * error / abs(float(curves[1](time, 1))) for time in (rise, rise + width)]
+        moved = [
+            (2.0 * error + abs(own[1] - other[1])) / abs(float(curves[1](time, 1)))
+            for time in (rise, rise + width)
+        ]
         errors = moved[0], error, sum(moved)
         found.append([_certain(*numbers) for numbers in zip(own, other, errors, strict=True)])
     return found
@@ -206,7 +212,7 @@ def peak_decay(peaks: xr.DataArray) -> xr.Dataset:
     Raises
     ------
     InputError
-        If fewer than three peaks are there, or one is not above 0.
+        If fewer than three peaks are there, or one is not above its error.
 
     Examples
     --------
@@ -225,12 +231,13 @@ def peak_decay(peaks: xr.DataArray) -> xr.Dataset:
         )
     [place] = peaks.dims
     peaks = peaks.dropna(place)
-    if peaks.size < 3 or not (peaks > 0.0).all():
+    if peaks.size < 3 or not (peaks > peaks.attrs["error_estimate"]).all():
         raise InputError(
             f"peaks has {peaks.size} numbers, the smallest of them {peaks.min().item():g}, but "
-            "three or more above 0 are needed: leave out places that no pulse has reached."
+            "three or more above their error are needed: leave out places that no pulse reaches."
         )
-    numbers, errors = peaks[place].values, peaks.attrs["error_estimate"] / peaks.values
+    numbers = peaks[place].values
+    errors = -np.log1p(-peaks.attrs["error_estimate"] / peaks.values)
     fits = [_fit(x, np.log(peaks.values), errors) for x in (numbers, np.log(numbers))]
     words = {
         "rate": "decay per place, or exponent of a power",
