@@ -38,7 +38,7 @@ def _measure(scene, beads):
     scene["record"]["snapshots"] = [scene["end_time"]]
     motion = simulate_chain(scene, "of the point")
     [(sensor, where)] = scene["record"]["sensors"].items()
-    first, last = where["contacts"][0], where["contacts"][-1]
+    first, last = min(where["contacts"]), max(where["contacts"])
     force, velocity = motion[f"contact_force_{sensor}"], motion["velocity"].isel(t=0)
     at_last = {f"contact_{sensor}": last}
     peaks = pulses(force.sel(at_last))[["peak", "peak_error"]].squeeze("place")

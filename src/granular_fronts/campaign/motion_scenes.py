@@ -2,6 +2,7 @@
 
 import copy
 import difflib
+import itertools
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -54,11 +55,13 @@ def scene_errors(given: Mapping) -> Iterator[str]:
             near = difflib.get_close_matches(axis, known, n=1)
             advice = f"did you mean {near[0]}" if near else f"it has {', '.join(known)}"
             yield f"axes.{axis} is given, but the scene has no number {axis}: {advice}."
-    sensors = scene.get("record", {}).get("sensors", {})
-    if len(sensors) != 1 or "contacts" not in next(iter(sensors.values())):
+    record = scene.get("record")
+    sensors = record.get("sensors") if isinstance(record, Mapping) else None
+    named = [*sensors.values()] if isinstance(sensors, Mapping) else []
+    if len(named) != 1 or not isinstance(named[0], Mapping) or "contacts" not in named[0]:
         yield (
-            f"scene.record.sensors has {len(sensors)} entries, but numbers are measured at the "
-            "contacts of one: give one sensor with contacts."
+            f"scene.record.sensors has {len(named)} entries, but must have one, with contacts, at "
+            "which numbers are measured: give one sensor with contacts."
         )
     for key in ("fixed", "tolerance"):
         if key in given:
@@ -66,13 +69,12 @@ def scene_errors(given: Mapping) -> Iterator[str]:
 
 
 def point_errors(scene: Mapping, grid: Mapping[str, tuple]) -> Iterator[str]:
-    """Say what is wrong with the scenes at both ends of each axis."""
-    middle = {name: values[0] for name, values in grid.items()}
+    """Say what is wrong with the scenes at all corners of the grid."""
     found: dict[str, None] = {}
-    for name, values in grid.items():
-        for value in (values[0], values[-1]):
-            try:
-                check_scene("chain", scene_at(scene, middle | {name: value}), "of the campaign")
-            except InputError as error:
-                found |= dict.fromkeys(str(error).splitlines())
+    for corner in itertools.product(*((values[0], values[-1]) for values in grid.values())):
+        try:
+            point = dict(zip(grid, corner, strict=True))
+            check_scene("chain", scene_at(scene, point), "of the campaign")
+        except InputError as error:
+            found |= dict.fromkeys(str(error).splitlines())
     yield from found
