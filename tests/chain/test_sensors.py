@@ -19,6 +19,7 @@ REST = {"kind": "rest"}
 FACTORS = {"elastic": {"cell": [1.0, 2.0]}, "viscous": {"taper": {"ratio": 1.1}}}
 POWERS = {"alpha": {"cell": [1.5, 2.0]}, "beta": {"cell": [2.5, 2.0, 1.5]}}
 ELASTIC = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+HALF_SINE = {"half_sine": {"amplitude": 0.4, "duration": 9.0}}
 TODA = {"elastic": {"kind": "toda", "strength": 1, "rate": 1}, "viscous": {"kind": "none"}}
 
 
@@ -37,11 +38,12 @@ def sensed(sensor, end=8.0, **changes):
         ([1, 12], {"boundary": {"kind": "wall", "left": 0.1}, "gravity": 0.05, "start": REST}),
         ([1, 12], {"boundary": {"kind": "ring"}, "start": WAVE}),
         ([1, 2], {"boundary": {"kind": "piston", "velocity": 0.4, "ramp": 9.0}, "start": REST}),
+        ([1, 3], {"boundary": {"kind": "force", "force": HALF_SINE}, "start": REST}),
         ([1, 3], {"law": {"alpha": 1.5, "beta": 2.5, "gamma": 0.3}}),
         ([1, 3], {"contacts": FACTORS}),
         ([1, 3], {"contacts": POWERS}),
     ],
-    ids=["pressure", "wall", "ring", "piston", "exponents", "factors", "powers"],
+    ids=["pressure", "wall", "ring", "piston", "force", "exponents", "factors", "powers"],
 )
 def test_forces_on_both_sides_accelerate_the_bead(inside, changes):
     """m ẍ = T_(n−1) − T_n + m g, with the mean from the sensor and ẍ from a spline through ẋ."""

@@ -51,9 +51,9 @@ class Balances:
         moved = now.positions - self._start.positions
         work = left * moved[0] - right * moved[-1] + run.beads.gravity * (mass @ moved)
         if boundary.piston:
-            drift, largest = now.velocity[0] - boundary.drive.value(t), boundary.drive.largest
-            self._note("momentum", drift, largest)
-            self._note("energy", stored - work, max(now.energy, 0.5 * mass[0] * largest**2))
+            exact = float(boundary.drive.value(t))
+            self._note("momentum", now.velocity[0] - exact, abs(exact))
+            self._note("energy", stored - work, max(now.energy, 0.5 * mass[0] * exact**2))
             return
         self._note("energy", stored - work, now.energy)
         gained = (left - right + run.beads.gravity * mass.sum()) * t

@@ -49,11 +49,6 @@ class Drive(NamedTuple):
         first = self.pieces[0]
         return len(self.pieces) == 1 and not (first["rate"] or first["amplitude"])
 
-    @property
-    def largest(self) -> float:
-        """A bound of |f|, of a drive whose slopes end where the next piece begins."""
-        return float(np.max(np.abs(self.pieces["constant"]) + np.abs(self.pieces["amplitude"])))
-
     def value(self, t: npt.ArrayLike) -> np.ndarray:
         """Return f(t), elementwise; at a break point that of the later piece."""
         piece = self.pieces[np.searchsorted(self.breaks, t, side="right")]

@@ -20,7 +20,7 @@ Momentum and energy that contact n has transmitted are what the beads beyond it 
     P_n = \Bigl[\sum_{k>n} m_k \dot x_k\Bigr]_0^t, \qquad
     E_n = \Bigl[\sum_{k>n} \bigl(\tfrac12 m_k \dot x_k^2 + \kappa_k V(-u_k)\bigr)\Bigr]_0^t .
 
-Where the right end is free and nothing is dissipated beyond contact n, they are
+Where the right end is free, no body force acts and nothing is dissipated beyond contact n, they are
 :math:`\int T_n\,dt` and :math:`\int T_n \dot x_{n+1}\,dt`.  On a ring the beads beyond contact n
 are n + 1 … N, and contact N counts for neither side.
 

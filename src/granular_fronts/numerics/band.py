@@ -19,7 +19,8 @@ from numba import int64, uint64
 from granular_fronts.numerics.compiled import kernel, subroutine
 
 BLOCK = 4
-"""Unknowns that are found together, at most as many as diagonals below the main one."""
+"""Unknowns that are found together, at most as many as diagonals on either side of the
+main one."""
 
 
 @kernel(fastmath=True, error_model="numpy")

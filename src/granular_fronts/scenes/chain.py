@@ -114,7 +114,7 @@ def _start_agrees_with_piston(scene: Mapping) -> Iterator[str]:
     if found != begins:
         yield (
             f"start.velocity begins with {found}, but bead 1 is a piston that begins at the "
-            f"velocity {begins:g}: give {begins:g} first."
+            f"velocity {begins:.17g}: give {begins:.17g} first."
         )
 
 
@@ -181,7 +181,7 @@ def _ends_bear_the_start(scene: Mapping) -> Iterator[str]:
     if gravity and boundary["kind"] in ("ring", "piston"):
         yield (
             f"gravity is {gravity}, but boundary.kind is {boundary['kind']}: take pressure at both "
-            "ends, or a wall."
+            "ends, a force or a wall."
         )
     if kind not in ("equilibrium", "striker"):
         return
@@ -248,7 +248,8 @@ def _softening_start_is_compressed(scene: Mapping) -> Iterator[str]:
     if start["kind"] in ("equilibrium", "striker"):
         # The first contact bears the least.
         boundary = scene["boundary"]
-        pressed = value_at_start(boundary) if key_of_drive(boundary) == "force" else 0.0
+        driven = boundary["kind"] == "wall" and key_of_drive(boundary)
+        pressed = value_at_start(boundary) if driven else 0.0
         pressed = boundary.get("left", boundary.get("right", pressed))
         least = pressed + max(scene.get("gravity", 0.0), 0.0)
     smallest = min(start.get("relative_displacement", [least]), default=math.inf)
@@ -332,7 +333,7 @@ def size_of_chain(scene: Mapping) -> Iterator[Part]:
     yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
     for key, entry in _series(scene).items():
         # A sensor needs the whole chain, since momentum and energy of all beads beyond it count.
-        columns = beads if "sensors" in key else len(entry["beads"])
+        columns = beads if key.startswith("record.sensors.") else len(entry["beads"])
         numbers = COLUMNS_PER_ROW * points_of(entry) * columns
         yield grid_part((f"{key}.stop",), (f"{key}.step",), numbers)
     if "grid" in record:

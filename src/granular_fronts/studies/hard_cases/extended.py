@@ -141,7 +141,8 @@ class Motion:
     Parameters
     ----------
     scene : mapping
-        A chain scene, as `simulate_chain` takes it.
+        A chain scene, as `simulate_chain` takes it, but without exponents of contacts, drives that
+        vary in time, and starts in equilibrium.
     tolerance : float, optional
         Error of a step, relative to the size of the motion.
     """
@@ -156,6 +157,12 @@ class Motion:
         self.forces, self.kinked = forces(scene["law"])
         self.ring, self.wall = (boundary["kind"] == kind for kind in ("ring", "wall"))
         varied = make_beads(scene)
+        drives = "force" in boundary or isinstance(boundary.get("velocity"), Mapping)
+        if varied.alpha is not None or drives or scene["start"]["kind"] == "equilibrium":
+            raise SolveError(
+                "The reference knows no exponents of contacts, no drives that vary in time and no "
+                "equilibrium: give a number, or list the start."
+            )
         self.mass, *factors = (np.ones(self.beads, dtype=REAL) * part for part in varied[:3])
         contacts = slice(None if self.ring or self.wall else -1)
         self.elastic_factor, self.viscous_factor = (factor[contacts] for factor in factors)
