@@ -180,6 +180,7 @@ class Examples:
             wrong[f"dashpots {name}"] = data = dict(kept["dashpots"])
             lie(data)
         self.kept = [self.file(folder, name, data) for name, data in kept.items()]
+        self.around = folder / "around.npz"
         self.wrong = [self.file(folder, name, data) for name, data in wrong.items()]
         self.pair = [self.file(folder, name, d) for name, d in (("1", first), ("2", second))]
         apart = {
@@ -201,8 +202,11 @@ class Examples:
         """What modules prove: of roots, of the pair, and of one certificate after another."""
         with made["balls"].in_balls():
             yield from tails(made["tail_roots"])
-        for record in made["families"].prove_family(self.pair):
-            yield True, record["statements"], record["inequalities"]
+        for paths in (self.pair, [self.around]):
+            family = list(made["families"].prove_family(paths))
+            for record in family:
+                yield True, record["statements"], record["inequalities"]
+            yield True, list(made["families"].conclude(family)), []
         for path in self.kept:
             record = made["checker"].check_certificate(path)
             yield record["proved"], record["statements"], record["inequalities"]
