@@ -35,9 +35,9 @@ Spectrum.  With the window of Hann, :math:`h_j = \sin^2(\pi j/J)`, the amplitude
 .. math:: a_k = 2\,\Bigl|\sum_j h_j (s_j - \bar s)\, e^{-2\pi i jk/J}\Bigr| \Big/ \sum_j h_j .
 
 A sine of one of these frequencies and of amplitude A gives A, but for the first and the last one.
-Two sines are told apart if their frequencies differ by more than the resolution, :math:`2/(Jh)`.
-It is the width at half its height of the window's main lobe.  Amplitudes err by at most 4ε, of
-which the mean adds half.
+Two sines can be distinguished if their frequencies differ by more than the resolution,
+:math:`2/(Jh)`.  It is the width at half its height of the window's main lobe.  Amplitudes err by at
+most 4ε, of which the mean adds half.
 """
 
 import math
@@ -274,8 +274,8 @@ def spectrum(series: xr.DataArray) -> xr.Dataset:
     -------
     xarray.Dataset
         `amplitude` on (frequency, place), of sines in the window of Hann; frequencies are in cycles
-        per unit of time.  The attribute `resolution` is the distance of two of them that are told
-        apart.
+        per unit of time.  The attribute `resolution` is the distance of two of them that can be
+        distinguished.
 
     Raises
     ------
