@@ -73,6 +73,27 @@ def test_fourier_series_ends_where_a_contact_opens_and_the_beads_go_on():
     assert motions.usual.site.size == ring.beads
 
 
+def test_ring_is_followed_alike_at_every_length():
+    """Whether places lie between beads hangs on ε alone, not on how points are rounded."""
+    usual, finer = ring_limit.resolutions(1e-6)
+    for alpha, per_point in ((1.5, usual.places), (1.6, None)):
+        for half_beads in range(44, 52):
+            ring = make_ring(alpha, mu=8)._replace(half_beads=half_beads)
+            motion = ring_limit.follow(ring, np.array([1.0]), usual, finer).usual
+            points = usual.points(ring.half_length)
+            assert motion.site.size == (per_point * points if per_point else ring.beads)
+
+
+def test_maximum_over_places_bounds_the_one_over_beads():
+    ring = make_ring(1.5, mu=8, velocity="leading")
+    times, (usual, _) = np.array([1.0 / ring.scaling.slow_rate]), ring_limit.resolutions(1e-8)
+    places, beads = (
+        ring_limit.velocity_residuals(ring, follow(ring, times, usual), [0])["residual_printed"][0]
+        for follow in (ring_limit._follow_smooth, ring_limit._follow_beads)
+    )
+    assert beads < places < 1.01 * beads
+
+
 def test_start_that_is_no_number_ends_in_an_error():
     fourier, u = FourierRing(1.5, 0.3, 40, 16), np.full(16, 1.0)
     with pytest.raises(SolveError, match="step size collapsed"):

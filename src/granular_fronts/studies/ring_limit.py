@@ -4,12 +4,13 @@ A ring is followed as the chain itself and by three equations for the rescaled f
 the same start and the units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55),
 which in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
 
-The chain is followed bead by bead.  A smooth wave that needs fewer points than beads is followed by
-its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
+The chain is followed bead by bead.  A smooth wave without waves shorter than two beads is followed
+by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
 contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap counts as
 no compression, since no equation for u^α can have one.
 
-Errors at a slow time τ, each against the chain at its beads, or at those places:
+Errors at a slow time τ, each against the chain at its beads, or at those places.  A maximum over
+places bounds the one over beads of every chain in between; at ε = ¼ a pulse gives 0.5 % more.
 
 - `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities of
   the equation to first order; `leading` is the sup of the velocities (51);
@@ -122,6 +123,10 @@ class Resolution(NamedTuple):
         """Return the cells of an equation on the ring, even."""
         return 2 * math.ceil(half_length / self.cell)
 
+    def holds_between_beads(self, epsilon):
+        """Whether the waves kept are longer than two beads, whose lattice damps all of them."""
+        return self.wave_number * epsilon < math.pi
+
 
 def resolutions(tolerance):
     """Return the usual resolution for a tolerance, and the finer one."""
@@ -179,8 +184,7 @@ def compare(ring, slow_times, tolerance, xi=None):
 
 def follow(ring, times, usual, finer):
     """Return the chain at some times, and more accurately at the same places."""
-    points = usual.points(ring.half_length)
-    if not ring.has_kinks and ring.beads > points:
+    if not ring.has_kinks and usual.holds_between_beads(ring.scaling.epsilon):
         smooth = partial(_follow_smooth, ring, times)
         try:
             return with_refinement(smooth, usual, finer)
