@@ -78,6 +78,11 @@ def test_a_number_without_last_digit_is_refused(printed):
         criterion_of(statement)
 
 
+def test_an_unknown_kind_is_refused():
+    with pytest.raises(InputError, match="width.*numbers.*number, inequality, words, finding"):
+        criterion_of({"quantity": "width", "kind": "numbers", "printed": "0.56"})
+
+
 NUMBER, POSITIVE = {"kind": "number", "printed": "0.56"}, {"kind": "inequality", "printed": "> 0"}
 TENS = {"kind": "number", "printed": "750", "within": 5}
 SMALL = {"kind": "words", "printed": "very small", "criterion": "at most 0.01"}

@@ -87,6 +87,11 @@ def scenes_of(statement: Mapping[str, Any]) -> list[str]:
 
 def criterion_of(statement: Mapping[str, Any]) -> str:
     """Return the criterion of a statement in words and numbers; empty if it is not judged."""
+    if statement["kind"] not in ANSWERS:
+        raise InputError(
+            f"kind of “{statement['quantity']}” is {statement['kind']}: write one of "
+            f"{', '.join(ANSWERS)}."
+        )
     if "not_judged" in statement:
         return ""
     for key in ("printed", "criterion"):
