@@ -1,0 +1,103 @@
+"""Dimers: waves that leave nothing behind, the attenuation of pulses, and both ladders."""
+
+import numpy as np
+import pytest
+
+from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import SolveError
+from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.studies.dimer_ratios import (
+    crossing,
+    find_wave,
+    rates,
+    solve_wave,
+    spacing,
+    times_of,
+)
+
+TOLERANCE = {"relative": 1e-10, "absolute": 1e-12}
+CELLS = [20, 30, 40]
+
+
+def equal_beads(points):
+    """The solitary wave of equal beads, whose cells are two beads."""
+    wave = solitary_wave(1.5, 32)
+    return 16.0 * np.interp(2.0 * times_of(points) + 0.5, wave.xi, wave.u, left=0.0, right=0.0)
+
+
+def test_equal_masses_carry_the_solitary_wave_of_equal_beads():
+    """Newton's method finds ε = 1 from another ratio; another module knows the wave."""
+    guess = equal_beads(32)
+    wave = solve_wave(1.5, 0.95, guess, 32)
+    assert wave.ratio == pytest.approx(1.0, abs=1e-13)
+    np.testing.assert_allclose(wave.u, guess, atol=1e-9)
+
+
+def test_a_guess_that_is_no_wave_is_refused():
+    with pytest.raises(SolveError, match="begin at a ratio where the attenuation is smaller"):
+        solve_wave(1.5, 0.34, 4.0 * np.exp(-0.6 * times_of(16) ** 2), 16)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("near", "humps"), [(0.343, 2), (0.155, 3), (0.0901, 4)])
+def test_the_chain_carries_a_wave_unchanged(near, humps):
+    """Each contact of a chain that starts in the wave has its values m cells and m times later."""
+    wave, ratio = find_wave(1.5, near, 40, TOLERANCE)
+    assert abs(ratio.value - near) < 2e-3 * near
+    points, cells, crossed = 48, 24, 12
+    slope = np.fft.irfft(
+        2j * np.pi * np.fft.rfftfreq(wave.u.size, 1.0 / points) * np.fft.rfft(wave.u), wave.u.size
+    )
+    whole = np.arange(wave.u.size) % points == 0
+    u, rate = np.zeros((2, 2 * cells + 8))
+    # At t = 0 the wave is around cell 4: u(4 − j) before and u(j − 4) behind the light bead.
+    around = np.arange(1, 8)
+    at = np.flatnonzero(whole)[around]
+    for offset, sign in ((0, -1), (1, 1)):
+        order = at[::-1] if sign < 0 else at
+        u[2 * around + offset], rate[2 * around + offset] = wave.u[order], sign * -slope[order]
+    velocity = np.append(np.cumsum(rate[::-1])[::-1], 0.0)
+    scene = {
+        "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.0},
+        "beads": {"count": u.size + 1, "mass": {"cell": [1.0, ratio.value]}},
+        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
+        "start": {
+            "kind": "given",
+            "relative_displacement": u.tolist(),
+            "velocity": velocity.tolist(),
+        },
+        "end_time": float(crossed),
+        "tolerance": {"relative": 1e-12, "absolute": 1e-14},
+        "record": {"snapshots": [float(crossed)]},
+    }
+    later = simulate_chain(scene)["relative_displacement"].values[0, :-1]
+    np.testing.assert_allclose(later[2 * crossed :], u[: -2 * crossed], atol=1e-7 * u.max())
+    peaks = (wave.u[1:-1] > wave.u[:-2]) & (wave.u[1:-1] > wave.u[2:])
+    assert wave.u.min() > -1e-12 * wave.u.max()
+    assert np.count_nonzero(peaks & (wave.u[1:-1] > 1e-3 * wave.u.max())) <= humps
+
+
+@pytest.mark.slow
+def test_the_chain_alone_finds_the_second_antiresonance_again():
+    _, ratio = find_wave(1.5, 0.343, 40, TOLERANCE)
+    place = crossing(lambda root: rates(1.5, root**-2.0, CELLS, TOLERANCE)[1].value, 1.7, 0.05)
+    assert abs(place.value**-2.0 - ratio.value) < 4.0 * place.error * place.value**-3.0
+    assert place.error < 1e-3
+
+
+@pytest.mark.slow
+def test_the_attenuation_does_not_depend_on_the_cells_nor_on_which_bead_is_light():
+    """One rate for all cells, as the chain has no scale; 1/ε is ε with the beads exchanged."""
+    early, late = rates(1.5, 0.8, CELLS, TOLERANCE)
+    assert late.value == pytest.approx(early.value, rel=1e-4)
+    assert rates(1.5, 1.25, CELLS, TOLERANCE)[1].value == pytest.approx(late.value, rel=1e-4)
+    # A negative control: away from antiresonances the pulse is attenuated, with none it is not.
+    assert abs(rates(1.5, 1.0, CELLS, TOLERANCE)[1].value) < 1e-9 < 1e-3 < late.value
+
+
+def test_the_limit_of_the_spacing_is_that_of_the_compact_pulse():
+    """Nesterenko's pulse cos⁴ has ∫ U^(1/4) in closed form; the true one is near."""
+    compact = (25.0 / 16.0) ** 0.25 * 2.0 * np.sqrt(2.5)
+    found = spacing(1.5)
+    assert found.value == pytest.approx(np.pi / (np.sqrt(1.5) * compact), rel=0.15)
+    assert found.error < 0.01
