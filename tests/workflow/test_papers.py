@@ -144,3 +144,16 @@ def test_the_page_of_a_paper_shows_what_is_computed(project):
     [places] = re.findall(r"^(\d+) for γ = 0.1, ([\d ]+) for γ = 0.05 and (\d+) for", page, re.M)
     found = front["contact_of_critical_damping"].sel(gamma=[0.1, 0.05, 0.3]).values
     assert [float(place.replace(" ", "")) for place in places] == pytest.approx(found, rel=0.03)
+
+
+@pytest.mark.slow
+def test_the_page_on_dispersive_shocks_shows_what_is_computed(project):
+    outcome = snakemake("papers/yang_2024", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/yang_2024.md").read_text(encoding="utf-8")
+    shown = re.findall(r"^\| .* \| ([\d.]+) ± ([\d.]+) \|$", page, re.MULTILINE)
+    rows = pd.read_csv(project / "results/tables/yang_2024_findings.csv")
+    found = rows[["computed", "numerical error"]].values
+    for (value, error), (computed, stated) in zip(shown, found, strict=True):
+        assert float(value) == pytest.approx(computed, abs=float(error))
+        assert float(error) == pytest.approx(stated, rel=0.3, abs=1e-7)

@@ -1,0 +1,55 @@
+"""Numbers measured on the datasets of `dispersive_shocks`, each an `Estimate`."""
+
+import math
+
+from granular_fronts.accuracy import estimate, tabulated
+from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.studies.dispersive_shocks import fitted_edges
+
+
+def number(found, name, **place):
+    """Return a number of a dataset, at a place where it has dimensions."""
+    return tabulated(found.sel(place), name)
+
+
+def far_away(shocks, name, ahead):
+    """Return the limit without damping, linear in 1/n, from the last contacts n/4, n/2 and n."""
+    values = shocks[name].sel(ahead=ahead, gamma=0.0).values[-3:]
+    return estimate(2.0 * values[2] - values[1], 2.0 * values[1] - values[0])
+
+
+def over_fitted(shocks, name, ahead):
+    """Return a speed far away over that by dispersive-shock fitting."""
+    alpha = shocks.attrs["alpha"]
+    edges = fitted_edges(*(math.sqrt(alpha) * u ** (0.5 * (alpha - 1.0)) for u in (ahead, 1.0)))
+    fitted = dict(zip(("speed", "trailing_edge"), edges, strict=True))[name]
+    return far_away(shocks, name, ahead) * (1.0 / float(fitted))
+
+
+def spreading(shocks, ahead):
+    """Return the zone at the last contact over that at half the distance."""
+    far, near = (
+        number(shocks, "zone", gamma=0.0, ahead=ahead, contact=contact)
+        for contact in shocks["contact"].values[:-3:-1]
+    )
+    return far / near
+
+
+def speed_over_solitary(shocks):
+    """Return the speed of the leading crest over that of a solitary wave of its height, r = 0."""
+    alpha = shocks.attrs["alpha"]
+    height = far_away(shocks, "height", 0.0) * (1.0 / float(solitary_wave(alpha).u.max()))
+    power = 0.5 * (alpha - 1.0)
+    speed = height.value**power
+    return far_away(shocks, "speed", 0.0) / height._replace(
+        value=speed, error=power * speed * height.error / height.value
+    )
+
+
+def collapse(shocks, name, gamma, contact):
+    """Return how a number at the same γn changes from 2γ to γ, over its change from 4γ to 2γ."""
+    last, middle, first = (
+        number(shocks, name, gamma=gamma * times, ahead=0.0, contact=contact / times)
+        for times in (1, 2, 4)
+    )
+    return (last - middle) / (middle - first)
