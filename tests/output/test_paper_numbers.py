@@ -79,7 +79,7 @@ def test_a_number_without_last_digit_is_refused(printed):
 
 
 def test_an_unknown_kind_is_refused():
-    with pytest.raises(InputError, match="width.*numbers.*number, inequality, words, finding"):
+    with pytest.raises(InputError, match=r"width.*numbers.*number, inequality, words, finding"):
         criterion_of({"quantity": "width", "kind": "numbers", "printed": "0.56"})
 
 
