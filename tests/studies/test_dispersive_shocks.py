@@ -8,6 +8,7 @@ import pytest
 
 from granular_fronts.accuracy import Estimate
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import SolveError
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.studies import dispersive_shocks
@@ -86,6 +87,12 @@ def test_periodic_waves_solve_the_equation_and_join_both_ends(alpha):
     flux, loss = _energies(alpha, np.ones(64), period)
     assert flux == pytest.approx((alpha - 1.0) / (2.0 * (alpha + 1.0)), rel=1e-12)
     assert loss == pytest.approx(0.0, abs=1e-20)
+
+
+def test_a_guess_too_far_from_a_wave_ends_in_a_sentence(monkeypatch):
+    monkeypatch.setattr(dispersive_shocks, "ITERATIONS", 2)
+    with pytest.raises(SolveError, match=r"period 5 .*alpha = 1\.5"):
+        _periodic_wave(1.5, 1.0 + 0.5 * np.cos(2.0 * np.pi * np.arange(64) / 64), 5.0)
 
 
 @ALPHAS

@@ -42,6 +42,7 @@ from scipy.optimize import brentq
 
 from granular_fronts.accuracy import Estimate, estimate, variable_and_errors
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.fronts.solve import solve_front
 
@@ -51,6 +52,8 @@ LINE = 0.1, 0.2  # between them crests are on a straight line, which ends at the
 SLOWEST = 0.36  # speed of the last crests that are recorded
 STEP = 0.1  # time between two samples
 LONGEST = 9.0  # period in beads where Π is 0 to round-off
+ITERATIONS = 30
+SETTLED = 1e-12  # largest change of u of a wave that is found
 NEAREST = 4.0e-4  # by how much the shortest period exceeds that of infinitely small waves
 SHOWN = np.linspace(-0.02, 0.5, 2601)  # γξ behind the first crest at which fronts are kept
 SPLINES = "difference of splines through all and half the samples"
@@ -237,14 +240,18 @@ def slow_waves(alpha, points, count):
 def _periodic_wave(alpha, u, period):
     """Return the solution of u = K * u^α of a period near another one."""
     smooth = circulant(np.fft.irfft(np.sinc(np.fft.rfftfreq(u.size, period / u.size)) ** 2, u.size))
-    change = np.ones(1)
-    while np.abs(change).max() > 1e-12:
+    for _ in range(ITERATIONS):
         force = np.maximum(u, 0.0)
         slope = np.eye(u.size) - smooth * (alpha * force ** (alpha - 1.0))
         # Least squares, since every translate of a solution is one.
         change = np.linalg.lstsq(slope, smooth @ force**alpha - u, rcond=1e-9)[0]
         u = u + change
-    return u
+        if np.abs(change).max() <= SETTLED:
+            return u
+    raise SolveError(
+        f"No wave of the period {period:.6g} was found for alpha = {alpha:g}: take more waves, so "
+        "that each is nearer to the one before."
+    )
 
 
 def _energies(alpha, u, period):
