@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+import xarray as xr
+from scipy.integrate import simpson
 
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
@@ -9,6 +11,7 @@ from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.studies.dimer_ratios import (
     crossing,
     find_wave,
+    interlaced,
     rates,
     solve_wave,
     spacing,
@@ -100,4 +103,18 @@ def test_the_limit_of_the_spacing_is_that_of_the_compact_pulse():
     compact = (25.0 / 16.0) ** 0.25 * 2.0 * np.sqrt(2.5)
     found = spacing(1.5)
     assert found.value == pytest.approx(np.pi / (np.sqrt(1.5) * compact), rel=0.15)
-    assert found.error < 0.01
+    # Another grid and another rule, up to where u is 1e-9.
+    wave = solitary_wave(1.5, 48)
+    within = wave.u > 1e-9
+    area = simpson(wave.u[within] ** 0.25, wave.xi[within])
+    assert abs(np.pi / (np.sqrt(1.5) * area) - found.value) < 2.0 * found.error < 2e-3
+
+
+def test_ratios_in_turns_are_told_from_others():
+    def found(exact, strong):
+        variables = {"antiresonance": ("order", exact), "resonance": ("resonance_order", strong)}
+        errors = {"resonance_error": ("resonance_order", np.full(len(strong), 1e-6))}
+        return interlaced(xr.Dataset(variables | errors)).value
+
+    assert found([1.0, 1 / 9], [1 / 4]) == pytest.approx(1.0)
+    assert found([1.0, 1 / 4, 1 / 16], [1 / 9]) == pytest.approx(-1.0)

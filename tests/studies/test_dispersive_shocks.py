@@ -106,6 +106,11 @@ def test_exact_fronts_tend_to_slowly_changing_waves(alpha):
         assert (apart[:-1] / apart[1:] > 1.8).all()
 
 
+def test_a_train_that_is_cut_off_has_no_zone():
+    with pytest.raises(SolveError, match="longer than what is recorded"):
+        _zone(np.arange(5.0), 1.0 + np.array([0.5, 0.4, 0.35, 0.3, 0.25]))
+
+
 def test_limits_and_zones_of_known_functions_are_found():
     places = np.arange(40.0)
     assert _zone(places, 1.0 + np.exp(-0.1 * places)) == pytest.approx(10.0 * math.log(10.0))

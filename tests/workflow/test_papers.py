@@ -156,4 +156,24 @@ def test_the_page_on_dispersive_shocks_shows_what_is_computed(project):
     found = rows[["computed", "numerical error"]].values
     for (value, error), (computed, stated) in zip(shown, found, strict=True):
         assert float(value) == pytest.approx(computed, abs=float(error))
-        assert float(error) == pytest.approx(stated, rel=0.3, abs=1e-7)
+        assert float(error) == pytest.approx(stated, rel=0.3, abs=1e-8)
+
+
+@pytest.mark.slow
+def test_the_page_on_dimers_shows_what_is_computed(project):
+    outcome = snakemake("papers/jayaprakash_2011", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/jayaprakash_2011.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\d) \| ([\d.]+) \| ([^|]+) \| ([^|]+) \|$", page, re.MULTILINE)
+    found = read_dataset(project / "results/data/chain/jayaprakash_2011_ratios.nc")
+    assert len(rows) == found.sizes["order"] == found.sizes["resonance_order"]
+    for order, (_, exact, *others) in enumerate(rows):
+        assert float(exact) == pytest.approx(float(found["antiresonance"][order]), abs=1e-14)
+        for shown, name in zip(others, ("resonance", "resonance_attenuation"), strict=True):
+            value, error = found[name][order], found[f"{name}_error"][order]
+            if "±" not in shown:
+                assert float(shown.split(",")[0]) == pytest.approx(float(value), rel=5e-3)
+                continue
+            number, stated = map(float, shown.split(" ± "))
+            assert number == pytest.approx(float(value), abs=stated)
+            assert 0.9 * float(error) <= stated <= 2.0 * float(error)

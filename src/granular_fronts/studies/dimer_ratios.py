@@ -16,16 +16,18 @@ The integral of g vanishes by symmetry.  That u tends to 0 on both sides also ta
 .. math:: \int t\,g\,dt = 0, \qquad \hat u(\omega) = -\hat g(\omega)/\omega^2, \qquad
           \hat u(0) = \tfrac12 \int t^2 g\,dt .
 
-The first equation is one for ε: the light bead comes to rest, which happens for single ε only.
+The first equation is one for ε: both beads of a cell are displaced as far, so that their contact
+ends as it began.  This happens for single ε only.
 Newton's method solves all of it for u and ε on a grid.  u decays super-exponentially and stays
 positive, so that trapezoidal sums converge exponentially.  Equal masses are the antiresonance ε =
 1.
 
 *Attenuation.*  A striker hits the chain.  Its pulse soon loses the same share with each cell, since
-the chain has no scale of its own.  This rate a is the logarithm of the heights of two cells over
-their distance.  Where no wave is left unchanged, light beads ring behind the pulse.  Their velocity
-has a simple zero at an antiresonance, so that a has a double one, and the lines through ±√a cross
-there.  This finds it again, by the chain alone.  A *resonance* is a largest a.
+the chain has no scale of its own.  This ends where other waves overtake it.  The rate a is the
+logarithm of the heights of two cells over their distance.  Where no wave is left unchanged, light
+beads ring behind the pulse.  Their velocity has a simple zero at an antiresonance, so that a has a
+double one, and the lines through ±√a cross there.  This finds it again, by the chain alone.  A
+*resonance* is a largest a.
 
 *Spacing.*  As ε → 0 heavy beads move as if each second contact had the force F(w/2).  Each light
 bead oscillates about its middle place with :math:`\omega^2 = 4\alpha U^{\alpha-1}/\varepsilon`,
@@ -45,7 +47,7 @@ import xarray as xr
 from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize_scalar
 
-from granular_fronts.accuracy import Estimate, rounded, tabulated, variable_and_errors
+from granular_fronts.accuracy import EPSILON, Estimate, rounded, tabulated, variable_and_errors
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
@@ -172,8 +174,7 @@ def find_wave(alpha, ratio, cells, tolerance):
         solve_wave(alpha, ratio, guess_of_chain(alpha, ratio, cells, tolerance, points), points)
         for points in POINTS
     )
-    rounding = 16.0 * np.spacing(finer.ratio)
-    return finer, Estimate(finer.ratio, max(abs(finer.ratio - usual.ratio), rounding))
+    return finer, Estimate(finer.ratio, max(abs(finer.ratio - usual.ratio), 16.0 * EPSILON))
 
 
 def crossing(rate_of, middle, distance):
@@ -304,10 +305,11 @@ def interlaced(found):
     It is negative if two of one kind follow each other.
     """
     exact, strong = found["antiresonance"].values ** -0.5, found["resonance"].values ** -0.5
-    joined = np.empty(exact.size + strong.size)
-    joined[::2], joined[1::2] = exact, strong
+    places, kinds = np.append(exact, strong), np.repeat([0, 1], [exact.size, strong.size])
+    order = np.argsort(places)
+    gaps = np.where(np.diff(kinds[order]) == 0, -1.0, 1.0) * np.diff(places[order])
     errors = 0.5 * found["resonance_error"].values * strong**3
-    return Estimate(float(np.diff(joined).min()), float(errors.max()))
+    return Estimate(float(gaps.min()), float(errors.max()))
 
 
 def last_spacing(found):

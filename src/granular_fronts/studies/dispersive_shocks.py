@@ -40,7 +40,7 @@ from scipy.interpolate import CubicSpline
 from scipy.linalg import circulant
 from scipy.optimize import brentq
 
-from granular_fronts.accuracy import Estimate, estimate, variable_and_errors
+from granular_fronts.accuracy import Estimate, error_attributes, estimate, variable_and_errors
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
@@ -50,13 +50,14 @@ REACH = 8  # contacts on both sides between which the speed of the leading crest
 ZONE = 0.1  # by how much the last crest of the zone passes u = 1
 LINE = 0.1, 0.2  # between them crests are on a straight line, which ends at the trailing edge
 SLOWEST = 0.36  # speed of the last crests that are recorded
-STEP = 0.1  # time between two samples
+STEP = 0.05  # time between two samples
 LONGEST = 9.0  # period in beads where Π is 0 to round-off
 ITERATIONS = 30
 SETTLED = 1e-12  # largest change of u of a wave that is found
 NEAREST = 4.0e-4  # by how much the shortest period exceeds that of infinitely small waves
 SHOWN = np.linspace(-0.02, 0.5, 2601)  # γξ behind the first crest at which fronts are kept
 SPLINES = "difference of splines through all and half the samples"
+FEWER = "difference to fewer waves and points"
 
 
 def follow_shocks(alpha, dampings, ahead, contacts, tolerance):
@@ -124,10 +125,15 @@ def read_shock(motion, contact, behind, speed):
 
 def _read(contact, times, values, speed):
     (before, _), (places, heights), (after, _) = (_crests(times, one) for one in values.T)
+    passage = 2.0 * REACH / (after[0] - before[0])
     over = heights - 1.0
     straight = (over > LINE[0]) & (over < LINE[1])
+    if np.count_nonzero(straight) < 2:
+        raise SolveError(
+            f"Fewer than two crests pass the state behind by {LINE[0]:g} to {LINE[1]:g}: take "
+            "contacts further away."
+        )
     slope, start = np.polyfit(contact / places[straight], over[straight], 1)
-    passage = 2.0 * REACH / (after[0] - before[0])
     return np.array([heights[0], passage, speed * _zone(places, heights), -start / slope])
 
 
@@ -142,6 +148,11 @@ def _crests(places, values):
 def _zone(places, heights):
     """Return how far behind the first crest the overshoot falls to `ZONE` for good."""
     last = np.flatnonzero(heights > 1.0 + ZONE)[-1]
+    if last + 1 == heights.size:
+        raise SolveError(
+            f"The last crest recorded still passes the state behind by more than {ZONE:g}: the "
+            "train is longer than what is recorded of it."
+        )
     pair = slice(last, last + 2)
     return np.interp(-math.log(ZONE), -np.log(heights[pair] - 1.0), places[pair]) - places[0]
 
@@ -169,13 +180,14 @@ def damp_weakly(alpha, dampings):
     *fronts, curves = zip(
         *(_look_at(solve_front(alpha, gamma), gamma) for gamma in dampings), strict=True
     )
-    waves, coarse = (slow_waves(alpha, *sizes) for sizes in ((64, 200), (48, 100)))
+    # The coarse periods are every other of the fine ones.
+    waves, coarse = (slow_waves(alpha, *sizes) for sizes in ((64, 199), (48, 100)))
     limits = zip(*(_limits(one) for one in (waves, coarse)), strict=True)
     variables, names = {}, ("overshoot", "zone")
     for name, values, limit in zip(names, fronts, limits, strict=True):
         for end, dims, found, method in (
             ("", "gamma", values, SPLINES),
-            ("_limit", (), estimate(*limit), "difference to fewer waves and points"),
+            ("_limit", (), estimate(*limit), FEWER),
             (
                 "_extrapolated",
                 (),
@@ -186,33 +198,37 @@ def damp_weakly(alpha, dampings):
             variables |= variable_and_errors(
                 name + end, dims, found, method, f"{name}{end} of fronts"
             )
-    error = variables["zone_limit"][2]
-    variables |= {name: ("wave", values, error) for name, values in waves.items()}
-    variables["front"] = (
-        ("gamma", "damped_distance"),
-        np.array(curves),
-        error | {"long_name": "u of an exact front"},
-    )
+    for name, values in waves.items():
+        variables[name] = ("wave", values, error_attributes(values[::2], coarse[name], FEWER))
+    usual, halved = np.moveaxis(curves, 1, 0)
+    attributes = error_attributes(usual, halved, SPLINES) | {"long_name": "u of an exact front"}
+    variables["front"] = (("gamma", "damped_distance"), usual, attributes)
     return xr.Dataset(variables, {"gamma": dampings, "damped_distance": SHOWN}, {"alpha": alpha})
 
 
 def _look_at(front, gamma):
-    """Return the overshoot of a front, its zone times γ, and u at distances from its crest."""
+    """Return the overshoot of a front, its zone times γ, and u behind its crest, by two splines."""
     places, values = -front["xi"].values[::-1], front["relative_displacement"].values[::-1]
     crests = [_crests(places[::every], values[::every]) for every in (1, 2)]
-    curve = CubicSpline(places, values)(crests[0][0][0] + SHOWN / gamma)
+    shown = crests[0][0][0] + SHOWN / gamma
+    curves = [CubicSpline(places[::every], values[::every])(shown) for every in (1, 2)]
     overshoot = Estimate(front.attrs["overshoot"], front.attrs["overshoot_error"])
-    return overshoot, estimate(*(gamma * _zone(*one) for one in crests)), curve
+    return overshoot, estimate(*(gamma * _zone(*one) for one in crests)), curves
 
 
 def extrapolate(dampings, estimates):
     """Return the limit γ → 0 by 1, γ, γ ln γ and γ² through the last four values.
 
-    Its error is the distance to the limit without γ², through the last three.
+    Its error is that of the values, and the distance to the limit without γ², through three.
     """
-    gamma, values = np.array(dampings[-4:]), [one.value for one in estimates[-4:]]
-    terms = np.stack([gamma**0, gamma, gamma * np.log(gamma), gamma**2], axis=1)
-    return estimate(*(np.linalg.solve(terms[4 - n :, :n], values[4 - n :])[0] for n in (4, 3)))
+    gamma = np.array(dampings[-4:])
+    terms = np.stack([gamma**0, gamma, gamma * np.log(gamma), gamma**2])
+    whole, less = (
+        sum(weight * one for weight, one in zip(weights, estimates[-n:], strict=True))
+        for n in (4, 3)
+        for weights in [np.linalg.solve(terms[:n, -n:], np.eye(n)[0])]
+    )
+    return whole + Estimate(0.0, abs(whole.value - less.value))
 
 
 def slow_waves(alpha, points, count):
@@ -246,7 +262,8 @@ def _periodic_wave(alpha, u, period):
         # Least squares, since every translate of a solution is one.
         change = np.linalg.lstsq(slope, smooth @ force**alpha - u, rcond=1e-9)[0]
         u = u + change
-        if np.abs(change).max() <= SETTLED:
+        # The state behind, u = 1, solves it too.
+        if np.abs(change).max() <= SETTLED < np.ptp(u):
             return u
     raise SolveError(
         f"No wave of the period {period:.6g} was found for alpha = {alpha:g}: take more waves, so "

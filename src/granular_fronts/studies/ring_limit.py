@@ -4,13 +4,13 @@ A ring is followed as the chain itself and by three equations for the rescaled f
 the same start and the units δ = c = 1: (41), (40), and the logarithmic KdV–Burgers equation (55),
 which in ξ and τ is (41) with the dispersion :math:`\mu^{-2} = (\varepsilon/\gamma c)/12`.
 
-The chain is followed bead by bead.  A smooth wave without waves shorter than two beads is followed
-by its Fourier coefficients (`chain.fourier_ring`) and compared at eight times as many places.  A
-contact that opens ends the smoothness, and such a ring is followed bead by bead.  A gap counts as
-no compression, since no equation for u^α can have one.
+The chain is followed bead by bead.  A smooth wave is followed by its Fourier coefficients
+(`chain.fourier_ring`) where wave numbers up to 12 in ξ mean waves longer than two beads.  It is
+compared at eight times as many places.  A contact that opens ends the smoothness.  Such a ring is
+followed bead by bead.  A gap counts as no compression, since no equation for u^α can have one.
 
 Errors at a slow time τ, each against the chain at its beads, or at those places.  A maximum over
-places bounds the one over beads of every chain in between; at ε = ¼ a pulse gives 0.5 % more.
+places is that over all chains between the beads: at ε = ¼ it is larger by 0.5 % for a pulse.
 
 - `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities of
   the equation to first order; `leading` is the sup of the velocities (51);
@@ -124,7 +124,7 @@ class Resolution(NamedTuple):
         return 2 * math.ceil(half_length / self.cell)
 
     def holds_between_beads(self, epsilon):
-        """Whether the waves kept are longer than two beads, whose lattice damps all of them."""
+        """Whether the largest wave number is that of waves longer than two beads, all damped."""
         return self.wave_number * epsilon < math.pi
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from granular_fronts.accuracy import estimate, tabulated
+from granular_fronts.accuracy import Estimate, tabulated
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.studies.dispersive_shocks import fitted_edges
 
@@ -13,9 +13,16 @@ def number(found, name, **place):
 
 
 def far_away(shocks, name, ahead):
-    """Return the limit without damping, linear in 1/n, from the last contacts n/4, n/2 and n."""
-    values = shocks[name].sel(ahead=ahead, gamma=0.0).values[-3:]
-    return estimate(2.0 * values[2] - values[1], 2.0 * values[1] - values[0])
+    """Return the limit without damping, linear in 1/n, from the last contacts n/4, n/2 and n.
+
+    Its change falls more slowly than 1/n, so that twice the last change is added to the error.
+    """
+    first, middle, last = (
+        number(shocks, name, gamma=0.0, ahead=ahead, contact=contact)
+        for contact in shocks["contact"].values[-3:]
+    )
+    limit, before = 2.0 * last - middle, 2.0 * middle - first
+    return limit + Estimate(0.0, 2.0 * abs(limit.value - before.value))
 
 
 def over_fitted(shocks, name, ahead):
