@@ -1,0 +1,98 @@
+"""Pulses in tapered chains: collisions of two bodies, similarity, and limits of vanishing taper."""
+
+import doctest
+import re
+
+import numpy as np
+import pytest
+from pages import ROOT
+from scipy.integrate import quad, solve_ivp
+
+from granular_fronts.scenes.yaml_files import read_yaml
+from granular_fronts.studies import tapered_chains, tapered_measures
+from granular_fronts.studies.tapered_chains import (
+    HALF_COLLISION,
+    binary_collisions,
+    follow_pulses,
+    measure_losses,
+    spheres,
+)
+
+STUDIES = read_yaml(ROOT / "papers/harbola_2009/paper.yaml")["studies"]
+TAPERS = pytest.mark.parametrize("taper", [{"ratio": 1.03}, {"ratio": 0.95}, {"difference": 0.1}])
+
+
+def test_the_example_holds():
+    assert doctest.testmod(tapered_chains).failed == 0
+
+
+@TAPERS
+def test_collisions_keep_energy_and_momentum(taper):
+    """The energy that is stored at most is that of the relative motion."""
+    mass, factor = spheres(taper, 12)
+    compression, time = binary_collisions(mass, factor)
+    velocity = 1.0
+    for n in range(11):
+        common = mass[n] * velocity / (mass[n] + mass[n + 1])
+        stored = 0.5 * mass[n] * velocity**2 - 0.5 * (mass[n] + mass[n + 1]) * common**2
+        assert 0.4 * factor[n] * compression[n] ** 2.5 == pytest.approx(stored, rel=1e-12)
+        passed = time[n] - (time[n - 1] if n else 0.0)
+        assert passed == pytest.approx(HALF_COLLISION * compression[n] / velocity, rel=1e-12)
+        velocity = 2.0 * common
+    # With x = 1 - s² the integrand is smooth.
+    integral = quad(lambda s: 2.0 * s / np.sqrt(1.0 - (1.0 - s * s) ** 2.5), 0.0, 1.0)[0]
+    assert pytest.approx(integral, rel=1e-10) == HALF_COLLISION
+
+
+@TAPERS
+def test_the_chain_agrees_with_scipy(taper):
+    """Positions by another method: the first maximum of a compression is where velocities agree."""
+    beads, contact = 20, 12
+    mass, factor = spheres(taper, beads)
+    pulses = follow_pulses({"one": taper}, beads, {"relative": 1e-11, "absolute": 1e-14})
+
+    def slopes(_, state):
+        x, v = np.split(state, 2)
+        force = factor * np.maximum(x[:-1] - x[1:], 0.0) ** 1.5
+        return np.append(v, (np.append(0.0, force) - np.append(force, 0.0)) / mass)
+
+    def equal(_, state):
+        return state[beads + contact - 1] - state[beads + contact]
+
+    equal.terminal, equal.direction = True, -1
+    start = np.zeros(2 * beads)
+    start[beads] = 1.0
+    settings = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-14, "events": equal}
+    one = pulses.sel(chain="one", contact=contact)
+    # The event is sought near the end, as velocities that are both zero agree too.
+    near = solve_ivp(slopes, [0.0, 0.97 * float(one["time"])], start, **settings | {"events": None})
+    found = solve_ivp(slopes, [near.t[-1], 1e4], near.y[:, -1], **settings)
+    state = found.y_events[0][0]
+    assert found.t_events[0][0] == pytest.approx(float(one["time"]), rel=1e-9)
+    assert state[contact - 1] - state[contact] == pytest.approx(float(one["compression"]), rel=1e-9)
+
+
+def test_an_exponential_taper_makes_a_similar_pulse():
+    """A contact is slower than the one before by b, where b² = e^(5ε/6) a^(−1/2)."""
+    pulses = follow_pulses({"one": {"ratio": 1.03}}, 66, {"relative": 1e-12, "absolute": 1e-15})
+    late = pulses.sel(chain="one", contact=slice(40, 60))
+    ratio = np.diff(np.log(late["compression"]))
+    slower = np.diff(np.log(np.diff(late["time"])))
+    epsilon = 3.0 * np.log(1.03)
+    np.testing.assert_allclose(slower, 5.0 / 12.0 * epsilon - 0.25 * ratio[1:], rtol=1e-6)
+
+
+def test_the_loss_for_vanishing_taper_is_that_of_solitary_waves_and_as_the_page_says():
+    losses = measure_losses(**STUDIES["harbola_2009_losses"]["parameters"])
+    rest = tapered_measures.loss_less_mass(losses)
+    assert abs(rest.value) <= 2.0 * rest.error < 1e-3
+    correction = tapered_measures.correction_over_theory(losses)
+    assert abs(correction.value - 1.0) <= 2.0 * correction.error < 0.02
+    # Binary collisions themselves would leave another rest.
+    assert abs(rest.value + float(losses["mass_of_wave"]) - 1.0) > 0.3
+    page = (ROOT / "docs/papers/harbola_2009.md").read_text(encoding="utf-8").replace("−", "-")
+    rows = re.findall(r"^\| (-?0\.[\d]+) \| ([\d.]+) \|$", page, re.MULTILINE)
+    for taper, ratio in rows:
+        found = float(losses["loss_ratio"].sel(taper=float(taper)))
+        assert float(ratio) == pytest.approx(found, abs=5.1e-5)
+    assert len(rows) == 6
