@@ -157,3 +157,19 @@ def test_the_page_on_dispersive_shocks_shows_what_is_computed(project):
     for (value, error), (computed, stated) in zip(shown, found, strict=True):
         assert float(value) == pytest.approx(computed, abs=float(error))
         assert float(error) == pytest.approx(stated, rel=0.3, abs=1e-7)
+
+
+@pytest.mark.slow
+def test_the_page_on_several_materials_shows_what_is_computed(project):
+    outcome = snakemake("papers/porter_2008", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/porter_2008.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\S+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|$", page, re.MULTILINE)
+    found = read_dataset(project / "results/data/chain/porter_2008_materials.nc")
+    assert {row[0] for row in rows} == {*found["cell"].values} - {"PTFE–nylon"}
+    for cell, *shown in rows:
+        numbers = [
+            found[name].sel(cell=cell) for name in ("speed_at_10_newtons", "speed", "stretch")
+        ]
+        for number, computed, unit in zip(shown, numbers, (0.1, 1e-4, 1e-4), strict=True):
+            assert float(number) == pytest.approx(float(computed), abs=0.51 * unit)
