@@ -177,3 +177,19 @@ def test_the_page_on_dimers_shows_what_is_computed(project):
             number, stated = map(float, shown.split(" ± "))
             assert number == pytest.approx(float(value), abs=stated)
             assert 0.9 * float(error) <= stated <= 2.0 * float(error)
+
+
+@pytest.mark.slow
+def test_the_page_on_several_materials_shows_what_is_computed(project):
+    outcome = snakemake("papers/porter_2008", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/porter_2008.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\S+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|$", page, re.MULTILINE)
+    found = read_dataset(project / "results/data/chain/porter_2008_materials.nc")
+    assert {row[0] for row in rows} == {*found["cell"].values} - {"PTFE–nylon"}
+    for cell, *shown in rows:
+        numbers = [
+            found[name].sel(cell=cell) for name in ("speed_at_10_newtons", "speed", "stretch")
+        ]
+        for number, computed, unit in zip(shown, numbers, (0.1, 1e-4, 1e-4), strict=True):
+            assert float(number) == pytest.approx(float(computed), abs=0.51 * unit)
