@@ -27,7 +27,7 @@ def plot_porter_2008_cells(dimers: xr.Dataset, materials: xr.Dataset) -> Figure:
     for axes, name in ((speed, "speed"), (width, "stretch")):
         axes.errorbar(dimers["ratio"], dimers[name], dimers[f"{name}_error"], fmt="ko", ms=4)
         axes.set_xlabel("mass ratio")
-    width.plot(dimers["ratio"], dimers["stretch_theory"], "k-", lw=0.8)
+    width.plot(dimers["ratio"], dimers["stretch_theory"], "k+", ms=8)
     speed.axhline(1.0, color="k", lw=0.8)
     speed.set(ylabel="speed over theory")
     width.set(ylabel="width over equal spheres")
