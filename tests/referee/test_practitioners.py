@@ -8,12 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from half_steps import half_steps, write_dump
+from lammps import LAMMPS, needs_lammps
 from pages import README, commands, run
 from projects import ROOT
 from write_referee import write_referee
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.lammps_deck import write_deck
+from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems, read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
@@ -149,6 +152,16 @@ def test_what_the_referee_says_of_a_solitary_wave():
     assert defects == pytest.approx(printed, rel=0.03)
     percent = numbers(r"itself is off by (\S+) % and (\S+) % of δ")
     assert [100.0 * one.error for one in findings[:2]] == pytest.approx(percent, rel=0.05)
+
+
+@needs_lammps
+def test_lammps_moves_a_solitary_wave_as_our_scheme_does():
+    problem = PROBLEMS["solitary_wave_undamped_hertz"]
+    deck = write_deck(problem.name, problem.title, problem.scene, problem.interval)
+    found, _ = run_lammps(LAMMPS, problem.name, deck, 0.1)
+    ours = half_steps(problem, 0.1)
+    np.testing.assert_allclose(found.v, ours.v, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(np.diff(found.x), np.diff(ours.x), rtol=0, atol=1e-11)
 
 
 def test_how_a_line_of_balls_breaks_up():
