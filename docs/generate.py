@@ -5,12 +5,15 @@ The manual's build writes them into docs/generated, so that no name, range or nu
 
 import inspect
 import json
+import math
 import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import pandas as pd
 import yaml
 from configuration import campaign_page, configuration_page
+from measured import in_print
 
 import granular_fronts
 from granular_fronts.output.datasets import long_names
@@ -54,6 +57,7 @@ def write_pages(folder: Path, results: Path) -> None:
         "figures": figures_page(results),
         "paper_numbers": _tables(results, ["paper_numbers"]),
         "findings": _tables(results, ["findings"]),
+        "papers": papers_page(results),
         "tables": _tables(results, ["front_properties", "critical_damping", "jump_conditions"]),
     }
     for name, text in made.items():
@@ -157,8 +161,9 @@ def figures_page(results: Path) -> str:
     """Every figure, with the caption of what was computed, or with the command that draws it."""
     lines = ["# Figures"]
     for name in FIGURES:
-        lines += ["", f"({name})=", "", f"## {_title(name)}", "", *_picture(name, results, "../..")]
-        caption = _drawn(name, results).with_suffix(".rst")
+        file = _drawn(name, results)
+        lines += ["", f"({name})=", "", f"## {_title(name)}", "", *_picture(name, file, "../..")]
+        caption = file.with_suffix(".rst")
         if caption.exists():
             # Captions are reStructuredText.
             lines += ["", "```{eval-rst}", caption.read_text(encoding="utf-8").strip(), "```"]
@@ -175,9 +180,8 @@ def _drawn(name: str, results: Path) -> Path:
     return results / "figures" / f"{name}_{FIGURES[name]['name']}.png"
 
 
-def _picture(name: str, results: Path, up: str) -> list[str]:
+def _picture(name: str, file: Path, up: str) -> list[str]:
     """A figure as Markdown, or the command that draws it where it was not asked for."""
-    file = _drawn(name, results)
     if not file.exists():
         return [f"This figure is drawn on demand, by `snakemake -c2 {name}`."]
     words = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
@@ -208,11 +212,58 @@ def fill_pictures(text: str, page: str, results: Path) -> str:
         number = found["number"]
         name = f"fig{number.zfill(3 if number.endswith('b') else 2)}"
         up = "../" * page.count("/") + ".."
-        picture, title = _picture(name, results, up), f"*{_title(name)}.*"
-        drawn = _drawn(name, results).exists()
-        return "\n".join([*picture, "", title] if drawn else [f"{title} {picture[0]}"])
+        file, title = _drawn(name, results), f"*{_title(name)}.*"
+        picture = _picture(name, file, up)
+        return "\n".join([*picture, "", title] if file.exists() else [f"{title} {picture[0]}"])
 
     return PICTURE.sub(fill, text)
+
+
+PAPERS = """# What was found beyond other papers
+
+Each paper with a folder of its own has a table of numbers that were not in what was read of it.
+A finding holds if its value with its error meets the criterion. The last column names a second
+method that was asked, and has a dash where none was. All of it is made on demand, by
+`snakemake -c2 papers`. The page of a paper says what was read, and what else was found.
+"""
+
+
+def papers_page(results: Path) -> str:
+    """What was found on the subject of each paper, and its figures, as far as they were made."""
+    lines = [PAPERS]
+    for file in sorted((ROOT / "papers").glob("*/paper.yaml")):
+        paper, listed = file.parent.name, yaml.safe_load(file.read_text(encoding="utf-8"))
+        lines += [f"## {listed['title']}", "", f"[Page of this paper](../papers/{paper}.md)", ""]
+        for name, table in listed.get("tables", {}).items():
+            if table.get("statements") == "findings.yaml":
+                statements = yaml.safe_load(file.with_name("findings.yaml").read_text("utf-8"))
+                lines += _findings(statements, results / "tables" / f"{name}.csv")
+        for name in listed.get("figures", []):
+            picture = _picture(name, results / "figures" / f"{name}.png", "../..")
+            lines += ["", f"*{listed['figures'][name]['title']}.*", "", *picture]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _findings(statements: list[dict[str, Any]], table: Path) -> list[str]:
+    """Findings with what they are judged by, and with their values if these were computed."""
+    rows = pd.read_csv(table).set_index("quantity").T if table.exists() else {}
+    lines = ["| finding | value | holds if | second method |", "|---|---|---|---|"]
+    for one in statements:
+        name = one["quantity"]
+        value = _with_error(rows[name]) if name in rows else "on demand"
+        told = name, value, one.get("criterion", "not judged"), one.get("check", "–")
+        lines.append(f"| {' | '.join(told)} |")
+    return lines
+
+
+def _with_error(row: pd.Series) -> str:
+    """A value to the digit of its error, and the error."""
+    value, error = float(row["computed"]), float(row["numerical error"])
+    if not 0.0 < error < math.inf:
+        return in_print(value, ".6g")
+    digits = max(0, math.ceil(-math.log10(error)))
+    return f"{in_print(value, f'.{digits}f')} ± {in_print(error, '.0e')}"
 
 
 def _tables(results: Path, names: list[str]) -> str:

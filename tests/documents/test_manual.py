@@ -2,6 +2,7 @@
 
 import doctest
 import json
+import math
 import re
 from importlib import import_module
 
@@ -163,6 +164,45 @@ def test_a_page_shows_a_figure_or_how_to_draw_it(tmp_path):
     assert "![" not in missing
     page = PAGES.figures_page(tmp_path)
     assert all(f"\n({name})=\n" in page for name in PAGES.FIGURES)
+
+
+def test_findings_beyond_papers_stand_with_their_errors(tmp_path):
+    """Those that were computed with values, the others and figures with how to compute them."""
+    for folder in ("tables", "figures"):
+        (tmp_path / folder).mkdir()
+    table = (
+        "quantity,computed,numerical error\nmass ratio of the second antiresonance,0.34285,4e-5\n"
+    )
+    (tmp_path / "tables" / "jayaprakash_2011_findings.csv").write_text(table, encoding="utf-8")
+    (tmp_path / "figures" / "jayaprakash_2011_ladder.png").touch()
+    words = json.dumps({"alt": "arches"})
+    (tmp_path / "figures" / "jayaprakash_2011_ladder.json").write_text(words, encoding="utf-8")
+    page = PAGES.papers_page(tmp_path)
+    assert (
+        "antiresonance | 0.34285 ± 4·10⁻⁵ | 0.342845781149898 within 5e-14 | chains alone" in page
+    )
+    assert "![arches](../../results/figures/jayaprakash_2011_ladder.png)" in page
+    assert "drawn on demand, by `snakemake -c2 rosas_2007_pulses`" in page
+    for file in (ROOT / "papers").glob("*/findings.yaml"):
+        assert f"(../papers/{file.parent.name}.md)" in page
+        assert (ROOT / "docs" / "papers" / f"{file.parent.name}.md").exists()
+        for finding in yaml.safe_load(file.read_text(encoding="utf-8")):
+            [row] = re.findall(rf"^\| {re.escape(finding['quantity'])} \| .*$", page, re.MULTILINE)
+            assert row.count(" | ") == 3
+
+
+@pytest.mark.parametrize(
+    ("error", "written"),
+    [
+        (0.0039, "0.582 ± 4·10⁻³"),
+        (4e-6, "0.582370 ± 4·10⁻⁶"),
+        (0.0, "0.58237"),
+        (math.nan, "0.58237"),
+        (2.0, "1 ± 2·10⁰"),
+    ],
+)
+def test_a_value_ends_where_its_error_begins(error, written):
+    assert PAGES._with_error({"computed": 0.58237, "numerical error": error}) == written
 
 
 SHOWING = [page for page in TEXTS if page.parent.name == "theory"]

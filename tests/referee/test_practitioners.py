@@ -8,12 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from half_steps import half_steps, write_dump
+from lammps import LAMMPS, needs_lammps
 from pages import README, commands, run
 from projects import ROOT
 from write_referee import write_referee
 
 from granular_fronts.referee.answers import solve
 from granular_fronts.referee.assessment import find, report
+from granular_fronts.referee.lammps_deck import write_deck
+from granular_fronts.referee.lammps_run import run_lammps
 from granular_fronts.referee.problems import load_problems, read_settings
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.half_step_damping import _measure_excess, measure_half_step_damping
@@ -124,6 +127,55 @@ def test_what_the_referee_says_of_a_front():
     _, findings = found_by_half_steps("front_steel_viscoelastic", 0.25, 0.1, 0.05, 0.025)
     said = list(report(PROBLEMS["front_steel_viscoelastic"], findings, 1e-3))
     assert QUOTED.splitlines() == said[: len(QUOTED.splitlines())]
+
+
+def test_what_the_referee_says_of_a_solitary_wave():
+    """The block is LAMMPS's, which without damping agrees with our scheme to rounding."""
+    name = "solitary_wave_undamped_hertz"
+    answer, findings = found_by_half_steps(name, 0.25, 0.1, 0.05, 0.025)
+    said = "\n".join(report(PROBLEMS[name], findings, 1e-3))
+    assert f"```\n{said}\n```" in PAGE
+    exact = answer.sel(quantity="speed over the sixth root of the force")
+    value, error = numbers(r"of speed 1: (\S+) with an error below (\S+) \(`answers")
+    assert float(exact["value"]) == pytest.approx(value, abs=5.1e-13)
+    assert float(exact["value_error"]) < error
+    read = numbers(r"0\.5 apart, as above, it is (\S+)\. Long waves")
+    assert (findings[0].exact,) == pytest.approx(read, abs=5.1e-7)
+    assert 100.0 * (1.0 - 0.8**0.5 / value) == pytest.approx(1.2, abs=0.05)
+    collision = collision_time(1.5) * SETTINGS["displacement"] ** -0.25
+    *counts, _ = numbers(
+        r"At \$t_c/(\d+)\$ the number is off by \S+ %, at \$t_c/(\d+)\$ by (\S+) %"
+    )
+    assert [round(collision / one.step) for one in findings[:2]] == list(counts)
+    defects = [100.0 * (one.measurement / one.exact - 1.0) for one in findings[:2]]
+    printed = numbers(r"the number is off by (\S+) %, at \$t_c/43\$ by (\S+) %")
+    assert defects == pytest.approx(printed, rel=0.03)
+    percent = numbers(r"itself is off by (\S+) % and (\S+) % of δ")
+    assert [100.0 * one.error for one in findings[:2]] == pytest.approx(percent, rel=0.05)
+
+
+@needs_lammps
+def test_lammps_moves_a_solitary_wave_as_our_scheme_does():
+    problem = PROBLEMS["solitary_wave_undamped_hertz"]
+    deck = write_deck(problem.name, problem.title, problem.scene, problem.interval)
+    found, _ = run_lammps(LAMMPS, problem.name, deck, 0.1)
+    ours = half_steps(problem, 0.1)
+    np.testing.assert_allclose(found.v, ours.v, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(np.diff(found.x), np.diff(ours.x), rtol=0, atol=1e-11)
+
+
+def test_how_a_line_of_balls_breaks_up():
+    name = "solitary_wave_undamped_hertz"
+    problem, answer = PROBLEMS[name], solve(PROBLEMS[name])
+    unit = problem.scene["start"]["velocity"][0]
+    last = answer["velocity"].values[-1] / unit
+    printed = numbers(r"balls leave with (\S+), (\S+) and (\S+) of the striker")
+    assert last[:-4:-1] == pytest.approx(printed, abs=5.1e-10)
+    assert (-last[0],) == pytest.approx(numbers(r"goes back with (\S+)\."), abs=5.1e-10)
+    assert answer["velocity"].attrs["error_estimate"] / unit < 1e-10
+    off = 100.0 * (half_steps(problem, 0.1).v[-1] / unit / last - 1.0)
+    fast, slow = numbers(r"the last one is (\S+) % too fast, and the one before (\S+) % too slow")
+    assert off[:-3:-1] == pytest.approx([fast, -slow], rel=0.03)
 
 
 @pytest.mark.slow

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from half_steps import half_steps, write_table
 from projects import ROOT
+from scipy.integrate import solve_ivp
 from write_referee import write_referee
 
 from granular_fronts.chain.simulate import simulate_chain
@@ -13,7 +14,7 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.collision import restitution
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.referee.__main__ import main
-from granular_fronts.referee.answers import states
+from granular_fronts.referee.answers import solve, states
 from granular_fronts.referee.assessment import Finding, find, observed_order, report
 from granular_fronts.referee.drawing import draw
 from granular_fronts.referee.lammps_deck import _farthest, damping_model, write_deck
@@ -24,6 +25,7 @@ from granular_fronts.referee.results_files import Result, read_result
 SETTINGS = read_settings(ROOT / "config" / "referee.yaml")
 PROBLEMS = load_problems(SETTINGS)
 FRONT, COLLISION = "front_steel_viscoelastic", "collision_steel_dashpot"
+WAVE = "solitary_wave_undamped_hertz"
 SMALL = SETTINGS | {
     "laws": {"viscoelastic": 1.5, "dashpot": 1},
     "motions": {
@@ -50,11 +52,12 @@ def problem():
 
 def test_dampings_are_those_of_a_front():
     """γ̂ δ^(5/4 − β): with β = 5/4 the damping has no unit but that of the front."""
-    for name, problem in PROBLEMS.items():
-        _, damping, law = name.rsplit("_", 2)
+    assert PROBLEMS[WAVE].scene["law"] == {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
+    for name in set(PROBLEMS) - {WAVE}:
+        problem, (_, damping, law) = PROBLEMS[name], name.rsplit("_", 2)
         expected = SETTINGS["dampings"][damping] * 0.1 ** (1.25 - SETTINGS["laws"][law])
         assert problem.scene["law"]["gamma"] == pytest.approx(expected, rel=1e-14)
-    assert len({problem.motion for problem in PROBLEMS.values()}) == 4
+    assert len({problem.motion for problem in PROBLEMS.values()}) == 5
 
 
 FORCE = r"u\^\((.*)/(.*)\) \+ (\S+) \* (\S+) \* u\^\((\S+)\) \* du/dt"
@@ -84,7 +87,7 @@ def test_deck_and_words_are_those_of_the_scene(name):
     struck = re.findall(r"^set atom 1 vx (\S+)$", deck, re.M)
     moved, exponent, still = pushed, 1.5, struck
     said = "force of {} pushes"
-    if problem.motion in ("striker", "collision"):
+    if problem.motion in ("striker", "collision", "solitary_wave"):
         moved, exponent, still, said = struck, 1.25, pushed, "velocity {} towards"
     assert list(map(float, moved)) == [pytest.approx(0.1**exponent, rel=1e-15)]
     assert said.format(moved[0]) in words
@@ -191,7 +194,7 @@ def test_order_of_known_errors():
         ((1.0, 0.5), (1.0, np.nan)),
     ):
         steps = 0.1 * 2.0 ** np.arange(len(errors))[::-1]
-        findings = [Finding(h, error, 0.0, 0.0) for h, error in zip(steps, errors, strict=True)]
+        findings = [Finding(h, err, 0.0, 0.0, 0.0) for h, err in zip(steps, errors, strict=True)]
         assert observed_order(findings) == pytest.approx(expected, abs=1e-12, nan_ok=True)
 
 
@@ -212,7 +215,7 @@ def test_order_of_known_errors():
 )
 def test_advice_is_what_the_errors_allow(problem, errors, sentence, unsaid):
     findings = [
-        Finding(step, error, np.nan, np.nan)
+        Finding(step, error, np.nan, np.nan, np.nan)
         for step, error in zip((0.4, 0.2, 0.1), errors, strict=False)
     ]
     said = "\n".join(report(problem, findings, 1e-3))
@@ -243,7 +246,59 @@ def test_overdamped_front_has_no_measurement():
     for rise in (1e-3, -1e-5):
         assert np.isnan(excess_damping(1.0, factors, 1.0 + rise * np.array([-1.0, 0.0, 1.0])))
     assert excess_damping(1.0, factors, np.array([1.001, 1.0, 0.999])) == pytest.approx(0.0)
-    assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4)))
+    assert np.isnan(first_peak(np.arange(4.0), np.arange(4.0), np.ones(4))).all()
+
+
+@pytest.fixture(scope="module")
+def wave():
+    return solve(PROBLEMS[WAVE])
+
+
+def test_a_solitary_wave_by_another_integrator(wave):
+    """SciPy's DOP853 knows nothing of strains, of contacts that open, or of refinement."""
+    scene = PROBLEMS[WAVE].scene
+
+    def rates(_, state):
+        x, v = np.split(state, 2)
+        force = np.pad(np.maximum(x[:-1] - x[1:], 0.0) ** 1.5, 1)
+        return np.concatenate([v, force[:-1] - force[1:]])
+
+    start = np.concatenate([np.zeros(scene["beads"]), scene["start"]["velocity"]])
+    # Steps across contacts that open and close cost SciPy accuracy.
+    limits = {"rtol": 1e-13, "atol": 1e-16, "max_step": 0.05}
+    found = solve_ivp(rates, (0.0, scene["end_time"]), start, "DOP853", wave["t"], **limits)
+    x, v = np.split(found.y.T, 2, axis=1)
+    np.testing.assert_allclose(v, wave["velocity"], rtol=0, atol=2e-12)
+    np.testing.assert_allclose(-np.diff(x), wave["relative_displacement"], rtol=0, atol=3e-10)
+    last = [f"velocity of bead {n} at the end" for n in (38, 39, 40)]
+    listed = wave["value"].sel(quantity=last)
+    np.testing.assert_allclose(v[-1, -3:], listed, rtol=0, atol=2e-12)
+    # Without damping momentum and energy are those of the striker, and all beads have parted.
+    assert v[-1].sum() == pytest.approx(0.1**1.25, rel=1e-12)
+    assert (v[-1] ** 2).sum() == pytest.approx(0.1**2.5, rel=1e-11)
+    assert (np.diff(v[-1]) > 0.0).all()
+
+
+def test_a_solitary_wave_has_the_speed_of_its_force(wave):
+    """The answer's between states 0.5 apart is that of the exact wave, and not of long waves."""
+    exact = wave.sel(quantity="speed over the sixth root of the force")
+    assert exact["value"] == pytest.approx(1.4873593743493956**-0.25, rel=1e-13)
+    assert 0.0 < exact["value_error"] < 1e-13
+    np.testing.assert_allclose(wave["reading"] / exact["value"], 1.0, rtol=0, atol=2e-5)
+    assert exact["value"] / 0.8**0.5 == pytest.approx(1.0124, abs=1e-4)
+
+
+def test_a_step_hardly_changes_the_speed_of_a_solitary_wave(wave):
+    """Of order two, without a viscous force to see velocities of half a step before."""
+    problem = PROBLEMS[WAVE]
+    findings = [find(problem, wave, half_steps(problem, step)) for step in (0.1, 0.05, 0.025)]
+    assert observed_order(findings).value == pytest.approx(2.0, abs=0.1)
+    defects = [one.measurement / one.exact - 1.0 for one in findings]
+    np.testing.assert_allclose(np.divide(defects[:-1], defects[1:]), 4.0, rtol=0.1)
+    assert 100.0 * defects[0] < findings[0].error
+    said = "\n".join(report(problem, findings, 1e-3))
+    assert "speed over the sixth root of the force 0.90552, exact 0.90551." in said
+    assert "gamma were" not in said
 
 
 def test_peak_between_states_is_close_to_that_of_the_motion():
@@ -390,6 +445,7 @@ TWO_OF_A_NAME = front(dampings=["a", "a_b"]) | {
     [
         ({"motions": {"wave": CHAIN}}, "motions.wave is no key of the schema"),
         ({"motions": {}}, "motions is empty"),
+        ({"motions": {"solitary_wave": CHAIN | {"beads": 11}}}, "motions.solitary_wave.beads is"),
         (front(dampings=["stee"]), "motions.front.dampings names 'stee'"),
         (front(beads=1), "motions.front.beads is 1, below its limit 2"),
         (front(beads=10**9), "motions.front: beads = 1000000000, end_time = 100, interval = 0.5"),

@@ -6,7 +6,7 @@ import shlex
 import pandas as pd
 import pytest
 import yaml
-from pages import ROOT, carry_out, commands
+from pages import ROOT, carry_out, commands, load_script
 from projects import copy_project, jobs_due, lend_kernels, snakemake
 from tabulate_statements import find_measure
 
@@ -136,6 +136,13 @@ def test_the_page_of_a_paper_shows_what_is_computed(project):
     assert float(separation[0]) == pytest.approx(
         rows["computed"].iloc[-1], abs=float(separation[1])
     )
+    listed = load_script("generate").papers_page(project / "results")
+    for row in pd.read_csv(project / "results/tables/rosas_2007_findings.csv").itertuples():
+        [told] = re.findall(
+            rf"^\| {re.escape(row.quantity)} \| (\S+) ± \S+ \|", listed, re.MULTILINE
+        )
+        assert float(told.replace("−", "-")) == pytest.approx(row.computed, abs=row[3])
+        assert row.verdict == "holds"
     front = read_dataset(project / "results/data/fronts/rosas_2007_fronts.nc")
     [pair] = re.findall(r"overshoot is ([\d.]+), that of the exact front ([\d.]+)\.", page)
     last = front.sel(gamma=0.05).isel(contact=-1)

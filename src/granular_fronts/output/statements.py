@@ -13,6 +13,7 @@ A statement is an entry of config/paper_numbers.yaml or of config/findings.yaml:
 - `arguments`: what else that function takes, by name;
 - `expected`: the verdict in the default configuration;
 - `not_judged`: why there is no verdict, for a statement that cannot be judged;
+- `check`: what a second method says of a finding of a paper's folder, for the manual;
 - `remark`: what a reader should know.
 
 A statement of the paper holds for the paper's parameters.  If a dataset does not have the

@@ -14,7 +14,9 @@ import pandas as pd
 import xarray as xr
 
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.referee.measurements import NAMES, read_motion, scale_of
+from granular_fronts.referee.problems import ALPHA
 
 LAST_BEADS = 3  # whose velocities at the end are listed
 
@@ -28,7 +30,7 @@ def solve(problem):
     motion = simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)
     measurements = [_read_at(problem, factor) for factor in problem.factors]
-    names, values, errors = zip(*_quantities(motion), strict=True)
+    names, values, errors = zip(*_quantities(problem, motion), strict=True)
     field = {
         name: {key: motion[f"{name}_grid"].attrs[key] for key in ("error_estimate", "error_method")}
         for name in ("relative_displacement", "velocity")
@@ -70,7 +72,7 @@ def _read_at(problem, factor):
     return read_motion(problem, *states(simulate_chain(scene, problem.name)))
 
 
-def _quantities(motion):
+def _quantities(problem, motion):
     """Names, values and errors of single numbers."""
 
     def recorded(name):
@@ -84,6 +86,10 @@ def _quantities(motion):
         yield "contact of the first gap", *recorded("first_gap_bead")
     for bead in motion["bead"].values[-LAST_BEADS:]:
         yield f"velocity of bead {bead} at the end", float(velocities.sel(bead=bead)), error
+    if problem.motion == "solitary_wave":
+        coarse, fine = (solitary_wave(ALPHA, points) for points in (16, 32))
+        value, other = (wave.u.max() ** -0.25 for wave in (fine, coarse))
+        yield NAMES[problem.motion], value, abs(value - other) + fine.residual
 
 
 def table_of(answers):

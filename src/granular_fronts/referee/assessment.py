@@ -17,13 +17,15 @@ class Finding(NamedTuple):
     """What one result shows.
 
     `error` is the larger of the errors of u over δ and of the velocities over δ^(5/4), of all
-    states; `measurement` and `excess` come from `measurements`; NaN if undefined.
+    states; `measurement` and `excess` come from `measurements`; NaN if undefined.  `exact` is the
+    measurement of the answer.
     """
 
     step: float
     error: float
     measurement: float
     excess: float
+    exact: float
 
 
 def find(problem, answer, result):
@@ -38,7 +40,8 @@ def find(problem, answer, result):
     measurement = read_motion(problem, answer["t"].values, u, v)
     table = answer["reading"].values, answer["factor"].values
     excess = excess_damping(measurement, table[1], table[0])
-    return Finding(result.step, float(max(distances)), measurement, excess)
+    exact = float(answer["reading"].sel(factor=1.0))
+    return Finding(result.step, float(max(distances)), measurement, excess, exact)
 
 
 def _matching_rows(problem, answer, result):
@@ -117,6 +120,8 @@ def report(problem, findings, wanted):
 
 
 def _damping_in_words(problem, finding):
+    if problem.scene["law"]["gamma"] == 0.0:
+        return f"; {NAMES[problem.motion]} {finding.measurement:.5g}, exact {finding.exact:.5g}"
     if np.isnan(finding.excess):
         return ""
     side = "large" if finding.excess > 0.0 else "small"

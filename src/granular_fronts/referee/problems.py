@@ -3,7 +3,8 @@ r"""The problems: Hertz chains that a discrete-element code can compute, as scen
 Beads of mass 1 with the contact force :math:`u_+^{3/2} + \gamma\tfrac{d}{dt}u_+^\beta` just touch
 at t = 0.  Either a constant force :math:`\delta^{3/2}` pushes bead 1 of a chain at rest, or bead 1
 has the velocity :math:`\delta^{5/4}` of the beads behind such a front.  A damping γ̂ is given in
-units of the front (29): :math:`\gamma = \hat\gamma\,\delta^{5/4-\beta}`.
+units of the front (29): :math:`\gamma = \hat\gamma\,\delta^{5/4-\beta}`.  Without damping all laws
+are Hertz's.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -13,6 +14,7 @@ from typing import Any, NamedTuple
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
+from granular_fronts.referee.measurements import APART
 from granular_fronts.scenes.limits import Part, part_errors
 from granular_fronts.scenes.schema import name_entry, violations
 from granular_fronts.scenes.yaml_files import read_yaml
@@ -22,6 +24,7 @@ ALPHA = 1.5
 PRESSED = "a constant force of {force!r} pushes bead 1 towards bead 2 from t = 0 on"
 STRUCK = "bead 1 has the velocity {velocity!r} towards bead 2"
 MOTIONS = {"front": PRESSED, "contact_loss": PRESSED, "striker": STRUCK, "collision": STRUCK}
+MOTIONS |= {"solitary_wave": STRUCK}
 
 SAME = 1.0e-9  # relative distance of a quotient from a whole number that counts as none
 NUMBERS_OF_A_BEAD = 4  # of each state: u and ẋ, of the solution and of its refinement
@@ -35,7 +38,7 @@ No other force acts, both ends are free, and nothing rotates.
 
 Two neighbours that overlap by u > 0 repel each other with the force
     u^(3/2) + {gamma!r} * {beta:g} * u^({less:g}) * du/dt.
-It becomes attractive just before they part and is not cut off there. It is zero without overlap.
+It is not cut off if it becomes attractive just before they part. It is zero without overlap.
 
 Compute the motion up to t = {end_time:g}, with two steps or more. Write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
@@ -76,7 +79,8 @@ def load_problems(settings: Mapping[str, Any]) -> dict[str, Problem]:
     found: dict[str, Problem] = {}
     for motion, chain in settings["motions"].items():
         for damping in chain["dampings"]:
-            for law, beta in settings["laws"].items():
+            laws = settings["laws"] if settings["dampings"][damping] else {"hertz": ALPHA}
+            for law, beta in laws.items():
                 name = f"{motion}_{damping}_{law}"
                 scene = _scene_of(motion, chain, beta, settings["dampings"][damping], settings)
                 _check_problem(name, scene, found)
@@ -203,6 +207,11 @@ def _motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
             )
         if motion == "collision" and chain["beads"] != 2:
             yield f"motions.collision.beads is {chain['beads']}, but two beads collide: write 2."
+        if motion == "solitary_wave" and chain["beads"] < (least := 2 * APART + 2):
+            yield (
+                f"motions.solitary_wave.beads is {chain['beads']}, too few to time a pulse: write "
+                f"{least} or more."
+            )
         states = NUMBERS_OF_A_BEAD * chain["beads"] * intervals
         size = Part(("beads", "end_time"), ("interval",), numbers=states)
         for sentence in part_errors({**chain, "interval": settings["interval"]}, [size]):
