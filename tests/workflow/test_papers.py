@@ -157,3 +157,26 @@ def test_the_page_on_dispersive_shocks_shows_what_is_computed(project):
     for (value, error), (computed, stated) in zip(shown, found, strict=True):
         assert float(value) == pytest.approx(computed, abs=float(error))
         assert float(error) == pytest.approx(stated, rel=0.3, abs=1e-7)
+
+
+@pytest.mark.slow
+def test_the_page_on_a_light_intruder_shows_what_is_computed(project):
+    outcome = snakemake("papers/job_2009", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/job_2009.md").read_text(encoding="utf-8")
+    found = read_dataset(project / "results/data/chain/job_2009_sizes.nc").sel(speed=1)
+    rows = re.findall(r"^\| ([\d.]+) \| (.*) \|$", page, re.MULTILINE)
+    assert len(rows) == found.sizes["size"]
+    for size, cells in rows:
+        one = found.sel(size=float(size))
+        mass, frequency, law, ratio, before, after = map(float, cells.split(" | "))
+        assert mass == pytest.approx(float(size) ** 3, rel=1e-3)
+        assert [frequency, law] == pytest.approx(
+            [float(one["frequency"]), float(one["law"])], abs=5e-6
+        )
+        assert ratio == pytest.approx(float(one["frequency"] / one["law"]), abs=5.1e-6)
+        assert [before, after] == pytest.approx(
+            [float(one["before"]), float(one["after"])], abs=5.1e-5
+        )
+    [edge] = re.findall(r"exceeds ([\d.]+), below", page)
+    assert float(edge) == pytest.approx(float(found["edge"]), abs=float(found["edge_error"]))

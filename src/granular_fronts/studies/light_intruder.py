@@ -18,8 +18,8 @@ It is largest where w = W is:
 *Weightless intruder.*  As ε → 0 both contacts are one of the force :math:`\kappa(w/2)^\alpha`.
 A chain with such a contact gives W, which makes ω known without any light bead.
 
-The chain has no scale of its own: u grows with c as :math:`c^{2/(\alpha-1)}` and times as 1/c.
-Hence ω is proportional to c, and to the power :math:`(\alpha-1)/(2\alpha)` of every force.
+The chain has no scale of its own, so that ω is proportional to c, and to the power
+:math:`(\alpha-1)/(2\alpha)` of every force.
 
 *Measurement.*  The zeros of :math:`\ddot y`, in which slow parts are smaller by ε than in y, give
 the period around the time of W.  Behind W the contacts open, and later w has a second maximum.
@@ -39,12 +39,8 @@ from granular_fronts.fronts.solitary_waves import POINTS_PER_BEAD, solitary_wave
 
 CENTRE, INTRUDER, BEADS, END = 8, 16, 42, 24.0
 """Contact at which the wave starts, bead of the intruder, beads, and time to the end for c = 1."""
-
-SAMPLES = 24_000
-"""Samples of the contacts around the intruder; one run uses the even ones, the other the odd."""
-
-SHARE = 0.99  # of the energy of a force below the edge of its spectrum
-PADDED = 2**16  # points of the force of a wave with zeros around it
+SAMPLES = 24_000  # of the contacts around the intruder; one run uses the even ones, one the odd
+SHARE, PADDED = 0.99, 2**16  # of the energy of a force below its edge; points of its spectrum
 
 MEANINGS = {
     "frequency": "angular frequency of the intruder",
@@ -64,9 +60,10 @@ def softening(size):
 def find_oscillations(alpha, sizes, speeds, tolerance):
     """Find frequency and amplitudes of intruders of some sizes, behind waves of some speeds.
 
-    On (speed, size), each with its `…_error`: `frequency`; `before` and `after`, amplitudes of y in
-    the first and the second compression; `force_before` and `force_after`, those of the difference
-    of both forces; `law`, the closed form.  `edge` is that of the spectrum of a wave of speed 1.
+    On (speed, size), each with its `…_error`: `frequency`, and `law`, its closed form.  `before`
+    and `after` are amplitudes of y in the first compression and the second, if there is one.
+    `force_before` and `force_after` are those of the difference of both forces.  `edge` is that of
+    the spectrum, without dimension.
     """
     looser = {key: 10.0 * value for key, value in tolerance.items()}
 
@@ -78,11 +75,14 @@ def find_oscillations(alpha, sizes, speeds, tolerance):
     variables = variable_and_errors(
         "edge", (), edge_of_spectrum(alpha), "a coarser grid", "edge of the spectrum of the wave"
     )
+    dims, method = ("speed", "size"), "a tolerance ten times larger, other samples"
     for place, (name, meaning) in enumerate(MEANINGS.items()):
-        method = "a tolerance ten times larger, other samples"
-        found = table[:, :, place]
-        variables |= variable_and_errors(name, ("speed", "size"), found, method, meaning)
-    return xr.Dataset(variables, {"speed": speeds, "size": sizes}, {"alpha": alpha})
+        variables |= variable_and_errors(name, dims, table[:, :, place], method, meaning)
+    coordinates = {
+        "speed": ("speed", speeds, {"long_name": "speed of the incident wave"}),
+        "size": ("size", sizes, {"long_name": "radius of the intruder over that of the others"}),
+    }
+    return xr.Dataset(variables, coordinates, {"alpha": alpha})
 
 
 def _measure(alpha, size, speed, tolerance, offset):
@@ -90,12 +90,11 @@ def _measure(alpha, size, speed, tolerance, offset):
     around = [INTRUDER - 2, INTRUDER - 1, INTRUDER, INTRUDER + 1]
     probe = {"beads": around, "start": 0.0, "stop": END / speed, "step": END / speed / SAMPLES}
     factors = [{"contact": place, "factor": softening(size)} for place in around[1:3]]
-    mass = {"impurity": {"bead": INTRUDER, "mass": size**3}}
-    record = {"probes": {"around": probe}}
+    mass, record = {"impurity": {"bead": INTRUDER, "mass": size**3}}, {"probes": {"around": probe}}
     motion = _simulate(alpha, speed, BEADS, mass, factors, record, tolerance)
     times, u = motion["t_around"].values, motion["relative_displacement_around"].values
-    numbers = _read(alpha, size, times[offset::2], u[offset::2])
-    return *numbers, frequency_of_law(alpha, size, speed, tolerance)
+    law = frequency_of_law(alpha, size, speed, tolerance)
+    return *_read(alpha, size, times[offset::2], u[offset::2]), law
 
 
 def _simulate(alpha, speed, beads, mass, factors, record, tolerance):
@@ -119,17 +118,16 @@ def _read(alpha, size, times, u):
     acceleration = forces[:, 0] - forces[:, 3] - (1.0 + 2.0 / size**3) * difference
     first = w.argmax()
     gap = first + int(np.argmin(w[first:] > 0.0))
-    closed = np.maximum(w, 0.0) > 0.5 * w[gap:].max()
-    closed[:gap] = False
+    closed = (w > 0.5 * w[gap:].max()) & (times > times[gap])
     zeros = CubicSpline(times[:gap], acceleration[:gap]).roots(extrapolate=False)
     nearest = np.abs(0.5 * (zeros[2:] + zeros[:-2]) - times[first]).argmin()
     frequency = 2.0 * math.pi / (zeros[nearest + 2] - zeros[nearest])
     return (
         frequency,
         np.abs(acceleration[:gap]).max() / frequency**2,
-        np.abs(y[closed]).max(),
+        np.abs(y[closed]).max(initial=0.0),
         np.abs(difference[:gap]).max(),
-        np.abs(difference[closed]).max(),
+        np.abs(difference[closed]).max(initial=0.0),
     )
 
 
@@ -156,8 +154,7 @@ def edge_of_spectrum(alpha):
 
 def ratio(found, over, under, size):
     """Return one number of an intruder over another one, c = 1."""
-    chosen = found.sel(size=size, speed=1)
-    return tabulated(chosen, over) / tabulated(chosen, under)
+    return tabulated(chosen := found.sel(size=size, speed=1), over) / tabulated(chosen, under)
 
 
 def least_over_edge(found):
