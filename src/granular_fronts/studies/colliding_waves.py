@@ -15,17 +15,13 @@ sums over its contacts are integrals, without an error of the lattice:
 
 The first and the third give the speed of a wave that is by itself, the second its place.  After the
 collision at t = 0 it is at :math:`x = p + c't + s` with its new speed c', which defines the *shift*
-s.  A part of c of the incident speed has :math:`c^{2\alpha/(\alpha-1)}` of the force and
-:math:`c^{2(\alpha+1)/(\alpha-1)}` of the energy of the incident wave.
+s.  The wave next behind it is the *secondary* one.
 
-A wave that another one has met is the first one on its side, and the second is the *secondary* one.
 A second method has the times at which compressions are largest at two contacts.  With damping the
-shift is the lead over a wave that meets no other.
+shift is the lead over a wave that meets no other, by such times.
 
 Errors.  Speeds and shifts are found again by momenta at an earlier time, with a larger tolerance.
 """
-
-import math
 
 import numpy as np
 import xarray as xr
@@ -56,8 +52,7 @@ def find_collisions(alpha, pairs, places, tolerance):
     """Collide waves of the speeds of each pair at each place.
 
     On (pair, place, direction), each with its `…_error`: `speed_after`, `shift` and `secondary`.
-    On (pair, place): `shift_by_times` of the wave to the right, and on (pair, direction):
-    `incident`, the speeds.
+    On (pair, place): `shift_by_times` of the wave to the right.
     """
     looser = {key: 10.0 * value for key, value in tolerance.items()}
 
@@ -67,19 +62,14 @@ def find_collisions(alpha, pairs, places, tolerance):
         return [estimate(*two) for two in zip(*found, strict=True)]
 
     table = np.array([[both(pair, place) for place in places] for pair in pairs])
-    dims = ("pair", "place", "direction")
-    variables = {"incident": (dims[::2], pairs, {"long_name": "speed of the incident wave"})}
+    variables, dims = {}, ("pair", "place", "direction")
+    method = "momenta earlier, ten times the tolerance"
     for number, (name, meaning) in enumerate(MEANINGS.items()):
-        method = "momenta at an earlier time, a tolerance ten times larger"
         found = table[:, :, [number, number + len(MEANINGS)]]
         variables |= variable_and_errors(name, dims, found, method, meaning)
-    method, meaning = "half the samples, a tolerance ten times larger", "shift by times of peaks"
-    variables |= variable_and_errors("shift_by_times", dims[:2], table[:, :, -1], method, meaning)
-    coordinates = {
-        "pair": ("pair", range(len(pairs)), {"long_name": "number of the pair of speeds"}),
-        "place": ("place", places, {"long_name": "place of the collision from a contact"}),
-        "direction": ("direction", [1, -1], {"long_name": "direction of the wave"}),
-    }
+    method, by_times = "half the samples", table[:, :, -1]
+    variables |= variable_and_errors("shift_by_times", dims[:2], by_times, method, "shift by times")
+    coordinates = dict(zip(dims, (range(len(pairs)), places, [1, -1]), strict=True))
     return xr.Dataset(variables, coordinates, {"alpha": alpha})
 
 
@@ -154,7 +144,7 @@ def damp_collisions(alpha, dampings, places, tolerance):
 
     found = [[estimate(lead(g, p, 1), lead(g, p, 2)) for p in places] for g in dampings]
     variables = variable_and_errors("shift", ("gamma", "place"), found, "a nearer contact", "shift")
-    return xr.Dataset(variables, {"gamma": dampings, "place": places}, {"alpha": alpha})
+    return xr.Dataset(variables, {"gamma": dampings, "place": places})
 
 
 def share(found, name, of, place, pair=0):
@@ -171,13 +161,9 @@ def even_over_odd(found):
     return share(found, "secondary", "force", 0) / share(found, "secondary", "force", 0.5)
 
 
-def power_of_incident(found, place):
-    """Return the power of the incident amplitude by which the secondary one grows."""
-    ratio = share(found, "secondary", "force", place, 1) / share(found, "secondary", "force", place)
-    slow, fast = found["incident"].sel(pair=[0, 1], direction=1).values
-    power = 2.0 * found.attrs["alpha"] / (found.attrs["alpha"] - 1.0)
-    change = Estimate(math.log(ratio.value), ratio.error / ratio.value)
-    return 1.0 + change / (power * math.log(fast / slow))
+def proportionality(found, place):
+    """Return the share of force of the secondary wave of the second pair over that of the first."""
+    return share(found, "secondary", "force", place, 1) / share(found, "secondary", "force", place)
 
 
 def methods_apart(found, pair, place):
