@@ -1,8 +1,8 @@
 r"""Two solitary waves that collide: by how much each is ahead afterwards, and what is left behind.
 
-Waves of speeds a and b run towards each other in a chain at rest, and would both be at the *place*
-p at the same time.  Place 0 is a contact and place 1/2 a bead, the middles of chains with even and
-with odd numbers of beads.
+Two waves run towards each other in a chain at rest.  The *place* p is where both would be at t = 0
+if neither met the other.  Place 0 is a contact and place 1/2 a bead, the middles of chains with
+even and with odd numbers of beads.
 
 A wave :math:`u_n(t) = c^{2/(\alpha-1)} U(n - x(t))` of speed c has :math:`U = K * U^\alpha`, and
 the transform of K has double zeros at :math:`2\pi k` (see `solitary_waves`).  By Poisson's formula
@@ -14,8 +14,8 @@ sums over its contacts are integrals, without an error of the lattice:
     \sum_n v_n = c^{(\alpha+1)/(\alpha-1)} \int U .
 
 The first and the third give the speed of a wave that is by itself, the second its place.  After the
-collision at t = 0 it is at :math:`x = p + c't + s` with its new speed c', which defines the *shift*
-s.  The wave next behind it is the *secondary* one.
+collision it is at :math:`x = p + c't + s` with its new speed c', which defines the *shift* s.
+The wave next behind it is the *secondary* one.
 
 A second method has the times at which compressions are largest at two contacts.  With damping the
 shift is the lead over a wave that meets no other, by such times.
