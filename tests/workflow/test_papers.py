@@ -3,6 +3,7 @@
 import re
 import shlex
 
+import numpy as np
 import pandas as pd
 import pytest
 import yaml
@@ -200,3 +201,47 @@ def test_the_page_on_several_materials_shows_what_is_computed(project):
         ]
         for number, computed, unit in zip(shown, numbers, (0.1, 1e-4, 1e-4), strict=True):
             assert float(number) == pytest.approx(float(computed), abs=0.51 * unit)
+
+
+@pytest.mark.slow
+def test_the_page_on_a_light_intruder_shows_what_is_computed(project):
+    outcome = snakemake("papers/job_2009", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/job_2009.md").read_text(encoding="utf-8")
+    found = read_dataset(project / "results/data/chain/job_2009_sizes.nc").sel(speed=1)
+    rows = re.findall(r"^\| ([\d.]+) \| (.*) \|$", page, re.MULTILINE)
+    assert len(rows) == found.sizes["size"]
+    for size, cells in rows:
+        one = found.sel(size=float(size))
+        mass, frequency, law, ratio, before, after = map(float, cells.split(" | "))
+        assert mass == pytest.approx(float(size) ** 3, rel=1e-3)
+        assert [frequency, law] == pytest.approx(
+            [float(one["frequency"]), float(one["law"])], abs=5e-6
+        )
+        assert ratio == pytest.approx(float(one["frequency"] / one["law"]), abs=5.1e-6)
+        assert [before, after] == pytest.approx(
+            [float(one["before"]), float(one["after"])], abs=5.1e-5
+        )
+    [edge] = re.findall(r"exceeds ([\d.]+), below", page)
+    assert float(edge) == pytest.approx(float(found["edge"]), abs=float(found["edge_error"]))
+
+
+@pytest.mark.slow
+def test_the_page_on_collisions_shows_what_is_computed(project):
+    outcome = snakemake("papers/santibanez_2011", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    page = (ROOT / "docs/papers/santibanez_2011.md").read_text(encoding="utf-8")
+    found = read_dataset(project / "results/data/chain/santibanez_2011_collisions.nc")
+    equal = found.sel(pair=0, direction=1, place=[0, 0.5])
+    secondary = equal["secondary"].values
+    wanted = equal["shift"], equal["speed_after"], *(secondary**power for power in (1, 6, 5, 10))
+    rows = re.findall(r"^\| .* \| (0\.\d+) \| (0\.\d+) \|$", page, re.MULTILINE)
+    for shown, computed in zip(rows, wanted, strict=True):
+        digits = len(shown[0]) - 2
+        assert [float(one) for one in shown] == pytest.approx(np.array(computed), abs=10.0**-digits)
+    unlike = found.sel(pair=3)
+    [shifts] = re.findall(r"shift is ([\d.]+) beads at a contact and ([\d.]+) at a\nbead", page)
+    slower = unlike["shift"].sel(direction=1, place=[0, 0.5]).values
+    assert [float(one) for one in shifts] == pytest.approx(slower, abs=6e-4)
+    gained = float(unlike["speed_after"].sel(direction=1).max()) ** 10 - 1.0
+    assert f"at the most {100.0 * gained:.0f} %" in page
