@@ -48,6 +48,7 @@ REFUSED = [
     (gammas([0.3, 0.3]), "axes.gamma has 0.3 after 0.3"),
     (gammas({"linspace": [1.0, 0.1, 5]}), "axes.gamma has"),
     (gammas({"linspace": [0.1, 1.0, 2.5]}), "axes.gamma.linspace asks for 2.5 values"),
+    (gammas({"linspace": [0.1, 1.0]}), "linspace has 2 entries: list 3 (start, stop, count)"),
     (gammas({"logspace": [0.0, 1.0, 5]}), "axes.gamma.logspace runs from 0.0 to 1.0"),
     (gammas([0.1, math.inf]), "axes.gamma (entry 2) is inf"),
     (gammas([1.0], mu=[1.0]), "axes.mu is given"),

@@ -36,6 +36,8 @@ CHAIN_REFUSED = [
     ({"beads": True}, "beads is true"),
     ({"beads": 10**30}, "beads is 1000000000000000000000000000000 | beyond what an array"),
     ({"beads": "420.5"}, 'beads is "420.5": give a whole number'),
+    ({"law__alpha": "1,5"}, 'law.alpha is "1,5" | no comma | point'),
+    ({"law": {"alpha": 1, 5: None, "beta": 1, "gamma": 1}}, "law.5 is no key | no comma | point"),
     ({"end_time": 10**400}, "beyond what an array can hold"),
     ({"end_time": 0}, "end_time is 0 | above 0"),
     ({"end_time": "long"}, 'end_time is "long"'),
@@ -95,6 +97,7 @@ ORBIT_REFUSED = [
     ({"well__step": 2}, "well.step is 2 | 1.75"),
     ({"portrait__mu": 0.5}, "portrait.mu is 0.5 | [0.3, 2]"),
     ({"portrait__starts": []}, "portrait.starts is empty"),
+    ({"portrait__starts": [[0.5]]}, "portrait.starts (entry 1) has 1 entry: list 2 (y, z)"),
     ({"portrait__starts": [[0.5, 0], [-1, 0]]}, "portrait.starts (entry 2) is [-1, 0]"),
 ]
 SCENES_REFUSED = [
@@ -158,7 +161,7 @@ SECTIONS_REFUSED = [
     (f"{THETA}.order.steps", [0.24], "order.steps has 1 entry | limit 3"),
     (f"{HALF_STEPS}.alpha", 2, "alpha is 2 | limit 1.5"),
     (f"{HALF_STEPS}.gammas", [0.05, 0.2], "gammas (entry 2) is 0.2 | limit 0.13"),
-    (f"{STATES}", lattice({"kind": "toda"}, -1, -0.5, 0), "states has 3 entries | limit 2"),
+    (f"{STATES}", lattice({"kind": "toda"}, -1, -0.5, 0), "states has 3 entries: list 2"),
     ("precision.chain.contact_loss.repeats", 10**12, "repeats is 1000000000000 | 1000 or"),
     ("precision.chain.contact_loss.end_time", 1e300, "end_time is 1e+300 | 10000"),
     ("precision.log_burgers.weak.longest_steps", [1e-30], "(entry 1) is 1e-30 | 1e-06"),

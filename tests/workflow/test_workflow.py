@@ -7,7 +7,7 @@ import tomllib
 import pytest
 import yaml
 from packaging.requirements import Requirement
-from projects import ROOT, jobs_due, rules_due, snakemake
+from projects import ROOT, copy_project, jobs_due, rules_due, snakemake
 
 FOLDER = ROOT / "workflow/scripts"
 SCRIPTS = sorted([*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
@@ -64,6 +64,20 @@ def test_impossible_configuration_is_refused_before_any_job(tmp_path):
     assert "Traceback" not in run.stderr
     assert "File " not in run.stderr
     assert not (tmp_path / "results").exists()
+
+
+@pytest.mark.parametrize("listed", ["figures", "tables"])
+def test_what_a_plain_call_makes_is_made_from_its_own_data(tmp_path, listed):
+    """Otherwise the checks at its end would call good results wrong."""
+    project = copy_project(tmp_path)
+    file = project / "workflow" / f"{listed}.yaml"
+    entries = yaml.safe_load(file.read_text(encoding="utf-8"))
+    name = next(name for name, one in entries.items() if {"on_demand", "data"} <= one.keys())
+    del entries[name]["on_demand"]
+    file.write_text(yaml.safe_dump(entries), encoding="utf-8")
+    run = snakemake("help", folder=project)
+    assert run.returncode != 0
+    assert f"{name} in workflow/{listed}.yaml is made from" in run.stderr
 
 
 @pytest.mark.slow

@@ -114,6 +114,18 @@ def table_params(table):
     }
 
 
+# The checks of a plain call know the data of a plain call only.
+for listed, names, behind in (
+    ("figures", DEFAULT_FIGURES, datasets_of),
+    ("tables", DEFAULT_TABLES, tabulated_from),
+):
+    for name in names:
+        if others := [one for one in behind(name) if one not in default_parameters(config)]:
+            sys.exit(
+                f"{name} in workflow/{listed}.yaml is made from {others[0]}, which a plain call "
+                f"does not make: correct this name, or give {name} on_demand: true."
+            )
+
 FIGURE_FILES = [file for figure in DEFAULT_FIGURES for file in figure_files(figure)]
 TABLE_FILES = [file for table in DEFAULT_TABLES for file in table_files(table)]
 

@@ -310,7 +310,7 @@ def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
             if name not in kind.parameters:
                 yield (
                     f"{place}.{name} is given, but kind {kind_name} has no parameter {name}: "
-                    f"{_advice(name, kind.parameters)}."
+                    f"{_advice(name, kind.parameters)}"
                 )
     for name in fixed:
         if name in axes:
@@ -322,7 +322,7 @@ def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:
         if name not in kind.scalars:
             yield (
                 f"record.scalars names {name}, which kind {kind_name} does not record: "
-                f"{_advice(name, kind.scalars)}."
+                f"{_advice(name, kind.scalars)}"
             )
 
 
@@ -366,4 +366,4 @@ def _value_errors(kind, grid, varied) -> Iterator[str]:
 
 def _advice(name, known) -> str:
     near = difflib.get_close_matches(str(name), known, n=1)
-    return f"did you mean {near[0]}" if near else f"it has {', '.join(known)}"
+    return f"did you mean {near[0]}?" if near else f"it has {', '.join(known)}."

@@ -53,8 +53,8 @@ def scene_errors(given: Mapping) -> Iterator[str]:
     for axis in given["axes"]:
         if axis not in known:
             near = difflib.get_close_matches(axis, known, n=1)
-            advice = f"did you mean {near[0]}" if near else f"it has {', '.join(known)}"
-            yield f"axes.{axis} is given, but the scene has no number {axis}: {advice}."
+            advice = f"did you mean {near[0]}?" if near else f"it has {', '.join(known)}."
+            yield f"axes.{axis} is given, but the scene has no number {axis}: {advice}"
     record = scene.get("record")
     sensors = record.get("sensors") if isinstance(record, Mapping) else None
     named = [*sensors.values()] if isinstance(sensors, Mapping) else []

@@ -49,6 +49,9 @@ LONGEST_SHOWN = 60
 MOST_CHOICES = 12
 """Names that a sentence lists even if one of them is close to an unknown one."""
 
+NO_COMMA = "a number has no comma: write a point before its decimals."
+"""About a decimal comma; in braces it ends one key and begins another, without a value."""
+
 ABOUT_KEYS = "required", "additionalProperties"
 """Kinds of violations that concern a key inside the value, and not the value as a whole."""
 
@@ -166,6 +169,10 @@ def _sentence(error: ValidationError, key: str, definitions: dict) -> str:
         return f"{key} is empty: give a name."
     if error.validator in ("minItems", "minProperties") and not error.instance:
         return f"{key} is empty: give at least {'one entry' if limit == 1 else limit}."
+    lengths = [error.schema.get(bound) for bound in ("minItems", "maxItems")]
+    if lengths == [limit, limit]:
+        meaning = error.schema["description"].rstrip(".")
+        return f"{key} has {_count(error.instance)}: list {limit} ({meaning})."
     if error.validator == "minItems":
         return f"{key} has {_count(error.instance)}, below its limit {limit}: list {limit} or more."
     if error.validator == "maxItems":
@@ -209,6 +216,8 @@ def _unknown_key(error: ValidationError, key: str) -> str:
     unknown = [name for name in error.instance if name not in known]
     near = difflib.get_close_matches(str(unknown[0]), known, n=1)
     advice = f"did you mean {near[0]}?" if near else f"the keys here are {', '.join(known)}."
+    if _is_plain(unknown[0], int) and error.instance[unknown[0]] is None:
+        advice = NO_COMMA
     names = ", ".join(_join(key, name) for name in unknown)
     return f"{names} {'is no key' if len(unknown) == 1 else 'are no keys'} of the schema: {advice}"
 
@@ -233,6 +242,8 @@ def _wrong_type(error: ValidationError, key: str) -> str:
             f"{key} is {_show(error.instance)}, which YAML reads as text because a number with an "
             f"exponent needs a point and a sign: write {number}."
         )
+    if expected == "a number" and re.fullmatch(r"[+-]?\d+(,\d+)+", str(error.instance)):
+        return f"{key} is {_show(error.instance)}, but {NO_COMMA}"
     meaning = error.schema.get("description", "").rstrip(".")
     return f"{key} is {_show(error.instance)}: give {expected} instead" + (
         f" ({meaning})." if meaning else "."

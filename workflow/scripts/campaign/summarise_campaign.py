@@ -52,11 +52,12 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
 def _describe_work(merged: xr.Dataset) -> str:
     """Return one sentence on points, failures and the processor time they took."""
     attributes = merged.attrs
+    rate = float(f"{1.0 / attributes['seconds_per_point']:.2g}")
     return (
         f"Campaign {attributes['scene']}: {attributes['points']:,} points, "
         f"{attributes['failed_points']:,} failed, {attributes['chunks']:,} chunks, "
         f"{attributes['seconds']:,.1f} s of processor time, "
-        f"{1.0 / attributes['seconds_per_point']:,.0f} points per second and core."
+        f"{rate:,g} points per second and core."
     )
 
 
