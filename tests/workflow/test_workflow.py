@@ -80,6 +80,17 @@ def test_what_a_plain_call_makes_is_made_from_its_own_data(tmp_path, listed):
     assert f"{name} in workflow/{listed}.yaml is made from" in run.stderr
 
 
+def test_a_figure_without_a_title_is_refused_by_its_name(tmp_path):
+    project = copy_project(tmp_path)
+    file = project / "workflow/figures.yaml"
+    entries = yaml.safe_load(file.read_text(encoding="utf-8"))
+    del entries["fig03"]["title"]
+    file.write_text(yaml.safe_dump(entries), encoding="utf-8")
+    run = snakemake("help", folder=project)
+    assert run.returncode != 0
+    assert "fig03 has no title: a figure or table needs title, data, alt." in run.stderr
+
+
 @pytest.mark.slow
 def test_smoke_run_makes_everything(finished):
     page = (finished / "results/smoke/report.html").read_text(encoding="utf-8")

@@ -3,6 +3,13 @@
 FIGURES = load_yaml("workflow", "figures.yaml") | listed_in_papers("figures")
 TABLES = load_yaml("workflow", "tables.yaml") | listed_in_papers("tables")
 FOLDERS = {family: folder for folder, family in FAMILIES.items()}
+for described, keys in (FIGURES, ("title", "data", "alt")), (
+    TABLES,
+    ("title", "meaning", "caption"),
+):
+    for name, one in described.items():
+        if missing := [key for key in keys if key not in one]:
+            sys.exit(f"{name} has no {missing[0]}: a figure or table needs {', '.join(keys)}.")
 
 
 # A plain call makes these; the others wait until a command names them.
