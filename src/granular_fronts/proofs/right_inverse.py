@@ -1,4 +1,4 @@
-"""A right inverse A of the linearisation, and bounds of 1 − L A, of A and of K*A.
+"""A right inverse of the linearisation: the operator A, and bounds of 1 − L A, of A and of K*A.
 
 Notation of `existence`.  Far behind, ā is near α and L near the convolution δ − α K; far ahead, ā
 = 0 and L is the identity. A is an approximate inverse of each part, glued by splitting the
@@ -15,7 +15,8 @@ middles x_i.  Write y = y₋ + y_w + y₊ for ξ < −b, −b < ξ < M, ξ > M. 
 
 L_h = 1 − diag(ā(x_i)) (κ_{i−k}), κ_m = ∫ K over |s − mh| < h/2.  What the matrix leaves undone on
 the first bead, and what the window sends behind, becomes a source of the far rear. So the window
-need only reach back to where ā is near α, and not where ū is 1.
+need only reach back to where ā is near α, and not where ū is 1.  As g has compact support, A maps y
+that vanish at both ends to such functions (Lemma 3).
 
 **Defect.** Let e = g − α K − α K*g, ε = sup |ā/α − 1| over ξ < −c.  For a source σ on ξ < −b + 1,
 K*(σ + g*σ) lives on ξ < −b + 1 + q + 1 = −c, where ā = α + (ā − α) and α K*(δ + g) = g − e, so

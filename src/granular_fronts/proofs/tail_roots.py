@@ -3,10 +3,10 @@
 A tail u − 1 ~ e^(λξ) behind a front has D(λ) = 1 − α (1 − γλ)(2 cosh λ − 2)/λ² = 0.  With the bell
 q(λ) = λ²/(2 cosh λ − 2) and k = αγ this says that the line α − kλ meets the bell at λ.
 
-**One zero.** If f is analytic on a convex set X around m and N = m − f(m)/f'(X) lies inside X, then
-X holds exactly one zero of f, and N contains it (interval Newton operator).  For f(x) = f(m) + F(x)
-(x − m), where F(x) is the mean of f' between m and x.  It is in the convex set of numbers f'(X),
-which does not contain 0.  So x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero
+**One zero.** Let f be analytic on a compact convex set X around m, and let a convex set Y without 0
+hold all values of f' there.  If N = m − f(m)/Y lies inside X, then X holds exactly one zero of f,
+and N contains it (interval Newton operator).  For f(x) = f(m) + F(x) (x − m), where F(x) ∈ Y is the
+mean of f' between m and x.  So x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero
 (Brouwer).  Every zero in X is in N, and two zeros in X would make a mean of f' zero.  For real
 functions the same holds.  If X is symmetric about the real axis and f real there, the zero is real.
 
@@ -38,6 +38,10 @@ k = −q'(λ); there (λ + x, k + y) is on both if y λ = −q'' x²/2 + …, so
 **Lemma 12 (crossing).** At γ₀ let exactly the real λ₁ and the pair λ₂, λ̄₂ have 0 < Re λ < w, all
 simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0.  Then near γ₀ the slowest root is complex for γ <
 γ₀ and real for γ > γ₀.
+
+*Proof.* Zeros in a strip are finitely many, so w may be taken with D ≠ 0 on Re λ = w too.  As D → 1
+at the ends of both lines, D turns on them as often for γ near γ₀.  So three roots remain between
+them.  They are those that move from λ₁, λ₂ and λ̄₂, and λ₁ stays real. ∎
 """
 
 import cmath
