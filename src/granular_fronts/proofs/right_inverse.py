@@ -59,6 +59,19 @@ is the smaller.
 For an interval of γ, g = g₀ + s g₁ + … like P̄ in `existence`, H is fixed, and A, whose R, s and d
 contain K and ā, depends continuously on γ.  All bounds hold for every γ of the interval.
 
+**Lemma 24 (no bound for all damping).** Let δ − α K have the inverse δ + G with G ∈ L¹.  Then every
+bounded A with L A = 1, linear or not, has ‖A y‖ ≥ 1 + ‖G‖₁ − ε for some ‖y‖ ≤ 1, for each ε > 0.
+
+*Proof.* Let y(η) = sgn G(−η), but 1 near 0.  With a small such interval (δ + G)*y ≥ 1 + ‖G‖₁ − ε
+near 0.  Let f be A of y moved behind by k, and F be f moved back.  Then |F| ≤ sup ‖A y‖ over the
+unit ball.  As ā = α behind −ℓ − 1, F − α K*F = y + E, where E is bounded for all k and E = 0 for ξ
+< k − ℓ − 1.  So F = (δ + G)*(y + E), and (δ + G)*E → 0 near 0 as k → ∞. ∎
+
+If ‖1 − L A‖ ≤ Z₁ < 1, A (L A)^(−1) is such an inverse, so that ‖A‖ ≥ (1 − Z₁)(1 + ‖G‖₁).
+A test computes that ‖G‖₁ grows with ln γ.  Far behind, K*A is G/α.  So no other unknown helps while
+u and its perturbations are measured by their maxima: γ = ∞ needs another norm.  It needs other
+cells too: change_i contains h γ w_i, so that n grows with γ and the rows of H with γ².
+
 g and H are free: g is the periodic inverse of the discretised δ − α K at γ₀, g₁ half its change
 over the interval.  H holds the columns for sources in the window of the solution of the collocation
 equations on a longer window.  L_h has a near kernel (translation) and, as D winds once, one
