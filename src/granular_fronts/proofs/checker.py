@@ -193,7 +193,7 @@ class Front(Contraction):
         return self.a(top) * gap
 
     def exists(self):
-        """The theorem: a solution, its enclosure and its uniqueness; Lemma 4."""
+        """The theorem: a solution, its enclosure and its uniqueness; Lemma 5."""
         self.bound_inverse()
         Y0 = largest(map(self.residual, range(len(self.u))))
         self.r, farthest = self.contract(Y0)
@@ -284,7 +284,7 @@ class Front(Contraction):
         self.outer_kappa = tops([first, nK * largest(rho[-2 * n :])])
 
     def rear(self):
-        """Lemma 9 and, where the certificate has its data, the expansion behind."""
+        """Lemma 10 and, where the certificate has its data, the expansion behind."""
         theta, *more = map(arb, self.data["weights"].tolist())
         self.require("theta > 0", arb(0), theta)
         require_zeros(self, "no root up to theta", theta, 0)

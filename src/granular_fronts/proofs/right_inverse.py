@@ -59,7 +59,7 @@ is the smaller.
 For an interval of γ, g = g₀ + s g₁ + … like P̄ in `existence`, H is fixed, and A, whose R, s and d
 contain K and ā, depends continuously on γ.  All bounds hold for every γ of the interval.
 
-**Lemma 24 (no bound for all damping).** Let δ − α K have the inverse δ + G with G ∈ L¹.  Then every
+**Lemma 4 (no bound for all damping).** Let δ − α K have the inverse δ + G with G ∈ L¹.  Then every
 bounded A with L A = 1, linear or not, has ‖A y‖ ≥ 1 + ‖G‖₁ − ε for some ‖y‖ ≤ 1, for each ε > 0.
 
 *Proof.* Let y(η) = sgn G(−η), but 1 near 0.  With a small such interval (δ + G)*y ≥ 1 + ‖G‖₁ − ε
