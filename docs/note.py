@@ -1,9 +1,9 @@
-r"""The note on proofs as LaTeX: python docs/note.py FOLDER, then latexmk there; `make note` does both.
+r"""The note on proofs as LaTeX: `make note` runs python docs/note.py FOLDER, and latexmk there.
 
 `note.tex` has the words between the lemmas.  The lemmas are the docstrings of
 `granular_fronts.proofs`: where `note.tex` says ``\docstring{families}``, the docstring of that
-module is set as a section.  Its theorems are those of the manual's page, by ``\page{The theorems}``,
-and its bibliography is the manual's.  The tables are computed from certificates that are checked.
+module is set as a section.  Theorems and results are those of the manual's page on proofs, by
+``\page{The theorems}``, and so is the bibliography.  Bounds are those of certificates, checked now.
 
 Docstrings write formulas as plain text: |f|_w = sup |f| e^(−wt).  A word of at least two letters is
 text, unless it is a function such as sup.  All else is a formula, except the article a.
@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from fractions import Fraction
 from importlib import import_module
-from itertools import groupby
+from itertools import groupby, takewhile
 from pathlib import Path
 from typing import Any
 from unicodedata import normalize
@@ -23,9 +23,8 @@ from unicodedata import normalize
 from links import PAPERS, ROOT
 
 from granular_fronts.proofs.arrays import written
-from granular_fronts.proofs.balls import NotProvedError, in_balls
+from granular_fronts.proofs.balls import NotProvedError
 from granular_fronts.proofs.checker import check_certificate
-from granular_fronts.proofs.tail_roots import critical_damping
 
 TEMPLATE = Path(__file__).with_suffix(".tex")
 PAGE = Path(__file__).with_name("proofs.md")
@@ -36,51 +35,43 @@ CERTIFICATES = (
     *("critical_damping/0.260000", "critical_damping/0.262000", "critical_damping/0.263400"),
 )
 FOLDERS = ROOT / "tests/proofs/test_proof_data", ROOT / "docs/certificates"
-EXPONENTS = "5/4", "3/2", "2", "3", "5"
-PRECISION, DIGITS = 160, 29  # bits of balls, and digits, of the critical damping
 
-SYMBOLS = r"""
-    α \alpha β \beta γ \gamma δ \delta ε \varepsilon ζ \zeta η \eta θ \theta κ \kappa λ \lambda μ \mu
-    ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi ω \omega Γ \Gamma Δ \Delta Λ \Lambda Σ \sum
-    Φ \Phi ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge → \to ↦ \mapsto ⊂ \subset ⊕ \oplus × \times ± \pm − -
-    % \% ‖ \| · \cdot … \dots ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell ~ \sim
-""".split()
-TO_SYMBOL = dict(zip(SYMBOLS[::2], SYMBOLS[1::2], strict=True))
+TO_SYMBOL = dict(
+    re.findall(
+        r"(\S)\s(\S+)",
+        r"""α \alpha β \beta γ \gamma δ \delta ε \varepsilon ζ \zeta η \eta θ \theta κ \kappa
+        λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi ω \omega Γ \Gamma Δ \Delta
+        Λ \Lambda Σ \sum Φ \Phi ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge → \to ↦ \mapsto ⊂ \subset
+        ⊕ \oplus × \times ± \pm − - % \% ‖ \| · \cdot … \dots ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell
+        ~ \sim""",
+    )
+)
 ACCENTS = {"\u0304": "bar", "\u0302": "hat", "\u0303": "tilde"}
 SMALL = {"^": ("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"), "_": ("₀₁₂₃₄₅₆₇₈₉₊₋", "0123456789+-")}
-FUNCTIONS = {*"sup inf max min ln exp cos sin cosh sinh coth arg lim ker dim".split()}
-OPERATORS = {*"sgn sinc ess Re Im Ran ind codim span gain".split()}
+FUNCTIONS = {*re.findall(r"\w+", "sup inf max min ln exp cos sin cosh sinh coth arg lim ker dim")}
+OPERATORS = {*re.findall(r"\w+", "sgn sinc ess Re Im Ran ind codim span gain")}
 
 INSIDE = r"(?:[^()]|\((?:[^()]|\([^()]*\))*\))*"
 WORD = re.compile(r"(?!d[st]$)[A-Za-zéó]{2,}(?:'s)?(?:[-–][A-Za-z]+)*|a")
 EDGES = "()[].,;:“”"
 SPAN = re.compile(
-    r"``(?P<literal>[^`]+)``|`(?P<code>[^`]+)`|\$(?P<formula>[^$]+)\$|(?<!\S)\*(?P<stressed>[A-Za-z]+)\*"
+    r"``(?P<literal>[^`]+)``|`(?P<code>[^`]+)`|\$(?P<formula>[^$]+)\$"
+    r"|(?<!\S)\*(?P<stressed>[A-Za-z]+)\*"
     r"|\[(?P<linked>[^\]]+)\]\([^)]*\)|(?P<named>(?:Lemma|Theorem)s? (?:\d+|[ABC]\b))"
-    r"|(?P<article>(?:^|(?<=[.:] ))A(?= [a-z])(?! is | differs ))|(?P<paper>%s)"
-    % "|".join(map(re.escape, PAPERS))
+    r"|(?P<article>(?:^|(?<=[.:] ))A(?= [a-z])(?! is | differs ))|"
+    rf"(?P<paper>{'|'.join(map(re.escape, PAPERS))})"
 )
 HEAD = re.compile(r"\*\*(?:(Lemma|Theorem) (\w+)(?: \((.*?)\))?|(.*?))\.\*\* ", re.DOTALL)
 
 
 def formula(text: str) -> str:
-    """A formula in plain text as LaTeX.
-
-    Parameters
-    ----------
-    text : str
-        Such as ``|f|_w = sup |f| e^(−wt)``.
-
-    Returns
-    -------
-    str
-    """
+    """A formula in plain text, such as ``|f|_w = sup |f| e^(−wt)``, as LaTeX."""
     text = normalize("NFD", text).replace("=\u0338", r"\ne ")
     for mark, accent in ACCENTS.items():
         text = re.sub(rf"(\w){mark}", rf"\\{accent}{{\1}}", text)
     for place, (signs, plain) in SMALL.items():
-        table = str.maketrans(signs, plain)
-        text = re.sub(f"[{signs}]+", lambda m, p=place, t=table: f"{p}{{{m[0].translate(t)}}}", text)
+        text = re.sub(f"[{signs}]+", rf"{place}{{\g<0>}}", text)
+        text = text.translate(str.maketrans(signs, plain))
     text = re.sub(rf"([\^_])\(({INSIDE})\)", r"\1{\2}", text)
     text = re.sub(r"_([A-Za-z]+|\w)", r"_{\1}", text)
     text = re.sub(r"\^([^\W_]|∞)(_\{\w\})?", r"^{\1\2}", text)
@@ -107,18 +98,7 @@ def _power(found: re.Match[str]) -> str:
 
 
 def prose(text: str, module: str = "") -> str:
-    """A paragraph in plain text as LaTeX.
-
-    Parameters
-    ----------
-    text : str
-    module : str, optional
-        Whose docstring it is from: names of modules are looked for beside it first.
-
-    Returns
-    -------
-    str
-    """
+    """A paragraph as LaTeX; names of modules are looked for beside that which it is from."""
     text, found, end = " ".join(text.split()), [], 0
     for span in SPAN.finditer(text):
         found += [_in_line(text[end : span.start()]), _span(span, module)]
@@ -206,19 +186,7 @@ def _displayed(text: str) -> str:
 
 
 def body(text: str, module: str = "") -> Iterator[str]:
-    """The blocks of a docstring or of a part of a page.
-
-    Parameters
-    ----------
-    text : str
-    module : str, optional
-        See `prose`.
-
-    Yields
-    ------
-    str
-        LaTeX, with an environment around each lemma, proof and list.
-    """
+    """The blocks of a docstring or of a part of a page: lemmas, proofs, lists and paragraphs."""
     text = re.sub(r"\n(?=\*Proof|\*\*| \* |- )", "\n\n", text)
     text = re.sub(r"∎(?=\s*\S)", "∎\n\n", text)
     opened: list[str] = []
@@ -249,8 +217,8 @@ def body(text: str, module: str = "") -> Iterator[str]:
         if head := HEAD.match(block):
             yield from close()
             block = block[head.end() :].rstrip()
-            # A page stresses the whole of a theorem.
-            ended, block = (block.endswith("*"), block.strip("*")) if block[0] == "*" else (False, block)
+            if block[0] == "*":  # A page stresses the whole of a theorem.
+                ended, block = block.endswith("*"), block.strip("*")
             kind, number, title, words = head.groups()
             if number:
                 opened.append(kind.lower())
@@ -308,7 +276,8 @@ def records() -> list[dict[str, Any]]:
         record = check_certificate(path)
         if not record["proved"]:
             raise NotProvedError(f"{path}: {record['reason']}")
-        found.append(record | {"name": name, "beta": "1" if "tail_start" in record["numbers"] else r"\alpha"})
+        beta = "1" if "tail_start" in record["numbers"] else r"\alpha"
+        found.append(record | {"name": path.stem, "beta": beta})
     return found
 
 
@@ -327,7 +296,7 @@ def bounds(record: dict[str, Any]) -> list[str]:
     parameters = (_interval(record[name]) for name in ("alpha", "gamma"))
     W = rounded(numbers["unique_within"], ROUND_FLOOR)
     row = [*parameters, record["beta"], *map(rounded, above), W]
-    return [rf"\texttt{{{_escaped(record['name'].rpartition('/')[2])}}}", *(f"${cell}$" for cell in row)]
+    return [rf"\texttt{{{record['name']}}}", *(f"${cell}$" for cell in row)]
 
 
 def _interval(ends: tuple[Fraction, Fraction]) -> str:
@@ -335,21 +304,19 @@ def _interval(ends: tuple[Fraction, Fraction]) -> str:
     return low if low == high else f"[{low}, {high}]"
 
 
-def crossings() -> Iterator[list[str]]:
-    """Rows of the table of critical damping."""
-    for alpha in EXPONENTS:
-        with in_balls(PRECISION):
-            yield [f"${alpha}$", f"${critical_damping(Fraction(alpha)).gamma.str(DIGITS, radius=False)}$"]
+def page_rows(heading: str) -> list[list[str]]:
+    """The cells of the table of the page whose first line begins so."""
+    lines = PAGE.read_text(encoding="utf-8").partition(f"\n| {heading} ")[2].splitlines()
+    rows = (line.strip("|").split("|") for line in takewhile(bool, lines[2:]) if line[0] == "|")
+    return [[cell.strip() for cell in row] for row in rows]
 
 
-def proved() -> Iterator[list[str]]:
-    """Rows of the table of the last run, as it stands on the page."""
-    text = PAGE.read_text(encoding="utf-8").partition("<!-- proved -->")[2].partition("<!-- end")[0]
-    for line in text.strip().splitlines()[2:]:
-        name, alpha, beta, gamma, shape, error, count, *_ = map(str.strip, line.strip("|").split("|"))
-        shape = prose(re.sub(r"gamma (\S+) to ([\d.]+)", r"γ ∈ [\1, \2]", shape))
-        numbers = [alpha, beta, gamma.replace("to", r"\text{ to }"), formula(error), count]
-        yield [_escaped(name), *(f"${cell}$" for cell in numbers), shape]
+def proved(row: list[str]) -> list[str]:
+    """A row of the table of the last run."""
+    name, alpha, beta, gamma, shape, error, count, *_ = row
+    shape = prose(re.sub(r"gamma (\S+) to ([\d.]+)", r"γ ∈ [\1, \2]", shape))
+    numbers = [alpha, beta, gamma.replace("to", r"\text{ to }"), formula(error), count]
+    return [_escaped(name), *(f"${cell}$" for cell in numbers), shape]
 
 
 def table(rows: Iterable[list[str]]) -> str:
@@ -383,8 +350,10 @@ def note() -> str:
     )
     made = {
         "bounds": lambda: table(map(bounds, records())),
-        "crossings": lambda: table(crossings()),
-        "proved": lambda: table(proved()),
+        "crossings": lambda: table(
+            [f"${cell}$" for cell in row] for row in page_rows(r"α | $\gamma_\times$,")
+        ),
+        "proved": lambda: table(map(proved, page_rows("front "))),
     }
     text = re.sub(r"\\docstring\{([\w.]*)\}", lambda found: section(found[1]), text)
     text = re.sub(r"\\page\{(.*?)\}", lambda found: page(found[1]), text)

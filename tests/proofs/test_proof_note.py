@@ -17,10 +17,9 @@ HEADS = re.compile(r"\*\*(?:Lemma|Theorem) (\d+)\b")
 
 @pytest.fixture(scope="module")
 def text():
-    """The note with the tables of one certificate and one exponent."""
+    """The note with the bounds of one certificate."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(NOTE, "CERTIFICATES", ("monotone",))
-        patch.setattr(NOTE, "EXPONENTS", ("3/2",))
         return NOTE.note()
 
 
@@ -103,4 +102,5 @@ def test_latex_sets_the_note(tmp_path):
     assert 20 <= int(pages) <= 25
     assert "Warning: Reference" not in log
     assert "Hyper reference" not in log
+    assert "Missing character" not in log
     assert not re.search(r"Overfull \\hbox \((?:[5-9]|\d\d)", log)
