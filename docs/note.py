@@ -40,9 +40,9 @@ TO_SYMBOL = dict(
     re.findall(
         r"(\S)\s(\S+)",
         r"""α \alpha β \beta γ \gamma δ \delta ε \varepsilon ζ \zeta η \eta θ \theta κ \kappa
-        λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi ω \omega Γ \Gamma Δ \Delta
-        Λ \Lambda Σ \sum Φ \Phi ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge → \to ↦ \mapsto ⊂ \subset
-        ⊕ \oplus × \times ± \pm − - % \% ‖ \| · \cdot … \dots ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell
+        λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi ω \omega
+        Γ \Gamma Δ \Delta Λ \Lambda Σ \sum Φ \Phi ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge
+        → \to ↦ \mapsto ⊂ \subset ⊕ \oplus × \times ± \pm − - % \% ‖ \| · \cdot … \dots ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell
         ~ \sim""",
     )
 )

@@ -1,4 +1,4 @@
-"""The note on proofs: each lemma once and in order, numbers of certificates, and what LaTeX makes of it."""
+"""The note on proofs: each lemma once and in order, bounds of certificates, and what LaTeX says."""
 
 import re
 import shutil
@@ -32,7 +32,7 @@ def test_every_lemma_of_the_docstrings_is_in_the_note_once_and_in_order(text):
     written = [n for path in sources for n in HEADS.findall(path.read_text(encoding="utf-8"))]
     assert sorted(written, key=int) == numbers[3:]
     assert text.count(r"\begin{proof}") == text.count(r"\end{proof}") == len(numbers) - 3
-    named = {name for name in re.findall(r"\\hyperref\[(.*?)\]", text)}
+    named = set(re.findall(r"\\hyperref\[(.*?)\]", text))
     assert named <= {f"{kind.capitalize()} {number}" for kind, number in found}
 
 
@@ -60,20 +60,23 @@ def test_formulas_are_set_as_they_are_meant(plain, latex):
 
 
 def test_words_and_formulas_are_told_apart():
-    found = NOTE.prose("Let a cell (of width h), f(x, y) and K*P be as in `balls`; by Lemma 3, P = 1.")
+    found = NOTE.prose(
+        "Let a cell (of width h), f(x, y) and K*P be as in `balls`; by Lemma 3, P = 1"
+    )
     assert found == (
         r"Let a cell (of width $h$), $f(x, y)$ and $K*P$ be as in Section~\ref{balls}; by"
-        r" \hyperref[Lemma 3]{Lemma~3}, $P = 1$."
+        r" \hyperref[Lemma 3]{Lemma~3}, $P = 1$"
     )
 
 
 def test_numbers_of_the_tables_are_rounded_bounds_of_certificates():
     record = proved("monotone") | {"name": "monotone", "beta": "α"}
     numbers, sides = record["numbers"], {one["name"]: one for one in record["inequalities"]}
-    contraction = sides["Z1 + Z2(r) < 1"]["left"], sides["Z1 < 1"]["left"]
-    exact = [sides["Y0 < (1 − Z1 − Z2(r)) r"]["left"], contraction[1], contraction[0] - contraction[1]]
+    Z1, both = sides["Z1 < 1"]["left"], sides["Z1 + Z2(r) < 1"]["left"]
+    exact = [sides["Y0 < (1 − Z1 − Z2(r)) r"]["left"], Z1, both - Z1]
     exact += [numbers["radius"], record["error"], numbers["unique_within"]]
-    cells = [cell.strip("$").replace(r"\cdot 10^{", "e").rstrip("}") for cell in NOTE.bounds(record)]
+    cells = [cell.strip("$").replace(r"\cdot 10^{", "e") for cell in NOTE.bounds(record)]
+    cells = [cell.rstrip("}") for cell in cells]
     assert cells[1:4] == ["1.5", "0.3", "α"]
     shown = [Decimal(cell) / Decimal(number) for cell, number in zip(cells[4:], exact, strict=True)]
     assert all(1 <= ratio < Decimal("1.01") for ratio in shown[:-1])
@@ -87,7 +90,7 @@ def test_a_certificate_that_is_refused_makes_no_note(monkeypatch):
     monkeypatch.setattr(NOTE, "CERTIFICATES", ("monotone",))
     refused = {"proved": False, "reason": "Z1 < 1"}
     monkeypatch.setattr(NOTE, "check_certificate", lambda path: refused)
-    with pytest.raises(NOTE.NotProvedError, match="monotone.npz: Z1 < 1"):
+    with pytest.raises(NOTE.NotProvedError, match=r"monotone\.npz: Z1 < 1"):
         NOTE.records()
 
 

@@ -14,9 +14,10 @@ python-flint accept the same certificates.  Of NumPy one must trust
  * its loops over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
 
 Of the code here these modules are trusted: ``checker``, ``arrays``, ``balls``, ``contraction``,
-``uniqueness``, ``tail_roots``, ``consequences`` and ``rear_expansion``.  Families need ``families`` too, and
-dashpots ``dashpots.checker``, ``dashpots.row_norms`` and ``dashpots.ahead``.  Tests compute each bound
-again by other means.  They also change the checker in one place at a time, to see that they notice.
+``uniqueness``, ``tail_roots``, ``consequences`` and ``rear_expansion``.  Families need ``families``
+too, and dashpots ``dashpots.checker``, ``dashpots.row_norms`` and ``dashpots.ahead``.  Tests
+compute each bound again by other means.  They also change the checker in one place at a time, to
+see that they notice.
 """
 
 from pathlib import Path

@@ -5,18 +5,18 @@ k = ‖K‖₁ = 1 + γ² for γ ≤ 1, 2γ for γ ≥ 1.
 
 **Lemma 5 (the linearisation).** L* = DQ(P*) is onto and its kernel is spanned by P*'.
 
-*Proof.* L*A = 1 − DN(y*) is invertible, as ‖DN(y*)‖ < 1 by Theorem 2; so L* is onto, A is injective with closed
-range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact operator: y_w ↦
-H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to functions on (−b − 1,
-−b) with a common bound and Lipschitz constant.  In the splitting of L^∞ at −b this operator is
-triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal.  Its index in L^∞
-of a half line is ± the winding number of 1 + ĝ (Lemma 6).  As (1 + ĝ)(1 − α K̂) = 1 + ê with |ê| ≤
-‖e‖₁ < 1, 1/(1 + ĝ) = (1 − α K̂)/(1 + ê) is of the kind 1 + l̂, l ∈ L¹ (Neumann's series), and the
-number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α (1 − iγω) sinc²(ω/2).  D(0) < 0; Im D ≥
-0 for ω > 0 with equality only where D = 1; D(−iω) is the conjugate: D winds once.  So |ind A| = 1;
-A being injective, ind A = −1 and dim ker L* = codim Ran A = 1.  Since P is Lipschitz (u is C¹ by
-Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of the kernel.  It is not 0, as P is not
-constant. ∎
+*Proof.* L*A = 1 − DN(y*) is invertible, as ‖DN(y*)‖ < 1 by Theorem 2; so L* is onto, A is injective
+with closed range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y + g*(1_{ξ<−b} y) by a compact
+operator: y_w ↦ H R y_w and y_w ↦ d have finite rank, and y_w ↦ s maps bounded functions to
+functions on (−b − 1, −b) with a common bound and Lipschitz constant.  In the splitting of L^∞ at −b
+this operator is triangular, with the identity and the Wiener–Hopf operator 1 + g on the diagonal.
+Its index in L^∞ of a half line is ± the winding number of 1 + ĝ (Lemma 6).  As (1 + ĝ)(1 − α K̂) =
+1 + ê with |ê| ≤ ‖e‖₁ < 1, 1/(1 + ĝ) = (1 − α K̂)/(1 + ê) is of the kind 1 + l̂, l ∈ L¹ (Neumann's
+series), and the number is, up to sign, that of D(iω) = 1 − α K̂(iω) = 1 − α (1 − iγω) sinc²(ω/2).
+D(0) < 0; Im D ≥ 0 for ω > 0 with equality only where D = 1; D(−iω) is the conjugate: D winds once.
+So |ind A| = 1; A being injective, ind A = −1 and dim ker L* = codim Ran A = 1.  Since P is
+Lipschitz (u is C¹ by Lemma 1), u' = K*P' and P' = a(u) u' is a bounded element of the kernel.  It
+is not 0, as P is not constant. ∎
 
 **Lemma 6 (index on a half line).** Let f = 1 + k̂ and 1/f = 1 + l̂ with k, l ∈ L¹.  Then y ↦ y +
 k*y, cut to (0, ∞), is a Fredholm operator in L^∞(0, ∞), and its index is ± the winding number of f.

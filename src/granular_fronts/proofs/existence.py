@@ -17,11 +17,11 @@ distributions, and u_n(t) = u(n − t) solves the chain.  If u > 0 everywhere, u
 
 **Approximation.** P̄ = 1 for ξ < −ℓ, 0 for ξ > m, a polynomial on each of the cells of width h =
 1/n between (continuity is not needed); ū = K*P̄, also polynomial on cells, 1 for ξ ≤ −ℓ − 1 and 0
-for ξ ≥ M = m + 1; ā = a(ū), L = DQ(P̄) = 1 − ā K*.  With the second differences Δ over one bead
-and the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.  For an interval of
-γ, γ₀ − δ to γ₀ + δ, let γ = γ₀ + s δ and P̄ = P̄₀ + s P̄₁ + … + s^d P̄_d, P̄_k = 0 outside (−ℓ, m) for
-k ≥ 1; then ū is a polynomial in s of degree d + 1.  α may be in an interval too, on which P̄ does
-not depend.  What follows is claimed for each α and γ by itself, with bounds that hold for all.
+for ξ ≥ M = m + 1; ā = a(ū), L = DQ(P̄) = 1 − ā K*.  With the second differences Δ over one bead and
+the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.  For an interval of γ, γ₀ − δ to
+γ₀ + δ, let γ = γ₀ + s δ and P̄ = P̄₀ + s P̄₁ + … + s^d P̄_d, P̄_k = 0 outside (−ℓ, m) for k ≥ 1;
+then ū is a polynomial in s of degree d + 1.  α may be in an interval too, on which P̄ does not
+depend.  What follows is claimed for each α and γ by itself, with bounds that hold for all.
 
 **Theorem 2.** Let A: L^∞ → L^∞ be bounded and linear, Y₀ ≥ ‖Q(P̄)‖, Z₁ ≥ ‖1 − L A‖, κ(ξ) ≥ |(K*A
 y)(ξ)| for all ‖y‖ ≤ 1, and Z₂(r) ≥ κ(ξ) |a(ū(ξ) + w) − a(ū(ξ))| for all ξ and |w| ≤ κ(ξ) r.  If Y₀
@@ -40,8 +40,8 @@ to 0) to such functions, then P*, u* → 1 at −∞ and → 0 at +∞.
 1. ∎
 
 **Z₂.** For 1 < α ≤ 2, a(u) is zero for u ≤ 0, increasing and concave for u ≥ 0.  Over u ≥ u₋ and
-|w| ≤ W the largest |a(u + w) − a(u)| is at most a(p) − a(p − W), p = max(u₋, W).  For α ≥ 2, a(u) is
-convex on ℝ, and over u ≤ u₊ it is a(u₊ + W) − a(u₊).
+|w| ≤ W the largest |a(u + w) − a(u)| is at most a(p) − a(p − W), p = max(u₋, W).  For α ≥ 2, a(u)
+is convex on ℝ, and over u ≤ u₊ it is a(u₊ + W) − a(u₊).
 
 **Y₀.** On a cell, F = P̄ − ū^α is expanded in s about 0 up to s^d.  The remainder is s^(d+1) times
 a Taylor coefficient of order d + 1 at another s, bounded over the whole cell and −1 ≤ s ≤ 1.  Each

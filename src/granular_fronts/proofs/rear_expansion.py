@@ -7,8 +7,8 @@ Let t = ξ − x₀, z = u − 1, Q = P − 1, v = u', ṽ = v 1_{t<0}, D(λ) = 
 e^(−λs) ds as in `tail_roots`.  For w ≥ 0 write |f|_w = sup |f| e^(−wt), K_w = K e^(−ws), and let
 Γ_w bound the norm of (δ − α K_w)^(−1) (see `balls`).
 
-**Lemma 14.** Suppose that D has no zero with 0 < Re λ ≤ θ or Re λ = η, where η < 2θ. With θ < Re λ <
-η let it have exactly the simple zeros λ₁, real, or a pair λ₂, λ̄₂, or these three.  Then
+**Lemma 14.** Suppose that D has no zero with 0 < Re λ ≤ θ or Re λ = η, where η < 2θ. With θ < Re λ
+< η let it have exactly the simple zeros λ₁, real, or a pair λ₂, λ̄₂, or these three.  Then
 
     v = Σ C_j e^(λ_j t) + ω(t) for t < 0,      |ω(t)| ≤ Γ_η (|F_b|_η + c) e^(ηt),
     |C_j D'(λ_j) + F̂_b(λ_j)| ≤ c/(2θ − Re λ_j),
@@ -29,8 +29,8 @@ bound of |a'| there; ε ≤ B ζ.  Then |z| ≤ V e^(θt)/θ, |(a(u) − α) ṽ
 e^(2θt) with c = B V² ‖K_(2θ)‖/θ. The Laplace transform of ṽ is (F̂_b + F̂_n)/D for Re λ = θ, where
 F̂_n is analytic for Re λ < 2θ and bounded by c/(2θ − Re λ).  F_b has bounded variation and F_n is
 Lipschitz on t < 0, so the transforms are O(1/|Im λ|).  As D → 1 for |Im λ| → ∞ in the strip, the
-line of the inverse transform (in L²) moves from θ to η, past residues −C_j e^(λ_j t).  What is left is the
-solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. ∎
+line of the inverse transform (in L²) moves from θ to η, past residues −C_j e^(λ_j t).  What is left
+is the solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. ∎
 
 **Monotone fronts.** Let λ₂, if there is one, have Re λ₂ ≥ λ₁.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂
 − λ₁)t) + Γ_η (|F_b|_η + c) e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, as the right-hand

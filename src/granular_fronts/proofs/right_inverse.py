@@ -68,9 +68,10 @@ unit ball.  As ā = α behind −ℓ − 1, F − α K*F = y + E, where E is bou
 < k − ℓ − 1.  So F = (δ + G)*(y + E), and (δ + G)*E → 0 near 0 as k → ∞. ∎
 
 If ‖1 − L A‖ ≤ Z₁ < 1, A (L A)^(−1) is such an inverse, so that ‖A‖ ≥ (1 − Z₁)(1 + ‖G‖₁).
-A test computes that ‖G‖₁ grows with ln γ.  Far behind, K*A is G/α.  So no other unknown helps while
-u and its perturbations are measured by their maxima: γ = ∞ needs another norm.  It needs other
-cells too: change_i contains h γ w_i, so that n grows with γ and the rows of H with γ².
+It is computed, not proved, that ‖G‖₁ grows with ln γ.  Far behind, K*A is G/α.  So no other
+unknown helps while u and its perturbations are measured by their maxima: γ = ∞ needs another norm.
+It needs other cells too: change_i contains h γ w_i, so that n grows with γ and the rows of H with
+γ².
 
 g and H are free: g is the periodic inverse of the discretised δ − α K at γ₀, g₁ half its change
 over the interval.  H holds the columns for sources in the window of the solution of the collocation

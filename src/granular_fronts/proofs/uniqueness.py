@@ -3,10 +3,10 @@
 Notation of `existence` and `families`; P = P*, u = u*, φ(p) = ∫ p over (−1, 1).  Lemma 16 compares
 two enclosed fronts.  Here the second is any solution near ū.
 
-**Lemma 18 (uniqueness).** Let W > 0 and P(−1 − τ) − P(1 − τ) ≥ m > 0 for |τ| ≤ H.  Let f ≥ ∫ |P − v₊^α| over
-(−1, 1) for all |v − ū| ≤ W, and T = f/m < H.  Let V(ξ) ≥ W and s(ξ) bound |u(ξ − τ) − ū(ξ)| ≤ V and
-|u'(ξ − τ)| ≤ s for |τ| ≤ T, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ V, and r₀ = ∫ ρ/m over (−1, 1).
-If
+**Lemma 18 (uniqueness).** Let W > 0 and P(−1 − τ) − P(1 − τ) ≥ m > 0 for |τ| ≤ H.  Let f ≥ ∫ |P −
+v₊^α| over (−1, 1) for all |v − ū| ≤ W, and T = f/m < H.  Let V(ξ) ≥ W and s(ξ) bound |u(ξ − τ) −
+ū(ξ)| ≤ V and |u'(ξ − τ)| ≤ s for |τ| ≤ T, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ V, and r₀ = ∫ ρ/m
+over (−1, 1). If
 
     Z₁ + sup κ ω + 2 r₀ sup s ω < 1,
 

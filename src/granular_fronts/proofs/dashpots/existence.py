@@ -10,10 +10,9 @@ positive solutions are those of
 F is C¹, DF(u) h = h − γ k*h − Λ*(a(u) h), a(u) = α u₊^(α−1).  That u > 0 is shown in `ahead`; F is
 the equation of dashpots that act in open contacts too.
 
-**Lemma 19.** If u ∈ L^∞ and F(u) = 0, then u is C¹, u' = Λ'*u₊^α + γ k'*u with Λ' =
-−1_{|s|<1} sgn s and k' = 2δ₀ − δ₁ − δ₋₁, u'' = Δ(u₊^α − γ u') in the sense of distributions, and u_n(t) =
-u(n − t) solves the chain whose contacts exert (u_n)₊^α + γ du_n/dt.  If u > 0 everywhere, u is
-smooth.
+**Lemma 19.** If u ∈ L^∞ and F(u) = 0, then u is C¹, u' = Λ'*u₊^α + γ k'*u with Λ' = −1_{|s|<1} sgn
+s and k' = 2δ₀ − δ₁ − δ₋₁, u'' = Δ(u₊^α − γ u') in the sense of distributions, and u_n(t) = u(n − t)
+solves the chain whose contacts exert (u_n)₊^α + γ du_n/dt.  If u > 0 everywhere, u is smooth.
 *Proof.* k has bounded variation and Λ is Lipschitz, both with compact support: u is Lipschitz, and
 so is u₊^α; then Λ'*u₊^α + γ k'*u is continuous.  Λ'' = δ₁ − 2δ₀ + δ₋₁ = −k'.  Where u > 0 the map
 u ↦ u^α is smooth, so u ∈ C^m gives u' ∈ C^m. ∎
