@@ -42,8 +42,8 @@ TO_SYMBOL = dict(
         r"""α \alpha β \beta γ \gamma δ \delta ε \varepsilon ζ \zeta η \eta θ \theta κ \kappa
         λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi ω \omega
         Γ \Gamma Δ \Delta Λ \Lambda Σ \sum Φ \Phi ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge
-        → \to ↦ \mapsto ⊂ \subset ⊕ \oplus × \times ± \pm − - % \% ‖ \| · \cdot … \dots ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell
-        ~ \sim""",
+        → \to ↦ \mapsto ⊂ \subset ⊕ \oplus × \times ± \pm − - % \% ‖ \| · \cdot … \dots
+        ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell ~ \sim""",
     )
 )
 ACCENTS = {"\u0304": "bar", "\u0302": "hat", "\u0303": "tilde"}
@@ -66,7 +66,7 @@ HEAD = re.compile(r"\*\*(?:(Lemma|Theorem) (\w+)(?: \((.*?)\))?|(.*?))\.\*\* ", 
 
 def formula(text: str) -> str:
     """A formula in plain text, such as ``|f|_w = sup |f| e^(−wt)``, as LaTeX."""
-    text = normalize("NFD", text).replace("=\u0338", r"\ne ")
+    text = normalize("NFD", text).replace("=\u0338", r"\ne ").replace("γ_x", "γ_×")
     for mark, accent in ACCENTS.items():
         text = re.sub(rf"(\w){mark}", rf"\\{accent}{{\1}}", text)
     for place, (signs, plain) in SMALL.items():
