@@ -23,8 +23,8 @@ turns −1 times along the imaginary axis (Lemma 5 of `consequences`) and D → 
 λ/(π²k²) = λ/6 and, by (1 − x)/(1 + x)² ≥ 1 − 3x with x = λ²/(4π²k²), p' = Σ 4 (4π²k² − λ²)/(λ² +
 4π²k²)² ≥ Σ (1 − 3x)/(π²k²) = 1/6 − λ²/120, it is below λ²/36 + λ²/120 − 1/6 < 0 for λ ≤ 2; as coth
 > 1 and p' = 2/λ² − 1/(2 sinh²(λ/2)) < 2/λ², it is above (1 − 2/λ)² − 2/λ² > 0 for λ ≥ 7/2.
-`find_bend` shows that on each of finitely many intervals that cover [2, 7/2] either q'' ≠ 0 or q'''
-> 0: q'' changes its sign upwards only, hence once. ∎
+Balls show (`find_bend`) that on each of finitely many intervals that cover [2, 7/2] either q'' ≠ 0
+or q''' > 0: q'' changes its sign upwards only, hence once. ∎
 
 **Lemma 12 (double roots).** T = q − λq' grows from 1 to α* = T(b) on (0, b) and falls beyond.  For
 1 < α < α* there is exactly one λ < b with T(λ) = α; with k = −q'(λ) the line touches the bell
