@@ -9,8 +9,8 @@ translates are fronts too, so that P₁ = P₂ cannot be expected; but P₂ may 
 **Lemma 16.** Let φ(p) = ∫ p over (−1, 1), f = φ(P₁ − P₂), and P₂(ξ) − P₂(η) ≥ m > 0 for |ξ + 1| <
 h, |η − 1| < h.  If T = |f|/m < h, some translate P₂(· + τ), |τ| ≤ T, has the same φ as P₁.  Let
 W(ξ) bound |u₁ − ū| and |u₂(· + τ) − ū|, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ W, with A, Z₁, ρ
-and κ of the first certificate and its ū at that end.  Let P₁(−1) > P₁(1), and r₀ be ∫ ρ over (−1, 1)
-divided by P₁(−1) − P₁(1).  If
+and κ of the first certificate and its ū at that end.  Let P₁(−1) > P₁(1), and r₀ be ∫ ρ over
+(−1, 1) divided by P₁(−1) − P₁(1).  If
 
     Z₁ + sup κ ω + 2 r₀ sup |u₁'| ω < 1,
 
