@@ -7,11 +7,11 @@ from equations import MEANINGS, REFERENCE
 from generate import FIGURES, ROOT
 
 TEXTS = {path: path.read_text("utf-8") for path in ROOT.glob("src/granular_fronts/proofs/**/*.py")}
-PROVED = {  # "Lemma 9": the file and the line where its proof begins
+PROVED = {  # "Lemma 9": the file and the line of its statement, or the page
     found[1]: f"sources/{path.relative_to(ROOT)}.html#L-{text.count(chr(10), 0, found.start()) + 1}"
     for path, text in TEXTS.items()
-    for found in re.finditer(r"\*\*((?:Lemma|Theorem) (?:\d+|[AB]\b))", text)
-}
+    for found in re.finditer(r"\*\*((?:Lemma|Theorem) \d+)", text)
+} | {f"Theorem {letter}": "proofs.html#the-theorems" for letter in "ABC"}
 PAPERS = {  # "James (2021)": its place in the bibliography
     found[2]: f"bibliography.html#{found[1]}"
     for found in re.finditer(
@@ -28,7 +28,7 @@ PLACES = PROVED | PAPERS | FIGURE_PLACES | EQUATIONS
 NAMED = re.compile(
     "|".join(
         [
-            r"\b(?P<kind>[Ff]igure|Lemma|Theorem)s?\s(?P<number>\d+b?|[AB])\b",
+            r"\b(?P<kind>[Ff]igure|Lemma|Theorem)s?\s(?P<number>\d+b?|[ABC])\b",
             r"(?:,| and| to|–)\s?(?P<next>\d+b?)\b",
             REFERENCE.pattern,
             *map(re.escape, PAPERS),

@@ -6,11 +6,7 @@ then proves, in balls and with only python-flint and NumPy, that a front exists 
 looks like.  `families` joins certificates to a continuous family.  `dashpots` does the same for
 linear dashpots (β = 1).
 
-To trust a proof one must trust the mathematics in the docstrings.  The code is that of `checker`,
-`arrays`, `balls`, `contraction`, `uniqueness`, `consequences`, `tail_roots`, `rear_expansion` and
-`families`.  Below it are Python, python-flint and a part of NumPy.  That part reads npz files, sums
-integers, and holds integers below 2⁵³ as doubles; `balls.unit_plus` refuses others.  It also loops
-over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
+The mathematics is in the docstrings; docs/note.tex sets them as one text, lemma by lemma.
 """
 
 from importlib.util import find_spec

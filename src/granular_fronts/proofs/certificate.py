@@ -31,7 +31,7 @@ WIDEST = 1e-8  # width of an interval of γ on which P̄ need not depend on γ
 DEGREE_IN_GAMMA = 4  # of P̄ on a wider one
 LOST_IN_CURVATURE = 1e-5  # |u − 1| per squared half width: a wide interval has a larger Y₀ anyway
 
-# The expansion behind, Lemma 8.
+# The expansion behind, Lemma 14.
 SMALL_OVERSHOOT = 1e-6  # fronts that overshoot by less may be monotone or oscillate behind
 START = 1.5e-5  # |u − 1| at x₀: small enough to be nearly linear, far above the errors of u
 LOST_BEHIND = 0.01  # ∫|g| cut off: these inverses enter bounds of Γ_w alone
@@ -178,7 +178,7 @@ def describe(front, alpha, interval, n, fine, drift):
 
 
 def _expansion(alpha, gamma, half, n, xi, u):
-    """Return for Lemma 8: weights θ and η away from all roots, their inverses, roots and x₀."""
+    """Return for Lemma 14: weights θ and η away from all roots, their inverses, roots and x₀."""
     # Nothing where there are more slow roots than a real one and a pair.
     roots, moved = (_slowest_first(tail_roots(alpha, gamma + step)) for step in (0, half))
     slow, fast = _weights(alpha, gamma, roots)
@@ -204,7 +204,7 @@ def _slowest_first(roots):
 
 
 def _weights(alpha, gamma, roots):
-    """Return θ and η of Lemma 8: the remainder, about Γ_η e^((η − λ₁)t), small at t = −PLACE."""
+    """Return θ and η of Lemma 14: the remainder, about Γ_η e^((η − λ₁)t), small at t = −PLACE."""
 
     def norm(w):
         g = right_inverse.rear_inverse(alpha, gamma, w, COARSE, LOST_COARSE)[0]

@@ -1,9 +1,23 @@
-"""Check the certificate of a front in ball arithmetic, with only python-flint and NumPy.
+"""The checker: a certificate is checked in ball arithmetic, with only python-flint and NumPy.
 
 The theorem and its proof are in `existence`; the operator A and the bounds of `bound_inverse` are
 in `right_inverse`.  The conclusions are in `consequences` and `rear_expansion`.  A certificate
 holds exact doubles and integers, and nothing is assumed about them.  A comparison of balls holds if
 it holds for all of their points.  If one fails, or anything else goes wrong, nothing is proved.
+
+**Trust.** How a certificate was made is of no importance.  To trust what it proves one must trust
+the mathematics, the processor, Python, and python-flint with FLINT.  Versions 0.4.4 to 0.9 of
+python-flint accept the same certificates.  Of NumPy one must trust
+ * that it reads npz files, which are zip archives;
+ * sums of integers of 64 bits, and integers below 2⁵³ as doubles, by which the matrix H is exact;
+   `balls.unit_plus` refuses larger ones;
+ * its loops over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
+
+Of the code here these modules are trusted: ``checker``, ``arrays``, ``balls``, ``contraction``,
+``uniqueness``, ``tail_roots``, ``consequences`` and ``rear_expansion``.  Families need ``families``
+too, and dashpots ``dashpots.checker``, ``dashpots.row_norms`` and ``dashpots.ahead``.  Tests
+compute each bound again by other means.  They also change the checker in one place at a time, to
+see that they notice.
 """
 
 from pathlib import Path
@@ -180,7 +194,7 @@ class Front(Contraction):
         return self.a(top) * gap
 
     def exists(self):
-        """The theorem: a solution, its enclosure and its uniqueness; Lemma 4."""
+        """The theorem: a solution, its enclosure and its uniqueness; Lemma 5."""
         self.bound_inverse()
         Y0 = largest(map(self.residual, range(len(self.u))))
         self.r, farthest = self.contract(Y0)
@@ -271,7 +285,7 @@ class Front(Contraction):
         self.outer_kappa = tops([first, nK * largest(rho[-2 * n :])])
 
     def rear(self):
-        """Lemma 7 and, where the certificate has its data, the expansion behind."""
+        """Lemma 10 and, where the certificate has its data, the expansion behind."""
         theta, *more = map(arb, self.data["weights"].tolist())
         self.require("theta > 0", arb(0), theta)
         require_zeros(self, "no root up to theta", theta, 0)

@@ -1,4 +1,4 @@
-"""The contraction of Theorems 2 and 15: a radius r from Y₀, Z₁ and Z₂(r)."""
+"""The contraction of Theorems 2 and 20: a radius r from Y₀, Z₁ and Z₂(r)."""
 
 from functools import partial
 

@@ -1,7 +1,7 @@
 """A proved front for a picture: ū, its error bounds, the residual, and bounds of both tails.
 
-Lemma 5 of `consequences` holds ahead of x₁ with s = S(x₁)^(α−1) and k = ‖K‖₁.  There the proof of
-Lemma 6 bounds u from one bead to the next: for x > x₁ + 1, as u decreases on [x − 1, ∞),
+Lemma 7 of `consequences` holds ahead of x₁ with s = S(x₁)^(α−1) and k = ‖K‖₁.  There the proof of
+Lemma 8 bounds u from one bead to the next: for x > x₁ + 1, as u decreases on [x − 1, ∞),
 
     c κ u(x − 1 + κ)^α ≤ u(x) ≤ k u(x − 1)^α,      c = γ − γ² (1 + γ) s/(2 (1 − k s)),
 

@@ -1,4 +1,4 @@
-"""The theorem: near an approximate front there is one, and only one of a certain kind.
+"""Existence: near an approximate front there is one, and only one of a certain kind.
 
 **Setting.** K(s) = 1 − |s| + γ sgn s on |s| < 1, zero elsewhere; ‖K‖₁ = 1 + γ² for γ ≤ 1 and 2γ
 for γ ≥ 1; 1 < α, 0 < γ.  A travelling front of James (2021) with β = α, of speed 1 from u = 1
@@ -9,7 +9,7 @@ twice).  With P = u₊^α this is a zero of
 
 Q is C¹, DQ(P) h = h − a(K*P) K*h, a(u) = α u₊^(α−1).
 
-**Lemma 1.** If P ∈ L^∞ and Q(P) = 0, then u = K*P is C¹, u' = K'*P with K' = −sgn s 1_{|s|<1} + γ
+**Lemma 1.** If P ∈ L^∞ and Q(P) = 0, then u = K*P is C¹, u' = K'*P with K' = −1_{|s|<1} sgn s + γ
 (2δ₀ − δ₁ − δ₋₁) of total mass 2 + 4γ, P = u₊^α, u'' = (1 − γ d/dξ) Δ u₊^α in the sense of
 distributions, and u_n(t) = u(n − t) solves the chain.  If u > 0 everywhere, u is smooth.
 *Proof.* K*P is Lipschitz, hence so is P = u₊^α, and K'*P is continuous.  K'' = (1 − γ d/ds)(δ₁ −
@@ -17,11 +17,11 @@ distributions, and u_n(t) = u(n − t) solves the chain.  If u > 0 everywhere, u
 
 **Approximation.** P̄ = 1 for ξ < −ℓ, 0 for ξ > m, a polynomial on each of the cells of width h =
 1/n between (continuity is not needed); ū = K*P̄, also polynomial on cells, 1 for ξ ≤ −ℓ − 1 and 0
-for ξ ≥ M = m + 1; ā = a(ū), L = DQ(P̄) = 1 − ā K*.  With the second differences Δ over one bead
-and the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.  For an interval of
-γ, γ₀ − δ to γ₀ + δ, let γ = γ₀ + s δ and P̄ = P̄₀ + s P̄₁ + … + s^d P̄_d, P̄_k = 0 outside (−ℓ, m) for
-k ≥ 1; then ū is a polynomial in s of degree d + 1.  α may be in an interval too, on which P̄ does
-not depend.  What follows is claimed for each α and γ by itself, with bounds that hold for all.
+for ξ ≥ M = m + 1; ā = a(ū), L = DQ(P̄) = 1 − ā K*.  With the second differences Δ over one bead and
+the first and second antiderivatives P₁, P₂ of P̄, ū = ΔP₂ − γ ΔP₁.  For an interval of γ, γ₀ − δ to
+γ₀ + δ, let γ = γ₀ + s δ and P̄ = P̄₀ + s P̄₁ + … + s^d P̄_d, P̄_k = 0 outside (−ℓ, m) for k ≥ 1;
+then ū is a polynomial in s of degree d + 1.  α may be in an interval too, on which P̄ does not
+depend.  What follows is claimed for each α and γ by itself, with bounds that hold for all.
 
 **Theorem 2.** Let A: L^∞ → L^∞ be bounded and linear, Y₀ ≥ ‖Q(P̄)‖, Z₁ ≥ ‖1 − L A‖, κ(ξ) ≥ |(K*A
 y)(ξ)| for all ‖y‖ ≤ 1, and Z₂(r) ≥ κ(ξ) |a(ū(ξ) + w) − a(ū(ξ))| for all ξ and |w| ≤ κ(ξ) r.  If Y₀
@@ -39,9 +39,9 @@ to 0) to such functions, then P*, u* → 1 at −∞ and → 0 at +∞.
 *Proof.* Those y form a closed subspace, and N maps it to itself: P → 1 implies K*P → 1 since ∫K =
 1. ∎
 
-**Z₂.** For 1 < α ≤ 2, a is zero for u ≤ 0, increasing and concave for u ≥ 0: over u ≥ u₋ and |w| ≤
-W the largest |a(u + w) − a(u)| is at most a(p) − a(p − W), p = max(u₋, W).  For α ≥ 2, a is convex
-on ℝ and it is a(u₊ + W) − a(u₊) over u ≤ u₊.
+**Z₂.** For 1 < α ≤ 2, a(u) is zero for u ≤ 0, increasing and concave for u ≥ 0.  Over u ≥ u₋ and
+|w| ≤ W the largest |a(u + w) − a(u)| is at most a(p) − a(p − W), p = max(u₋, W).  For α ≥ 2, a(u)
+is convex on ℝ, and over u ≤ u₊ it is a(u₊ + W) − a(u₊).
 
 **Y₀.** On a cell, F = P̄ − ū^α is expanded in s about 0 up to s^d.  The remainder is s^(d+1) times
 a Taylor coefficient of order d + 1 at another s, bounded over the whole cell and −1 ≤ s ≤ 1.  Each

@@ -1,4 +1,4 @@
-"""Join the fronts of neighbouring intervals of γ to one continuous family.
+"""Continuous families: the fronts of neighbouring intervals of γ are joined.
 
 On the interval of one certificate H, g and r are fixed.  As K is continuous in L¹, P̄, ū, A and Q
 depend continuously on γ in norm.  So the fixed point y* of a uniform contraction depends
@@ -6,27 +6,28 @@ continuously on γ, and with it P* and u*, uniformly in ξ.  Where two intervals
 certificate gives a front, P₁ and P₂, near the P̄ of that end.  Neither is unique near P̄, as
 translates are fronts too, so that P₁ = P₂ cannot be expected; but P₂ may be a translate of P₁.
 
-**Lemma 9.** Let φ(h) = ∫ h over (−1, 1), f = φ(P₁ − P₂), and P₂(ξ) − P₂(η) ≥ m > 0 for |ξ + 1| <
+**Lemma 16.** Let φ(p) = ∫ p over (−1, 1), f = φ(P₁ − P₂), and P₂(ξ) − P₂(η) ≥ m > 0 for |ξ + 1| <
 h, |η − 1| < h.  If T = |f|/m < h, some translate P₂(· + τ), |τ| ≤ T, has the same φ as P₁.  Let
 W(ξ) bound |u₁ − ū| and |u₂(· + τ) − ū|, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ W, with A, Z₁, ρ
-and κ of the first certificate and its ū at that end, and r₀ = ∫ ρ over (−1, 1)/(P₁(−1) − P₁(1)).
-If
+and κ of the first certificate and its ū at that end.  Let P₁(−1) > P₁(1), and r₀ be ∫ ρ over
+(−1, 1) divided by P₁(−1) − P₁(1).  If
 
     Z₁ + sup κ ω + 2 r₀ sup |u₁'| ω < 1,
 
 then P₁ = P₂(· + τ).
 
-*Proof.* Let h = P₁ − P₂(· + τ); φ(h) = 0.  As both are solutions, h = a_m K*h, a_m the mean of a
-between u₁ and u₂(· + τ), |a_m − ā| ≤ ω.  By Lemma 4, h = A y + c P₁'.  With L_m = 1 − a_m K*, ‖1 −
-L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at most 2 ω |u₁'|; so 0 = L_m h gives (1
-− Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup ω |u₁'|. From φ(h) = 0, |c| (P₁(−1) − P₁(1)) = |φ(A y)| ≤ ‖y‖ ∫ ρ.
+*Proof.* The derivative of φ(P₂(· + τ)) by τ is at most −m, so that such a τ exists.  Let p = P₁ −
+P₂(· + τ); φ(p) = 0.  As both are solutions, p = a_m K*p.  Here a_m is the mean of a(u) between u₁
+and u₂(· + τ), |a_m − ā| ≤ ω.  By Lemma 5, p = A y + c P₁'.  With L_m = 1 − a_m K*, ‖1 −
+L_m A‖ ≤ Z₁ + sup κ ω, and L_m P₁' = (a(u₁) − a_m) u₁' is at most 2 ω |u₁'|; so 0 = L_m p gives (1
+− Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup ω |u₁'|. From φ(p) = 0, |c| (P₁(−1) − P₁(1)) = |φ(A y)| ≤ ‖y‖ ∫ ρ.
 Hence y = 0, c = 0. ∎
 
-**Theorem A (threshold).** Let one certificate of a family show that damping is critical
-(`rear_expansion`).  Let all before it show max u > 1, and all after it u' < 0.  If γ_x of Lemma 12
+**Lemma 17 (threshold).** Let one certificate of a family show that damping is critical
+(`rear_expansion`).  Let all before it show max u > 1, and all after it u' < 0.  If γ_x of Lemma 13
 is in the interval of that one, then u' < 0 on ℝ if and only if γ ≥ γ_x, and max u > 1 for γ < γ_x.
 
-*Proof.* The three roots of the certificate are all up to η, and those of Lemma 12 the slowest three
+*Proof.* The three roots of the certificate are all up to η, and those of Lemma 13 the slowest three
 at γ_x.  Where their order is not certain, Re λ₂ − λ₁ grows with γ, so γ_x is its only zero on the
 interval.  Above it the front is monotone, and below it overshoots. ∎
 
@@ -158,7 +159,7 @@ def record(path, front):
 
 
 def join(first, second):
-    """Lemma 9 at the common end of two intervals; noted among the inequalities of the second."""
+    """Lemma 16 at the common end of two intervals; noted among the inequalities of the second."""
     (_, high), (low, _) = (ends(front.data, "gamma") for front in (first, second))
     if high != low or ends(first.data, "alpha") != ends(second.data, "alpha"):
         raise NotProvedError(f"the intervals do not meet: {high} and {low}")

@@ -7,8 +7,8 @@ Let t = ξ − x₀, z = u − 1, Q = P − 1, v = u', ṽ = v 1_{t<0}, D(λ) = 
 e^(−λs) ds as in `tail_roots`.  For w ≥ 0 write |f|_w = sup |f| e^(−wt), K_w = K e^(−ws), and let
 Γ_w bound the norm of (δ − α K_w)^(−1) (see `balls`).
 
-**Lemma 8.** Suppose that D has no zero with 0 < Re λ ≤ θ or Re λ = η, where η < 2θ. With θ < Re λ <
-η let it have exactly the simple zeros λ₁, real, or a pair λ₂, λ̄₂, or these three.  Then
+**Lemma 14.** Suppose that D has no zero with 0 < Re λ ≤ θ or Re λ = η, where η < 2θ. With θ < Re λ
+< η let it have exactly the simple zeros λ₁, real, or a pair λ₂, λ̄₂, or these three.  Then
 
     v = Σ C_j e^(λ_j t) + ω(t) for t < 0,      |ω(t)| ≤ Γ_η (|F_b|_η + c) e^(ηt),
     |C_j D'(λ_j) + F̂_b(λ_j)| ≤ c/(2θ − Re λ_j),
@@ -22,22 +22,22 @@ K(s) = 1 + s − γ ahead (s < 0) and 1 − s + γ behind,
     F_b = −γ Q(t + 1) − (1 + t − γ) Q(0) + ∫₀^(t+1) Q                    −1 < t < 0,
     F_b = −α [(1 − t + γ) z(0) − γ z(t − 1) − ∫_(t−1)^0 z]                 0 < t < 1.
 
-D has finitely many zeros with 0 < Re λ < η, so that some θ' > θ has none up to it.  By Lemma 7 z =
+D has finitely many zeros with 0 < Re λ < η, so that some θ' > θ has none up to it.  By Lemma 10 z =
 O(e^(θ'ξ)), and so is v = K'*(P − 1).  So V = |ṽ|_θ is finite, and V ≤ Γ_θ (|F_b|_θ + ‖K_θ‖ ε V)
 with ε = sup |a(u) − α| over t < 0.  Let |z| ≤ ζ < 1 for t < 0 and B = α (α − 1) (1 − ζ)^(−|α−2|), a
 bound of |a'| there; ε ≤ B ζ.  Then |z| ≤ V e^(θt)/θ, |(a(u) − α) ṽ| ≤ B V² e^(2θt)/θ and |F_n| ≤ c
-e^(2θt) with c = B V² ‖K_2θ‖/θ. The Laplace transform of ṽ is (F̂_b + F̂_n)/D for Re λ = θ, where
+e^(2θt) with c = B V² ‖K_(2θ)‖/θ. The Laplace transform of ṽ is (F̂_b + F̂_n)/D for Re λ = θ, where
 F̂_n is analytic for Re λ < 2θ and bounded by c/(2θ − Re λ).  F_b has bounded variation and F_n is
 Lipschitz on t < 0, so the transforms are O(1/|Im λ|).  As D → 1 for |Im λ| → ∞ in the strip, the
-line of the inverse transform (in L²) moves from θ to η, past −C_j e^(λ_j t).  What is left is the
-solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. ∎
+line of the inverse transform (in L²) moves from θ to η, past residues −C_j e^(λ_j t).  What is left
+is the solution of ω − α K*ω = F_b + F_n of growth e^(ηt), and |F_n|_η ≤ c. ∎
 
 **Monotone fronts.** Let λ₂, if there is one, have Re λ₂ ≥ λ₁.  If C₁ < 0 and −C₁ > 2 |C₂| e^((Re λ₂
 − λ₁)t) + Γ_η (|F_b|_η + c) e^((η − λ₁)t) at one t < 0, then u' < 0 up to there, as the right-hand
 side grows with t.  If Re λ₂ > λ₁, then u = 1 − A e^(λ₁ξ) (1 + o(1)), A = −C₁ e^(−λ₁x₀)/λ₁;
-of u(· + ξ₀) it is e^(λ₁ξ₀) times that, and B is e^(ξ₀ Re λ₂) times that of Lemma 13.
+of u(· + ξ₀) it is e^(λ₁ξ₀) times that, and B is e^(ξ₀ Re λ₂) times that of Lemma 15.
 
-**Lemma 13 (oscillation).** Let λ₂ with C₂ ≠ 0 have Re λ₂ < λ₁ if λ₁ is in the strip.  Then, with B
+**Lemma 15 (oscillation).** Let λ₂ with C₂ ≠ 0 have Re λ₂ < λ₁ if λ₁ is in the strip.  Then, with B
 = 2 |C₂/λ₂| e^(−Re λ₂ x₀) and some φ,
 
     u = 1 + B e^(Re λ₂ ξ) (cos(Im λ₂ ξ + φ) + o(1)) as ξ → −∞:
@@ -79,7 +79,7 @@ KINDS = ("pair", "either", "real")  # which root leads, in the order of γ at cr
 
 
 def expand(front, theta, eta):
-    """Lemma 8 with the roots, the inverses and the x₀ of the certificate, on parts of its γ."""
+    """Lemma 14 with the roots, the inverses and the x₀ of the certificate, on parts of its γ."""
     x0, *starts, count = map(int, front.data["starts"])
     at = (front.left + x0) * front.n
     if len(starts) != 2 or not front.n <= at <= len(front.u) - front.n:

@@ -1,4 +1,4 @@
-"""A right inverse A of the linearisation, and bounds of 1 − L A, of A and of K*A.
+"""A right inverse of the linearisation: the operator A, and bounds of 1 − L A, of A and of K*A.
 
 Notation of `existence`.  Far behind, ā is near α and L near the convolution δ − α K; far ahead, ā
 = 0 and L is the identity. A is an approximate inverse of each part, glued by splitting the
@@ -15,7 +15,8 @@ middles x_i.  Write y = y₋ + y_w + y₊ for ξ < −b, −b < ξ < M, ξ > M. 
 
 L_h = 1 − diag(ā(x_i)) (κ_{i−k}), κ_m = ∫ K over |s − mh| < h/2.  What the matrix leaves undone on
 the first bead, and what the window sends behind, becomes a source of the far rear. So the window
-need only reach back to where ā is near α, and not where ū is 1.
+need only reach back to where ā is near α, and not where ū is 1.  As g has compact support, A maps y
+that vanish at both ends to such functions (Lemma 3).
 
 **Defect.** Let e = g − α K − α K*g, ε = sup |ā/α − 1| over ξ < −c.  For a source σ on ξ < −b + 1,
 K*(σ + g*σ) lives on ξ < −b + 1 + q + 1 = −c, where ā = α + (ā − α) and α K*(δ + g) = g − e, so
@@ -57,6 +58,20 @@ is the smaller.
 
 For an interval of γ, g = g₀ + s g₁ + … like P̄ in `existence`, H is fixed, and A, whose R, s and d
 contain K and ā, depends continuously on γ.  All bounds hold for every γ of the interval.
+
+**Lemma 4 (no bound for all damping).** Let δ − α K have the inverse δ + G with G ∈ L¹.  Then every
+bounded A with L A = 1, linear or not, has ‖A y‖ ≥ 1 + ‖G‖₁ − ε for some ‖y‖ ≤ 1, for each ε > 0.
+
+*Proof.* Let y(η) = sgn G(−η), but 1 near 0.  With a small such interval (δ + G)*y ≥ 1 + ‖G‖₁ − ε
+near 0.  Let f be A of y moved behind by k, and F be f moved back.  Then |F| ≤ sup ‖A y‖ over the
+unit ball.  As ā = α behind −ℓ − 1, F − α K*F = y + E, where E is bounded for all k and E = 0 for ξ
+< k − ℓ − 1.  So F = (δ + G)*(y + E), and (δ + G)*E → 0 near 0 as k → ∞. ∎
+
+If ‖1 − L A‖ ≤ Z₁ < 1, A (L A)^(−1) is such an inverse, so that ‖A‖ ≥ (1 − Z₁)(1 + ‖G‖₁).
+It is computed, not proved, that ‖G‖₁ grows with ln γ.  Far behind, K*A is G/α.  So no other
+unknown helps while u and its perturbations are measured by their maxima: γ = ∞ needs another norm.
+It needs other cells too: change_i contains h γ w_i, so that n grows with γ and the rows of H with
+γ².
 
 g and H are free: g is the periodic inverse of the discretised δ − α K at γ₀, g₁ half its change
 over the interval.  H holds the columns for sources in the window of the solution of the collocation

@@ -3,30 +3,30 @@
 A tail u − 1 ~ e^(λξ) behind a front has D(λ) = 1 − α (1 − γλ)(2 cosh λ − 2)/λ² = 0.  With the bell
 q(λ) = λ²/(2 cosh λ − 2) and k = αγ this says that the line α − kλ meets the bell at λ.
 
-**One zero.** If f is analytic on a convex set X around m and N = m − f(m)/f'(X) lies inside X, then
-X holds exactly one zero of f, and N contains it (interval Newton operator).  For f(x) = f(m) + F(x)
-(x − m), where F(x) is the mean of f' between m and x.  It is in the convex set of numbers f'(X),
-which does not contain 0.  So x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero
+**One zero.** Let f be analytic on a compact convex set X around m, and let a convex set Y without 0
+hold all values of f' there.  If N = m − f(m)/Y lies inside X, then X holds exactly one zero of f,
+and N contains it (interval Newton operator).  For f(x) = f(m) + F(x) (x − m), where F(x) ∈ Y is the
+mean of f' between m and x.  So x ↦ m − f(m)/F(x) maps X into N ⊂ X and has a fixed point, a zero
 (Brouwer).  Every zero in X is in N, and two zeros in X would make a mean of f' zero.  For real
 functions the same holds.  If X is symmetric about the real axis and f real there, the zero is real.
 
 **All zeros.** Along Re λ = w, upwards, D turns m − 1 times if m zeros have 0 < Re λ < w.  For it
-turns −1 times along the imaginary axis (Lemma 4 of `consequences`) and D → 1 at both ends.
+turns −1 times along the imaginary axis (Lemma 5 of `consequences`) and D → 1 at both ends.
 
 **Moving zeros.** As D = 0 makes α (2 cosh λ − 2)/λ² = 1/(1 − γλ), a simple zero moves by
 
     dλ/dγ = −λ/((1 − γλ) D'(λ)).
 
-**Lemma 10 (one bend).** q'' < 0 on (0, b) and q'' > 0 on (b, ∞) for one b between 2 and 7/2.
+**Lemma 11 (one bend).** q'' < 0 on (0, b) and q'' > 0 on (b, ∞) for one b between 2 and 7/2.
 
 *Proof.* With p = −q'/q = coth(λ/2) − 2/λ = Σ 4λ/(λ² + 4π²k²) over k ≥ 1, q''/q = p² − p'.  As p ≤ Σ
 λ/(π²k²) = λ/6 and, by (1 − x)/(1 + x)² ≥ 1 − 3x with x = λ²/(4π²k²), p' = Σ 4 (4π²k² − λ²)/(λ² +
 4π²k²)² ≥ Σ (1 − 3x)/(π²k²) = 1/6 − λ²/120, it is below λ²/36 + λ²/120 − 1/6 < 0 for λ ≤ 2; as coth
 > 1 and p' = 2/λ² − 1/(2 sinh²(λ/2)) < 2/λ², it is above (1 − 2/λ)² − 2/λ² > 0 for λ ≥ 7/2.
-`find_bend` shows that on each of finitely many intervals that cover [2, 7/2] either q'' ≠ 0 or q'''
-> 0: q'' changes its sign upwards only, hence once. ∎
+Balls show (`find_bend`) that on each of finitely many intervals that cover [2, 7/2] either q'' ≠ 0
+or q''' > 0: q'' changes its sign upwards only, hence once. ∎
 
-**Lemma 11 (double roots).** T = q − λq' grows from 1 to α* = T(b) on (0, b) and falls beyond.  For
+**Lemma 12 (double roots).** T = q − λq' grows from 1 to α* = T(b) on (0, b) and falls beyond.  For
 1 < α < α* there is exactly one λ < b with T(λ) = α; with k = −q'(λ) the line touches the bell
 there.  As k grows through this value a pair of complex roots becomes two real ones.  For α > α* no
 real root is double; for α = α* the only one, b, is triple.
@@ -35,9 +35,13 @@ real root is double; for α = α* the only one, b, is triple.
 k = −q'(λ); there (λ + x, k + y) is on both if y λ = −q'' x²/2 + …, so that x² ~ 2λy/|q''| if λ < b.
 ∎
 
-**Lemma 12 (crossing).** At γ₀ let exactly the real λ₁ and the pair λ₂, λ̄₂ have 0 < Re λ < w, all
+**Lemma 13 (crossing).** At γ₀ let exactly the real λ₁ and the pair λ₂, λ̄₂ have 0 < Re λ < w, all
 simple, with Re λ₂ = λ₁ and d(Re λ₂ − λ₁)/dγ > 0.  Then near γ₀ the slowest root is complex for γ <
 γ₀ and real for γ > γ₀.
+
+*Proof.* Zeros in a strip are finitely many, so w may be taken with D ≠ 0 on Re λ = w too.  As D → 1
+at the ends of both lines, D turns on them as often for γ near γ₀.  So three roots remain between
+them.  They are those that move from λ₁, λ₂ and λ̄₂, and λ₁ stays real. ∎
 """
 
 import cmath
@@ -49,7 +53,7 @@ from flint import acb, acb_series, arb, arb_series, fmpq
 from granular_fronts.proofs.balls import UNIT, Inequalities, NotProvedError, disc
 
 NEWTON_STEPS = 4  # from double precision to beyond that of the balls
-BEND_PARTS = 1024  # intervals of unit length are cut into in Lemma 10
+BEND_PARTS = 1024  # intervals of unit length are cut into in Lemma 11
 STRIP = arb(fmpq(1, 32))  # to both sides of a double root or of a crossing, free of other roots
 MOST_PARTS = 50_000  # of a line, which take some seconds
 SHORTEST = arb(fmpq(1, 2**30))  # part of a line that is cut no further
@@ -167,7 +171,7 @@ def find_bend(start, radius):
 
 
 def double_root(alpha, start, radius):
-    """Return the law of Lemma 11 and its double root, which is the slowest of all roots."""
+    """Return the law of Lemma 12 and its double root, which is the slowest of all roots."""
     root = newton(
         lambda x: touching(x) - alpha, lambda x: -x * bell(x, 2)[2], arb(start), arb(radius)
     )
@@ -180,7 +184,7 @@ def double_root(alpha, start, radius):
 
 
 def crossing(alpha, gamma, starts, radius):
-    """Return the law of Lemma 12 and its roots, near a real root and a complex one."""
+    """Return the law of Lemma 13 and its roots, near a real root and a complex one."""
 
     def roots(law):
         return [find_root(law, start.real, start.imag, radius) for start in starts]
@@ -203,7 +207,7 @@ def crossing(alpha, gamma, starts, radius):
 
 
 def critical_damping(alpha):
-    """Return γ_x of a fraction α in a ball: Lemma 12 near what Newton's method finds in doubles."""
+    """Return γ_x of a fraction α in a ball: Lemma 13 near what Newton's method finds in doubles."""
     gamma, real, pair = _nearly_critical(alpha)
     return crossing(arb(fmpq(alpha.numerator, alpha.denominator)), gamma, (real, pair), NEAR)[0]
 

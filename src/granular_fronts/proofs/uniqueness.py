@@ -1,23 +1,23 @@
 """Uniqueness up to shifts: a solution within a stated distance of ū is a translate of the front.
 
-Notation of `existence` and `families`; P = P*, u = u*, φ(h) = ∫ h over (−1, 1).  Lemma 9 compares
+Notation of `existence` and `families`; P = P*, u = u*, φ(p) = ∫ p over (−1, 1).  Lemma 16 compares
 two enclosed fronts.  Here the second is any solution near ū.
 
-**Theorem B.** Let W > 0 and P(−1 − τ) − P(1 − τ) ≥ m > 0 for |τ| ≤ H.  Let f ≥ ∫ |P − v₊^α| over
-(−1, 1) for all |v − ū| ≤ W, and T = f/m < H.  Let V(ξ) ≥ W and s(ξ) bound |u(ξ − τ) − ū(ξ)| ≤ V and
-|u'(ξ − τ)| ≤ s for |τ| ≤ T, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ V, and r₀ = ∫ ρ/m over (−1, 1).
-If
+**Lemma 18 (uniqueness).** Let W > 0 and P(−1 − τ) − P(1 − τ) ≥ m > 0 for |τ| ≤ H.  Let f ≥ ∫ |P −
+v₊^α| over (−1, 1) for all |v − ū| ≤ W, and T = f/m < H.  Let V(ξ) ≥ W and s(ξ) bound |u(ξ − τ) −
+ū(ξ)| ≤ V and |u'(ξ − τ)| ≤ s for |τ| ≤ T, let ω(ξ) ≥ |a(ū + w) − a(ū)| for |w| ≤ V, and r₀ = ∫ ρ/m
+over (−1, 1). If
 
     Z₁ + sup κ ω + 2 r₀ sup s ω < 1,
 
 then each bounded solution v of v = K*v₊^α with |v − ū| ≤ W on ℝ is u(· − τ) for some |τ| ≤ T.
 
 *Proof.* τ ↦ φ(P(· − τ)) has the derivative P(−1 − τ) − P(1 − τ) ≥ m.  So for some |τ| ≤ T it is
-φ(v₊^α).  Write P_τ, u_τ for the translates of P, u by that τ, and h = P_τ − v₊^α, φ(h) = 0.  As
-‖1 − DQ(P_τ) A‖ ≤ Z₁ + sup κ ω < 1, the proof of Lemma 4 gives L^∞ = span P_τ' ⊕ Ran A.  Thus
-h = A y + c P_τ'.  The mean a_m of a between v and u_τ has |a_m − ā| ≤ ω, and L_m h = 0 with
-L_m = 1 − a_m K*.  From there on the proof is that of Lemma 9: L_m P_τ' = (a(u_τ) − a_m) u_τ', so
-that (1 − Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup s ω, and |c| m ≤ |φ(A y)| ≤ ‖y‖ ∫ ρ.  Hence h = 0. ∎
+φ(v₊^α).  Write P_τ, u_τ for the translates of P, u by that τ, and p = P_τ − v₊^α, φ(p) = 0.  As
+‖1 − DQ(P_τ) A‖ ≤ Z₁ + sup κ ω < 1, the proof of Lemma 5 gives L^∞ = span P_τ' ⊕ Ran A.  Thus
+p = A y + c P_τ'.  The mean a_m of a(u) between v and u_τ has |a_m − ā| ≤ ω, and L_m p = 0 with
+L_m = 1 − a_m K*.  From there on the proof is that of Lemma 16: L_m P_τ' = (a(u_τ) − a_m) u_τ', so
+that (1 − Z₁ − sup κ ω) ‖y‖ ≤ 2 |c| sup s ω, and |c| m ≤ |φ(A y)| ≤ ‖y‖ ∫ ρ.  Hence p = 0. ∎
 
 With dashpots the unknown is u itself: u stands for P, ρ for κ, and L_m = 1 − γ k* − Λ*a_m; as ‖Λ‖₁
 = 1, both suprema are the same.

@@ -127,7 +127,7 @@ class DashpotFront(Contraction):
         return gap
 
     def exists(self):
-        """The theorem: a solution, its enclosure and its uniqueness; Lemma 17."""
+        """The theorem: a solution, its enclosure and its uniqueness; Lemma 22."""
         self.Z1, self.rho, self.rho_behind, self.rho_ahead = bound_inverse(self)
         differences = (size(u - smooth) for u, smooth in zip(self.u, self.smooth, strict=True))
         self.r, farthest = self.contract(largest(differences) + largest(self.remainders))

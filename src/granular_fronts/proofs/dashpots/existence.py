@@ -1,4 +1,4 @@
-"""The theorem for linear dashpots: near an approximate front there is one.
+"""Existence with linear dashpots: near an approximate front there is one.
 
 **Setting.** Λ(s) = 1 − |s| and k(s) = sgn s on |s| < 1, zero elsewhere; ‖Λ‖₁ = 1, ‖k‖₁ = 2; 1 < α,
 0 < γ.  A travelling front of James (2021) with β = 1, of speed 1 from u = 1 behind to 0 ahead,
@@ -10,10 +10,9 @@ positive solutions are those of
 F is C¹, DF(u) h = h − γ k*h − Λ*(a(u) h), a(u) = α u₊^(α−1).  That u > 0 is shown in `ahead`; F is
 the equation of dashpots that act in open contacts too.
 
-**Lemma 14.** If u ∈ L^∞ and F(u) = 0, then u is C¹, u' = Λ'*u₊^α + γ k'*u with Λ' = −sgn s
-1_{|s|<1} and k' = 2δ₀ − δ₁ − δ₋₁, u'' = Δ(u₊^α − γ u') in the sense of distributions, and u_n(t) =
-u(n − t) solves the chain whose contacts exert u_n₊^α + γ du_n/dt.  If u > 0 everywhere, u is
-smooth.
+**Lemma 19.** If u ∈ L^∞ and F(u) = 0, then u is C¹, u' = Λ'*u₊^α + γ k'*u with Λ' = −1_{|s|<1} sgn
+s and k' = 2δ₀ − δ₁ − δ₋₁, u'' = Δ(u₊^α − γ u') in the sense of distributions, and u_n(t) = u(n − t)
+solves the chain whose contacts exert (u_n)₊^α + γ du_n/dt.  If u > 0 everywhere, u is smooth.
 *Proof.* k has bounded variation and Λ is Lipschitz, both with compact support: u is Lipschitz, and
 so is u₊^α; then Λ'*u₊^α + γ k'*u is continuous.  Λ'' = δ₁ − 2δ₀ + δ₋₁ = −k'.  Where u > 0 the map
 u ↦ u^α is smooth, so u ∈ C^m gives u' ∈ C^m. ∎
@@ -27,7 +26,7 @@ polynomial on each cell as well, 1 for ξ < −ℓ − 1 and 0 for ξ > m + 1; a
 
     Y₀ = sup |ū − û| + sup ω ≥ ‖F(ū)‖.
 
-**Theorem 15.** Let A: L^∞ → L^∞ be bounded and linear, Y₀ ≥ ‖F(ū)‖, Z₁ ≥ ‖1 − L A‖, ρ(ξ) ≥ |(A
+**Theorem 20.** Let A: L^∞ → L^∞ be bounded and linear, Y₀ ≥ ‖F(ū)‖, Z₁ ≥ ‖1 − L A‖, ρ(ξ) ≥ |(A
 y)(ξ)| for all ‖y‖ ≤ 1, and Z₂(r) ≥ ρ(ξ) |a(ū(ξ) + w) − a(ū(ξ))| for all ξ and |w| ≤ ρ(ξ) r.  If Y₀
 < (1 − Z₁ − Z₂(r)) r for some r > 0, there is exactly one ‖y*‖ ≤ r such that u* = ū + A y* is a
 zero of F.  Then |u* − ū| ≤ ρ r, and
@@ -36,10 +35,10 @@ zero of F.  Then |u* − ū| ≤ ρ r, and
 
 *Proof.* N(y) = y − F(ū + A y) has the derivative 1 − L A + Λ*((a(ū + A y) − a(ū)) A ·), of norm at
 most q = Z₁ + Z₂(r) < 1 on the ball of radius r, as ‖Λ‖₁ = 1, and ‖N(0)‖ ≤ Y₀.  So N maps the ball
-into itself and contracts it.  u*' − û' = γ k'*(u* − ū) + Λ'*(u*₊^α − P̄), where k' has mass 4 and
-Λ' mass 2, and |u*₊^α − ū₊^α| ≤ a(ū₊ + ρ r) ρ r as a increases. ∎
+into itself and contracts it.  u*' − û' = γ k'*(u* − ū) + Λ'*((u*)₊^α − P̄), where k' has mass 4
+and Λ' mass 2, and |(u*)₊^α − ū₊^α| ≤ a(ū₊ + ρ r) ρ r as a(u) increases. ∎
 
-**Lemma 16 (limits).** If A maps the y that vanish at both ends (ess sup of |y| over |ξ| > X tends
+**Lemma 21 (limits).** If A maps the y that vanish at both ends (ess sup of |y| over |ξ| > X tends
 to 0) to such functions, then u* → 1 at −∞ and → 0 at +∞.
 *Proof.* Those y form a closed subspace, and N maps it to itself: F(ū + z) vanishes at both ends if
 z does, since ∫Λ = 1 and ∫k = 0. ∎  The A of `right_inverse` does, as all its kernels have compact

@@ -1,4 +1,4 @@
-"""A right inverse A of the linearisation with dashpots, and bounds of 1 − L A and of A.
+"""A right inverse with dashpots: the operator A, and bounds of 1 − L A and of A.
 
 Notation of `existence`.  Far behind, ā is near α and L near the convolution δ − f, f = γ k + α Λ;
 that is α times the kernel K of `granular_fronts.proofs.existence` with γ/α for γ.  Far ahead, ā is
@@ -35,7 +35,7 @@ the supremum over ξ > M − p₊.
  * on cell i, y_w − L f_w = [T f_w − (T_h f_w)(x_i)] + ((1 − L_h H) R y_w)_i, where T_h has ā_j in
    place of ā on cell j, as R has, and d removes the second term on the first bead.
 
-The three sources have disjoint supports, and with w = 1 + v bounding f_w (v here its norm)
+The three sources have disjoint supports, and with w = 1 + v bounding f_w, where v is its norm,
 
     Z₁ = max_i (inner_i + rest_i 1_{i ≥ n}) + gain (‖e‖₁ + α ε (1 + ‖g‖₁))
          + gain₊ (‖e₊‖₁ + (1 + ‖g₊‖₁) sup ā),
@@ -59,22 +59,22 @@ The three sources have disjoint supports, and with w = 1 + v bounding f_w (v her
 − 1 + gain₊ ∫|g₊| over s < ξ − M; behind the window it is at most gain (1 + ‖g‖₁), ahead of it
 gain₊ (1 + ‖g₊‖₁).
 
-**Lemma 17 (the linearisation).** L* = DF(u*) is onto and its kernel is spanned by u*'.
+**Lemma 22 (the linearisation).** L* = DF(u*) is onto and its kernel is spanned by u*'.
 
-*Proof.* As in Lemma 4 of `consequences`, L*A = DG(y*), G(y) = F(ū + A y), is invertible, L* is
-onto, A is injective with closed range, and L^∞ = ker L* ⊕ Ran A.  A differs from y ↦ y +
-g*(1_{ξ<−b} y) + g₊*(1_{ξ>M} y) by a compact operator: y_w ↦ v and d have finite rank, and s₋, s₊
-live on (−b − 1, −b) and (M, M + 1) with a common Lipschitz constant.  In the splitting of L^∞ at −b
-and M this operator is triangular, since q ≤ b and p₊ ≤ M + b.  Its diagonal holds the identity and
-the Wiener–Hopf operators of 1 + g and 1 + g₊.  Their indices in L^∞ of a half line are ± the
-winding numbers of 1 + ĝ and 1 + ĝ₊ (Lemma 22 of `consequences`; as there, both have inverses of the
-kind 1 + l̂).  (1 + ĝ)(1 − f̂) = 1 + ê with |ê| < 1, and 1 − f̂(iω) = 1 − α (1 − i (γ/α) ω)
-sinc²(ω/2) winds once (Lemma 4); (1 + ĝ₊)(1 − γ k̂) = 1 + ê₊ with |ê₊| < 1, and 1 − γ k̂(iω) = 1 +
-iγω sinc²(ω/2) does not wind.  So |ind A| = 1; A being injective, dim ker L* = codim Ran A = 1.  As
-u and u₊^α are Lipschitz, u' = γ k*u' + Λ*(a(u) u') is a bounded element of the kernel.  It is not
-0, as u is not constant. ∎
+*Proof.* As in Lemma 5 of `consequences`, L*A = 1 − DN(y*) is invertible by Theorem 20, L* is onto,
+A is injective with closed range, and L^∞ = ker L* ⊕ Ran A. A differs from y ↦ y + g*(1_{ξ<−b} y) +
+g₊*(1_{ξ>M} y) by a compact operator: y_w ↦ v and d have finite rank, and s₋, s₊ live on (−b − 1,
+−b) and (M, M + 1) with a common Lipschitz constant. In the splitting of L^∞ at −b and M this
+operator is triangular, since q ≤ b and p₊ ≤ M + b. Its diagonal holds the identity and the
+Wiener–Hopf operators of 1 + g and 1 + g₊. Their indices in L^∞ of a half line are ± the winding
+numbers of 1 + ĝ and 1 + ĝ₊ (Lemma 6 of `consequences`; as there, both have inverses of the kind 1 +
+l̂). (1 + ĝ)(1 − f̂) = 1 + ê with |ê| < 1, and 1 − f̂(iω) = 1 − α (1 − i (γ/α) ω) sinc²(ω/2) winds
+once (Lemma 5); (1 + ĝ₊)(1 − γ k̂) = 1 + ê₊ with |ê₊| < 1, and 1 − γ k̂(iω) = 1 + iγω sinc²(ω/2)
+does not wind. So |ind A| = 1; A being injective, dim ker L* = codim Ran A = 1. As u and u₊^α are
+Lipschitz, u' = γ k*u' + Λ*(a(u) u') is a bounded element of the kernel. It is not 0, as u is not
+constant. ∎
 
-So the front is isolated up to shifts and continues to a C¹ branch in γ, as after Lemma 4.
+So the front is isolated up to shifts and continues to a C¹ branch in γ, as after Lemma 5.
 """
 
 import numpy as np
