@@ -40,6 +40,7 @@ from granular_fronts.proofs.consequences import shape
 from granular_fronts.proofs.contraction import Contraction
 from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.rear_expansion import expand
+from granular_fronts.proofs.stability import stable
 from granular_fronts.proofs.tail_roots import require_zeros
 from granular_fronts.proofs.uniqueness import unique
 
@@ -169,6 +170,7 @@ class Front(Contraction):
         yield from self.exists()
         yield from unique(self)
         yield from shape(self)
+        yield from stable(self)
         yield from self.rear()
 
     def unknown(self, u):
@@ -232,6 +234,7 @@ class Front(Contraction):
         law = alpha, (self.middle, self.half), arb(0)
         tails, defect = inverse_defect(*law, n * self.fine, self.data["inverse"], begin)
         self.require("‖e‖", defect, arb(1))
+        self.rear_norms = tails[0], defect
 
         H, correction = unit_plus(self.data["correction"])
         rest, v = array([0] * W), array([0] * W)

@@ -1,0 +1,176 @@
+"""Spectral stability: by hand where the front is monotone, else by one scalar inequality.
+
+Notation of `existence`; u = u* > 0, a = a(u), k = ‖K‖₁, Δ is the second difference over one bead.
+
+**Setting.** A small change w of the strains of a front in the chain obeys
+
+    ẇ_n = d_n + γ Δh_n,      ḋ_n = Δh_n,      h_n = a_n w_n,      a_n(t) = a(u(n − t)).
+
+T lets y = (w, d) move for one bead-time and follows by one bead, (T y)_n = y_{n+1}(1).  X_κ, κ > 0,
+has the norm Σ (1 + e^(2κn)) (|w_n|² + |d_n|²).  Its weight is needed ahead: there the untouched
+chain has the eigenvectors z^n, |z| < 1, and each |z| = 1 belongs to the spectrum without it. Shifts
+and a are bounded, so T is bounded in X_κ.  y₀ = (u', −u'' − γ Δ(a u')) at t = 0 is translation.
+
+**Condition (q).** q ≥ 0 increases on ℝ (jumps upwards are allowed), q = 1/(2a) ahead of a place
+from which on u' < 0, and almost everywhere
+
+    q' ≥ (a/γ) (q − 1/(2a))².
+
+If u' ≤ 0 on ℝ, then q = 1/(2a) is such a function: the right-hand side is 0.
+
+**Theorem D.** Let (q) hold.  Then no z ≠ 1 with |z| ≥ 1 is in the spectrum of T in X_κ.  The
+eigenvalue 1 is simple: T y = y only for y = c y₀, and T y = y + y₀ for no y in X_κ.
+
+**Lemma 24.** The z ≠ 1, |z| ≥ 1, in the spectrum of T are eigenvalues.  Their eigenvectors decay
+exponentially behind.
+
+*Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  A wave e^(iqn) makes T₋ the matrix e^(iq)
+exp(M), with the eigenvalues e^(iq + σ), σ² + αγ c σ + α c = 0, c = 2 − 2 cos q.  They are inside
+the unit circle but for c = 0, where they are 1.  So T₋ − z has a bounded inverse on ℓ², and with
+all weights e^(νn), |ν| small, too.  (T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with
+the weight e^(κn).  Let χ₋ be 1 for n ≤ 0, else 0, and χ₊ = 1 − χ₋.  T − T₋ on sequences behind, T −
+T₊ on those ahead, and the commutators of T, T± and χ± are compact.  For by Duhamel's formula they
+are integrals of flows and of (a_n − α) Δ χ₋, a_n Δ χ₊ or [a_n Δ, χ₋].  These are limits of
+operators of finite rank, as a_n → α, 0.  So χ₋ (T₋ − z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊ inverts T −
+z up to compact operators.  The set of all these z is connected and T − z invertible for large |z|.
+Hence T − z has the index 0, and is invertible if it has no kernel.  If T y = z y, then (T₋ − z) χ₋
+y = (T₋ − T) χ₋ y + [T, χ₋] y decays exponentially behind by Lemma 7, and with it y. ∎
+
+**Lemma 25 (balance).** Let T y = z y, |z| ≥ 1, z = e^λ, be decaying exponentially behind, and Σ w_n
+= 0 if z = 1.  Then y = 0 if (q) holds.
+
+*Proof.* w_n(t) = e^(λt) W(n − t) and d_n(t) = e^(λt) D(n − t) for all t, with (λ − ∂)W = D + γ Δh,
+(λ − ∂)D = Δh, h = a W.  W and D decay exponentially at both ends.  The sums s = Σ D(ξ + n), r = Σ n
+D(ξ + n), m = Σ W(ξ + n), p = Σ n W(ξ + n) fulfil (λ − ∂)s = (λ − ∂)r = 0, (λ − ∂)m = s, (λ − ∂)p =
+r, s(ξ + 1) = s(ξ), r(ξ + 1) = r(ξ) − s, m(ξ + 1) = m(ξ) and p(ξ + 1) = p(ξ) − m.  A multiple of
+e^(λξ) with period 1 is 0 if z ≠ 1; then s = r = m = 0.  For z = 1, s and r are constant, so s = 0
+and m is constant, m = 0. So p has period 1 and the slope −r, r = 0.  Hence
+
+    x(ξ) = Σ W(ξ + n) over n ≥ 0,      j(ξ) = Σ n D(ξ + n) over n ≥ 1
+
+decay exponentially at both ends too.  W = x − x(· + 1), D = Δj, and with J = j + γh
+
+    (λ − ∂)j = h,      (λ − ∂)x = J(· − 1) − J.
+
+Ahead u(ξ + 1) ≤ k u(ξ)^α as u falls (Lemma 6).  So |j| ≤ sup |W| ∫ a over (ξ, ∞) is at most C a(ξ),
+and a |W|² and q |j|² → 0.  With Λ = Re λ ≥ 0, by parts and as h̄/a = W̄,
+
+    Λ ∫|x|² = Re ∫ x̄ (λ − ∂)x = −Re ∫ J W̄ = −∫ (Re j h̄ + γ |h|²)/a,
+    2Λ ∫ q |j|² = 2 Re ∫ q j h̄ − ∫ |j|² dq.
+
+The sum of both is, with b = (1 − 2qa)/(2γ) and (q),
+
+    Λ ∫ (|x|² + 2q |j|²) = −∫ (γ/a) |h + b j|² + ∫ (a/γ) (q − 1/(2a))² |j|² − ∫ |j|² dq
+                         ≤ −∫ (γ/a) |h + b j|².
+
+Both sides are 0.  Hence h = −b j almost everywhere, j' = (λ + b) j, and ahead, where b = 0, |j| is
+a multiple of e^(Λξ) that decays.  So j = 0 there, thus everywhere, h = 0, W = 0 and D = Δj = 0. ∎
+
+*Proof of Theorem D.* Lemmas 24 and 25 leave z = 1.  Let T y = y, with W, D as above, λ = 0.  They
+vanish at both ends, and −W' = D + γ Δh, −D' = Δh.  So W'' = (1 − γ∂) Δh = (K*h)'', and as W and K*h
+are bounded and vanish ahead, W = K*h.  As in Lemma 7, W and h decay exponentially behind, and so
+does D.  With c = −∫W, y − c y₀ has the sum 0, since Σ u'(ξ + n) does not depend on ξ and is −1.  By
+Lemma 25 it is 0.  Let T y = y + y₀.  Then w_n(t) = W(n − t) + t u'(n − t), so that −W' + u' = D + γ
+Δh and −D' − u'' − γ Δ(a u') = Δh, thus W'' = (K*h + f)'' with f = 2u − γ Δ∫ P over (ξ, ∞).  All
+vanish ahead: W = K*h + f.  But W and h vanish behind, where f → 2. ∎
+
+**What sound carries off.** If W is only bounded, W → c behind, this says c = αc + 2.  One such W is
+minus the change of the front with its speed.  Let V be the velocity in W: u' − W' = V(ξ) − V(ξ + 1)
+gives V → c − 1 = −(α + 1)/(α − 1).  A sound wave away from the front has V = −√α c > 0.  So T y = y
++ y₀ not even for a y that is such a wave behind.
+
+**Theorem E.** For α > 1, γ > 0 any two fronts with u' ≤ 0 on ℝ are translates of each other.
+
+*Proof.* Let u₁, u₂ be fronts, shifted such that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails
+can be integrated.  h = u₁^α − u₂^α = a W where a is the mean of a(u) between u₁ and u₂.  Like both,
+a falls.  W = K*h gives ∫h = 0; j = ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1, ξ) decay at
+both ends, and W = x − x(· + 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).  With U = max(u₁,
+u₂), U^(α−1) ≤ a and j = O(U^α).  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a), and
+h = 0. ∎  (u_i > 0: it falls, and ahead of its last positive point K is positive.)
+
+**The check** makes q from behind.  Let s(x) = sup |u − 1| over ξ < x, s₀ = s(x₀) at the first cell,
+B = α (α − 1) (1 − s₀)^(−|α−2|), g, p and e as in `right_inverse`, ε = ‖e‖₁.
+
+**Lemma 26.** If (1 + ‖g‖₁) (k B s₀/2 + ε^m (1 + αk)) ≤ (1 − ε)/2 and D = m (p + 1), then s(x − D) ≤
+s(x)/2 for x ≤ x₀.  Let c = (α − 1) (1 − s₀)^(−α)/(2α) and ā = α (1 + s₀)^(α−1).  If 16 c ā D s₀ ≤
+3γ, some q with (q) on ξ < x₀ ends with q ≤ 1/(2α) + c s₀.
+
+*Proof.* z = u − 1 solves z = K*(αz + N), |N| ≤ B z²/2.  With z_x = z 1_{ξ<x}, s = s(x), F = z_x − α
+K*z_x is K*N for ξ < x − 1, 0 for ξ > x + 1, and at most (1 + αk) s between.  (δ + e)*z_x = (δ +
+g)*F.  The first m terms of Σ (−e)^i reach back by at most (m − 1)(p + 1), and g by p.  So z_x is at
+most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − D.  On (x₀ − (i + 1)D, x₀ − iD) |z| ≤
+s_i = s₀/2^i, and 1/(2a) − 1/(2α) is at most c s_i.  Let q be 1/(2α) behind and q' = 4 c² s_i² ā/γ
+there.  Its rise up to there is at most Σ 4 c² s_l² ā D/γ over l ≥ i, that is 16 c² s_i² ā D/(3γ) ≤
+c s_i.  So |q − 1/(2a)| ≤ 2 c s_i. ∎
+
+On parts of the cells q has a slope that is at least the right-hand side.  It is (1 − 2qa)²/(4γa) at
+all a of the part and all q that are passed.  Where u' < 0 from there on, and q < 1/(2a), it jumps to
+1/(2a) and stays there.  For an interval of γ this holds for each γ.
+"""
+
+import math
+
+from flint import arb, fmpq
+
+from granular_fronts.proofs.balls import UNIT
+
+PARTS = 8  # of a cell
+MOST_POWERS = 100  # m of Lemma 26
+ROOM = 2  # how much steeper q is expected to be at the end of a part than at its beginning
+
+
+def stable(front):
+    """Theorem D, where its condition is shown; nothing else."""
+    q = _behind(front)
+    first = (front.fall + front.left) * front.n
+    for j in range(len(front.u)):
+        for part in range(PARTS):
+            a = _stiffness(front, j, part)
+            if q is None or not a > 0:
+                return
+            if j >= first and q < 1 / (2 * a):
+                front.require("stable: q < 1/(2a) where u' < 0", q, 1 / (2 * a))
+                front.numbers["stable"] = 1.0
+                yield (
+                    "On the unit circle and outside it the front has the Floquet multiplier 1 of"
+                    " translation alone, which is simple: it is spectrally stable."
+                )
+                return
+            q = _rise(front, q, a)
+
+
+def _behind(front):
+    """Return the bound of q at the first cell, by Lemma 26; None where it does not apply."""
+    alpha, gamma, nK = front.alpha, front.gamma, front.nK
+    norm, defect = front.rear_norms
+    s = front.outer_kappa[0] * front.r
+    if not s < 1:
+        return None
+    curved = nK * alpha * (alpha - 1) * (1 - s) ** -abs(alpha - 2) * s / 2
+    powers = (
+        m
+        for m in range(1, MOST_POWERS)
+        if (1 + norm) * (curved + defect**m * (1 + alpha * nK)) <= (1 - defect) / 2
+    )
+    distance = next(powers, math.inf) * (front.p + 1)
+    c = (alpha - 1) * (1 - s) ** -alpha / (2 * alpha)
+    small = 16 * c * alpha * (1 + s) ** (alpha - 1) * distance * s <= 3 * gamma
+    return 1 / (2 * alpha) + c * s if small else None
+
+
+def _stiffness(front, j, part):
+    """Return a on a part of a cell."""
+    t = arb(fmpq(2 * part + 1 - PARTS, PARTS)) + UNIT / PARTS
+    return front.a(front.u[j](t) + front.u_error[j] * UNIT)
+
+
+def _rise(front, q, a):
+    """Return q after a part of a cell; None where it is not bounded."""
+
+    def slope(q):
+        return ((1 - 2 * q * a) ** 2 / (4 * front.gamma * a)).upper()
+
+    step = front.h / PARTS
+    most = step * (ROOM * slope(q) + step)
+    rise = step * slope(q.union(q + most))
+    return q + rise if rise < most else None
