@@ -7,16 +7,17 @@ Notation of `existence`; u = u* > 0, a = a(u), k = ‖K‖₁, Δ is the second 
     ẇ_n = d_n + γ Δh_n,      ḋ_n = Δh_n,      h_n = a_n w_n,      a_n(t) = a(u(n − t)).
 
 T lets y = (w, d) move for one bead-time and follows by one bead, (T y)_n = y_{n+1}(1).  X_κ, κ > 0,
-has the norm Σ (1 + e^(2κn)) (|w_n|² + |d_n|²).  Its weight is needed ahead: there the untouched
-chain has the eigenvectors z^n, |z| < 1, and each |z| = 1 belongs to the spectrum without it. Shifts
-and a are bounded, so T is bounded in X_κ.  y₀ = (u', −u'' − γ Δ(a u')) at t = 0 is translation.
+has the squared norm Σ (1 + e^(2κn)) (|w_n|² + |d_n|²).  Its weight is needed ahead.  In the
+untouched chain z^n, |z| < 1, is an eigenvector, and without the weight all |z| = 1 are in the
+spectrum. Shifts and a are bounded, so T is bounded in X_κ.  Translation is y₀ = (u', −u'' − γ Δ(a
+u')) at t = 0, with T y₀ = y₀.
 
 **Condition (q).** q ≥ 0 increases on ℝ (jumps upwards are allowed), q = 1/(2a) ahead of a place
 from which on u' < 0, and almost everywhere
 
     q' ≥ (a/γ) (q − 1/(2a))².
 
-If u' ≤ 0 on ℝ, then q = 1/(2a) is such a function: the right-hand side is 0.
+If u' < 0 on ℝ, then q = 1/(2a) is such a function: the right-hand side is 0.
 
 **Theorem D.** Let (q) hold.  Then no z ≠ 1 with |z| ≥ 1 is in the spectrum of T in X_κ.  The
 eigenvalue 1 is simple: T y = y only for y = c y₀, and T y = y + y₀ for no y in X_κ.
@@ -24,27 +25,28 @@ eigenvalue 1 is simple: T y = y only for y = c y₀, and T y = y + y₀ for no y
 **Lemma 24.** The z ≠ 1, |z| ≥ 1, in the spectrum of T are eigenvalues.  Their eigenvectors decay
 exponentially behind.
 
-*Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  A wave e^(iqn) makes T₋ the matrix e^(iq)
-exp(M), with the eigenvalues e^(iq + σ), σ² + αγ c σ + α c = 0, c = 2 − 2 cos q.  They are inside
-the unit circle but for c = 0, where they are 1.  So T₋ − z has a bounded inverse on ℓ², and with
-all weights e^(νn), |ν| small, too.  (T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with
-the weight e^(κn).  Let χ₋ be 1 for n ≤ 0, else 0, and χ₊ = 1 − χ₋.  T − T₋ on sequences behind, T −
-T₊ on those ahead, and the commutators of T, T± and χ± are compact.  For by Duhamel's formula they
-are integrals of flows and of (a_n − α) Δ χ₋, a_n Δ χ₊ or [a_n Δ, χ₋].  These are limits of
-operators of finite rank, as a_n → α, 0.  So χ₋ (T₋ − z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊ inverts T −
-z up to compact operators.  The set of all these z is connected and T − z invertible for large |z|.
-Hence T − z has the index 0, and is invertible if it has no kernel.  If T y = z y, then (T₋ − z) χ₋
-y = (T₋ − T) χ₋ y + [T, χ₋] y decays exponentially behind by Lemma 7, and with it y. ∎
+*Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  On e^(iqn) T₋ is the matrix e^(iq) exp(M).
+Its eigenvalues are e^(iq + σ), σ² + αγ c σ + α c = 0, c = 2 − 2 cos q.  They are inside the unit
+circle but for c = 0, where they are 1.  So T₋ − z has a bounded inverse on ℓ², and on ℓ² with the
+weight e^(νn), |ν| small.  (T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with the
+weight e^(κn).  Let χ₋ be 1 for n ≤ 0, else 0, and χ₊ = 1 − χ₋.  χ± (T − T±), (T − T±) χ± and [T,
+χ±] are compact.  For by Duhamel's formula they are integrals of flows around Δ(a_n − α)χ₋, Δa_n χ₊
+or [Δ, χ₋] a_n, also with α or 0 for a_n.  As a_n → α, 0, those are limits of operators of finite
+rank.  So χ₋ (T₋ − z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊ inverts T − z on both sides, up to compact
+operators.  These z are a connected set, and T − z is invertible for large |z|.  Hence T − z has the
+index 0, and is invertible if it has no kernel.  If T y = z y, then (T₋ − z) χ₋ y = (T₋ − T) χ₋ y +
+[T, χ₋] y.  By Lemma 7 it decays exponentially behind, and with it y. ∎
 
-**Lemma 25 (balance).** Let T y = z y, |z| ≥ 1, z = e^λ, be decaying exponentially behind, and Σ w_n
-= 0 if z = 1.  Then y = 0 if (q) holds.
+**Lemma 25 (balance).** Let T y = z y, |z| ≥ 1, z = e^λ, where y decays exponentially behind, and Σ
+w_n = 0 if z = 1.  Then y = 0 if (q) holds.
 
 *Proof.* w_n(t) = e^(λt) W(n − t) and d_n(t) = e^(λt) D(n − t) for all t, with (λ − ∂)W = D + γ Δh,
 (λ − ∂)D = Δh, h = a W.  W and D decay exponentially at both ends.  The sums s = Σ D(ξ + n), r = Σ n
 D(ξ + n), m = Σ W(ξ + n), p = Σ n W(ξ + n) fulfil (λ − ∂)s = (λ − ∂)r = 0, (λ − ∂)m = s, (λ − ∂)p =
-r, s(ξ + 1) = s(ξ), r(ξ + 1) = r(ξ) − s, m(ξ + 1) = m(ξ) and p(ξ + 1) = p(ξ) − m.  A multiple of
-e^(λξ) with period 1 is 0 if z ≠ 1; then s = r = m = 0.  For z = 1, s and r are constant, so s = 0
-and m is constant, m = 0. So p has period 1 and the slope −r, r = 0.  Hence
+r.  Further s(ξ + 1) = s(ξ), r(ξ + 1) = r(ξ) − s, m(ξ + 1) = m(ξ) and p(ξ + 1) = p(ξ) − m.  A
+multiple of e^(λξ) with period 1 is 0 if z ≠ 1; then s = r = m = 0.  For z = 1, let λ = 0.  Then s
+and r are constant, so s = 0, and m is constant, m = 0.  So p has period 1 and the slope −r, r = 0.
+Hence
 
     x(ξ) = Σ W(ξ + n) over n ≥ 0,      j(ξ) = Σ n D(ξ + n) over n ≥ 1
 
@@ -68,25 +70,26 @@ a multiple of e^(Λξ) that decays.  So j = 0 there, thus everywhere, h = 0, W =
 
 *Proof of Theorem D.* Lemmas 24 and 25 leave z = 1.  Let T y = y, with W, D as above, λ = 0.  They
 vanish at both ends, and −W' = D + γ Δh, −D' = Δh.  So W'' = (1 − γ∂) Δh = (K*h)'', and as W and K*h
-are bounded and vanish ahead, W = K*h.  As in Lemma 7, W and h decay exponentially behind, and so
-does D.  With c = −∫W, y − c y₀ has the sum 0, since Σ u'(ξ + n) does not depend on ξ and is −1.  By
-Lemma 25 it is 0.  Let T y = y + y₀.  Then w_n(t) = W(n − t) + t u'(n − t), so that −W' + u' = D + γ
-Δh and −D' − u'' − γ Δ(a u') = Δh, thus W'' = (K*h + f)'' with f = 2u − γ Δ∫ P over (ξ, ∞).  All
-vanish ahead: W = K*h + f.  But W and h vanish behind, where f → 2. ∎
+are bounded and vanish ahead, W = K*h.  W − α K*W = K*((a − α)W), so that W and h decay
+exponentially behind as in Lemma 7.  So does D.  The sum m of y is constant, as above; that of y₀ is
+∫u' = −1.  So some y − c y₀ has the sum 0, and is 0 by Lemma 25.  Let T y = y + y₀.  Then w_n(t) =
+W(n − t) + t u'(n − t), u' − W' = D + γ Δh and −u'' − γ Δ(a u') − D' = Δh.  Thus W'' = (K*h + f)''
+with f = 2u − γ Δ∫ P over (ξ, ∞). All vanish ahead: W = K*h + f.  But W and h vanish behind, where f
+→ 2. ∎
 
 **What sound carries off.** If W is only bounded, W → c behind, this says c = αc + 2.  One such W is
 minus the change of the front with its speed.  Let V be the velocity in W: u' − W' = V(ξ) − V(ξ + 1)
 gives V → c − 1 = −(α + 1)/(α − 1).  A sound wave away from the front has V = −√α c > 0.  So T y = y
-+ y₀ not even for a y that is such a wave behind.
++ y₀ has no solution that is such a wave behind, either.
 
 **Theorem E.** For α > 1, γ > 0 any two fronts with u' ≤ 0 on ℝ are translates of each other.
 
-*Proof.* Let u₁, u₂ be fronts, shifted such that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails
-can be integrated.  h = u₁^α − u₂^α = a W where a is the mean of a(u) between u₁ and u₂.  Like both,
-a falls.  W = K*h gives ∫h = 0; j = ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1, ξ) decay at
-both ends, and W = x − x(· + 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).  With U = max(u₁,
-u₂), U^(α−1) ≤ a and j = O(U^α).  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a), and
-h = 0. ∎  (u_i > 0: it falls, and ahead of its last positive point K is positive.)
+*Proof.* Both are positive: as K > 0 on (0, 1), u > 0 ahead of where it is.  Let u₁, u₂ be shifted
+so that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails can be integrated.  h = u₁^α −
+u₂^α = a W, where a is the mean of a(u) between u₁ and u₂.  Like both, a falls.  W = K*h gives ∫h =
+0.  So j = ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1, ξ) decay at both ends.  By parts W =
+x − x(· + 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).  With U = max(u₁, u₂), U^(α−1) ≤ a
+and j = O(U^α).  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a), and h = 0. ∎
 
 **The check** makes q from behind.  Let s(x) = sup |u − 1| over ξ < x, s₀ = s(x₀) at the first cell,
 B = α (α − 1) (1 − s₀)^(−|α−2|), g, p and e as in `right_inverse`, ε = ‖e‖₁.
@@ -97,15 +100,15 @@ s(x)/2 for x ≤ x₀.  Let c = (α − 1) (1 − s₀)^(−α)/(2α) and ā = �
 
 *Proof.* z = u − 1 solves z = K*(αz + N), |N| ≤ B z²/2.  With z_x = z 1_{ξ<x}, s = s(x), F = z_x − α
 K*z_x is K*N for ξ < x − 1, 0 for ξ > x + 1, and at most (1 + αk) s between.  (δ + e)*z_x = (δ +
-g)*F.  The first m terms of Σ (−e)^i reach back by at most (m − 1)(p + 1), and g by p.  So z_x is at
-most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − D.  On (x₀ − (i + 1)D, x₀ − iD) |z| ≤
-s_i = s₀/2^i, and 1/(2a) − 1/(2α) is at most c s_i.  Let q be 1/(2α) behind and q' = 4 c² s_i² ā/γ
-there.  Its rise up to there is at most Σ 4 c² s_l² ā D/γ over l ≥ i, that is 16 c² s_i² ā D/(3γ) ≤
-c s_i.  So |q − 1/(2a)| ≤ 2 c s_i. ∎
+g)*F.  Of the part between, (δ + g) and the first m terms of Σ (−e)^i reach back by less than m (p +
+1) − 1.  So z_x is at most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − D.  Let I_i be
+from x₀ − (i + 1)D to x₀ − iD.  On it |z| ≤ s_i = s₀/2^i, and |1/(2a) − 1/(2α)| ≤ c s_i.  Let q →
+1/(2α) behind and q' = 4 c² s_i² ā/γ on I_i.  Up to the end of I_i it rises by at most Σ 4 c² s_l² ā
+D/γ over l ≥ i.  That is 16 c² s_i² ā D/(3γ) ≤ c s_i.  So |q − 1/(2a)| ≤ 2 c s_i there. ∎
 
-On parts of the cells q has a slope that is at least the right-hand side.  It is (1 − 2qa)²/(4γa) at
-all a of the part and all q that are passed.  Where u' < 0 from there on, and q < 1/(2a), it jumps to
-1/(2a) and stays there.  For an interval of γ this holds for each γ.
+On a part of a cell q gets a constant slope.  It is at least (1 − 2qa)²/(4γa), the right-hand side,
+for all a of the part and all q on it.  Where u' < 0 from a part on, and q < 1/(2a) on it, q jumps
+to 1/(2a) and stays there.  For an interval of γ this holds for each γ.
 """
 
 import math
