@@ -7,6 +7,7 @@ import pytest
 import scipy.linalg
 from certificates import DATA
 from flint import arb
+from projects import ROOT
 from scipy.interpolate import CubicSpline
 
 import granular_fronts as gf
@@ -77,6 +78,14 @@ def test_computed_monodromy_lets_no_kick_of_a_monotone_front_grow():
 )
 def test_kicks_grow_in_a_norm_without_the_condition(gamma, weight):
     assert growth(gamma, weight) > 1.02
+
+
+@pytest.mark.parametrize(("beads", "largest"), [(40, "0.9787"), (160, "0.9943")])
+def test_computed_multipliers_are_those_of_the_page(beads, largest):
+    """Inside the unit circle, as Theorem D says of the infinite chain."""
+    found = gf.front_multipliers(gf.solve_front(ALPHA, 0.3), beads_behind=beads)
+    assert f"{found.attrs['spectral_radius_without_translation']:.4f}" == largest
+    assert largest in (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
 
 
 # The condition.

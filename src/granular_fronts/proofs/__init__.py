@@ -1,4 +1,4 @@
-"""Fronts that are proved: existence, enclosure, uniqueness and shape by ball arithmetic.
+"""Fronts that are proved: existence, enclosure, uniqueness, stability and shape by ball arithmetic.
 
 A *certificate* is a file of an approximate front P̄ and of an approximate inverse A of the
 linearisation there. `certificate` makes it with floating-point arithmetic, by any method. `checker`
@@ -7,10 +7,10 @@ looks like.  `families` joins certificates to a continuous family.  `dashpots` d
 linear dashpots (β = 1).
 
 To trust a proof one must trust the mathematics in the docstrings.  The code is that of `checker`,
-`arrays`, `balls`, `contraction`, `uniqueness`, `consequences`, `tail_roots`, `rear_expansion` and
-`families`.  Below it are Python, python-flint and a part of NumPy.  That part reads npz files, sums
-integers, and holds integers below 2⁵³ as doubles; `balls.unit_plus` refuses others.  It also loops
-over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
+`arrays`, `balls`, `contraction`, `uniqueness`, `stability`, `consequences`, `tail_roots`,
+`rear_expansion` and `families`.  Below it are Python, python-flint and a part of NumPy.  That part
+reads npz files, sums integers, and holds integers below 2⁵³ as doubles; `balls.unit_plus` refuses
+others.  It also loops over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
 """
 
 from importlib.util import find_spec

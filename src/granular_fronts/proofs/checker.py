@@ -82,7 +82,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         the size of ξ₀, where u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B,
         `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
         `amplitude_low`, `amplitude_high` of A or B.  The value 1 marks `monotone`, `oscillates`
-        (behind, so that max u* > 1) and `critical` (monotone above some γ, and not below).
+        (behind, so that max u* > 1), `critical` (monotone above some γ, not below) and `stable`.
         Dashpots have `tail_start`, and `tail_low`, `tail_high`, the values there of exponentials
         that bound u* ahead.  `inequalities` are dicts of `name`, `left`, `right`
         (left < right, rounded outwards) and their `margin`.

@@ -6,8 +6,8 @@ Notation of `existence`; u = u* > 0, a = a(u), k = ‖K‖₁, Δ is the second 
 
     ẇ_n = d_n + γ Δh_n,      ḋ_n = Δh_n,      h_n = a_n w_n,      a_n(t) = a(u(n − t)).
 
-T lets y = (w, d) move for one bead-time and follows by one bead, (T y)_n = y_{n+1}(1).  X_κ, κ > 0,
-has the squared norm Σ (1 + e^(2κn)) (|w_n|² + |d_n|²).  Its weight is needed ahead.  In the
+T lets y = (w, d) move for one bead-time and follows by one bead: (T y)_n is y_{n+1} at t = 1.  X_κ,
+κ > 0, has the squared norm Σ (1 + e^(2κn)) (|w_n|² + |d_n|²).  Its weight is needed ahead.  In the
 untouched chain z^n, |z| < 1, is an eigenvector, and without the weight all |z| = 1 are in the
 spectrum. Shifts and a are bounded, so T is bounded in X_κ.  Translation is y₀ = (u', −u'' − γ Δ(a
 u')) at t = 0, with T y₀ = y₀.
