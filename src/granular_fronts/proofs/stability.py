@@ -25,8 +25,8 @@ eigenvalue 1 is simple: T y = y only for y = c y₀, and T y = y + y₀ for no y
 **Lemma 24.** The z ≠ 1, |z| ≥ 1, in the spectrum of T are eigenvalues.  Their eigenvectors decay
 exponentially behind.
 
-*Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  On e^(iqn) T₋ is the matrix e^(iq) exp(M).
-Its eigenvalues are e^(iq + σ), σ² + αγ c σ + α c = 0, c = 2 − 2 cos q.  They are inside the unit
+*Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  On e^(iθn) T₋ is the matrix e^(iθ) exp(M).
+Its eigenvalues are e^(iθ + σ), σ² + αγ c σ + α c = 0, c = 2 − 2 cos θ.  They are inside the unit
 circle but for c = 0, where they are 1.  So T₋ − z has a bounded inverse on ℓ², and on ℓ² with the
 weight e^(νn), |ν| small.  (T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with the
 weight e^(κn).  Let χ₋ be 1 for n ≤ 0, else 0, and χ₊ = 1 − χ₋.  χ± (T − T±), (T − T±) χ± and [T,
@@ -54,8 +54,8 @@ decay exponentially at both ends too.  W = x − x(· + 1), D = Δj, and with J 
 
     (λ − ∂)j = h,      (λ − ∂)x = J(· − 1) − J.
 
-Ahead u(ξ + 1) ≤ k u(ξ)^α as u falls (Lemma 6).  So |j| ≤ sup |W| ∫ a over (ξ, ∞) is at most C a(ξ),
-and a |W|² and q |j|² → 0.  With Λ = Re λ ≥ 0, by parts and as h̄/a = W̄,
+Ahead a falls and √a can be integrated (Lemma 6).  So |j| ≤ sup |W| ∫ a over (ξ, ∞) ≤ sup |W| √a(ξ)
+∫ √a, and a |W|² and q |j|² → 0.  With Λ = Re λ ≥ 0, by parts and as h̄/a = W̄,
 
     Λ ∫|x|² = Re ∫ x̄ (λ − ∂)x = −Re ∫ J W̄ = −∫ (Re j h̄ + γ |h|²)/a,
     2Λ ∫ q |j|² = 2 Re ∫ q j h̄ − ∫ |j|² dq.
@@ -85,11 +85,12 @@ gives V → c − 1 = −(α + 1)/(α − 1).  A sound wave away from the front 
 **Theorem E.** For α > 1, γ > 0 any two fronts with u' ≤ 0 on ℝ are translates of each other.
 
 *Proof.* Both are positive: as K > 0 on (0, 1), u > 0 ahead of where it is.  Let u₁, u₂ be shifted
-so that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails can be integrated.  h = u₁^α −
-u₂^α = a W, where a is the mean of a(u) between u₁ and u₂.  Like both, a falls.  W = K*h gives ∫h =
-0.  So j = ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1, ξ) decay at both ends.  By parts W =
-x − x(· + 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).  With U = max(u₁, u₂), U^(α−1) ≤ a
-and j = O(U^α).  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a), and h = 0. ∎
+so that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails can be integrated.  h = u₁^α − u₂^α = a
+W, where a is the mean of a(u) between u₁ and u₂.  Like both, a falls.  W = K*h gives ∫h = 0.  So j
+= ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1, ξ) decay at both ends.  By parts W = x − x(·
++ 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).  With U = max(u₁, u₂), U^(α−1) ≤ a and |j| ≤
+∫ U^α over (ξ, ∞), so that j²/a → 0.  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a),
+and h = 0. ∎
 
 **The check** makes q from behind.  Let s(x) = sup |u − 1| over ξ < x, s₀ = s(x₀) at the first cell,
 B = α (α − 1) (1 − s₀)^(−|α−2|), g, p and e as in `right_inverse`, ε = ‖e‖₁.
@@ -100,8 +101,8 @@ s(x)/2 for x ≤ x₀.  Let c = (α − 1) (1 − s₀)^(−α)/(2α) and ā = �
 
 *Proof.* z = u − 1 solves z = K*(αz + N), |N| ≤ B z²/2.  With z_x = z 1_{ξ<x}, s = s(x), F = z_x − α
 K*z_x is K*N for ξ < x − 1, 0 for ξ > x + 1, and at most (1 + αk) s between.  (δ + e)*z_x = (δ +
-g)*F.  Of the part between, (δ + g) and the first m terms of Σ (−e)^i reach back by less than m (p +
-1) − 1.  So z_x is at most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − D.  Let I_i be
+g)*F.  Of the part between, (δ + g) and the first m terms of Σ (−e)^i reach back by m (p + 1) − 1 at
+most.  So z_x is at most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − D.  Let I_i be
 from x₀ − (i + 1)D to x₀ − iD.  On it |z| ≤ s_i = s₀/2^i, and |1/(2a) − 1/(2α)| ≤ c s_i.  Let q →
 1/(2α) behind and q' = 4 c² s_i² ā/γ on I_i.  Up to the end of I_i it rises by at most Σ 4 c² s_l² ā
 D/γ over l ≥ i.  That is 16 c² s_i² ā D/(3γ) ≤ c s_i.  So |q − 1/(2a)| ≤ 2 c s_i there. ∎
