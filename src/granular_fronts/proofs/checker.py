@@ -173,6 +173,10 @@ class Front(Contraction):
         yield from stable(self)
         yield from self.rear()
 
+    def damping(self, a):
+        """Return γ, by which Theorem D divides."""
+        return self.gamma
+
     def unknown(self, u):
         """Return P of u."""
         return power(u, self.alpha)
@@ -234,7 +238,7 @@ class Front(Contraction):
         law = alpha, (self.middle, self.half), arb(0)
         tails, defect = inverse_defect(*law, n * self.fine, self.data["inverse"], begin)
         self.require("‖e‖", defect, arb(1))
-        self.rear_norms = tails[0], defect
+        self.rear_norms = nK, tails[0], defect
 
         H, correction = unit_plus(self.data["correction"])
         rest, v = array([0] * W), array([0] * W)

@@ -92,6 +92,14 @@ W, where a is the mean of a(u) between u₁ and u₂.  Like both, a falls.  W = 
 ∫ U^α over (ξ, ∞), so that j²/a → 0.  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a),
 and h = 0. ∎
 
+**Dashpots.** With β = 1, ẇ_n = d_n + γ Δw_n and y₀ = (u', −u'' − γ Δu'), and (q) has a²/γ in place
+of a/γ.  Let κ < μ of Lemma 20.  Then Theorem D and the lemmas hold, and Theorem E, with these
+changes.  In Lemma 24, σ² + γ c σ + α c = 0.  T₊ has e^ζ and e^(ζ + γ (2 cosh ζ − 2)), ζ = −κ + iθ,
+in its spectrum, at most e^(−κ + 2γ (cosh κ − 1)) < 1 in modulus.  J = j + γW, so that γ |W|² is
+lost in place of γ |h|²/a, and γ/a takes the place of γ.  Ahead √a can be integrated by Lemma 18.  W
+= Λ*h + γ k*W, with f = 2u − γ Δ∫ u.  In Lemma 26, K and k belong to γ/α, N is convolved with Λ,
+‖Λ‖₁ ≤ k, and 3γ is 3γ/ā.
+
 **The check** makes q from behind.  Let s(x) = sup |u − 1| over ξ < x, s₀ = s(x₀) at the first cell,
 B = α (α − 1) (1 − s₀)^(−|α−2|), g, p and e as in `right_inverse`, ε = ‖e‖₁.
 
@@ -108,8 +116,9 @@ from x₀ − (i + 1)D to x₀ − iD.  On it |z| ≤ s_i = s₀/2^i, and |1/(2a
 D/γ over l ≥ i.  That is 16 c² s_i² ā D/(3γ) ≤ c s_i.  So |q − 1/(2a)| ≤ 2 c s_i there. ∎
 
 On a part of a cell q gets a constant slope.  It is at least (1 − 2qa)²/(4γa), the right-hand side,
-for all a of the part and all q on it.  Where u' < 0 from a part on, and q < 1/(2a) on it, q jumps
-to 1/(2a) and stays there.  For an interval of γ this holds for each γ.
+for all a of the part and all q on it; with dashpots (1 − 2qa)²/(4γ).  Where u' < 0 from a part on,
+and q < 1/(2a) on it, q jumps to 1/(2a) and stays there.  For an interval of γ this holds for each
+γ.
 """
 
 import math
@@ -145,20 +154,20 @@ def stable(front):
 
 def _behind(front):
     """Return the bound of q at the first cell, by Lemma 26; None where it does not apply."""
-    alpha, gamma, nK = front.alpha, front.gamma, front.nK
-    norm, defect = front.rear_norms
+    alpha, (k, norm, defect) = front.alpha, front.rear_norms
     s = front.outer_kappa[0] * front.r
     if not s < 1:
         return None
-    curved = nK * alpha * (alpha - 1) * (1 - s) ** -abs(alpha - 2) * s / 2
+    curved = k * alpha * (alpha - 1) * (1 - s) ** -abs(alpha - 2) * s / 2
     powers = (
         m
         for m in range(1, MOST_POWERS)
-        if (1 + norm) * (curved + defect**m * (1 + alpha * nK)) <= (1 - defect) / 2
+        if (1 + norm) * (curved + defect**m * (1 + alpha * k)) <= (1 - defect) / 2
     )
     distance = next(powers, math.inf) * (front.p + 1)
     c = (alpha - 1) * (1 - s) ** -alpha / (2 * alpha)
-    small = 16 * c * alpha * (1 + s) ** (alpha - 1) * distance * s <= 3 * gamma
+    steepest = alpha * (1 + s) ** (alpha - 1)
+    small = 16 * c * steepest * distance * s <= 3 * front.damping(steepest)
     return 1 / (2 * alpha) + c * s if small else None
 
 
@@ -172,7 +181,7 @@ def _rise(front, q, a):
     """Return q after a part of a cell; None where it is not bounded."""
 
     def slope(q):
-        return ((1 - 2 * q * a) ** 2 / (4 * front.gamma * a)).upper()
+        return ((1 - 2 * q * a) ** 2 / (4 * front.damping(a) * a)).upper()
 
     step = front.h / PARTS
     most = step * (ROOM * slope(q) + step)
