@@ -26,16 +26,17 @@ eigenvalue 1 is simple: T y = y only for y = c y₀, and T y = y + y₀ for no y
 exponentially behind.
 
 *Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  On e^(iθn) T₋ is the matrix e^(iθ) exp(M).
-Its eigenvalues are e^(iθ + σ), σ² + αγ c σ + α c = 0, c = 2 − 2 cos θ.  They are inside the unit
-circle but for c = 0, where they are 1.  So T₋ − z has a bounded inverse on ℓ², and on ℓ² with the
-weight e^(νn), |ν| small.  (T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with the
-weight e^(κn).  Let χ₋ be 1 for n ≤ 0, else 0, and χ₊ = 1 − χ₋.  χ± (T − T±), (T − T±) χ± and [T,
-χ±] are compact.  For by Duhamel's formula they are integrals of flows around Δ(a_n − α)χ₋, Δa_n χ₊
-or [Δ, χ₋] a_n, also with α or 0 for a_n.  As a_n → α, 0, those are limits of operators of finite
-rank.  So χ₋ (T₋ − z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊ inverts T − z on both sides, up to compact
-operators.  These z are a connected set, and T − z is invertible for large |z|.  Hence T − z has the
-index 0, and is invertible if it has no kernel.  If T y = z y, then (T₋ − z) χ₋ y = (T₋ − T) χ₋ y +
-[T, χ₋] y.  By Lemma 7 it decays exponentially behind, and with it y. ∎
+Its eigenvalues are e^(iθ + σ), σ² + αγ ω² σ + α ω² = 0, ω² = 2 − 2 cos θ.  They are inside the unit
+circle but for ω = 0, where they are 1.  So T₋ − z has a bounded inverse on ℓ², and the same one on
+ℓ² with the weight e^(νn), |ν| small.  (T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ)
+with the weight e^(κn).  Let χ₋ be 1 for n ≤ 0, else 0, and χ₊ = 1 − χ₋.  χ± (T − T±), (T − T±) χ±
+and the commutators of T and T± with χ± are compact.  For those of the shift have finite rank.  By
+Duhamel's formula the rest are integrals of flows around Δ(a_n − α)χ₋, Δa_n χ₊ or [Δ, χ₋] a_n.  In
+the last a_n may be α or 0.  As a_n → α, 0, those are limits of operators of finite rank.  So χ₋ (T₋
+− z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊ inverts T − z on both sides, up to compact operators.  These z
+are a connected set, and T − z is invertible for large |z|.  Hence T − z has the index 0, and is
+invertible if it has no kernel.  If T y = z y, then (T₋ − z) χ₋ y = (T₋ − T) χ₋ y + [T, χ₋] y.  By
+Lemma 7 it decays exponentially behind, and with it y. ∎
 
 **Lemma 25 (balance).** Let T y = z y, |z| ≥ 1, z = e^λ, where y decays exponentially behind, and Σ
 w_n = 0 if z = 1.  Then y = 0 if (q) holds.
@@ -54,8 +55,8 @@ decay exponentially at both ends too.  W = x − x(· + 1), D = Δj, and with J 
 
     (λ − ∂)j = h,      (λ − ∂)x = J(· − 1) − J.
 
-Ahead a falls and √a can be integrated (Lemma 6).  So |j| ≤ sup |W| ∫ a over (ξ, ∞) ≤ sup |W| √a(ξ)
-∫ √a, and a |W|² and q |j|² → 0.  With Λ = Re λ ≥ 0, by parts and as h̄/a = W̄,
+Ahead a falls, so |j| ≤ a(ξ) ∫ |W| over (ξ, ∞).  Hence q |j|² → 0 there and it can be integrated,
+like a |W|².  With Λ = Re λ ≥ 0, by parts and as h̄/a = W̄,
 
     Λ ∫|x|² = Re ∫ x̄ (λ − ∂)x = −Re ∫ J W̄ = −∫ (Re j h̄ + γ |h|²)/a,
     2Λ ∫ q |j|² = 2 Re ∫ q j h̄ − ∫ |j|² dq.
@@ -77,51 +78,53 @@ W(n − t) + t u'(n − t), u' − W' = D + γ Δh and −u'' − γ Δ(a u') �
 with f = 2u − γ Δ∫ P over (ξ, ∞). All vanish ahead: W = K*h + f.  But W and h vanish behind, where f
 → 2. ∎
 
-**What sound carries off.** If W is only bounded, W → c behind, this says c = αc + 2.  One such W is
-minus the change of the front with its speed.  Let V be the velocity in W: u' − W' = V(ξ) − V(ξ + 1)
-gives V → c − 1 = −(α + 1)/(α − 1).  A sound wave away from the front has V = −√α c > 0.  So T y = y
-+ y₀ has no solution that is such a wave behind, either.
+**Linear stability.** For all x_n and j_n with ẋ_n = J_{n−1} − J_n, j̇_n = h_n = a_n (x_n − x_{n+1})
+and J = j + γh the same sum at one time says that Σ (|x_n|² + 2q(n − t) |j_n|²), if it is finite,
+does not grow.
+
+*Remark (what sound carries off).* If W is only bounded, W → c behind and 0 ahead, then c = αc + 2.
+Such a W is minus the change of the front with its speed.  Let V → 0 ahead be the velocity in W: u'
+− W' = V(ξ) − V(ξ + 1) gives V → c − 1 = −(α + 1)/(α − 1).  A sound wave away from the front has V =
+−√α c > 0.  So T y = y + y₀ has no solution that is such a wave behind, either.
 
 **Theorem E.** For α > 1, γ > 0 any two fronts with u' ≤ 0 on ℝ are translates of each other.
 
-*Proof.* Both are positive: as K > 0 on (0, 1), u > 0 ahead of where it is.  Let u₁, u₂ be shifted
-so that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails can be integrated.  h = u₁^α − u₂^α = a
-W, where a is the mean of a(u) between u₁ and u₂.  Like both, a falls.  W = K*h gives ∫h = 0.  So j
-= ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1, ξ) decay at both ends.  By parts W = x − x(·
-+ 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).  With U = max(u₁, u₂), U^(α−1) ≤ a and |j| ≤
-∫ U^α over (ξ, ∞), so that j²/a → 0.  So the balance of Lemma 25 holds with λ = 0 and q = 1/(2a),
-and h = 0. ∎
+*Proof.* Both are positive: if u(ξ) = 0 first at ξ, then u = 0 ahead as it falls, but u(ξ) > 0 as K
+> 0 on (0, 1).  Let u₁, u₂ be shifted so that W = u₁ − u₂ has ∫W = 0; by Lemmas 6 and 7 both tails
+can be integrated.  h = u₁^α − u₂^α = a W, where a is the mean of a(u) between u₁ and u₂.  Like
+both, a falls.  W = K*h gives ∫h = 0.  So j = ∫ h over (ξ, ∞), J = j + γh and x = ∫ J over (ξ − 1,
+ξ) decay at both ends.  By parts W = x − x(· + 1), as K' = −sgn s on |s| < 1 and γ (2δ₀ − δ₁ − δ₋₁).
+With U = max(u₁, u₂), U^(α−1) ≤ a and |j| ≤ U^(α−1) ∫ U over (ξ, ∞), so that j²/a → 0.  So the
+balance of Lemma 25 holds with λ = 0 and q = 1/(2a), and h = 0. ∎
 
 **Dashpots.** With β = 1, ẇ_n = d_n + γ Δw_n and y₀ = (u', −u'' − γ Δu'), and (q) has a²/γ in place
 of a/γ.  Let κ < μ of Lemma 20.  Then Theorem D and the lemmas hold, and Theorem E, with these
-changes.  In Lemma 24, σ² + γ c σ + α c = 0.  T₊ has e^ζ and e^(ζ + γ (2 cosh ζ − 2)), ζ = −κ + iθ,
-in its spectrum, at most e^(−κ + 2γ (cosh κ − 1)) < 1 in modulus.  J = j + γW, so that γ |W|² is
-lost in place of γ |h|²/a, and γ/a takes the place of γ.  Ahead √a can be integrated by Lemma 18.  W
-= Λ*h + γ k*W, with f = 2u − γ Δ∫ u.  In Lemma 26, K and k belong to γ/α, N is convolved with Λ,
-‖Λ‖₁ ≤ k, and 3γ is 3γ/ā.
+changes.  In Lemma 24, σ² + γ ω² σ + α ω² = 0.  T₊ has e^ζ and e^(ζ + γ (2 cosh ζ − 2)), ζ = −κ +
+iθ, in its spectrum, at most e^(−κ + 2γ (cosh κ − 1)) < 1 in modulus.  J = j + γW, so that γ |W|² is
+lost in place of γ |h|²/a, and γ/a takes the place of γ.  W = Λ*h + γ k*W, with f = 2u − γ Δ∫ u;
+tails ahead can be integrated by Lemma 18.  In Lemma 26, K and k belong to γ/α, N is convolved with
+Λ, ‖Λ‖₁ ≤ k, and 3γ is 3γ/ā.
 
 **The check** makes q from behind.  Let s(x) = sup |u − 1| over ξ < x, s₀ = s(x₀) at the first cell,
 B = α (α − 1) (1 − s₀)^(−|α−2|), g, p and e as in `right_inverse`, ε = ‖e‖₁.
 
-**Lemma 26.** If (1 + ‖g‖₁) (k B s₀/2 + ε^m (1 + αk)) ≤ (1 − ε)/2 and D = m (p + 1), then s(x − D) ≤
-s(x)/2 for x ≤ x₀.  Let c = (α − 1) (1 − s₀)^(−α)/(2α) and ā = α (1 + s₀)^(α−1).  If 16 c ā D s₀ ≤
+**Lemma 26.** If (1 + ‖g‖₁) (k B s₀/2 + ε^m (1 + αk)) ≤ (1 − ε)/2 and R = m (p + 1), then s(x − R) ≤
+s(x)/2 for x ≤ x₀.  Let c = (α − 1) (1 − s₀)^(−α)/(2α) and ā = α (1 + s₀)^(α−1).  If 16 c ā R s₀ <
 3γ, some q with (q) on ξ < x₀ ends with q ≤ 1/(2α) + c s₀.
 
 *Proof.* z = u − 1 solves z = K*(αz + N), |N| ≤ B z²/2.  With z_x = z 1_{ξ<x}, s = s(x), F = z_x − α
 K*z_x is K*N for ξ < x − 1, 0 for ξ > x + 1, and at most (1 + αk) s between.  (δ + e)*z_x = (δ +
 g)*F.  Of the part between, (δ + g) and the first m terms of Σ (−e)^i reach back by m (p + 1) − 1 at
-most.  So z_x is at most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − D.  Let I_i be
-from x₀ − (i + 1)D to x₀ − iD.  On it |z| ≤ s_i = s₀/2^i, and |1/(2a) − 1/(2α)| ≤ c s_i.  Let q →
+most.  So z_x is at most (1 + ‖g‖₁) (k B s²/2 + ε^m (1 + αk) s)/(1 − ε) for ξ < x − R.  Let I_i be
+from x₀ − (i + 1)R to x₀ − iR.  On it |z| ≤ s_i = s₀/2^i, and |1/(2a) − 1/(2α)| ≤ c s_i.  Let q →
 1/(2α) behind and q' = 4 c² s_i² ā/γ on I_i.  Up to the end of I_i it rises by at most Σ 4 c² s_l² ā
-D/γ over l ≥ i.  That is 16 c² s_i² ā D/(3γ) ≤ c s_i.  So |q − 1/(2a)| ≤ 2 c s_i there. ∎
+R/γ over l ≥ i.  That is 16 c² s_i² ā R/(3γ) ≤ c s_i.  So |q − 1/(2a)| ≤ 2 c s_i there. ∎
 
 On a part of a cell q gets a constant slope.  It is at least (1 − 2qa)²/(4γa), the right-hand side,
 for all a of the part and all q on it; with dashpots (1 − 2qa)²/(4γ).  Where u' < 0 from a part on,
 and q < 1/(2a) on it, q jumps to 1/(2a) and stays there.  For an interval of γ this holds for each
 γ.
 """
-
-import math
 
 from flint import arb, fmpq
 
@@ -145,8 +148,8 @@ def stable(front):
                 front.require("stable: q < 1/(2a) where u' < 0", q, 1 / (2 * a))
                 front.numbers["stable"] = 1.0
                 yield (
-                    "On the unit circle and outside it the front has the Floquet multiplier 1 of"
-                    " translation alone, which is simple: it is spectrally stable."
+                    "The front is spectrally stable: on the unit circle and outside it the spectrum"
+                    " in X_κ is the simple Floquet multiplier 1 of translation (Theorem D)."
                 )
                 return
             q = _rise(front, q, a)
@@ -159,16 +162,18 @@ def _behind(front):
     if not s < 1:
         return None
     curved = k * alpha * (alpha - 1) * (1 - s) ** -abs(alpha - 2) * s / 2
-    powers = (
-        m
-        for m in range(1, MOST_POWERS)
-        if (1 + norm) * (curved + defect**m * (1 + alpha * k)) <= (1 - defect) / 2
-    )
-    distance = next(powers, math.inf) * (front.p + 1)
+    kept = {m: (1 + norm) * (curved + defect**m * (1 + alpha * k)) for m in range(1, MOST_POWERS)}
+    m = next((m for m in kept if kept[m] < (1 - defect) / 2), None)
+    if m is None:
+        return None
     c = (alpha - 1) * (1 - s) ** -alpha / (2 * alpha)
     steepest = alpha * (1 + s) ** (alpha - 1)
-    small = 16 * c * steepest * distance * s <= 3 * front.damping(steepest)
-    return 1 / (2 * alpha) + c * s if small else None
+    rise, room = 16 * c * steepest * m * (front.p + 1) * s, 3 * front.damping(steepest)
+    if not rise < room:
+        return None
+    front.require("|u − 1| is halved behind", kept[m], (1 - defect) / 2)
+    front.require("q rises little behind", rise, room)
+    return 1 / (2 * alpha) + c * s
 
 
 def _stiffness(front, j, part):
