@@ -40,19 +40,19 @@ TO_SYMBOL = dict(
     re.findall(
         r"(\S)\s(\S+)",
         r"""α \alpha β \beta γ \gamma δ \delta ε \varepsilon ζ \zeta η \eta θ \theta κ \kappa
-        λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi ω \omega
-        Γ \Gamma Δ \Delta Λ \Lambda Σ \sum Φ \Phi ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge
+        λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau φ \varphi χ \chi ω \omega
+        Γ \Gamma Δ \Delta Λ \Lambda Σ \sum Φ \Phi ∂ \partial ∫ \int ∞ \infty ∈ \in ≤ \le ≥ \ge
         → \to ↦ \mapsto ⊂ \subset ⊕ \oplus × \times ± \pm − - % \% ‖ \| · \cdot … \dots
         ℝ \mathbb{R} ℂ \mathbb{C} ℓ \ell ~ \sim""",
     )
 )
-ACCENTS = {"\u0304": "bar", "\u0302": "hat", "\u0303": "tilde"}
+ACCENTS = {"\u0304": "bar", "\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}
 SMALL = {"^": ("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"), "_": ("₀₁₂₃₄₅₆₇₈₉₊₋", "0123456789+-")}
 FUNCTIONS = {*re.findall(r"\w+", "sup inf max min ln exp cos sin cosh sinh coth arg lim ker dim")}
 OPERATORS = {*re.findall(r"\w+", "sgn sinc ess Re Im Ran ind codim span gain")}
 
 INSIDE = r"(?:[^()]|\((?:[^()]|\([^()]*\))*\))*"
-WORD = re.compile(r"(?!d[st]$)[A-Za-zéó]{2,}(?:'s)?(?:[-–][A-Za-z]+)*|a")
+WORD = re.compile(r"(?!d[stq]$)[A-Za-zéó]{2,}(?:'s)?(?:[-–][A-Za-z]+)*|a")
 EDGES = "()[].,;:“”"
 SPAN = re.compile(
     r"``(?P<literal>[^`]+)``|`(?P<code>[^`]+)`|\$(?P<formula>[^$]+)\$"
@@ -79,7 +79,7 @@ def formula(text: str) -> str:
     text = re.sub(r"(?<=[yPuLα])\*('?)", lambda m: r"^{*\prime}" if m[1] else "^{*}", text)
     text = re.sub(r"\b(?:1|([\d.]+))e-0?(\d+)", _power, re.sub(r"(?<=\w)±", "_±", text))
     text = re.sub(r"\|(?=Re|Im|ind)", r"\\lvert ", text)
-    text = re.sub(r" (?=d[stη]\b)", r"\\,", text)
+    text = re.sub(r" (?=d[stqη]\b)", r"\\,", text)
     text = re.sub(r"(?<![\\A-Za-z])[A-Za-z]{2,}", _name, text)
     return "".join(f"{TO_SYMBOL[sign]} " if sign in TO_SYMBOL else sign for sign in text).strip()
 

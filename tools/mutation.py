@@ -47,6 +47,7 @@ TRUSTED = (
     "dashpots.row_norms",
     "dashpots.ahead",
     "dashpots.checker",
+    "stability",
     "rear_expansion",
     "checker",
     "families",

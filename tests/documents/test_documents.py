@@ -143,7 +143,7 @@ def test_page_on_proofs_is_true(tmp_path, monkeypatch):
         assert outcome.returncode == 0, outcome.stderr
         printed += outcome.stdout
     shown = [line.strip() for block in blocks(PROOFS, "text") for line in block.splitlines()]
-    assert len(shown) == 5
+    assert len(shown) == 6
     assert [line for line in shown if line not in printed] == []
     monkeypatch.chdir(tmp_path)
     names = {}

@@ -18,6 +18,7 @@ from granular_fronts.proofs.__main__ import main
 from granular_fronts.proofs.balls import NotProvedError, in_balls
 from granular_fronts.proofs.checker import Front, check_certificate, read
 from granular_fronts.proofs.consequences import shape
+from granular_fronts.proofs.stability import stable
 from granular_fronts.proofs.uniqueness import unique
 
 
@@ -197,7 +198,7 @@ def enclosed():
     """A front of which all is proved but how it comes from 1 behind."""
     with in_balls():
         front = Front(read(DATA / "monotone.npz"))
-        assert len([*front.exists(), *unique(front), *shape(front)]) == 5
+        assert len([*front.exists(), *unique(front), *shape(front), *stable(front)]) == 6
     return front
 
 
@@ -211,7 +212,7 @@ def rear_of(front, data, folder):
 
 
 def test_the_rear_is_proved_from_what_is_right(enclosed, tmp_path):
-    assert rear_of(enclosed, load("monotone"), tmp_path) == PROVED["monotone"]["statements"][5:]
+    assert rear_of(enclosed, load("monotone"), tmp_path) == PROVED["monotone"]["statements"][6:]
 
 
 @pytest.mark.parametrize("lie", [lie for lie in LIES_BEHIND if lie not in LATE_BEHIND])

@@ -224,6 +224,14 @@ def test_no_threshold_is_said_without_a_critical_certificate(kinds):
     assert "if and only if" not in " ".join(conclude(rows(*kinds)))
 
 
+def test_stability_is_said_of_the_certificates_that_show_it():
+    _, *found = conclude(rows("stable", "stable", None, "stable"))
+    assert found == [
+        f"For each γ in [{low}, {high}] the front is spectrally stable."
+        for low, high in (("0.26", "0.27"), ("0.275", "0.28"))
+    ]
+
+
 @pytest.mark.parametrize(("start", "side"), [("0.27", "above"), ("0.25", "below")])
 def test_a_critical_certificate_elsewhere_is_refused(start, side):
     """A forged one, since γ_x is not in its interval."""
@@ -234,13 +242,14 @@ def test_a_critical_certificate_elsewhere_is_refused(start, side):
 @pytest.mark.slow
 def test_family_that_is_shipped_says_its_theorem(capsys):
     assert main(["--family", str(FAMILY)]) == 0
-    *files, _, below, above, threshold = capsys.readouterr().out.splitlines()
+    *files, _, below, above, stable, threshold = capsys.readouterr().out.splitlines()
     assert [line.split(": ")[1] for line in files] == [
         "proved",
         *2 * ["proved, joined to the one before"],
     ]
     assert "[0.26, 0.262] the front overshoots" in below
     assert "[0.2634, 0.2645] u*' < 0" in above
+    assert "[0.26, 0.2645] the front is spectrally stable" in stable
     assert "[0.26, 0.2645]: u*' < 0 on the whole line if and only if γ ≥ γ_x" in threshold
 
 

@@ -1,4 +1,4 @@
-"""Fronts that are proved: existence, enclosure, uniqueness and shape by ball arithmetic.
+"""Fronts that are proved: existence, enclosure, uniqueness, stability and shape by ball arithmetic.
 
 A *certificate* is a file of an approximate front P̄ and of an approximate inverse A of the
 linearisation there. `certificate` makes it with floating-point arithmetic, by any method. `checker`

@@ -14,10 +14,10 @@ python-flint accept the same certificates.  Of NumPy one must trust
  * its loops over arrays of balls, in `convolve`, `cumsum`, `sum`, `abs` and `minimum`.
 
 Of the code here these modules are trusted: ``checker``, ``arrays``, ``balls``, ``contraction``,
-``uniqueness``, ``tail_roots``, ``consequences`` and ``rear_expansion``.  Families need ``families``
-too, and dashpots ``dashpots.checker``, ``dashpots.row_norms`` and ``dashpots.ahead``.  Tests
-compute each bound again by other means.  They also change the checker in one place at a time, to
-see that they notice.
+``uniqueness``, ``stability``, ``tail_roots``, ``consequences`` and ``rear_expansion``.  Families
+need ``families`` too, and dashpots ``dashpots.checker``, ``dashpots.row_norms`` and
+``dashpots.ahead``.  Tests compute each bound again by other means.  They also change the checker in
+one place at a time, to see that they notice.
 """
 
 from pathlib import Path
@@ -54,6 +54,7 @@ from granular_fronts.proofs.consequences import shape
 from granular_fronts.proofs.contraction import Contraction
 from granular_fronts.proofs.dashpots.checker import DashpotFront
 from granular_fronts.proofs.rear_expansion import expand
+from granular_fronts.proofs.stability import stable
 from granular_fronts.proofs.tail_roots import require_zeros
 from granular_fronts.proofs.uniqueness import unique
 
@@ -95,7 +96,7 @@ def check_certificate(path: str | Path) -> dict[str, Any]:
         the size of ξ₀, where u*(ξ₀) = 1/2.  Where proved it holds `unique_within`, W of Theorem B,
         `overshoot` (max u* is above it), bounds `rate_low`, `rate_high` of λ₁ or ρ, and bounds
         `amplitude_low`, `amplitude_high` of A or B.  The value 1 marks `monotone`, `oscillates`
-        (behind, so that max u* > 1) and `critical` (monotone above some γ, and not below).
+        (behind, so that max u* > 1), `critical` (monotone above some γ, not below) and `stable`.
         Dashpots have `tail_start`, and `tail_low`, `tail_high`, the values there of exponentials
         that bound u* ahead.  `inequalities` are dicts of `name`, `left`, `right`
         (left < right, rounded outwards) and their `margin`.
@@ -183,7 +184,12 @@ class Front(Contraction):
         yield from self.exists()
         yield from unique(self)
         yield from shape(self)
+        yield from stable(self)
         yield from self.rear()
+
+    def damping(self, a):
+        """Return γ, by which Theorem D divides."""
+        return self.gamma
 
     def unknown(self, u):
         """Return P of u."""
@@ -246,6 +252,7 @@ class Front(Contraction):
         law = alpha, (self.middle, self.half), arb(0)
         tails, defect = inverse_defect(*law, n * self.fine, self.data["inverse"], begin)
         self.require("‖e‖", defect, arb(1))
+        self.rear_norms = nK, tails[0], defect
 
         H, correction = unit_plus(self.data["correction"])
         rest, v = array([0] * W), array([0] * W)

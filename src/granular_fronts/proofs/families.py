@@ -112,6 +112,9 @@ def conclude(records):
     for kind, group in groupby(zip(kinds, records, strict=True), lambda pair: pair[0]):
         if kind in SHAPES:
             yield f"For {in_words(_span([record for _, record in group]), 'γ')} {SHAPES[kind]}."
+    for stable, group in groupby(records, lambda record: "stable" in record["numbers"]):
+        if stable:
+            yield f"For {in_words(_span(list(group)), 'γ')} the front is spectrally stable."
     for at in (k for k, kind in enumerate(kinds) if kind == "critical"):
         before = list(takewhile(lambda kind: kind == "overshoots", reversed(kinds[:at])))
         after = list(takewhile(lambda kind: kind == "monotone", kinds[at + 1 :]))

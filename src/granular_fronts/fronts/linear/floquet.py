@@ -41,7 +41,8 @@ largest multiplier except for translation is real, and
 
 tends to 0 with the window as it must, whatever the damping.  A front is stable if all
 multipliers except for translation lie inside the unit circle for every B.  An instability would be
-a multiplier outside that stays in place as B grows.  Finitely many windows can only find none.
+a multiplier outside that stays in place as B grows.  Finitely many windows can only find none;
+`granular_fronts.proofs.stability` proves for some fronts that there is none.
 
 Section 6 of the paper is not in our copy: the definition above is ours.
 """

@@ -81,6 +81,7 @@ def shape(front):
         falls -= 1
     front.require("u' < 0 in the window", largest(steepest[falls:x1]), arb(0))
     start, falls_from = (fmpq(k, front.n) - front.left for k in (x1, falls))
+    front.fall = falls_from
     rounded = above(arb(start))  # Not below x₁, so that the upper bound holds for it too.
     least, most = -above(-V / fast * (fast * (start - arb(rounded))).exp()), above(U)
     front.numbers |= {"tail_start": rounded, "tail_low": least, "tail_high": most}

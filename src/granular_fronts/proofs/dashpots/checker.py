@@ -22,6 +22,7 @@ from granular_fronts.proofs.balls import (
 from granular_fronts.proofs.contraction import Contraction
 from granular_fronts.proofs.dashpots.ahead import shape
 from granular_fronts.proofs.dashpots.row_norms import bound_inverse
+from granular_fronts.proofs.stability import stable
 from granular_fronts.proofs.uniqueness import unique
 
 TAYLOR_ORDER = 8  # of P̄ about the middle of a cell
@@ -46,7 +47,7 @@ class DashpotFront(Contraction):
         require_arrays(data, FIELDS, len(SIZES))
         super().__init__(data)
         self.sizes = sizes = dict(zip(SIZES, map(int, data["sizes"]), strict=True))
-        self.n = sizes["n"]
+        self.n, self.p, self.h = sizes["n"], sizes["p"], arb(1) / sizes["n"]
         self.b = sizes["c"] + sizes["q"] + 1
         self.left = max(sizes["behind"] + 1, self.b)
         self.right = max(sizes["ahead"] + 1, sizes["M"])
@@ -117,6 +118,11 @@ class DashpotFront(Contraction):
         yield from self.exists()
         yield from unique(self)
         yield from shape(self)
+        yield from stable(self)
+
+    def damping(self, a):
+        """Return γ/a, by which Theorem D divides."""
+        return self.gamma / a
 
     def unknown(self, u):
         """Return u, the unknown itself."""
@@ -137,6 +143,7 @@ class DashpotFront(Contraction):
         self.slope_error = 4 * self.gamma * worst + 2 * force_error
         self.error = above(worst)
         self.kappa, self.outer_kappa = self.rho, (self.rho_behind, self.rho_ahead)
+        self.u_error = self.rho * self.r
         self.slopes = slopes(self.smooth, self.n, self.slope_error)
         yield (
             f"{self.parameters()}, with linear dashpots (β = 1), there is a front u* = ū + A"

@@ -26,6 +26,7 @@ def bound_inverse(front):
     drift = largest(abs(a / alpha - 1) for a in (*low[:far], *high[:far]))
     force_ahead = largest([*high[last - sizes["p_ahead"] * n :], arb(0)])
     (g, e), (g_ahead, e_ahead) = _convolutions(front)
+    front.rear_norms = 1 + (front.gamma / alpha) ** 2, g[0], e
 
     low, mid, a = low[first:last], mid[first:last], high[first:last]
     v, rest = _matrix(front, mid)

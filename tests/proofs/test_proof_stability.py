@@ -1,0 +1,247 @@
+"""Theorem D: the balance, its condition, and the multipliers that it speaks of, by other means."""
+
+from copy import copy
+
+import numpy as np
+import pytest
+import scipy.linalg
+from certificates import DATA
+from flint import arb
+from projects import ROOT
+from scipy.interpolate import CubicSpline
+
+import granular_fronts as gf
+from granular_fronts.fronts.linear.floquet import monodromy_matrix
+from granular_fronts.fronts.shooting.solve import shoot_front
+from granular_fronts.proofs.arrays import load as load_arrays
+from granular_fronts.proofs.balls import in_balls
+from granular_fronts.proofs.checker import Front, read
+from granular_fronts.proofs.consequences import shape
+from granular_fronts.proofs.dashpots.checker import DashpotFront
+from granular_fronts.proofs.stability import _behind, stable
+
+ALPHA = 1.5
+
+
+def stiffness(u):
+    return ALPHA * u ** (ALPHA - 1)
+
+
+# The balance.
+
+
+@pytest.mark.parametrize("beta", ["alpha", 1])
+def test_balance_holds_for_any_stiffness(beta):
+    """Lemma 28 contact by contact, at one time, for random a, q and their rates."""
+    rng = np.random.default_rng(1)
+    x, j = np.pad(rng.normal(size=(2, 30)), [(0, 0), (2, 2)])
+    a, q, slope = rng.uniform(0.1, 2.0, size=(3, x.size))
+    w = x - np.append(x[1:], 0.0)
+    h = a * w
+    J = j + 0.3 * (h if beta == "alpha" else w)
+    gamma = 0.3 if beta == "alpha" else 0.3 / a
+    rate = np.sum(x * (np.append(0.0, J[:-1]) - J) + 2 * q * j * h - slope * j**2)
+    lag = (1 - 2 * q * a) / (2 * gamma)
+    lost = np.sum(gamma / a * (h + lag * j) ** 2 + (slope - a / gamma * (q - 0.5 / a) ** 2) * j**2)
+    assert rate == pytest.approx(-lost, rel=1e-12)
+
+
+def sums_ahead(f):
+    return np.cumsum(f[::-1], axis=0)[::-1]
+
+
+def falling(a, _):
+    """q of fronts that fall."""
+    return 0.5 / a
+
+
+def least(a, bead, gamma=0.1, step=1 / 2000):
+    """The least q with equality, up to where it may jump to 1/(2a)."""
+    xi = np.arange(-40.0, 2.0, step)
+    between = stiffness(gf.evaluate_front(gf.solve_front(ALPHA, gamma), xi + step / 2))
+    q = [0.5 / ALPHA]
+    for one in between:
+        if one > between.max() - 1e-6 or q[-1] >= 0.5 / one or len(q) < between.argmax():
+            q.append(q[-1] + step * one / gamma * (q[-1] - 0.5 / one) ** 2)
+    return np.where(bead < xi[len(q) - 1], np.interp(bead, xi[: len(q)], q), 0.5 / a)
+
+
+def growth(gamma, weight, beta=ALPHA):
+    """The largest growth of Σ x² + 2 q j² in a bead-time, of kicks in the middle of a window."""
+    front = shoot_front(ALPHA, gamma, beta)
+    u, d = front.relative_displacement, front.strain_rate
+    u, d = (np.pad(f, (40, 0), constant_values=end) for f, end in ((u, 1.0), (d, 0.0)))
+    matrix = monodromy_matrix(u, d, ALPHA, gamma, beta)
+    n = np.arange(u.size)
+    kicked = n[40 : np.flatnonzero(u > 1e-2)[-1]]
+    difference = np.eye(u.size) - np.eye(u.size, k=1)
+    second = np.eye(u.size, k=1) - 2 * np.eye(u.size) + np.eye(u.size, k=-1)
+    kicks = np.zeros((u.size, 2, 2, u.size))
+    kicks[:, 0, 0], kicks[:, 1, 1] = difference, second
+    kicks = kicks.reshape(2 * u.size, 2, u.size)[:, :, kicked].reshape(2 * u.size, -1)
+    w, d = (matrix @ kicks).reshape(u.size, 2, -1).transpose(1, 0, 2)
+    x, j = sums_ahead(w), sums_ahead(sums_ahead(d))[1:]
+    bead = np.arange(u.size) - 40 + front.bead[0]
+    scale = np.sqrt(2 * weight(stiffness(np.maximum(u, 1e-12)), bead))
+    moved = np.concatenate([x, scale[:-1, None] * j])
+    return scipy.linalg.svdvals(moved / np.concatenate([np.ones(kicked.size), scale[kicked]]))[0]
+
+
+@pytest.mark.parametrize(("gamma", "weight"), [(0.3, falling), (0.1, least)])
+def test_computed_monodromy_lets_no_kick_grow(gamma, weight):
+    """In the norm of Lemma 28, for which the window is nothing but long."""
+    assert 0.99 < growth(gamma, weight) < 1.0
+
+
+def test_computed_monodromy_lets_no_kick_grow_with_dashpots():
+    """Where the front is computed to fall on the whole line."""
+    assert 0.99 < growth(1.0, falling, beta=1.0) < 1.0
+
+
+@pytest.mark.parametrize(
+    ("gamma", "weight"), [(0.1, falling), (0.05, falling), (0.3, lambda a, _: 2.0 / a)]
+)
+def test_kicks_grow_in_a_norm_without_the_condition(gamma, weight):
+    assert growth(gamma, weight) > 1.002
+
+
+@pytest.mark.parametrize(("beads", "largest"), [(40, "0.9787"), (160, "0.9943")])
+def test_computed_multipliers_are_those_of_the_page(beads, largest):
+    """Inside the unit circle, as Theorem D says of the infinite chain."""
+    found = gf.front_multipliers(gf.solve_front(ALPHA, 0.3), beads_behind=beads)
+    assert f"{found.attrs['spectral_radius_without_translation']:.4f}" == largest
+    assert largest in (ROOT / "docs/proofs.md").read_text(encoding="utf-8")
+
+
+# The condition.
+
+
+def lowest_form(gamma):
+    """The least ∫ ((γ/a) |j'|² + (1/a)' |j|²/2) / ∫ |j|²/a; q exists where it is positive."""
+    front = gf.solve_front(ALPHA, gamma)
+    step = 1 / 40
+    xi = np.arange(-60.0, 2.0, step)
+    inverse = 1 / stiffness(gf.evaluate_front(front, xi))
+    between = 1 / stiffness(gf.evaluate_front(front, xi[:-1] + step / 2))
+    potential = np.diff(between) / (2 * step)
+    diagonal = potential + gamma * (between[1:] + between[:-1]) / step**2
+    scale = np.sqrt(inverse[1:-1])
+    return scipy.linalg.eigvalsh_tridiagonal(
+        diagonal / scale**2,
+        -gamma * between[1:-1] / step**2 / (scale[1:] * scale[:-1]),
+        select="i",
+        select_range=(0, 0),
+    )[0]
+
+
+@pytest.fixture(scope="module")
+def fronts(tmp_path_factory):
+    """Enclosed fronts; the second is not shown to be stable."""
+    folder = tmp_path_factory.mktemp("stable")
+    return {gamma: enclosed(folder / f"{gamma}.npz", gamma) for gamma in (0.085, 0.08)}
+
+
+def enclosed(path, gamma):
+    gf.prove_front("3/2", gamma, path)
+    with in_balls():
+        front = Front(read(path))
+        list(front.exists())
+        list(shape(front))
+    return front
+
+
+def said(front, **changes):
+    """What is said of the stability of a front, with something of it changed."""
+    front = copy(front)
+    front.inequalities, front.numbers = [], {}
+    vars(front).update(changes)
+    with in_balls():
+        return list(stable(front))
+
+
+@pytest.mark.slow
+def test_condition_holds_where_its_quadratic_form_is_positive(fronts):
+    assert lowest_form(0.0835) > 0 > lowest_form(0.082)
+    assert len(said(fronts[0.085])) == 1
+    assert said(fronts[0.08]) == []
+
+
+@pytest.fixture(scope="module")
+def monotone():
+    with in_balls():
+        front = Front(read(DATA / "monotone.npz"))
+        list(front.exists())
+        list(shape(front))
+    return front
+
+
+def test_nothing_is_said_of_what_is_not_shown(monotone):
+    """No enclosure, no inverse, a dip behind, a front that rises, no damping, no fall."""
+    assert len(said(monotone)) == 1
+    with in_balls():
+        dip = [f - (arb("0.9") if 20 < j < 100 else 0) for j, f in enumerate(monotone.u)]
+        lies = (
+            {"r": arb(1)},
+            {"rear_norms": (arb(1), arb(20), arb(1))},
+            {"rear_norms": (arb(1), arb("1e9"), arb("0.9"))},
+            {"u": dip},
+            {"u": monotone.u[::-1]},
+            {"gamma": arb("1e-6")},
+            {"fall": monotone.fall + 100},
+        )
+    for lie in lies:
+        assert said(monotone, **lie) == []
+
+
+# What translation and the speed do.
+
+
+def test_stability_with_dashpots_is_said_of_weak_damping_only_where_shown():
+    """A front that overshoots by 1.4 %, and the same numbers with less damping."""
+    with in_balls():
+        front = DashpotFront(load_arrays(ROOT / "docs/certificates/dashpots.npz"))
+        statements = list(front.prove())
+    assert "spectrally stable" in statements[-1]
+    assert front.numbers["overshoot"] > 1.0136
+    assert len(said(front)) == 1
+    for lie in ({"gamma": arb("1e-3")}, {"r": arb(1)}, {"fall": front.fall + 100}):
+        assert said(front, **lie) == []
+
+
+def test_strain_behind_the_cells_is_halved_as_stated(monotone):
+    """Lemma 31, for a front computed to the last digit; q begins above 1/(2α)."""
+    distance = monotone.p + 1  # the least that the lemma gives
+    front = gf.solve_front(ALPHA, 0.3)
+    far, near = (abs(gf.evaluate_front(front, x) - 1) for x in (-6.0 - distance, -6.0))
+    assert far < near / 2
+    with in_balls():
+        q = _behind(monotone)
+        assert q > 1 / (2 * monotone.alpha)
+        assert q < 1 / (2 * monotone.alpha) + monotone.outer_kappa[0] * monotone.r
+
+
+def test_no_kick_grows_with_time_like_translation():
+    """W = K*h + f for W = minus the change of the front with its speed; W → −2/(α − 1) behind.
+
+    u = c^(2/(α − 1)) U(ξ; cγ) is a front of speed c.
+    """
+    gamma, step, change = 0.3, 1 / 200, 1e-3
+    xi = np.arange(-20.0, 5.0, step)
+    slow, usual, fast = (
+        gf.evaluate_front(gf.solve_front(ALPHA, gamma * (1 + e)), xi) for e in (-change, 0, change)
+    )
+    u = np.maximum(usual, 0.0)
+    W = -2 / (ALPHA - 1) * u - (fast - slow) / (2 * change)
+    h = stiffness(u) * W
+    P = CubicSpline(xi, u**ALPHA)
+    once, twice = (CubicSpline(xi, h).antiderivative(k) for k in (1, 2))
+    inner = xi[(xi > -15) & (xi < 4)]
+
+    def second(f):
+        return f(inner + 1) - 2 * f(inner) + f(inner - 1)
+
+    convolved = second(twice) - gamma * second(once)
+    source = 2 * np.interp(inner, xi, u) + gamma * second(P.antiderivative(1))
+    defect = np.interp(inner, xi, W) - convolved - source
+    assert W[0] == pytest.approx(-2 / (ALPHA - 1), rel=1e-6)
+    assert abs(defect).max() < 1e-4
