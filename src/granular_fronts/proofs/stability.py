@@ -26,16 +26,16 @@ exponentially behind.
 *Proof.* Let T₋ and T₊ have α and 0 for a_n everywhere.  On waves e^(iθn) the operator T₋ is the
 matrix e^(iθ) exp(M) with M (w, d) = (d − αγω² w, −αω² w).  Its eigenvalues are e^(iθ + σ), σ² + αγ
 ω² σ + α ω² = 0, ω² = 2 − 2 cos θ.  They are inside the unit circle but for ω = 0, where they are 1.
-So T₋ − z has a bounded inverse on ℓ², and the same one on ℓ² with the weight e^(νn), |ν| small.
-(T₊ y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with the weight e^(κn).  Let χ₋ be 1 for
-n ≤ 0, else 0, and χ₊ = 1 − χ₋.  χ± (T − T±), (T − T±) χ± and the commutators of T and T± with χ±
-are compact.  For those of the shift have finite rank.  By Duhamel's formula the rest are integrals
-of flows around Δ(a_n − α)χ₋, Δa_n χ₊ or [Δ, χ₋] a_n.  In the last a_n may be α or 0.  As a_n → α,
-0, those are limits of operators of finite rank.  So χ₋ (T₋ − z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊
-inverts T − z on both sides, up to compact operators.  These z are a connected set, and T − z is
-invertible for large |z|.  Hence T − z has the index 0, and is invertible if it has no kernel.  If T
-y = z y, then (T₋ − z) χ₋ y = (T₋ − T) χ₋ y + [T, χ₋] y.  By Lemma 10 it decays exponentially
-behind, and with it y. ∎
+So T₋ − z has a bounded inverse on ℓ², and the same one on ℓ² with the weight e^(νn), |ν| small. (T₊
+y)_n = (w + d, d)_{n+1} has the spectral radius e^(−κ) with the weight e^(κn).  Let χ₋ be 1 for n ≤
+0, else 0, and χ₊ = 1 − χ₋.  χ± (T − T±), (T − T±) χ± and the commutators of T and T± with χ± are
+compact.  For those of the shift have finite rank.  By Duhamel's formula the rest are integrals of
+flows around Δ(a_n − α)χ₋, Δa_n χ₊ or [Δ, χ₋] a_n.  In the last a_n may be α or 0.  As a_n → α, 0,
+those are limits of operators of finite rank.  So χ₋ (T₋ − z)^(−1) χ₋ + χ₊ (T₊ − z)^(−1) χ₊ inverts
+T − z on both sides, up to compact operators.  These z are a connected set, and T − z is invertible
+for large |z|.  Hence T − z has the index 0, and is invertible if it has no kernel.  If T y = z y,
+then (T₋ − z) χ₋ y = (T₋ − T) χ₋ y + [T, χ₋] y.  By Lemma 10 with a small θ > 0 the right-hand side
+decays exponentially behind.  So does y, by the inverse with a weight. ∎
 
 **Lemma 28 (balance).** Let T y = z y, |z| ≥ 1, z = e^λ, where y decays exponentially behind, and Σ
 w_n = 0 if z = 1.  Then y = 0 if (q) holds.
