@@ -24,7 +24,7 @@ def compression_over_exact(pulses, chain, contact):
 
 
 def compression_over_uniform(pulses, chain, contact):
-    """Return the same over that of the chain named uniform."""
+    """Return the compression by collisions over the exact one, over this ratio without taper."""
     ratios = (compression_over_exact(pulses, name, contact) for name in (chain, "uniform"))
     return next(ratios) / next(ratios)
 
