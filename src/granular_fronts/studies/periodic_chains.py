@@ -24,9 +24,9 @@ of the equations of both is, up to sixth derivatives,
 that of equal spheres, stretched by :math:`(1 + 3\theta^2)^{1/2}`.  As :math:`m_2 \to 0` the stretch
 is 2, and exact, since a cell then moves as one sphere with two contacts in series.
 
-Width at half height means c times the time for which F exceeds half of its largest value, within
-four cells of this value, in units of that of equal spheres.  It is the mean of the contacts of a
-cell.  The theory has the factor :math:`(1 + 3\theta^2)^{1/2}` for it, as for any width.
+Width at half height means c times the time for which F exceeds half of its largest value.  Only
+four cells on both sides count.  It is the mean of the contacts of a cell, in units of that of equal
+spheres.  The theory has the factor :math:`(1 + 3\theta^2)^{1/2}` for it, as for any width.
 
 Errors.  A pulse must form first, and some go on losing waves: the change since half the distance.
 The change by a spline through every other sample is added.
@@ -64,9 +64,9 @@ READ = {
 def strike_dimers(ratios, contact, tolerance):
     """Strike dimers of equal stiffness, for mass ratios.
 
-    On (ratio,): `speed_over_theory`, by the mean of the largest forces of the contacts of a cell;
-    `speed_over_theory_by_largest`, by the largest of them; `spread`, the largest over the smallest;
-    `width`; `force_kept`, the mean force over that at half the distance.  Each has an `…_error`.
+    On (ratio,): `speed_over_theory`, by the mean of the largest forces of the contacts of a cell.
+    `speed_over_theory_by_largest`, by the largest of them.  `spread`, the largest over the smallest.
+    `force_kept`, the mean over that at half the distance.  `width`; each of these has an `…_error`.
     `width_by_theory`; without dimensions `width_of_equal_spheres`, in beads.
 
     Raises
