@@ -270,11 +270,6 @@ def spacing(alpha):
     return Estimate(float(first), float(abs(first - second)))
 
 
-def antiresonance(found, order):
-    """Return the mass ratio of an antiresonance."""
-    return tabulated(found.sel(order=order), "antiresonance")
-
-
 def antiresonances(found):
     """Return how many waves were found that leave nothing behind."""
     return Estimate(float(found.sizes["order"]), 0.0)
@@ -282,19 +277,14 @@ def antiresonances(found):
 
 def apart(found, order):
     """Return the mass ratio of an antiresonance by the chain less that of the wave."""
-    chain = tabulated(found.sel(order=order), "antiresonance_of_chain")
-    return chain - antiresonance(found, order)
-
-
-def resonance(found, order):
-    """Return the mass ratio of a resonance."""
-    return tabulated(found.sel(resonance_order=order), "resonance")
+    chain = tabulated(found, "antiresonance_of_chain", order=order)
+    return chain - tabulated(found, "antiresonance", order=order)
 
 
 def energy_lost(found, order, cells):
     """Return the share of its energy that a pulse loses at a resonance in some cells."""
     power = (found.attrs["alpha"] + 1.0) * cells
-    rate = tabulated(found.sel(resonance_order=order), "resonance_attenuation")
+    rate = tabulated(found, "resonance_attenuation", resonance_order=order)
     kept = float(np.exp(-power * rate.value))
     return Estimate(1.0 - kept, power * kept * rate.error)
 

@@ -65,7 +65,7 @@ def strike_dimers(ratios, contact, tolerance):
     """Strike dimers of equal stiffness, for mass ratios.
 
     On (ratio,): `speed_over_theory`, by the mean of the largest forces of the contacts of a cell.
-    `speed_over_theory_by_largest`, by the largest of them.  `spread`, the largest over the smallest.
+    `speed_over_theory_by_largest`, by the largest of them; `spread`, largest over smallest.
     `force_kept`, the mean over that at half the distance.  `width`; each of these has an `…_error`.
     `width_by_theory`; without dimensions `width_of_equal_spheres`, in beads.
 
@@ -229,20 +229,15 @@ def _pulse(times, force):
     return turn, largest, sum(passages[1::2]) - sum(passages[::2])
 
 
-def number(found, name, **place):
-    """Return a number at a place."""
-    return tabulated(found.sel(place), name)
-
-
 def width_over_theory(found, **place):
     """Return the width in a chain over that of the theory."""
-    return number(found, "width", **place) * (1.0 / float(found["width_by_theory"].sel(place)))
+    return tabulated(found, "width", **place) * (1.0 / float(found["width_by_theory"].sel(place)))
 
 
 def width_in_cells(found, ratio):
     """Return the width in a dimer in cells."""
     equal = tabulated(found, "width_of_equal_spheres")
-    return number(found, "width", ratio=ratio) * equal * 0.5
+    return tabulated(found, "width", ratio=ratio) * equal * 0.5
 
 
 def growth_of_deviation(found, first, second):
@@ -254,6 +249,6 @@ def growth_of_deviation(found, first, second):
 def fastest(found, least):
     """Return the largest speed over theory in dimers that keep at least a share of the force."""
     kept = found.isel(ratio=np.flatnonzero(found["force_kept"] >= least))
-    return number(
+    return tabulated(
         kept.isel(ratio=int(kept["speed_over_theory"].values.argmax())), "speed_over_theory"
     )

@@ -165,8 +165,7 @@ def _loss_ratio(taper, beads, tolerance):
     found = loss(first, last, BETWEEN[2] - BETWEEN[0])
     other = loss(first, middle, BETWEEN[1] - BETWEEN[0])
     moved = 5.0 * compression.attrs["error_estimate"] / last / (BETWEEN[2] - BETWEEN[0])
-    ratio = Estimate(found, abs(found - other) + moved) / (2.0 * np.log(np.cosh(0.5 * taper)))
-    return ratio
+    return Estimate(found, abs(found - other) + moved) / (2.0 * np.log(np.cosh(0.5 * taper)))
 
 
 def _constants_of_wave(points):
