@@ -51,6 +51,7 @@ from granular_fronts.accuracy import EPSILON, Estimate, rounded, tabulated, vari
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.studies.strikers import struck_chain
 
 POINTS = 32, 48
 """Points of a cell on the usual and the finer grid."""
@@ -132,15 +133,8 @@ def strike(alpha, ratio, cells, tolerance, probes=()):
         record["probes"] = {
             "cell": {"beads": probes, "start": 0.0, "stop": end, "step": end / 6000}
         }
-    scene = {
-        "law": {"alpha": alpha, "beta": alpha, "gamma": 0.0},
-        "beads": {"count": 2 * cells + AHEAD, "mass": {"cell": [1.0, ratio]}},
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "striker", "beads": 1, "velocity": 1.0},
-        "end_time": end,
-        "tolerance": tolerance,
-        "record": record,
-    }
+    beads = {"count": 2 * cells + AHEAD, "mass": {"cell": [1.0, ratio]}}
+    scene = struck_chain((alpha, alpha, 0.0), beads, end, tolerance, record)
     return simulate_chain(scene, f"dimer of mass ratio {ratio:.4g}")
 
 

@@ -45,6 +45,7 @@ from granular_fronts.chain.simulate import simulate_once
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.model.materials import body_of, hertz_stiffness
+from granular_fronts.studies.strikers import struck_chain
 
 CELLS = 8  # between the contacts whose times give the speed
 STEP = 0.025  # time between two samples, in units of the theory's for one bead at F = 1
@@ -156,15 +157,9 @@ def _strike(name, beads, masses, stiffness, contact, tolerance):
         first = list(range(place, place + size))
         beyond = [one + CELLS * size for one in first]
         probes[f"n{place}"] = {"beads": first + beyond, "start": 0.0, "stop": end, "step": step}
-    scene = {
-        "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.0},
-        "beads": {"count": contact + 2 * CELLS * size, **beads},
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "striker", "beads": 1, "velocity": 1.0},
-        "end_time": end,
-        "tolerance": tolerance,
-        "record": {"snapshots": [], "probes": probes},
-    }
+    record = {"snapshots": [], "probes": probes}
+    beads = {"count": contact + 2 * CELLS * size, **beads}
+    scene = struck_chain((1.5, 1.5, 0.0), beads, end, tolerance, record)
     motion = simulate_once(scene, f"chain {name}")
     (half, far), (half_coarse, far_coarse) = (
         [_read(motion, name, place, masses, stiffness, every) for place in places]

@@ -53,6 +53,7 @@ from granular_fronts.accuracy import Estimate, estimate, variable_and_errors
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.studies.strikers import struck_chain
 
 HALF_COLLISION = 0.4 * beta(0.4, 0.5)
 """Time of half a collision over z/v."""
@@ -91,16 +92,14 @@ def _follow(taper, beads, tolerance):
     """Return largest compressions and their times, by collisions, and those of the chain."""
     mass, factor = spheres(taper, beads)
     collisions = binary_collisions(mass, factor)
-    scene = {
-        "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.0},
-        "beads": {"count": beads, "mass": {"list": mass.tolist()}},
-        "contacts": {"elastic": {"list": factor.tolist()}},
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "striker", "beads": 1, "velocity": 1.0},
-        "end_time": float(1.2 * collisions[1][-1]),
-        "tolerance": tolerance,
-        "record": {"snapshots": [], "arrival_level": 0.01, "extremes": True},
-    }
+    scene = struck_chain(
+        (1.5, 1.5, 0.0),
+        {"count": beads, "mass": {"list": mass.tolist()}},
+        float(1.2 * collisions[1][-1]),
+        tolerance,
+        {"snapshots": [], "arrival_level": 0.01, "extremes": True},
+        contacts={"elastic": {"list": factor.tolist()}},
+    )
     motion = simulate_chain(scene, "tapered chain").isel(bead=slice(0, -1))
     return collisions, (motion["first_peak"], motion["first_peak_time"])
 
