@@ -163,9 +163,10 @@ def certain_sign(variable: xr.DataArray) -> xr.DataArray:
     return (variable > error).astype(int) - (variable < -error).astype(int)
 
 
-def tabulated(dataset: xr.Dataset, name: str) -> Estimate:
-    """Return a number of a dataset with its error, which is the variable `<name>_error`."""
-    return Estimate(float(dataset[name]), float(dataset[f"{name}_error"]))
+def tabulated(dataset: xr.Dataset, name: str, **place: Any) -> Estimate:
+    """Return a number of a dataset at a place, with its error, the variable `<name>_error`."""
+    there = dataset.sel(place)
+    return Estimate(float(there[name]), float(there[f"{name}_error"]))
 
 
 def estimated_variable(

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from granular_fronts.accuracy import Estimate
+from granular_fronts.accuracy import Estimate, tabulated
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.linear.tails import tail_roots
@@ -27,7 +27,6 @@ from granular_fronts.studies.dispersive_shocks import (
 from granular_fronts.studies.shock_measures import (
     collapse,
     far_away,
-    number,
     over_fitted,
     speed_over_solitary,
     spreading,
@@ -100,7 +99,9 @@ def test_exact_fronts_tend_to_slowly_changing_waves(alpha):
     """Two independent methods, with a distance that falls with γ."""
     found = damp_weakly(alpha, [0.04, 0.02, 0.01, 0.005])
     for name in ("zone", "overshoot"):
-        limit, extrapolated = (number(found, f"{name}_{end}") for end in ("limit", "extrapolated"))
+        limit, extrapolated = (
+            tabulated(found, f"{name}_{end}") for end in ("limit", "extrapolated")
+        )
         assert abs(limit.value - extrapolated.value) < 2.0 * (limit.error + extrapolated.error)
         apart = limit.value - found[name].values
         assert (apart[:-1] / apart[1:] > 1.8).all()

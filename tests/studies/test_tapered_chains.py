@@ -82,6 +82,20 @@ def test_an_exponential_taper_makes_a_similar_pulse():
     np.testing.assert_allclose(slower, 5.0 / 12.0 * epsilon - 0.25 * ratio[1:], rtol=1e-6)
 
 
+def test_the_part_of_the_taper_grows_as_the_page_says():
+    """By (ratio − 1) ε²/10 per contact, from compressions, and from losses of another run."""
+    settings = STUDIES["harbola_2009_pulses"]["parameters"]
+    pulses = follow_pulses({"one": {"ratio": 0.98}}, settings["beads"], settings["tolerance"])
+    errors = [tapered_measures.compression_over_exact(pulses, "one", at).value for at in (40, 60)]
+    epsilon = 3.0 * np.log(0.98)
+    ratio = float(measure_losses([epsilon], 66, settings["tolerance"])["loss_ratio"][0])
+    growth = (ratio - 1.0) * epsilon**2 / 10.0
+    assert np.log(errors[1] / errors[0]) / 20.0 == pytest.approx(growth, rel=1e-3)
+    page = (ROOT / "docs/papers/harbola_2009.md").read_text(encoding="utf-8")
+    assert f"the ratio is {ratio:.4f}" in page
+    assert f"{100.0 * growth:.3f} % per contact" in page
+
+
 def test_the_loss_for_vanishing_taper_is_that_of_solitary_waves_and_as_the_page_says():
     losses = measure_losses(**STUDIES["harbola_2009_losses"]["parameters"])
     rest = tapered_measures.loss_less_mass(losses)

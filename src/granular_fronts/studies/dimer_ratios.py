@@ -51,6 +51,7 @@ from granular_fronts.accuracy import EPSILON, Estimate, rounded, tabulated, vari
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.solitary_waves import solitary_wave
+from granular_fronts.studies.strikers import struck_chain
 
 POINTS = 32, 48
 """Points of a cell on the usual and the finer grid."""
@@ -132,15 +133,8 @@ def strike(alpha, ratio, cells, tolerance, probes=()):
         record["probes"] = {
             "cell": {"beads": probes, "start": 0.0, "stop": end, "step": end / 6000}
         }
-    scene = {
-        "law": {"alpha": alpha, "beta": alpha, "gamma": 0.0},
-        "beads": {"count": 2 * cells + AHEAD, "mass": {"cell": [1.0, ratio]}},
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "striker", "beads": 1, "velocity": 1.0},
-        "end_time": end,
-        "tolerance": tolerance,
-        "record": record,
-    }
+    beads = {"count": 2 * cells + AHEAD, "mass": {"cell": [1.0, ratio]}}
+    scene = struck_chain((alpha, alpha, 0.0), beads, end, tolerance, record)
     return simulate_chain(scene, f"dimer of mass ratio {ratio:.4g}")
 
 
@@ -270,11 +264,6 @@ def spacing(alpha):
     return Estimate(float(first), float(abs(first - second)))
 
 
-def antiresonance(found, order):
-    """Return the mass ratio of an antiresonance."""
-    return tabulated(found.sel(order=order), "antiresonance")
-
-
 def antiresonances(found):
     """Return how many waves were found that leave nothing behind."""
     return Estimate(float(found.sizes["order"]), 0.0)
@@ -282,19 +271,14 @@ def antiresonances(found):
 
 def apart(found, order):
     """Return the mass ratio of an antiresonance by the chain less that of the wave."""
-    chain = tabulated(found.sel(order=order), "antiresonance_of_chain")
-    return chain - antiresonance(found, order)
-
-
-def resonance(found, order):
-    """Return the mass ratio of a resonance."""
-    return tabulated(found.sel(resonance_order=order), "resonance")
+    chain = tabulated(found, "antiresonance_of_chain", order=order)
+    return chain - tabulated(found, "antiresonance", order=order)
 
 
 def energy_lost(found, order, cells):
     """Return the share of its energy that a pulse loses at a resonance in some cells."""
     power = (found.attrs["alpha"] + 1.0) * cells
-    rate = tabulated(found.sel(resonance_order=order), "resonance_attenuation")
+    rate = tabulated(found, "resonance_attenuation", resonance_order=order)
     kept = float(np.exp(-power * rate.value))
     return Estimate(1.0 - kept, power * kept * rate.error)
 

@@ -41,6 +41,7 @@ from granular_fronts.studies.impact_pulse import (
     share_of_momentum,
     time_of_front,
 )
+from granular_fronts.studies.strikers import struck_chain
 
 REACH = 8
 """Contacts s on both sides between which the speed is measured."""
@@ -153,15 +154,8 @@ def impact_scene(alpha, gamma, contacts, tolerance):
             "step": step,
         }
     end = max(probe["stop"] for probe in probes.values())
-    return {
-        "law": {"alpha": alpha, "beta": 1.0, "gamma": gamma},
-        "beads": int(max(contacts) + 2.0 * WINDOW),
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "striker", "beads": 1, "velocity": 1.0},
-        "end_time": end,
-        "tolerance": tolerance,
-        "record": {"snapshots": [end], "probes": probes},
-    }
+    beads, record = int(max(contacts) + 2.0 * WINDOW), {"snapshots": [end], "probes": probes}
+    return struck_chain((alpha, 1.0, gamma), beads, end, tolerance, record)
 
 
 def _compare(motion, alpha, gamma, contact, momentum):

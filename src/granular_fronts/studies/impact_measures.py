@@ -117,11 +117,6 @@ def sound_behind(motion, time, contact):
     return Estimate(speed, 0.25 * speed * error / max(float(u), error))
 
 
-def overshoot(fronts, gamma, contact):
-    """Return the overshoot of u at a contact over the height of the front."""
-    return tabulated(fronts.sel(gamma=gamma, contact=contact), "overshoot")
-
-
 def overshoot_less_exact(fronts, gamma, contact):
     """Return the overshoot less that of the exact front of the same damping."""
     front = fronts.sel(gamma=gamma, contact=contact)
@@ -136,18 +131,11 @@ def height_over_theory(fronts, gamma, contact):
 
 def power_of_decay(fronts, gamma, first, last):
     """Return the power of the distance by which the height decays between two contacts."""
-    near, far = (
-        tabulated(fronts.sel(gamma=gamma, contact=place), "height") for place in (first, last)
-    )
+    near, far = (tabulated(fronts, "height", gamma=gamma, contact=place) for place in (first, last))
     ratio = far / near
     return Estimate(math.log(ratio.value), ratio.error / ratio.value) / math.log(last / first)
 
 
-def separating_damping(found):
-    """Return the largest damping at which the pulses separate."""
-    return tabulated(found, "separating_damping")
-
-
 def separation_over_critical(fronts, found):
-    """Return that damping over the critical one of a front of height 1."""
-    return separating_damping(found) / fronts.attrs["critical_damping"]
+    """Return the largest damping with two pulses over the critical one of a front of height 1."""
+    return tabulated(found, "separating_damping") / fronts.attrs["critical_damping"]

@@ -13,6 +13,7 @@ import xarray as xr
 
 from granular_fronts.accuracy import Estimate, variable_and_errors
 from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.studies.strikers import struck_chain
 
 SMALLER = 0.5
 """Least height of the smaller pulse over that of the larger one."""
@@ -51,15 +52,8 @@ def _bisect(alpha, between, width, *settings):
 
 def separates(alpha, gamma, beads, end_time, step, tolerance):
     """Whether there are two pulses at some time of the grid."""
-    scene = {
-        "law": {"alpha": alpha, "beta": 1.0, "gamma": gamma},
-        "beads": beads,
-        "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
-        "start": {"kind": "striker", "beads": 1, "velocity": 1.0},
-        "end_time": end_time,
-        "tolerance": tolerance,
-        "record": {"snapshots": np.arange(step, end_time + 0.5 * step, step).tolist()},
-    }
+    record = {"snapshots": np.arange(step, end_time + 0.5 * step, step).tolist()}
+    scene = struck_chain((alpha, 1.0, gamma), beads, end_time, tolerance, record)
     motion = simulate_chain(scene, "impact")
     return any(count_pulses(velocity) >= 2 for velocity in motion["velocity"].values)
 

@@ -7,18 +7,13 @@ from granular_fronts.fronts.solitary_waves import solitary_wave
 from granular_fronts.studies.dispersive_shocks import fitted_edges
 
 
-def number(found, name, **place):
-    """Return a number of a dataset, at a place where it has dimensions."""
-    return tabulated(found.sel(place), name)
-
-
 def far_away(shocks, name, ahead):
     """Return the limit without damping, linear in 1/n, from the last contacts n/4, n/2 and n.
 
     Its change falls more slowly than 1/n, so that twice the last change is added to the error.
     """
     first, middle, last = (
-        number(shocks, name, gamma=0.0, ahead=ahead, contact=contact)
+        tabulated(shocks, name, gamma=0.0, ahead=ahead, contact=contact)
         for contact in shocks["contact"].values[-3:]
     )
     limit, before = 2.0 * last - middle, 2.0 * middle - first
@@ -36,7 +31,7 @@ def over_fitted(shocks, name, ahead):
 def spreading(shocks, ahead):
     """Return the zone at the last contact over that at half the distance."""
     far, near = (
-        number(shocks, "zone", gamma=0.0, ahead=ahead, contact=contact)
+        tabulated(shocks, "zone", gamma=0.0, ahead=ahead, contact=contact)
         for contact in shocks["contact"].values[:-3:-1]
     )
     return far / near
@@ -56,7 +51,7 @@ def speed_over_solitary(shocks):
 def collapse(shocks, name, gamma, contact):
     """Return how a number at the same γn changes from 2γ to γ, over its change from 4γ to 2γ."""
     last, middle, first = (
-        number(shocks, name, gamma=gamma * times, ahead=0.0, contact=contact / times)
+        tabulated(shocks, name, gamma=gamma * times, ahead=0.0, contact=contact / times)
         for times in (1, 2, 4)
     )
     return (last - middle) / (middle - first)

@@ -24,7 +24,7 @@ def compression_over_exact(pulses, chain, contact):
 
 
 def compression_over_uniform(pulses, chain, contact):
-    """Return the same over that of the chain named uniform."""
+    """Return the compression by collisions over the exact one, over this ratio without taper."""
     ratios = (compression_over_exact(pulses, name, contact) for name in (chain, "uniform"))
     return next(ratios) / next(ratios)
 
@@ -32,7 +32,9 @@ def compression_over_uniform(pulses, chain, contact):
 def loss_less_mass(losses):
     """Return the loss over that of binary collisions less m_*/m, for vanishing growth."""
     mass = tabulated(losses, "mass_of_wave")
-    return _limit([_loss(losses, size) - mass for size in _smallest(losses)], 1.0)
+    return _limit(
+        [tabulated(losses, "loss_ratio", taper=size) - mass for size in _smallest(losses)], 1.0
+    )
 
 
 def correction_over_theory(losses):
@@ -41,17 +43,14 @@ def correction_over_theory(losses):
     ratios = []
     for size in _smallest(losses):
         theory = float(losses["loss_ratio_theory"].sel(taper=-size)) - mass.value
-        ratios.append((_loss(losses, -size) - mass) * (1.0 / theory))
+        found = tabulated(losses, "loss_ratio", taper=-size)
+        ratios.append((found - mass) * (1.0 / theory))
     return _limit(ratios, 0.5)
 
 
 def _smallest(losses):
     """Return the three smallest sizes of ε, each half of the next."""
     return losses["taper"].values[losses["taper"].values > 0.0][:3]
-
-
-def _loss(losses, taper):
-    return tabulated(losses.sel(taper=taper), "loss_ratio")
 
 
 def _limit(three, power):
