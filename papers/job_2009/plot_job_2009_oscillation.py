@@ -36,7 +36,7 @@ def plot_job_2009_oscillation(motion: xr.Dataset, sizes: xr.Dataset) -> Figure:
     ratio, error = (chosen[name] / chosen["law"] for name in ("frequency", "frequency_error"))
     panels["ratio"].errorbar(chosen["size"], ratio, error, fmt="ko", ms=4, mfc="none", lw=0.9)
     panels["ratio"].axhline(1.0, color="k", lw=0.9)
-    panels["ratio"].set_xscale("log")
+    panels["ratio"].set(xscale="log", yticks=[0.9, 1.0, 1.1])
     for name, label in (("frequency", r"frequency $\omega$"), ("ratio", "frequency over the law")):
         panels[name].set(xlabel="size of the intruder", ylabel=label)
         panels[name].set_xticks([0.2, 0.4, 0.8], ["0.2", "0.4", "0.8"])
