@@ -221,7 +221,7 @@ def test_the_page_on_a_light_intruder_shows_what_is_computed(project):
             last = 10.0 ** -len(shown.rpartition(".")[2])
             assert number == pytest.approx(float(one["frequency"] / unit), abs=0.51 * last)
             assert 0.0 <= error - float(one["frequency_error"] / unit) <= 1.01 * last
-    [edges] = re.findall(r"99 % lies below ([\d.]+), and 99.9 % below ([\d.]+)", page)
+    [edges] = re.findall(r"99 % lies below ([\d.]+), and 99.9 % below ([\d.]+\d)", page)
     assert [float(edge) for edge in edges] == pytest.approx(found["edge"].values, abs=5.1e-5)
     law = found["law"].sel(size=[0.6, 0.7, 0.8]).values
     assert law[0] > found["edge"][1] > law[1] > found["edge"][0] > law[2]
@@ -252,5 +252,11 @@ def test_the_page_on_collisions_shows_what_is_computed(project):
     bead = f"At a bead it has {behind[0, 1]:.0%}, and a third wave has {behind[1, 1]:.0%}."
     assert f"It has {behind[0, 0]:.0%} of it. {bead}".replace("%", " %") in page
     np.testing.assert_allclose((third / secondary) ** 6, [0.09, 0.4], atol=0.005)
+    falls = 1.0 - float(equal["speed_after"][0])
+    reached = float(equal["shift"][0]) - 40.0 * falls
+    assert f"it is {reached:.4f} beads" in page
+    assert f"falls by {falls:.4f} per bead" in page
+    grows = unlike["speed_after"].sel(direction=1, place=[0, 0.5]).values - 1.0
+    assert "grows by {:.4f} and {:.4f} per bead".format(*grows) in page
     slower = found["speed_after"].sel(pair=2, direction=1)
     assert slower["place"][slower < 1.0].values.tolist() == [0.0, 0.125]

@@ -74,7 +74,8 @@ def find_collisions(alpha, pairs, places, tolerance):
             estimates = np.stack([found[..., number], errors[..., number]], axis=-1)
             method = "other tolerance, sum and time"
             variables |= variable_and_errors(name + ending, dims, estimates, method, meaning)
-    by_times = [[estimate(*numbers) for numbers in row] for row in table[..., -1]]
+    by_times = np.array([[estimate(*numbers) for numbers in row] for row in table[..., -1]])
+    by_times[..., 1] = by_times[..., 1].max(axis=1, keepdims=True)
     method, meaning = "half the samples, a larger tolerance", "shift by times of peaks"
     variables |= variable_and_errors("shift_by_times", dims[:2], by_times, method, meaning)
     coordinates = dict(zip(dims, (range(len(pairs)), places, [1, -1]), strict=True))

@@ -26,7 +26,7 @@ by ε than in y.  The frequency is the slope of a spline through the phases of t
 at the time of W.
 
 Errors.  A frequency changes within its own period.  It is found again from the zeros at which
-:math:`\ddot y` rises and from those at which it falls, and the larger difference is the error.
+:math:`\ddot y` rises and from those at which it falls.  The larger difference is the error.
 The edge of the spectrum is found again with half the steps of space and frequency.  The law is
 found again with a tolerance three times larger; all sizes have the largest of its errors.
 """
