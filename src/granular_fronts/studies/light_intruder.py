@@ -58,7 +58,7 @@ def softening(size):
 def find_oscillations(alpha, sizes, speeds, tolerance):
     """Find the frequency of intruders of some sizes, behind waves of some speeds.
 
-    On (speed, size), each with its `…_error`: `frequency`, and `law`, its closed form.  On (share):
+    On (speed, size), each with its `…_error`: `frequency`, and `law`, with a computed W.  On (share):
     `edge` of the spectrum for c = 1.
     """
     looser = {key: 3.0 * value for key, value in tolerance.items()}
@@ -128,7 +128,7 @@ def _simulate(alpha, speed, beads, mass, factors, record, tolerance):
 
 
 def _law(alpha, size, speed, tolerance):
-    """Return ω of the closed form, with W of the chain whose intruder has no weight."""
+    """Return ω of the law, with W of the chain whose intruder has no weight."""
     contact = INTRUDER - 1
     factors = {"contact": contact, "factor": softening(size) * 0.5**alpha}
     record = {"arrival_level": 0.01, "extremes": True}
