@@ -58,8 +58,8 @@ def softening(size):
 def find_oscillations(alpha, sizes, speeds, tolerance):
     """Find the frequency of intruders of some sizes, behind waves of some speeds.
 
-    On (speed, size), each with its `…_error`: `frequency`, and `law`, with a computed W.  On (share):
-    `edge` of the spectrum for c = 1.
+    On (speed, size), each with its `…_error`: `frequency`, and `law`, with a computed W.  On
+    (share): `edge` of the spectrum for c = 1.
     """
     looser = {key: 3.0 * value for key, value in tolerance.items()}
     frequency = [[_measure(alpha, size, speed, tolerance) for size in sizes] for speed in speeds]
