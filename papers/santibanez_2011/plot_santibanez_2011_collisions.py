@@ -31,6 +31,9 @@ def plot_santibanez_2011_collisions(odd: xr.Dataset, even: xr.Dataset, found: xr
         panels["waves"].semilogy(motion["bead"][:-2], after / incident.max(), style, lw=0.9)
     panels["waves"].set(xlabel="contact $n$", ylabel="force over incident", ylim=(1e-3, 1.5))
     power = 2.0 * found.attrs["alpha"] / (found.attrs["alpha"] - 1.0)
+    # Place 1 is the next contact.
+    next_contact = found.sel(place=[0.0]).assign_coords(place=[1.0])
+    found = xr.concat([found, next_contact], "place", combine_attrs="override")
     right = found.sel(direction=1)
     equal = right.sel(pair=0)
     panels["secondary"].plot(found["place"], equal["secondary"] ** power, "ko-", ms=4, lw=0.8)

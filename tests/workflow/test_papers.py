@@ -228,17 +228,18 @@ def test_the_page_on_a_light_intruder_shows_what_is_computed(project):
     assert len(rows) == found.sizes["size"]
     for size, cells in rows:
         one = found.sel(size=float(size))
-        mass, frequency, law, ratio, before, after = map(float, cells.split(" | "))
-        assert mass == pytest.approx(float(size) ** 3, rel=1e-3)
-        assert [frequency, law] == pytest.approx(
-            [float(one["frequency"]), float(one["law"])], abs=5e-6
-        )
-        assert ratio == pytest.approx(float(one["frequency"] / one["law"]), abs=5.1e-6)
-        assert [before, after] == pytest.approx(
-            [float(one["before"]), float(one["after"])], abs=5.1e-5
-        )
-    [edge] = re.findall(r"exceeds ([\d.]+), below", page)
-    assert float(edge) == pytest.approx(float(found["edge"]), abs=float(found["edge_error"]))
+        mass, law, *measured = cells.split(" | ")
+        assert float(mass) == pytest.approx(float(size) ** 3, rel=1e-12)
+        assert float(law) == pytest.approx(float(one["law"]), abs=5.1e-6)
+        for shown, unit in zip(measured, (1.0, one["law"]), strict=True):
+            number, error = map(float, shown.split(" ± "))
+            last = 10.0 ** -len(shown.rpartition(".")[2])
+            assert number == pytest.approx(float(one["frequency"] / unit), abs=0.51 * last)
+            assert 0.0 <= error - float(one["frequency_error"] / unit) <= 1.01 * last
+    [edges] = re.findall(r"99 % lies below ([\d.]+), and 99.9 % below ([\d.]+\d)", page)
+    assert [float(edge) for edge in edges] == pytest.approx(found["edge"].values, abs=5.1e-5)
+    law = found["law"].sel(size=[0.6, 0.7, 0.8]).values
+    assert law[0] > found["edge"][1] > law[1] > found["edge"][0] > law[2]
 
 
 @pytest.mark.slow
@@ -248,8 +249,9 @@ def test_the_page_on_collisions_shows_what_is_computed(project):
     page = (ROOT / "docs/papers/santibanez_2011.md").read_text(encoding="utf-8")
     found = read_dataset(project / "results/data/chain/santibanez_2011_collisions.nc")
     equal = found.sel(pair=0, direction=1, place=[0, 0.5])
-    secondary = equal["secondary"].values
-    wanted = equal["shift"], equal["speed_after"], *(secondary**power for power in (1, 6, 5, 10))
+    secondary, third = equal["secondary"].values, equal["third"].values
+    powers = (secondary**power for power in (1, 6, 5, 10))
+    wanted = equal["shift"], equal["speed_after"], *powers, third
     rows = re.findall(r"^\| .* \| (0\.\d+) \| (0\.\d+) \|$", page, re.MULTILINE)
     for shown, computed in zip(rows, wanted, strict=True):
         digits = len(shown[0]) - 2
@@ -260,3 +262,16 @@ def test_the_page_on_collisions_shows_what_is_computed(project):
     assert [float(one) for one in shifts] == pytest.approx(slower, abs=6e-4)
     gained = float(unlike["speed_after"].sel(direction=1).max()) ** 10 - 1.0
     assert f"at the most {100.0 * gained:.0f} %" in page
+    energy = equal["speed_after"] ** 10
+    behind = np.array([secondary**10, third**10]) / (1.0 - energy.values)
+    bead = f"At a bead it has {behind[0, 1]:.0%}, and a third wave has {behind[1, 1]:.0%}."
+    assert f"It has {behind[0, 0]:.0%} of it. {bead}".replace("%", " %") in page
+    np.testing.assert_allclose((third / secondary) ** 6, [0.09, 0.4], atol=0.005)
+    falls = 1.0 - float(equal["speed_after"][0])
+    reached = float(equal["shift"][0]) - 40.0 * falls
+    assert f"it is {reached:.4f} beads" in page
+    assert f"falls by {falls:.4f} per bead" in page
+    grows = unlike["speed_after"].sel(direction=1, place=[0, 0.5]).values - 1.0
+    assert "grows by {:.4f} and {:.4f} per bead".format(*grows) in page
+    slower = found["speed_after"].sel(pair=2, direction=1)
+    assert slower["place"][slower < 1.0].values.tolist() == [0.0, 0.125]

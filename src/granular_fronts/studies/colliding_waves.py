@@ -17,11 +17,11 @@ The first and the third give the speed of a wave that is by itself, the second i
 collision it is at :math:`x = p + c't + s` with its new speed c', which defines the *shift* s.
 The wave next behind it is the *secondary* one.
 
-A second method has the times at which compressions are largest at two contacts.  With damping the
-shift is the lead over a wave that meets no other, by such times.
+A wave that meets no other is at p + ct.  The *lead* over it has no limit if c' differs from c.
 
-Errors.  Speeds and shifts are found again by momenta at an earlier time, with a larger tolerance.
-Both waves of a collision have the larger of their errors, as one may be small by chance.
+Errors.  Speeds and shifts are found again by momenta at an earlier time, and with a tolerance three
+times larger.  All collisions of a pair have the largest difference, as one may be small by chance.
+A second method has the times at which compressions are largest at two contacts.
 """
 
 import numpy as np
@@ -40,69 +40,76 @@ HALF = 7  # contacts on both sides of its highest one that belong to a wave
 FAINT = 2e-3  # part of the height of the first wave below which none is sought
 SPACING = 0.02  # time between two samples
 CONTACTS = 60, 120  # from the place of the collision, where times of peaks are taken
-DAMPED_CONTACTS = 32, 36, 40  # the same with damping
 
 MEANINGS = {
     "speed_after": "speed of a wave after the collision over that before",
     "shift": "beads by which a wave is ahead after the collision",
     "secondary": "speed of the secondary wave over that of the incident one",
+    "third": "speed of the wave behind the secondary one over that of the incident one",
 }
 
 
 def find_collisions(alpha, pairs, places, tolerance):
     """Collide waves of the speeds of each pair at each place.
 
-    On (pair, place, direction), each with its `…_error`: `speed_after`, `shift` and `secondary`.
-    On (pair, place): `shift_by_times` of the wave to the right.
+    On (pair, place, direction), each with its `…_error`: `speed_after`, `shift`, `secondary` and
+    `third`, and the same `…_by_momenta`.  On (pair, place): `shift_by_times` of the wave to the
+    right.
     """
-    looser = {key: 100.0 * value for key, value in tolerance.items()}
-
-    def both(pair, place):
-        ways = (tolerance, LATE, False, 1), (looser, EARLY, True, 2)
-        found = [_collide(alpha, pair, place, *way) for way in ways]
-        return [estimate(*two) for two in zip(*found, strict=True)]
-
-    table = np.array([[both(pair, place) for place in places] for pair in pairs])
+    looser = {key: 3.0 * value for key, value in tolerance.items()}
+    ways = (tolerance, 1), (looser, 2)
+    table = np.array(
+        [
+            [[_collide(alpha, pair, place, *way) for way in ways] for place in places]
+            for pair in pairs
+        ]
+    )
+    usual, other = np.moveaxis(table[..., :-1], 2, 0).reshape(2, len(pairs), len(places), 2, 2, -1)
+    late, early = np.moveaxis(usual, 2, 0)
+    apart = np.maximum(abs(usual - other).max(axis=2), abs(late - early))
+    errors = np.broadcast_to(apart.max(axis=(1, 2), keepdims=True), late.shape)
     variables, dims = {}, ("pair", "place", "direction")
-    method = "momenta earlier, a hundred times the tolerance"
-    for number, (name, meaning) in enumerate(MEANINGS.items()):
-        found = table[:, :, [number, number + len(MEANINGS)]]
-        found[..., 1] = found[..., 1].max(axis=2, keepdims=True)
-        variables |= variable_and_errors(name, dims, found, method, meaning)
-    method, by_times = "half the samples", table[:, :, -1]
-    variables |= variable_and_errors("shift_by_times", dims[:2], by_times, method, "shift by times")
+    for ending, found in (("", late), ("_by_momenta", early)):
+        for number, (name, meaning) in enumerate(MEANINGS.items()):
+            estimates = np.stack([found[..., number], errors[..., number]], axis=-1)
+            method = "other tolerance, sum and time"
+            variables |= variable_and_errors(name + ending, dims, estimates, method, meaning)
+    by_times = np.array([[estimate(*numbers) for numbers in row] for row in table[..., -1]])
+    by_times[..., 1] = by_times[..., 1].max(axis=1, keepdims=True)
+    method, meaning = "half the samples, a larger tolerance", "shift by times of peaks"
+    variables |= variable_and_errors("shift_by_times", dims[:2], by_times, method, meaning)
     coordinates = dict(zip(dims, (range(len(pairs)), places, [1, -1]), strict=True))
     return xr.Dataset(variables, coordinates, {"alpha": alpha})
 
 
-def _collide(alpha, pair, place, tolerance, time, by_momenta, every):
-    """Return the numbers of `MEANINGS` for both directions, and the shift by times of peaks."""
-    end = BEFORE + time / min(pair)
-    middle, beads = (int(one * end) + 10 for one in (pair[1], sum(pair)))
-    motion = _run(alpha, 0.0, pair, middle + place, beads + 10, end, CONTACTS, tolerance)
-    u = np.maximum(motion["relative_displacement"].values[0, :-1], 0.0)
-    velocity, gone = motion["velocity"].values[0], end - BEFORE
-    right = _read(alpha, pair[0], u, velocity, middle + place, gone, by_momenta)
-    mirrored = beads + 10 - middle - place
-    left = _read(alpha, pair[1], u[::-1], -velocity[::-1], mirrored, gone, by_momenta)
+def _collide(alpha, pair, place, tolerance, every):
+    """Return the numbers of `MEANINGS`, late and early, right and left, and the shift by times."""
+    ends = [BEFORE + time / min(pair) for time in (LATE, EARLY)]
+    middle, beads = (int(one * ends[0]) + 10 for one in (pair[1], sum(pair)))
+    motion = _run(alpha, pair, middle + place, beads + 10, ends[::-1], tolerance)
+    mirrored, found = beads + 10 - middle - place, []
+    for snapshot, end, by_momenta in ((1, ends[0], False), (0, ends[1], True)):
+        u = np.maximum(motion["relative_displacement"].values[snapshot, :-1], 0.0)
+        velocity, when = motion["velocity"].values[snapshot], (end - BEFORE, by_momenta)
+        found += _read(alpha, pair[0], u, velocity, middle + place, *when)
+        found += _read(alpha, pair[1], u[::-1], -velocity[::-1], mirrored, *when)
     first, second = _times_of_peaks(motion, every) - BEFORE
     speed = (CONTACTS[1] - CONTACTS[0]) / (second - first)
-    return *right, *left, CONTACTS[0] - place - speed * first
+    return *found, CONTACTS[0] - place - speed * first
 
 
-def _run(alpha, gamma, speeds, place, beads, end, contacts, tolerance):
-    """Return the motion of a chain in which one wave, or two, will be at a place."""
-    waves = [(place - BEFORE * speeds[0], speeds[0])]
-    waves += [(place + BEFORE * speed, -speed) for speed in speeds[1:]]
-    probe = {"beads": [int(place) + one for one in contacts], "start": BEFORE, "step": SPACING}
+def _run(alpha, pair, place, beads, ends, tolerance):
+    """Return the motion of a chain in which two waves would be at a place."""
+    waves = [(place - BEFORE * pair[0], pair[0]), (place + BEFORE * pair[1], -pair[1])]
+    peaks = {"beads": [int(place) + one for one in CONTACTS], "start": BEFORE, "stop": ends[1]}
     scene = {
-        "law": {"alpha": alpha, "beta": alpha, "gamma": gamma},
+        "law": {"alpha": alpha, "beta": alpha, "gamma": 0.0},
         "beads": beads,
         "boundary": {"kind": "pressure", "left": 0.0, "right": 0.0},
         "start": start_in_waves(alpha, beads, waves),
-        "end_time": end,
+        "end_time": ends[1],
         "tolerance": tolerance,
-        "record": {"snapshots": [end], "probes": {"peaks": probe | {"stop": end}}},
+        "record": {"snapshots": ends, "probes": {"peaks": peaks | {"step": SPACING}}},
     }
     return simulate_once(scene, "colliding waves")
 
@@ -112,14 +119,15 @@ def _read(alpha, incident, u, velocity, place, gone, by_momenta):
     [tops] = argrelmax(np.where(u > FAINT * u[int(place) :].max(), u, 0.0))
     content = solitary_wave(alpha).u.sum() / POINTS_PER_BEAD
     speeds, places = [], []
-    for top in tops[:-3:-1]:
+    for top in tops[:-4:-1]:
         near = np.arange(top - HALF, top + HALF + 1)
         share, power = u[near].sum() / content, 0.5 * (alpha - 1.0)
         if by_momenta:
             share, power = velocity[near].sum() / content, (alpha - 1.0) / (alpha + 1.0)
         speeds.append(abs(share) ** power)
         places.append((near + 1.0) @ u[near] / u[near].sum())
-    return speeds[0] / incident, places[0] - place - speeds[0] * gone, speeds[1] / incident
+    shift = places[0] - place - speeds[0] * gone
+    return speeds[0] / incident, shift, speeds[1] / incident, speeds[2] / incident
 
 
 def _times_of_peaks(motion, every):
@@ -130,23 +138,6 @@ def _times_of_peaks(motion, every):
         zeros = CubicSpline(times[near], u[near]).derivative().roots(extrapolate=False)
         found.append(zeros[np.abs(zeros - times[u.argmax()]).argmin()])
     return np.array(found)
-
-
-def damp_collisions(alpha, dampings, places, tolerance):
-    """Return `shift` on (gamma, place) of damped waves of speed 1, by times of peaks."""
-
-    def lead(gamma, place, every):
-        setting = 200 + place, 400, 2.0 * BEFORE + 40.0, DAMPED_CONTACTS, tolerance
-        alone, met = (
-            _times_of_peaks(_run(alpha, gamma, speeds, *setting), every)
-            for speeds in ([1.0], [1.0, 1.0])
-        )
-        speed = (DAMPED_CONTACTS[2] - DAMPED_CONTACTS[0]) / (alone[2] - alone[0])
-        return speed * (alone - met)[::-1][every - 1]
-
-    found = [[estimate(lead(g, p, 1), lead(g, p, 2)) for p in places] for g in dampings]
-    variables = variable_and_errors("shift", ("gamma", "place"), found, "a nearer contact", "shift")
-    return xr.Dataset(variables, {"gamma": dampings, "place": places})
 
 
 def share(found, name, of, place, pair=0):
@@ -168,13 +159,18 @@ def proportionality(found, place):
     return share(found, "secondary", "force", place, 1) / share(found, "secondary", "force", place)
 
 
-def methods_apart(found, pair, place):
-    """Return the shift of the wave to the right less that by times of peaks."""
-    one = found.sel(pair=pair, place=place)
-    return tabulated(one.sel(direction=1), "shift") - tabulated(one, "shift_by_times")
+def energy_found(found, name, place):
+    """Return the energy of a wave behind the first one over what the first one has lost."""
+    return share(found, name, "energy", place) / (-share(found, "speed_after", "energy", place) + 1)
 
 
-def damped_over_free(found, gamma, place):
-    """Return the shift with damping over that without."""
-    one = found.sel(place=place)
-    return tabulated(one.sel(gamma=gamma), "shift") / tabulated(one.sel(gamma=0), "shift")
+def lead(found, distance, place, pair=0):
+    """Return by how much the wave to the right leads a free one that has run a distance since."""
+    one = found.sel(pair=pair, place=place, direction=1)
+    return tabulated(one, "shift") + (tabulated(one, "speed_after") - 1.0) * distance
+
+
+def methods_apart(found, name, by, place, pair=0):
+    """Return a number of the wave to the right less that by momenta, or the shift by times."""
+    one = found.sel(pair=pair, place=place, direction=1)
+    return tabulated(one, name) - tabulated(one, f"{name}_by_{by}")

@@ -21,35 +21,33 @@ A chain with such a contact gives W, which makes ω known without any light bead
 The chain has no scale of its own, so that ω is proportional to c, and to the power
 :math:`(\alpha-1)/(2\alpha)` of every force.
 
-*Measurement.*  The zeros of :math:`\ddot y`, in which slow parts are smaller by ε than in y, give
-the period around the time of W.  Behind W the contacts open, and later w has a second maximum.
+*Measurement.*  The phase is kπ at the k-th zero of :math:`\ddot y`, in which slow parts are smaller
+by ε than in y.  The frequency is the slope of a spline through the phases of the first compression,
+at the time of W.
 
-Errors.  Every number is found again with a tolerance ten times larger, and from other samples.
+Errors.  A frequency changes within its own period.  It is found again from the zeros at which
+:math:`\ddot y` rises and from those at which it falls.  The larger difference is the error.
+The edge of the spectrum is found again with half the steps of space and frequency.  The law is
+found again with a tolerance three times larger; all sizes have the largest of its errors.
 """
 
 import math
 
 import numpy as np
 import xarray as xr
+from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import CubicSpline
 
 from granular_fronts.accuracy import Estimate, estimate, tabulated, variable_and_errors
 from granular_fronts.chain.simulate import simulate_once
 from granular_fronts.fronts.solitary_waves import POINTS_PER_BEAD, solitary_wave, start_in_waves
 
-CENTRE, INTRUDER, BEADS, END = 8, 16, 42, 24.0
+CENTRE, INTRUDER, BEADS, END = 8, 16, 42, 12.0
 """Contact at which the wave starts, bead of the intruder, beads, and time to the end for c = 1."""
-SAMPLES = 24_000  # of the contacts around the intruder; one run uses the even ones, one the odd
-SHARE, PADDED = 0.99, 2**16  # of the energy of a force below its edge; points of its spectrum
-
-MEANINGS = {
-    "frequency": "angular frequency of the intruder",
-    "before": "amplitude of y before the contacts open",
-    "after": "amplitude of y after they have opened",
-    "force_before": "amplitude of the difference of forces before",
-    "force_after": "amplitude of the difference of forces after",
-    "law": "angular frequency by the law of a light intruder",
-}
+SAMPLES = 24_000  # of the contacts around the intruder
+PRESSED = 0.1  # part of W above which zeros belong to the first compression
+SHARES = 0.99, 0.999  # of the energy of a force below its edge
+LONG = 2**13  # beads of the period by which the spectrum is sampled
 
 
 def softening(size):
@@ -58,43 +56,61 @@ def softening(size):
 
 
 def find_oscillations(alpha, sizes, speeds, tolerance):
-    """Find frequency and amplitudes of intruders of some sizes, behind waves of some speeds.
+    """Find the frequency of intruders of some sizes, behind waves of some speeds.
 
-    On (speed, size), each with its `…_error`: `frequency`, and `law`, its closed form.  `before`
-    and `after` are amplitudes of y in the first compression and the second, if there is one.
-    `force_before` and `force_after` are those of the difference of both forces.  `edge` is that of
-    the spectrum, without dimension.
+    On (speed, size), each with its `…_error`: `frequency`, and `law`, with a computed W.  On
+    (share): `edge` of the spectrum for c = 1.
     """
-    looser = {key: 10.0 * value for key, value in tolerance.items()}
+    looser = {key: 3.0 * value for key, value in tolerance.items()}
+    frequency = [[_measure(alpha, size, speed, tolerance) for size in sizes] for speed in speeds]
 
-    def both(speed, size):
-        found = (_measure(alpha, size, speed, *how) for how in ((tolerance, 0), (looser, 1)))
-        return [estimate(*pair) for pair in zip(*found, strict=True)]
+    def by_law(speed, size):
+        return estimate(*(_law(alpha, size, speed, one) for one in (tolerance, looser)))
 
-    table = np.array([[both(speed, size) for size in sizes] for speed in speeds])
+    law = np.array([[by_law(speed, size) for size in sizes] for speed in speeds])
+    law[..., 1] = law[..., 1].max(axis=1, keepdims=True)
+    edges = [edge_of_spectrum(alpha, share) for share in SHARES]
+    dims = ("speed", "size")
     variables = variable_and_errors(
-        "edge", (), edge_of_spectrum(alpha), "a coarser grid", "edge of the spectrum of the wave"
+        "frequency", dims, frequency, "rising or falling zeros", "angular frequency of the intruder"
     )
-    dims, method = ("speed", "size"), "a tolerance ten times larger, other samples"
-    for place, (name, meaning) in enumerate(MEANINGS.items()):
-        variables |= variable_and_errors(name, dims, table[:, :, place], method, meaning)
+    variables |= variable_and_errors(
+        "law", dims, law, "a larger tolerance", "angular frequency by the law of a light intruder"
+    )
+    variables |= variable_and_errors(
+        "edge", ("share",), edges, "finer steps", "edge of the spectrum of the wave"
+    )
     coordinates = {
         "speed": ("speed", speeds, {"long_name": "speed of the incident wave"}),
         "size": ("size", sizes, {"long_name": "radius of the intruder over that of the others"}),
+        "share": ("share", list(SHARES), {"long_name": "share of energy below the edge"}),
     }
     return xr.Dataset(variables, coordinates, {"alpha": alpha})
 
 
-def _measure(alpha, size, speed, tolerance, offset):
-    """Return the numbers of `MEANINGS`, from every second sample."""
+def _measure(alpha, size, speed, tolerance):
+    """Return the frequency at the largest compression."""
     around = [INTRUDER - 2, INTRUDER - 1, INTRUDER, INTRUDER + 1]
     probe = {"beads": around, "start": 0.0, "stop": END / speed, "step": END / speed / SAMPLES}
     factors = [{"contact": place, "factor": softening(size)} for place in around[1:3]]
     mass, record = {"impurity": {"bead": INTRUDER, "mass": size**3}}, {"probes": {"around": probe}}
     motion = _simulate(alpha, speed, BEADS, mass, factors, record, tolerance)
     times, u = motion["t_around"].values, motion["relative_displacement_around"].values
-    law = frequency_of_law(alpha, size, speed, tolerance)
-    return *_read(alpha, size, times[offset::2], u[offset::2]), law
+    forces = np.maximum(u, 0.0) ** alpha * [1.0, softening(size), softening(size), 1.0]
+    acceleration = forces @ [1.0, -1.0 - 2.0 / size**3, 1.0 + 2.0 / size**3, -1.0]
+    w = u[:, 1] + u[:, 2]
+    pressed = w > PRESSED * w.max()
+    zeros = CubicSpline(times[pressed], acceleration[pressed]).roots(extrapolate=False)
+    return frequency_at(times[w.argmax()], zeros)
+
+
+def frequency_at(time, zeros):
+    """Return the frequency at a time, from successive zeros of an oscillation."""
+    whole, *halves = (
+        CubicSpline(zeros[first::step], np.pi * step * np.arange(zeros[first::step].size))(time, 1)
+        for first, step in ((0, 1), (0, 2), (1, 2))
+    )
+    return Estimate(float(whole), float(np.abs(whole - halves).max()))
 
 
 def _simulate(alpha, speed, beads, mass, factors, record, tolerance):
@@ -111,28 +127,8 @@ def _simulate(alpha, speed, beads, mass, factors, record, tolerance):
     return simulate_once(scene, "light intruder")
 
 
-def _read(alpha, size, times, u):
-    """Return frequency and amplitudes."""
-    forces = np.maximum(u, 0.0) ** alpha * [1.0, softening(size), softening(size), 1.0]
-    w, y, difference = u[:, 1] + u[:, 2], u[:, 1] - u[:, 2], forces[:, 1] - forces[:, 2]
-    acceleration = forces[:, 0] - forces[:, 3] - (1.0 + 2.0 / size**3) * difference
-    first = w.argmax()
-    gap = first + int(np.argmin(w[first:] > 0.0))
-    closed = (w > 0.5 * w[gap:].max()) & (times > times[gap])
-    zeros = CubicSpline(times[:gap], acceleration[:gap]).roots(extrapolate=False)
-    nearest = np.abs(0.5 * (zeros[2:] + zeros[:-2]) - times[first]).argmin()
-    frequency = 2.0 * math.pi / (zeros[nearest + 2] - zeros[nearest])
-    return (
-        frequency,
-        np.abs(acceleration[:gap]).max() / frequency**2,
-        np.abs(y[closed]).max(initial=0.0),
-        np.abs(difference[:gap]).max(),
-        np.abs(difference[closed]).max(initial=0.0),
-    )
-
-
-def frequency_of_law(alpha, size, speed, tolerance):
-    """Return ω of the closed form, with W of the chain whose intruder has no weight."""
+def _law(alpha, size, speed, tolerance):
+    """Return ω of the law, with W of the chain whose intruder has no weight."""
     contact = INTRUDER - 1
     factors = {"contact": contact, "factor": softening(size) * 0.5**alpha}
     record = {"arrival_level": 0.01, "extremes": True}
@@ -141,25 +137,23 @@ def frequency_of_law(alpha, size, speed, tolerance):
     return math.sqrt((1.0 + 2.0 / size**3) * softening(size) * alpha * half ** (alpha - 1.0))
 
 
-def edge_of_spectrum(alpha):
+def edge_of_spectrum(alpha, share):
     """Return the frequency below which a share of the energy of the force of a wave lies, c = 1."""
     edges = []
-    for points in (2 * POINTS_PER_BEAD, POINTS_PER_BEAD):
+    for finer in (2, 1):
+        points, period = finer * POINTS_PER_BEAD, finer * LONG
         force = np.maximum(solitary_wave(alpha, points).u, 0.0) ** alpha
-        energy = np.cumsum(np.abs(np.fft.rfft(force, PADDED)) ** 2)
-        omega = 2.0 * np.pi * np.fft.rfftfreq(PADDED, 1.0 / points)
-        edges.append(np.interp(SHARE * energy[-1], energy, omega))
+        omega = 2.0 * np.pi * np.fft.rfftfreq(points * period, 1.0 / points)
+        spectrum = np.abs(np.fft.rfft(force, points * period)) ** 2
+        energy = cumulative_trapezoid(spectrum, omega, initial=0.0)
+        edges.append(np.interp(share * energy[-1], energy, omega))
     return estimate(*edges)
 
 
-def ratio(found, over, under, size):
-    """Return one number of an intruder over another one, c = 1."""
-    return tabulated(chosen := found.sel(size=size, speed=1), over) / tabulated(chosen, under)
-
-
-def least_over_edge(found):
-    """Return the least frequency of all sizes over the edge of the spectrum, c = 1."""
-    return min(ratio(found, "frequency", "edge", size) for size in found["size"].values)
+def ratio(found, over, under, size, share=SHARES[0]):
+    """Return one number of an intruder over another one, c = 1, with the edge of a share."""
+    chosen = found.sel(size=size, share=share, speed=1)
+    return tabulated(chosen, over) / tabulated(chosen, under)
 
 
 def power_of_size(found, first, last):
