@@ -81,9 +81,23 @@ def requirement(node):
     return name.startswith(("require", "_require")) or isinstance(node, ast.Raise)
 
 
+def proves_nothing(node):
+    """Whether it only limits a reason or the time of a check, or reads a file: others test this."""
+    named = ast.unparse(node).partition("(")[0].split(" = ")[0]
+    return isinstance(node, ast.stmt) and named in ("LONGEST_LINE", "require_short", "def load")
+
+
+def parts(tree):
+    """The nodes of a module from the outside to the inside, except what proves nothing."""
+    if not proves_nothing(tree):
+        yield tree
+        for node in ast.iter_child_nodes(tree):
+            yield from parts(node)
+
+
 def places(tree):
     """The nodes that can be changed."""
-    for node in ast.walk(tree):
+    for node in parts(tree):
         whole = isinstance(node, ast.Constant) and type(node.value) is int
         operation = isinstance(node, ast.BinOp) and type(node.op) in EXCHANGED
         comparison = isinstance(node, ast.Compare) and type(node.ops[0]) in EXCHANGED
