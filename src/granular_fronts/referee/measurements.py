@@ -19,10 +19,10 @@ derived this for long waves, and Coste, Falcon and Fauve measured it in a chain 
 
 import numpy as np
 
+from granular_fronts.referee.problems import APART
 from granular_fronts.studies.half_step_damping import excess_by_table
 from granular_fronts.studies.half_step_motions import cubic_between
 
-APART = 5  # contacts on both sides between which a pulse is timed
 LEAST_FALL = 1.0e-4  # of a measurement from one tabulated damping to the next, relative
 
 NAMES = {

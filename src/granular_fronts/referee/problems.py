@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
-from granular_fronts.referee.measurements import APART
 from granular_fronts.scenes.limits import Part, part_errors
 from granular_fronts.scenes.schema import name_entry, violations
 from granular_fronts.scenes.yaml_files import read_yaml
 
 ALPHA = 1.5
+APART = 5  # contacts on both sides between which a pulse is timed
 
 PRESSED = "a constant force of {force!r} pushes bead 1 towards bead 2 from t = 0 on"
 STRUCK = "bead 1 has the velocity {velocity!r} towards bead 2"
