@@ -252,8 +252,8 @@ def _findings(statements: list[dict[str, Any]], table: Path) -> list[str]:
     for one in statements:
         name = one["quantity"]
         value = _with_error(rows[name]) if name in rows else "on demand"
-        told = name, value, one.get("criterion", "not judged"), one.get("check", "–")
-        lines.append(f"| {' | '.join(told)} |")
+        cells = name, value, one.get("criterion", "not judged"), one.get("check", "–")
+        lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 

@@ -282,7 +282,7 @@ def records() -> list[dict[str, Any]]:
 
 
 def rounded(number: float, rounding: str = ROUND_CEILING) -> str:
-    """A number in LaTeX, to three digits, upwards or as told."""
+    """A number in LaTeX with three significant digits, rounded up by default."""
     decimal = Context(prec=3, rounding=rounding).create_decimal(number)
     return f"{decimal:f}" if decimal > 1e-4 else formula(f"{decimal:e}")
 

@@ -66,7 +66,8 @@ EXCHANGED = {
     ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq,
 }
-NOTHING = "LONGEST_LINE", "TAYLOR_ORDER", "require_short", "def load"
+NOT_MUTATED = "LONGEST_LINE", "TAYLOR_ORDER", "require_short", "def load"
+"""Statements that limit a message or the time of a check, choose an order, or read a file."""
 LIMITS = {resource.RLIMIT_AS: 8 * 2**30, resource.RLIMIT_CORE: 0}
 """Bytes of memory at which a mutant is stopped."""
 SHORT, LONG = 40, 180
@@ -82,23 +83,23 @@ def requirement(node):
     return name.startswith(("require", "_require")) or isinstance(node, ast.Raise)
 
 
-def proves_nothing(node):
-    """Whether it only limits a reason or the time of a check, chooses an order, or reads a file."""
+def excluded(node):
+    """Whether a node is one of the statements that are not mutated."""
     named = ast.unparse(node).partition("(")[0].split(" = ")[0]
-    return isinstance(node, ast.stmt) and named in NOTHING
+    return isinstance(node, ast.stmt) and named in NOT_MUTATED
 
 
-def parts(tree):
-    """The nodes of a module from the outside to the inside, except what proves nothing."""
-    if not proves_nothing(tree):
+def walk(tree):
+    """The nodes of a module from the outside to the inside, without excluded statements."""
+    if not excluded(tree):
         yield tree
         for node in ast.iter_child_nodes(tree):
-            yield from parts(node)
+            yield from walk(node)
 
 
 def places(tree):
     """The nodes that can be changed."""
-    for node in parts(tree):
+    for node in walk(tree):
         whole = isinstance(node, ast.Constant) and type(node.value) is int
         operation = isinstance(node, ast.BinOp) and type(node.op) in EXCHANGED
         comparison = isinstance(node, ast.Compare) and type(node.ops[0]) in EXCHANGED

@@ -80,6 +80,10 @@ class Estimate(_Pair):
         ratio = self.value / other.value
         return Estimate(ratio, (self.error + abs(ratio) * other.error) / abs(other.value))
 
+    def __pow__(self, power: float) -> Estimate:
+        value = self.value**power
+        return Estimate(value, abs(power * value / self.value) * self.error)
+
     __radd__ = __add__
     __rmul__ = __mul__  # type: ignore[assignment]
 

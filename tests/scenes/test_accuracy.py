@@ -85,6 +85,7 @@ CORNERS = [(x, y) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
         lambda a, b: a / b,
         lambda a, b: np.float64(2.0) * a - b / 3.0,
         lambda a, b: 1.0 + -a * b,
+        lambda a, b: b**-2.0 + (-a) ** 0.25,
     ],
 )
 def test_errors_propagate_to_first_order_in_the_worst_case(combine):

@@ -139,10 +139,10 @@ def test_the_page_of_a_paper_shows_what_is_computed(project):
     )
     listed = load_script("generate").papers_page(project / "results")
     for row in pd.read_csv(project / "results/tables/rosas_2007_findings.csv").itertuples():
-        [told] = re.findall(
+        [value] = re.findall(
             rf"^\| {re.escape(row.quantity)} \| (\S+) ± \S+ \|", listed, re.MULTILINE
         )
-        assert float(told.replace("−", "-")) == pytest.approx(row.computed, abs=row[3])
+        assert float(value.replace("−", "-")) == pytest.approx(row.computed, abs=row[3])
         assert row.verdict == "holds"
     front = read_dataset(project / "results/data/fronts/rosas_2007_fronts.nc")
     [pair] = re.findall(r"overshoot is ([\d.]+), that of the exact front ([\d.]+)\.", page)
@@ -154,11 +154,16 @@ def test_the_page_of_a_paper_shows_what_is_computed(project):
     assert [float(place.replace(" ", "")) for place in places] == pytest.approx(found, rel=0.03)
 
 
+def page_beside_run(project, paper):
+    """The page of a paper, after the run that it shows."""
+    outcome = snakemake(f"papers/{paper}", folder=project)
+    assert outcome.returncode == 0, outcome.stderr
+    return (ROOT / f"docs/papers/{paper}.md").read_text(encoding="utf-8")
+
+
 @pytest.mark.slow
 def test_the_page_on_dispersive_shocks_shows_what_is_computed(project):
-    outcome = snakemake("papers/yang_2024", folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    page = (ROOT / "docs/papers/yang_2024.md").read_text(encoding="utf-8")
+    page = page_beside_run(project, "yang_2024")
     shown = re.findall(r"^\| .* \| ([\d.]+) ± ([\d.]+) \|$", page, re.MULTILINE)
     rows = pd.read_csv(project / "results/tables/yang_2024_findings.csv")
     found = rows[["computed", "numerical error"]].values
@@ -169,9 +174,7 @@ def test_the_page_on_dispersive_shocks_shows_what_is_computed(project):
 
 @pytest.mark.slow
 def test_the_page_on_dimers_shows_what_is_computed(project):
-    outcome = snakemake("papers/jayaprakash_2011", folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    page = (ROOT / "docs/papers/jayaprakash_2011.md").read_text(encoding="utf-8")
+    page = page_beside_run(project, "jayaprakash_2011")
     rows = re.findall(r"^\| (\d) \| ([\d.]+) \| ([^|]+) \| ([^|]+) \|$", page, re.MULTILINE)
     found = read_dataset(project / "results/data/chain/jayaprakash_2011_ratios.nc")
     assert len(rows) == found.sizes["order"] == found.sizes["resonance_order"]
@@ -189,9 +192,7 @@ def test_the_page_on_dimers_shows_what_is_computed(project):
 
 @pytest.mark.slow
 def test_the_page_on_several_materials_shows_what_is_computed(project):
-    outcome = snakemake("papers/porter_2008", folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    page = (ROOT / "docs/papers/porter_2008.md").read_text(encoding="utf-8")
+    page = page_beside_run(project, "porter_2008")
     rows = re.findall(r"^\| ([^ |]+) \| ([\d. |]+) \|$", page, re.MULTILINE)
     found = read_dataset(project / "results/data/chain/porter_2008_materials.nc")
     assert {cell for cell, _ in rows} == {*found["cell"].values}
@@ -208,21 +209,16 @@ def test_the_page_on_several_materials_shows_what_is_computed(project):
                 float(found[name].sel(cell=cell)), abs=0.51 * unit
             )
     light = read_dataset(project / "results/data/chain/porter_2008_light.nc")
-    for name, value, error in (
-        ("speed_at_10_newtons", 253.1, 0.1),
-        ("speed_over_theory", 1.0199, 4e-4),
-        ("width", 1.773, 2e-3),
-    ):
-        assert f"{value} ± {error:g}" in page
-        assert float(light[name][0]) == pytest.approx(value, abs=error)
-        assert 0.5 * error <= float(light[f"{name}_error"][0]) <= 1.1 * error
+    shown = re.findall(r"([\d.]+) ± ([\d.]+)", page)
+    names = "speed_at_10_newtons", "speed_over_theory", "width"
+    for (value, error), name in zip(shown, names, strict=True):
+        assert float(light[name][0]) == pytest.approx(float(value), abs=float(error))
+        assert 0.5 <= float(light[f"{name}_error"][0]) / float(error) <= 1.1
 
 
 @pytest.mark.slow
 def test_the_page_on_a_light_intruder_shows_what_is_computed(project):
-    outcome = snakemake("papers/job_2009", folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    page = (ROOT / "docs/papers/job_2009.md").read_text(encoding="utf-8")
+    page = page_beside_run(project, "job_2009")
     found = read_dataset(project / "results/data/chain/job_2009_sizes.nc").sel(speed=1)
     rows = re.findall(r"^\| ([\d.]+) \| (.*) \|$", page, re.MULTILINE)
     assert len(rows) == found.sizes["size"]
@@ -244,9 +240,7 @@ def test_the_page_on_a_light_intruder_shows_what_is_computed(project):
 
 @pytest.mark.slow
 def test_the_page_on_collisions_shows_what_is_computed(project):
-    outcome = snakemake("papers/santibanez_2011", folder=project)
-    assert outcome.returncode == 0, outcome.stderr
-    page = (ROOT / "docs/papers/santibanez_2011.md").read_text(encoding="utf-8")
+    page = page_beside_run(project, "santibanez_2011")
     found = read_dataset(project / "results/data/chain/santibanez_2011_collisions.nc")
     equal = found.sel(pair=0, direction=1, place=[0, 0.5])
     secondary, third = equal["secondary"].values, equal["third"].values
@@ -266,7 +260,9 @@ def test_the_page_on_collisions_shows_what_is_computed(project):
     behind = np.array([secondary**10, third**10]) / (1.0 - energy.values)
     bead = f"At a bead it has {behind[0, 1]:.0%}, and a third wave has {behind[1, 1]:.0%}."
     assert f"It has {behind[0, 0]:.0%} of it. {bead}".replace("%", " %") in page
-    np.testing.assert_allclose((third / secondary) ** 6, [0.09, 0.4], atol=0.005)
+    at_contact, at_bead = (third / secondary) ** 6
+    shown = f"force is {at_bead:.0%} of that of the secondary wave, at a contact {at_contact:.0%}"
+    assert shown.replace("%", " %") in " ".join(page.split())
     falls = 1.0 - float(equal["speed_after"][0])
     reached = float(equal["shift"][0]) - 40.0 * falls
     assert f"it is {reached:.4f} beads" in page

@@ -29,7 +29,7 @@ import xarray as xr
 from scipy.interpolate import CubicSpline
 from scipy.signal import argrelmax
 
-from granular_fronts.accuracy import Estimate, estimate, tabulated, variable_and_errors
+from granular_fronts.accuracy import estimate, tabulated, variable_and_errors
 from granular_fronts.chain.simulate import simulate_once
 from granular_fronts.fronts.solitary_waves import POINTS_PER_BEAD, solitary_wave, start_in_waves
 
@@ -144,9 +144,8 @@ def share(found, name, of, place, pair=0):
     """Return what a speed over the incident one is of `force`, `momentum` or `energy`."""
     alpha = found.attrs["alpha"]
     powers = {"force": 2.0 * alpha, "momentum": alpha + 1.0, "energy": 2.0 * (alpha + 1.0)}
-    power = powers[of] / (alpha - 1.0)
-    speed = tabulated(found.sel(pair=pair, place=place, direction=1), name)
-    return Estimate(speed.value**power, power * speed.value ** (power - 1.0) * speed.error)
+    speed = tabulated(found, name, pair=pair, place=place, direction=1)
+    return speed ** (powers[of] / (alpha - 1.0))
 
 
 def even_over_odd(found):

@@ -202,7 +202,7 @@ def find_ratios(alpha, roots, cells, tolerance):
         wave, ratio = find_wave(alpha, crossed.value**-2.0, cells[-1], tolerance)
         waves.append(CubicSpline(wave.t, wave.u)(SHOWN))
         exact.append(ratio)
-        by_chain.append(Estimate(crossed.value**-2.0, 2.0 * crossed.error * crossed.value**-3.0))
+        by_chain.append(crossed**-2.0)
     places, heights = [], []
     for high in root[highs]:
         early, last = (_largest(both, which, high, roots["step"]) for which in (0, 1))
