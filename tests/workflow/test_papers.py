@@ -209,7 +209,7 @@ def test_the_page_on_several_materials_shows_what_is_computed(project):
                 float(found[name].sel(cell=cell)), abs=0.51 * unit
             )
     light = read_dataset(project / "results/data/chain/porter_2008_light.nc")
-    shown = re.findall(r"([\d.]+) ± ([\d.]+)", page)
+    shown = re.findall(r"([\d.]+) ± ([\d.]+\d)", page)
     names = "speed_at_10_newtons", "speed_over_theory", "width"
     for (value, error), name in zip(shown, names, strict=True):
         assert float(light[name][0]) == pytest.approx(float(value), abs=float(error))
