@@ -73,7 +73,7 @@ def test_scipy_agrees_within_its_own_error(law):
 def fixed_steps(scene, steps):
     """u and d after `steps` equal steps over the ramp and as many over the rest of the time."""
     part = run.prepare(scene)
-    run.integrate_in_halves(part, [scene["end_time"] * np.arange(1, steps + 1) / steps])
+    run.integrate_in_halves(part, scene["end_time"] * np.arange(1, steps + 1) / steps)
     return np.concatenate([part.row(U), part.row(D)])
 
 

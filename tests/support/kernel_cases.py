@@ -6,7 +6,7 @@ Each case returns arrays, computed by compiled kernels or, after ``import uncomp
 from importlib.util import find_spec
 
 import numpy as np
-from chains import driven_scene, given, ring_scene, smooth_ring
+from chains import driven_scene, ring_scene, smooth_ring
 from kernels import mapped
 from potentials import cosh, fpu, hertz, toda
 from rings import scene_with
@@ -224,15 +224,6 @@ def multipliers():
     return [found.values, found["rounding"].values]
 
 
-def long_chain():
-    """A compressed chain that carries a wave everywhere, by steps of two lengths."""
-    n = np.arange(2000)
-    u, velocity = 1.0 + 0.3 * np.cos(np.pi * n[:-1] / 5.0), 0.2 * np.sin(np.pi * n / 5.0)
-    held = {"kind": "pressure", "left": 1.3, "right": 1.0}
-    scene = driven_scene(0.1, 2000, 4.0, tolerance=LOOSE, record={"snapshots": [4.0]})
-    return variables(simulate_chain(scene | {"start": given(u, velocity), "boundary": held}))
-
-
 CASES = (
     driven_chain,
     chain_with_gaps,
@@ -255,7 +246,7 @@ CASES = (
     profile_of_two_powers,
     shooting,
 )
-EVERY_CASE = (*CASES, long_chain, multipliers)
+EVERY_CASE = (*CASES, multipliers)
 """Those too that would take long without being compiled."""
 
 

@@ -61,7 +61,7 @@ class _Motion(NamedTuple):
 
     run: Run
     scene: dict
-    ends: list[np.ndarray]
+    ends: np.ndarray
     length: float
     speed: float
 

@@ -100,15 +100,15 @@ def _complete(chain, table, recording, h, t_new, energy):
 
 
 @kernel
-def advance(chain, table, recording, stops, relative, absolute, ends, prescribed):
+def advance(chain, table, recording, relative, absolute, ends, prescribed):
     """Integrate until the last of the stops, or for as many further steps as `ends` holds.
 
     The ends of these steps are written into `ends`; prescribed, they are read from there, and no
     step is rejected.  The result is RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE,
     OPENED.
     """
-    table, recording, stops, ends = borrowed((table, recording, stops, ends))
-    law, clock, next_ = chain.law, chain.clock, recording.next
+    table, recording, ends = borrowed((table, recording, ends))
+    law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
     after_rejection = False
     steps = 0
     while steps < ends.size and next_.stop < stops.size and not interrupted():
@@ -144,7 +144,6 @@ def advance(chain, table, recording, stops, relative, absolute, ends, prescribed
                 clock.h = at_contact
                 continue
         _complete(chain, table, recording, h, t_new, energy)
-        clock.rate = largest.rate
         ends[steps] = t_new
         steps += 1
         growth, shortened = _growth_of(error), landing and h < clock.h

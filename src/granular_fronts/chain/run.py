@@ -8,7 +8,7 @@ so that no step has a jump of the force, or of the piston's acceleration, inside
 """
 
 import functools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,14 +22,6 @@ from granular_fronts.chain.recording import make_recording
 from granular_fronts.chain.stage_passes import stage_pass
 from granular_fronts.chain.state import D, U
 from granular_fronts.chain.strain import end_of_window
-from granular_fronts.chain.two_rates import (
-    BLOCK_SIZES,
-    STEPS_PER_BLOCK,
-    Behind,
-    advance_two_rates,
-    prepare_behind,
-    takes_two_rates,
-)
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
@@ -44,6 +36,7 @@ from granular_fronts.scenes.beads import (
 )
 
 FIRST_STEP = 1.0e-6
+STEPS_PER_BLOCK = 2000
 # Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
 # force to first order, every stage carries them one bead further.
 MARGIN_WITHOUT_STIFFNESS = 4
@@ -63,17 +56,11 @@ class Run(NamedTuple):
     table: np.ndarray  # Rows of the chain, see `state`.
     recording: Recording
     momentum: float  # Σm_nẋ_n at t = 0.
-    behind: Behind | None = None  # For steps of two lengths.
 
     @property
     def clock(self):
         """Time and work so far (`state.CLOCK`)."""
         return self.chain.clock
-
-    @property
-    def chains(self):
-        """The whole chain, and the beads behind its front if their steps have another length."""
-        return [self.chain, self.behind.chain] if self.behind else [self.chain]
 
     def row(self, row):
         """Entries 1 … N of a row of the table, a view."""
@@ -101,13 +88,7 @@ def prepare(scene: Mapping[str, Any]) -> Run:
     if velocity.any():
         _note_openings_at_start(recording, chain.contacts, u, velocity)
     momentum = float((beads.mass * velocity).sum())
-    behind = None
-    if takes_two_rates(scene):
-        behind = prepare_behind(chain, recording)
-        # Steps of both lengths end where a state is recorded.
-        times = recording.profile_times
-        recording = recording._replace(stops=np.union1d(recording.stops, times[times > 0.0]))
-    return Run(law, boundary, beads, chain, table, recording, momentum, behind)
+    return Run(law, boundary, beads, chain, table, recording, momentum)
 
 
 def _note_openings_at_start(recording, contacts, u, velocity):
@@ -122,8 +103,8 @@ def integrate(
     run: Run,
     tolerance: Mapping[str, float],
     after_block: Callable[[Run], None] = lambda run: None,
-) -> list[np.ndarray]:
-    """Advance a run to its end; returns the times at which steps ended, for each of its chains.
+) -> np.ndarray:
+    """Advance a run to its end; returns the times at which steps ended.
 
     The tolerance is `relative` and `absolute`, per step, in the maximum norm over beads.
     `after_block` is called with the run after about `STEPS_PER_BLOCK` steps each and at the end.
@@ -132,58 +113,41 @@ def integrate(
     α < 1 a contact opened.
     """
     relative, absolute = float(tolerance["relative"]), float(tolerance["absolute"])
-    clocks, blocks = [chain.clock for chain in run.chains], []
+    blocks = []
 
     def advance(run):
-        before = [clock.accepted for clock in clocks]
-        ends = [np.empty(size) for size in BLOCK_SIZES[: len(clocks)]]
-        status = _take_steps(run, relative, absolute, ends, False)
-        counts = [clock.accepted - first for clock, first in zip(clocks, before, strict=True)]
-        blocks.append([times[:count].copy() for times, count in zip(ends, counts, strict=True)])
+        before, ends = run.clock.accepted, np.empty(STEPS_PER_BLOCK)
+        status = integrator.advance(
+            run.chain, run.table, run.recording, relative, absolute, ends, False
+        )
+        blocks.append(ends[: run.clock.accepted - before].copy())
         return status
 
     _advance(run, advance, after_block)
-    return [np.concatenate(parts) for parts in zip(*blocks, strict=True)]
+    return np.concatenate(blocks)
 
 
 def integrate_in_halves(
     run: Run,
-    ends: Sequence[np.ndarray],
+    ends: np.ndarray,
     after_block: Callable[[Run], None] = lambda run: None,
-) -> list[np.ndarray]:
+) -> np.ndarray:
     """Advance a run to its end by two steps for each of another run of the same scene.
 
     `ends` are the times at which the steps of that run ended; returns those of the halves.  Where
     the error is one of truncation it is smaller by 2⁸, whatever limited the steps: accuracy,
     stability, outputs or contacts.
     """
-    clocks, halves = [chain.clock for chain in run.chains], [_halve(times) for times in ends]
+    halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
+    halves = halves[halves > 0.0]
 
     def follow(run):
-        rest = [times[clock.accepted :] for times, clock in zip(halves, clocks, strict=True)]
-        return _take_steps(run, 1.0, 1.0, rest, True)
+        first = run.clock.accepted
+        part = halves[first : first + STEPS_PER_BLOCK]
+        return integrator.advance(run.chain, run.table, run.recording, 1.0, 1.0, part, True)
 
     _advance(run, follow, after_block)
     return halves
-
-
-def _halve(ends):
-    """Return the ends of two steps for each one."""
-    halves = np.union1d(ends, 0.5 * (np.append(0.0, ends[:-1]) + ends))
-    return halves[halves > 0.0]
-
-
-def _take_steps(run, relative, absolute, ends, prescribed):
-    """Advance a run by a block of steps, whose ends are written or read, and return the status."""
-    chain, table, recording = run.chain, run.table, run.recording
-    if run.behind:
-        return advance_two_rates(
-            chain, table, recording, run.behind, relative, absolute, tuple(ends), prescribed
-        )
-    ends = ends[0][:STEPS_PER_BLOCK]
-    return integrator.advance(
-        chain, table, recording, recording.stops, relative, absolute, ends, prescribed
-    )
 
 
 def _advance(run, advance, after_block):
@@ -192,8 +156,7 @@ def _advance(run, advance, after_block):
     breaks = drive.breaks[drive.breaks < stops[-1]] if drive else []
     for piece, end in enumerate([*breaks, stops[-1]]):
         if piece:
-            for chain in run.chains:
-                chain.drive = drive.pieces[piece]
+            run.chain.drive = drive.pieces[piece]
             integrator.begin(run.chain, run.table)
         part = run.recording._replace(stops=stops[: np.searchsorted(stops, end, side="right")])
         status = integrator.RUNNING
@@ -367,10 +330,9 @@ def _is_at_rest_without_stiffness(law, u):
 
 
 def work_done(run: Run) -> dict[str, int]:
-    """Steps and right-hand sides so far, as a dict, and steps behind a front with its own."""
+    """Steps and right-hand sides so far, as a dict."""
     clock = run.clock
-    behind = {"steps_behind": int(run.behind.chain.clock.accepted)} if run.behind else {}
-    return behind | {
+    return {
         "steps_accepted": int(clock.accepted),
         "steps_rejected": int(clock.rejected),
         "steps_cut_at_contacts": int(clock.cut),

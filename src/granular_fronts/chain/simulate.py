@@ -2,7 +2,7 @@ r"""From a scene to a dataset: front initiation and every other driven or period
 
 A scene is the mapping that the configuration holds under `scenes: chain:`; its keys are described
 in `workflow/schemas/config.schema.yaml`.  The motion is integrated in strain form (`strain`) with
-the adaptive pair of `integrator`, by steps of two lengths if the chain is long (`two_rates`).
+the adaptive pair of `integrator`.
 
 Accuracy.  Every scene is integrated again, with two steps for each of the first run.  The runs thus
 differ from the first step on.  An error of truncation is smaller by 2⁸ in the second run.  The
@@ -51,7 +51,7 @@ class Solution(NamedTuple):
     counts: dict  # Steps accepted, rejected, cut at contacts; right-hand sides.
     drifts: dict  # Largest relative drift of the balance laws.
     recording: Recording  # As the integrator left it.
-    ends: list[np.ndarray]  # Times at which the steps ended, for each chain of the run.
+    ends: np.ndarray  # Times at which the steps ended.
 
     @property
     def dataset(self):

@@ -58,13 +58,12 @@ not smooth, and whether F' is infinite there, so that no contact may pass.  1 if
 extension too, else 0."""
 
 CLOCK = record_type(
-    *[(name, float) for name in ("t", "h", "drive", "w_1", "power", "dissipated", "rate")],
+    *[(name, float) for name in ("t", "h", "drive", "w_1", "power", "dissipated")],
     *[(name, np.int64) for name in ("reach", "accepted", "rejected", "cut", "right_hand_sides")],
 )
 """Time and next step.  Drive at the last stage, and w_1 at t, if something drives the chain.  Power
-dissipated at t less the power of the drive, and the energy of both since t = 0.  Largest |d| when
-the last step began.  Last bead of the active window; steps accepted, rejected and cut at contacts;
-right-hand sides."""
+dissipated at t less the power of the drive, and the energy of both since t = 0.  Last bead of the
+active window; steps accepted, rejected and cut at contacts; right-hand sides."""
 
 DRIVE = record_type(
     *[(name, float) for name in ("start", "constant", "rate", "amplitude", "frequency", "phase")]

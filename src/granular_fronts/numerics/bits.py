@@ -37,21 +37,6 @@ def multiply_add(typing_context, a, b, c):
 
 
 @intrinsic
-def from_column(typing_context, array, column):
-    """Return an array without its first columns; rows stay as far apart, and a type is kept.
-
-    The shape is the same too, so that the last columns must not be used.
-    """
-
-    def generate(context, builder, signature, arguments):
-        view = cgutils.create_struct_proxy(array)(context, builder, value=arguments[0])
-        view.data = builder.gep(view.data, [arguments[1]])
-        return view._getvalue()
-
-    return array(array, types.int64), generate
-
-
-@intrinsic
 def borrowed(typing_context, values):
     """Return an array, or a tuple of numbers and arrays, whose owners need not be counted.
 
