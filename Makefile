@@ -22,7 +22,7 @@ quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 need_uv = command -v uv >/dev/null || { \
     echo "Remaking $@ needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
 
-.PHONY: all help test slow coverage lint readme docs note clean
+.PHONY: all help test slow coverage lint readme docs clean
 
 all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -112,13 +112,6 @@ readme: .venv/installed ## Bring the numbers of README and manual up to date.
 docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.
 	@echo "Building the manual in docs/_build/html."
 	$(call quietly,$(BIN)/sphinx-build -E -W --keep-going -b html docs docs/_build/html)
-
-note: .venv/installed ## Set all proofs as a note in LaTeX, where LaTeX is installed.
-	@command -v latexmk >/dev/null || { \
-	    echo "The note needs LaTeX with latexmk: please install both, for example TeX Live." >&2; exit 1; }
-	@echo "Checking certificates and setting docs/_build/note/note.pdf."
-	$(call quietly,$(BIN)/python docs/note.py docs/_build/note)
-	$(call quietly,latexmk -cd -pdf -interaction=nonstopmode -halt-on-error docs/_build/note/note.tex)
 
 .PHONY: $(shell cmp -s docs-environment.txt .venv/docs-installed || echo .venv/docs-installed)
 .venv/docs-installed: .venv/installed

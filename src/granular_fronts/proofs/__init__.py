@@ -6,7 +6,7 @@ then proves, in balls and with only python-flint and NumPy, that a front exists 
 looks like.  `families` joins certificates to a continuous family.  `dashpots` does the same for
 linear dashpots (β = 1).
 
-The mathematics is in the docstrings; docs/note.tex sets them as one text, lemma by lemma.
+The mathematics is in the docstrings, lemma by lemma.
 """
 
 from importlib.util import find_spec
