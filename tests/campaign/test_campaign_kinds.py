@@ -3,13 +3,12 @@
 import numpy as np
 import pytest
 import xarray as xr
-from campaigns import CHAINS, ORBITS, all_chunks, campaign, solve, solved_points
+from campaigns import CHAINS, all_chunks, campaign, solve, solved_points
 from chains import driven_scene
 
 from granular_fronts.campaign import merging, points
 from granular_fronts.chain.measures import front_speed
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic, turning_points
 from granular_fronts.errors import SolveError
 from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.solve import evaluate_front, solve_front
@@ -68,30 +67,6 @@ def test_error_estimate_of_chains_bounds_the_error():
     for name in ("front_speed", "overshoot", "largest_overshoot"):
         error = np.nanmax(np.abs(coarse.values[name] - fine.values[name]))
         assert 0.0 < error < 20.0 * coarse.errors[name]
-
-
-def test_heteroclinic_points_are_those_of_the_orbit():
-    """Their rates are the smaller root of λ² − μλ + 1 = 0, equation (56) linearised at y = 1."""
-    asked = campaign(ORBITS, record={"profile": {"start": -5, "stop": 3, "count": 5}})
-    solved = solved_points(asked)
-    for column, mu in enumerate(ORBITS["axes"]["mu"]):
-        _, overshoot = turning_points(mu)
-        assert solved.values["overshoot"][0, column] == (overshoot[0] if overshoot.size else 0.0)
-        orbit = heteroclinic(mu, np.linspace(-5, 3, 5))
-        np.testing.assert_array_equal(
-            solved.values["rescaled_force"][0, column], orbit["rescaled_force"]
-        )
-        width = solved.values["width_10_90"][0, column]
-        y = heteroclinic(mu, np.linspace(-60.0, 20.0, 80001))["rescaled_force"]
-        s_10, s_90 = (float(y["s"][np.flatnonzero(y > level)[-1]]) for level in (0.1, 0.9))
-        assert width == pytest.approx(s_10 - s_90, abs=0.003)
-    rates = solved.values["growth_rate"][0] + 1j * solved.values["angular_frequency"][0]
-    mu = np.array(ORBITS["axes"]["mu"])
-    roots = 0.5 * (mu - np.sqrt(mu.astype(complex) ** 2 - 4.0))
-    # At μ = 2 the orbit leaves (1, 0) with an algebraic factor, so that its rate is known worse.
-    allowed = np.where(mu == 2.0, 0.03, 1e-6)
-    assert (np.abs(rates - (roots.real + 1j * np.abs(roots.imag))) < allowed).all()
-    assert max(error for name, error in solved.errors.items() if name != "growth_rate") < 1e-9
 
 
 FRONTS = {"kind": "front", "axes": {"alpha": [1.3, 1.5], "gamma": [0.1, 0.2, 0.6]}}

@@ -99,7 +99,7 @@ def rates(*values, **axes):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"kind": "heteroclinic", "axes": {"mu": [1.0]}}, "law is given, but kind heteroclinic"),
+        ({"kind": "ring"}, "law is given, but kind ring"),
         ({"law": {"elastic": {"kind": "tode"}}}, "'tode' is no kind of elastic potential"),
         ({"law": {"viscous": {"kind": "none"}}}, "law.elastic is missing"),
         ({"law": {"elastic": {"kind": "toda", "rate": "2"}}}, "law.elastic.rate is"),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from campaigns import ORBITS, all_chunks, campaign, refusal, solve, solved_points
+from campaigns import CHAINS, all_chunks, campaign, refusal, solve, solved_points
 from configurations import assert_refused
 from rings import scene_with
 
@@ -222,10 +222,7 @@ LISTED = {"fixed": {"damping": 0.5, "half_length": 8.1, "half_width": 2}}
         (given(0, 0, 0, 0, 0), "start.rescaled_force has one value"),
         (given(1, 2, 3, 2, 1) | LISTED, "fixed.half_width is given"),
         ({"record": {"scalars": ["displacement_max"]}}, "did you mean displacement_"),
-        (
-            ORBITS | {"start": {"profile": "pulse"}, "fixed": {}},
-            "start is given, but kind heteroclinic",
-        ),
+        (CHAINS | {"start": {"profile": "pulse"}}, "start is given, but kind chain"),
     ],
 )
 def test_impossible_campaign_of_rings_is_refused(changes, words):

@@ -26,8 +26,9 @@ CAMPAIGN = {
     "chunk_points": 100,
 }
 SHORT = {
-    "kind": "heteroclinic",
-    "axes": {"mu": {"linspace": [0.5, 2.0, 6]}},
+    "kind": "front",
+    "axes": {"gamma": {"linspace": [0.5, 2.0, 6]}},
+    "fixed": {"alpha": 1.5},
     "chunk_points": 2,
 }
 

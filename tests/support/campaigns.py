@@ -18,7 +18,6 @@ CHAINS = {
     "fixed": {"alpha": 1.5, "beads": 30},
     "tolerance": 1.0e-7,
 }
-ORBITS = {"kind": "heteroclinic", "axes": {"mu": [0.3, 1.0, 2.0, 5.0, 15.0]}}
 
 
 def campaign(given=CHAINS, **changes):

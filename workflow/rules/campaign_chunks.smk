@@ -9,7 +9,6 @@ KERNELS_OF_KIND = {
     "chain": rules.compile_kernels.output.stamp,
     "motion": rules.compile_kernels.output.stamp,
     "front": rules.compile_front_kernels.output.stamp,
-    "heteroclinic": rules.compile_continuum_kernels.output.stamp,
     "ring": [
         rules.compile_kernels.output.stamp,
         rules.compile_continuum_kernels.output.stamp,

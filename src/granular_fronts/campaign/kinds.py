@@ -213,19 +213,6 @@ KINDS: dict[str, Kind] = {
         profile_counts=True,
         of_scene=True,
     ),
-    "heteroclinic": Kind(
-        module="granular_fronts.campaign.heteroclinic_points",
-        seconds_per_point=0.02,
-        parameters={"mu": Parameter("damping of the logarithmic KdV-Burgers equation", 0.0)},
-        scalars={
-            "overshoot": "deviation y - 1 at the first maximum, 0 for a monotone front",
-            "width_10_90": "distance in s over which y falls from 0.9 to 0.1",
-            "growth_rate": "rate at which y leaves 1",
-            "angular_frequency": "angular frequency of the oscillations of y about 1",
-        },
-        profile=("rescaled_force", "rescaled force y"),
-        profile_along=("s", "rescaled coordinate 2 sqrt(3) epsilon (n - ct)"),
-    ),
     "ring": Kind(
         module="granular_fronts.campaign.ring_points",
         seconds_per_point=1.0,

@@ -109,7 +109,7 @@ def heteroclinic(mu: float, s: npt.ArrayLike | None = None) -> xr.Dataset:
     mu = check_mu(mu)
     s = None if s is None else sequence("s", s, advice="leave that point out")
     first = min(_first_of_default(mu) if s is None else float(s.min()), 0.0)
-    orbits = refined_orbit(mu, first)
+    orbits = with_refinement(lambda resolution: compute_orbit(mu, first, resolution), USUAL, FINER)
     orbit = orbits.usual
     if s is None:
         s = np.linspace(first, orbit.s_at(TAIL_P), DEFAULT_POINTS)
@@ -149,18 +149,9 @@ def turning_points(mu):
     there are too many to follow, which is an InputError.
     """
     mu = check_mu(mu)
-    first = past_all_turns(mu)
+    # Without damping there is one turn, the maximum.
+    first = -math.inf if mu > 0.0 else -4.0
     return _turns(compute_orbit(mu, first), first)
-
-
-def past_all_turns(mu):
-    """Return an s beyond which there is no turn; without damping there is one, the maximum."""
-    return -math.inf if mu > 0.0 else -4.0
-
-
-def refined_orbit(mu, first):
-    """Return the orbit, and the same by another order."""
-    return with_refinement(lambda resolution: compute_orbit(mu, first, resolution), USUAL, FINER)
 
 
 def compute_orbit(mu, first, resolution=USUAL):
