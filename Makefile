@@ -53,7 +53,7 @@ SMALL := snakemake -c2 --configfile config/smoke.yaml --config results=results/c
 coverage: .venv/installed ## Measure which lines the workflow and the fast tests run.
 	@echo "Measuring the coverage of a small run and of the fast tests."
 	@rm -rf .coverage .coverage.* results/coverage
-	@$(MEASURED) $(SMALL) -- all hard_cases precision explore
+	@$(MEASURED) $(SMALL) -- all hard_cases precision
 	@$(MEASURED) $(SMALL) campaign=smoke -- campaign
 	@$(MEASURED) pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
 	@$(BIN)/python -m coverage combine --quiet

@@ -60,7 +60,6 @@ include: "workflow/rules/campaign_chunks.smk"
 include: "workflow/rules/campaign.smk"
 include: "workflow/rules/checks.smk"
 include: "workflow/rules/report.smk"
-include: "workflow/rules/explorer.smk"
 include: "workflow/rules/papers.smk"
 include: "workflow/rules/help.smk"
 

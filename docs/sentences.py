@@ -47,8 +47,8 @@ END = re.compile(r"(?<=[.!?∎])[*_)\"”’]*\s+(?=[*_(\"“‘]*[^\Wa-z])")
 WORD = re.compile(r"[^\W_][\w.,’'·⁻^*/−-]*")
 PLAIN_WORD = re.compile(r"(?<!\w)[A-Za-z][a-zé-]+")
 
-COMMENT = re.compile(r"(?:^ *(?:#|//) .*\n)+", re.MULTILINE)
-MARK = re.compile(r"^ *(?:#|//) ", re.MULTILINE)
+COMMENT = re.compile(r"(?:^ *# .*\n)+", re.MULTILINE)
+MARK = re.compile(r"^ *# ", re.MULTILINE)
 KEY = re.compile(r"^(?=\w+: )", re.MULTILINE)
 """Where a comment on a YAML file explains its next key."""
 
@@ -83,7 +83,7 @@ def words(sentence: str) -> list[str]:
 
 def sources() -> list[Path]:
     """Files of package, workflow and configuration that hold prose."""
-    endings = {".py", ".smk", ".yaml", ".rst", ".js"}
+    endings = {".py", ".smk", ".yaml", ".rst"}
     folders = [ROOT / name for name in ("src", "workflow", "config", "papers")]
     files = [path for folder in folders for path in folder.rglob("*") if path.suffix in endings]
     return sorted([*files, ROOT / "Snakefile", ROOT / "workflow" / "Snakefile"])

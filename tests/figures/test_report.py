@@ -80,10 +80,9 @@ def results(tmp_path):
     return tmp_path
 
 
-def write(results, on_demand=True, pages=(), **parameters):
+def write(results, on_demand=True, **parameters):
     """Write the report and return its text."""
     names = ["figures/fig14_speed_error.json", "tables/speed_verdicts.json"] if on_demand else []
-    names += pages
     write_report(
         template=ROOT / "workflow/report/page.html.j2",
         figures=[results / "figures/fig01_front.json"],
@@ -147,19 +146,6 @@ def test_page_of_parts_that_disagree_is_refused(results):
     with pytest.raises(ValueError, match="answers another configuration of scene scene"):
         write(results, **{"chain/scene": {"law": {"gamma": 0.21}}})
     assert not (results / "report.html").exists()
-
-
-def test_report_links_to_the_page_to_explore_where_it_is_of_the_data_that_are_there(results):
-    assert "explore.html" not in write(results)
-    page, record = results / "explore.html", results / "explore.json"
-    page.write_text("A page.")
-    data = read_dataset(results / "data/chain/scene.nc")
-    write_provenance(record, [page], [data])
-    assert '<a href="explore.html">' in write(results, pages=["explore.json"])
-    write_provenance(record, [page], [data.assign_attrs(data_digest="0")])
-    text = write(results, pages=["explore.json"])
-    assert '<a href="explore.html">' not in text
-    assert re.search(r"Left out[^<]*explore", text)
 
 
 def table_of(page, name):

@@ -33,7 +33,6 @@ SMOKE = ["--configfile", "config/smoke.yaml"]
 SCENE = "initiation_underdamped"
 DATA = f"results/smoke/data/chain/{SCENE}.nc"
 FIGURE = f"results/smoke/figures/fig01_{SCENE}.json"
-PAGE = "results/smoke/explore.json"
 # The chain is compiled and its file written within it; the file of the scene is larger.
 LARGEST_FILE = 60_000
 LONG = {"end_time": 1000000}
@@ -246,28 +245,6 @@ def test_a_change_of_code_repeats_what_stands_on_it_and_nothing_else(finished):
         found = due_after(f"src/granular_fronts/{name}", "pass\n")
         assert found >= set(due.split()), name
         assert not found & set(not_due.split()), name
-
-
-def test_page_to_explore_is_made_again_where_anything_behind_it_changes(finished):
-    options = ask(finished, "explored", {"law": {"gamma": 0.29}})
-    run = snakemake(*options, "--", "explore", folder=finished)
-    assert run.returncode == 0, run.stderr
-    assert parameters_of(finished / PAGE) == parameters_of_data(finished)
-    for name, appended, repeated in [
-        ("workflow/scripts/report/write_explorer.py", "pass\n", "write_explorer"),
-        ("workflow/report/explorer/shared.js", "// Words.\n", "write_explorer"),
-        (
-            "src/granular_fronts/studies/front_collection.py",
-            "pass\n",
-            "study_collection write_explorer",
-        ),
-    ]:
-        with changed_code(finished, name, appended):
-            plan = snakemake("--dry-run", *options, "--", "explore", folder=finished)
-        assert rules_due(plan) - {"explore"} == set(repeated.split()), plan.stdout
-    other = ask(finished, "explored_again", {"law": {"gamma": 0.3}})
-    plan = snakemake("--dry-run", *other, "--", "explore", folder=finished)
-    assert rules_due(plan) - {"explore"} == {"initiate_front", "write_explorer"}, plan.stdout
 
 
 def cut(file):

@@ -29,13 +29,12 @@ def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
         for folder, family in FAMILIES.items()
         for name, scene in configuration["scenes"][family].items()
     }
-    return parameters | _of_studies(configuration, on_demand=False)
+    return parameters | _of_studies(configuration)
 
 
 def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameters of the datasets that only targets named in the command need."""
     return {
-        **_of_studies(configuration, on_demand=True),
         **{f"chain/{name}": scene for name, scene in configuration["real_chains"].items()},
         "precision/speed_error": {
             f"precision_{family}": problems
@@ -61,14 +60,13 @@ def parameters_of_papers() -> dict[str, Any]:
     }
 
 
-def _of_studies(configuration: Mapping[str, Any], on_demand: bool) -> dict[str, Any]:
+def _of_studies(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameters of the datasets of studies."""
     parameters = {}
     for name, study in studies().items():
-        if study.get("on_demand", False) is on_demand:
-            section = reduce(getitem, study["section"].split("."), configuration)
-            given = {study["argument"]: section} if "argument" in study else section
-            parameters[f"{study['folder']}/{name}"] = given
+        section = reduce(getitem, study["section"].split("."), configuration)
+        given = {study["argument"]: section} if "argument" in study else section
+        parameters[f"{study['folder']}/{name}"] = given
     return parameters
 
 

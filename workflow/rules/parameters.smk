@@ -47,7 +47,7 @@ def check_history():
     """
     if glob(".snakemake/metadata/*"):
         return
-    places = "explore", "figures/*", "tables/*", "animation/*"
+    places = "figures/*", "tables/*", "animation/*"
     for file in sorted(
         file for place in places for file in glob(f"{config['results']}/{place}.json")
     ):

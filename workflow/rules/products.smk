@@ -149,8 +149,6 @@ def made_on_demand():
     """
     stems = [stem_of(figure) for figure in FIGURES if figure not in DEFAULT_FIGURES]
     stems += [f"tables/{table}" for table in TABLES if table not in DEFAULT_TABLES]
-    # The page to explore.
-    stems.append("explore")
     files = [os.path.join(config["results"], f"{stem}.json") for stem in stems]
     return [file for file in files if os.path.exists(file)]
 

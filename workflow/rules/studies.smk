@@ -28,8 +28,4 @@ for study, described in (studies() | listed_in_papers("studies")).items():
 
 
 # Of the studies that a plain call makes.
-STUDY_BENCHMARKS = [
-    f"<benchmarks>/study/{study}.tsv"
-    for study, described in studies().items()
-    if f"{described['folder']}/{study}" in default_parameters(config)
-]
+STUDY_BENCHMARKS = expand("<benchmarks>/study/{study}.tsv", study=studies())

@@ -36,9 +36,30 @@ def survey_fronts(exponents, dampings):
     """Solve a front with δ = c = 1 at each exponent α > 1 and damping γ > 0.
 
     On (alpha, gamma): what `properties_of` keeps, `converged` (0 or 1) and `reason`; on
-    (alpha): `critical_damping`.
+    (alpha): `critical_damping`.  Where `converged` is 0, `reason` says why, and the rest is NaN; a
+    NoFrontError if no front is found.
     """
-    survey = over_plane(exponents, dampings, _survey_front, "survey of fronts")
+    plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
+    points, reasons = [], []
+    for alpha, gamma in counted(plane, "survey of fronts", "front"):
+        try:
+            found = properties_of(solve_converged(alpha, gamma))
+            points.append(found | {"converged": 1, "reason": ""})
+        except NoFrontError as failure:
+            points.append(None)
+            reasons.append(str(failure))
+    known = next(filter(None, points), None)
+    if known is None:
+        raise NoFrontError(reasons[0])
+    nothing = dict.fromkeys(known, np.nan) | {"converged": 0}
+    points = [point or nothing | {"reason": reasons.pop(0)} for point in points]
+    shape = len(exponents), len(dampings)
+    survey = xr.Dataset(
+        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)}
+    )
+    for name in known:
+        values = np.array([point[name] for point in points])
+        survey[name] = ("alpha", "gamma"), values.reshape(shape)
     survey["critical_damping"] = ("alpha", [critical_damping(alpha) for alpha in exponents])
     return survey
 
@@ -46,52 +67,6 @@ def survey_fronts(exponents, dampings):
 def survey_plane(alpha, gamma):
     """Survey fronts over exponents, a list, and dampings, as of `numpy.geomspace`."""
     return survey_fronts(alpha, np.geomspace(**gamma))
-
-
-def over_plane(exponents, dampings, solve, what):
-    """Collect what is known of a front at each exponent and damping, with a progress bar named so.
-
-    `solve` takes α and γ, and returns a mapping of names to dimensions and values, which come
-    on (alpha, gamma) and their own dimensions.  Where `converged` is 0, `reason` says why, and
-    the rest is NaN or empty; a NoFrontError if none is found.
-    """
-    plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
-    points, reasons = [], []
-    for point in counted(plane, what, "front"):
-        try:
-            points.append(solve(*point) | without_dimensions({"converged": 1, "reason": ""}))
-        except NoFrontError as failure:
-            points.append(None)
-            reasons.append(str(failure))
-    known = next(filter(None, points), None)
-    if known is None:
-        raise NoFrontError(reasons[0])
-    nothing = {
-        name: (own, "" if isinstance(value, str) else np.full(np.shape(value), np.nan))
-        for name, (own, value) in known.items()
-    }
-    points = [
-        point or nothing | without_dimensions({"converged": 0, "reason": reasons.pop(0)})
-        for point in points
-    ]
-    shape = len(exponents), len(dampings)
-    found = xr.Dataset(
-        coords={"alpha": np.asarray(exponents, float), "gamma": np.asarray(dampings, float)}
-    )
-    for name, (dimensions, _) in points[0].items():
-        values = np.array([point[name][1] for point in points])
-        found[name] = ("alpha", "gamma", *dimensions), values.reshape(shape + values.shape[1:])
-    return found
-
-
-def _survey_front(alpha, gamma):
-    """Return one point of the survey, as a mapping of names to dimensions and values."""
-    return without_dimensions(properties_of(solve_converged(alpha, gamma)))
-
-
-def without_dimensions(numbers):
-    """Return the numbers by name as variables without dimensions of their own."""
-    return {name: ((), value) for name, value in numbers.items()}
 
 
 def solve_converged(alpha, gamma):

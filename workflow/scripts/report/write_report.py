@@ -124,7 +124,6 @@ def write_report(  # noqa: PLR0913 - what its rule names
         ],
         judged=[table for table in shown_tables if table["score"]],
         signs=SIGNS,
-        pages=[provenance.with_suffix(".html").name for provenance in _with_file(".html", shown)],
         outdated=[file.stem for file in on_demand if file not in shown],
         run_times=_tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),

@@ -1,7 +1,10 @@
-// A chain computed in the page: quick, and far less accurate than the stored scenes.
+// A chain computed in a browser: quick, and far less accurate than the package.
 
 const ROWS = 240 // moments that are kept
 const CROSSINGS = 1.6 // of the chain by a front, until the motion ends
+
+const range = (first, last) => Array.from({length: Math.max(last - first + 1, 0)}, (_, k) => first + k)
+const extreme = (choice, rows) => choice(...rows.map(row => choice(...row)))
 
 /* Runge–Kutta steps of fourth order of James (2021), equations (31) and (32), m = 1, between free ends or with u₀ = δ held:
    xₙ' = wₙ + G(uₙ₋₁) − G(uₙ), wₙ' = F(uₙ₋₁) − F(uₙ), uₙ = xₙ − xₙ₊₁, F = u₊^α, G = γ u₊^β. */
@@ -43,7 +46,7 @@ function integrate({alpha, beta, gamma, drive, count, start}, {interval, steps})
   return {u, v}
 }
 
-// A motion in the form of the stored ones, with its distance to a run of steps twice as long as its error.
+// A motion at equal times, with its distance to a run of steps twice as long as its error.
 function computeChain(chain) {
   const {alpha, beta, gamma, drive, count, start} = chain
   // At most twice what is held, or what stops the energy of the first collision.
@@ -58,7 +61,7 @@ function computeChain(chain) {
     error: extreme(Math.max, rows.map((row, k) => row.map((value, n) => Math.abs(value - others[k][n])))),
   })
   return {
-    times: u.map((_, k) => k * interval), opens: true, digits: 16,
+    times: u.map((_, k) => k * interval),
     relative_displacement: field(u, rough.u), velocity: field(v, rough.v),
   }
 }
