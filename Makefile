@@ -98,15 +98,9 @@ docs-environment.txt: ## Pin again what builds the manual.
 	@echo "Pinning what builds the manual in docs-environment.txt."
 	@$(PIN) --group docs --constraint environment.txt --output-file $@
 
-# README and manual show the numbers, times and the moving picture of the last run of these targets.
 readme: .venv/installed ## Bring the numbers of README and manual up to date.
 	@echo "Bringing the numbers of README and manual up to date."
-	@$(BIN)/snakemake -c2 precision
-	@$(BIN)/snakemake -c2 animation
-	@$(BIN)/snakemake -c2 proofs
 	@$(BIN)/snakemake -c2
-	@$(BIN)/python workflow/scripts/report/update_documents.py --readme README.md \
-	    --performance docs/performance.md --proofs docs/proofs.md --results results
 	@$(BIN)/python docs/measured.py
 
 docs: .venv/docs-installed ## Build the manual from pages, docstrings and results.

@@ -5,6 +5,7 @@ which no reader sees.  ``measured.yaml`` says of each name where its number come
 it is written:
 
 - `table`, `row`: a file below ``results/tables``, and what singles out one of its rows;
+- `count`: in place of `row`, what singles out the rows whose number is written, all where it is {};
 - `column`: in this row, ``computed`` by default;
 - `times`: a factor, 100 for per cent; optional;
 - `form`: a format of Python, ``.3f`` for example; an exponent is written as a power of ten;
@@ -97,6 +98,9 @@ def _written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[
             continue
         if path not in read:
             read[path] = pd.read_csv(path)
+        if "count" in entry:
+            yield name, str(len(_rows(read[path], entry["count"])))
+            continue
         row = _only_row(read[path], entry["row"], name)
         value = entry.get("times", 1.0) * float(row[entry.get("column", "computed")])
         if "bound" in entry:
@@ -113,15 +117,21 @@ def _written_numbers(listed: Mapping[str, Any], tables: Path) -> Iterator[tuple[
 
 def _only_row(table: pd.DataFrame, wanted: Mapping[str, Any], name: str) -> pd.Series:
     """The row of a table with some values."""
+    rows = _rows(table, wanted)
+    if len(rows) != 1:
+        sys.exit(
+            f"{name} of docs/measured.yaml names {len(rows)} rows, but must name one: see `row`."
+        )
+    return rows.iloc[0]
+
+
+def _rows(table: pd.DataFrame, wanted: Mapping[str, Any]) -> pd.DataFrame:
+    """The rows of a table with some values."""
     fits = np.ones(len(table), bool)
     for column, value in wanted.items():
         cells = table[column]
         fits &= cells == value if isinstance(value, str) else np.isclose(cells, value)
-    if fits.sum() != 1:
-        sys.exit(
-            f"{name} of docs/measured.yaml names {fits.sum()} rows, but must name one: see `row`."
-        )
-    return table[fits].iloc[0]
+    return table[fits]
 
 
 def in_print(value: float, form: str) -> str:

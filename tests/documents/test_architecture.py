@@ -1,9 +1,7 @@
 """The folders of the package: no import upward, and no circle, those inside functions included."""
 
-import re
 from graphlib import TopologicalSorter
 
-from pages import load_script
 from projects import ROOT
 
 from granular_fronts.numerics.imports import module_files, named_in
@@ -52,23 +50,3 @@ def test_packages_import_nothing_when_they_are_imported():
     assert "granular_fronts.chain" in packages
     assert not any(IMPORTS[name] for name in packages)
     assert not named_in(MODULES["granular_fronts"]) & FILES.keys()
-
-
-def test_picture_of_the_architecture_is_that_of_the_code():
-    script = load_script("architecture")
-    picture = script.PICTURE.read_text(encoding="utf-8")
-    assert picture == script.draw(script.read_packages()), "run python docs/architecture.py"
-    for _, place in script.FLOW:
-        if not place.startswith("results"):
-            assert any(ROOT.glob(place)), place
-
-
-def test_way_of_figure_1_names_what_its_files_hold():
-    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    hops = [row.split("|")[2:4] for row in re.findall(r"^\| \d+ \|.*", page, re.MULTILINE)]
-    assert len(hops) == 9
-    for said, where in hops:
-        files = [ROOT / name for name in re.findall(r"`(\S+)`", where)]
-        held = "".join(file.read_text(encoding="utf-8") for file in files)
-        for name in re.findall(r"`(\S+)`", said):
-            assert re.search(rf"\b{name}\b", held), f"{name} is not in {where}"

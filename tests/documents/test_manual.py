@@ -126,22 +126,6 @@ def test_every_axis_and_scalar_of_a_campaign_is_listed():
     assert rows_of(page, "Kind chain")["beta"] == ["≥ 1", "α", "exponent of the viscous force"]
 
 
-TABLE = re.compile(r"(?:^ *\|.*\n)+", re.MULTILINE)
-TABLES = {
-    **{str(page): text for page, text in TEXTS.items()},
-    "configuration": KEYS.configuration_page(),
-    "campaigns": KEYS.campaign_page(),
-    "names": PAGES.public_names(),
-}
-
-
-@pytest.mark.parametrize("page", [page for page, text in TABLES.items() if TABLE.search(text)])
-def test_rows_of_a_table_have_as_many_cells_as_its_head(page):
-    for table in TABLE.findall(TABLES[page] + "\n"):
-        head, *rows = [len(re.findall(r"(?<!\\)\|", row)) for row in table.splitlines()]
-        assert rows == [head] * len(rows), table
-
-
 # Pictures and links.
 
 
@@ -203,17 +187,6 @@ def test_findings_beyond_papers_stand_with_their_errors(tmp_path):
 )
 def test_a_value_ends_where_its_error_begins(error, written):
     assert PAGES._with_error({"computed": 0.58237, "numerical error": error}) == written
-
-
-SHOWING = [page for page in TEXTS if page.parent.name == "theory"]
-SHOWING += [page for page in TEXTS if page.stem in ("findings", "limit", "proofs", "honesty")]
-
-
-@pytest.mark.parametrize("page", SHOWING, ids=str)
-def test_pages_of_mathematics_have_a_figure_that_exists(page):
-    numbers = PAGES.PICTURE.findall(TEXTS[page])
-    assert numbers
-    assert {f"Figure {number}" for number in numbers} <= LINKS.FIGURE_PLACES.keys()
 
 
 def test_figures_equations_lemmas_and_papers_are_links():

@@ -14,7 +14,6 @@ import pytest
 import tabulate_speed_error as tabulating
 import xarray as xr
 from pictures import curves
-from update_documents import speed
 
 from dataset_parameters import precision_problems
 from granular_fronts.output.datasets import read_dataset, write_dataset
@@ -387,9 +386,3 @@ def test_verdict_says_that_no_code_got_there():
     data["error"].loc[:, "lammps_nve"] *= 1e6
     verdict = tabulating.judge(data.sel(problem="one"), 1e-9)
     assert verdict.endswith("; no scheme of lammps got there with the steps tried.")
-
-
-def test_readme_shows_the_verdicts(tmp_path):
-    (tmp_path / "tables").mkdir()
-    (tmp_path / "tables" / "speed_verdicts.csv").write_text("problem,error,verdict\na,1e-09,b\n")
-    assert speed(tmp_path).splitlines()[-1].split() == ["|", "a", "|", "1e-09", "|", "b", "|"]

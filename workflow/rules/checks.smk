@@ -5,11 +5,6 @@ rule check_results:
     input:
         tests=sorted(glob(project("tests", "artefacts", "*.py"))),
         samples=project("tests", "support", "figure_samples.py"),
-        pages=[
-            project("README.md"),
-            project("docs", "performance.md"),
-            project("docs", "proofs.md"),
-        ],
         datasets=DATASETS,
         figures=FIGURE_FILES,
         tables=TABLE_FILES,
