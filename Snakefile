@@ -77,10 +77,6 @@ rule all:
         "Done: open {input.report}."
 
 
-# After the default target, whose results it records.
-include: "workflow/rules/crate.smk"
-
-
 # Every script runs in the same environment; rules of another workflow around this one in its own.
 for one in workflow.rules:
     if one.script and is_ours(one):

@@ -63,7 +63,7 @@ def jobs_planned(folder, snakefile, configuration, *targets, **environment):
 @pytest.mark.slow
 def test_another_workflow_uses_a_clone_with_values_of_its_own(tmp_path):
     clone = f'"{ROOT}/workflow/Snakefile"'
-    targets = ["all", "referee", "crate"]
+    targets = ["all", "referee"]
     run = jobs_planned(tmp_path / "used", clone, {"results": "mine"}, *targets)
     assert run.returncode == 0, run.stderr
     assert re.search(r"^write_report +1$", run.stdout, re.MULTILINE)

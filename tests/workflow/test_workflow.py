@@ -14,7 +14,7 @@ SCRIPTS = sorted([*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
 FIGURES = yaml.safe_load((ROOT / "workflow/figures.yaml").read_text(encoding="utf-8"))
 DRAWN = [figure for figure, described in FIGURES.items() if not described.get("on_demand")]
 TARGETS = ["all", "figures", *DRAWN, "tables", "report", "check_results", "fig14", "precision"]
-TARGETS += ["fig15", "hard_cases", "honesty", "ring_limit", "real_chains", "crate"]
+TARGETS += ["fig15", "hard_cases", "honesty", "ring_limit", "real_chains"]
 
 
 @pytest.fixture(scope="module")

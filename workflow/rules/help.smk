@@ -5,7 +5,6 @@ TARGETS_IN_WORDS = {
     "figures": "All figures whose data do not take minutes; the others have targets of their own.",
     "tables": "All tables of these figures.",
     "report": "One page with figures, tables, configuration and run times.",
-    "crate": "An archive of a finished run for others, a Workflow Run RO-Crate.",
     "check_results": "The tests of the finished files.",
     "animation": "A front in motion, as a moving picture and a still.",
     "precision": "Time against error of all solvers, with figures 14 and 14b; minutes on a quiet machine.",
