@@ -1,8 +1,6 @@
 """The public names with their types, as `__init__.py` imports them when they are first used."""
 
-from granular_fronts.chain.experiment import peak_decay as peak_decay
 from granular_fronts.chain.experiment import pulses as pulses
-from granular_fronts.chain.experiment import spectrum as spectrum
 from granular_fronts.chain.simulate import simulate_chain as simulate_chain
 from granular_fronts.continuum.evolution import evolve_log_burgers as evolve_log_burgers
 from granular_fronts.continuum.evolution import evolve_log_kdv_burgers as evolve_log_kdv_burgers
@@ -14,7 +12,6 @@ from granular_fronts.fronts.linear.tails import tail_roots as tail_roots
 from granular_fronts.fronts.solve import evaluate_front as evaluate_front
 from granular_fronts.fronts.solve import solve_front as solve_front
 from granular_fronts.fronts.sweep import sweep_fronts as sweep_fronts
-from granular_fronts.model.collision import collide as collide
 from granular_fronts.model.collision import damping_for_restitution as damping_for_restitution
 from granular_fronts.model.collision import restitution as restitution
 from granular_fronts.model.jump_conditions import jump_conditions as jump_conditions

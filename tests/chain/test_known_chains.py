@@ -112,7 +112,7 @@ def test_three_beads_at_a_distance_collide_in_pairs(masses, gap, count):
 
 def test_three_beads_with_flat_contacts_move_by_two_modes():
     """ü_1 = u_2 − 2u_1 and ü_2 = u_1 − 2u_2 while both are pressed: frequencies 1 and √3."""
-    scene = free_scene({"count": 3, "mass": 1.0}, STRIKER, 1.5, contacts={"alpha": 1.0})
+    scene = free_scene(3, STRIKER, 1.5, law={"alpha": 1.0, "beta": 1.0, "gamma": 0.0})
     slow, fast = np.sin(1.5), np.sin(1.5 * np.sqrt(3.0)) / np.sqrt(3.0)
     expected = [0.5 * (slow + fast), 0.5 * (slow - fast)]
     np.testing.assert_allclose(last_state(scene)[:2], expected, rtol=0, atol=1.0e-13)
@@ -192,7 +192,7 @@ UNLIKE = {
     "impurity": {"mass": {"impurity": {"bead": 4, "mass": 0.05}}},
     "taper": {"mass": {"taper": {"ratio": 0.8}}},
     "light": {"mass": {"impurity": {"bead": 3, "mass": 1.0e-4}}, "end_time": 3.0},
-    "striker": {"mass": {"impurity": {"bead": 1, "mass": 3.0}}, "start": STRIKER | {"gap": 0.5}},
+    "striker": {"mass": {"impurity": {"bead": 1, "mass": 3.0}}},
     "gravity": {"mass": DIMER, "boundary": WALL, "gravity": 0.05},
     "stiff wall": {"boundary": WALL, "contacts": {"elastic": {"impurity": STIFF}}},
     "damped": {"mass": DIMER, "contacts": {"elastic": {"cell": [1.0, 2.0]}}, "gamma": 0.1},

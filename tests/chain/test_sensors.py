@@ -17,7 +17,6 @@ STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
 WAVE = given(0.5 + 0.2 * np.cos(np.arange(12)), 0.1 * np.sin(np.arange(12)))
 REST = {"kind": "rest"}
 FACTORS = {"elastic": {"cell": [1.0, 2.0]}, "viscous": {"taper": {"ratio": 1.1}}}
-POWERS = {"alpha": {"cell": [1.5, 2.0]}, "beta": {"cell": [2.5, 2.0, 1.5]}}
 ELASTIC = {"alpha": 1.5, "beta": 1.5, "gamma": 0.0}
 HALF_SINE = {"half_sine": {"amplitude": 0.4, "duration": 9.0}}
 TODA = {"elastic": {"kind": "toda", "strength": 1, "rate": 1}, "viscous": {"kind": "none"}}
@@ -41,9 +40,8 @@ def sensed(sensor, end=8.0, **changes):
         ([1, 3], {"boundary": {"kind": "force", "force": HALF_SINE}, "start": REST}),
         ([1, 3], {"law": {"alpha": 1.5, "beta": 2.5, "gamma": 0.3}}),
         ([1, 3], {"contacts": FACTORS}),
-        ([1, 3], {"contacts": POWERS}),
     ],
-    ids=["pressure", "wall", "ring", "piston", "force", "exponents", "factors", "powers"],
+    ids=["pressure", "wall", "ring", "piston", "force", "exponents", "factors"],
 )
 def test_forces_on_both_sides_accelerate_the_bead(inside, changes):
     """m ẍ = T_(n−1) − T_n + m g, with the mean from the sensor and ẍ from a spline through ẋ."""
@@ -69,17 +67,13 @@ def test_last_bead_feels_half_of_its_only_contact():
     np.testing.assert_allclose(mass * motion["velocity_one"].values, momentum.values, atol=1e-14)
 
 
-@pytest.mark.parametrize(
-    "changes",
-    [{"law": ELASTIC}, {"law": TODA}, {"law": ELASTIC, "contacts": {"alpha": POWERS["alpha"]}}],
-    ids=["hertz", "toda", "powers"],
-)
-def test_what_passes_a_contact_is_the_integral_of_its_force(changes):
+@pytest.mark.parametrize("law", [ELASTIC, TODA], ids=["hertz", "toda"])
+def test_what_passes_a_contact_is_the_integral_of_its_force(law):
     """∫ T dt and ∫ T ẋ_(n+1) dt by Simpson's rule, of order 4."""
     errors = []
     for step in (0.1, 0.05, 0.025):
         sensor = {"contacts": [3], "beads": [4], "step": step}
-        motion = gf.simulate_chain(sensed(sensor, 6.0, **changes))
+        motion = gf.simulate_chain(sensed(sensor, 6.0, law=law))
         force, velocity = motion["contact_force_one"][:, 0], motion["velocity_one"][:, 0]
         gained = [motion[f"transmitted_{name}_one"][-1, 0] for name in ("momentum", "energy")]
         passed = [simpson(of, x=motion["t_one"]) for of in (force, force.values * velocity.values)]

@@ -46,8 +46,6 @@ def a_series(**attributes):
     return xr.DataArray(values, coordinates, ("t", "contact"), attrs=attributes)
 
 
-SERIES = a_series(error_estimate=1e-9)
-
 # A possible value of every parameter of every public function; its type says what is impossible.
 POSSIBLE = {
     "Potential": {
@@ -62,7 +60,6 @@ POSSIBLE = {
     "Scaling": {"mass": 0.1, "stiffness": 1.0e9, "damping": 1.0e-5, "velocity": 0.5}
     | {"alpha": 1.5, "beta": 1.5},
     "check_certificate": {"path": ROOT / "tests/proofs/test_proof_data/overshoot.npz"},
-    "collide": {"law": {"alpha": 1.5, "gamma": 0.1}, "velocity": 2.0},
     "contact_stiffness": {"first": "steel 5 mm", "second": "glass"},
     "critical_damping": {"alpha": 1.5, "beta": 1.5, "definition": "tail", "cut": 1e-3},
     "damping_for_restitution": {"e": 0.9, "alpha": 1.5, "beta": 1.5},
@@ -81,7 +78,6 @@ POSSIBLE = {
         "dissipation": hertz(1.5),
     },
     "log_burgers_front": {"xi": np.array([0.5]), "alpha": 1.5},
-    "peak_decay": {"peaks": SERIES.isel(t=[60, 62, 64], contact=0)},
     "prove_front": {
         "alpha": Fraction(2),
         "gamma": Fraction(3, 10),
@@ -91,11 +87,10 @@ POSSIBLE = {
         "drift": 6e-4,
         "beta": None,
     },
-    "pulses": {"series": SERIES, "prominence": 0.1},
+    "pulses": {"series": a_series(error_estimate=1e-9), "prominence": 0.1},
     "restitution": {"gamma": 0.1, "alpha": 1.5, "beta": 1.5},
     "simulate_chain": {"scene": driven_scene(0.1, 4, 1.0), "name": "given"},
     "solve_front": LAW | {"method": "profile", "right_state": 0.0, "law": None, "states": None},
-    "spectrum": {"series": SERIES},
     "sphere_stiffness": {"radius": 0.01, "youngs_modulus": 2e11, "poisson_ratio": 0.3},
     "sweep_fronts": LAW
     | {"gammas": np.array([0.3, 0.2]), "law": None, "states": None, "factors": None},
@@ -150,8 +145,7 @@ OUT_OF_RANGE = [
     ("log_burgers_front", "alpha", 1.0),
     ("pulses", "prominence", 0.0),
     ("pulses", "prominence", 1.5),
-    *[(name, "series", a_series()) for name in ("pulses", "spectrum")],
-    ("peak_decay", "peaks", SERIES),
+    ("pulses", "series", a_series()),
     ("restitution", "gamma", -0.1),
     ("solve_front", "right_state", 1.0),
     ("solve_front", "right_state", -0.1),

@@ -27,13 +27,11 @@ import math
 from numba import int64, uint64
 
 from granular_fronts.chain.state import (
-    ELASTIC_PARAMETERS,
     ELASTIC_SLOPES,
     MOBILITY,
     NEW_U,
     STIFFNESS,
     VISCOSITY,
-    VISCOUS_PARAMETERS,
     VISCOUS_SLOPES,
     D,
     U,
@@ -68,34 +66,22 @@ def passes_any_kink(chain, table, last):
 
 
 @subroutine
-def _force_at(chain, table, row_map, parameters, n, u):
-    """Return F or G of contact n at one compression, which takes the place of contact 1."""
-    probe = chain.probe
-    compression, force, exponent = probe[0], probe[1], probe[2]
-    compression[1] = u
-    if chain.law.of_contacts:
-        exponent[0], exponent[1] = table[parameters, 0], table[parameters, n]
-        call_row_map(row_map, compression, force, 1, 1, exponent)
-    else:
-        call_row_map(row_map, compression, force, 1, 1, table[parameters])
-    return force[1]
-
-
-@subroutine
-def _forces_at(chain, table, n, u):
-    """Return F and G of contact n at one compression."""
-    law = chain.law
-    force = _force_at(chain, table, law.elastic, ELASTIC_PARAMETERS, n, u)
+def _forces_at(chain, u):
+    """Return F and G of one compression."""
+    law, probe = chain.law, chain.probe
+    probe[0] = u
+    call_row_map(law.elastic, probe, probe[1:], 0, 0, law.elastic_parameters)
     if law.single:
-        return force, law.gamma * force
-    return force, _force_at(chain, table, law.viscous, VISCOUS_PARAMETERS, n, u)
+        return probe[1], law.gamma * probe[1]
+    call_row_map(law.viscous, probe, probe[2:], 0, 0, law.viscous_parameters)
+    return probe[1], probe[2]
 
 
 @subroutine
 def _contribution(chain, table, n, u, kink, h):
     """Return κ: the most that the force of this compression adds to u_n within a step h."""
-    force, damping = _forces_at(chain, table, n, u)
-    force_at_kink, damping_at_kink = _forces_at(chain, table, n, kink)
+    force, damping = _forces_at(chain, u)
+    force_at_kink, damping_at_kink = _forces_at(chain, kink)
     elastic, viscous = h * h * abs(force - force_at_kink), h * abs(damping - damping_at_kink)
     if not chain.varied:
         return viscous + elastic

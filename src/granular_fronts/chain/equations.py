@@ -11,7 +11,7 @@ potentials, :math:`F(u) = -V'(-u)` and :math:`G(u) = -W'(-u)`:
 
 where :math:`F_n = \kappa_n F(u_n)` and :math:`G_n = \chi_n G(u_n)` with factors κ_n and χ_n of
 contact n (1 in the paper).  For the law (28) they are :math:`F = u_+^\alpha` and
-:math:`G = \gamma u_+^\beta`, whose exponents may be those of each contact.
+:math:`G = \gamma u_+^\beta`.
 
 Three sets of variables describe the same motion: (x, ẋ), (x, w), and the strain form (u, d) with
 :math:`d_n = w_n - w_{n+1}` that `strain` integrates.  This module converts between them for whole
@@ -99,17 +99,12 @@ class Boundary(NamedTuple):
 
 
 class Beads(NamedTuple):
-    """Masses m_n, factors κ_n and χ_n of the forces of contact n, each (N,) or 1; and g.
-
-    Exponents of the forces, (N,), are None where all contacts have those of the law.
-    """
+    """Masses m_n, factors κ_n and χ_n of the forces of contact n, each (N,) or 1; and g."""
 
     mass: np.ndarray | float = 1.0
     stiffness: np.ndarray | float = 1.0
     viscosity: np.ndarray | float = 1.0
     gravity: float = 0.0
-    alpha: np.ndarray | None = None
-    beta: np.ndarray | None = None
 
     @property
     def varied(self) -> bool:
@@ -126,9 +121,7 @@ def damping_ratio(law: Law, boundary: Boundary, beads: Beads = EQUAL) -> float |
     ratio, drive = law.proportional, boundary.drive
     if ratio and drive and not (boundary.piston and drive.is_constant):
         return None
-    factors = np.array_equal(beads.stiffness, beads.viscosity)
-    exponents = beads.alpha is None or np.array_equal(beads.alpha, beads.beta)
-    return ratio if factors and exponents else None
+    return ratio if np.array_equal(beads.stiffness, beads.viscosity) else None
 
 
 def force(potential: Potential, u: npt.ArrayLike) -> np.ndarray:
@@ -141,15 +134,13 @@ def forces_on_both_sides(
     boundary: Boundary,
     potential: Potential,
     factor: np.ndarray | float = 1.0,
-    exponents: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return forces of the contacts n − 1 and n of every bead, each of the shape (..., N) of `u`.
 
     With pressure at the ends u_N is the held value.  Behind a piston the force is the one ahead of
-    it.  The `factor` is the one of each contact, as are `exponents` in place of that of the
-    potential.
+    it.  The `factor` is the one of each contact.
     """
-    ahead = factor * force(potential.with_exponents(exponents), u)
+    ahead = factor * force(potential, u)
     behind = np.roll(ahead, 1, axis=-1)
     if boundary.piston:
         behind[..., 0] = ahead[..., 0]
@@ -165,7 +156,7 @@ def velocity_correction(
     beads: Beads = EQUAL,
 ) -> np.ndarray:
     """Return ẋ − w of every bead, eq. (31), from u of shape (..., N)."""
-    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, beads.viscosity, beads.beta)
+    behind, ahead = forces_on_both_sides(u, boundary, law.viscous, beads.viscosity)
     return (behind - ahead) / beads.mass
 
 
@@ -228,8 +219,8 @@ def transmitted_forces(
         ahead[..., -1] = 0.0
     elif not boundary.ring:
         ahead[..., -1] = velocity[..., -1]
-    elastic = beads.stiffness * force(law.elastic.with_exponents(beads.alpha), u)
-    slope = law.viscous.with_exponents(beads.beta).second(-u)  # G'(u)
+    elastic = beads.stiffness * force(law.elastic, u)
+    slope = law.viscous.second(-u)  # G'(u)
     return elastic + beads.viscosity * slope * (velocity - ahead)
 
 
@@ -242,23 +233,18 @@ def energy(
 ) -> np.ndarray:
     """Return H(v, u), the kinetic energy of ẋ or w and the elastic energy of moving contacts."""
     kinetic = 0.5 * np.sum(beads.mass * velocity**2, axis=-1)
-    values = potential.with_exponents(beads.alpha).value(-u)
-    elastic = boundary.moving(beads.stiffness * values)
+    elastic = boundary.moving(beads.stiffness * potential.value(-u))
     return kinetic + np.sum(elastic, axis=-1)
 
 
-def equilibrium(
-    law: Law, boundary: Boundary, beads: Beads, count: int, free: int = 0
-) -> np.ndarray:
+def equilibrium(law: Law, boundary: Boundary, beads: Beads, count: int) -> np.ndarray:
     r"""Return the static compressions u_1 … u_N, where every contact bears what lies behind it.
 
     Contact n exerts :math:`\kappa_n F(u_n) = F(\delta) + g \sum_{k \le n} m_k`, in a branch on
     which the force grows with u.  Before a wall f(0) of a drive takes the place of F(δ); without a
-    wall δ̃ that of δ.  The first `free` beads are borne by nothing.  It is an InputError if the law
-    exerts no such force.
+    wall δ̃ that of δ.  It is an InputError if the law exerts no such force.
     """
-    borne = beads.mass * (np.arange(count) >= free)
-    weight = beads.gravity * np.cumsum(borne)
+    weight = beads.gravity * np.cumsum(np.broadcast_to(beads.mass, count))
     load = force(law.elastic, boundary.left if boundary.wall else boundary.right)
     if boundary.wall and boundary.drive:
         load = boundary.drive.value(0.0)
@@ -268,8 +254,6 @@ def equilibrium(
             f"In equilibrium a contact would bear the force {needed.min():.6g}, which pulls: press "
             "the chain at t = 0."
         )
-    if beads.alpha is not None:
-        return needed ** (1.0 / beads.alpha)
     return np.array([_compression_of(float(one), law) for one in needed])
 
 

@@ -8,8 +8,7 @@ For n = 1 … N, what the keys of a pattern give is multiplied:
   PCG64 generator of the given seed;
 - `list`: a value for each n.
 
-An `impurity` then replaces the value at a single place.  Where neither cell nor list is given, a
-`usual` value is multiplied: 1, or the exponent of the law.
+An `impurity` then replaces the value at a single place.
 """
 
 from collections.abc import Mapping
@@ -20,13 +19,12 @@ import numpy as np
 from granular_fronts.scenes.beads import impurities
 
 
-def values_along(pattern: float | Mapping[str, Any], count: int, usual: float = 1.0) -> np.ndarray:
+def values_along(pattern: float | Mapping[str, Any], count: int) -> np.ndarray:
     """Return the values of a pattern, shape (count,)."""
     if not isinstance(pattern, Mapping):
         return np.full(count, float(pattern))
     place = np.arange(count)
-    cell = pattern.get("cell", [1.0 if "list" in pattern else usual])
-    values = np.resize(np.asarray(cell, dtype=float), count)
+    values = np.resize(np.asarray(pattern.get("cell", [1.0]), dtype=float), count)
     taper = pattern.get("taper", {})
     values = (
         values * taper.get("ratio", 1.0) ** place * (1.0 + taper.get("difference", 0.0) * place)

@@ -25,7 +25,7 @@ from granular_fronts.chain.strain import end_of_window
 from granular_fronts.errors import InputError, SolveError
 from granular_fronts.model import kinds
 from granular_fronts.model.laws import Law, make_law
-from granular_fronts.model.passes import NEGLIGIBLE, map_of_exponents, row_map, row_parameters
+from granular_fronts.model.passes import NEGLIGIBLE, row_map, row_parameters
 from granular_fronts.numerics.records import make_record
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.scenes.beads import (
@@ -185,19 +185,13 @@ def make_beads(scene: Mapping[str, Any]) -> Beads:
     if mass == 1.0 and elastic == 1.0 and not contacts:
         return Beads(gravity=gravity)
 
-    def along(pattern, usual=1.0):
+    def along(pattern):
         # The held contact at the right end has a force of its own.
-        values = values_along(pattern, contact_count(scene), usual)
-        return np.append(values, [usual] * (count - values.size))
+        values = values_along(pattern, contact_count(scene))
+        return np.append(values, [1.0] * (count - values.size))
 
     stiffness, viscosity = along(elastic), along(contacts.get("viscous", elastic))
-    exponents = []
-    if {"alpha", "beta"} & contacts.keys():
-        law = make_law(scene["law"])
-        alpha = contacts.get("alpha", {})
-        beta = contacts.get("beta", alpha if law.beta == law.alpha else {})
-        exponents = [along(alpha, law.alpha), along(beta, law.beta)]
-    return Beads(values_along(mass, count), stiffness, viscosity, gravity, *exponents)
+    return Beads(values_along(mass, count), stiffness, viscosity, gravity)
 
 
 def initial_state(
@@ -207,12 +201,8 @@ def initial_state(
     count, start = bead_count(scene), scene["start"]
     u, velocity = np.zeros(count), np.zeros(count)
     if start["kind"] in ("equilibrium", "striker"):
-        struck, gap = start.get("beads", 0), start.get("gap", 0.0)
-        # A striker at a distance is not borne by the chain.
-        u[:] = equations.equilibrium(law, boundary, beads, count, struck if gap else 0)
-        velocity[:struck] = start.get("velocity", 0.0)
-        if gap:
-            u[struck - 1] = -gap
+        u[:] = equations.equilibrium(law, boundary, beads, count)
+        velocity[: start.get("beads", 0)] = start.get("velocity", 0.0)
     elif start["kind"] == "given":
         given = np.asarray(start["relative_displacement"], dtype=float)
         u[: given.size] = given
@@ -232,11 +222,11 @@ def make_chain(
     u and velocity have the shape (N,); with pressure on the right u_N is the held value.
     """
     beads, has_slack = u.size, _is_at_rest_without_stiffness(law, boundary.right)
-    margin = MARGIN_WITHOUT_STIFFNESS if has_slack and varied.alpha is None else STAGES + 1
+    margin = MARGIN_WITHOUT_STIFFNESS if has_slack else STAGES + 1
     drive, ratio = boundary.closing_drive, equations.damping_ratio(law, boundary, varied)
     chain = make_record(
         state.CHAIN,
-        law=compile_law(law, ratio, varied.alpha is not None),
+        law=compile_law(law, ratio),
         clock=make_record(state.CLOCK, h=FIRST_STEP),
         beads=beads,
         contacts=beads - boundary.holds_right,
@@ -257,12 +247,6 @@ def make_chain(
     table[state.VISCOSITY, 1 : beads + 1] = varied.viscosity
     table[state.MOBILITY, 1 : beads + 1] = 1.0 / np.asarray(varied.mass)
     table[state.MOBILITY, beads + 1] = table[state.MOBILITY, 1] if boundary.ring else 1.0
-    for row, potential, exponents in (
-        (state.ELASTIC_PARAMETERS, law.elastic, varied.alpha),
-        (state.VISCOUS_PARAMETERS, law.viscous, varied.beta),
-    ):
-        given = _parameters(potential) if exponents is None else [potential.factor, *exponents]
-        table[row, : len(given)] = given
     if boundary.holds_right:
         table[U, beads] = 0.0
     if not boundary.ring:
@@ -272,31 +256,33 @@ def make_chain(
             )
     moves_at_the_end = boundary.ring or table[D, beads] != 0.0
     # Contacts that differ are not in balance where all are compressed alike.
-    unlike = varied.alpha is not None or np.any(np.not_equal(varied.stiffness, 1.0))
+    unlike = np.any(np.not_equal(varied.stiffness, 1.0))
     moves = moves_at_the_end or (unlike and boundary.right != 0.0)
     chain["clock"]["reach"] = beads if moves else end_of_window(chain, table, chain.contacts)
     return chain, table
 
 
-def compile_law(law: Law, ratio: float | None, of_contacts: bool = False) -> np.record:
+def compile_law(law: Law, ratio: float | None) -> np.record:
     """What the kernels know of a law, a record of type `state.LAW`; G = ratio F if it is a number.
 
-    Contacts may have exponents of their own.  More kinks than the record has room for are an
-    InputError.  So is a user's function that cannot be compiled or has changed since.
+    More kinks or parameters than the record has room for are an InputError.  So is a user's
+    function that cannot be compiled or has changed since.
     """
     kinks, single = -np.array(law.kinks[::-1]), ratio is not None
     record = make_record(
         state.LAW,
         single=single,
         gamma=ratio if single else 1.0,
-        of_contacts=of_contacts,
-        elastic=map_of_exponents() if of_contacts else row_map(law.elastic, 1),
-        viscous=map_of_exponents() if of_contacts else 0 if single else row_map(law.viscous, 1),
-        stage_pass=stage_pass(law.elastic) if single and not of_contacts else 0,
+        elastic=row_map(law.elastic, 1),
+        viscous=0 if single else row_map(law.viscous, 1),
+        stage_pass=stage_pass(law.elastic) if single else 0,
         kink_count=kinks.size,
         has_stiff_kinks=any(np.isinf(law.elastic.second(kink)) for kink in law.kinks),
         attraction=_acts_in_extension(law),
     )
+    _fill_parameters(record["elastic_parameters"], law.elastic)
+    if not single:
+        _fill_parameters(record["viscous_parameters"], law.viscous)
     if kinks.size > state.MOST_KINKS:
         raise InputError(
             f"The law of {law.elastic.name} and {law.viscous.name} has {kinks.size} kinks, but a "
@@ -306,15 +292,15 @@ def compile_law(law: Law, ratio: float | None, of_contacts: bool = False) -> np.
     return record
 
 
-def _parameters(potential):
-    """Return the parameters of the force of a potential."""
+def _fill_parameters(room, potential):
+    """Write the parameters of the force of a potential."""
     parameters = row_parameters(potential, 1)
     if parameters.size > state.MOST_PARAMETERS:
         raise InputError(
             f"{potential.name} has {parameters.size} parameters with its factor, but a chain has "
             f"room for {state.MOST_PARAMETERS}: make some of them constants of its kind."
         )
-    return parameters
+    room[: parameters.size] = parameters
 
 
 def _acts_in_extension(law):

@@ -94,7 +94,7 @@ def _forces_behind(run, force, times):
 def _beyond(run, u, velocity):
     """Return momentum and energy of what is beyond each contact."""
     beads = run.beads
-    elastic = beads.stiffness * run.law.elastic.with_exponents(beads.alpha).value(-u)
+    elastic = beads.stiffness * run.law.elastic.value(-u)
     if not run.boundary.wall:
         elastic[:, -1] = 0.0
     each = beads.mass * velocity, 0.5 * beads.mass * velocity**2 + elastic

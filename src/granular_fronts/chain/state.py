@@ -13,8 +13,6 @@ row        entry n
 `DAMPING`  viscous function G(u_n) of the last stage, if it has slopes of its own
 `STIFFNESS`, `VISCOSITY` factors κ_n and χ_n of the forces of a contact, read if the chain is varied
 `MOBILITY` inverse mass 1/m_n, read if the chain is varied
-`ELASTIC_PARAMETERS`, `VISCOUS_PARAMETERS` what the row maps F and G of the law are given: entries
-           from 0 on are its parameters, or a factor and the exponent of each contact
 `SLOPES`   sixteen rows, Δ_d F of every stage in its slot (`numerics.runge_kutta`)
 `DAMPING_SLOPES` sixteen more, Δ_d G, if it has slopes of its own
 ========== ===========================================================================
@@ -33,18 +31,19 @@ from granular_fronts.numerics.runge_kutta import LONG, SLOPES, STAGES
 
 # As numpy integers, so that kernels are compiled once and not for each row.
 U, D, NEW_U, NEW_D, PARTIAL, VALUE, FORCE, DAMPING, STIFFNESS, VISCOSITY, MOBILITY = np.arange(11)
-ELASTIC_PARAMETERS, VISCOUS_PARAMETERS, ELASTIC_SLOPES = np.arange(11, 14)
+ELASTIC_SLOPES = np.int64(11)
 VISCOUS_SLOPES = ELASTIC_SLOPES + SLOPES
 ROWS_OF_SINGLE, ROWS_OF_PAIR = VISCOUS_SLOPES, VISCOUS_SLOPES + SLOPES
 
-MOST_PARAMETERS, MOST_KINKS = 8, 8  # The shortest row has 8 entries.
+MOST_PARAMETERS, MOST_KINKS = 8, 8
 
 LAW = record_type(
     ("elastic", np.int64),
     ("viscous", np.int64),
     ("stage_pass", np.int64),
+    ("elastic_parameters", float, MOST_PARAMETERS),
+    ("viscous_parameters", float, MOST_PARAMETERS),
     ("single", np.bool),
-    ("of_contacts", np.bool),
     ("gamma", float),
     ("kinks", float, MOST_KINKS),
     ("kink_count", np.int64),
@@ -52,10 +51,9 @@ LAW = record_type(
     ("attraction", float),
 )
 """A law as the kernels know it.  Addresses of the row maps F and G, and of the loop that sums
-slopes and takes F at once (0 without one).  Whether G = γF, and whether contacts have exponents of
-their own.  γ (if not single, 1, the factor of the viscous slopes).  Compressions at which F or G is
-not smooth, and whether F' is infinite there, so that no contact may pass.  1 if the law acts in
-extension too, else 0."""
+slopes and takes F at once (0 without one); their parameters.  Whether G = γF, and γ (if not, 1, the
+factor of the viscous slopes).  Compressions at which F or G is not smooth, and whether F' is
+infinite there, so that no contact may pass.  1 if the law acts in extension too, else 0."""
 
 CLOCK = record_type(
     *[(name, float) for name in ("t", "h", "drive", "w_1", "power", "dissipated")],
@@ -85,7 +83,7 @@ CHAIN = record_type(
     ("margin", np.int64),
     ("elastic_weights", float, (STAGES, LONG)),
     ("viscous_weights", float, (STAGES, LONG)),
-    ("probe", float, (3, 2)),
+    ("probe", float, 3),
 )
 """Law and clock.  Present piece of the force on bead 1, or of the acceleration of a piston.  Number
 N of beads and of contacts that move, N − 1, or N on a ring and before a wall.  Whether it is a

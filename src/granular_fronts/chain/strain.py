@@ -71,7 +71,6 @@ from numba import int64, uint64
 from granular_fronts.chain.stage_passes import call_stage_pass, sum_rows
 from granular_fronts.chain.state import (
     DAMPING,
-    ELASTIC_PARAMETERS,
     ELASTIC_SLOPES,
     FORCE,
     MOBILITY,
@@ -80,7 +79,6 @@ from granular_fronts.chain.state import (
     PARTIAL,
     STIFFNESS,
     VALUE,
-    VISCOUS_PARAMETERS,
     VISCOUS_SLOPES,
     D,
     U,
@@ -279,11 +277,11 @@ def _supplied_power(chain, table, w_1):
 @subroutine(forceinline=True)
 def take_forces(law, table, source, first, last):
     """Write the forces of the compressions first … last of a row."""
-    u, parameters = table[source], table[ELASTIC_PARAMETERS]
-    call_row_map(law.elastic, u, table[FORCE], first, last, parameters)
+    call_row_map(law.elastic, table[source], table[FORCE], first, last, law.elastic_parameters)
     if not law.single:
-        parameters = table[VISCOUS_PARAMETERS]
-        call_row_map(law.viscous, u, table[DAMPING], first, last, parameters)
+        call_row_map(
+            law.viscous, table[source], table[DAMPING], first, last, law.viscous_parameters
+        )
 
 
 @subroutine(forceinline=True)
@@ -304,8 +302,9 @@ def _take_stage(chain, table, row, h, reach, with_power):
     first, terms, factor = rk.FIRST_SLOT[row], rk.TERMS[row], h * rk.C[row]
     elastic, weights = (ELASTIC_SLOPES + first, terms), chain.elastic_weights[row]
     if law.stage_pass != 0:
-        parameters = table[ELASTIC_PARAMETERS]
-        call_stage_pass(law.stage_pass, table, elastic, last, factor, weights, parameters)
+        call_stage_pass(
+            law.stage_pass, table, elastic, last, factor, weights, law.elastic_parameters
+        )
     else:
         target = VALUE if law.single else PARTIAL
         sum_rows(table, target, U, D, factor, elastic, weights, last)

@@ -32,7 +32,7 @@ def exponential_less_one(x):
 def hertz(r, order, p):
     """Return (−r)₊^(α+1)/(α + 1), p = (α,); at r = 0 the limit of the compressed side."""
     coefficient, exponent = hertz_power(order, p[0])
-    if np.all(coefficient == 0.0):
+    if coefficient == 0.0:
         return np.zeros_like(r)
     return np.where(r <= 0.0, coefficient * np.maximum(-r, 0.0) ** exponent, 0.0)
 

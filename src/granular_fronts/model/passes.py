@@ -83,14 +83,6 @@ def row_map(potential, order):
     return address
 
 
-def map_of_exponents():
-    """Return address of the row map of u₊ to an exponent of each contact, valid as `row_map`.
-
-    Its parameters are a row: a factor, and from index 1 on the exponent of each contact.
-    """
-    return callback(ROW_MAP, **_NAMED)(_raise_each).address
-
-
 def row_parameters(potential, order):
     """Return the parameters of the row map of a derivative, an array for `call_row_map`."""
     factor = (-1.0) ** order * potential.factor
@@ -205,16 +197,6 @@ def _raise_row(u, result, first, last, parameters):
             # Taken of every number, so that there is no branch and the loop is vectorised.
             whole = coefficient * power(u_row[n], exponent)
             result_row[n] = whole if u_row[n] > NEGLIGIBLE else 0.0
-
-
-def _raise_each(u, result, first, last, parameters):
-    """A factor times u₊ to the exponent of its contact."""
-    u_row, result_row = carray(u, last + 1), carray(result, last + 1)
-    exponents = carray(parameters, last + 1)
-    factor = exponents[0]
-    for n in range(uint64(first), uint64(last + 1)):
-        whole = factor * power(u_row[n], exponents[n])
-        result_row[n] = whole if u_row[n] > NEGLIGIBLE else 0.0
 
 
 @subroutine(forceinline=True)

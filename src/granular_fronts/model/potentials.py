@@ -268,12 +268,6 @@ class Potential:
         """Return the same functions with another factor."""
         return self._of(**vars(self) | {"factor": factor})
 
-    def with_exponents(self, exponents: np.ndarray | None) -> Potential:
-        """Return a potential of powers with an exponent for each entry of the last axis of r."""
-        if exponents is None:
-            return self
-        return self._of(**vars(self) | {"parameters": (exponents,)})
-
     def ratio_to(self, other: Potential) -> float | None:
         """Return the number a for which this potential is a times the other one, or None."""
         mine, others = (

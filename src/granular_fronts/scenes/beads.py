@@ -106,7 +106,7 @@ def _material_errors(scene: Mapping) -> Iterator[str]:
             )
         return
     given = [f"beads.{name}" for name in ("cell", "list", "mass") if name in beads]
-    given += [f"contacts.{name}" for name in ("elastic", "alpha") if name in contacts]
+    given += ["contacts.elastic"] if "elastic" in contacts else []
     if len(given) > 1:
         yield (
             f"{given[0]} names materials, which set masses and stiffness, but {given[1]} is given "

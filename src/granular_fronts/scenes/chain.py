@@ -19,7 +19,6 @@ from granular_fronts.scenes.laws import (
     exponent_of,
     front_speed,
     is_short,
-    made_law,
 )
 from granular_fronts.scenes.limits import (
     COLUMNS_PER_ROW,
@@ -157,17 +156,9 @@ def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
             )
 
 
-def _exponents_fit_the_law(scene: Mapping) -> Iterator[str]:
-    """Exponents of contacts replace those of the law (28), and spheres have 3/2."""
-    law, contacts = scene["law"], scene.get("contacts", {})
-    alpha, is_power = exponent_of(law) or 0.0, is_short(law) or made_law(law).is_power
-    for key in sorted({"alpha", "beta"} & contacts.keys()):
-        if not is_power or alpha < 1:
-            yield (
-                f"contacts.{key} is given, but the law is not {{alpha, beta, gamma}} with alpha of "
-                "1 or more: take such a law."
-            )
-    if has_materials(scene) and alpha != 1.5:
+def _materials_touch_by_hertz(scene: Mapping) -> Iterator[str]:
+    """The exponent of spheres is 3/2."""
+    if has_materials(scene) and (alpha := exponent_of(scene["law"]) or 0.0) != 1.5:
         yield (
             f"beads names materials, which touch by Hertz's law, but law.alpha is {alpha}: give "
             "alpha 1.5, or masses."
@@ -218,26 +209,6 @@ def _striker_hits(scene: Mapping) -> Iterator[str]:
         yield (
             f"start.beads is {start['beads']}, but the chain has {bead_count(scene)} beads: give "
             f"{bead_count(scene) - 1} or fewer."
-        )
-
-
-def _striker_at_a_distance_is_free(scene: Mapping) -> Iterator[str]:
-    """Nothing presses or pulls a striker before it hits."""
-    start = scene["start"]
-    if not start.get("gap"):
-        return
-    left, alpha = scene["boundary"].get("left", 0.0), exponent_of(scene["law"])
-    if alpha is None or alpha < 1:
-        yield (
-            f"start.gap is {start['gap']}, but contacts of this law are not free when open: take "
-            "alpha of 1 or more, or leave the gap out."
-        )
-    if key_of_drive(scene["boundary"]):
-        yield f"start.gap is {start['gap']}, but a force acts on the striker: leave one out."
-    if left > 0.0:
-        yield (
-            f"start.gap is {start['gap']}, but boundary.left is {left}, which presses the striker: "
-            "give 0."
         )
 
 
@@ -369,10 +340,9 @@ CHAIN = Section(
         _ends_of_contacts_are_pressed,
         _strains_lie_in_domain,
         patterns_fit,
-        _exponents_fit_the_law,
+        _materials_touch_by_hertz,
         _ends_bear_the_start,
         _striker_hits,
-        _striker_at_a_distance_is_free,
         _softening_start_is_compressed,
         _series_are_on_chain,
         _arrival_level_can_be_met,

@@ -141,8 +141,8 @@ class Motion:
     Parameters
     ----------
     scene : mapping
-        A chain scene, as `simulate_chain` takes it, but without exponents of contacts, drives that
-        vary in time, and starts in equilibrium.
+        A chain scene, as `simulate_chain` takes it, but without drives that vary in time and starts
+        in equilibrium.
     tolerance : float, optional
         Error of a step, relative to the size of the motion.
     """
@@ -158,10 +158,10 @@ class Motion:
         self.ring, self.wall = (boundary["kind"] == kind for kind in ("ring", "wall"))
         varied = make_beads(scene)
         drives = "force" in boundary or isinstance(boundary.get("velocity"), Mapping)
-        if varied.alpha is not None or drives or scene["start"]["kind"] == "equilibrium":
+        if drives or scene["start"]["kind"] == "equilibrium":
             raise SolveError(
-                "The reference knows no exponents of contacts, no drives that vary in time and no "
-                "equilibrium: give a number, or list the start."
+                "The reference knows no drives that vary in time and no equilibrium: give a "
+                "number, or list the start."
             )
         self.mass, *factors = (np.ones(self.beads, dtype=REAL) * part for part in varied[:3])
         contacts = slice(None if self.ring or self.wall else -1)
@@ -198,7 +198,6 @@ class Motion:
         u, velocity = np.zeros_like(self.elastic_factor), np.zeros(self.beads, dtype=REAL)
         if start["kind"] == "striker":
             velocity[: start["beads"]] = start["velocity"]
-            u[start["beads"] - 1] = -start.get("gap", 0)
         elif start["kind"] == "given":
             u[:], velocity[:] = start["relative_displacement"], start["velocity"]
         elif self.piston is not None:
