@@ -33,7 +33,7 @@ help: ## Print these targets, and those of the workflow where it is installed.
 	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 	@if test -x $(BIN)/snakemake; then \
 	    echo "source .venv/bin/activate; snakemake -c2 TARGET, where TARGET is one of"; \
-	    $(BIN)/snakemake -c1 --quiet host progress reason -- help 2>&1 | grep '^  '; \
+	    $(BIN)/snakemake --list-target-rules 2>/dev/null | grep ' ('; \
 	else echo "The targets of the workflow are shown once make has installed it."; fi
 
 test: lint ## Check style and types, and run the fast tests.
@@ -64,7 +64,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@echo "Checking style, the workflow's rules and types."
 	$(call quietly,$(BIN)/ruff check .)
 	$(call quietly,$(BIN)/ruff format --check .)
-	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/Snakefile workflow/rules)
+	$(call quietly,$(BIN)/snakefmt --check Snakefile workflow/rules)
 	$(call quietly,$(BIN)/python -m mypy)
 
 # An installation keeps a copy of what it was made from: time stamps say nothing.

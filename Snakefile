@@ -11,19 +11,15 @@ include: "workflow/rules/common.smk"
 
 from granular_fronts.scenes.configuration import folder_errors, validate_configuration
 from granular_fronts.errors import InputError, exit_on_error
-from granular_fronts.scenes.yaml_files import load_configuration, merge
+from granular_fronts.scenes.yaml_files import load_configuration
 
 # Of a YAML error Snakemake itself says neither line nor column.
 with exit_on_error("The configuration cannot be computed."):
-    DEFAULTS = load_configuration(project("config", "default.yaml"))
+    DEFAULTS = load_configuration("config/default.yaml")
 
 
-configfile: project("config", "default.yaml")
+configfile: "config/default.yaml"
 
-
-# For a module Snakemake reads no file: what the other workflow gives is laid over the same values.
-if workflow.modifier.is_module:
-    config = merge(DEFAULTS, config)
 
 with exit_on_error("The configuration cannot be computed."):
     # Whether results can be written counts where a run starts, see onstart.
@@ -61,10 +57,10 @@ include: "workflow/rules/campaign.smk"
 include: "workflow/rules/checks.smk"
 include: "workflow/rules/report.smk"
 include: "workflow/rules/papers.smk"
-include: "workflow/rules/help.smk"
 
 
 rule all:
+    """The report and the tests of all finished files; made when no target is named."""
     default_target: True
     input:
         report="<results>/report.html",
@@ -75,11 +71,3 @@ rule all:
         datasets=DATASETS,
     message:
         "Done: open {input.report}."
-
-
-# Every script runs in the same environment; rules of another workflow around this one in its own.
-for one in workflow.rules:
-    if one.script and is_ours(one):
-        one.conda_env = environment
-        # Which script a parameter names Snakemake finds out for a job, but not for its archive.
-        one.script = one.script.format(params=one.params)

@@ -197,6 +197,14 @@ def test_named_files_and_links_exist(document):
             assert path.exists(), path
 
 
+def test_configuration_page_names_every_key():
+    page = (ROOT / "config/README.md").read_text(encoding="utf-8")
+    default = yaml.safe_load((ROOT / "config/default.yaml").read_text(encoding="utf-8"))
+    keys = {*default, *(f"scenes.{family}" for family in default["scenes"])} - {"scenes"}
+    for key in keys:
+        assert f"`{key}`" in page
+
+
 def test_index_of_equations_is_that_of_the_docstrings():
     script = load_script("equations")
     page = (ROOT / "docs" / "equations.md").read_text(encoding="utf-8")

@@ -12,14 +12,13 @@ from pathlib import Path
 import psutil
 
 ROOT = Path(__file__).parents[2]
-CACHES = [".*_cache", "__pycache__"]
-REBUILT = [".git", ".venv", ".snakemake", "results", *CACHES]
+REBUILT = [".git", ".venv", ".snakemake", "results", ".*_cache", "__pycache__"]
 
 
-def copy_project(folder, of=ROOT, leave_out=REBUILT):
-    """A copy of the project, with nothing computed unless that of another copy is kept."""
+def copy_project(folder):
+    """A copy of the project, with nothing computed."""
     copy = folder / "copy"
-    shutil.copytree(of, copy, ignore=shutil.ignore_patterns(*leave_out))
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*REBUILT))
     return copy
 
 

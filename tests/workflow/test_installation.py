@@ -3,8 +3,10 @@
 import os
 import shutil
 import subprocess
+import tomllib
 
 import pytest
+import yaml
 from projects import ROOT
 
 PINS = {"lint": "environment.txt", "docs": "docs-environment.txt"}
@@ -55,3 +57,13 @@ def test_blank_in_the_path_is_named_before_anything_is_installed(tmp_path):
     run = subprocess.run(["make", "lint"], cwd=folder, capture_output=True, text=True, check=False)
     assert f"blank: move {folder}." in run.stderr
     assert not (folder / ".venv").exists()
+
+
+def test_environment_for_conda_holds_the_pinned_packages():
+    """Pip reads the path from the folder of the environment."""
+    file = ROOT / "workflow/envs/main.yaml"
+    dependencies = yaml.safe_load(file.read_text(encoding="utf-8"))["dependencies"]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["requires-python"] == f">={dependencies[0].removeprefix('python=')}"
+    [option] = dependencies[-1]["pip"]
+    assert (file.parent / option.removeprefix("-r ")).resolve() == ROOT / "environment.txt"

@@ -18,11 +18,14 @@ rule animate_front:
         "<benchmarks>/animate_front.tsv"
     message:
         "Drawing a front in motion."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/figures/animate_front.py"
 
 
 rule animation:
+    """A front in motion, as a moving picture and a still."""
     input:
         rules.animate_front.output,
     message:

@@ -16,6 +16,8 @@ rule solve_chunk:
         "<benchmarks>/solve_chunk/{campaign}/{chunk}.tsv"
     message:
         "Solving chunk {wildcards.chunk} of campaign {wildcards.campaign}."
+    conda:
+        "../envs/main.yaml"
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
         chunk="[0-9a-f]{16}",
@@ -38,6 +40,8 @@ rule merge_campaign:
         "<benchmarks>/merge_campaign/{campaign}.tsv"
     message:
         "Merging the chunks of campaign {wildcards.campaign}."
+    conda:
+        "../envs/main.yaml"
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
     localrule: True
@@ -59,6 +63,8 @@ rule summarise_campaign:
         "<benchmarks>/summarise_campaign/{campaign}.tsv"
     message:
         "Summing up campaign {wildcards.campaign}."
+    conda:
+        "../envs/main.yaml"
     wildcard_constraints:
         campaign=CAMPAIGN_NAME,
     localrule: True
@@ -69,6 +75,7 @@ rule summarise_campaign:
 # The chunks are kept with what is made of them.  So one that a failed or killed job has lost is
 # missed, even where an older merged file is there.
 rule campaign:
+    """A grid of parameter points; add --config campaign=NAME, a file of config/campaigns."""
     input:
         table=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}.md",
         dataset=lambda wildcards: f"{config['results']}/data/campaigns/{named_campaign()}.nc",

@@ -3,7 +3,7 @@
 Nothing is written by that.
 """
 
-CAMPAIGNS = project("config", "campaigns")
+CAMPAIGNS = "config/campaigns"
 CAMPAIGN_NAME = "[a-z][a-z0-9_]*"
 KERNELS_OF_KIND = {
     "chain": rules.compile_kernels.output.stamp,

@@ -2,9 +2,10 @@
 
 
 rule check_results:
+    """The tests of the finished files."""
     input:
-        tests=sorted(glob(project("tests", "artefacts", "*.py"))),
-        samples=project("tests", "support", "figure_samples.py"),
+        tests=sorted(glob("tests/artefacts/*.py")),
+        samples="tests/support/figure_samples.py",
         datasets=DATASETS,
         figures=FIGURE_FILES,
         tables=TABLE_FILES,
@@ -20,5 +21,7 @@ rule check_results:
         "<benchmarks>/check_results.tsv"
     message:
         "Testing the finished files."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/tables/check_results.py"

@@ -2,14 +2,12 @@
 
 import hashlib
 import os
-import shutil
 import sys
 from functools import cache
 from glob import glob
 from pathlib import Path
 
-# The folder of the main Snakefile is another one where another workflow uses this one as a module.
-PROJECT = os.path.abspath(os.path.join(workflow.current_basedir, "..", ".."))
+PROJECT = workflow.basedir
 SOURCE = os.path.join(PROJECT, "src")
 LIBRARY = os.path.join(PROJECT, "workflow", "lib")
 SCRIPTS = os.path.join(PROJECT, "workflow", "scripts")
@@ -44,27 +42,9 @@ MODULES = module_files(
 del MODULES["step"]
 
 
-def project(*path):
-    """Return the path of a file of the project from the working directory."""
-    return os.path.relpath(os.path.join(PROJECT, *path))
-
-
 def script_file(name):
     """Return the path of a script from this folder, for a rule that a loop makes."""
     return os.path.relpath(MODULES[name], os.path.join(PROJECT, "workflow", "rules"))
-
-
-def is_ours(rule):
-    """Say whether a rule is of this workflow, and not of one that uses it as a module."""
-    return os.path.abspath(str(rule.snakefile)).startswith(os.path.join(PROJECT, ""))
-
-
-def environment(wildcards):
-    """Return the conda environment of a rule; where there is no conda, environment.txt is it.
-
-    Otherwise `snakemake --archive` would ask for conda, which nothing here needs.
-    """
-    return "../envs/main.yaml" if shutil.which("conda") else None
 
 
 # A job on another machine is not ended with its run, since locks need not reach that far.

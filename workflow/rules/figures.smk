@@ -34,11 +34,14 @@ for figure in FIGURES:
             f"<benchmarks>/plot_{figure}.tsv"
         message:
             f"Drawing figure {number_of(figure)}: {FIGURES[figure]['title']}."
+        conda:
+            "../envs/main.yaml"
         localrule: True
         script:
             "../lib/figure_step.py"
 
     rule:
+        """One figure with what it needs."""
         name:
             figure
         input:
@@ -50,6 +53,7 @@ for figure in FIGURES:
 
 
 rule real_chains:
+    """A striker on chains of unlike beads, with figures 26 to 29."""
     input:
         rules.fig26.input,
         rules.fig27.input,
@@ -60,6 +64,7 @@ rule real_chains:
 
 
 rule figures:
+    """All figures whose data do not take minutes; the others have targets of their own."""
     input:
         FIGURE_FILES,
         [data_file(dataset) for figure in DEFAULT_FIGURES for dataset in datasets_of(figure)],

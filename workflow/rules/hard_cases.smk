@@ -15,11 +15,14 @@ rule measure_hard_cases:
         "<benchmarks>/measure_hard_cases.tsv"
     message:
         "Solving the hard cases."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/precision/measure_hard_cases.py"
 
 
 rule hard_cases:
+    """Problems at the edge, with figure 15."""
     input:
         rules.tabulate_hard_cases.output,
         rules.fig15.input,

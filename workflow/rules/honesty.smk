@@ -16,6 +16,8 @@ rule measure_honesty:
         "<benchmarks>/measure_honesty/{kind}.tsv"
     message:
         "Comparing stated errors with true ones: random {wildcards.kind}."
+    conda:
+        "../envs/main.yaml"
     wildcard_constraints:
         kind="|".join(config["honesty"]),
     script:
@@ -23,6 +25,7 @@ rule measure_honesty:
 
 
 rule honesty:
+    """Stated errors of random problems against true ones, with figure 25."""
     input:
         rules.fig25.input,
     message:

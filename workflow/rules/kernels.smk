@@ -43,6 +43,8 @@ for package, (compiling, packages, below, what) in COMPILED.items():
             f"<benchmarks>/{compiling}.tsv"
         message:
             f"Compiling the kernels of {what}."
+        conda:
+            "../envs/main.yaml"
         priority: 2 if below else 3
         script:
             "../scripts/compile_kernels.py"

@@ -28,11 +28,14 @@ for paper, listed in papers().items():
             f"<benchmarks>/check_{paper}.tsv"
         message:
             f"Comparing the verdicts on {listed['title']} with the expected ones."
+        conda:
+            "../envs/main.yaml"
         localrule: True
         script:
             "../scripts/tables/check_paper.py"
 
     rule:
+        """What this project makes of one paper of others."""
         name:
             f"papers/{paper}"
         input:
@@ -42,6 +45,7 @@ for paper, listed in papers().items():
 
 
 rule papers:
+    """What this project makes of papers of others."""
     input:
         [f"<results>/papers/{paper}.txt" for paper in papers()],
     message:

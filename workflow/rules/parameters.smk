@@ -21,11 +21,6 @@ PARAMETERS = default_parameters(config) | parameters_on_demand(config) | paramet
 DATASETS = expand("<results>/data/{dataset}.nc", dataset=default_parameters(config))
 
 
-def load_yaml(*path):
-    """Read a YAML file of the project."""
-    return read_yaml(project(*path))
-
-
 def parameters_of(dataset):
     """Return the part of the configuration that a dataset is computed with."""
     folder, _, name = dataset.partition("/")

@@ -11,9 +11,9 @@ rule measure_precision:
         reference=lambda wildcards: (
             []
             if wildcards.family == "log_burgers"
-            else project("tests", "references", f"{wildcards.family}_reference.nc")
+            else f"tests/references/{wildcards.family}_reference.nc"
         ),
-        scilab=project("workflow", "scripts", "precision", "peers", "scilab.sce"),
+        scilab="workflow/scripts/precision/peers/scilab.sce",
     output:
         dataset="<results>/data/precision/{family}.nc",
     params:
@@ -27,6 +27,8 @@ rule measure_precision:
     threads: ALL_CORES
     message:
         "Measuring speed against error: {wildcards.family}."
+    conda:
+        "../envs/main.yaml"
     wildcard_constraints:
         family="|".join(config["precision"]),
     script:
@@ -46,6 +48,8 @@ rule merge_precision:
         "<benchmarks>/merge_precision.tsv"
     message:
         "Joining the measurements of all families of problems."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/precision/merge_precision.py"
 
@@ -72,11 +76,14 @@ rule tabulate_speed_error:
         "<benchmarks>/tabulate_speed_error.tsv"
     message:
         "Comparing the methods at equal error."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/precision/tabulate_speed_error.py"
 
 
 rule precision:
+    """Time against error of all solvers, with figures 14 and 14b; minutes on a quiet machine."""
     input:
         rules.tabulate_speed_error.output,
         rules.fig14.input,

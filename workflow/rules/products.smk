@@ -1,7 +1,7 @@
 """Figures and tables: what they are made from, and the files of each."""
 
-FIGURES = load_yaml("workflow", "figures.yaml") | listed_in_papers("figures")
-TABLES = load_yaml("workflow", "tables.yaml") | listed_in_papers("tables")
+FIGURES = read_yaml("workflow/figures.yaml") | listed_in_papers("figures")
+TABLES = read_yaml("workflow/tables.yaml") | listed_in_papers("tables")
 FOLDERS = {family: folder for folder, family in FAMILIES.items()}
 for described, keys in (FIGURES, ("title", "data", "alt")), (
     TABLES,
@@ -62,7 +62,7 @@ def script_of(figure):
 
 def template_of(figure):
     """Return the template of the caption of a figure."""
-    return project(FIGURES[figure].get("folder", "workflow/report"), f"{figure}.rst")
+    return f"{FIGURES[figure].get('folder', 'workflow/report')}/{figure}.rst"
 
 
 def number_of(figure):
@@ -105,7 +105,7 @@ def table_inputs(table):
     files = [data_file(dataset) for dataset in tabulated_from(table)]
     if statements := TABLES[table].get("statements"):
         folder = TABLES[table].get("folder", "config")
-        return {"statements": project(folder, statements), "datasets": files}
+        return {"statements": f"{folder}/{statements}", "datasets": files}
     return {"dataset": files[0]} if len(files) == 1 else {"datasets": files}
 
 
@@ -170,6 +170,6 @@ def datasets_on_demand():
         for dataset in datasets
         if dataset in parameters_of_papers()
         or dataset.startswith("campaigns/")
-        and os.path.exists(project("config", f"{dataset}.yaml"))
+        and os.path.exists(f"config/{dataset}.yaml")
     }
     return [*parameters_on_demand(config), *sorted(behind_made)]

@@ -29,6 +29,8 @@ rule prove_fronts:
         "<benchmarks>/prove_fronts.tsv"
     message:
         "Proving single fronts."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/proofs/prove_fronts.py"
 
@@ -50,6 +52,8 @@ rule prove_chunk:
         "<benchmarks>/prove_chunk/{family}/{chunk}.tsv"
     message:
         "Proving fronts of family {wildcards.family} for γ in {wildcards.chunk}."
+    conda:
+        "../envs/main.yaml"
     wildcard_constraints:
         family="|".join(CHUNKS),
         chunk=r"\d+\.\d{6}-\d+\.\d{6}",
@@ -75,6 +79,8 @@ rule join_intervals:
         "<benchmarks>/join_intervals.tsv"
     message:
         "Joining the chunks of proved intervals."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/proofs/join_intervals.py"
 
@@ -94,6 +100,8 @@ rule enclose_front:
         "<benchmarks>/enclose_front.tsv"
     message:
         "Evaluating the enclosure of a front that is proved."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/proofs/enclose_front.py"
 
@@ -118,6 +126,8 @@ rule tabulate_proofs:
         "<benchmarks>/tabulate_proofs.tsv"
     message:
         "Tabulating what is proved."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/proofs/tabulate_proofs.py"
 
@@ -138,11 +148,14 @@ rule archive_certificates:
         "<benchmarks>/archive_certificates.tsv"
     message:
         "Archiving the certificates of fronts."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/proofs/archive_certificates.py"
 
 
 rule certificates:
+    """An archive of all certificates of fronts, with their SHA-256 sums; takes long."""
     input:
         rules.archive_certificates.output,
     message:
@@ -150,6 +163,7 @@ rule certificates:
 
 
 rule proofs:
+    """Fronts proved by ball arithmetic, with figures 23 and 24; takes long."""
     input:
         rules.tabulate_proofs.output,
         rules.fig23.input,

@@ -3,7 +3,7 @@
 from granular_fronts.referee.problems import load_problems, read_settings
 
 with exit_on_error("The problems of the referee cannot be stated."):
-    REFEREE = read_settings(project("config", "referee.yaml"))
+    REFEREE = read_settings("config/referee.yaml")
     PROBLEMS = list(load_problems(REFEREE))
 
 
@@ -26,11 +26,14 @@ rule write_referee:
         "<benchmarks>/write_referee.tsv"
     message:
         "Solving the problems for discrete-element codes."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/referee/write_referee.py"
 
 
 rule referee:
+    """Problems with accurate answers for discrete-element codes."""
     input:
         rules.write_referee.output,
     message:

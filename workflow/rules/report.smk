@@ -10,7 +10,7 @@ SHOWN_TABLES = {
 
 rule write_report:
     input:
-        template=project("workflow", "report", "page.html.j2"),
+        template="workflow/report/page.html.j2",
         figures=[f"<results>/{stem_of(figure)}.json" for figure in DEFAULT_FIGURES],
         tables=[f"<results>/tables/{name}.json" for name in DEFAULT_TABLES],
         files=FIGURE_FILES + TABLE_FILES,
@@ -50,11 +50,14 @@ rule write_report:
         "<benchmarks>/write_report.tsv"
     message:
         "Writing the report."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/report/write_report.py"
 
 
 rule report:
+    """One page with figures, tables, configuration and run times."""
     input:
         rules.write_report.output,
         # A page is not up to date while something that it shows is missing.

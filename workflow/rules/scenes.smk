@@ -51,6 +51,8 @@ for folder, family in FAMILIES.items():
             f"<benchmarks>/{solving}/{{scene}}.tsv"
         message:
             f"{words} of scene {{wildcards.scene}}."
+        conda:
+            "../envs/main.yaml"
         wildcard_constraints:
             scene="|".join(scenes_of(family)),
         priority: urgency

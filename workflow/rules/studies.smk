@@ -22,6 +22,8 @@ for study, described in (studies() | listed_in_papers("studies")).items():
             f"<benchmarks>/study/{study}.tsv"
         message:
             described["message"]
+        conda:
+            "../envs/main.yaml"
         priority: described.get("priority", 0)
         script:
             "../scripts/study.py"

@@ -24,6 +24,8 @@ for table in [name for name, described in TABLES.items() if "script" in describe
             f"<benchmarks>/tabulate_{table}.tsv"
         message:
             f"Writing the table: {TABLES[table]['title']}."
+        conda:
+            "../envs/main.yaml"
         script:
             "{params.script}"
 
@@ -47,11 +49,14 @@ rule tabulate_fronts:
         "<benchmarks>/tabulate_fronts.tsv"
     message:
         "Tabulating the properties of exact fronts and the errors of continuum fronts."
+    conda:
+        "../envs/main.yaml"
     script:
         "../scripts/fronts/tabulate_fronts.py"
 
 
 rule ring_limit:
+    """Rings of beads as α → 1, with figures 20 to 21b."""
     input:
         rules.tabulate_ring_limit.output,
         rules.tabulate_ring_orders.output,
@@ -64,6 +69,7 @@ rule ring_limit:
 
 
 rule tables:
+    """All tables of these figures."""
     input:
         TABLE_FILES,
         DATASETS,
