@@ -1,9 +1,6 @@
 """Pictures in one line: each curve, mark and colour is a number of the dataset, for any law."""
 
-import base64
 import doctest
-import io
-import re
 
 import matplotlib
 import matplotlib.pyplot as plt
@@ -12,13 +9,10 @@ import pytest
 import xarray as xr
 from chains import driven_scene
 from pictures import assert_curve, assert_labels, assert_plane, curves, image, legend
-from PIL import Image
 
 import granular_fronts as gf
-from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.errors import InputError
-from granular_fronts.output.movies import MARK_HEIGHT, moving_chain
-from granular_fronts.output.style import ALARM_COLOUR, TEXT_WIDTH
+from granular_fronts.output.style import ALARM_COLOUR
 
 TODA = {"elastic": {"kind": "toda"}, "viscous": {"kind": "linear", "gamma": 0.3}}
 RECORD = {"snapshots": [12.0, 24.0, 60.0], "grid": {"step": 4.0}}
@@ -74,7 +68,7 @@ def marks(axes):
     return [line for line in axes.get_lines() if line.get_transform() is not axes.transData]
 
 
-# Fronts and sweeps.
+# Fronts.
 
 
 def test_a_front_is_drawn_where_it_differs_from_its_states(fronts):
@@ -99,42 +93,6 @@ def test_a_front_of_any_law_joins_another_in_the_units_of_its_law(fronts):
     assert len(curves(axes)) == 2
     assert len({line.get_color() for line in curves(axes)}) == 2
     assert axes.get_xlim() == limits
-
-
-def test_a_sweep_shows_the_overshoot_of_every_front_that_has_one():
-    sweep = gf.sweep_fronts(alpha=1.5, gammas=[0.1, 0.2, 2.0])
-    axes = gf.plot.sweep(sweep)
-    [line] = curves(axes)
-    assert sweep["overshoot"][2] < 1e-12 < sweep["overshoot"][1]
-    assert_curve(line, sweep["gamma"], [*sweep["overshoot"].values[:2], np.nan])
-    assert_labels(axes, r"$\gamma$", r"overshoot $\max u/\delta - 1$", "linear log")
-    [text] = gf.plot.sweep(sweep.isel(gamma=[2])).texts
-    assert text.get_text() == "no overshoot"
-
-
-def test_a_sweep_of_chains_is_named_by_what_it_measures():
-    """The first maximum at a bead is no overshoot of a front."""
-    named = ("gamma", [0.3, 0.1], {"long_name": "first maximum"})
-    axes = gf.plot.sweep(xr.Dataset({"overshoot": named}, {"gamma": [0.1, 0.2]}))
-    assert_labels(axes, r"$\gamma$", "first maximum", "linear log")
-
-
-def test_label_of_a_sweep_of_chains_fits_beside_it():
-    meaning = KINDS["chain"].scalars["overshoot"]
-    named = ("gamma", [0.3, 0.1], {"long_name": meaning})
-    axes = gf.plot.sweep(xr.Dataset({"overshoot": named}, {"gamma": [0.1, 0.2]}))
-    axes.figure.canvas.draw()
-    assert axes.get_ylabel().split() == meaning.split()
-    label = axes.yaxis.label.get_window_extent()
-    assert axes.figure.bbox.y0 <= label.y0 < label.y1 <= axes.figure.bbox.y1
-    assert axes.figure.bbox.x0 <= label.x0
-
-
-def test_a_sweep_of_any_law_goes_through_a_factor():
-    sweep = gf.sweep_fronts(law=TODA, states=(-2.0, 0.0), factors=[0.8, 1.0])
-    axes = gf.plot.sweep(sweep)
-    assert_curve(curves(axes)[0], sweep["factor"], sweep["overshoot"])
-    assert_labels(axes, "factor of $W$", "overshoot of the strain", "linear log")
 
 
 # Chains.
@@ -170,17 +128,12 @@ def test_a_chain_is_drawn_at_each_snapshot_with_its_open_contacts(motions, name)
 
 
 def test_a_contact_extended_by_less_than_its_error_is_not_open(motions):
-    """Neither beside snapshots, nor in a moving picture."""
-    motion = motions["pressure"].isel(t=[0], t_grid=[0, 1]).copy(deep=True)
-    error = motion["relative_displacement_grid"].attrs["error_estimate"]
-    motion["relative_displacement"].attrs["error_estimate"] = error
+    motion = motions["pressure"].isel(t=[0]).copy(deep=True)
+    error = motion["relative_displacement"].attrs["error_estimate"]
     for extension, expected in ((0.5 * error, []), (2.0 * error, [4])):
-        for name in ("relative_displacement", "relative_displacement_grid"):
-            motion[name][:, 3] = -extension
-        _, show = moving_chain(motion)
-        moving = show(1)[-1]
-        snapshot, *_ = marks(gf.plot.chain(motion)[0])
-        assert snapshot.get_xdata().tolist() == moving.get_xdata().tolist() == expected
+        motion["relative_displacement"][:, 3] = -extension
+        [snapshot] = marks(gf.plot.chain(motion)[0])
+        assert snapshot.get_xdata().tolist() == expected
 
 
 def test_gaps_do_not_hide_the_compressions(motions):
@@ -211,118 +164,19 @@ def test_space_and_time_are_coloured_with_gaps_in_red(motions):
     assert image(held).colorbar.extend == "neither"
 
 
-# Moving pictures.
-
-
-@pytest.mark.parametrize("name", ["pressure", "toda"])
-def test_each_frame_shows_its_time(motions, name):
-    motion = motions[name]
-    figure, show = moving_chain(motion)
-    strip, upper, lower = figure.axes
-    [circles] = strip.collections
-    u = contacts(motion, motion["relative_displacement_grid"])
-    for row in (0, 7, 15):
-        show(row)
-        assert_curve(curves(upper)[0], u["bead"], u[row])
-        assert_curve(curves(lower)[0], motion["bead"], motion["velocity_grid"][row])
-        assert upper.get_title("left") == f"time $t = {4 * row}$"
-        np.testing.assert_array_equal(circles.get_array(), u[row, : circles.get_array().size])
-        assert len(marks(upper)) == OPENING[name]
-        for line in marks(upper):
-            np.testing.assert_array_equal(line.get_xdata(), u["bead"][opened(u)[row]])
-            assert np.all(line.get_ydata() == MARK_HEIGHT)
-    assert_labels(upper, "", "compression $u_n$")
-    assert_labels(lower, "bead $n$", r"velocity $\dot x_n$")
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_circles_are_where_the_beads_are(name):
-    """Up to one scale neighbours come closer by u, and each bead moves by its ∫ẋ dt."""
-    scene = SCENES[name] | {"record": RECORD | {"grid": {"step": 0.125}}}
-    motion = gf.simulate_chain(scene, name)
-    figure, show = moving_chain(motion)
-    [circles] = figure.axes[0].collections
-    u = contacts(motion, motion["relative_displacement_grid"]).values
-    places = []
-    for row in range(motion.sizes["t_grid"]):
-        show(row)
-        places.append(np.asarray(circles.get_offsets())[:, 0])
-    closer = 1.0 - np.diff(places, axis=1)
-    shown = u[:, : closer.shape[1]]
-    scale = np.sum(closer * shown) / np.sum(shown**2)
-    np.testing.assert_allclose(closer, scale * shown, atol=1e-9 * scale)
-    travelled = np.subtract(places[-1], places[0]) / scale
-    way = motion["velocity_grid"].integrate("t_grid").values[: travelled.size]
-    np.testing.assert_allclose(travelled, way, atol=0.01 * np.abs(u).max())
-
-
-def test_a_moving_picture_has_the_frames_asked_for(motions, tmp_path):
-    movie = gf.plot.animate(motions["pressure"], frames=4)
-    assert movie.rows == [0, 5, 10, 15]
-    assert gf.plot.animate(motions["pressure"]).rows == list(range(16))
-    for ending in ("GIF", "png", "webp"):
-        movie.write(tmp_path / f"front.{ending}")
-        with Image.open(tmp_path / f"front.{ending}") as written:
-            assert written.n_frames == 4
-            assert written.size[0] == int(120 * TEXT_WIDTH)
-            assert written.info["loop"] == 0
-    for refused in ("front.mp4", "nowhere/front.gif"):
-        with pytest.raises(InputError, match=re.escape(refused[-4:])):
-            movie.write(tmp_path / refused)
-
-
-def test_what_changes_in_a_moving_picture_is_drawn_as_in_a_whole_one(motions):
-    movie = gf.plot.animate(motions["ring"], frames=3)
-    for row, frame in zip(movie.rows, list(movie.frames()), strict=True):
-        movie.show(row)
-        canvas = matplotlib.backends.backend_agg.FigureCanvasAgg(movie.figure)
-        canvas.draw()
-        whole = np.asarray(canvas.buffer_rgba())[..., :3].astype(int)
-        # Lines that end on an axis lie above it here and below it there.
-        differing = np.any(np.abs(whole - np.asarray(frame)) > 40, axis=-1)
-        assert differing.mean() < 2e-3
-    first, last = list(movie.frames())[:: len(movie.rows) - 1]
-    assert np.any(np.asarray(first) != np.asarray(last))
-
-
-def test_few_colours_keep_open_contacts_red(motions, tmp_path):
-    movie = gf.plot.animate(motions["pressure"])
-    movie.write(tmp_path / "front.gif")
-    u = contacts(motions["pressure"], motions["pressure"]["relative_displacement_grid"])
-    openings = opened(u).sum("bead").values
-    red = np.array(matplotlib.colors.to_rgb(ALARM_COLOUR)) * 255
-    reds = []
-    with Image.open(tmp_path / "front.gif") as written:
-        for frame in range(written.n_frames):
-            written.seek(frame)
-            pixels = np.asarray(written.convert("RGB"), dtype=float)
-            reds.append(int(np.sum(np.abs(pixels - red).max(axis=-1) < 20)))
-    assert openings[0] == 0 < openings.max()
-    assert reds[openings.argmax()] > reds[0]
-
-
 # Notebooks.
 
 
-def test_a_notebook_shows_figures_and_moving_pictures_and_keeps_its_looks(motions, fronts):
-    """It shows figures that pyplot keeps; a moving picture is the value of its cell."""
+def test_a_notebook_shows_figures_and_keeps_its_looks(motions, fronts):
+    """It shows figures that pyplot keeps."""
     before = dict(matplotlib.rcParams)
     axes = [gf.plot.front(fronts["powers"]), gf.plot.chain(motions["pressure"])[0]]
     axes.append(gf.plot.space_time(motions["pressure"])[0])
-    page = gf.plot.animate(motions["pressure"], frames=2)._repr_html_()
     assert [plt.figure(number) for number in plt.get_fignums()] == [each.figure for each in axes]
     assert dict(matplotlib.rcParams) == before
-    source, alternative = re.fullmatch(
-        r'<img src="data:image/gif;base64,(.+)" alt="(.+)">', page
-    ).groups()
-    with Image.open(io.BytesIO(base64.b64decode(source))) as shown:
-        assert shown.n_frames == 2
-    assert "from t = 0 to t = 60." in alternative
 
 
 # What cannot be drawn.
-
-GRID_OF_CHAINS = xr.Dataset({"overshoot": (("alpha", "gamma"), [[0.1, 0.2]])})
 
 
 @pytest.mark.parametrize(
@@ -330,12 +184,8 @@ GRID_OF_CHAINS = xr.Dataset({"overshoot": (("alpha", "gamma"), [[0.1, 0.2]])})
     [
         (gf.plot.front, 3, "front is 3"),
         (gf.plot.front, xr.Dataset(), r"relative_displacement on \(xi\)"),
-        (gf.plot.sweep, None, "sweep is None"),
-        (gf.plot.sweep, xr.Dataset(), r"overshoot on \(gamma\): "),
-        (gf.plot.sweep, GRID_OF_CHAINS, r"overshoot on \(gamma\), but on \(alpha, gamma\): "),
         (gf.plot.chain, xr.Dataset(), r"on \(t, bead\): .* snapshots: \[10\]"),
         (gf.plot.space_time, xr.Dataset(), r"relative_displacement_grid .* grid: \{step: 1\}"),
-        (gf.plot.animate, xr.Dataset(), r"relative_displacement_grid .* grid: \{step: 1\}"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_by_its_name(draw, given, words):
@@ -343,14 +193,12 @@ def test_what_cannot_be_drawn_is_refused_by_its_name(draw, given, words):
         draw(given)
 
 
-def test_what_has_nothing_to_show_says_so(motions, fronts):
+def test_what_has_nothing_to_show_says_so(fronts):
     unsolved = fronts["powers"].assign_attrs(converged=0, reason="it is too steep")
     with pytest.raises(InputError, match="it is too steep"):
         gf.plot.front(unsolved)
     with pytest.raises(InputError, match="axes is 'x'"):
         gf.plot.front(fronts["powers"], axes="x")
-    with pytest.raises(InputError, match="frames is 0"):
-        gf.plot.animate(motions["pressure"], frames=0)
 
 
 def test_examples_run():

@@ -67,7 +67,7 @@ def test_the_same_imports_are_read_as_python_parses():
 
 def test_only_what_draws_stands_on_the_looks_of_figures():
     for script in SCRIPTS:
-        draws = script.startswith(("plot_", "animate_")) or script == "figure_step"
+        draws = script.startswith("plot_") or script == "figure_step"
         assert bool(DRAWING & import_closure([script], FILES)) == draws, script
 
 

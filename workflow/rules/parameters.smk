@@ -42,7 +42,7 @@ def check_history():
     """
     if glob(".snakemake/metadata/*"):
         return
-    places = "figures/*", "tables/*", "animation/*"
+    places = "figures/*", "tables/*"
     for file in sorted(
         file for place in places for file in glob(f"{config['results']}/{place}.json")
     ):

@@ -15,12 +15,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from granular_fronts.accuracy import certain_sign
-from granular_fronts.output.style import (
-    ALARM_COLOUR,
-    LOOKS,
-    compression_map,
-    velocity_map,
-)
+from granular_fronts.output.style import LOOKS, compression_map, velocity_map
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,8 +27,6 @@ FIELD_LABELS = {
 BEAD, TIME = "bead $n$", "time $t$"
 WIDEST = 1.4
 """Largest compression in colours, over δ: the paper clips its colours at 0.14 where δ = 0.1."""
-MARK_HEIGHT = 0.04
-"""Where open contacts are marked, as a share of the height of a panel."""
 
 
 def draw_probes(axes: Axes, data: xr.Dataset, name: str) -> None:
@@ -161,12 +154,11 @@ def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:
     axes.set(xlabel=r"$\xi = n - ct$", ylabel=r"compression $u/\delta$")
 
 
-def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> Line2D:
+def draw_snapshot(axes: Axes, values: xr.DataArray, field: str, **look: Any) -> None:
     """A field on (bead) at one time, a dot for each bead on a thin line of some look."""
     dots: dict[str, Any] = {"marker": ".", "linestyle": "-", "markersize": 2.5, "linewidth": 0.6}
-    [line] = axes.plot(values["bead"], values, **dots | look)
+    axes.plot(values["bead"], values, **dots | look)
     axes.set(xlabel=BEAD, ylabel=FIELD_LABELS[field], xlim=(0, int(values["bead"][-1])))
-    return line
 
 
 def contacts_open(motion: xr.Dataset) -> bool:
@@ -182,16 +174,12 @@ def moving_parts(motion: xr.Dataset, suffix: str = "") -> dict[str, xr.DataArray
     return fields
 
 
-def open_contacts(u: xr.DataArray) -> np.ndarray:
-    """Numbers n of the contacts that are open, of relative displacements on (bead)."""
-    return u["bead"].values[certain_sign(u).values < 0]
+def draw_open_contacts(axes: Axes, u: xr.DataArray, height: float, colour: str) -> Line2D:
+    """Mark contacts that are open, of relative displacements on (bead), at a share of the height.
 
-
-def draw_open_contacts(
-    axes: Axes, u: xr.DataArray, height: float = MARK_HEIGHT, **look: Any
-) -> Line2D:
-    """Mark contacts that are open at a share of the height of a panel, red by default."""
-    beads = open_contacts(u)
+    The height is that of the panel.
+    """
+    beads = u["bead"].values[certain_sign(u).values < 0]
     [marks] = axes.plot(
         beads,
         np.full(beads.size, height),
@@ -201,7 +189,8 @@ def draw_open_contacts(
         clip_on=False,
         # A line without points would count as one at the corner of the figure.
         in_layout=False,
-        **{"color": ALARM_COLOUR, "label": "open contacts", **look},
+        color=colour,
+        label="open contacts",
     )
     return marks
 

@@ -6,26 +6,20 @@ are set for each picture separately, so that a notebook's other figures stay as 
 
 =================  ============================================================================
 `front`            u(ξ) of an exact front
-`sweep`            overshoot of many fronts over the damping
 `chain`            :math:`u_n` and :math:`\dot x_n` along a chain at its snapshots
 `space_time`       the same in the (n, t) plane
-`animate`          the same as a moving picture
 =================  ============================================================================
 """
-
-from textwrap import fill
 
 import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
-from granular_fronts.arguments import count, instance
+from granular_fronts.arguments import instance
 from granular_fronts.errors import InputError
-from granular_fronts.output.movies import Movie, moving_chain
 from granular_fronts.output.panels import (
     FIELD_LABELS,
-    MARK_HEIGHT,
     contacts_open,
     draw_open_contacts,
     draw_profile,
@@ -40,7 +34,7 @@ from granular_fronts.output.style import (
     new_panels,
 )
 
-__all__ = ["animate", "chain", "front", "space_time", "sweep"]
+__all__ = ["chain", "front", "space_time"]
 
 VISIBLE = 1e-3
 """Share of the jump by which a front must differ from its states to be seen."""
@@ -48,11 +42,8 @@ VISIBLE = 1e-3
 COLUMNS = 6
 """Columns of a legend across a figure."""
 
-LEAST_OVERSHOOT = 1e-12
-"""Error up to which a front is called converged."""
-
-DAMPINGS = {"gamma": r"$\gamma$", "factor": "factor of $W$"}
-"""Label of what a sweep goes through, by the name of its coordinate."""
+MARK_HEIGHT = 0.04
+"""Where open contacts of the first snapshot are marked, as a share of the height of a panel."""
 
 BETWEEN_MARKS = 0.03
 """Distance of the marks of two snapshots, as a share of the height of a panel."""
@@ -99,51 +90,6 @@ def front(front: xr.Dataset, axes: Axes | None = None) -> Axes:
             axes.set_ylabel("compression $u$")
         if new:
             axes.set_xlim(*_visible_range(front))
-    return axes
-
-
-def sweep(sweep: xr.Dataset, axes: Axes | None = None) -> Axes:
-    r"""Draw the overshoot of many fronts over the damping, on a logarithmic ordinate.
-
-    Parameters
-    ----------
-    sweep : xarray.Dataset
-        From `granular_fronts.sweep_fronts`, of any law, or a campaign over the damping alone.
-    axes : matplotlib.axes.Axes, optional
-        Where to add the curve; a new figure by default.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        Fronts leave a gap if they were not found or overshoot by less than 1e-12, the error that a
-        front may have.
-
-    Raises
-    ------
-    InputError
-        If these are no fronts of a sweep.
-
-    Examples
-    --------
-    >>> axes = gf.plot.sweep(gf.sweep_fronts(1.5, [0.1, 0.12]))
-    >>> axes.get_ylabel()
-    'overshoot $\\max u/\\delta - 1$'
-    """
-    sweep = instance("sweep", sweep, xr.Dataset, "give what gf.sweep_fronts returns")
-    [damping] = [name for name in DAMPINGS if name in sweep.dims] or ["gamma"]
-    sweep = _holding("sweep", sweep, ("overshoot",), (damping,), "sweep_fronts")
-    with looks_of_figures():
-        axes = _new_axes() if axes is None else instance("axes", axes, Axes, "leave it out")
-        overshoot = sweep["overshoot"].where(sweep["overshoot"] > LEAST_OVERSHOOT)
-        axes.semilogy(sweep[damping], overshoot, ".-")
-        if overshoot.isnull().all():
-            axes.text(0.5, 0.5, "no overshoot", transform=axes.transAxes, ha="center")
-        named = (
-            r"overshoot $\max u/\delta - 1$" if damping == "gamma" else "overshoot of the strain"
-        )
-        if "width_10_90" not in sweep:  # No fronts, but chains of a campaign.
-            named = fill(sweep["overshoot"].attrs["long_name"], 36)
-        axes.set(xlabel=DAMPINGS[damping], ylabel=named)
     return axes
 
 
@@ -195,7 +141,7 @@ def chain(motion: xr.Dataset) -> tuple[Axes, Axes]:
                 )
             if opens:
                 height = MARK_HEIGHT + row * BETWEEN_MARKS
-                marks.append(draw_open_contacts(compression, u[row], height, color=colour))
+                marks.append(draw_open_contacts(compression, u[row], height, colour))
         fix_ordinate(compression, u, opens=opens)
         opened = any(np.size(mark.get_xdata()) for mark in marks)
         named = [*velocity.get_lines(), *marks[:opened]]
@@ -240,52 +186,6 @@ def space_time(motion: xr.Dataset) -> tuple[Axes, Axes]:
         limits = min(0.0, float(velocity.min())), float(velocity.max())
         draw_spacetime(panels["velocity"], velocity, "velocity", limits)
     return panels["u"], panels["velocity"]
-
-
-def animate(motion: xr.Dataset, frames: int = 120) -> Movie:
-    """Let the fields of a chain move, in a picture that notebooks play by themselves.
-
-    Parameters
-    ----------
-    motion : xarray.Dataset
-        From `granular_fronts.simulate_chain`, of any law and with any ends, with a `grid` in its
-        record.
-    frames : int, optional
-        How many times of the grid to show, evenly spaced; all where it has no more.
-
-    Returns
-    -------
-    granular_fronts.output.movies.Movie
-        Beads as circles, below them relative displacements, with a mark for each contact that is
-        open, and velocities.
-        Its method ``write(path)`` keeps it in a file: gif, png or webp.
-
-    Raises
-    ------
-    InputError
-        If this is no motion, or one without a space-time grid.
-
-    Examples
-    --------
-    >>> motion = gf.simulate_chain({
-    ...     "law": {"alpha": 1.5, "beta": 1.5, "gamma": 0.1}, "beads": 30,
-    ...     "boundary": {"kind": "pressure", "left": 0.1, "right": 0.0},
-    ...     "start": {"kind": "rest"}, "end_time": 20.0,
-    ...     "tolerance": {"relative": 1e-8, "absolute": 1e-10},
-    ...     "record": {"snapshots": [], "grid": {"step": 1.0}},
-    ... })
-    >>> film = gf.plot.animate(motion, frames=10)
-    """
-    grid = _on_grid(motion)["t_grid"].values
-    frames = min(count("frames", frames), grid.size)
-    rows = np.linspace(0, grid.size - 1, frames).round().astype(int)
-    with looks_of_figures():
-        figure, show = moving_chain(motion)
-    alternative = (
-        "Beads, relative displacements and velocities along a chain, moving from "
-        f"t = {grid[rows[0]]:g} to t = {grid[rows[-1]]:g}."
-    )
-    return Movie(figure, show, rows.tolist(), alternative)
 
 
 def _new_axes() -> Axes:
