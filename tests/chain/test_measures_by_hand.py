@@ -84,14 +84,6 @@ WAVES = dataset(
     width=({"alpha": [1.0], "t": [1.0, 2.0, 4.0]}, [[10.0, 15.0, 20.0]]),
     width_error=({"alpha": [1.0], "t": [1.0, 2.0, 4.0]}, [[0.1, 0.2, 0.4]]),
 )
-RAMPS = {"law": ["dashpot"], "ramp": [0, 10]}
-PISTONS = dataset(
-    **{
-        f"{name}{part}": (RAMPS, [[size * first, size * second]])
-        for size, name in enumerate(("front_speed", "compression_behind", "velocity_behind"), 1)
-        for part, first, second in (("", 3, 8), ("_error", 0.1, 0.2), ("_expected", 2, 4))
-    }
-)
 
 TWO_METHODS = ("relative_displacement", "relative_displacement_shooting")
 FRONT = dataset(
@@ -253,11 +245,7 @@ BY_HAND = [
     (laws.persistence, WAVES, {"gamma": 0.0}, 1.5, 0.1 / 4 + 1.5 * 0.1 / 4),
     (laws.persistence, WAVES, {"gamma": 0.06}, 0.25, 0.1 / 2 + 0.25 * 0.1 / 2),
     (laws.spreading, WAVES, {"alpha": 1.0}, 2.0, 0.06),
-    (laws.front_speed, PISTONS, {"law": "dashpot", "ramp": 10}, 2.0, 0.05),
-    (laws.compression_behind, PISTONS, {"law": "dashpot", "ramp": 0}, 1.5, 0.05),
-    (laws.largest_piston_defect, PISTONS, {}, 1.0, 0.05),
     (laws.largest_relative_distance, POWERS, {"quantity": "power", "way": "exact"}, 1e-3, 5e-4),
-    (laws.velocity_behind, PISTONS, {"law": "dashpot", "ramp": 0}, 1.5, 0.05),
     (fronts.force_overshoot, FRONT, {}, 1.728, 1.5 * 1.728 * 1e-3),
     (fronts.displacement_overshoot, FRONT, {}, 0.44, 1e-3),
     (fronts.dissipated_power, FRONT, {}, 0.1, 2e-3),

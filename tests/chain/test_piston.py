@@ -1,4 +1,4 @@
-"""The piston as a boundary: against a collision, other solvers and its balance laws."""
+"""The piston as a boundary: against a collision, the paper's front, other solvers and balances."""
 
 import numpy as np
 import pytest
@@ -68,6 +68,18 @@ def test_scipy_agrees_within_its_own_error(law):
     own_error = np.abs(fine - coarse).max()
     assert own_error < 1.0e-8
     assert np.abs(last_state(scene) - fine).max() < own_error
+
+
+def test_piston_drives_a_front_of_equations_22_and_23():
+    """A piston of velocity V is followed by beads of v_p = V; its start leaves waves of n^(−2)."""
+    delta, speed = 0.05**0.8, 0.05**0.2
+    record = {"snapshots": [300.0 / speed], "arrival_level": 0.5 * delta}
+    scene = piston_scene(LAWS[0], beads=330, end_time=300.0 / speed, record=record)
+    motion = simulate_chain(scene)
+    behind = motion.isel(t=0).sel(bead=75)
+    assert float(behind["velocity"]) == pytest.approx(0.05, rel=5e-6)
+    assert float(behind["relative_displacement"]) == pytest.approx(delta, rel=5e-6)
+    assert float(motion["front_speed"]) == pytest.approx(speed, rel=5e-6)
 
 
 def fixed_steps(scene, steps):

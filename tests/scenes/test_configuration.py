@@ -155,7 +155,6 @@ SECTIONS_REFUSED = [
     ("exact_fronts.survey.gamma.num", 10**9, "num is 1000000000 | limit 10000"),
     ("exact_fronts.multipliers.beads_behind", [10**6], "(entry 1) is 1000000 | 2000"),
     ("laws.damping_regimes.points", 10**9, "points is 1000000000 | 100000"),
-    ("laws.piston.beads", 10**9, "beads is 1000000000 | 100000"),
     ("laws.jump_conditions.beads", 10**9, "beads is 1000000000 | 100000"),
     (f"{THETA}.profile.step", 1e-12, "profile.step is 1e-12 | 1e-06"),
     (f"{THETA}.order.steps", [0.24], "order.steps has 1 entry | limit 3"),
@@ -227,7 +226,6 @@ SECTIONS_REFUSED = [
     (STATES, lattice({"kind": "toda"}, -2, -2), "cases.mine.states are -2 and -2"),
     (STATES, lattice({"kind": "hertz", "alpha": 2}, 0, 1), "cases.mine.states are 0 and 1"),
     (STATES, lattice({"kind": "lennard_jones"}, -5, 0), "cases.mine.states has -5 | -1 and inf"),
-    ("laws.piston.tolerance.absolute", 1e-300, "tolerance.absolute is 1e-300, below 1e-20"),
     ("proofs.fronts.hertz_1.gamma", [0.31, 0.3], "fronts.hertz_1.gamma goes from 0.31 to 0.3"),
     ("proofs.fronts.hertz_1.gamma", [0.3, 0.3], "fronts.hertz_1.gamma goes from 0.3 to 0.3"),
     ("proofs.shown", "dashpots_0_3", "shown is dashpots_0_3, with β = 1"),
@@ -324,7 +322,6 @@ def test_what_is_large_or_odd_but_possible_is_accepted(default, changes):
     [
         ("laws.damping_regimes", {"alpha": 2, "betas": [1, 1.5, 2, 3], "decades": 5, "points": 9}),
         ("scenes.heteroclinic.damping_sweep.mu", [1, 2]),
-        ("laws.piston.ramps", [5]),
     ],
 )
 def test_other_values_of_parameters_than_those_of_the_paper_are_accepted(default, path, value):

@@ -1,6 +1,4 @@
-"""Materials, damping regimes and pistons against closed formulas and each other."""
-
-import math
+"""Materials and damping regimes against closed formulas and each other."""
 
 import numpy as np
 import pandas as pd
@@ -15,9 +13,6 @@ from granular_fronts.output.datasets import write_dataset
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.damping_regimes import evaluate_regimes
 from granular_fronts.studies.materials import evaluate_materials
-from granular_fronts.studies.pistons import limit, measure_pistons, push_chain, repetition
-
-TIGHT = {"relative": 1.0e-12, "absolute": 1.0e-14}
 
 
 @pytest.fixture(scope="module")
@@ -84,70 +79,6 @@ def test_regimes_follow_equation_29():
     assert np.all(np.diff(e.sel(beta=1.25)) == 0.0)
 
 
-QUANTITIES = ("speed", "compression", "velocity")
-PUSHED = [(1.5, 1.5, 0.3), (1.5, 1.5, 0.65), (1.5, 1.0, 0.3), (1.5, 2.5, 5.0), (2.0, 2.0, 0.3)]
-
-
-@pytest.mark.parametrize("ramp", [0.0, 2.0, 10.0])
-@pytest.mark.parametrize("law", PUSHED)
-def test_piston_drives_a_front_of_equations_22_and_23(law, ramp):
-    """δ, v_p and c of eqs. (22), (23), whatever the damping, at once or by a ramp."""
-    velocity, power = 0.05, 2.0 / (law[0] + 1.0)
-    front = push_chain(named(law), velocity, ramp, 320, TIGHT)
-    assert front.expected_compression == pytest.approx(velocity**power, rel=1e-14)
-    assert front.expected_speed == pytest.approx(velocity ** (1.0 - power), rel=1e-14)
-    assert front.expected_velocity == pytest.approx(velocity, rel=1e-14)
-    for quantity in QUANTITIES:
-        measured, expected = getattr(front, quantity), getattr(front, f"expected_{quantity}")
-        assert abs(measured.value - expected) < measured.error < 1e-4
-    assert front.velocity_drift < 1e-13
-
-
-def named(law):
-    return dict(zip(("alpha", "beta", "gamma"), law, strict=True))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("ramp", [0.0, 10.0])
-def test_speed_of_a_long_driven_chain(ramp):
-    front = push_chain(named(PUSHED[0]), 0.05, ramp, 1280, TIGHT)
-    assert abs(front.speed.value - front.expected_speed) < front.speed.error < 1e-6
-
-
-@pytest.mark.parametrize("alpha", [1.1, 1.5, 2.0, 3.0])
-def test_reflection_at_a_front_is_the_repetition_to_the_power_minus_two(alpha):
-    """The jump conditions with a front a little stronger: v' over u', then its reflection."""
-    step = 1e-5
-    weak, strong = (
-        gf.jump_conditions(hertz(alpha), -delta, 0.0) for delta in (1.0 - step, 1.0 + step)
-    )
-    slope = (strong.velocity_behind - weak.velocity_behind) / (2.0 * step)
-    sound = gf.jump_conditions(hertz(alpha), -1.0, 0.0).sound_minus
-    reflection = (slope - sound) / (slope + sound)
-    assert reflection == pytest.approx(repetition(alpha) ** -2, rel=1e-6)
-    assert (sound + 1.0) / (sound - 1.0) == pytest.approx(repetition(alpha), rel=1e-12)
-
-
-def test_slowness_repeats_itself_with_the_opposite_sign():
-    """In a driven chain, 1/c of the front differs from (23) by an s with s(λn) = −s(n)/λ²."""
-    scene = {
-        "law": named(PUSHED[0]),
-        "beads": 801,
-        "boundary": {"kind": "piston", "velocity": 0.05, "right": 0.0},
-        "start": {"kind": "rest"},
-        "end_time": 760.0 / 0.05**0.2,
-        "tolerance": TIGHT,
-        "record": {"snapshots": [], "arrival_level": 0.5 * 0.05**0.8},
-    }
-    arrivals = gf.simulate_chain(scene)["arrival_time"].values * 0.05**0.2
-    disturbance = np.diff(arrivals) - 1.0
-    near = np.array([60, 70])
-    far = np.round(repetition(1.5) * near).astype(int)
-    ratios = disturbance[far] / disturbance[near]
-    assert limit(3.0 - 0.5 / repetition(1.5) ** 2, 3.5, 1.5) == pytest.approx(3.0, rel=1e-15)
-    np.testing.assert_allclose(ratios, -(repetition(1.5) ** -2), rtol=0.05)
-
-
 def dissipated_power(start, beta, gamma, samples=16):
     """Power lost in a chain driven with δ = c = 1, averaged over the time 1/c."""
     scene = driven_scene(gamma, int(1.2 * start) + 20, start + 1.0, beta=beta, delta=1.0)
@@ -166,21 +97,6 @@ def test_front_dissipates_what_the_jump_conditions_say():
     # What the sudden start leaves behind dies out as t^(-2).
     assert (4.0 * late - early) / 3.0 == pytest.approx(expected, rel=5e-4)
     assert abs(late / expected - 1.0) < 1.3e-3
-
-
-def test_pistons_are_gathered():
-    cases = {
-        "one": {"alpha": 1.5, "beta": 1.5, "gamma": 0.3},
-        "two": {"alpha": 1.2, "beta": 1.2, "gamma": 0.5},
-    }
-    found = measure_pistons(cases, 0.2, [0, 3], 64, {"relative": 1e-9, "absolute": 1e-12})
-    assert list(found["law"].values) == ["one", "two"]
-    assert list(found["ramp"].values) == [0.0, 3.0]
-    expected = [[0.2 ** (0.5 / 2.5)] * 2, [0.2 ** (0.2 / 2.2)] * 2]
-    np.testing.assert_allclose(found["front_speed_expected"], expected, rtol=1e-14)
-    for name in ("front_speed", "compression_behind", "velocity_behind"):
-        assert math.isfinite(found[name].error_estimate)
-        np.testing.assert_allclose(found[name], found[f"{name}_expected"], rtol=0.05)
 
 
 @pytest.mark.parametrize(

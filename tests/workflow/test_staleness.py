@@ -226,7 +226,7 @@ DUE_AND_NOT_DUE = {
     ),
     "studies/damping_regimes.py": (
         "study_damping_regimes",
-        "study_materials study_piston study_survey initiate_front",
+        "study_materials study_survey initiate_front",
     ),
 }
 """Rules that are due after a statement is appended to a file, and some that are not."""

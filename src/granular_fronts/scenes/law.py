@@ -5,14 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from granular_fronts.errors import InputError
 from granular_fronts.model.materials import material_of
-from granular_fronts.scenes.chain import relative_tolerance_above_floor
-from granular_fronts.scenes.laws import (
-    MOST_DECADES,
-    absolute_tolerance_errors,
-    decades_of_impact,
-    domain_of,
-    law_errors,
-)
+from granular_fronts.scenes.laws import domain_of, law_errors
 from granular_fronts.scenes.limits import (
     COLUMNS_PER_ROW,
     NUMBERS_PER_BEAD,
@@ -98,16 +91,6 @@ def pressed_chains_hold_waves(section: Mapping) -> Iterator[str]:
         )
 
 
-def _piston_tolerance_resolves_motion(section: Mapping) -> Iterator[str]:
-    """The absolute tolerance suits the compression that the piston makes with each law."""
-    for law in section["cases"].values():
-        size = decades_of_impact(law, section["velocity"], MOST_DECADES)
-        errors = [*absolute_tolerance_errors(section["tolerance"]["absolute"], size)]
-        if errors:
-            yield from errors
-            return
-
-
 def _fronts_of_cases_are_possible(section: Mapping) -> Iterator[str]:
     """Both potentials of every case exist, and a front joins two different states of theirs."""
     for name, case in section["cases"].items():
@@ -178,11 +161,4 @@ LAWS = {
     "half_step_damping": Section((_chain_of_half_steps_is_measured,), _size_of_half_steps),
     "jump_conditions": Section((_fronts_of_cases_are_possible,)),
     "limiting_cases": Section((pressed_chains_hold_waves,), _size_of_limiting_cases),
-    "piston": Section(
-        checks=(relative_tolerance_above_floor, _piston_tolerance_resolves_motion),
-        needs=tuple(
-            Need(f"cases.{name}", TABLE)
-            for name in ("kuwabara_kono", "dashpot", "simon_hunt_crossley")
-        ),
-    ),
 }

@@ -6,8 +6,8 @@ def kuwabara_kono(alpha, gamma):
     return {"alpha": alpha, "beta": alpha, "gamma": gamma}
 
 
-def chain_scene(law, beads, boundary, end_time, tolerance, record, start=None):
-    """Return a chain at rest, unless a start gives relative displacements and velocities.
+def chain_scene(law, beads, boundary, end_time, tolerance, record, start):
+    """Return a chain at rest, unless `start` gives relative displacements and velocities.
 
     `tolerance` is the relative one and the absolute one.
     """

@@ -133,34 +133,6 @@ def _power_of(values):
     return Estimate(math.log(value[1] / value[0]) / span, float(errors.sum()) / span)
 
 
-def front_speed(dataset, law, ramp):
-    """Return the front speed ahead of a piston over the speed (23)."""
-    return _over_expected(dataset, "front_speed", law, ramp)
-
-
-def largest_piston_defect(dataset):
-    """Return the largest relative distance of fronts of pistons to (22) and (23)."""
-    names = ("front_speed", "compression_behind", "velocity_behind")
-    defects = [abs(dataset[name] / dataset[f"{name}_expected"] - 1.0) for name in names]
-    errors = [dataset[f"{name}_error"] / dataset[f"{name}_expected"] for name in names]
-    return Estimate(*(max(float(one.max()) for one in found) for found in (defects, errors)))
-
-
-def compression_behind(dataset, law, ramp):
-    """Return the compression behind the front of a piston over the compression (22)."""
-    return _over_expected(dataset, "compression_behind", law, ramp)
-
-
-def velocity_behind(dataset, law, ramp):
-    """Return v_p far from a piston over the velocity of the piston."""
-    return _over_expected(dataset, "velocity_behind", law, ramp)
-
-
-def _over_expected(dataset, name, law, ramp):
-    case = dataset.sel(law=law, ramp=ramp)
-    return tabulated(case, name) / float(case[f"{name}_expected"])
-
-
 def signed_speed(dataset, law):
     """Return the speed of a law's exact front over |c| of (14), negative towards smaller n."""
     case = dataset.sel(law=law)
