@@ -22,7 +22,7 @@ quietly = @output=$$($(1) 2>&1) || { printf '%s\n' "$$output" >&2; exit 1; }
 need_uv = command -v uv >/dev/null || { \
     echo "Remaking $@ needs uv: https://docs.astral.sh/uv." >&2; exit 1; }
 
-.PHONY: all help test slow coverage lint readme docs clean
+.PHONY: all help test slow lint readme docs clean
 
 all: .venv/installed ## Rebuild every figure, table and the report in results/.
 	@echo "Rebuilding every figure, table and the report in results/."
@@ -44,21 +44,6 @@ test: lint ## Check style and types, and run the fast tests.
 slow: .venv/installed ## Run the slow tests.
 	@echo "Running the slow tests."
 	@$(BIN)/pytest $(SIDE_BY_SIDE) -m slow
-
-# Jobs of a small run, tests, and kernels as Python (tests/numerics/test_uncompiled.py), each in processes of
-# its own whose data are put together.
-MEASURED := $(BIN)/python -m coverage run -m
-SMALL := snakemake -c2 --configfile config/smoke.yaml --config results=results/coverage
-
-coverage: .venv/installed ## Measure which lines the workflow and the fast tests run.
-	@echo "Measuring the coverage of a small run and of the fast tests."
-	@rm -rf .coverage .coverage.* results/coverage
-	@$(MEASURED) $(SMALL) -- all hard_cases precision
-	@$(MEASURED) $(SMALL) campaign=smoke -- campaign
-	@$(MEASURED) pytest $(SIDE_BY_SIDE) -m "not slow and not timing"
-	@$(BIN)/python -m coverage combine --quiet
-	@$(BIN)/python tools/coverage_of_jobs.py
-	@$(BIN)/python -m coverage report
 
 lint: .venv/installed ## Check the style, the workflow's rules and the types.
 	@echo "Checking style, the workflow's rules and types."
@@ -115,5 +100,5 @@ docs: .venv/docs-installed ## Build the manual from pages, docstrings and result
 
 clean: ## Remove results and caches; .venv stays.
 	@echo "Removing results and caches; .venv stays."
-	@rm -rf results docs/_build docs/generated .coverage .coverage.* .snakemake .numba_cache \
+	@rm -rf results docs/_build docs/generated .snakemake .numba_cache \
 	    .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -9,10 +9,10 @@ from granular_fronts.scenes.yaml_files import load_configuration
 
 DEFAULTS = load_configuration(DEFAULT)
 LONGEST = (
-    *("test_staleness", "test_campaign_run", "test_proof_mutants", "test_workflow"),
+    *("test_staleness", "test_campaign_run", "test_workflow"),
     *("test_proof_fronts", "test_a_further_law", "test_hard_cases"),
     *("test_documents", "test_chain_reference", "test_interrupts"),
-    *("test_uncompiled", "test_proof_checker", "test_passes", "test_extending"),
+    *("test_proof_checker", "test_passes", "test_extending"),
 )
 
 

@@ -10,17 +10,15 @@ import llvmlite
 import numba
 import numpy as np
 import pytest
-from kernel_cases import EVERY_CASE, solve_cases
+from kernel_cases import CASES, solve_cases
 from numba.core.registry import CPUDispatcher
 from projects import ROOT
 
 from granular_fronts.numerics.compiled import (
     SOURCES,
-    CheckedFiles,
     Subroutine,
     cache_folder,
     file_of,
-    kernel,
 )
 from granular_fronts.numerics.source_code import file_digest
 
@@ -69,28 +67,6 @@ def test_a_kernel_depends_on_the_versions_of_its_compiler_and_of_numpy(monkeypat
         with monkeypatch.context() as patched:
             patched.setattr(package, "__version__", "0.0")
             assert cache_folder.__wrapped__(file) != cache_folder(file), package.__name__
-
-
-@pytest.mark.parametrize("name", ["kernel.nbi", "kernel.1.nbc"])
-@pytest.mark.parametrize(
-    "damage",
-    [
-        lambda content: b"",
-        lambda content: content[:-1],
-        lambda content: content[:9] + bytes([content[9] ^ 1]) + content[10:],
-    ],
-)
-def test_damaged_file_of_a_kernel_is_dropped_and_made_again(tmp_path, name, damage):
-    files = CheckedFiles(str(tmp_path), "kernel", "stamp")
-    for _ in range(2):
-        files.save("signature", ("machine code", 1))
-        assert files.load("signature") == ("machine code", 1)
-        (tmp_path / name).write_bytes(damage((tmp_path / name).read_bytes()))
-        assert files.load("signature") is None
-
-
-def test_kernels_are_kept_in_files_that_are_checked():
-    assert isinstance(kernel(kernels_in)._cache._cache_file, CheckedFiles)
 
 
 STEP_ON_A_GRID = """
@@ -160,15 +136,15 @@ def test_compilation_covers_all_that_the_scenes_need():
 CASES_IN_ORDER = """
 import sys
 sys.path[:0] = {folders!r}
-from kernel_cases import EVERY_CASE, save
+from kernel_cases import CASES, save
 save({file!r}, {cases})
 from test_compiled import names_of_idle_kernels
 print(names_of_idle_kernels())
 """
 RUNS = {
-    "compiled": ("EVERY_CASE", 1),
-    "loaded": ("EVERY_CASE[::-1]", 2),
-    "after other work": ("EVERY_CASE * 2", 2),
+    "compiled": ("CASES", 1),
+    "loaded": ("CASES[::-1]", 2),
+    "after other work": ("CASES * 2", 2),
 }
 """Cases in order, the last results of which are kept, and the threads that libraries may take."""
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
@@ -186,7 +162,7 @@ def test_the_same_question_gives_the_same_bits(tmp_path):
     """Compiled now or before, in whichever order, on one thread or two, and in this process."""
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "kernels")}
     folders = [str(ROOT / part) for part in ("src", "tests/support", "tests/numerics")]
-    found, idle = {"in this process": solve_cases(EVERY_CASE)}, {}
+    found, idle = {"in this process": solve_cases(CASES)}, {}
     for when, (cases, threads) in RUNS.items():
         file = str(tmp_path / f"{when}.npz")
         code = CASES_IN_ORDER.format(folders=folders, file=file, cases=cases)

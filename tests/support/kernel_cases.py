@@ -1,7 +1,4 @@
-"""Problems so small that the kernels solve them in Python too, without being compiled.
-
-Each case returns arrays, computed by compiled kernels or, after ``import uncompiled``, by Python.
-"""
+"""Small problems that call every kernel; each case returns the arrays that it solves for."""
 
 from importlib.util import find_spec
 
@@ -245,15 +242,14 @@ CASES = (
     profile,
     profile_of_two_powers,
     shooting,
+    multipliers,
 )
-EVERY_CASE = (*CASES, multipliers)
-"""Those too that would take long without being compiled."""
 
 
-def solve_cases(cases=CASES):
+def solve_cases(cases):
     """All arrays of some cases, by the name of the case and a number."""
     return {f"{case.__name__} {i}": each for case in cases for i, each in enumerate(case())}
 
 
-def save(file, cases=CASES):
+def save(file, cases):
     np.savez(file, **solve_cases(cases))

@@ -11,9 +11,8 @@ from pathlib import Path
 import pytest
 from projects import ROOT, snakemake
 
-from granular_fronts.numerics.compiled import CheckedFiles
 from run_lock import LOCK_VARIABLE, lock_folder
-from step import argument_types, describe_fault, from_workflow, load_yaml_or_leaf, run_step
+from step import argument_types, from_workflow, load_yaml_or_leaf, run_step
 
 DEFAULT = ROOT / "config" / "default.yaml"
 HELP = ROOT / "workflow" / "scripts" / "study.py"
@@ -99,16 +98,6 @@ def test_fault_of_a_file_is_a_sentence_even_without_a_log(tmp_path, capfd, numbe
         shown = capfd.readouterr().err
         assert words in shown
         assert shown.count("\n") == 1
-
-
-def test_folder_of_kernels_is_named_where_its_disk_is_full(tmp_path):
-    files = CheckedFiles(str(tmp_path), "kernel", "stamp")
-    with (
-        pytest.raises(OSError, match="No space") as caught,
-        files._open_for_write(str(tmp_path / "kernel.nbi")),
-    ):
-        raise OSError(errno.ENOSPC, "No space left on device")
-    assert f"There is no space left in {tmp_path}: free" in describe_fault(caught.value)
 
 
 def test_finished_step_leaves_a_short_log_and_the_streams_as_they_were(tmp_path, capfd):

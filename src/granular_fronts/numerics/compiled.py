@@ -10,24 +10,19 @@ own, so callers write ``int64(2)`` where others pass a variable.
 
 The cache may be kept from run to run, and passed between machines.  The key of a folder is the
 digest of the code and the versions of numba, llvmlite and NumPy, whose functions kernels contain.
-Numba adds the processor and the version of Python.  What does not fit, or is damaged, is compiled
-anew.  Each file ends with a digest of its contents, since numba takes whatever lies there for
-machine code.
+Numba adds the processor and the version of Python.  What does not fit is compiled anew.
 """
 
 import functools
-import hashlib
 import os
-import pickle
 import sys
-from contextlib import contextmanager
 from pathlib import Path
 
 import llvmlite
 import numba
 import numpy as np
 from llvmlite import binding
-from numba.core import caching, event
+from numba.core import event
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler
 from numba.core.registry import CPUDispatcher
@@ -58,42 +53,6 @@ _package_of_kernel = {}
 # What numba begins the name of the place of a function's environment with.
 ENVIRONMENT = "_ZN08NumbaEnv"
 
-DIGEST_SIZE = hashlib.sha256().digest_size
-
-
-class CheckedFiles(caching.IndexDataCacheFile):
-    """The index and the data files of a kernel; what follows the pickled object is its digest."""
-
-    def _dump(self, obj):
-        content = super()._dump(obj)
-        return content + hashlib.sha256(content).digest()
-
-    def _load_index(self):
-        return super()._load_index() if self._is_whole(self._index_path) else {}
-
-    def _load_data(self, name):
-        if not self._is_whole(self._data_path(name)):
-            raise OSError(f"{name} is damaged")  # Numba then compiles.
-        return super()._load_data(name)
-
-    def _is_whole(self, path):
-        try:
-            content = Path(path).read_bytes()
-        except FileNotFoundError:
-            return False
-        # An index begins with the version of numba.
-        content = content.removeprefix(pickle.dumps(self._version, protocol=-1))
-        return hashlib.sha256(content[:-DIGEST_SIZE]).digest() == content[-DIGEST_SIZE:]
-
-    @contextmanager
-    def _open_for_write(self, filepath):
-        try:
-            with super()._open_for_write(filepath) as file:
-                yield file
-        except OSError as error:
-            error.filename = filepath  # A write to a full disk names no file.
-            raise
-
 
 class _CompilationNotice(event.Listener):
     """Says for each package, once in a process, that kernels of it are compiled."""
@@ -121,7 +80,6 @@ class _CompilationNotice(event.Listener):
 
 
 event.register("numba:compile", _CompilationNotice())
-caching.IndexDataCacheFile = CheckedFiles
 
 
 def kernel(function=None, /, **options):
@@ -153,8 +111,7 @@ def subroutine(function=None, /, **options):
 
     def compile_part(function):
         compiled = numba.njit(**options)(function)
-        if isinstance(compiled, CPUDispatcher):
-            compiled.__class__ = Subroutine
+        compiled.__class__ = Subroutine
         return compiled
 
     return compile_part(function) if function else compile_part
