@@ -169,33 +169,6 @@ def test_figure_15_lists_only_what_occurs():
     assert legend(draw("fig15", given).axes[0]) == ["limit", "passed"]
 
 
-def test_figure_16_leaves_fronts_without_overshoot_white_and_unsolved_ones_red():
-    data, curves, _, shown = picture("fig16")
-    plane = image(shown["overshoot"])
-    # Columns are α = 1.1, monotone, 1.3, swinging unseen, and 1.5, visibly, with one not solved.
-    colours = plane.cmap(plane.norm(plane.get_array()))
-    white, red = (to_rgba(name) for name in ("white", ALARM_COLOUR))
-    assert (colours[:, :2] == white).all()
-    assert (colours[1, 2] == red).all()
-    assert tuple(colours[0, 2]) not in (white, red)
-    assert plane.norm.vmin == curves.attrs["overshoot_cut"]
-    assert plane.colorbar.extend == "min"
-    width = np.ma.filled(image(shown["width"]).get_array(), np.nan)
-    np.testing.assert_array_equal(width, data["width_10_90"].transpose("gamma", "alpha"))
-
-
-def test_figure_16_names_its_regions_on_the_right_sides_of_all_curves():
-    _, curves, _, shown = picture("fig16")
-    axes = shown["overshoot"]
-    critical = [curves[f"critical_damping_{name}"] for name in ("tail", "long_wave", "overshoot")]
-    axes.set_ylim(0.01, 10.0)
-    places = {text.get_text(): text for text in axes.texts}
-    for word, above in (("monotone", True), ("oscillating", False)):
-        share = places[word].get_position()
-        _, gamma = axes.transData.inverted().transform(axes.transAxes.transform(share))
-        assert all(np.all((gamma > curve) == above) for curve in critical)
-
-
 def test_figure_17_shows_distances_over_the_sum_of_both_errors():
     data, shown = picture("fig17")
     names = [
@@ -251,16 +224,13 @@ def test_figure_29_has_the_means_over_the_seeds_with_their_errors():
         np.testing.assert_allclose(end, mean + sign * error)
 
 
-def test_figures_20_name_the_damping_and_the_ratio_that_they_show():
-    samples = SAMPLES["fig20b"]()
+def test_figure_20_names_the_damping_and_the_ratio_that_it_shows():
+    samples = SAMPLES["fig20"]()
     for name, axis, values in (("damping", "damping", [0.3, 0.7]), ("mu", "mu", [3.0, 8.0])):
         samples[name] = samples[name].assign_coords({axis: values})
-    samples["leading"] = samples["leading"].assign_coords(mu=[3.0])
-    limits = panels(draw("fig20", {name: samples[name] for name in ("damping", "mu")}))
+    limits = panels(draw("fig20", samples))
     assert limits["damping"].get_title().endswith(r"$\gamma c = 0.7$")
     assert limits["mu"].get_title().startswith(r"$\mu = 3$")
-    others = panels(draw("fig20b", samples))
-    assert others["velocity"].get_title().endswith(r"$\gamma c = 0.7$")
 
 
 def test_colour_maps_keep_their_order_in_grey():

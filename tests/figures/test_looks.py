@@ -48,7 +48,7 @@ def test_curves_that_meet_differ_in_grey_and_in_their_dashes():
         assert len({str(look.linestyle) for look in looks}) == len(looks)
 
 
-@pytest.mark.parametrize("figure", ["fig10", "fig11", "fig12", "fig16", "fig20", "fig20b"])
+@pytest.mark.parametrize("figure", ["fig10", "fig11", "fig12", "fig20"])
 def test_every_figure_draws_a_curve_as_the_table_says(figure):
     given, drawn = sampled(figure)
     sample, found = Sample(given), 0

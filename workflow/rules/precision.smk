@@ -83,10 +83,9 @@ rule tabulate_speed_error:
 
 
 rule precision:
-    """Time against error of all solvers, with figures 14 and 14b; minutes on a quiet machine."""
+    """Time against error of all solvers, with figure 14; minutes on a quiet machine."""
     input:
         rules.tabulate_speed_error.output,
         rules.fig14.input,
-        rules.fig14b.input,
     message:
         "Speed against error is measured; the next report shows it: {input}."

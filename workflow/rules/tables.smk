@@ -56,14 +56,11 @@ rule tabulate_fronts:
 
 
 rule ring_limit:
-    """Rings of beads as α → 1, with figures 20 to 21b."""
+    """Rings of beads as α → 1, with figure 20."""
     input:
         rules.tabulate_ring_limit.output,
         rules.tabulate_ring_orders.output,
         rules.fig20.input,
-        rules.fig20b.input,
-        rules.fig21.input,
-        rules.fig21b.input,
     message:
         "The limit α → 1 is judged and drawn: {input}."
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
-from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
@@ -103,22 +102,6 @@ def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
     axes.text(0.56 * last, 0.4 * arrival, "front", fontsize=8, path_effects=edge)
     axes.text(0.1 * last, 1.3 * arrival, "reflected wave", fontsize=8, path_effects=edge)
     axes.text(0.62 * last, 0.15 * arrival, "at rest", fontsize=8, color="0.5")
-
-
-def draw_plane(
-    axes: Axes, values: xr.DataArray, colour_map: Colormap, norm: Normalize, shift: float = 0.0
-) -> QuadMesh:
-    """Colour the plane of exponent, less a shift, and damping by values on (alpha, gamma)."""
-    plane = values.transpose("gamma", "alpha")
-    return axes.pcolormesh(
-        plane["alpha"] - shift,
-        plane["gamma"],
-        np.ma.masked_invalid(plane.values),
-        cmap=colour_map,
-        norm=norm,
-        shading="nearest",
-        rasterized=True,
-    )
 
 
 def draw_critical_damping(axes: Axes, curves: xr.Dataset, *names: str) -> None:

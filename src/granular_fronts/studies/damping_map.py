@@ -23,7 +23,11 @@ def map_critical_damping(exponents, dampings, cut):
     attribute `overshoot_cut` says above which overshoot a front oscillates to the eye.
     `exchange_exponent` is the α* where the meaning of "tail" changes.
     """
-    dataset = _sweep_plane(exponents, dampings, ["overshoot"])
+    sweeps = [sweep_fronts(alpha, dampings) for alpha in exponents]
+    plane = xr.concat(sweeps, dim=xr.DataArray(exponents, dims="alpha", name="alpha"))
+    largest_error = float(plane["overshoot_error"].where(plane["converged"] == 1).max())
+    plane["overshoot"].attrs["error_estimate"] = largest_error
+    dataset = plane[["overshoot", "converged"]]
     last = meaning_changes_at()
     for definition in DEFINITIONS:
         options = {"cut": cut} if definition == "overshoot" else {}
@@ -35,24 +39,6 @@ def map_critical_damping(exponents, dampings, cut):
         ]
         dataset[f"critical_damping_{definition.replace('-', '_')}"] = ("alpha", curve)
     return dataset.assign_attrs(overshoot_cut=cut, exchange_exponent=last)
-
-
-def _sweep_plane(exponents, dampings, names):
-    """Measures of fronts on (alpha, gamma) with the largest of their errors, and `converged`."""
-    sweeps = [sweep_fronts(alpha, dampings) for alpha in exponents]
-    plane = xr.concat(sweeps, dim=xr.DataArray(exponents, dims="alpha", name="alpha"))
-    for name in names:
-        largest_error = float(plane[f"{name}_error"].where(plane["converged"] == 1).max())
-        plane[name].attrs["error_estimate"] = largest_error
-    return plane[[*names, "converged"]]
-
-
-def chart_plane(alpha, gamma):
-    """Overshoot and width over exponents in equal steps, as numpy takes them, and some dampings.
-
-    On (alpha, gamma): `overshoot`, `width_10_90`, NaN where a front was not found, `converged`.
-    """
-    return _sweep_plane(np.linspace(**alpha), gamma, ["overshoot", "width_10_90"])
 
 
 def map_plane(alpha, gamma, overshoot_cut):

@@ -14,7 +14,7 @@ from scipy.optimize import isotonic_regression
 from figure_step import run_figure
 from granular_fronts.output.style import PACKAGE_COLOURS, PACKAGE_LINES, fill_rows, new_figure
 
-# A problem of each kind, and what it is; the others are those of figure 14b.
+# A problem of each kind, and what it is.
 ON_THE_PAGE = {
     "initiation_underdamped": "driven chain",
     "ring_hertz": "ring of beads",
@@ -34,18 +34,14 @@ SMALLEST_ERROR = 1e-17
 
 
 def plot_fig14(data: xr.Dataset) -> Figure:
-    """Draw a panel for each of the problems on the page.
+    """Draw a panel for each of the problems on the page, the names of its curves at its right.
 
     Parameters
     ----------
     data : xarray.Dataset
         Written by merge_precision.
     """
-    return draw_problems(data.sel(problem=np.isin(data["problem"], list(ON_THE_PAGE))))
-
-
-def draw_problems(data: xr.Dataset) -> Figure:
-    """Draw a panel for each problem, the names of its curves at its right."""
+    data = data.sel(problem=np.isin(data["problem"], list(ON_THE_PAGE)))
     problems = [str(problem) for problem in data["problem"].values]
     rows = fill_rows(problems, COLUMNS)
     heights = [_height(data, row) for row in rows]

@@ -1,6 +1,5 @@
 """Figure 20: errors of the amplitude equations on rings of beads as α → 1, in two limits."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import xarray as xr
@@ -50,11 +49,9 @@ def smallest_mu(campaign: xr.Dataset) -> float:
     return campaign["mu"].values.min()
 
 
-def draw_limit(
-    axes: Axes, campaign: xr.Dataset, markers: Sequence[str] = MARKERS, **place: float
-) -> None:
+def draw_limit(axes: Axes, campaign: xr.Dataset, **place: float) -> None:
     """Largest error of u against ε at a place of further axes, a marker for each equation."""
-    for (model, look), marker in zip(MODEL_LOOKS.items(), markers, strict=True):
+    for (model, look), marker in zip(MODEL_LOOKS.items(), MARKERS, strict=True):
         epsilon, error, _ = selected(campaign, f"{SUP}_{model}", **place)
         marks: dict[str, Any] = {"marker": marker, "markersize": 4, "fillstyle": "none"}
         axes.plot(epsilon, error, **marks, **look._asdict())
