@@ -221,10 +221,11 @@ def fill_pictures(text: str, page: str, results: Path) -> str:
 
 PAPERS = """# What was found beyond other papers
 
-Each paper with a folder of its own has a table of numbers that were not in what was read of it.
+Each paper with a folder of its own has a table of numbers that were not in what was read of it;
+the folder on weak damping is about no paper.
 A finding holds if its value with its error meets the criterion. The last column names a second
 method that was asked, and has a dash where none was. All of it is made on demand, by
-`snakemake -c2 papers`. The page of a paper says what was read, and what else was found.
+`snakemake -c2 papers`. The page of a folder says what was read, and what else was found.
 """
 
 
@@ -233,7 +234,7 @@ def papers_page(results: Path) -> str:
     lines = [PAPERS]
     for file in sorted((ROOT / "papers").glob("*/paper.yaml")):
         paper, listed = file.parent.name, yaml.safe_load(file.read_text(encoding="utf-8"))
-        lines += [f"## {listed['title']}", "", f"[Page of this paper](../papers/{paper}.md)", ""]
+        lines += [f"## {listed['title']}", "", f"[Its page](../papers/{paper}.md)", ""]
         for name, table in listed.get("tables", {}).items():
             if table.get("statements") == "findings.yaml":
                 statements = yaml.safe_load(file.with_name("findings.yaml").read_text("utf-8"))

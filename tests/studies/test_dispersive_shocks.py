@@ -29,7 +29,6 @@ from granular_fronts.studies.shock_measures import (
     far_away,
     over_fitted,
     speed_over_solitary,
-    spreading,
 )
 
 TOLERANCE = {"relative": 1e-9, "absolute": 1e-11}
@@ -63,7 +62,6 @@ def test_fitting_is_exact_for_the_toda_chain_and_not_for_beads():
     beads = follow_shocks(1.5, [0.0], [0.2], contacts, TOLERANCE)
     assert over_fitted(beads, "speed", 0.2).value > 1.02
     assert over_fitted(beads, "trailing_edge", 0.2).value > 1.3
-    assert spreading(beads, 0.2).value == pytest.approx(2.0, rel=0.02)
 
 
 @ALPHAS

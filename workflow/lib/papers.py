@@ -2,7 +2,8 @@
 
 Its `scenes` are like those of config/default.yaml.  Its `studies`, `figures` and `tables` are like
 the files of these names in ``workflow``; a study carries its `parameters`.  Every name begins with
-that of the folder, so that no two papers share one. All is made on demand.
+that of the folder, so that no two papers share one. All is made on demand.  The folder
+``weak_damping`` is about no paper, and has findings alone.
 """
 
 from collections.abc import Iterator

@@ -35,7 +35,7 @@ for paper, listed in papers().items():
             "../scripts/tables/check_paper.py"
 
     rule:
-        """What this project makes of one paper of others."""
+        """Figures, tables and verdicts of one folder of papers."""
         name:
             f"papers/{paper}"
         input:
@@ -45,8 +45,8 @@ for paper, listed in papers().items():
 
 
 rule papers:
-    """What this project makes of papers of others."""
+    """Figures, tables and verdicts of every folder of papers."""
     input:
         [f"<results>/papers/{paper}.txt" for paper in papers()],
     message:
-        "What this project makes of papers of others is there."
+        "Figures, tables and verdicts of every folder of papers are there."

@@ -58,32 +58,6 @@ def solitary_wave(alpha, points_per_bead=POINTS_PER_BEAD):
     )
 
 
-def start_in_waves(alpha, beads, waves):
-    """Return the start of a chain of equal beads in solitary waves that do not overlap.
-
-    Each wave is a contact, not necessarily whole, on which it is centred, and a speed, negative to
-    the left.  A chain at rest is ahead of it and behind it.
-    """
-    wave, contacts = solitary_wave(alpha), np.arange(1, beads)
-    wave_number = 2.0 * np.pi * np.fft.rfftfreq(wave.u.size, 1.0 / POINTS_PER_BEAD)
-    compression, rate = np.zeros((2, beads - 1))
-    for centre, speed in waves:
-        nearest = round(centre)
-        turned = np.fft.rfft(wave.u) * np.exp(-1j * wave_number * (centre - nearest))
-        shapes = np.fft.irfft([turned, -1j * speed * wave_number * turned], wave.u.size)
-        places = wave.u.size // 2 + POINTS_PER_BEAD * (contacts - nearest)
-        on_grid = (places >= 0) & (places < wave.u.size)
-        height = abs(speed) ** (2.0 / (alpha - 1.0))
-        compression[on_grid] += height * shapes[0, places[on_grid]]
-        rate[on_grid] += height * shapes[1, places[on_grid]]
-    velocity = np.append(np.cumsum(rate[::-1])[::-1], 0.0)
-    return {
-        "kind": "given",
-        "relative_displacement": compression.tolist(),
-        "velocity": velocity.tolist(),
-    }
-
-
 def gaussian(alpha, xi):
     """Return u = y^(1/α) of the Gaussian of Remark 8, ξ in beads from its peak."""
     return np.exp((0.5 - 3.0 * (1.0 - 1.0 / alpha) * xi**2) / alpha)

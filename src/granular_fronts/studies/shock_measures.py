@@ -28,15 +28,6 @@ def over_fitted(shocks, name, ahead):
     return far_away(shocks, name, ahead) * (1.0 / float(fitted))
 
 
-def spreading(shocks, ahead):
-    """Return the zone at the last contact over that at half the distance."""
-    far, near = (
-        tabulated(shocks, "zone", gamma=0.0, ahead=ahead, contact=contact)
-        for contact in shocks["contact"].values[:-3:-1]
-    )
-    return far / near
-
-
 def speed_over_solitary(shocks):
     """Return the speed of the leading crest over that of a solitary wave of its height, r = 0."""
     alpha = shocks.attrs["alpha"]

@@ -10,7 +10,7 @@ from granular_fronts.output.style import PROBE_COLOURS, new_figure
 MARKERS = "os^Dv"
 
 
-def plot_yang_2024_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
+def plot_weak_damping_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
     """Draw exact fronts and their limit, and the crests of chains over γn.
 
     Parameters
@@ -58,4 +58,4 @@ def plot_yang_2024_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
 
 
 if __name__ == "__main__":
-    run_figure(plot_yang_2024_damping, globals().get("snakemake"))
+    run_figure(plot_weak_damping_damping, globals().get("snakemake"))

@@ -8,7 +8,7 @@ from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import new_figure
 
 
-def plot_yang_2024_shocks(motions: list[xr.Dataset]) -> Figure:
+def plot_weak_damping_shocks(motions: list[xr.Dataset]) -> Figure:
     """Draw the compression at a contact, a panel for each motion.
 
     Parameters
@@ -34,4 +34,4 @@ def plot_yang_2024_shocks(motions: list[xr.Dataset]) -> Figure:
 
 
 if __name__ == "__main__":
-    run_figure(plot_yang_2024_shocks, globals().get("snakemake"))
+    run_figure(plot_weak_damping_shocks, globals().get("snakemake"))
