@@ -46,6 +46,8 @@ from granular_fronts.errors import InputError
 from granular_fronts.model.amplitude_scaling import gamma_for
 
 ACCURACY = 1.0e-13
+# Largest error of y and its slope at these dampings.
+ROUND_OFF = {0.3: 4e-16, 2.0: 4e-16, 20.0: 4e-16}
 CASES = [
     (0.0, -12),
     (1.0e-12, -12),
@@ -58,6 +60,7 @@ CASES = [
     (5.0, -15),
     (np.nextafter(STIFF_DAMPING, 0.0), -12),
     (STIFF_DAMPING, -12),
+    (20.0, -30),
     (50.0, -8),
 ]
 QUICK = [0.0, 0.3, 2.0, STIFF_DAMPING]
@@ -89,8 +92,9 @@ def test_orbit_agrees_with_fifty_digits(mu, s_stop):
         p, v = exact.at(point)
         with mp.workdps(DIGITS):
             y = mp.exp(-p)
-            assert abs(digits(values["rescaled_force"]) - y) < ACCURACY
-            assert abs(digits(values["slope"]) + v * y) < ACCURACY
+            within = ROUND_OFF.get(mu, ACCURACY)
+            assert abs(digits(values["rescaled_force"]) - y) < within
+            assert abs(digits(values["slope"]) + v * y) < within
             if point > 0:
                 assert abs(digits(values["log_rescaled_force"]) / p + 1) < 2.0e-14
     assert front.attrs["converged"] == 1

@@ -143,7 +143,7 @@ SECTIONS_REFUSED = [
     ("exact_fronts.survey.alpha", [1.1, 1.5, 1.1], "exact_fronts.survey.alpha (entry 3) is 1.1"),
     ("hard_cases", ["gama_zero"], '"gama_zero" | did you mean gamma_zero?'),
     (RING, None, "Scene weak is null"),
-    ("precision.chain.contact_loss.own_tolerances", {"scipy_rk54": [1e-4]}, '"scipy_rk54"'),
+    ("precision.chain.contact_loss.own_tolerances", {"scipy_dop835": [1e-4]}, '"scipy_dop835"'),
     # Names that clash, or that nothing has.
     ("scenes.front.survey", FRONT, "scenes.front.survey has the name of the study survey"),
     ("scenes.heteroclinic.weak", ORBIT, "weak has the name of scenes.heteroclinic.weak"),
@@ -278,7 +278,7 @@ def is_checked(path, node, checks):
 
 def test_every_section_is_checked(default):
     assert not unchecked_sections(default, SECTIONS)
-    for path in ("laws.limiting_cases", "scenes.chain.*", "precision.ring.*"):
+    for path in ("laws.limiting_cases", "scenes.chain.*", "precision.fronts.*"):
         fewer = {key: section for key, section in SECTIONS.items() if key != path}
         assert unchecked_sections(default, fewer) == [path.partition(".")[0]]
 

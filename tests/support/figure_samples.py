@@ -157,7 +157,7 @@ def multipliers():
 def speed_error():
     """Two problems by two methods, of which one failed once and one was disturbed once."""
     coordinates = {
-        "problem": ["ring_hertz", "contact_loss"],
+        "problem": ["front_underdamped", "contact_loss"],
         "method": ["strain_form", "scipy_dop853"],
         "tolerance": [1e-8, 1e-4, 1e-6],
     }
@@ -165,7 +165,7 @@ def speed_error():
     data = sample(coordinates, variables, absent=json.dumps(["diffrax_dopri8"]))
     data["own_method"] = "problem", ["strain_form", "strain_form"]
     data["disturbed"] = xr.zeros_like(data["error"])
-    data["disturbed"].loc["ring_hertz", "strain_form", 1e-6] = 1.0
+    data["disturbed"].loc["front_underdamped", "strain_form", 1e-6] = 1.0
     for name in ("error", "seconds"):
         data[name].loc["contact_loss", "scipy_dop853", 1e-8] = np.nan
     return data

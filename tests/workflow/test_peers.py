@@ -1,68 +1,43 @@
 """The peers of the speed comparison solve our problems, and an absent one says so."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
-import xarray as xr
-from chains import smooth_ring
 from lammps import needs_lammps
 
-from granular_fronts.continuum.log_kdv_burgers.heteroclinic import heteroclinic
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.reference_methods.half_step import Chain, integrate
-from peers import lammps_chain, runs, scilab_chain, scipy_fronts, scipy_heteroclinic
-from peers.chain_system import ChainSystem, SparseJacobian, front_initiation, numpy_right_hand_side
+from peers import lammps_chain, runs, scilab_chain, scipy_fronts
+from peers.chain_system import ChainSystem
 from problems.chain import PEERS
 
-REFERENCES = Path(__file__).parents[1] / "references"
-DRIVEN = front_initiation(gamma=0.3, end=12.0, beads=20)
-RING = ChainSystem(0.2, 5.0, *smooth_ring(), ring=True)
-WITH_GAPS = ChainSystem(0.2, 3.0, np.array([0.5, -0.3, 0.2, 0.1]), np.arange(4.0), ring=True)
+DRIVEN = ChainSystem(gamma=0.3, end=12.0, beads=20)
 
 
-@pytest.mark.parametrize("system", [DRIVEN, RING], ids=["driven", "ring"])
 @pytest.mark.parametrize("name", PEERS)
-def test_every_present_peer_finds_the_same_motion(name, system):
-    tolerance = 1e-7 if name in ("scipy_radau", "sundials_bdf") else 1e-11
-    run = PEERS[name](system, tolerance, 1e-2 * tolerance)
+def test_every_present_peer_finds_the_same_motion(name):
+    run = PEERS[name](DRIVEN, 1e-11, 1e-13)
     if run.absent:
         pytest.skip(run.message)
-    expected = PEERS["scipy_dop853"](system, 1e-13, 1e-15)
+    expected = PEERS["scipy_dop853"](DRIVEN, 1e-13, 1e-15)
     for field, values in expected.fields.items():
-        np.testing.assert_allclose(run.fields[field], values, rtol=0.0, atol=200 * tolerance)
-    gained = 0.0 if system.ring else system.left**1.5 * system.end
-    before, after = system.velocities.sum(), run.fields["velocity"].sum()
-    assert after - before == pytest.approx(gained, abs=1e-9)
+        np.testing.assert_allclose(run.fields[field], values, rtol=0.0, atol=2e-9)
+    gained = DRIVEN.left**1.5 * DRIVEN.end
+    assert run.fields["velocity"].sum() == pytest.approx(gained, abs=1e-9)
     assert run.seconds > 0
     assert run.cpu_seconds > 0
     assert run.right_hand_sides > 0
-
-
-@pytest.mark.parametrize("system", [DRIVEN, RING, WITH_GAPS], ids=["driven", "ring", "gaps"])
-def test_start_and_jacobian_of_a_system(system):
-    """The start observes what was given; the matrix is the derivative of the right-hand side."""
-    observed = system.observe(system.start())
-    np.testing.assert_allclose(
-        observed["relative_displacement"], system.contacts, rtol=0, atol=1e-14
-    )
-    np.testing.assert_allclose(observed["velocity"], system.velocities, rtol=0, atol=1e-15)
-    fill = numpy_right_hand_side(system)
-    ahead, behind = np.empty((2, 2 * system.beads))
-    state, direction = np.random.default_rng(1).standard_normal((2, 2 * system.beads))
-    state, h = system.start() + 0.01 * state, 1e-6
-    fill(state + h * direction, ahead)
-    fill(state - h * direction, behind)
-    product = SparseJacobian(system).matrix(state) @ direction
-    np.testing.assert_allclose(product, (ahead - behind) / (2.0 * h), rtol=0, atol=1e-5)
 
 
 def test_an_absent_tool_says_so(monkeypatch):
     monkeypatch.setattr(scilab_chain.shutil, "which", lambda name: None)
     monkeypatch.setattr(lammps_chain, "find_command", lambda: None)
     monkeypatch.setattr(runs.importlib.util, "find_spec", lambda name: None)
-    tools = {"scilab_ode": "scilab-cli", "lammps_nve": "lmp", "numbalsoda_dop853": "numbalsoda"}
-    tools |= {"sundials_bdf": "sksundae", "diffrax_dopri8": "jax"}
+    tools = {
+        "scilab_ode": "scilab-cli",
+        "lammps_nve": "lmp",
+        "numbalsoda_dop853": "numbalsoda",
+        "diffrax_dopri8": "jax",
+    }
     for name, tool in tools.items():
         run = (PEERS | lammps_chain.METHODS)[name](DRIVEN, 0.1, 1e-10)
         assert run.absent
@@ -82,7 +57,7 @@ def fake_lammps(folder, text, dump=None):
 
 def test_lammps_is_read_as_it_reports(monkeypatch, tmp_path):
     """Its scheme is ours to round-off, see test_half_step.py; here ours takes its place."""
-    system = front_initiation(gamma=0.3, end=12.0, beads=5)
+    system = ChainSystem(gamma=0.3, end=12.0, beads=5)
     chain = Chain(1.5, 1.5, 0.3, left=0.1)
     motion = integrate(chain, np.zeros(5), np.zeros(5), 0.5, 24)
     lines = ["ITEM: TIME", "12.0", "ITEM: TIMESTEP", "24", "ITEM: ATOMS id x vx"]
@@ -111,7 +86,7 @@ def test_failing_lammps_is_quoted(monkeypatch, tmp_path):
 @needs_lammps
 @pytest.mark.parametrize(("name", "order"), [("lammps_nve", 1.0), ("lammps_mvv", 2.0)])
 def test_lammps_comes_closer_at_its_order(name, order):
-    system = front_initiation(gamma=0.3, end=30.0, beads=20)
+    system = ChainSystem(gamma=0.3, end=30.0, beads=20)
     expected = PEERS["scipy_dop853"](system, 1e-13, 1e-15)
     errors = []
     for step in (0.1, 0.05):
@@ -138,21 +113,3 @@ def test_peer_finds_the_front_of_the_lattice_or_says_why_not(name):
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-5)
     assert run.fields["velocity"][0] == pytest.approx(1.0, abs=0.02)
     assert run.right_hand_sides > 0
-
-
-@pytest.mark.parametrize("mu", [0.3, 2.0, 20.0])
-@pytest.mark.parametrize("name", scipy_heteroclinic.METHODS)
-def test_every_peer_finds_the_same_orbit(name, mu):
-    s = np.linspace(-12.0, 6.0, 37)
-    run, front = scipy_heteroclinic.METHODS[name](mu, s, 1e-7), heteroclinic(mu, s)
-    for field in ("rescaled_force", "slope"):
-        np.testing.assert_allclose(run.fields[field], front[field], rtol=0.0, atol=5e-6)
-
-
-def test_stored_orbits_agree_with_ours_to_round_off():
-    states = xr.load_dataset(REFERENCES / "heteroclinic_reference.nc")
-    for index, mu in enumerate(states["mu"].values):
-        front, expected = heteroclinic(mu, states["s"].values), states.isel(state=index)
-        for field in ("rescaled_force", "slope"):
-            assert np.abs(front[field].values - expected[field].values).max() < 4e-16
-            assert expected[f"{field}_error"] < 1e-30

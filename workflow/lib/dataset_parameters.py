@@ -71,12 +71,11 @@ def _of_studies(configuration: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def precision_problems(configuration: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the problems of each family; rings with scenes, also from a smooth start."""
+    """Return the problems of each family, rings with their scenes."""
     scenes, families = configuration["scenes"]["periodic"], dict(configuration["precision"])
     families["log_burgers"] = {
-        f"{start}log_burgers_{name}": {**problem, "scene": scenes[name], "smooth": bool(start)}
+        f"log_burgers_{name}": {**problem, "scene": scenes[name]}
         for name, problem in families["log_burgers"].items()
-        for start in ("", "smooth_")
     }
     return families
 

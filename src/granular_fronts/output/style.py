@@ -79,7 +79,6 @@ PACKAGE_COLOURS = {
     "scilab": ALARM_COLOUR,
     "scipy": BLUE,
     "numbalsoda": GREEN,
-    "sundials": BROWN,
     "diffrax": MAGENTA,
     "lammps": LIGHT_BLUE,
 }
@@ -88,7 +87,6 @@ PACKAGE_LINES: dict[str, Any] = {
     "scilab": (0, (4, 1)),
     "scipy": "-",
     "numbalsoda": (0, (6, 1.5)),
-    "sundials": (0, (2, 1)),
     "diffrax": (0, (6, 1, 1, 1, 1, 1)),
     "lammps": "-.",
 }

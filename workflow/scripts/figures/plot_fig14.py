@@ -1,4 +1,4 @@
-"""Figure 14: time against error of all methods, on a problem of each kind."""
+"""Figure 14: time against error of all methods, on each problem."""
 
 import json
 from collections.abc import Iterator
@@ -14,12 +14,11 @@ from scipy.optimize import isotonic_regression
 from figure_step import run_figure
 from granular_fronts.output.style import PACKAGE_COLOURS, PACKAGE_LINES, fill_rows, new_figure
 
-# A problem of each kind, and what it is.
-ON_THE_PAGE = {
+# What the problems are.
+TITLES = {
     "initiation_underdamped": "driven chain",
-    "ring_hertz": "ring of beads",
     "front_underdamped": "exact front",
-    "heteroclinic_underdamped": "heteroclinic orbit",
+    "log_burgers_weak": "logarithmic Burgers",
 }
 COLUMNS = 2
 # Heights of a name next to a panel, of what is above and below the panel, and of the lowest
@@ -34,14 +33,13 @@ SMALLEST_ERROR = 1e-17
 
 
 def plot_fig14(data: xr.Dataset) -> Figure:
-    """Draw a panel for each of the problems on the page, the names of its curves at its right.
+    """Draw a panel for each problem, the names of its curves at its right.
 
     Parameters
     ----------
     data : xarray.Dataset
         Written by merge_precision.
     """
-    data = data.sel(problem=np.isin(data["problem"], list(ON_THE_PAGE)))
     problems = [str(problem) for problem in data["problem"].values]
     rows = fill_rows(problems, COLUMNS)
     heights = [_height(data, row) for row in rows]
@@ -120,7 +118,7 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
         axes.axvline(reference_error, color="#888888", linewidth=0.8, linestyle="--")
     scale = f"largest error (reference {reference_error:.0e})"
     problem = str(data["problem"].item())
-    axes.set_title(ON_THE_PAGE.get(problem, _label(problem)), fontsize=8)
+    axes.set_title(TITLES.get(problem, _label(problem)), fontsize=8)
     axes.set_xlabel("\n".join([scale, *_failures(data)]), fontsize=7)
     axes.xaxis.set_major_locator(LogLocator(numticks=MOST_TICKS))
     axes.tick_params(which="both", labelsize=7)

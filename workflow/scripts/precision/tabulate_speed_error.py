@@ -22,7 +22,7 @@ PAPERS_WAY = ("scilab_ode", "upwind")
 CODES = ("lammps_nve", "lammps_mvv")
 # Ending of a method whose grid is given: to be timed, while users call the one that chooses it.
 ON_GIVEN_GRID = "_on_grid"
-PACKAGES = ("diffrax", "lammps", "numbalsoda", "scilab", "scipy", "sundials", "upwind")
+PACKAGES = ("diffrax", "lammps", "numbalsoda", "scilab", "scipy", "upwind")
 BUSY = "timed while the machine was busy"
 
 

@@ -6,7 +6,7 @@ from peers.runs import Run, Stopwatch, missing_package
 
 
 @cache
-def _compiled_solve(ring):
+def _compiled_solve():
     """Return solve(start, end, rtol, atol, parameters) to the final state and counts."""
     import diffrax
     import jax
@@ -15,10 +15,9 @@ def _compiled_solve(ring):
     jax.config.update("jax_enable_x64", True)
 
     def right_hand_side(_, state, parameters):
-        gamma, left, turn = parameters
+        gamma, left = parameters
         positions, momenta = jnp.split(state, 2)
-        closing = turn - (positions[0] - positions[-1]) if ring else 0.0
-        ends = jnp.array([closing if ring else left, closing])
+        ends = jnp.array([left, 0.0])
         inner = positions[:-1] - positions[1:]
         contacts = jnp.maximum(jnp.concatenate([ends[:1], inner, ends[1:]]), 0.0)
         forces = contacts * jnp.sqrt(contacts)
@@ -54,8 +53,8 @@ def _run_dopri8(system, rtol, atol):
         return absent
     import numpy as np
 
-    solve = _compiled_solve(system.ring)
-    parameters = system.gamma, system.left, system.turn
+    solve = _compiled_solve()
+    parameters = system.gamma, system.left
     with Stopwatch() as watch:
         state, steps, solved = solve(system.start(), system.end, rtol, atol, parameters)
         state = np.asarray(state)

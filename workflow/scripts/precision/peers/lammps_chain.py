@@ -55,7 +55,7 @@ def _deck_of(system):
         "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
         "beads": system.beads,
         "boundary": {"kind": "pressure", "left": system.left, "right": 0.0},
-        "start": {"kind": "given", "velocity": system.velocities.tolist()},
+        "start": {"kind": "rest"},
         "end_time": system.end,
     }
     return write_deck(NAME, "front initiation", scene, system.end)

@@ -5,8 +5,6 @@ mode(-1);
 
 gam = strtod(getenv("CHAIN_GAMMA"));
 left = strtod(getenv("CHAIN_LEFT"));
-ring = strtod(getenv("CHAIN_RING"));
-turn = strtod(getenv("CHAIN_TURN"));
 N = strtod(getenv("CHAIN_BEADS"));
 t_end = strtod(getenv("CHAIN_END"));
 rtol = strtod(getenv("CHAIN_RTOL"));
@@ -21,30 +19,15 @@ function dy = chain(t, y)
     dy = [w + gam*dw; dw];
 endfunction
 
-function dy = closed_chain(t, y)
-    x = y(1:N);
-    w = y(N+1:2*N);
-    closing = turn - (x(1) - x(N));
-    u = [closing; x(1:N-1) - x(2:N); closing];
-    force = max(u, 0).^1.5;
-    dw = force(1:N) - force(2:N+1);
-    dy = [w + gam*dw; dw];
-endfunction
-
 fd = mopen(getenv("CHAIN_START"), "rb");
 y0 = mget(2*N, "dl", fd)';
 mclose(fd);
-if ring then
-    f = closed_chain;
-else
-    f = chain;
-end
 
 // The default stops after 500 steps between two output times.
 %ODEOPTIONS = [1, 0, 0, %inf, 0, 2, 10000000, 12, 5, 0, -1, -1];
 timer();
 tic();
-[y, rd, id] = ode(y0, 0, t_end, rtol, atol, f);
+[y, rd, id] = ode(y0, 0, t_end, rtol, atol, chain);
 seconds = toc();
 cpu_seconds = timer();
 

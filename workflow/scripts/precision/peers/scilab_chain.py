@@ -29,8 +29,6 @@ def run_ode(system, rtol, atol):
         settings = {
             "GAMMA": repr(system.gamma),
             "LEFT": repr(system.left),
-            "RING": str(int(system.ring)),
-            "TURN": repr(system.turn),
             "BEADS": str(system.beads),
             "END": repr(system.end),
             "RTOL": repr(rtol),

@@ -19,15 +19,8 @@ from granular_fronts.chain.run import (
 from granular_fronts.model.laws import make_law
 from granular_fronts.numerics.runge_kutta import STAGES
 from granular_fronts.reference_methods import position_forms
-from peers import (
-    diffrax_chain,
-    lammps_chain,
-    numbalsoda_chain,
-    scilab_chain,
-    scipy_chain,
-    sundials_chain,
-)
-from peers.chain_system import front_initiation
+from peers import diffrax_chain, lammps_chain, numbalsoda_chain, scilab_chain, scipy_chain
+from peers.chain_system import ChainSystem
 from peers.runs import Run, Stopwatch
 from problems.problem import Problem, read_reference, stored_state
 
@@ -38,7 +31,6 @@ PEERS = {
     **scilab_chain.METHODS,
     **scipy_chain.METHODS,
     **numbalsoda_chain.METHODS,
-    **sundials_chain.METHODS,
     **diffrax_chain.METHODS,
 }
 
@@ -47,39 +39,23 @@ def make_problem(problem, states):
     """Return the driven chain of one entry of ``precision.chain``, with its stored reference."""
     gamma, end = problem["gamma"], problem["end_time"]
     state = stored_state(states, "chain", gamma=gamma, t=end)
-    system = front_initiation(gamma, end)
-    scene = scene_of_system(
-        system,
-        boundary={"kind": "pressure", "left": system.left, "right": 0.0},
-        start={"kind": "rest"},
-    )
-    reference = read_reference(state, FIELDS)
-    codes = {
-        name: partial(_run_peer, solve, system) for name, solve in lammps_chain.METHODS.items()
-    }
-    return Problem(OURS, reference, methods_for(scene, system) | codes)
-
-
-def scene_of_system(system, boundary, start):
-    """Return a system as a scene of this project, which records the final state only."""
-    return {
-        "law": {"alpha": 1.5, "beta": 1.5, "gamma": system.gamma},
+    system = ChainSystem(gamma, end)
+    scene = {
+        "law": {"alpha": 1.5, "beta": 1.5, "gamma": gamma},
         "beads": system.beads,
-        "boundary": boundary,
-        "start": start,
-        "end_time": system.end,
-        "record": {"snapshots": [system.end]},
+        "boundary": {"kind": "pressure", "left": system.left, "right": 0.0},
+        "start": {"kind": "rest"},
+        "end_time": end,
+        "record": {"snapshots": [end]},
     }
-
-
-def methods_for(scene, system):
-    """Return all methods for one motion; each takes a relative tolerance."""
+    peers = PEERS | lammps_chain.METHODS
     forms = {"positions_and_w": position_forms.XW, "positions_and_velocities": position_forms.XV}
-    return {
+    methods = {
         OURS: partial(_run_strain_form, scene),
         **{name: partial(_run_plain_form, form, scene) for name, form in forms.items()},
-        **{name: partial(_run_peer, solve, system) for name, solve in PEERS.items()},
+        **{name: partial(_run_peer, solve, system) for name, solve in peers.items()},
     }
+    return Problem(OURS, read_reference(state, FIELDS), methods)
 
 
 def _run_peer(solve, system, tolerance):

@@ -8,9 +8,9 @@ uniform_cells   ours without them, which shows what the kinks of the start cost;
 fourier         the method of the equation with a third derivative (55), here without it, which
                 shares no scheme with ours.
 
-The start (49) has kinks; a smooth start of similar width shows the orders away from them.  The
-reference, finite volumes on fine cells, is not stored, since it must be evaluated at the points of
-each scheme.  Its error is its distance to the Fourier method, also refined.
+The start (49) has kinks.  The reference, finite volumes on fine cells, is not stored, since it must
+be evaluated at the points of each scheme.  Its error is its distance to the Fourier method, also
+refined.
 """
 
 from functools import partial
@@ -32,14 +32,11 @@ EVALUATED_POINTS = 8192
 # Of the Fourier method: its error per step is this power of its longest step. Its start is on 2⁴
 # times as many points.
 FOURIER_ORDER, FOURIER_LEVELS = 4, 4
-SMOOTH_POINTS, SMOOTH_SHARPNESS = 257, 12.0
 
 
 def make_problem(problem, _states=None):
-    """Return one ring of ``precision.log_burgers`` with `scene`, `smooth` start or its own."""
+    """Return one ring of ``precision.log_burgers`` with its `scene`."""
     scene, fine = problem["scene"], problem["reference"]
-    if problem["smooth"]:
-        scene = scene | {"start": _smooth_start()}
     accurate = solve(scene, 1.0, [scene["end_time"]], fine["cells"], fine["tolerance"])
     independent = _run_fourier(scene, accurate, fine["points"], fine["longest_step"])
     error = float(np.abs(independent.fields["rescaled_force"]).max())
@@ -56,13 +53,12 @@ def make_problem(problem, _states=None):
         "uniform_cells": widths,
         "fourier": problem["longest_steps"],
     }
-    chosen = ("finite_volumes", "fourier") if problem["smooth"] else methods
     return Problem(
         ours="finite_volumes",
         # The fields of a run are its distances to the reference.
         reference={"rescaled_force": Reference(np.zeros(1), np.zeros(1), error)},
         methods=methods,
-        tolerances={method: tolerances[method] for method in chosen},
+        tolerances=tolerances,
     )
 
 
@@ -122,11 +118,3 @@ def _end_of(scene):
 def _distances(accurate, xi, values):
     """Return the distances of Y to the reference at the points of a scheme."""
     return {"rescaled_force": values - accurate.rescaled_force(0, xi)}
-
-
-def _smooth_start():
-    """Return an analytic bump of height 1: exp of a cosine."""
-    angle = np.pi * np.linspace(-1.0, 1.0, SMOOTH_POINTS)
-    force = np.exp(SMOOTH_SHARPNESS * (np.cos(angle) - 1.0))
-    force[-1] = force[0]
-    return {"kind": "given", "rescaled_force": force}
