@@ -36,7 +36,16 @@ pathvars:
 
 # Not for a dry run, which writes nothing.
 onstart:
-    hold_results_folder()
+    for error in folder_errors(config["results"]):
+        sys.exit(error)
+
+
+# Otherwise any result would count as one of the present configuration and code.
+if glob(f"{config['results']}/data/*/*.nc") and not glob(".snakemake/metadata/*"):
+    sys.exit(
+        f"Snakemake (.snakemake) does not know how the results in {config['results']} were made: "
+        "remove this folder, or name another (--config results=...)."
+    )
 
 
 include: "workflow/rules/parameters.smk"

@@ -4,7 +4,6 @@ The manual's build writes them into docs/generated, so that no name, range or nu
 """
 
 import inspect
-import json
 import math
 import re
 from pathlib import Path
@@ -162,7 +161,14 @@ def figures_page(results: Path) -> str:
     lines = ["# Figures"]
     for name in FIGURES:
         file = _drawn(name, results)
-        lines += ["", f"({name})=", "", f"## {_title(name)}", "", *_picture(name, file, "../..")]
+        lines += [
+            "",
+            f"({name})=",
+            "",
+            f"## {_title(name)}",
+            "",
+            *_picture(name, FIGURES[name]["alt"], file, "../.."),
+        ]
         caption = file.with_suffix(".rst")
         if caption.exists():
             # Captions are reStructuredText.
@@ -180,12 +186,11 @@ def _drawn(name: str, results: Path) -> Path:
     return results / "figures" / f"{name}_{FIGURES[name]['name']}.png"
 
 
-def _picture(name: str, file: Path, up: str) -> list[str]:
+def _picture(name: str, alt: str, file: Path, up: str) -> list[str]:
     """A figure as Markdown, or the command that draws it where it was not asked for."""
     if not file.exists():
         return [f"This figure is drawn on demand, by `snakemake -c2 {name}`."]
-    words = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
-    return [f"![{words['alt']}]({up}/results/figures/{file.name})"]
+    return [f"![{alt}]({up}/results/figures/{file.name})"]
 
 
 PICTURE = re.compile(r"<!-- figure (?P<number>\d+b?) -->")
@@ -213,7 +218,7 @@ def fill_pictures(text: str, page: str, results: Path) -> str:
         name = f"fig{number.zfill(3 if number.endswith('b') else 2)}"
         up = "../" * page.count("/") + ".."
         file, title = _drawn(name, results), f"*{_title(name)}.*"
-        picture = _picture(name, file, up)
+        picture = _picture(name, FIGURES[name]["alt"], file, up)
         return "\n".join([*picture, "", title] if file.exists() else [f"{title} {picture[0]}"])
 
     return PICTURE.sub(fill, text)
@@ -239,9 +244,9 @@ def papers_page(results: Path) -> str:
             if table.get("statements") == "findings.yaml":
                 statements = yaml.safe_load(file.with_name("findings.yaml").read_text("utf-8"))
                 lines += _findings(statements, results / "tables" / f"{name}.csv")
-        for name in listed.get("figures", []):
-            picture = _picture(name, results / "figures" / f"{name}.png", "../..")
-            lines += ["", f"*{listed['figures'][name]['title']}.*", "", *picture]
+        for name, one in listed.get("figures", {}).items():
+            picture = _picture(name, one["alt"], results / "figures" / f"{name}.png", "../..")
+            lines += ["", f"*{one['title']}.*", "", *picture]
         lines.append("")
     return "\n".join(lines)
 

@@ -4,6 +4,7 @@ import copy
 
 import pytest
 from configurations import DEFAULT
+from projects import copy_project, lend_kernels, snakemake
 
 from granular_fronts.scenes.yaml_files import load_configuration
 
@@ -20,6 +21,15 @@ def pytest_collection_modifyitems(items):
     """Start with the files that take longest: side by side, the short ones even out the end."""
     order = {name: place for place, name in enumerate(LONGEST)}
     items.sort(key=lambda item: order.get(item.path.stem, len(order)))
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A copy of the project in which the smoke run is done."""
+    copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
+    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
+    assert run.returncode == 0, run.stderr
+    return copy
 
 
 @pytest.fixture

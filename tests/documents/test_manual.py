@@ -1,7 +1,6 @@
 """What the manual makes of the code: public names, keys of the configuration, pictures, links."""
 
 import doctest
-import json
 import math
 import re
 from importlib import import_module
@@ -138,10 +137,9 @@ def test_the_manual_needs_results(tmp_path):
 def test_a_page_shows_a_figure_or_how_to_draw_it(tmp_path):
     (tmp_path / "figures").mkdir()
     (tmp_path / "figures" / "fig12_critical_damping.png").touch()
-    words = json.dumps({"alt": "four curves", "title": "a title"})
-    (tmp_path / "figures" / "fig12_critical_damping.json").write_text(words, encoding="utf-8")
     filled = PAGES.fill_pictures("a\n\n<!-- figure 12 -->\n", "theory/a", tmp_path)
-    assert "![four curves](../../results/figures/fig12_critical_damping.png)" in filled
+    alt = PAGES.FIGURES["fig12"]["alt"]
+    assert f"![{alt}](../../results/figures/fig12_critical_damping.png)" in filled
     assert "*Figure 12. The meanings of critical damping.*" in filled
     missing = PAGES.fill_pictures("<!-- figure 7b -->", "a", tmp_path)
     assert "snakemake -c2 fig07b`" in missing
@@ -159,13 +157,11 @@ def test_findings_beyond_papers_stand_with_their_errors(tmp_path):
     )
     (tmp_path / "tables" / "jayaprakash_2011_findings.csv").write_text(table, encoding="utf-8")
     (tmp_path / "figures" / "jayaprakash_2011_ladder.png").touch()
-    words = json.dumps({"alt": "arches"})
-    (tmp_path / "figures" / "jayaprakash_2011_ladder.json").write_text(words, encoding="utf-8")
     page = PAGES.papers_page(tmp_path)
     assert (
         "antiresonance | 0.34285 ± 4·10⁻⁵ | 0.342845781149898 within 5e-14 | chains alone" in page
     )
-    assert "![arches](../../results/figures/jayaprakash_2011_ladder.png)" in page
+    assert re.search(r"!\[.+\]\(../../results/figures/jayaprakash_2011_ladder\.png\)", page)
     assert "drawn on demand, by `snakemake -c2 rosas_2007_pulses`" in page
     for file in (ROOT / "papers").glob("*/findings.yaml"):
         assert f"(../papers/{file.parent.name}.md)" in page

@@ -1,4 +1,4 @@
-"""Files of a figure: reproducible, with a filled caption and a record of their data.
+"""Files of a figure: reproducible, with a filled caption, and with the names of their data.
 
 What each figure shows is checked in `test_figure_contents`.
 """
@@ -18,7 +18,6 @@ from granular_fronts.output.datasets import (
     read_dataset,
     write_dataset,
 )
-from granular_fronts.output.files import read_json
 
 BEADS = 24
 
@@ -41,19 +40,17 @@ def path(tmp_path_factory):
     return path
 
 
-ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst", "provenance": "json"}
+ENDINGS = {"pdf": "pdf", "png": "png", "caption": "rst"}
 
 
 def make_files(path, stem, caption, reference=None):
-    """Run the step of figure 3, with a caption and a title of the test's."""
+    """Run the step of figure 3, with a caption of the test's."""
     template = stem.with_suffix(".template")
     template.write_text(caption, encoding="utf-8")
     write_figure(
         importlib.import_module("plot_fig03").plot_fig03,
         data=path,
         template=template,
-        title="Damping {{ data.law.gamma }}",
-        alt="{{ data.beads }} beads",
         reference=reference or {},
         **{name: stem.with_suffix(f".{ending}") for name, ending in ENDINGS.items()},
     )
@@ -68,19 +65,15 @@ def test_saved_files_are_reproducible_whatever_looks_a_user_likes(path, tmp_path
     for ending in ENDINGS.values():
         one, two = (tmp_path / name / f"fig.{ending}" for name in ("one", "two"))
         assert one.read_bytes() == two.read_bytes()
-    assert len(list((tmp_path / "one").iterdir())) == 5
+    assert len(list((tmp_path / "one").iterdir())) == 4
 
 
-def test_files_name_the_data_and_texts_are_filled_with_what_was_computed(path, tmp_path):
-    attributes = read_dataset(path).attrs
-    scene = configuration_of(read_dataset(path))
+def test_files_name_the_data_and_the_caption_is_filled_with_what_was_computed(path, tmp_path):
+    data = read_dataset(path)
+    scene = configuration_of(data)
     make_files(path, tmp_path / "fig", "γ = {{ data.law.gamma }}.", {"scene": scene})
     assert (tmp_path / "fig.rst").read_text(encoding="utf-8") == "γ = 0.06.\n"
-    record = read_json(tmp_path / "fig.json")
-    assert (record["title"], record["alt"]) == ("Damping 0.06", "24 beads")
-    digests = {name: attributes[name] for name in ("config_digest", "data_digest")}
-    assert record["made_from"] == [{"scene": "scene"} | digests]
-    keyword = ":".join(record["made_from"][0].values()).encode()
+    keyword = f"scene:{data.attrs['data_digest']}".encode()
     for ending in ("pdf", "png"):
         assert keyword in (tmp_path / f"fig.{ending}").read_bytes()
 

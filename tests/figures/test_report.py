@@ -1,47 +1,38 @@
-"""The report shows what belongs together, and nothing else."""
+"""The report shows pictures, tables and verdicts, and nothing else."""
 
-import json
 import re
 import subprocess
 from html import unescape
+from pathlib import Path
 
 import pandas as pd
 import pytest
-import xarray as xr
 import yaml
 from browser import CHROMIUM, browser
 from PIL import Image
 from projects import ROOT
 from write_report import write_report
 
-from granular_fronts.output.datasets import read_dataset, write_dataset
-from granular_fronts.output.provenance import source_of, write_provenance
 from granular_fronts.output.tables import write_table
 
 PNG = b"\x89PNG\r\n\x1a\n"
 VERDICTS = ["holds"] * 8 + ["reproduced", "not judged", "does not hold", "reproduced"]
-PARAMETERS = {
-    "chain/scene": {"law": {"gamma": 0.06}},
-    "precision/speed_error": {"repeats": 3},
-}
+FIGURES = [f"figures/{name}" for name in ("fig01_front", "fig14_speed_error")]
+TABLES = [f"tables/{name}" for name in ("paper_numbers", "speed_verdicts")]
+LISTED = yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8"))
 
 
-def make_figure(results, stem, data):
-    """A figure of a dataset, as far as the report reads it."""
+def make_figure(results, stem):
+    """A figure, as far as the report reads it."""
     (results / "figures").mkdir(exist_ok=True)
-    files = [results / f"figures/{stem}.{ending}" for ending in ("pdf", "png", "rst")]
-    for file, content in zip(files, (b"%PDF", PNG, b"**Figure.** A *caption*."), strict=True):
-        file.write_bytes(content)
-    record = files[0].with_suffix(".json")
-    texts = {"title": f"Title of {stem}", "alt": f"Seen in {stem}"}
-    write_provenance(record, files, [data], **texts)
-    return record
+    for ending, content in {"pdf": b"%PDF", "png": PNG, "rst": b"**Figure.** A *caption*."}.items():
+        (results / f"{stem}.{ending}").write_bytes(content)
 
 
-def make_table(results, name, data):
-    """A table of a dataset, with its record; that of the paper holds statements."""
+def make_table(results, stem):
+    """A table; that of the paper holds statements."""
     table = pd.DataFrame({"problem": ["one"], "error_estimate": [1.234567e-12]})
-    if name == "paper_numbers":
+    if stem == "tables/paper_numbers":
         rows = len(VERDICTS)
         table = pd.DataFrame(
             {
@@ -56,44 +47,32 @@ def make_table(results, name, data):
                 "expected": "holds",
             }
         )
-    csv = results / f"tables/{name}.csv"
-    write_table(table, table, csv, csv.with_suffix(".md"), [data])
-    return csv.with_suffix(".json")
+    write_table(table, table, results / f"{stem}.csv", results / f"{stem}.md")
 
 
 @pytest.fixture
 def results(tmp_path):
-    """A results folder with a figure and a table for each of two datasets."""
-    for name, parameters in PARAMETERS.items():
-        file = tmp_path / f"data/{name}.nc"
-        dataset = xr.Dataset({"velocity": ((), 1.0, {"error_estimate": 0.0})})
-        write_dataset(dataset, file, scene_id=file.stem, config=parameters)
-        data = read_dataset(file)
-        figure, table = ("fig01_front", "paper_numbers")
-        if name.startswith("precision"):
-            figure, table = ("fig14_speed_error", "speed_verdicts")
-        make_figure(tmp_path, figure, data)
-        make_table(tmp_path, table, data)
+    """A results folder with two figures and two tables."""
+    (tmp_path / "tables").mkdir()
+    for figure, table in zip(FIGURES, TABLES, strict=True):
+        make_figure(tmp_path, figure)
+        make_table(tmp_path, table)
     for name, seconds in (("job", 1.0), ("other", 2.5)):
         (tmp_path / f"{name}.tsv").write_text(f"s\tmax_rss\n{seconds}\t10\n")
     (tmp_path / "verdict.txt").write_text("All is well.")
     return tmp_path
 
 
-def write(results, on_demand=True, **parameters):
+def write(results, figures=FIGURES, title="Title"):
     """Write the report and return its text."""
-    names = ["figures/fig14_speed_error.json", "tables/speed_verdicts.json"] if on_demand else []
     write_report(
         template=ROOT / "workflow/report/page.html.j2",
-        figures=[results / "figures/fig01_front.json"],
-        tables=[results / "tables/paper_numbers.json"],
-        on_demand=[results / name for name in names],
-        parameters=PARAMETERS | parameters,
+        figures={stem: {"title": title, "alt": f"Seen in {Path(stem).name}"} for stem in figures},
+        tables={stem: LISTED[Path(stem).name] for stem in TABLES},
         results=results,
         benchmarks=[results / "job.tsv", results / "other.tsv"],
         verdict=results / "verdict.txt",
         configuration={"scenes": {"beads": 4}},
-        texts=yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8")),
         page=results / "report.html",
     )
     return (results / "report.html").read_text(encoding="utf-8")
@@ -107,45 +86,22 @@ def test_page_holds_pictures_captions_tables_and_links(results):
     for file in ("figures/fig01_front.pdf", "tables/paper_numbers.csv"):
         assert f'href="{file}"' in page
         assert (results / file).exists()
-    titles = yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8"))
-    assert titles["speed_verdicts"]["title"] in page
+    assert LISTED["speed_verdicts"]["title"] in page
     assert '<td class="number">1.2e-12</td>' in page
     assert '<td class="number">0.25 <wbr>± 1.2e-12</td>' in page
     assert '<th scope="col">expected' not in page
     assert '<td>all jobs</td><td class="number">3.5</td>' in page
-    made_from = json.loads(re.search(r'id="made-from">(.*?)</script>', page, re.DOTALL)[1])
-    data = read_dataset(results / "data/chain/scene.nc")
-    assert made_from["fig01_front"]["made_from"] == [source_of(data)]
 
 
 def test_what_files_hold_is_shown_and_never_run(results):
     """A title, and a caption whose directives would insert a script or another file."""
-    record = results / "figures/fig01_front.json"
     (results / "secret.txt").write_text("what nobody should read")
     caption = f".. raw:: html\n\n   <em>run</em>\n\n.. include:: {results}/secret.txt\n"
-    record.with_suffix(".rst").write_text(caption)
-    data = read_dataset(results / "data/chain/scene.nc")
-    files = [record.with_suffix(f".{ending}") for ending in ("pdf", "png", "rst")]
-    title = "</script><script>run()</script>"
-    write_provenance(record, files, [data], title=title, alt="")
-    page = write(results)
+    (results / "figures/fig01_front.rst").write_text(caption)
+    page = write(results, title="</script><script>run()</script>")
     assert "<script>run()" not in page
     assert "<em>run</em>" not in page
     assert "nobody should read" not in page
-    made_from = re.search(r'id="made-from">(.*?)</script>', page)[1]
-    assert json.loads(made_from)["fig01_front"]["title"] == title
-
-
-def test_page_leaves_out_and_names_what_answers_another_configuration(results):
-    page = write(results, **{"precision/speed_error": {"repeats": 5}})
-    assert "Seen in fig14_speed_error" not in page
-    assert re.search(r"that are there now:\s+fig14_speed_error, speed_verdicts", page)
-
-
-def test_page_of_parts_that_disagree_is_refused(results):
-    with pytest.raises(ValueError, match="answers another configuration of scene scene"):
-        write(results, **{"chain/scene": {"law": {"gamma": 0.21}}})
-    assert not (results / "report.html").exists()
 
 
 def table_of(page, name):
@@ -179,9 +135,8 @@ def test_tables_are_folded_after_ten_rows_and_say_what_they_mean(results):
     assert (len(rows), folded) == (len(VERDICTS), len(VERDICTS) - 10)
     assert f"<summary>All {len(VERDICTS)} rows</summary>" in page
     assert table_of(page, "speed_verdicts")[1] == 0
-    listed = yaml.safe_load((ROOT / "workflow/tables.yaml").read_text(encoding="utf-8"))
-    assert all(described["meaning"].endswith(".") for described in listed.values())
-    assert listed["paper_numbers"]["meaning"] in page
+    assert all(described["meaning"].endswith(".") for described in LISTED.values())
+    assert LISTED["paper_numbers"]["meaning"] in page
 
 
 def test_the_paper_and_what_goes_beyond_are_apart(results):
@@ -202,15 +157,12 @@ in_browser = [
 @pytest.fixture
 def long_report(results):
     """A report with pictures and long tables, as a full run makes one."""
-    data = read_dataset(results / "data/chain/scene.nc")
-    names = [f"figures/fig{number:02}_front" for number in range(1, 30)]
-    for name in names:
-        record = make_figure(results, name.removeprefix("figures/"), data)
-        Image.new("RGB", (1380, 1100), "grey").save(results / f"{name}.png")
-        record.with_suffix(".rst").write_text("**Figure.** " + "A caption of many words. " * 25)
-        files = [results / f"{name}.{ending}" for ending in ("pdf", "png", "rst")]
-        write_provenance(record, files, [data], title=name, alt="")
-    write(results, pages=[f"{name}.json" for name in names[1:]])
+    stems = [f"figures/fig{number:02}_front" for number in range(1, 30)]
+    for stem in stems:
+        make_figure(results, stem)
+        Image.new("RGB", (1380, 1100), "grey").save(results / f"{stem}.png")
+        (results / f"{stem}.rst").write_text("**Figure.** " + "A caption of many words. " * 25)
+    write(results, figures=stems)
     return results / "report.html"
 
 

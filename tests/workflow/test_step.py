@@ -9,9 +9,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from projects import ROOT, snakemake
+from projects import ROOT
 
-from run_lock import LOCK_VARIABLE, lock_folder
 from step import argument_types, from_workflow, load_yaml_or_leaf, run_step
 
 DEFAULT = ROOT / "config" / "default.yaml"
@@ -183,41 +182,3 @@ def test_interrupted_step_says_how_to_go_on(tmp_path):
     sentence = "Interrupted: run the same command again to go on."
     assert (run.returncode, run.stderr) == (130, f"{sentence}\n")
     assert (tmp_path / "log").read_text().splitlines()[-1] == sentence
-
-
-WAITING = """
-import sys
-from run_lock import end_with_run
-end_with_run()
-print("begun", flush=True)
-sys.stdin.read()
-"""
-
-
-def test_one_run_holds_a_folder_and_its_jobs_end_with_it(tmp_path, monkeypatch):
-    monkeypatch.setenv(LOCK_VARIABLE, "")
-    held = lock_folder(tmp_path / "results")
-    command = [sys.executable, "-c", WAITING]
-    environment = ENVIRONMENT | {LOCK_VARIABLE: os.environ[LOCK_VARIABLE]}
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-    with subprocess.Popen(command, **pipes, text=True, env=environment) as job:
-        assert job.stdout.readline() == "begun\n"
-        with pytest.raises(SystemExit, match="Another run, or a job that it left, is at work in"):
-            lock_folder(tmp_path / "results")
-        assert job.poll() is None
-        os.close(held)
-        assert job.wait(timeout=30.0) == 1
-    os.close(lock_folder(tmp_path / "results"))
-
-
-@pytest.mark.slow
-def test_second_run_in_the_same_folder_is_refused_in_a_sentence(tmp_path, monkeypatch):
-    monkeypatch.setenv(LOCK_VARIABLE, "")
-    target = tmp_path / "data/continuum/log_burgers_fronts.nc"
-    held = lock_folder(tmp_path)
-    run = snakemake("--config", f"results={tmp_path}", "--", target)
-    os.close(held)
-    assert run.returncode == 1
-    assert f"Another run, or a job that it left, is at work in {tmp_path}" in run.stderr
-    assert "Traceback" not in run.stderr
-    assert not target.exists()

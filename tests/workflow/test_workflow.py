@@ -7,7 +7,9 @@ import tomllib
 import pytest
 import yaml
 from packaging.requirements import Requirement
-from projects import ROOT, copy_project, jobs_due, lend_kernels, rules_due, snakemake
+from projects import ROOT, copy_project, jobs_due, rules_due, snakemake
+
+from dataset_parameters import default_parameters, parameters_on_demand, shown_front
 
 FOLDER = ROOT / "workflow/scripts"
 SCRIPTS = sorted([*FOLDER.glob("*.py"), *FOLDER.glob("*/*.py")])
@@ -25,15 +27,6 @@ def plan(tmp_path_factory):
     """
     nothing = f"results={tmp_path_factory.mktemp('plan') / 'results'}"
     return jobs_due("--config", nothing, "--", *TARGETS)
-
-
-@pytest.fixture(scope="module")
-def finished(tmp_path_factory):
-    """A copy of the project in which the smoke run is done."""
-    copy = lend_kernels(copy_project(tmp_path_factory.mktemp("project")))
-    run = snakemake("--configfile", "config/smoke.yaml", folder=copy)
-    assert run.returncode == 0, run.stderr
-    return copy
 
 
 def test_every_target_can_be_planned(plan):
@@ -98,6 +91,16 @@ def test_a_figure_without_a_title_is_refused_by_its_name(tmp_path):
     run = snakemake("--list-target-rules", folder=project)
     assert run.returncode != 0
     assert "fig03 has no title: a figure or table needs title, data, alt." in run.stderr
+
+
+def test_every_dataset_of_a_figure_has_parameters(default):
+    parameters = default_parameters(default) | parameters_on_demand(default)
+    for described in FIGURES.values():
+        for named in described["data"].values():
+            if isinstance(named, str) and not named.startswith("campaigns/"):
+                assert named in parameters
+    assert parameters["chain/initiation_overdamped"]["law"]["gamma"] == 0.65
+    assert shown_front(default).keys() > {"name", "gamma"}
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""Run a script that draws a figure: datasets in; picture, caption and provenance out.
+"""Run a script that draws a figure: datasets in; picture and caption out.
 
 A plot script holds one function that is given datasets and returns a figure, and ends with ::
 
@@ -6,7 +6,7 @@ A plot script holds one function that is given datasets and returns a figure, an
         run_figure(plot_fig01, globals().get("snakemake"))
 
 Under Snakemake this file runs for every figure; the rule names the script and the datasets. By
-hand, run the script, with the files to read and to write and the texts: ``python
+hand, run the script, with the files to read and to write: ``python
 workflow/scripts/figures/plot_fig01.py --help``.
 
 The caption is a Jinja template.  Its variables are the names of the datasets.  Each is the
@@ -29,7 +29,6 @@ from matplotlib.figure import Figure
 from granular_fronts.output.datasets import DatasetError, configuration_of, read_dataset
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import write_provenance
 from granular_fronts.output.style import save_figure
 from step import argument_types, run_step
 
@@ -51,16 +50,13 @@ def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
     run_step(write_figure, snakemake, paths, draw=draw)
 
 
-def write_figure(  # noqa: PLR0913 - what its rule names
+def write_figure(
     draw: Callable[..., Figure],
     template: Path,
-    title: str,
-    alt: str,
     reference: dict,
     pdf: Path,
     png: Path,
     caption: Path,
-    provenance: Path,
     **paths: Any,
 ) -> None:
     """Read the datasets of a figure, draw it, and write its files.
@@ -71,11 +67,9 @@ def write_figure(  # noqa: PLR0913 - what its rule names
         What draws the figure from its datasets.
     template : Path
         Jinja template of the caption.
-    title, alt : str
-        Jinja texts: the heading, and what a reader who cannot see the picture should know.
     reference : dict
         The paper's parameters by scene.
-    pdf, png, caption, provenance : Path
+    pdf, png, caption : Path
         The files to write.
     **paths
         For each argument of `draw` the file of a dataset, or a list.
@@ -87,12 +81,10 @@ def write_figure(  # noqa: PLR0913 - what its rule names
     matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
     save_figure(_drawn(draw, data, paths), pdf, png, every)
     computed = {name: _for_each(configuration_of, given) for name, given in data.items()}
-    words = fill(template.read_text(encoding="utf-8"), computed, finalize=_without_markup)
+    words = _fill(template.read_text(encoding="utf-8"), computed)
     text = "\n\n".join([words.strip(), *_departure_notes(every, reference)])
     with complete_file(caption) as unfinished:
         unfinished.write_text(f"{text}\n", encoding="utf-8")
-    facts = {"title": fill(title, computed), "alt": fill(alt, computed)}
-    write_provenance(provenance, [pdf, png, caption], every, **facts)
 
 
 def _drawn(
@@ -115,10 +107,10 @@ def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
     return [function(one) for one in given] if isinstance(given, list) else function(given)
 
 
-def fill(template: str, computed: Mapping[str, Any], finalize: Callable[[Any], str] = str) -> str:
-    """Fill a Jinja text with what each dataset was computed with; an unknown name is an error."""
+def _fill(template: str, computed: Mapping[str, Any]) -> str:
+    """Fill a caption with what each dataset was computed with; an unknown name is an error."""
     environment = jinja2.Environment(
-        undefined=jinja2.StrictUndefined, autoescape=False, finalize=finalize
+        undefined=jinja2.StrictUndefined, autoescape=False, finalize=_without_markup
     )
     environment.filters["number"] = "{:g}".format
     return environment.from_string(template).render(computed)

@@ -30,7 +30,6 @@ from typing import Any, BinaryIO, TextIO
 from granular_fronts.errors import InputError, NoSpaceError, end_with_reader
 from granular_fronts.output.files import is_full
 from granular_fronts.scenes.yaml_files import parse_yaml, read_yaml
-from run_lock import end_with_run
 
 EXIT_INTERRUPTED = 130  # What a program ends with that Ctrl-C has stopped.
 LONGEST_ARGUMENT = 80  # Characters that the log file shows of an argument.
@@ -56,7 +55,6 @@ def run_step(
     **given
         Arguments of the step that neither a rule nor the command line gives.
     """
-    end_with_run()
     if snakemake:
         arguments = from_workflow({**argument_types(function), **(inputs or {})}, snakemake)
     else:

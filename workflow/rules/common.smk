@@ -33,7 +33,6 @@ if " " in sys.executable:
 
 from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
-from run_lock import LOCK_VARIABLE, lock_folder
 
 MODULES = module_files(
     *map(Path, [SOURCE, LIBRARY, SCRIPTS, *sorted(glob(os.path.join(SCRIPTS, "*", ""))), *PAPERS])
@@ -45,22 +44,6 @@ del MODULES["step"]
 def script_file(name):
     """Return the path of a script from this folder, for a rule that a loop makes."""
     return os.path.relpath(MODULES[name], os.path.join(PROJECT, "workflow", "rules"))
-
-
-# A job on another machine is not ended with its run, since locks need not reach that far.
-if not workflow.is_main_process:
-    os.environ.pop(LOCK_VARIABLE, None)
-
-
-def hold_results_folder():
-    """Let no other run into the results folder until this one ends, and let its jobs end with it.
-
-    Who only asks for help writes nothing there.
-    """
-    if any(job.output for job in workflow.dag.needrun_jobs()):
-        for error in folder_errors(config["results"]):
-            sys.exit(error)
-        lock_folder(Path(config["results"]))
 
 
 # Of a timing, which must run alone: Snakemake cuts it down to the cores of the call.

@@ -20,12 +20,9 @@ for figure in FIGURES:
                 labels={"figure": number_of(figure), "title": FIGURES[figure]["title"]},
             ),
             caption=f"<results>/{stem_of(figure)}.rst",
-            provenance=f"<results>/{stem_of(figure)}.json",
         params:
             code=code("figure_step", script_of(figure)),
             script=script_of(figure),
-            title=verbatim(FIGURES[figure]["title"]),
-            alt=verbatim(FIGURES[figure]["alt"]),
             reference=reference(*datasets_of(figure)),
             parameters=parameters(*datasets_of(figure)),
         log:

@@ -64,9 +64,6 @@ rule tabulate_speed_error:
         verdicts_markdown="<results>/tables/speed_verdicts.md",
         runs_csv="<results>/tables/speed_runs.csv",
         runs_markdown="<results>/tables/speed_runs.md",
-        provenance="<results>/tables/speed_error.json",
-        verdicts_provenance="<results>/tables/speed_verdicts.json",
-        runs_provenance="<results>/tables/speed_runs.json",
     params:
         code=code("tabulate_speed_error"),
         parameters=parameters("precision/speed_error"),

@@ -71,8 +71,8 @@ def number_of(figure):
 
 
 def figure_files(figure):
-    """Return the picture in two formats, its caption, and its provenance."""
-    return [f"<results>/{stem_of(figure)}.{ending}" for ending in ("pdf", "png", "rst", "json")]
+    """Return the picture in two formats and its caption."""
+    return [f"<results>/{stem_of(figure)}.{ending}" for ending in ("pdf", "png", "rst")]
 
 
 def campaign_chunks_behind(figure):
@@ -87,8 +87,8 @@ def campaign_chunks_behind(figure):
 
 
 def table_files(table):
-    """Return the table in two formats, and its provenance."""
-    return [f"<results>/tables/{table}.{ending}" for ending in ("csv", "md", "json")]
+    """Return the table in two formats."""
+    return [f"<results>/tables/{table}.{ending}" for ending in ("csv", "md")]
 
 
 # Statements name functions of these modules.
@@ -137,39 +137,18 @@ FIGURE_FILES = [file for figure in DEFAULT_FIGURES for file in figure_files(figu
 TABLE_FILES = [file for table in DEFAULT_TABLES for file in table_files(table)]
 
 
-def verbatim(text):
-    """Return a function for `params` that gives a text whose braces are no wildcards."""
-    return lambda wildcards: text
-
-
 def made_on_demand():
-    """Return the provenance files of what was made on demand.
+    """Return the files of each figure and table that was made on demand, by their stem.
 
     The report shows what is there when the workflow starts, and never causes a measurement.
     """
-    stems = [stem_of(figure) for figure in FIGURES if figure not in DEFAULT_FIGURES]
-    stems += [f"tables/{table}" for table in TABLES if table not in DEFAULT_TABLES]
-    files = [os.path.join(config["results"], f"{stem}.json") for stem in stems]
-    return [file for file in files if os.path.exists(file)]
+    files = {stem_of(one): figure_files(one) for one in FIGURES if one not in DEFAULT_FIGURES}
+    files |= {f"tables/{one}": table_files(one) for one in TABLES if one not in DEFAULT_TABLES}
+    places = {
+        stem: [file.replace("<results>", config["results"]) for file in named]
+        for stem, named in files.items()
+    }
+    return {stem: named for stem, named in places.items() if all(map(os.path.exists, named))}
 
 
 ON_DEMAND = made_on_demand()
-
-
-def datasets_on_demand():
-    """Return the datasets that something on demand may be made from.
-
-    A campaign, or what a paper of others lists, only if something was made from it.
-    """
-    behind = {stem_of(figure): datasets_of(figure) for figure in FIGURES}
-    behind |= {f"tables/{table}": one.get("data", []) for table, one in TABLES.items()}
-    behind_made = {
-        dataset
-        for stem, datasets in behind.items()
-        if os.path.join(config["results"], f"{stem}.json") in ON_DEMAND
-        for dataset in datasets
-        if dataset in parameters_of_papers()
-        or dataset.startswith("campaigns/")
-        and os.path.exists(f"config/{dataset}.yaml")
-    }
-    return [*parameters_on_demand(config), *sorted(behind_made)]

@@ -113,10 +113,8 @@ rule tabulate_proofs:
     output:
         csv="<results>/tables/proofs.csv",
         markdown="<results>/tables/proofs.md",
-        provenance="<results>/tables/proofs.json",
         margins_csv="<results>/tables/proof_margins.csv",
         margins_markdown="<results>/tables/proof_margins.md",
-        margins_provenance="<results>/tables/proof_margins.json",
     params:
         code=code("tabulate_proofs"),
         parameters=parameters("proofs/fronts", "proofs/intervals"),

@@ -1,18 +1,21 @@
 """One page with figures, captions, tables, configuration and run times."""
 
-# Titles and captions of the tables of the page.
+# Titles and texts of the figures and tables of the page, by the stem of their files.
+SHOWN_FIGURES = {
+    stem_of(figure): FIGURES[figure]
+    for figure in FIGURES
+    if figure in DEFAULT_FIGURES or stem_of(figure) in ON_DEMAND
+}
 SHOWN_TABLES = {
-    table: TABLES[table]
+    f"tables/{table}": TABLES[table]
     for table in TABLES
-    if table in DEFAULT_TABLES or f"{config['results']}/tables/{table}.json" in ON_DEMAND
+    if table in DEFAULT_TABLES or f"tables/{table}" in ON_DEMAND
 }
 
 
 rule write_report:
     input:
         template="workflow/report/page.html.j2",
-        figures=[f"<results>/{stem_of(figure)}.json" for figure in DEFAULT_FIGURES],
-        tables=[f"<results>/tables/{name}.json" for name in DEFAULT_TABLES],
         files=FIGURE_FILES + TABLE_FILES,
         datasets=DATASETS,
         benchmarks=[
@@ -39,11 +42,10 @@ rule write_report:
     params:
         code=code("write_report"),
         configuration=config,
-        texts=lambda wildcards: SHOWN_TABLES,
+        figures=lambda wildcards: SHOWN_FIGURES,
+        tables=lambda wildcards: SHOWN_TABLES,
         results=subpath(output.page, parent=True),
-        on_demand=ON_DEMAND,
-        parameters=parameters(*default_parameters(config), *datasets_on_demand()),
-        contents=contents(ON_DEMAND),
+        contents=contents(file for files in ON_DEMAND.values() for file in files),
     log:
         "<logs>/write_report.log",
     benchmark:

@@ -14,7 +14,6 @@ for table in [name for name, described in TABLES.items() if "script" in describe
         output:
             csv=f"<results>/tables/{table}.csv",
             markdown=f"<results>/tables/{table}.md",
-            provenance=f"<results>/tables/{table}.json",
         params:
             **table_params(table),
             script=script_file(TABLES[table]["script"]),
@@ -38,8 +37,6 @@ rule tabulate_fronts:
         properties_markdown="<results>/tables/front_properties.md",
         errors_csv="<results>/tables/front_errors.csv",
         errors_markdown="<results>/tables/front_errors.md",
-        properties_provenance="<results>/tables/front_properties.json",
-        errors_provenance="<results>/tables/front_errors.json",
     params:
         code=code("tabulate_fronts"),
         parameters=parameters("fronts/survey"),

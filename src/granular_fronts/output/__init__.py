@@ -1,1 +1,1 @@
-"""What leaves the project: datasets, tables, figures, and their provenance."""
+"""What leaves the project: datasets, tables and figures."""

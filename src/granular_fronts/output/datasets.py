@@ -1,4 +1,4 @@
-"""The one place that writes and reads netCDF: names, units, provenance, error estimates.
+"""The one place that writes and reads netCDF: names, units, error estimates.
 
 Files follow CF-1.11.  Everything is dimensionless, units "1"; the time coordinate is called `t`,
 since `time` means clock time to CF tools.  A recording with coordinates of its own carries its name
@@ -7,13 +7,16 @@ as a suffix on variable and coordinates alike: `relative_displacement_grid` on (
 
 Every variable says how wrong it can be: `error_estimate` is an estimate of its largest absolute
 error, by `error_method`.  Every file says which scene it belongs to (`scene`, `config` as JSON),
-how it was solved, and with which versions (`software`, `code_version`).  A file appears under its
-name only when it is complete.
+how it was solved, and with which versions (`software`, `code_version`).  A digest of its numbers
+(`data_digest`), the first 16 hexadecimals of a SHA-256, is compared where it is read.  A file
+appears under its name only when it is complete.
 """
 
+import hashlib
 import importlib.metadata
 import json
-from collections.abc import Hashable, Iterable, Mapping
+import math
+from collections.abc import Hashable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -22,16 +25,13 @@ import numpy as np
 import xarray as xr
 import yaml
 
+from granular_fronts import __version__
+from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import (
-    code_version,
-    config_digest,
-    data_digest,
-    digest,
-    source_of,
-)
 
 PAPER = "G. James, Nonlinearity 34 (2021) 1758-1790, doi:10.1088/1361-6544/abdbbe"
+
+SOURCES = Path(__file__).parents[1]
 
 LONG_NAMES = Path(__file__).with_name("long_names.yaml")
 
@@ -69,10 +69,34 @@ def name_variables(dataset: xr.Dataset) -> xr.Dataset:
     return dataset
 
 
+@cache
+def code_version() -> str:
+    """Return the version of the package and digest of its code, the same on every machine."""
+    return f"{__version__}+{code_digest(SOURCES.rglob('*.py'), SOURCES)}"
+
+
+def data_digest(dataset: xr.Dataset) -> str:
+    """Return the digest of all values of a dataset with their names, not attributes."""
+    found = hashlib.sha256()
+    for name in sorted(map(str, dataset.variables)):
+        values = dataset.variables[name].values
+        # A file keeps neither the width of text nor its type, nor the sign of what is not a number.
+        kind = values.dtype.kind if values.dtype.kind in "biuf" else "U"
+        found.update(f"{name} {kind} {values.shape} ".encode())
+        if kind == "U":
+            found.update(json.dumps(values.astype(str).tolist()).encode())
+            continue
+        if kind == "f":
+            values = values.copy()
+            values[values != values] = math.nan
+        found.update(values.tobytes())
+    return found.hexdigest()[:16]
+
+
 def write_dataset(
     dataset: xr.Dataset, path: Path, *, scene_id: str, config: Mapping[str, Any]
 ) -> None:
-    """Write a dataset with names, units and provenance, atomically.
+    """Write a dataset with names, units and a digest, atomically.
 
     Parameters
     ----------
@@ -82,8 +106,8 @@ def write_dataset(
         Final name of the netCDF file.
     scene_id : str
     config : mapping
-        The part of the configuration that was computed, stored as JSON with its digest.  A `Law` in
-        it is stored by its description.
+        The part of the configuration that was computed, stored as JSON.  A `Law` in it is stored
+        by its description.
     """
     config = json.loads(json.dumps(config, default=lambda law: law.describe()))
     described = name_variables(dataset.copy())
@@ -95,7 +119,6 @@ def write_dataset(
         "history": f"written by granular_fronts {code_version()}",
         "scene": scene_id,
         "config": json.dumps(config, sort_keys=True),
-        "config_digest": config_digest(config),
         "data_digest": data_digest(described),
         "software": ", ".join(f"{name} {importlib.metadata.version(name)}" for name in _PACKAGES),
         "code_version": code_version(),
@@ -120,8 +143,7 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
     Raises
     ------
     DatasetError
-        If the file is missing, damaged, foreign or of another scene, or if its values or its
-        configuration were changed.
+        If the file is missing, damaged, foreign or of another scene, or if its values were changed.
     """
     remedy = "delete it and run the workflow again."
     if not Path(path).exists():
@@ -131,22 +153,15 @@ def read_dataset(path: Path | str, scene_id: str | None = None) -> xr.Dataset:
             loaded = dataset.load()
     except (OSError, ValueError, RuntimeError) as error:
         raise DatasetError(f"{path} is not a readable netCDF file ({error}): {remedy}") from error
-    if not {"scene", "config", "config_digest", "data_digest"} <= loaded.attrs.keys():
+    if not {"scene", "config", "data_digest"} <= loaded.attrs.keys():
         raise DatasetError(f"{path} was not written by this project (no scene in it): {remedy}")
     if scene_id is not None and loaded.attrs["scene"] != scene_id:
         raise DatasetError(
             f"{path} holds scene {loaded.attrs['scene']}, but {scene_id} is expected: {remedy}"
         )
-    digests = digest(str(loaded.attrs["config"]).encode()), data_digest(loaded)
-    if digests != (loaded.attrs["config_digest"], loaded.attrs["data_digest"]):
+    if data_digest(loaded) != loaded.attrs["data_digest"]:
         raise DatasetError(f"{path} was altered after it was written: {remedy}")
     return loaded
-
-
-def read_sources(folder: Path, names: Iterable[str]) -> list[dict[str, str]]:
-    """Return the sources, see `provenance`, of those datasets of a folder that are there."""
-    files = [Path(folder, f"{name}.nc") for name in names]
-    return [source_of(read_dataset(path)) for path in files if path.exists()]
 
 
 def configuration_of(dataset: xr.Dataset) -> dict[str, Any]:

@@ -6,14 +6,13 @@ writes the same file removes it.
 """
 
 import errno
-import json
 import os
 import platform
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, TypeGuard
+from typing import TypeGuard
 
 from granular_fronts.errors import InputError, NoSpaceError
 
@@ -65,16 +64,6 @@ def complete_file(path: Path | str) -> Iterator[Path]:
     finally:
         with suppress(FileNotFoundError, NotADirectoryError):
             unfinished.unlink()
-
-
-def read_json(path: Path | str) -> Any:
-    """Return what a JSON file of the workflow holds; InputError if it is damaged."""
-    try:
-        return json.loads(Path(path).read_text(encoding="utf-8"))
-    except ValueError as error:
-        raise InputError(
-            f"{path} is damaged ({error}): delete it and run the workflow again."
-        ) from error
 
 
 def is_full(error: BaseException) -> TypeGuard[OSError]:

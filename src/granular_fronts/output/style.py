@@ -22,7 +22,6 @@ from matplotlib.figure import Figure
 from matplotlib.rcsetup import cycler
 
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import source_of
 
 TEXT_WIDTH = 6.9
 DOTS_PER_INCH = 200
@@ -171,10 +170,10 @@ def velocity_map() -> Colormap:
 def save_figure(figure: Figure, pdf: Path, png: Path, datasets: Iterable[Any]) -> None:
     """Save both formats, each appearing under its name only when complete.
 
-    Their keywords are the sources of the datasets, see `provenance`.  The PDF carries no date, so
-    that equal data give equal files.
+    Their keywords are the scenes of the datasets with the digests of their numbers.  The PDF
+    carries no date, so that equal data give equal files.
     """
-    keywords = " ".join(":".join(source_of(dataset).values()) for dataset in datasets)
+    keywords = " ".join(f"{one.attrs['scene']}:{one.attrs['data_digest']}" for one in datasets)
     # `savefig` would draw each format twice and arrange the panels anew for each.
     with complete_file(png) as unfinished:
         FigureCanvasAgg(figure).print_png(unfinished, metadata={"Keywords": keywords})

@@ -2,34 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.provenance import write_provenance
 
 if TYPE_CHECKING:
     import pandas as pd
-    import xarray as xr
 
 
-def write_table(
-    table: pd.DataFrame,
-    rounded: pd.DataFrame,
-    csv: Path,
-    markdown: Path,
-    sources: Iterable[xr.Dataset],
-) -> None:
-    """Write a table with all digits as CSV and rounded as Markdown, each when it is complete.
-
-    Their provenance is the JSON file of the same stem.
-    """
+def write_table(table: pd.DataFrame, rounded: pd.DataFrame, csv: Path, markdown: Path) -> None:
+    """Write a table with all digits as CSV and rounded as Markdown, each when it is complete."""
     with complete_file(csv) as unfinished:
         table.to_csv(unfinished, index=False)
     with complete_file(markdown) as unfinished:
         rounded.to_markdown(unfinished, index=False, disable_numparse=True)
-    write_provenance(csv.with_suffix(".json"), [csv, markdown], sources)
 
 
 def round_floats(table: pd.DataFrame, digits: int) -> pd.DataFrame:

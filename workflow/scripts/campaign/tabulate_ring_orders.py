@@ -39,7 +39,7 @@ def tabulate_ring_orders(datasets: list[Path], csv: Path, markdown: Path) -> Non
         line | {"order": order.value, "error": order.error} for line, order in lines
     )
     brief = pd.DataFrame(line | {"order in ε": with_error(order)} for line, order in lines)
-    write_table(full, brief, csv, markdown, rings)
+    write_table(full, brief, csv, markdown)
 
 
 def _lines(rings: xr.Dataset, fixed: str) -> Iterator[tuple[dict[str, str], Estimate]]:

@@ -24,7 +24,7 @@ def tabulate_critical_damping(dataset: Path, csv: Path, markdown: Path) -> None:
     table = curves.to_dataframe().reset_index()
     table.columns = [name.removeprefix(PREFIX).replace("_", " ") for name in table.columns]
     table["tail over long wave"] = table["tail"] / table["long wave"]
-    write_table(table, round_floats(table, 6), csv, markdown, [data])
+    write_table(table, round_floats(table, 6), csv, markdown)
 
 
 if __name__ == "__main__":

@@ -51,7 +51,7 @@ def tabulate_fronts(
         (properties, properties_csv, properties_markdown),
         (errors, errors_csv, errors_markdown),
     ):
-        write_table(table, round_floats(table, 4), csv, markdown, [fronts])
+        write_table(table, round_floats(table, 4), csv, markdown)
 
 
 def compare(points: pd.DataFrame) -> pd.DataFrame:

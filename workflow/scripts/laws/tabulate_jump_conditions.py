@@ -34,7 +34,7 @@ def tabulate_jump_conditions(dataset: Path, csv: Path, markdown: Path) -> None:
     described = [describe(name, cases[name]) for name in names]
     full = [row | _all_numbers(data.sel(law=row["law"])) for row in described]
     brief = [row | distances(data.sel(law=row["law"])) for row in described]
-    write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown, [data])
+    write_table(pd.DataFrame(full), pd.DataFrame(brief), csv, markdown)
 
 
 def describe(name: str, case: Mapping[str, Any]) -> dict[str, str]:

@@ -29,7 +29,7 @@ def tabulate_materials(dataset: Path, csv: Path, markdown: Path) -> None:
         for value in data[dimension].values
     ]
     table = pd.DataFrame(rows)
-    write_table(table, round_floats(table, 4), csv, markdown, [data])
+    write_table(table, round_floats(table, 4), csv, markdown)
 
 
 RESTS_ON = {

@@ -65,11 +65,11 @@ def tabulate_speed_error(
             if (verdict := judge(data.sel(problem=problem), level))
         ]
     )
-    write_table(table, round_floats(table, 3), csv, markdown, [data])
-    write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown, [data])
+    write_table(table, round_floats(table, 3), csv, markdown)
+    write_table(verdicts, verdicts, verdicts_csv, verdicts_markdown)
     runs = list_runs(data)
     rounded = round_floats(runs.assign(**runs[COUNTS].map("{:.0f}".format)), 3).replace("nan", "")
-    write_table(runs, rounded, runs_csv, runs_markdown, [data])
+    write_table(runs, rounded, runs_csv, runs_markdown)
 
 
 def list_runs(data: xr.Dataset) -> pd.DataFrame:

@@ -39,10 +39,10 @@ def tabulate_proofs(
     groups = {str(name): single.sel(certificate=[name]) for name in single["certificate"].values}
     groups |= dict(families(joined))
     table = pd.DataFrame([describe(name, group) for name, group in groups.items()])
-    write_table(table, round_floats(table, 6), csv, markdown, [single, joined])
+    write_table(table, round_floats(table, 6), csv, markdown)
     rows = [row for name, group in groups.items() for row in margins(name, group)]
     table = pd.DataFrame(rows)
-    write_table(table, round_floats(table, 3), margins_csv, margins_markdown, [single, joined])
+    write_table(table, round_floats(table, 3), margins_csv, margins_markdown)
 
 
 def families(joined: xr.Dataset) -> Iterator[tuple[str, xr.Dataset]]:

@@ -2,11 +2,7 @@
 
 The page holds everything in itself, so it can be mailed or archived as one file. Its links lead to
 the files next to it. Snakemake's own report shows neither the configuration nor the figures before
-a click, hence this one.
-
-Nothing is shown that does not belong together.  The step compares the provenance of all figures and
-tables with data and configuration, and ends with a sentence if they disagree. What is made on
-demand is left out, and named, where it answers another configuration.
+a click, hence this one. What is made on demand is shown as it was made last.
 """
 
 import json
@@ -22,9 +18,7 @@ import pandas as pd
 import yaml
 from docutils.core import publish_parts
 
-from granular_fronts.output.datasets import read_sources
-from granular_fronts.output.files import complete_file, read_json
-from granular_fronts.output.provenance import disagreements
+from granular_fronts.output.files import complete_file
 from granular_fronts.output.statements import (
     DOES_NOT_HOLD,
     HOLDS,
@@ -52,17 +46,14 @@ SIGNS = {
 FOR_MACHINES = ["kind", "expected"]
 
 
-def write_report(  # noqa: PLR0913 - what its rule names
+def write_report(
     template: Path,
-    figures: list[Path],
-    tables: list[Path],
-    on_demand: list[Path],
-    parameters: dict,
+    figures: dict,
+    tables: dict,
     results: Path,
     benchmarks: list[Path],
     verdict: Path,
     configuration: dict,
-    texts: dict,
     page: Path,
 ) -> None:
     """Fill the template of the page.
@@ -71,12 +62,8 @@ def write_report(  # noqa: PLR0913 - what its rule names
     ----------
     template : Path
         Jinja2 template of the page.
-    figures, tables : list of Path
-        Provenance of figures and tables, in the order of the page; their files lie next to it.
-    on_demand : list of Path
-        Provenance of what was made on demand.
-    parameters : dict
-        The present parameters of the datasets, by their names.
+    figures, tables : dict
+        Titles and texts of figures and tables, by the stem of their files in the results folder.
     results : Path
         The folder that holds data, figures and tables.
     benchmarks : list of Path
@@ -85,30 +72,12 @@ def write_report(  # noqa: PLR0913 - what its rule names
         What the tests of the finished files said.
     configuration : dict
         The merged configuration that was computed.
-    texts : dict
-        Titles and captions of the tables, by their names.
     page : Path
         The HTML file to write.
-
-    Raises
-    ------
-    ValueError
-        If figures, tables, data and configuration do not belong together.
     """
-    sources = read_sources(results / "data", parameters)
-    outdated = {
-        file: list(disagreements(file, parameters, sources))
-        for file in [*figures, *tables, *on_demand]
-    }
-    if found := [words for file in [*figures, *tables] for words in outdated[file]]:
-        raise ValueError("\n".join(f"{words}: delete it and run again." for words in found))
-    shown = [file for file in on_demand if not outdated[file]]
-    # A figure alone has a caption of its own.
-    figures = sorted([*figures, *_with_file(".rst", shown)])
-    tables = [*tables, *_with_file(".csv", shown)]
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
-    shown_figures = [_describe_figure(provenance) for provenance in figures]
-    shown_tables = [_describe_table(provenance, texts[provenance.stem]) for provenance in tables]
+    shown_figures = [_describe_figure(results, stem, one) for stem, one in figures.items()]
+    shown_tables = [_describe_table(results, stem, one) for stem, one in tables.items()]
     html = environment.from_string(template.read_text(encoding="utf-8")).render(
         parts=[
             {
@@ -124,10 +93,8 @@ def write_report(  # noqa: PLR0913 - what its rule names
         ],
         judged=[table for table in shown_tables if table["score"]],
         signs=SIGNS,
-        outdated=[file.stem for file in on_demand if file not in shown],
         run_times=_tabulate_run_times(benchmarks),
         verdict=verdict.read_text(encoding="utf-8"),
-        made_from={file.stem: read_json(file) for file in [*figures, *tables]},
         configuration=_dump_configuration(configuration),
     )
     with complete_file(page) as unfinished:
@@ -141,49 +108,41 @@ def _dump_configuration(configuration: dict) -> str:
     return yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, default_flow_style=None)
 
 
-def _with_file(ending: str, provenances: list[Path]) -> list[Path]:
-    """The files of provenance next to which a file with some ending lies."""
-    return [provenance for provenance in provenances if provenance.with_suffix(ending).exists()]
-
-
-def _describe_figure(provenance: Path) -> dict[str, Any]:
+def _describe_figure(results: Path, stem: str, described: dict[str, str]) -> dict[str, Any]:
     """What the page shows of a figure."""
-    described = read_json(provenance)
-    picture = b64encode(provenance.with_suffix(".png").read_bytes()).decode("ascii")
-    numbered = re.match(r"fig0*(\w+?)_", provenance.stem)
-    number = numbered[1] if numbered else provenance.stem
+    name = Path(stem).name
+    numbered = re.match(r"fig0*(\w+?)_", name)
+    number = numbered[1] if numbered else name
+    picture = b64encode((results / f"{stem}.png").read_bytes()).decode("ascii")
     return {
-        "name": provenance.stem,
+        "name": name,
         "number": number,
         "of_paper": number in PAPER_FIGURES,
         "title": described["title"],
         "alt": described["alt"],
         "image": f"data:image/png;base64,{picture}",
-        "caption": _render(provenance.with_suffix(".rst").read_text(encoding="utf-8")),
-        "files": _files_next_to(provenance, "pdf", "png"),
+        "caption": _render((results / f"{stem}.rst").read_text(encoding="utf-8")),
+        "files": [f"{stem}.{ending}" for ending in ("pdf", "png")],
     }
 
 
-def _describe_table(provenance: Path, described: dict[str, str]) -> dict[str, Any]:
+def _describe_table(results: Path, stem: str, described: dict[str, str]) -> dict[str, Any]:
     """What the page shows of a table, and the score of a table of statements."""
-    cells = pd.read_csv(provenance.with_suffix(".csv"), dtype=str, keep_default_na=False)
+    name = Path(stem).name
+    cells = pd.read_csv(results / f"{stem}.csv", dtype=str, keep_default_na=False)
     verdicts = cells["verdict"] if "statements" in described else []
     failed = cells[[SIGNS[verdict][0] == "bad" for verdict in cells.get("verdict", [])]]
     return {
-        "name": provenance.stem,
-        "of_paper": provenance.stem in PAPER_TABLES,
+        "name": name,
+        "of_paper": name in PAPER_TABLES,
         "title": described["title"],
         "meaning": described["meaning"],
         "caption": _render(described["caption"]),
         "score": Counter(verdicts),
         "failed": failed.to_dict("records"),
-        "files": _files_next_to(provenance, "csv", "md"),
+        "files": [f"{stem}.{ending}" for ending in ("csv", "md")],
         **_readable(cells),
     }
-
-
-def _files_next_to(provenance: Path, *endings: str) -> list[str]:
-    return [f"{provenance.parent.name}/{provenance.stem}.{ending}" for ending in endings]
 
 
 def _render(caption: str) -> str:

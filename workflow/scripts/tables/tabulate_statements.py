@@ -62,7 +62,7 @@ def tabulate_statements(
         computed=[_rounded(value, ".6g") for value in rows["computed"]],
         **{"numerical error": [_rounded(value, ".1e") for value in rows["numerical_error"]]},
     )
-    write_table(table, readable, csv, markdown, list(data.values()))
+    write_table(table, readable, csv, markdown)
 
 
 def find_measure(name: str) -> Callable[..., Estimate]:
