@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
+from tqdm.auto import tqdm
 
 from granular_fronts.campaign.kinds import Solved
 from granular_fronts.errors import InputError, SolveError
-from granular_fronts.output.progress import count_bar
 
 REASON = "reason"
 
@@ -27,7 +27,8 @@ def solve_groups(
     """
     values = {name: np.full((*shape, *size), np.nan) for name, size in sizes.items()}
     reasons, errors = np.full(shape, "", dtype=object), dict.fromkeys(sizes, np.nan)
-    with count_bar(activity, int(np.prod(shape)), "point") as bar:
+    total = int(np.prod(shape))
+    with tqdm(total=total, desc=activity, unit="point", delay=2.0, disable=None) as bar:
         for members, solve in groups:
             try:
                 measured = solve()

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
+from tqdm.auto import tqdm
 
 from granular_fronts.accuracy import largest_difference, rounding_floor
 from granular_fronts.chain.balances import Balances
@@ -26,7 +27,6 @@ from granular_fronts.chain.recording import Recorded, collect
 from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, work_done
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
-from granular_fronts.output.progress import time_bar
 from granular_fronts.scenes.beads import bead_count
 from granular_fronts.scenes.chain import size_of_chain
 from granular_fronts.scenes.limits import show_time
@@ -138,10 +138,13 @@ def _follow(scene, activity, integrate, steps):
     try:
         run = prepare(scene)
         balances = Balances(run)
-        with time_bar(activity, scene["end_time"]) as show_time:
+        # The times themselves have too many digits to be shown.
+        style = "{desc}: {percentage:3.0f}%|{bar}| [{elapsed}<{remaining}]"
+        total = scene["end_time"]
+        with tqdm(total=total, desc=activity, bar_format=style, delay=2.0, disable=None) as bar:
 
             def after_block(run):
-                show_time(run.clock.t)
+                bar.update(run.clock.t - bar.n)
                 balances.check(run)
 
             ends = integrate(run, steps, after_block)

@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 import xarray as xr
+from tqdm.auto import tqdm
 
 from granular_fronts.continuum.log_kdv_burgers.equation import amplitude_of_chain
 from granular_fronts.errors import NoFrontError
@@ -17,7 +18,6 @@ from granular_fronts.fronts.linear.critical_damping import critical_damping
 from granular_fronts.fronts.linear.tails import tail_roots
 from granular_fronts.fronts.properties import MEASURES
 from granular_fronts.fronts.solve import evaluate_front, solve_front
-from granular_fronts.output.progress import counted
 from granular_fronts.studies.continuum_fronts import (
     HETEROCLINIC,
     LOGARITHMIC,
@@ -41,7 +41,7 @@ def survey_fronts(exponents, dampings):
     """
     plane = [(alpha, gamma) for alpha in exponents for gamma in dampings]
     points, reasons = [], []
-    for alpha, gamma in counted(plane, "survey of fronts", "front"):
+    for alpha, gamma in tqdm(plane, "survey of fronts", unit="front", delay=2.0, disable=None):
         try:
             found = properties_of(solve_converged(alpha, gamma))
             points.append(found | {"converged": 1, "reason": ""})

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
+from tqdm.auto import tqdm
 
 from granular_fronts.output.datasets import write_dataset
-from granular_fronts.output.progress import counted
 from granular_fronts.studies.hard_cases.event_orders import fitted_order, measure_orders
 from granular_fronts.studies.hard_cases.registry import run_case
 from step import run_step
@@ -33,7 +33,8 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
     dataset : Path
         The netCDF file to write, on (case) and (method, rung).
     """
-    rows = [measure_case(name) for name in counted(cases, "hard cases", "case")]
+    shown = tqdm(cases, "hard cases", unit="case", delay=2.0, disable=None)
+    rows = [measure_case(name) for name in shown]
     measured = pd.DataFrame(rows).set_index("case").to_xarray()
     measured["seconds"].attrs["units"] = "s"
     error_method = "this is the distance to an answer known another way, see criterion"

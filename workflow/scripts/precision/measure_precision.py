@@ -13,7 +13,6 @@ import os
 import platform
 import sys
 from collections.abc import Mapping
-from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -24,9 +23,9 @@ from peers import one_thread  # noqa: F401
 import numpy as np
 import pandas as pd
 import xarray as xr
+from tqdm.auto import tqdm
 
 from granular_fronts.output.datasets import write_dataset
-from granular_fronts.output.progress import counted
 from peers.runs import Run
 from problems.problem import Problem, errors_of
 from step import run_step
@@ -108,7 +107,8 @@ def measure(
     points = [(method, tolerance) for method, listed in tolerances.items() for tolerance in listed]
     points.sort(key=lambda point: -point[1])
     best: dict[tuple[str, float], Run] = {}
-    for _, point in counted(product(range(repeats), points), f"precision, {name}", "run"):
+    runs = points * repeats
+    for point in tqdm(runs, f"precision, {name}", unit="run", delay=2.0, disable=None):
         if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
             continue
         run = _attempt(problem, *point)

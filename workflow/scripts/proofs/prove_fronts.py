@@ -8,8 +8,9 @@ import time
 from pathlib import Path
 from typing import Any
 
+from tqdm.auto import tqdm
+
 from granular_fronts.output.datasets import write_dataset
-from granular_fronts.output.progress import counted
 from granular_fronts.proofs.certificate import prove_front
 from granular_fronts.proofs.records import records_dataset
 from step import run_step
@@ -33,10 +34,8 @@ def prove_fronts(fronts: dict, folder: Path, dataset: Path) -> None:
         If one is not proved.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    rows = [
-        _prove(name, case, folder / f"{name}.npz")
-        for name, case in counted(fronts.items(), "proofs of fronts", "front")
-    ]
+    shown = tqdm(fronts.items(), "proofs of fronts", unit="front", delay=2.0, disable=None)
+    rows = [_prove(name, case, folder / f"{name}.npz") for name, case in shown]
     write_dataset(records_dataset(rows), dataset, scene_id="fronts", config=fronts)
 
 

@@ -6,9 +6,10 @@ python workflow/scripts/referee/write_referee.py
 
 from pathlib import Path
 
+from tqdm.auto import tqdm
+
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.files import complete_file
-from granular_fronts.output.progress import counted
 from granular_fronts.referee.answers import solve, states_of, table_of
 from granular_fronts.referee.lammps_deck import write_deck
 from granular_fronts.referee.problems import in_words, load_problems
@@ -28,7 +29,7 @@ def write_referee(settings: dict, table: Path) -> None:
     answers = {}
     table.parent.mkdir(parents=True, exist_ok=True)
     problems = list(load_problems(settings).values())
-    for problem in counted(problems, "referee", "problem"):
+    for problem in tqdm(problems, "referee", unit="problem", delay=2.0, disable=None):
         name = problem.name
         answers[name] = solve(problem)
         place = table.parent / name
