@@ -1,7 +1,7 @@
 """Traveling fronts in dissipative granular chains, after James (2021).
 
 A public name is imported at its first use.  So a check of a configuration, or a help text, does not
-wait for numpy and numba.
+wait for numba.
 """
 
 from importlib import import_module

@@ -17,12 +17,11 @@ import numbers
 import reprlib
 from collections.abc import Collection, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
+
+import numpy as np
 
 from granular_fronts.errors import InputError
-
-if TYPE_CHECKING:
-    import numpy as np
 
 Kind = TypeVar("Kind")
 
@@ -99,8 +98,6 @@ def array(
 
     The sentence of the InputError shows the first number that is wrong.
     """
-    import numpy as np
-
     try:
         given = np.asarray(values)
     except (TypeError, ValueError):
@@ -119,8 +116,6 @@ def array(
 
 def sequence(name: str, values: object, **limits: Any) -> np.ndarray:
     """Return one or more numbers as an array of one dimension."""
-    import numpy as np
-
     found = np.atleast_1d(array(name, values, **limits))
     if found.ndim != 1 or found.size == 0:
         raise InputError(

@@ -55,12 +55,10 @@ REFUSED = [
     (gammas([1.0], gama=[1.0]), "did you mean gamma"),
     (gammas([-0.1, 1.0]), "axes.gamma reaches down to -0.1 | must be 0 or more"),
     (gammas([1.0], alpha=[1.0, 1.5]), "alpha is given under axes and under fixed"),
-    (gammas([0.1, 1.0e12]), "units of δ and 1/c | law.gamma = 1000000000000.0"),
-    (gammas([1.0e12, 2.0e12]), "law.gamma = 1000000000000.0"),
-    (gammas({"linspace": [0.1, 1.0, 10**10]}), "axes.gamma = {'linspace' | 745 GiB"),
+    (gammas({"linspace": [0.1, 1.0, 10**10]}), "axes.gamma is {'linspace' | 745 GiB"),
     (fixed(alpha=1.0), "fixed.alpha reaches down to 1 | above 1"),
     (fixed(beads=30.5), "fixed.beads holds 30.5"),
-    (fixed(beads=10**9), "fixed.beads = 1000000000 | 477 GiB"),
+    (fixed(beads=10**9), "fixed.beads is 1000000000 | 477 GiB"),
     ({"fixed": {"alpha": 1.5}}, "beads is missing | number of beads N"),
     ({"record": {"scalars": ["speed"]}}, "record.scalars names speed | front_speed"),
     (profile(3, 1, 2), "record.profile.start is 3"),
@@ -84,9 +82,9 @@ def test_profile_of_a_chain_keeps_no_bead_twice(start, stop):
     assert f"there are {most} beads" in refusal(**profile(start, stop, most + 1))
 
 
-def test_large_campaign_says_how_large_and_how_long():
+def test_large_campaign_says_how_large_it_is():
     axes = {"delta": {"linspace": [0.1, 1, 1001]}, "gamma": {"linspace": [0.1, 1, 1000]}}
-    assert_refused(refusal(axes=axes), "1,001,000 points | 1,000,000 | 13.9 hours | 50 ms")
+    assert_refused(refusal(axes=axes), "1,001,000 points | 1,000,000 | allow_large")
     assert campaign(axes=axes, allow_large=True).size == 1_001_000
 
 

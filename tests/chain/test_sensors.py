@@ -120,7 +120,7 @@ def test_stated_errors_are_within_a_factor_of_two(law, relative):
         ({}, "sensors.one has neither contacts nor beads"),
         ({"contacts": [1], "step": 30.0}, "sensors.one.step"),
         ({"contacts": [1], "stop": 9.0}, "sensors.one.stop is 9.0 | end_time 8.0"),
-        ({"contacts": [1], "step": 1e-8}, "sensors.one.step = 1e-08 | GiB"),
+        ({"contacts": [1], "step": 1e-8}, "sensors.one.step is 1e-08 | GiB"),
     ],
 )
 def test_impossible_sensors_are_refused(sensor, words):

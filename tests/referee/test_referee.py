@@ -448,7 +448,7 @@ TWO_OF_A_NAME = front(dampings=["a", "a_b"]) | {
         ({"motions": {"solitary_wave": CHAIN | {"beads": 11}}}, "motions.solitary_wave.beads is"),
         (front(dampings=["stee"]), "motions.front.dampings names 'stee'"),
         (front(beads=1), "motions.front.beads is 1, below its limit 2"),
-        (front(beads=10**9), "motions.front: beads = 1000000000, end_time = 100, interval = 0.5"),
+        (front(beads=10**9), "motions.front.beads is 1000000000 and motions.front.end_time is 100"),
         (front(end_time=100.2), "motions.front.end_time is 100.2, no multiple of interval 0.5"),
         ({"motions": {"collision": CHAIN | {"beads": 3}}}, "motions.collision.beads is 3, but two"),
         ({"factors": [0.9, 1, 1, 1.1]}, "factors (entry 3) is 1, not above 1 before it"),

@@ -14,6 +14,4 @@ So an interrupted campaign goes on, and a new value on an axis costs only the po
 Another tolerance or record starts afresh, and an old value finds its old chunks.  Values of an axis
 are rounded to twelve digits.  So a refined axis meets the values of the coarser one to the last
 bit.
-
-This package imports numpy only where it cuts, solves or merges: a campaign is checked without it.
 """

@@ -30,7 +30,6 @@ from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.recorder import TIME, VALUE
 from granular_fronts.chain.recording import extremes_of_all, fitted_speed
 from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
-from granular_fronts.chain.simulate import announce_time
 from granular_fronts.chain.state import U
 from granular_fronts.errors import SolveError
 from granular_fronts.scenes.laws import energies_are_representable
@@ -82,7 +81,6 @@ def _solve_point(point, law, tolerance):
         raise_if_any([*energies_are_representable(scene)])
     else:
         scene, length, c = scene_of_law(point, law, tolerance)
-    announce_time(scene, "A point of the campaign")
     run = prepare(scene)
     return _Motion(run, scene, integrate(run, scene["tolerance"]), length, c)
 

@@ -1,32 +1,13 @@
 """The scene of a point of a driven chain, in units of its own; see `chain_points`."""
 
-import itertools
 import math
-from collections.abc import Iterator, Mapping
 
 from granular_fronts.campaign.laws import law_at
-from granular_fronts.scenes.chain import size_of_chain
-from granular_fronts.scenes.laws import energies_are_representable, front_speed
-from granular_fronts.scenes.limits import part_errors
+from granular_fronts.scenes.laws import front_speed
 from granular_fronts.scenes.validation import check_scene
 
 ARRIVAL_LEVEL = 0.5
 ABSOLUTE_TO_RELATIVE = 0.01
-
-
-def time_errors(grid: Mapping[str, tuple], tolerance: float) -> Iterator[str]:
-    """Say of a chain at the ends of all axes that it takes too long."""
-    for corner in itertools.product(*({values[0]: 0, values[-1]: 0} for values in grid.values())):
-        point = dict(zip(grid, corner, strict=True))
-        point["beta"] = point["beta"] or point["alpha"]
-        try:
-            scene = normalised_scene(point, tolerance)
-        except OverflowError:
-            continue
-        if not any(energies_are_representable(scene)):
-            for error in part_errors(scene, [*size_of_chain(scene)]):
-                yield f"in units of δ and 1/c, {error}"
-                return
 
 
 def normalised_scene(point, tolerance):

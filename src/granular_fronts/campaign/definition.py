@@ -16,12 +16,11 @@ from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
-from granular_fronts.campaign.chain_scenes import time_errors
 from granular_fronts.campaign.kinds import KINDS, Kind
 from granular_fronts.campaign.laws import PREFIX, errors_of_law, name_of, varied_numbers
 from granular_fronts.campaign.motion_scenes import name_in_grid, point_errors, scene_errors
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.limits import NUMBERS_PER_BEAD, Part, part_errors
+from granular_fronts.scenes.limits import NUMBERS_PER_BEAD, Held, memory_errors
 from granular_fronts.scenes.schema import violations
 from granular_fronts.scenes.sections import ranges_increase
 from granular_fronts.scenes.validation import raise_if_any
@@ -135,14 +134,12 @@ def check_campaign(given: Mapping, name: str) -> Campaign:
         if parameter not in varied
     }
     grid = constant | varied
-    _raise_if_any(name, _count_errors(kind, grid, given))
+    _raise_if_any(name, _count_errors(grid, given))
     _raise_if_any(name, _value_errors(kind, grid, varied))
     if kind.of_scene:
         _raise_if_any(name, point_errors(given["scene"], grid))
     elif law:
         _raise_if_any(name, errors_of_law(law, grid))
-    elif given["kind"] == "chain":
-        _raise_if_any(name, time_errors(grid, given.get("tolerance", DEFAULT_TOLERANCE)))
     scalars = record.get("scalars", list(kind.scalars))
     return Campaign(
         name=name,
@@ -216,15 +213,13 @@ def _order_errors(name: str, values: Sequence[float]) -> Iterator[str]:
             return
 
 
-def _count_errors(kind: Kind, grid: Mapping[str, tuple], given: Mapping) -> Iterator[str]:
+def _count_errors(grid: Mapping[str, tuple], given: Mapping) -> Iterator[str]:
     """Say that a campaign above `MOST_POINTS` does not say that it is meant."""
     size = math.prod(map(len, grid.values()))
     if size > MOST_POINTS and not given.get("allow_large", False):
-        hours = size * kind.seconds_per_point / 3600.0
         yield (
-            f"its axes make {size:,} points, above {MOST_POINTS:,}, about {hours:,.1f} hours on "
-            f"one core at the {1e3 * kind.seconds_per_point:.2g} ms that a point of kind "
-            f"{given['kind']} usually takes: shorten an axis, or write allow_large: true."
+            f"its axes make {size:,} points, above {MOST_POINTS:,}: shorten an axis, or write "
+            "allow_large: true."
         )
 
 
@@ -290,17 +285,17 @@ def _start_errors(given) -> Iterator[str]:
 def _size_errors(kind, given) -> Iterator[str]:
     """Say that the points, or the beads of one, do not fit into memory."""
     record, axes = given.get("record", {}), given["axes"]
-    counts = {f"axes.{axis}": _count_values(values) for axis, values in axes.items()}
     kept = len(record.get("scalars", kind.scalars)) + record.get("profile", {}).get("count", 0)
-    parts = [Part((axis,), (), NUMBERS_PER_VALUE * float(count)) for axis, count in counts.items()]
-    parts.append(Part(tuple(counts), (), float(math.prod(counts.values())) * kept))
+    counts = {f"axes.{axis}": float(_count_values(values)) for axis, values in axes.items()}
+    held: Held = {(axis,): NUMBERS_PER_VALUE * count for axis, count in counts.items()}
+    held[*counts] = held.get((*counts,), 0.0) + math.prod(counts.values()) * kept
     if "beads" in given.get("fixed", {}):
-        parts.append(Part(("fixed.beads",), (), NUMBERS_PER_BEAD * float(given["fixed"]["beads"])))
+        held["fixed.beads",] = NUMBERS_PER_BEAD * float(given["fixed"]["beads"])
     if "beads" in axes:
         values = axes["beads"]
         most = next(iter(values.values()))[1] if isinstance(values, Mapping) else values[-1]
-        parts.append(Part(("axes.beads",), (), NUMBERS_PER_BEAD * float(most)))
-    yield from part_errors(given, parts)
+        held["axes.beads",] = NUMBERS_PER_BEAD * float(most)
+    yield from memory_errors(given, held)
 
 
 def _name_errors(kind_name, kind, axes, fixed, record) -> Iterator[str]:

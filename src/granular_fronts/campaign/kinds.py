@@ -2,17 +2,15 @@
 
 A kind is solved by one function ``solve_chunk(points, settings, activity)`` in its module. `points`
 holds an array of shape (lines, fast) for each parameter of the kind.  `settings` belong to a
-`Campaign`, and `activity` heads the progress bar.  The result is a `Solved`.  This module imports
-nothing heavy, since every campaign is checked against it before any job.
+`Campaign`, and `activity` heads the progress bar.  The result is a `Solved`.
 """
 
 import math
 from collections.abc import Mapping
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    import numpy as np
+import numpy as np
 
 
 class Parameter(NamedTuple):
@@ -94,10 +92,8 @@ class Kind(NamedTuple):
         kept = {name: value for name, value in self.parameters.items() if name not in names}
         return self._replace(parameters=kept)
 
-    def profile_points(self, profile) -> "np.ndarray | None":
+    def profile_points(self, profile) -> np.ndarray | None:
         """Return the evenly spaced points of a recorded profile, or None."""
-        import numpy as np
-
         if profile is None:
             return None
         points = np.linspace(profile["start"], profile["stop"], profile["count"])
@@ -111,8 +107,8 @@ class Kind(NamedTuple):
 class Solved(NamedTuple):
     """The answer of a kind to the points of a chunk, arrays of shape (lines, fast[, profile])."""
 
-    values: dict[str, "np.ndarray"]  # NaN at points that failed
-    reasons: "np.ndarray"  # why a point failed, a text; empty where it is solved
+    values: dict[str, np.ndarray]  # NaN at points that failed
+    reasons: np.ndarray  # why a point failed, a text; empty where it is solved
     errors: dict[str, float]  # estimate of the largest absolute error, or NaN
     error_method: str
 

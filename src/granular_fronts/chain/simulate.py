@@ -11,7 +11,6 @@ by chance, take theirs from all events near them (`event_errors`).  The estimate
 independent refinement and not from the step controller; they are no bounds.
 """
 
-import sys
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -28,12 +27,8 @@ from granular_fronts.chain.run import integrate, integrate_in_halves, prepare, w
 from granular_fronts.errors import SolveError
 from granular_fronts.output.datasets import name_variables
 from granular_fronts.scenes.beads import bead_count
-from granular_fronts.scenes.chain import size_of_chain
-from granular_fronts.scenes.limits import show_time
 from granular_fronts.scenes.validation import check_scene
 
-LONG = 60.0
-"""Seconds above which the least time of a scene is announced."""
 SOLVER = "DOP853 in strain form, order 8(5,3), steps located at contact events"
 ERROR_METHOD = "largest difference to a run that takes each step in two halves"
 EVENT_METHOD = "differences of the events nearby to a run that takes each step in two halves"
@@ -101,17 +96,9 @@ def simulate_chain(scene: Mapping[str, Any], name: str = "given") -> xr.Dataset:
     0.099168
     """
     scene = check_scene("chain", scene, name)
-    announce_time(scene, f"Scene {name}")
     solution = solve(scene, scene["tolerance"], f"scene {name}, solving")
     refined = refine(scene, solution, f"scene {name}, estimating the error")
     return _with_error_estimates(scene, solution, refined)
-
-
-def announce_time(scene, name):
-    """Say how long a scene takes at least, if that is long."""
-    seconds = sum(part.seconds for part in size_of_chain(scene))
-    if seconds > LONG:
-        print(f"{name} takes at least {show_time(seconds)} on one core.", file=sys.stderr)
 
 
 def simulate_once(scene, name="given"):

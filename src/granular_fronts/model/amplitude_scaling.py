@@ -24,8 +24,6 @@ The paper prints :math:`y - \varepsilon(\gamma c + \tfrac12)\,\partial_\xi y` (4
 holds only where :math:`y\ln y = \partial_\xi y`, for stationary waves.  For a front it becomes
 :math:`\delta^{(\alpha+1)/2}\bigl(u - (u^\alpha - u)/(2\gamma c)\bigr)`, (44) and (48), with
 :math:`u = y^{1/\alpha}`.
-
-This module imports neither numpy nor numba, since the configuration is checked with it.
 """
 
 from typing import NamedTuple

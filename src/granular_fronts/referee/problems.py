@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from granular_fronts.errors import InputError
 from granular_fronts.referee.lammps_deck import damping_model
-from granular_fronts.scenes.limits import Part, part_errors
+from granular_fronts.scenes.limits import memory_errors
 from granular_fronts.scenes.schema import name_entry, violations
 from granular_fronts.scenes.yaml_files import read_yaml
 
@@ -213,6 +213,5 @@ def _motion_errors(settings: Mapping[str, Any]) -> Iterator[str]:
                 f"{least} or more."
             )
         states = NUMBERS_OF_A_BEAD * chain["beads"] * intervals
-        size = Part(("beads", "end_time"), ("interval",), numbers=states)
-        for sentence in part_errors({**chain, "interval": settings["interval"]}, [size]):
-            yield f"motions.{motion}: {sentence}"
+        keys = f"motions.{motion}.beads", f"motions.{motion}.end_time", "interval"
+        yield from memory_errors(settings, {keys: states})

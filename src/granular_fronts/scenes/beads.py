@@ -147,7 +147,7 @@ def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[
     for place, _ in impurities(pattern):
         if place > count:
             yield f"{key}.impurity is at {place}, but there are {count}: give 1 to {count}."
-    if len(pattern.get("list", [0.0] * count)) != count:
+    if "list" in pattern and len(pattern["list"]) != count:
         yield f"{key}.list has {len(pattern['list'])} values, but there are {count}: give one each."
     placed = [math.log10(value) for _, value in impurities(pattern)]
     furthest = max([_decades_of_factors(pattern, last, count), *map(abs, placed)])

@@ -5,30 +5,18 @@ from collections.abc import Iterator, Mapping
 
 from granular_fronts.scenes.beads import bead_count, contact_count, has_materials, patterns_fit
 from granular_fronts.scenes.drives import (
-    LARGEST_STEP,
-    fastest_of,
     key_of_drive,
     value_at_start,
 )
 from granular_fronts.scenes.laws import (
     absolute_tolerance_errors,
-    damping_rate,
     decades,
     decades_of_displacement,
-    domain_of,
     exponent_of,
-    front_speed,
-    is_short,
-)
-from granular_fronts.scenes.limits import (
-    COLUMNS_PER_ROW,
-    NUMBERS_PER_BEAD,
-    Part,
-    grid_part,
-    points_of,
+    made_law,
 )
 from granular_fronts.scenes.schema import name_entry
-from granular_fronts.scenes.sections import TABLE, Need, Section
+from granular_fronts.scenes.sections import Check
 
 RELATIVE_TOLERANCE_FLOOR = 1.0e-15
 """Smallest relative tolerance the solver can honour: a few units of double-precision round-off."""
@@ -48,19 +36,6 @@ HELD_ENDS = {
     "wall": {"left"},
 }
 """Ends at which each kind of boundary holds a relative displacement."""
-
-STEPS_PER_CROSSING, STEPS_PER_DAMPING_TIME = 1.0 / 3.0, 1.0 / 20.0
-"""A step resolves waves and damping: a time t takes at least t (c/3 + 4G'/20) of them.
-
-G' is the slope of the viscous force at δ.  Fronts and opening contacts need shorter steps, which
-this estimate leaves out.  Twenty scenes with γ from 0 to 1e6 and 10 to 420 beads took 0.6 to 180
-times as long.
-"""
-
-SECONDS_PER_STEP, SECONDS_PER_BEAD = 5.0e-7, 1.0e-8  # and in addition of each bead that moves
-
-CROSSINGS_BEFORE_FLIGHT = 10.0
-"""A piston has thrown all beads off a free end after so many crossings of the chain."""
 
 
 def relative_tolerance_above_floor(section: Mapping) -> Iterator[str]:
@@ -138,7 +113,7 @@ def _ends_of_contacts_are_pressed(scene: Mapping) -> Iterator[str]:
 
 def _strains_lie_in_domain(scene: Mapping) -> Iterator[str]:
     """The law holds for the contacts at the ends that are held, and at the start."""
-    low, high = domain_of(scene["law"])
+    low, high = made_law(scene["law"]).domain
     boundary, start = scene["boundary"], scene["start"]
     held = sorted(HELD_ENDS[boundary["kind"]])
     found = {f"boundary.{end}": boundary.get(end, 0) for end in held}
@@ -291,79 +266,20 @@ def record_ends_with_motion(scene: Mapping) -> Iterator[str]:
             )
 
 
-def size_of_chain(scene: Mapping) -> Iterator[Part]:
-    """A motion of `beads` beads up to `end_time`, and its record."""
-    beads, end, record = float(bead_count(scene)), scene["end_time"], scene["record"]
-    yield Part(("beads",), (), NUMBERS_PER_BEAD * beads)
-    damped = ("law.gamma",) if is_short(scene["law"]) and scene["law"]["gamma"] > 1.0 else ()
-    yield Part(("beads", "end_time", *damped), (), 0.0, _motion_time(scene, beads))
-    if fastest := fastest_of(scene["boundary"]):
-        key = f"boundary.{key_of_drive(scene['boundary'])}.harmonic.angular_frequency"
-        steps = fastest * end / LARGEST_STEP
-        yield Part(("end_time", key), (), 0.0, steps * SECONDS_PER_STEP)
-    yield Part(("beads",), (), COLUMNS_PER_ROW * len(record["snapshots"]) * beads)
-    for key, entry in _series(scene).items():
-        # A sensor needs the whole chain, since momentum and energy of all beads beyond it count.
-        columns = beads if key.startswith("record.sensors.") else len(entry["beads"])
-        numbers = COLUMNS_PER_ROW * points_of(entry) * columns
-        yield grid_part((f"{key}.stop",), (f"{key}.step",), numbers)
-    if "grid" in record:
-        rows = end / record["grid"]["step"]
-        numbers = COLUMNS_PER_ROW * rows * beads
-        yield grid_part(("beads", "end_time"), ("record.grid.step",), numbers)
-
-
-def _motion_time(scene: Mapping, beads: float) -> float:
-    """Return the time that the steps of a motion take."""
-    size, boundary = decades_of_displacement(scene), scene["boundary"]
-    # Beads that nothing holds fly apart, and long steps follow them.
-    flies_apart = boundary["kind"] == "pressure" and not (boundary["left"] or boundary["right"])
-    thrown = boundary["kind"] in ("piston", "force") and not boundary.get("right", 0.0)
-    if flies_apart or not math.isfinite(size):
-        return 0.0
-    law, end = scene["law"], scene["end_time"]
-    speed, damping = front_speed(law, size), damping_rate(law, size)
-    if thrown and speed > 0.0:
-        end = min(end, CROSSINGS_BEFORE_FLIGHT * beads / speed)
-    steps = end * (STEPS_PER_CROSSING * speed + STEPS_PER_DAMPING_TIME * damping)
-    moving = min(beads, 0.5 * speed * end)
-    return steps * (SECONDS_PER_STEP + SECONDS_PER_BEAD * moving)
-
-
-CHAIN = Section(
-    checks=(
-        relative_tolerance_above_floor,
-        absolute_tolerance_resolves_motion,
-        _ring_is_set_in_motion,
-        _start_lists_every_bead,
-        _start_agrees_with_piston,
-        _ends_of_contacts_are_pressed,
-        _strains_lie_in_domain,
-        patterns_fit,
-        _materials_touch_by_hertz,
-        _ends_bear_the_start,
-        _striker_hits,
-        _softening_start_is_compressed,
-        _series_are_on_chain,
-        _arrival_level_can_be_met,
-        record_ends_with_motion,
-    ),
-    size=size_of_chain,
-    needs=(
-        Need("initiation_underdamped.record.snapshots", "figure 1"),
-        Need("initiation_underdamped.record.probes.steady", "figure 1"),
-        Need("initiation_underdamped.record.probes.transient", "figure 1"),
-        Need("initiation_underdamped.record.grid", "figure 2"),
-        Need("initiation_overdamped.record.probes.transient", "figure 3"),
-        Need("initiation_overdamped.record.grid", "figure 3"),
-        *(
-            Need(f"{scene}.record.{key}", user)
-            for scene in ("initiation_underdamped", "initiation_overdamped")
-            for key, user in (
-                ("arrival_level", TABLE),
-                ("extremes", TABLE),
-                ("balances", "the check of its energy balance"),
-            )
-        ),
-    ),
+CHAIN: tuple[Check, ...] = (
+    relative_tolerance_above_floor,
+    absolute_tolerance_resolves_motion,
+    _ring_is_set_in_motion,
+    _start_lists_every_bead,
+    _start_agrees_with_piston,
+    _ends_of_contacts_are_pressed,
+    _strains_lie_in_domain,
+    patterns_fit,
+    _materials_touch_by_hertz,
+    _ends_bear_the_start,
+    _striker_hits,
+    _softening_start_is_compressed,
+    _series_are_on_chain,
+    _arrival_level_can_be_met,
+    record_ends_with_motion,
 )

@@ -1,8 +1,7 @@
 """Validate a whole configuration, as the workflow does at each start.
 
-First its scenes and sections are checked one by one.  Then no two results may have one name, and
-what the figures draw must be recorded.  The results need a folder that can be written, and no key
-may be ignored.
+First its scenes and sections are checked one by one.  Then no two results may have one name.  The
+results need a folder that can be written, and no key may be ignored.
 """
 
 import os
@@ -12,7 +11,7 @@ from pathlib import Path
 from granular_fronts.scenes.law import LAWS
 from granular_fronts.scenes.proof import PROOFS
 from granular_fronts.scenes.schema import LONGEST_SHOWN, violations
-from granular_fronts.scenes.sections import Section, need_errors, section_label
+from granular_fronts.scenes.sections import Check, section_errors, section_label
 from granular_fronts.scenes.study import studies
 from granular_fronts.scenes.validation import SCENES, raise_if_any
 from granular_fronts.scenes.yaml_files import yaml_errors
@@ -23,15 +22,15 @@ MEASUREMENTS = (
 )
 """Measurements of accuracy and speed, whose counts the schema limits one by one."""
 
-SECTIONS: dict[str, Section] = {
+SECTIONS: dict[str, tuple[Check, ...]] = {
     **{f"scenes.{family}.*": scene for family, scene in SCENES.items()},
-    "real_chains.*": SCENES["chain"]._replace(needs=()),
-    **{study["section"]: Section() for study in studies().values()},
+    "real_chains.*": SCENES["chain"],
+    **{study["section"]: () for study in studies().values()},
     **{f"laws.{name}": section for name, section in LAWS.items()},
-    **dict.fromkeys(MEASUREMENTS, Section()),
+    **dict.fromkeys(MEASUREMENTS, ()),
     "proofs": PROOFS,
 }
-"""All sections by their path in the configuration; ``*`` matches any name."""
+"""Checks of all sections by their path in the configuration; ``*`` matches any name."""
 
 UNUSABLE = *"{}<>*?|\"'\n\t\\$", "://"
 """Parts of a folder's name that Snakemake, a shell or a reader takes for something else."""
@@ -100,14 +99,12 @@ def folder_errors(results: str, writes: bool = True) -> Iterator[str]:
 
 def _section_errors(configuration: Mapping) -> Iterator[str]:
     """Say what is wrong with the sections of a configuration that obeys the schema."""
-    for path, section in SECTIONS.items():
+    for path, checks in SECTIONS.items():
         for place, given in _places(path, configuration):
             if isinstance(given, Mapping):
                 label = section_label(place)
-                yield from (label + error for error in section.errors(given))
+                yield from (label + error for error in section_errors(given, checks))
     yield from _name_errors(configuration)
-    for path, section in SECTIONS.items():
-        yield from need_errors(configuration, path, section.needs)
 
 
 def _places(path: str, configuration: Mapping) -> Iterator[tuple[str, object]]:

@@ -9,9 +9,6 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-LARGEST_STEP = 30.0
-"""Radians of a harmonic that no step spans; the loosest tolerances led to 10."""
-
 
 class Piece(NamedTuple):
     """Part of a drive from the time `start` on: a + b s + c sin(ω s + φ), s the time since then."""
@@ -51,11 +48,6 @@ def value_at_start(boundary: Mapping[str, Any]) -> float:
     """Return the value of a drive at t = 0."""
     first = pieces_of(boundary)[0]
     return first.constant + first.amplitude * math.sin(first.phase)
-
-
-def fastest_of(boundary: Mapping[str, Any]) -> float:
-    """Return the angular frequency of a drive that goes on for ever, else 0."""
-    return pieces_of(boundary)[-1].frequency if key_of_drive(boundary) else 0.0
 
 
 def drive_errors(section: Mapping[str, Any]) -> Iterator[str]:

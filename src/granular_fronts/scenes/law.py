@@ -1,20 +1,13 @@
-"""Sections under ``laws`` whose keys are tied together, or whose work the schema does not limit."""
+"""Sections under ``laws`` whose keys are tied together."""
 
 import math
 from collections.abc import Iterator, Mapping
 
 from granular_fronts.errors import InputError
 from granular_fronts.model.materials import material_of
-from granular_fronts.scenes.laws import domain_of, law_errors
-from granular_fronts.scenes.limits import (
-    COLUMNS_PER_ROW,
-    NUMBERS_PER_BEAD,
-    SECONDS_PER_CROSSING,
-    SECONDS_PER_POINT,
-    Part,
-)
+from granular_fronts.scenes.laws import law_errors, made_law
 from granular_fronts.scenes.schema import name_entry
-from granular_fronts.scenes.sections import TABLE, Need, Section
+from granular_fronts.scenes.sections import Check
 
 DENSITIES = 1.0, 30_000.0
 """Densities of solid beads in kg/m³, from foams to beyond osmium (22 590)."""
@@ -98,7 +91,7 @@ def _fronts_of_cases_are_possible(section: Mapping) -> Iterator[str]:
         law = {"elastic": case["elastic"], "viscous": case["dissipation"]}
         errors = [*law_errors({"law": law})]
         yield from (f"{key}.{error}" for error in errors)
-        low, high = (-math.inf, math.inf) if errors else domain_of(law)
+        low, high = (-math.inf, math.inf) if errors else made_law(law).domain
         behind, ahead = case["states"]
         for state in (behind, ahead):
             if not low < state < high:
@@ -120,45 +113,10 @@ def _fronts_of_cases_are_possible(section: Mapping) -> Iterator[str]:
                 )
 
 
-def _size_of_theta_method(section: Mapping) -> Iterator[Part]:
-    """A motion by equal steps for each θ and each step."""
-    order, profile = section["order"], section["profile"]
-    for name, motion, key, step, motions in [
-        ("order", order, "order.steps", min(order["steps"]), len(order["thetas"])),
-        ("profile", profile, "profile.step", profile["step"], 1),
-    ]:
-        work = motions * float(motion["beads"]) * motion["end_time"] / step
-        numbers = NUMBERS_PER_BEAD * float(motion["beads"])
-        keys = f"{name}.beads", f"{name}.end_time"
-        yield Part(keys, (key,), numbers, work * SECONDS_PER_POINT)
-
-
-def _size_of_half_steps(section: Mapping) -> Iterator[Part]:
-    """A motion by equal steps for each law, damping and step, of which every state is held."""
-    length = float(section["beads"]) * section["collision_times"]
-    counts = section["steps_per_collision"]
-    motions = len(section["betas"]) * len(section["gammas"])
-    numbers, work = COLUMNS_PER_ROW * length * max(counts), motions * length * sum(counts)
-    keys = "beads", "collision_times", "steps_per_collision"
-    yield Part(keys, (), numbers, work * SECONDS_PER_POINT)
-
-
-def _size_of_limiting_cases(section: Mapping) -> Iterator[Part]:
-    """Rings of 2ℓ/ε beads over the time τ/(½γε²), with ε = (α − 1)/(αγ) and c = 1."""
-    rings = section["rings"]
-    cubes = sum((exponent / (exponent - 1.0)) ** 3 for exponent in rings["exponents"])
-    crossings = 4.0 * rings["half_length"] * rings["slow_time"] * rings["gamma"] ** 2 * cubes
-    keys = "rings.half_length", "rings.slow_time", "rings.gamma"
-    yield Part(keys, (), 0.0, crossings * SECONDS_PER_CROSSING)
-
-
-LAWS = {
-    "materials": Section(
-        checks=(_beads_are_solid,),
-        needs=tuple(Need(f"beads.{name}", TABLE) for name in ("glass", "steel", "cork")),
-    ),
-    "numerical_damping": Section((_theta_steps_meet_end,), _size_of_theta_method),
-    "half_step_damping": Section((_chain_of_half_steps_is_measured,), _size_of_half_steps),
-    "jump_conditions": Section((_fronts_of_cases_are_possible,)),
-    "limiting_cases": Section((pressed_chains_hold_waves,), _size_of_limiting_cases),
+LAWS: dict[str, tuple[Check, ...]] = {
+    "materials": (_beads_are_solid,),
+    "numerical_damping": (_theta_steps_meet_end,),
+    "half_step_damping": (_chain_of_half_steps_is_measured,),
+    "jump_conditions": (_fronts_of_cases_are_possible,),
+    "limiting_cases": (pressed_chains_hold_waves,),
 }

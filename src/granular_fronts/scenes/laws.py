@@ -1,9 +1,5 @@
 """Check that the law of a scene is possible, and estimate the sizes of its motion.
 
-The short form of a law, by its exponents, needs only arithmetic.  The long form, by the kinds of
-its potentials, and a `Law` from Python are evaluated.  Only then is numpy imported, since the
-workflow checks its configuration at each start.
-
 A scene is driven by relative displacements of about δ, with energies of about δ^(α + 1).  Sizes are
 decimal logarithms, −∞ for none.
 """
@@ -15,7 +11,11 @@ import sys
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import numpy as np
+
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import Law, make_law
+from granular_fronts.model.potentials import Potential
 from granular_fronts.scenes.beads import bead_count
 from granular_fronts.scenes.drives import key_of_drive, largest_of
 
@@ -52,11 +52,9 @@ def law_errors(section: Mapping) -> Iterator[str]:
         yield f"law: {error}"
 
 
-def made_law(law: Any) -> Any:
-    """Return `model.laws.Law` of a long form, or one that is made already; else an InputError."""
+def made_law(law: Any) -> Law:
+    """Return the law of a mapping, or one that is made already; else an InputError."""
     if is_of_potentials(law):
-        from granular_fronts.model.laws import make_law
-
         return make_law(law)
     if isinstance(law, Mapping):
         return _made(json.dumps(law, sort_keys=True))
@@ -65,27 +63,18 @@ def made_law(law: Any) -> Any:
 
 def is_of_potentials(law: object) -> bool:
     """Return whether a law is a mapping with a potential that Python has made already."""
-    return isinstance(law, Mapping) and any(hasattr(part, "domain") for part in law.values())
+    return isinstance(law, Mapping) and any(isinstance(part, Potential) for part in law.values())
 
 
 @functools.lru_cache
-def _made(text: str) -> Any:
-    from granular_fronts.model.laws import make_law
-
+def _made(text: str) -> Law:
     return make_law(json.loads(text))
 
 
 def exponent_of(law: Any) -> float | None:
     """Return the exponent α of a Hertz potential, None for other elastic potentials."""
-    if is_short(law):
-        return law["alpha"]
     elastic = made_law(law).elastic
     return elastic.parameters[0] if elastic.kind == "hertz" else None
-
-
-def domain_of(law: Any) -> tuple[float, float]:
-    """Open interval of the strains for which a law holds."""
-    return (-math.inf, math.inf) if is_short(law) else made_law(law).domain
 
 
 def decades_of_impact(law: Any, velocity: float, most: int) -> float:
@@ -98,8 +87,6 @@ def decades_of_impact(law: Any, velocity: float, most: int) -> float:
         return -math.inf
     if is_short(law):
         return 2.0 / (law["alpha"] + 1.0) * math.log10(abs(velocity))
-    import numpy as np
-
     elastic = made_law(law).elastic
     sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
     energies = np.fmax(*(elastic.value(sign * 10.0**sizes) for sign in (-1.0, 1.0)))
@@ -113,8 +100,6 @@ def decades_of_load(law: Any, load: float, most: int) -> float:
         return -math.inf
     if is_short(law):
         return math.log10(load) / law["alpha"]
-    import numpy as np
-
     elastic = made_law(law).elastic
     sizes = np.linspace(-most, most, 2 * most * DECADES_PER_UNIT + 1)
     forces = np.fmax(*(abs(elastic.first(sign * 10.0**sizes)) for sign in (-1.0, 1.0)))
@@ -129,20 +114,10 @@ def _first_size(potential: Any, sizes: Any, enough: Any) -> float:
 
 def front_speed(law: Any, size: float) -> float:
     """Return the front speed into contacts at rest, (V'(−u)/−u)^½ for u = 10^size."""
-    if is_short(law):
-        return 10.0 ** (0.5 * (law["alpha"] - 1.0) * size)
     elastic, u = made_law(law).elastic, 10.0**size
     if -u <= elastic.domain[0]:
         return 0.0
     return math.sqrt(abs(float(elastic.first(-u))) / u)
-
-
-def damping_rate(law: Any, size: float) -> float:
-    """Return the largest rate of damping at u = 10^size, 4G' of the viscous force."""
-    if is_short(law):
-        return 4.0 * law["gamma"] * law["beta"] * 10.0 ** ((law["beta"] - 1.0) * size)
-    viscous, u = made_law(law).viscous, 10.0**size
-    return 4.0 * float(viscous.second(-u)) if -u > viscous.domain[0] else 0.0
 
 
 def decades_of_energy(law: Any, size: float) -> dict[str, float]:

@@ -1,96 +1,95 @@
-"""Limits of memory and time of one job, and the sentence for a section that exceeds them.
-
-The estimates of memory and time are lower bounds, mostly by orders of magnitude.  They decide only
-what is refused.  A job of half a day is accepted; a job of days is refused before it starts.
-"""
+"""How much memory a job needs at least, and the sentence for more than the machine has."""
 
 import functools
 import operator
+import os
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import Any
 
-MOST_MEMORY = 16 * 2**30  # bytes that one job may hold
-LONGEST_TIME = 86400.0  # seconds on one core that one job may take
-
-MOST_VALUES = 1_000_000
-"""Values of a configuration, a campaign or a scene: to check so many takes half a minute."""
+from granular_fronts.arguments import shown
+from granular_fronts.scenes.beads import bead_count
 
 BYTES_PER_NUMBER = 8
-LARGEST = 1.0e300  # replaces what overflows
-
 NUMBERS_PER_BEAD = 64  # state and stages of the integrator, and what is followed at each bead
 COLUMNS_PER_ROW = 4  # numbers kept for each bead and time: two fields and what they are made from
-SECONDS_PER_POINT = 5.0e-9  # of a grid, for each step in time or each evaluation
-
-SECONDS_PER_CROSSING = 5.0e-8
-"""A front of height δ runs through a bead in the time 1/c, c = δ^((α − 1)/2): one crossing."""
 
 
-class Part(NamedTuple):
-    """What some keys together, dotted inside a section, contribute to its size."""
-
-    large: tuple[str, ...]  # of counts, with which the size grows
-    small: tuple[str, ...] = ()  # of spacings, with which it falls
-    numbers: float = 0.0  # held at once
-    seconds: float = 0.0  # on one core
-
-    @property
-    def memory(self) -> float:
-        """Bytes held at once."""
-        return min(BYTES_PER_NUMBER * self.numbers, LARGEST)
+Held = dict[tuple[str, ...], float]
+"""How many numbers are held at once, by the dotted keys that together ask for them."""
 
 
-def grid_part(large: tuple[str, ...], small: tuple[str, ...], numbers: float) -> Part:
-    """Return the part of a grid of so many numbers, each of which takes its time."""
-    return Part(large, small, numbers, numbers * SECONDS_PER_POINT)
+def numbers_held(section: Mapping[str, Any]) -> Held:
+    """Return how many numbers a scene or a study holds at least."""
+    if "steps_per_collision" in section:  # A study that holds every state.
+        states = float(section["collision_times"]) * max(section["steps_per_collision"])
+        keys = "beads", "collision_times", "steps_per_collision"
+        return {keys: COLUMNS_PER_ROW * section["beads"] * states}
+    if "profile" in section and "mu" in section:  # Orbits, their well and their portrait.
+        points = len(section["mu"]) * _points_of(section["profile"])
+        held: Held = {("profile.stop", "profile.step"): COLUMNS_PER_ROW * points}
+        for name, length in (("well", "limit"), ("portrait", "span")):
+            if name in section:
+                points = 2.0 * section[name][length] / section[name]["step"]
+                held[f"{name}.{length}", f"{name}.step"] = COLUMNS_PER_ROW * points
+        return held
+    if "driven_bead" in section:  # An exact front and a chain.
+        points = _points_of(section["window"])
+        return {
+            ("window.stop", "window.step"): 6.0 * COLUMNS_PER_ROW * points,
+            ("driven_bead",): NUMBERS_PER_BEAD * float(section["driven_bead"]),
+        }
+    if "boundary" not in section and "half_beads" not in section:
+        return {}  # The schema limits all counts.
+    record, columns_per_row = section["record"], COLUMNS_PER_ROW
+    if "half_beads" in section:  # The chain and two equations.
+        key, beads, columns_per_row = "half_beads", 2.0 * section["half_beads"], 3 * COLUMNS_PER_ROW
+    else:
+        key = "beads.count" if isinstance(section["beads"], Mapping) else "beads"
+        beads = float(bead_count(section))
+    rows = len(record["snapshots"])
+    held = {(key,): (NUMBERS_PER_BEAD + columns_per_row * rows) * beads}
+    if "grid" in record:
+        rows = section["end_time"] / record["grid"]["step"]
+        held[key, "end_time", "record.grid.step"] = columns_per_row * rows * beads
+    for name, axis in record.get("probes", {}).items():
+        place = f"record.probes.{name}"
+        numbers = COLUMNS_PER_ROW * _points_of(axis) * len(axis["beads"])
+        held[f"{place}.stop", f"{place}.step"] = numbers
+    for name, axis in record.get("sensors", {}).items():
+        # A sensor needs the whole chain: momentum and energy of all beads beyond it count.
+        place = f"record.sensors.{name}"
+        numbers = COLUMNS_PER_ROW * _points_of(axis) * beads
+        held[key, f"{place}.stop", f"{place}.step"] = numbers
+    for name, settings in section.get("equations", {}).items():
+        for count in {"cells", "points"} & settings.keys():
+            held[f"equations.{name}.{count}",] = NUMBERS_PER_BEAD * float(settings[count])
+    return held
 
 
-def points_of(axis: Mapping) -> float:
+def _points_of(axis: Mapping[str, float]) -> float:
     """Return how many points a range has, from its start to its stop."""
-    return (axis["stop"] - axis["start"]) / axis["step"]
+    return max(0.0, (axis["stop"] - axis["start"]) / axis["step"])
 
 
-def part_errors(section: Mapping, parts: list[Part]) -> Iterator[str]:
-    """Say that some parts together are too large: the keys that contribute most, and the size."""
-    memory = sum(part.memory for part in parts)
-    seconds = min(sum(part.seconds for part in parts), LARGEST)
-    if memory <= MOST_MEMORY and seconds <= LONGEST_TIME:
-        return
-    most = max(parts, key=lambda part: max(part.memory / MOST_MEMORY, part.seconds / LONGEST_TIME))
-    above = [
-        (f"{_show_memory(memory)} of memory", _show_memory(MOST_MEMORY), memory > MOST_MEMORY),
-        (f"{show_time(seconds)} on one core", show_time(LONGEST_TIME), seconds > LONGEST_TIME),
-    ]
-    sizes, limits, _ = zip(*(one for one in above if one[-1]), strict=True)
-    keys = [
-        f"{key} = {functools.reduce(operator.getitem, key.split('.'), section)}"
-        for key in (*most.large, *most.small)
-    ]
-    remedies = [f"lower {' or '.join(most.large)}"] if most.large else []
-    remedies += [f"raise {' or '.join(most.small)}"] if most.small else []
-    yield (
-        f"{', '.join(keys)} {'takes' if len(keys) == 1 else 'take'} at least "
-        f"{' and '.join(sizes)}, above the limit of {' or '.join(limits)}: "
-        f"{', or '.join(remedies)}."
-    )
+def memory_errors(section: Mapping[str, Any], held: Held) -> Iterator[str]:
+    """Say that numbers held at once do not fit into memory, by the keys that ask for most."""
+    memory, limit = BYTES_PER_NUMBER * sum(held.values()), memory_of_machine()
+    if memory > limit:
+        given = [
+            f"{key} is {shown(functools.reduce(operator.getitem, key.split('.'), section))}"
+            for key in max(held, key=held.__getitem__)
+        ]
+        yield (
+            f"{' and '.join(given)}, for which at least {_in_gibibytes(memory)} of memory are "
+            f"needed, above the {_in_gibibytes(limit)} of this machine: ask for less."
+        )
 
 
-def _show_memory(memory: float) -> str:
-    """Return the bytes in words, for example ``16 GiB``."""
-    for unit in ("bytes", "KiB", "MiB"):
-        if memory < 1000.0:
-            return f"{memory:.0f} {unit}"
-        memory /= 1024.0
-    return f"{_show_number(memory)} GiB"
+def memory_of_machine() -> int:
+    """Return the bytes of the memory of this machine."""
+    return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
-def show_time(seconds: float) -> str:
-    """Return a duration in words, for example ``30 days``."""
-    for unit, length in [("years", 365.25 * 86400.0), ("days", 86400.0), ("hours", 3600.0)]:
-        if seconds >= 2.0 * length:
-            return f"{_show_number(seconds / length)} {unit}"
-    return f"{seconds:.0f} s"
-
-
-def _show_number(value: float) -> str:
-    return f"{value:,.0f}" if value < 1e6 else f"{value:.0e}"
+def _in_gibibytes(memory: float) -> str:
+    value = memory / 2**30
+    return f"{value:,.0f} GiB" if value < 1e6 else f"{value:.0e} GiB"

@@ -4,9 +4,8 @@ import math
 from collections.abc import Iterator, Mapping
 
 from granular_fronts.model.amplitude_scaling import SMALLEST_DAMPING
-from granular_fronts.scenes.limits import COLUMNS_PER_ROW, Part, grid_part, points_of
 from granular_fronts.scenes.schema import name_entry
-from granular_fronts.scenes.sections import TABLE, Need, Section
+from granular_fronts.scenes.sections import Check
 
 GAUSSIAN_CENTRE = -2.0 * math.sqrt(0.5 + math.log(2.0))
 """The s of the maximum of the orbit for μ = 0, y = exp(½ − (s − centre)²/4) with y(0) = ½."""
@@ -64,30 +63,9 @@ def _portrait_has_its_orbit(scene: Mapping) -> Iterator[str]:
         )
 
 
-def _size_of_orbits(scene: Mapping) -> Iterator[Part]:
-    """A profile for each damping; the well and the portrait."""
-    numbers = COLUMNS_PER_ROW * len(scene["mu"]) * points_of(scene["profile"])
-    yield grid_part(("profile.stop",), ("profile.step",), numbers)
-    if "well" in scene:
-        points = 2.0 * scene["well"]["limit"] / scene["well"]["step"]
-        yield grid_part(("well.limit",), ("well.step",), COLUMNS_PER_ROW * points)
-    if "portrait" in scene:
-        portrait = scene["portrait"]
-        points = len(portrait["starts"]) * 2.0 * portrait["span"] / portrait["step"]
-        yield grid_part(("portrait.span",), ("portrait.step",), COLUMNS_PER_ROW * points)
-
-
-ORBIT = Section(
-    checks=(
-        _dampings_are_normal,
-        _profile_ends_before_underflow,
-        _portrait_leaves_equilibria,
-        _portrait_has_its_orbit,
-    ),
-    size=_size_of_orbits,
-    needs=(
-        Need("front_profiles.well", "figure 8"),
-        Need("front_profiles.portrait", "figure 8"),
-        Need("damping_sweep.mu", TABLE),
-    ),
+ORBIT: tuple[Check, ...] = (
+    _dampings_are_normal,
+    _profile_ends_before_underflow,
+    _portrait_leaves_equilibria,
+    _portrait_has_its_orbit,
 )

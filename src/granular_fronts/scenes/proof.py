@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
-from granular_fronts.scenes.sections import Section
+from granular_fronts.scenes.sections import Check
 
 
 def _shown_front_is_proved(section: Mapping) -> Iterator[str]:
@@ -35,4 +35,4 @@ def _parts_increase(section: Mapping) -> Iterator[str]:
                 )
 
 
-PROOFS = Section(checks=(_shown_front_is_proved, _parts_increase))
+PROOFS: tuple[Check, ...] = (_shown_front_is_proved, _parts_increase)

@@ -1,7 +1,7 @@
 """The strict schema of the configuration, and a sentence for each of its violations.
 
 A sentence names the scene, the key, its value, the limit and the way out. What a schema cannot
-express, because it ties two keys together, is a check of a `sections.Section`.
+express, because it ties two keys together, is a check of `sections`.
 """
 
 import difflib
@@ -10,7 +10,7 @@ import json
 import math
 import re
 import sys
-from collections.abc import Iterator, Mapping, Sequence, ValuesView
+from collections.abc import Iterator, Sequence
 from types import UnionType
 from typing import Any
 
@@ -18,7 +18,6 @@ import yaml
 from jsonschema import Draft202012Validator, validators
 from jsonschema.exceptions import ValidationError
 
-from granular_fronts.scenes.limits import MOST_VALUES
 from granular_fronts.scenes.study import add_sections, find_file
 from granular_fronts.scenes.yaml_files import read_yaml
 
@@ -89,10 +88,6 @@ def violations(
     A part is given with the name of its `definition` in ``$defs``, and the keys to its `place` in a
     whole configuration.  The schema is ``config``, ``campaign`` or ``referee``.
     """
-    if (found := _count_values(instance)) > MOST_VALUES:
-        where = "".join(_locate([*place])).removesuffix(": ") or "The file"
-        yield f"{where} holds {found:,} values, above the limit of {MOST_VALUES:,}: list fewer."
-        return
     validator = _validator_of(schema, definition)
     definitions = validator.schema["$defs"]
     errors = sorted(validator.iter_errors(instance), key=lambda error: str(error.path))
@@ -124,12 +119,6 @@ def load_schema(name: str) -> dict[str, Any]:
     if name == "config":
         add_sections(schema)
     return schema
-
-
-def _count_values(value: object) -> int:
-    """Return the number of values at any depth."""
-    inside = value.values() if isinstance(value, Mapping) else value
-    return 1 + (sum(map(_count_values, inside)) if isinstance(inside, list | ValuesView) else 0)
 
 
 def _locate(path: Sequence[str | int]) -> tuple[str, str]:

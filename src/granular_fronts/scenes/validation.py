@@ -3,21 +3,27 @@
 There are five levels of checks, and each relies on those before.  The schema in
 ``workflow/schemas`` says which keys exist, what each means and in which range it lies.  The law
 must be possible.  Energies must be numbers that a computer can hold.  Checks tie keys together.
-The whole must fit into memory and a day.
+The whole must fit into memory.
 """
 
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from granular_fronts.errors import InputError
+from granular_fronts.model.laws import Law
 from granular_fronts.scenes.chain import CHAIN
-from granular_fronts.scenes.front import FRONT
 from granular_fronts.scenes.laws import is_of_potentials, law_errors, made_law
 from granular_fronts.scenes.orbit import ORBIT
 from granular_fronts.scenes.ring import RING
 from granular_fronts.scenes.schema import violations
+from granular_fronts.scenes.sections import Check, section_errors
 
-SCENES = {"chain": CHAIN, "heteroclinic": ORBIT, "periodic": RING, "front": FRONT}
+SCENES: dict[str, tuple[Check, ...]] = {
+    "chain": CHAIN,
+    "heteroclinic": ORBIT,
+    "periodic": RING,
+    "front": (),
+}
 """Checks of a scene, by its family."""
 
 ANY_LAW = {"alpha": 1, "beta": 1, "gamma": 0}
@@ -52,11 +58,11 @@ def check_scene(family: str, scene: Mapping[str, Any], name: str) -> dict[str, A
         raise_if_any([f"Scene {name}: {error}" for error in law_errors(plain)])
         plain["law"] = made_law(plain["law"])
     # A law that is made already obeys the schema.
-    has_law = hasattr(plain.get("law"), "elastic") if isinstance(plain, dict) else False
+    has_law = isinstance(plain, dict) and isinstance(plain.get("law"), Law)
     as_written = plain | {"law": ANY_LAW} if has_law else plain
     raise_if_any(
         [*violations(as_written, definition=f"{family}_scene", place=place)]
-        or [f"Scene {name}: {error}" for error in SCENES[family].errors(plain)]
+        or [f"Scene {name}: {error}" for error in section_errors(plain, SCENES[family])]
     )
     return plain
 

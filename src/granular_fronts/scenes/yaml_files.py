@@ -1,12 +1,10 @@
 """YAML files as people write them: where one is wrong, a sentence says in which line.
 
 In YAML the last of two equal keys wins silently.  Here a key given twice in one mapping is an
-error, since one of its values would be ignored.  So are numbers that YAML 1.1 reads to another base
-than ten, and files that grow beyond a limit when they are read.
+error, since one of its values would be ignored.
 """
 
 import functools
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -14,7 +12,6 @@ from typing import Any
 import yaml
 
 from granular_fronts.errors import InputError
-from granular_fronts.scenes.limits import MOST_VALUES
 
 try:
     from yaml import CSafeLoader as SafeLoader
@@ -26,12 +23,6 @@ MERGE_TAG = "tag:yaml.org,2002:merge"
 
 LONGEST_FILE = 64 * 2**20
 """Bytes of a file."""
-
-DEEPEST = 100
-"""Mappings and lists inside each other; Python itself reads about a thousand."""
-
-OTHER_BASE = re.compile(r"[-+]?(0[xb]\w+|0[0-7_]*[1-7][0-7_]*|\d[\d_]*(:[0-5]?\d)+(\.[\d_]*)?)")
-"""Numbers to another base than ten, such as 0x1F, 0420 and 1:30."""
 
 
 class _Loader(SafeLoader):
@@ -66,12 +57,11 @@ def read_yaml(file: Path | str) -> Any:
 def parse_yaml(text: str, file: Path | str) -> Any:
     """Return the contents of a YAML text; sentences of errors begin with `file`."""
     try:
-        errors = [*_event_errors(text, file)]
         loader = _Loader(text)
-        value = None if errors else loader.get_single_data()
+        value = loader.get_single_data()
     except (yaml.YAMLError, ValueError) as error:
         raise InputError(_syntax_error(file, error)) from None
-    errors += [
+    errors = [
         f"{_position(file, key.start_mark)}: the key {key.value} is given twice in one "
         "mapping, and one of its values would be ignored: keep one."
         for key in loader.repeated
@@ -119,37 +109,6 @@ def merge(below: Mapping, above: Mapping) -> dict:
         both_mappings = isinstance(value, Mapping) and isinstance(below.get(key), Mapping)
         merged[key] = merge(below[key], value) if both_mappings else value
     return merged
-
-
-def _event_errors(text: str, file: Path | str) -> Iterator[str]:
-    """Find what must not be made into values; after a size without end nothing else is sought."""
-    counts, anchors, sizes = [0], [""], {}
-    for event in yaml.parse(text, Loader=SafeLoader):
-        where = _position(file, event.start_mark)
-        if isinstance(event, yaml.CollectionStartEvent):
-            counts.append(0)
-            anchors.append(event.anchor)
-        elif isinstance(event, yaml.CollectionEndEvent):
-            sizes[anchors.pop()] = size = counts.pop() + 1
-            counts[-1] += size
-        elif isinstance(event, yaml.ScalarEvent):
-            sizes[event.anchor] = 1
-            counts[-1] += 1
-            if event.implicit[0] and OTHER_BASE.fullmatch(event.value):
-                read = yaml.safe_load(event.value)
-                if not isinstance(read, str):
-                    yield f"{where}: YAML reads {event.value} as {read}: write the number you mean."
-        elif isinstance(event, yaml.AliasEvent):
-            if event.anchor in anchors:
-                yield f"{where}: *{event.anchor} contains itself: write its values out."
-                return
-            counts[-1] += sizes.get(event.anchor, 0)
-        if len(counts) > DEEPEST:
-            yield f"{where}: more than {DEEPEST} mappings or lists nest here: nest fewer."
-            return
-        if counts[-1] > MOST_VALUES:
-            yield f"{where}: here are more than {MOST_VALUES:,} values: write fewer."
-            return
 
 
 def _repeated_keys(node: yaml.MappingNode) -> Iterator[yaml.ScalarNode]:
