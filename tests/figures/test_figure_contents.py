@@ -212,10 +212,10 @@ def test_figure_18_dashes_where_fronts_oscillate_and_leaves_no_hole():
         assert 0 < oscillating.sum() < oscillating.size
 
 
-def test_figure_29_has_the_means_over_the_seeds_with_their_errors():
-    _, draws, shown = picture("fig29")
+def test_figure_26_has_the_means_over_the_seeds_with_their_errors():
+    _, _, draws, _, shown = picture("fig26")
     energy = draws["transmitted_energy"]
-    drawn = (np.asarray(line.get_ydata(), float) for line in curves(shown["passed"])[2:5])
+    drawn = (np.asarray(line.get_ydata(), float) for line in curves(shown["draws"])[2:5])
     mean, *ends = drawn
     standard = energy.std("beads_mass_random_seed", ddof=1) / 2**0.5
     error = 0.5 * stdtrit(1, 0.975) * standard + 1e-6

@@ -153,6 +153,7 @@ BALL = {"gamma": 0.05, "mass": 0.147, "radius": 0.0165}
 GLASS, STATES = "laws.materials.beads.glass", "laws.jump_conditions.cases.mine"
 RING = "scenes.periodic.weak"
 THETA, HALF_STEPS = "laws.numerical_damping", "laws.half_step_damping"
+BEADS, HEAVY = "scenes.chain.initiation_overdamped.beads", {"impurity": {"bead": 30, "mass": 5}}
 
 
 def lattice(elastic, *states):
@@ -169,7 +170,6 @@ SECTIONS_REFUSED = [
     # Names that clash, or that nothing has.
     ("scenes.front.survey", FRONT, "scenes.front.survey has the name of the study survey"),
     ("scenes.heteroclinic.weak", ORBIT, "weak has the name of scenes.heteroclinic.weak"),
-    ("scenes.front.tapered", FRONT, "tapered has the name of scenes.front.tapered"),
     ("precision.log_burgers.nosuch", ..., "nosuch names no periodic scene | weak, hertz"),
     # Counts and steps beyond the schema's limits.
     ("proofs.intervals.hertz.parts", [{"to": 1, "chunks": 10**9}], "chunks is 1000000000 | 10000"),
@@ -186,9 +186,9 @@ SECTIONS_REFUSED = [
     ("precision.chain.contact_loss.end_time", 1e300, "end_time is 1e+300 | 10000"),
     ("precision.log_burgers.weak.longest_steps", [1e-30], "(entry 1) is 1e-30 | 1e-06"),
     ("precision.log_burgers.weak.reference.points", 9, "points is 9 | multiple of 2"),
-    ("real_chains.tapered.beads.mass", {"taper": {"ratio": -1}}, "ratio is -1 | above 0"),
-    ("real_chains.tapered.beads.count", 1, "real_chains.tapered.beads.count is 1 | 2"),
-    ("real_chains.impurity_light.beads.count", 20, "impurity is at 30 | there are 20"),
+    (BEADS, {"count": 9, "mass": {"taper": {"ratio": -1}}}, "ratio is -1 | above 0"),
+    (BEADS, {"count": 1}, "beads.count is 1 | 2"),
+    (BEADS, {"count": 20, "mass": HEAVY}, "impurity is at 30 | there are 20"),
     # Sizes.
     ("scenes.front.underdamped.window.step", 1e-9, "window.step is 1e-09 | 8,047 GiB"),
     ("scenes.front.underdamped.driven_bead", 10**8, "driven_bead is 100000000 | 48 GiB"),

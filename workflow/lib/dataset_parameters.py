@@ -35,7 +35,6 @@ def default_parameters(configuration: Mapping[str, Any]) -> dict[str, Any]:
 def parameters_on_demand(configuration: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameters of the datasets that only targets named in the command need."""
     return {
-        **{f"chain/{name}": scene for name, scene in configuration["real_chains"].items()},
         "precision/speed_error": {
             f"precision_{family}": problems
             for family, problems in precision_problems(configuration).items()

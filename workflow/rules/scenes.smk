@@ -19,9 +19,8 @@ SOLVED_BY = {
 
 
 def scenes_of(family):
-    """Return the scenes of a family by name, also those that are made on demand or are of papers."""
-    on_demand = config["real_chains"] if family == "chain" else {}
-    return config["scenes"][family] | on_demand | scenes_of_papers(family)
+    """Return the scenes of a family by name, also those of papers."""
+    return config["scenes"][family] | scenes_of_papers(family)
 
 
 def scene_of(family):

@@ -7,11 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import MaxNLocator
 
 from granular_fronts.accuracy import certain_sign
 from granular_fronts.output.style import LOOKS, compression_map, velocity_map
@@ -54,12 +52,11 @@ def label_peaks(axes: Axes) -> None:
 
 
 def draw_spacetime(
-    axes: Axes, values: xr.DataArray, field: str, limits: tuple[float, float], **bar: Any
-) -> QuadMesh:
+    axes: Axes, values: xr.DataArray, field: str, limits: tuple[float, float]
+) -> None:
     """Colour the (n, t) plane by a field on (t_grid, bead), bead across and time upwards.
 
-    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.  `bar` is
-    what the colour bar has else, as in `matplotlib.figure.Figure.colorbar`.
+    With limits that are centred on 0 contacts at rest are white; wider gaps have one red.
     """
     image = axes.pcolormesh(
         values["bead"],
@@ -73,26 +70,9 @@ def draw_spacetime(
     )
     axes.set(xlabel=BEAD, ylabel=TIME)
     extend = "min" if float(values.min()) < limits[0] else "neither"
-    words: dict[str, Any] = {"label": FIELD_LABELS[field], "aspect": 30} | bar
-    axes.figure.colorbar(image, ax=axes, location="top", extend=extend, **words)
-    return image
-
-
-def draw_struck_chains(axes: Sequence[Axes], *motions: xr.Dataset) -> None:
-    """Compression in the (n, t) plane of chains that a striker hits, all in the same colours."""
-    fields = [moving_parts(motion, "_grid")["relative_displacement"] for motion in motions]
-    largest = max(float(u.max()) for u in fields)
-    for panel, u in zip(axes, fields, strict=True):
-        words: dict[str, Any] = {"label": "compression $u_n$; red: open", "ticks": MaxNLocator(4)}
-        draw_spacetime(panel, u, "relative_displacement", (-largest, largest), **words)
-
-
-def draw_transmitted(axes: Axes, campaign: xr.Dataset, along: str, *names: str) -> None:
-    """Numbers of a campaign of motions over one of its axes, in units of the law."""
-    for name in names:
-        axes.plot(campaign[along], campaign[name], **LOOKS[name]._asdict())
-    axes.set(ylabel="what passes", ylim=(0.0, None))
-    axes.legend()
+    axes.figure.colorbar(
+        image, ax=axes, location="top", extend=extend, label=FIELD_LABELS[field], aspect=30
+    )
 
 
 def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:

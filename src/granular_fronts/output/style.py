@@ -60,10 +60,6 @@ LOOKS = {
     "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
     "long_wave": Look("long-wave limit, μ = 2", BLUE, DASHED),
     "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
-    # What passes a contact of a chain that a striker hits.
-    "transmitted_energy": Look("energy", BLACK, "-"),
-    "transmitted_momentum": Look("momentum", BLUE, DASHED),
-    "largest_force": Look("largest force", GREEN, DASH_DOTTED),
 }
 CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
 MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispersive")}

@@ -24,7 +24,6 @@ MEASUREMENTS = (
 
 SECTIONS: dict[str, tuple[Check, ...]] = {
     **{f"scenes.{family}.*": scene for family, scene in SCENES.items()},
-    "real_chains.*": SCENES["chain"],
     **{study["section"]: () for study in studies().values()},
     **{f"laws.{name}": section for name, section in LAWS.items()},
     **dict.fromkeys(MEASUREMENTS, ()),
@@ -120,15 +119,14 @@ def _places(path: str, configuration: Mapping) -> Iterator[tuple[str, object]]:
 def _name_errors(configuration: Mapping) -> Iterator[str]:
     """Find scenes that share a name with another or with a dataset, and entries of no scene."""
     owners = {name: f"the study {name}" for name in studies()}
-    families = {f"scenes.{family}": scenes for family, scenes in configuration["scenes"].items()}
-    for family, scenes in (families | {"real_chains": configuration["real_chains"]}).items():
+    for family, scenes in configuration["scenes"].items():
         for name in scenes:
             if name in owners:
                 yield (
-                    f"{family}.{name} has the name of {owners[name]}, but a name belongs to "
+                    f"scenes.{family}.{name} has the name of {owners[name]}, but a name belongs to "
                     "one result only: rename a scene."
                 )
-            owners.setdefault(name, f"{family}.{name}")
+            owners.setdefault(name, f"scenes.{family}.{name}")
     rings = configuration["scenes"]["periodic"]
     for name in configuration["precision"]["log_burgers"]:
         if name not in rings:

@@ -1,61 +1,70 @@
-"""Figure 26: a striker on a dimer chain, and what passes against the mass of the light beads."""
+"""Figure 26: a striker on dimers, tapered and disordered chains, and a chain that is driven."""
 
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figure_step import run_figure
+from granular_fronts.campaign.averages import mean_over
 from granular_fronts.output.datasets import configuration_of
-from granular_fronts.output.panels import draw_struck_chains
-from granular_fronts.output.style import new_figure
+from granular_fronts.output.style import BLACK, new_figure
 
-MASS, CONTACT = "beads_mass_cell_2", "record_sensors_far_contacts_2"
+LIGHT, CONTACT = "beads_mass_cell_2", "record_sensors_far_contacts_2"
+RATIO, OTHER = "beads_mass_taper_ratio", "beads_mass_impurity_mass"
+SPREAD, SEED = "beads_mass_random_spread", "beads_mass_random_seed"
+SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
-def plot_fig26(solitary: xr.Dataset, attenuated: xr.Dataset, ratios: xr.Dataset) -> Figure:
-    """Draw two dimers in space and time, and transmission over the mass of the light beads.
+def plot_fig26(
+    dimers: xr.Dataset, tapers: xr.Dataset, draws: xr.Dataset, driven: xr.Dataset
+) -> Figure:
+    """Draw the energy that passes three kinds of chain, and overshoots of a driven one.
 
     Parameters
     ----------
-    solitary, attenuated : xarray.Dataset
-        Scenes of the section real_chains.
-    ratios : xarray.Dataset
-        Campaign dimer_ratio.
+    dimers, tapers, draws, driven : xarray.Dataset
+        Campaigns dimer_ratio, taper, disorder and driven_chain.
     """
-    motions = {"solitary": solitary, "attenuated": attenuated}
-    figure, panels = new_figure(6.0, [[*motions], ["energy"] * 2])
-    draw_struck_chains([panels[name] for name in motions], *motions.values())
-    masses = {name: light_mass(motion) for name, motion in motions.items()}
-    panels["solitary"].set_title(f"one pulse stays, $m$ = {masses['solitary']:g}")
-    panels["attenuated"].set_title(f"the pulse decays, $m$ = {masses['attenuated']:g}")
-    _draw_energy(panels["energy"], ratios)
-    for letter, mass in zip("ab", masses.values(), strict=True):
-        panels["energy"].axvline(mass, color="0.6", linewidth=0.8, zorder=0)
-        panels["energy"].text(mass, 0.0, f" ({letter})", va="bottom", color="0.4")
+    figure, panels = new_figure(5.4, [["dimers", "tapers"], ["draws", "driven"]])
+    energy = dimers["transmitted_energy"]
+    for contact in energy[CONTACT].values:
+        label = f"beyond {contact // 2} cells"
+        panels["dimers"].plot(energy[LIGHT], energy.sel({CONTACT: contact}), label=label)
+    energy = tapers["transmitted_energy"]
+    for ratio in energy[RATIO].values:
+        label = f"each {100.0 * (1.0 - ratio):.0f} % lighter" if ratio < 1.0 else "equal beads"
+        panels["tapers"].plot(energy[OTHER], energy.sel({RATIO: ratio}), label=label)
+    _draw_disorder(panels["draws"], draws)
+    for delta in driven["delta"].values:
+        overshoot = driven["overshoot"].sel(delta=delta)
+        panels["driven"].plot(driven["gamma"], overshoot, label=rf"$\delta = {delta:g}$")
+    panels["driven"].set(xlabel=r"damping $\gamma$", ylabel=r"overshoot of $u/\delta$")
+    panels["dimers"].set_xlabel("mass of every other bead")
+    panels["tapers"].set_xlabel("mass of one other bead")
+    for name in ("dimers", "tapers", "driven"):
+        panels[name].set_xscale("log")
+        panels[name].xaxis.set_major_formatter("{x:g}")
+        panels[name].legend()
+    for name, campaign in (("dimers", dimers), ("tapers", tapers), ("draws", draws)):
+        _share_energy(panels[name], campaign)
     return figure
 
 
-def light_mass(motion: xr.Dataset) -> float:
-    """Mass of every other bead of a dimer."""
-    return configuration_of(motion)["beads"]["mass"]["cell"][1]
+def _draw_disorder(axes: Axes, draws: xr.Dataset) -> None:
+    """The energy that passes each chain as a dot, and the means with their errors."""
+    means, energy = mean_over(draws, SEED), draws["transmitted_energy"].transpose(SPREAD, SEED)
+    axes.plot(draws[SPREAD], energy, ".", color=BLACK, alpha=0.25)
+    mean, error = means["transmitted_energy"], means["transmitted_energy_error"]
+    axes.errorbar(draws[SPREAD], mean, error, color=BLACK, linestyle="-", capsize=3)
+    axes.set_xlabel("spread of the masses")
 
 
-def _draw_energy(axes: Axes, ratios: xr.Dataset) -> None:
-    """The energy that passes each contact, in per cent of the striker's."""
-    striker = 0.5 * configuration_of(ratios)["scene"]["start"]["velocity"] ** 2
-    for contact in ratios[CONTACT].values:
-        energy = ratios["transmitted_energy"].sel({CONTACT: contact})
-        axes.plot(energy[MASS], energy, label=f"beyond {contact // 2} cells")
-    ticks = [0.0, 0.25, 0.5, 0.75, 1.0]
-    axes.set_yticks(
-        [share * striker for share in ticks], [f"{100.0 * share:g} %" for share in ticks]
-    )
-    axes.set(xscale="log", xlim=(ratios[MASS][0], ratios[MASS][-1]), ylim=(0.0, 1.05 * striker))
-    masses = [0.05, 0.1, 0.2, 0.5, 1.0]
-    axes.set_xticks(masses, [f"{mass:g}" for mass in masses])
-    axes.minorticks_off()
-    axes.set(xlabel="mass $m$ of every other bead", ylabel="energy that passes")
-    axes.legend(loc="lower left")
+def _share_energy(axes: Axes, campaign: xr.Dataset) -> None:
+    """Let the ordinate show energies in per cent of that of the striker, whose mass is 1."""
+    striker = 0.5 * configuration_of(campaign)["scene"]["start"]["velocity"] ** 2
+    ticks = [share * striker for share in SHARES]
+    axes.set_yticks(ticks, [f"{100.0 * share:g} %" for share in SHARES])
+    axes.set(ylim=(0.0, 1.05 * striker), ylabel="energy that passes")
 
 
 if __name__ == "__main__":
