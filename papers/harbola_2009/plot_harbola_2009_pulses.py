@@ -4,7 +4,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
 CONTACTS = slice(1, 61)  # those that the end does not reach
@@ -51,7 +50,3 @@ def plot_harbola_2009_pulses(pulses: xr.Dataset, losses: xr.Dataset) -> Figure:
     figure.legend(handles, labels, loc="outside lower center", ncols=3)
     panels["loss"].legend()
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_harbola_2009_pulses, globals().get("snakemake"))

@@ -3,7 +3,6 @@
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import PROBE_COLOURS, PROBE_STYLES, new_figure
 
 RATIOS = (1.0, 0.3, 0.1, 0.05, 0.03)
@@ -46,7 +45,3 @@ def plot_jayaprakash_2011_ladder(found: xr.Dataset) -> Figure:
     panels["wave"].set(xlabel="time in units of a cell", ylabel=r"$u/\max u$", xlim=(-2.0, 2.0))
     figure.legend(*panels["wave"].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_jayaprakash_2011_ladder, globals().get("snakemake"))

@@ -3,7 +3,6 @@
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
 MARKERS = "os^D"
@@ -64,7 +63,3 @@ def plot_rosas_2007_fronts(fronts: xr.Dataset) -> Figure:
     handles, labels = (first + second for first, second in zip(*named, strict=True))
     figure.legend(handles, labels, loc="outside lower center", ncols=6)
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_rosas_2007_fronts, globals().get("snakemake"))

@@ -4,7 +4,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import PROBE_COLOURS, PROBE_STYLES, new_figure
 
@@ -40,7 +39,3 @@ def plot_rosas_2007_pulses(weak: xr.Dataset, medium: xr.Dataset, strong: xr.Data
     handles, labels = axes.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=5)
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_rosas_2007_pulses, globals().get("snakemake"))

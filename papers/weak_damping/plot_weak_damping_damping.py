@@ -4,7 +4,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
 MARKERS = "os^Dv"
@@ -55,7 +54,3 @@ def plot_weak_damping_damping(damped: xr.Dataset, fronts: xr.Dataset) -> Figure:
     length.set(xlabel=r"$\gamma n$", ylabel=r"zone × $\gamma$", xscale="log", ylim=(0, 0.4))
     figure.legend(*height.get_legend_handles_labels(), loc="outside lower center", ncols=4)
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_weak_damping_damping, globals().get("snakemake"))

@@ -3,7 +3,6 @@
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import new_figure
 
@@ -31,7 +30,3 @@ def plot_weak_damping_shocks(motions: list[xr.Dataset]) -> Figure:
         axes.set(ylabel="$u_{400}$", xlim=(370, 1100), ylim=(-0.05, 1.85))
     axes.set_xlabel("time $t$")
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_weak_damping_shocks, globals().get("snakemake"))

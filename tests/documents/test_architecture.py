@@ -22,6 +22,7 @@ PACKAGES = (
     "referee",
     "proofs",
     "campaign",
+    "__main__",
 )
 """From the bottom up: each may import those before it, and itself."""
 

@@ -4,7 +4,6 @@ import csv
 import re
 import shlex
 import sys
-from pathlib import Path
 
 import pytest
 import yaml
@@ -18,6 +17,9 @@ from pages import (
     run,
 )
 from projects import ROOT
+
+from granular_fronts.output.datasets import configuration_of, read_dataset
+from granular_fronts.scenes.yaml_files import load_configuration
 
 START, HOW_TO, PROOFS, PRACTITIONERS, YOUR_PAPER = (
     ROOT / "docs" / f"{name}.md"
@@ -75,20 +77,7 @@ def test_workflow_can_plan_its_targets(command, mine):
     assert outcome.returncode == 0, outcome.stderr
 
 
-STEPS = sorted(c for c in SHOWN if c.startswith("python workflow/scripts"))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("command", STEPS)
-def test_script_runs_as_shown(command, tmp_path):
-    words = shlex.split(command)[1:]
-    words[-1] = str(tmp_path / words[-1])
-    outcome = run([sys.executable, *words])
-    assert outcome.returncode == 0, outcome.stderr
-    assert Path(words[-1]).exists()
-
-
-@pytest.mark.parametrize("command", sorted(c for c in SHOWN - {*STEPS} if c.startswith("python")))
+@pytest.mark.parametrize("command", sorted(c for c in SHOWN if c.startswith("python")))
 def test_module_runs_as_shown(command, mine):
     outcome = run([sys.executable, *words_of(command, mine)[1:]])
     assert outcome.returncode == 0, outcome.stderr
@@ -125,6 +114,22 @@ def test_a_number_is_checked_as_shown(capsys, monkeypatch):
         rows = {row["quantity"]: row for row in csv.DictReader(lines)}
     row = rows["largest elastic force of the front over the applied pressure, γ = 0.06"]
     assert shown == pytest.approx(float(row["computed"]), rel=1e-12)
+
+
+def test_a_scene_in_a_file_is_simulated(tmp_path):
+    default = load_configuration(ROOT / "config/default.yaml", ROOT / "config/smoke.yaml")
+    scene = default["scenes"]["chain"]["initiation_overdamped"]
+    file, dataset = tmp_path / "scene.yaml", tmp_path / "out.nc"
+    file.write_text(yaml.safe_dump(scene), encoding="utf-8")
+    command = [sys.executable, "-m", "granular_fronts", "simulate", str(file), str(dataset)]
+    outcome = run(command)
+    assert outcome.returncode == 0, outcome.stderr
+    assert configuration_of(read_dataset(dataset)) == scene
+    file.write_text(yaml.safe_dump(scene | {"beads": -4}), encoding="utf-8")
+    outcome = run(command)
+    assert outcome.returncode == 1
+    assert "beads is -4" in outcome.stderr
+    assert "Traceback" not in outcome.stderr
 
 
 def test_a_configuration_that_can_be_computed_is_said_so(mine):

@@ -33,6 +33,7 @@ from granular_fronts.output.statements import (
     scenes_of,
     verdict_on,
 )
+from granular_fronts.scenes.study import studies
 from granular_fronts.scenes.yaml_files import load_configuration, read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -255,7 +256,7 @@ def test_a_dataset_carries_its_scene_as_the_configuration_holds_it(name, tmp_pat
     if name in STEPS:
         STEPS[name](scene=reference, scene_id=name, dataset=tmp_path / "result.nc")
     else:
-        study(name, reference, tmp_path / "result.nc")
+        study(name, reference, tmp_path / "result.nc", studies()[name]["function"])
     with xr.open_dataset(tmp_path / "result.nc") as dataset:
         assert dataset.attrs["scene"] == name
         assert departures(json.loads(dataset.attrs["config"]), reference) == []

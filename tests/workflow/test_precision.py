@@ -65,7 +65,7 @@ def test_what_fails_is_kept_and_what_is_absent_is_named():
     )
     assert measuring.run_once(problem, tolerances) == {"elsewhere": "not installed"}
     del tolerances["elsewhere"]
-    rows = pd.DataFrame(measuring.measure("p", problem, tolerances, 3)).set_index("method")
+    rows = pd.DataFrame(measuring.measure(problem, tolerances, 3)).set_index("method")
     assert list(rows.index) == ["mine", "mine", "theirs", "theirs", "broken", "broken"]
     assert list(rows.loc["mine", "tolerance"]) == [1e-4, 1e-8]
     assert rows.loc["broken", "error"].isna().all()
@@ -83,7 +83,7 @@ def test_least_time_counts_and_a_long_run_is_not_repeated():
     problem = Problem(
         "quick", ANSWER, {"quick": lambda _: solution(1e-3, next(times)), "long": long}
     )
-    rows = measuring.measure("p", problem, {"quick": [1e-3], "long": [1e-3]}, 3)
+    rows = measuring.measure(problem, {"quick": [1e-3], "long": [1e-3]}, 3)
     assert [row["seconds"] for row in rows] == [0.1, 60.0]
     assert len(calls) == 1
 

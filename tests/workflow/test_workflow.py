@@ -1,4 +1,3 @@
-import ast
 import re
 import subprocess
 import sys
@@ -147,50 +146,6 @@ def test_own_report_of_snakemake_shows_every_figure_with_its_caption(finished, t
         caption = finished / f"results/smoke/figures/{figure}_{FIGURES[figure]['name']}.rst"
         first_words = re.search(r"Figure \w+\.", caption.read_text(encoding="utf-8"))[0]
         assert first_words in shown
-
-
-# Each script in a process of its own, split off one that has loaded the package.
-ASK_FOR_HELP = """
-import importlib, os, pkgutil, runpy, sys
-import jsonargparse, granular_fronts
-for module in pkgutil.walk_packages(granular_fronts.__path__, "granular_fronts."):
-    if not module.name.endswith("__main__"):
-        importlib.import_module(module.name)
-for script in sys.argv[1:]:
-    print(flush=True)
-    if os.fork() == 0:
-        sys.path[0], sys.argv = os.path.dirname(script), [script, "--help"]
-        ended = 1
-        try:
-            runpy.run_path(script, run_name="__main__")
-        except SystemExit as end:
-            ended = end.code
-        sys.stdout.flush()
-        os._exit(ended)
-    _, status = os.wait()
-    print("ended with", os.waitstatus_to_exitcode(status))
-"""
-
-
-def arguments_of(script):
-    """Names of the arguments of a script's function, which has its name."""
-    nodes = ast.parse(script.read_bytes()).body
-    [step] = [
-        node for node in nodes if isinstance(node, ast.FunctionDef) and node.name == script.stem
-    ]
-    return {argument.arg for argument in step.args.args}
-
-
-@pytest.mark.slow
-def test_scripts_run_alone_and_explain_their_arguments():
-    assert len(SCRIPTS) > 50
-    command = [sys.executable, "-c", ASK_FOR_HELP, *map(str, SCRIPTS)]
-    environment = {"PYTHONPATH": f"{ROOT}/src:{ROOT}/workflow/lib", "COLUMNS": "200"}
-    run = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-    shown = dict(re.findall(r"^usage: (\S+\.py)((?s:.*?))^ended with 0$", run.stdout, re.MULTILINE))
-    assert shown.keys() == {script.name for script in SCRIPTS}, run.stderr
-    for script in SCRIPTS:
-        assert arguments_of(script) <= set(re.findall(r"^  --(\w+)", shown[script.name], re.M))
 
 
 def pinned_in(file):

@@ -1,13 +1,7 @@
-"""Run a script that draws a figure: datasets in; picture and caption out.
+"""Draw a figure: datasets in; picture and caption out.
 
-A plot script holds one function that is given datasets and returns a figure, and ends with ::
-
-    if __name__ == "__main__":
-        run_figure(plot_fig01, globals().get("snakemake"))
-
-Under Snakemake this file runs for every figure; the rule names the script and the datasets. By
-hand, run the script, with the files to read and to write: ``python
-workflow/scripts/figures/plot_fig01.py --help``.
+The script of a figure holds one function that is given datasets and returns a figure.  This file
+runs for every figure; its rule names the script and the datasets.
 
 The caption is a Jinja template.  Its variables are the names of the datasets.  Each is the
 configuration of its dataset, so that a caption cannot name other values than the picture shows.
@@ -15,7 +9,6 @@ Where these are not the paper's, the caption ends with the difference.
 """
 
 import re
-import sys
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
@@ -30,24 +23,7 @@ from granular_fronts.output.datasets import DatasetError, configuration_of, read
 from granular_fronts.output.departures import describe, physical_departures
 from granular_fronts.output.files import complete_file
 from granular_fronts.output.style import save_figure
-from step import argument_types, run_step
-
-PATHS = {xr.Dataset: Path, list[xr.Dataset]: list[Path]}
-"""Types of the step's arguments for those of the function that draws."""
-
-
-def run_figure(draw: Callable[..., Figure], snakemake: Any = None) -> None:
-    """Draw a figure with the workflow's or the command line's values.
-
-    Parameters
-    ----------
-    draw : callable
-        Its parameters are datasets or lists of datasets; it returns a figure.
-    snakemake : object, optional
-        The object Snakemake puts into a script; none on the command line.
-    """
-    paths = {name: PATHS[kind] for name, kind in argument_types(draw).items()}
-    run_step(write_figure, snakemake, paths, draw=draw)
+from step import arguments_of, run_step
 
 
 def write_figure(
@@ -135,7 +111,6 @@ def _departure_notes(datasets: list[xr.Dataset], reference: Mapping[str, Any]) -
 
 
 if __name__ == "__main__":
-    if "snakemake" not in globals():
-        sys.exit("Run the script of a figure, for example workflow/scripts/figures/plot_fig01.py.")
     rule = globals()["snakemake"]
-    run_figure(getattr(import_module(rule.params.script), rule.params.script), rule)
+    draw_figure = getattr(import_module(rule.params.script), rule.params.script)
+    run_step(write_figure, rule, draw=draw_figure, **arguments_of(draw_figure, rule))

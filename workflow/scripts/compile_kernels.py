@@ -1,8 +1,4 @@
-"""Compile the kernels of some packages, so that jobs that start together find them ready.
-
-About twenty seconds once, then one:
-python workflow/scripts/compile_kernels.py --packages chain --stamp kernels.json
-"""
+"""Compile the kernels of some packages, so that jobs that start together find them ready."""
 
 import json
 import time
@@ -39,4 +35,4 @@ def compile_kernels(packages: list[str], stamp: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(compile_kernels, globals().get("snakemake"))
+    run_step(compile_kernels, globals()["snakemake"])

@@ -30,4 +30,4 @@ def merge_campaign(chunks: list[Path], campaign: dict, name: str, dataset: Path)
 
 
 if __name__ == "__main__":
-    run_step(merge_campaign, globals().get("snakemake"))
+    run_step(merge_campaign, globals()["snakemake"])

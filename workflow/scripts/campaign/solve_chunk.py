@@ -34,4 +34,4 @@ def solve_chunk(request: str, dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(solve_chunk, globals().get("snakemake"))
+    run_step(solve_chunk, globals()["snakemake"])

@@ -1,8 +1,4 @@
-"""Sum up a campaign: points solved and failed, why, range of every scalar, work, means over seeds.
-
-python workflow/scripts/campaign/summarise_campaign.py --dataset results/data/campaigns/smoke.nc
-    --csv smoke.csv --markdown smoke.md
-"""
+"""Sum up a campaign: points solved and failed, why, range of scalars, work, means over seeds."""
 
 import sys
 from collections.abc import Iterator
@@ -92,4 +88,4 @@ def _average_seeds(merged: xr.Dataset) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    run_step(summarise_campaign, globals().get("snakemake"))
+    run_step(summarise_campaign, globals()["snakemake"])

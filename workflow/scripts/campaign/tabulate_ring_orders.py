@@ -67,4 +67,4 @@ def with_error(order: Estimate) -> str:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_ring_orders, globals().get("snakemake"))
+    run_step(tabulate_ring_orders, globals()["snakemake"])

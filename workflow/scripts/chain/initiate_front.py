@@ -1,8 +1,4 @@
-"""Move a chain as James (2021), equations (31) and (32), and keep what its scene records.
-
-python workflow/scripts/chain/initiate_front.py --scene_id initiation_overdamped
-    --scene config/default.yaml:scenes.chain.initiation_overdamped --dataset overdamped.nc
-"""
+"""Move a chain as James (2021), equations (31) and (32), and keep what its scene records."""
 
 from pathlib import Path
 
@@ -27,4 +23,4 @@ def initiate_front(scene: dict, scene_id: str, dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(initiate_front, globals().get("snakemake"))
+    run_step(initiate_front, globals()["snakemake"])

@@ -1,8 +1,4 @@
-"""Compare a ring of beads with its amplitude equations; James (2021), section 4.3.
-
-python workflow/scripts/continuum/compare_periodic_chain.py --scene_id weak
-    --scene config/default.yaml:scenes.periodic.weak --dataset weak.nc
-"""
+"""Compare a ring of beads with its amplitude equations; James (2021), section 4.3."""
 
 from pathlib import Path
 
@@ -28,4 +24,4 @@ def compare_periodic_chain(scene: dict, scene_id: str, dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(compare_periodic_chain, globals().get("snakemake"))
+    run_step(compare_periodic_chain, globals()["snakemake"])

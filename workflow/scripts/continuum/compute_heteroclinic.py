@@ -1,9 +1,4 @@
-"""Heteroclinic orbits of the logarithmic KdV–Burgers equation, James (2021), equation (56).
-
-About two seconds:
-python workflow/scripts/continuum/compute_heteroclinic.py --scene_id front_profiles
-    --scene config/default.yaml:scenes.heteroclinic.front_profiles --dataset front_profiles.nc
-"""
+"""Heteroclinic orbits of the logarithmic KdV–Burgers equation, James (2021), equation (56)."""
 
 from pathlib import Path
 
@@ -29,4 +24,4 @@ def compute_heteroclinic(scene: dict, scene_id: str, dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(compute_heteroclinic, globals().get("snakemake"))
+    run_step(compute_heteroclinic, globals()["snakemake"])

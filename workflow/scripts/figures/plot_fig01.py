@@ -4,7 +4,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.panels import draw_probes, draw_snapshot, label_peaks
 from granular_fronts.output.style import new_figure
 
@@ -33,7 +32,3 @@ def _draw_velocities(axes: Axes, data: xr.Dataset) -> None:
     snapshot = data["velocity"].isel(t=0)
     draw_snapshot(axes, snapshot, "velocity", color="black")
     axes.set_title(f"all beads at $t = {float(snapshot['t']):g}$", pad=12)
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig01, globals().get("snakemake"))

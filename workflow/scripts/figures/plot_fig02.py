@@ -6,7 +6,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import WIDEST, draw_spacetime, name_waves
 from granular_fronts.output.style import compression_map, new_figure
@@ -51,7 +50,3 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
     inset.tick_params(labelsize=6)
     inset.set_title("free end:\nlast beads fly off", fontsize=7)
     axes.indicate_inset_zoom(inset, edgecolor="black")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig02, globals().get("snakemake"))

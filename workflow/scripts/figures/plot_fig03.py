@@ -3,7 +3,6 @@
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import WIDEST, draw_probes, draw_spacetime, name_waves
 from granular_fronts.output.style import new_figure
@@ -30,7 +29,3 @@ def plot_fig03(data: xr.Dataset) -> Figure:
     )
     name_waves(panels["displacement"], data["arrival_time"])
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig03, globals().get("snakemake"))

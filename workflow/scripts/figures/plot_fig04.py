@@ -5,7 +5,6 @@ from typing import Any
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
 
 
@@ -40,7 +39,3 @@ def plot_fig04(data: xr.Dataset) -> Figure:
     panels["front"].set(xlim=(-6, 4), title="its front")
     panels["front"].legend()
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig04, globals().get("snakemake"))

@@ -3,7 +3,6 @@
 import xarray as xr
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import FIELD_LABELS, draw_snapshot
 from granular_fronts.output.style import EXPONENT_LOOKS, new_figure
@@ -26,7 +25,3 @@ def plot_fig05(weak: xr.Dataset, hertz: xr.Dataset) -> Figure:
             )
     panels["relative_displacement"].legend(loc="upper left")
     return figure
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig05, globals().get("snakemake"))

@@ -7,7 +7,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.panels import BEAD, FIELD_LABELS, finish_grid
 from granular_fronts.output.style import ALARM_COLOUR, CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
@@ -57,7 +56,3 @@ def _draw_snapshot(axes: Axes, snapshot: xr.Dataset, field: str) -> None:
             fontsize=7,
             color=ALARM_COLOUR,
         )
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig06, globals().get("snakemake"))

@@ -7,7 +7,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.panels import TIME, finish_grid
 from granular_fronts.output.style import LOOKS, new_figure
@@ -49,7 +48,3 @@ def _draw_distances(axes: Axes, data: xr.Dataset, field: str) -> None:
         floor = data[f"{field}_floor_{equation}"].isel(t_grid=slice(1, None))
         axes.fill_between(floor["t_grid"], 0.1 * SHOWN[0], floor, color="0.88", label=noise)
     axes.set(xlim=(0, float(curve["t_grid"][-1])), ylim=SHOWN)
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig07b, globals().get("snakemake"))

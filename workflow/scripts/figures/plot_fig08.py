@@ -5,7 +5,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import PROBE_COLOURS, fill_rows, new_figure
 
 BLACK, BLUE = PROBE_COLOURS[:2]
@@ -100,7 +99,3 @@ def _draw_front(axes: Axes, front: xr.Dataset) -> None:
 def _title_of(mu: float) -> str:
     """The damping of a panel."""
     return rf"$\mu = {mu:g}$"
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig08, globals().get("snakemake"))

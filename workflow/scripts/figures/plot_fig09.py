@@ -5,7 +5,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.panels import draw_profile
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, new_figure
 
@@ -77,7 +76,3 @@ def _draw_residuals(axes: Axes, data: xr.Dataset) -> None:
             label=method,
         )
     axes.set(ylabel="residual", xlabel="step of the iteration")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig09, globals().get("snakemake"))

@@ -4,7 +4,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.panels import finish_grid
 from granular_fronts.output.style import CONTINUUM_LOOKS, LOOKS, new_figure
 
@@ -57,7 +56,3 @@ def _draw_errors(axes: Axes, data: xr.Dataset) -> None:
         axes.plot(data["xi"], difference, **look._asdict())
     axes.axhline(0.0, color="0.6", linewidth=0.6, linestyle="-")
     axes.set(xlim=(data["xi"][0], data["xi"][-1]), ylabel=r"error of $u/\delta$")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig10, globals().get("snakemake"))

@@ -6,7 +6,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import CONTINUUM_LOOKS, fill_rows, new_figure
 
 COLUMNS = 3
@@ -69,7 +68,3 @@ def _name_curves(axes: Axes, data: xr.Dataset) -> None:
             fontsize=7,
             color=colour,
         )
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig11, globals().get("snakemake"))

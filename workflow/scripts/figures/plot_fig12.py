@@ -7,7 +7,6 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
-from figure_step import run_figure
 from granular_fronts.output.panels import draw_critical_damping, draw_materials
 from granular_fronts.output.style import new_figure
 from granular_fronts.studies.materials import ALPHA
@@ -62,7 +61,3 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
     axes.fill_between(data["alpha"], *above, color="white", linewidth=0.0)
     bar = axes.figure.colorbar(filled, ax=axes, label="overshoot of the front")
     bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig12, globals().get("snakemake"))

@@ -8,7 +8,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
-from figure_step import run_figure
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 MARKERS = ("o", "s", "^", "d")
@@ -87,7 +86,3 @@ def _draw_gap(axes: Axes, data: xr.Dataset) -> None:
 def _law(data: xr.Dataset) -> str:
     """Exponent and damping of a front."""
     return rf"$\alpha = {float(data['alpha']):g}$, $\gamma c = {float(data['gamma']):g}$"
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig13, globals().get("snakemake"))

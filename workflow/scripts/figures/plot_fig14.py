@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator
 from scipy.optimize import isotonic_regression
 
-from figure_step import run_figure
 from granular_fronts.output.style import PACKAGE_COLOURS, PACKAGE_LINES, fill_rows, new_figure
 
 # What the problems are.
@@ -176,7 +175,3 @@ def _missing(data: xr.Dataset) -> str:
     """What was not installed, as a note."""
     absent = sorted(_label(method) for method in json.loads(data.attrs["absent"]))
     return f"not installed here: {', '.join(absent)}" if absent else ""
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig14, globals().get("snakemake"))

@@ -7,7 +7,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import ALARM_COLOUR, PROBE_COLOURS, new_figure
 
 BLUE = PROBE_COLOURS[1]
@@ -81,7 +80,3 @@ def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
         )
     axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="error after a collision")
     axes.set_title("two beads collide")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig15, globals().get("snakemake"))

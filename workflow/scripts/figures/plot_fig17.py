@@ -8,7 +8,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
@@ -119,7 +118,3 @@ def _draw_profiles(axes: Axes, data: xr.Dataset, laws: list[str]) -> None:
         xlim=SHOWN_XI,
     )
     axes.legend(loc="center right", fontsize=7.5, handlelength=2.2)
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig17, globals().get("snakemake"))

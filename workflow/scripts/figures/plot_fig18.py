@@ -6,7 +6,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import PROBE_COLOURS, new_figure
 
@@ -66,7 +65,3 @@ def _draw_gamma(axes: Axes, law: xr.Dataset, colour: str) -> None:
     overdamped = law["gamma"].where(law["gamma"] >= law["critical_gamma"])
     axes.loglog(law["velocity_ratio"], law["gamma"], linestyle=SHORT_DASHES, color=colour)
     axes.loglog(law["velocity_ratio"], overdamped, "-", color=colour)
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig18, globals().get("snakemake"))

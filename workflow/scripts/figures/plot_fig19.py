@@ -6,7 +6,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
 
@@ -66,7 +65,3 @@ def _draw_distances(axes: Axes, data: xr.Dataset) -> None:
     words = "dotted: to the chain without damping"
     axes.text(0.05, 0.97, words, transform=axes.transAxes, va="top", fontsize=8)
     axes.legend(loc="lower right", title="full: to the chain with damping", title_fontsize=8)
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig19, globals().get("snakemake"))

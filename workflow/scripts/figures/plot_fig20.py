@@ -6,7 +6,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.campaign.measures import selected
 from granular_fronts.output.style import MODEL_LOOKS, new_figure
 
@@ -56,7 +55,3 @@ def draw_limit(axes: Axes, campaign: xr.Dataset, **place: float) -> None:
         marks: dict[str, Any] = {"marker": marker, "markersize": 4, "fillstyle": "none"}
         axes.plot(epsilon, error, **marks, **look._asdict())
     axes.set(xscale="log", yscale="log", xlabel=r"$\varepsilon = (1 - 1/\alpha)/\gamma c$")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig20, globals().get("snakemake"))

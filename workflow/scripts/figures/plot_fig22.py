@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
-from figure_step import run_figure
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
 
@@ -114,7 +113,3 @@ def _laws(data: xr.Dataset) -> Iterator[Line2D]:
         yield Line2D([], [], linestyle="-", color=colour, label=rf"$\gamma = {gamma:g}$")
     for style, beta in zip(BETA_STYLES, data["beta"].values, strict=False):
         yield Line2D([], [], linestyle=style, color="0.4", label=rf"$\beta = {beta:g}$")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig22, globals().get("snakemake"))

@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullLocator
 
-from figure_step import run_figure
 from granular_fronts.output.style import ALARM_COLOUR, BLUE, LIGHT_BLUE, new_figure
 
 # What is proved of the shape: in words, its colour, and the mark of a single front.
@@ -113,7 +112,3 @@ def _draw_bounds(
         axes.plot(middles, family[name], line, color="0.35", markevery=[], label=label, **marks)
         axes.plot(single["gamma_low"], single[name], linestyle="none", color="black", **marks)
     axes.set_yscale("log")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig23, globals().get("snakemake"))

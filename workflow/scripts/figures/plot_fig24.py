@@ -7,7 +7,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import CHAIN_COLOUR, EQUATION_COLOUR, PROBE_COLOURS, new_figure
 
 VISIBLE = 0.03  # width of the enclosure that the eye sees
@@ -94,7 +93,3 @@ def _draw_ahead(axes: Axes, data: xr.Dataset) -> None:
     axes.plot(xi, line, "--", color=CHAIN_COLOUR, linewidth=0.8, label=r"slope $\ln\alpha$")
     axes.set(yscale="log", xlabel=r"$\xi$", ylabel=r"$-\ln u$", title="ahead of the front")
     axes.legend(fontsize=7)
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig24, globals().get("snakemake"))

@@ -7,7 +7,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.output.style import MODEL_LOOKS, PROBE_COLOURS, PROBE_STYLES, new_figure
 
 # Kinds of numbers by what their names hold; the first that matches counts.
@@ -76,7 +75,3 @@ def _in_words(data: xr.Dataset) -> str:
     """How many numbers there are, and how many are further off than twice their error."""
     ratios = data["ratio"].values
     return f"{ratios.size} numbers, {np.mean(ratios > TWICE):.2%} above {TWICE:g}"
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig25, globals().get("snakemake"))

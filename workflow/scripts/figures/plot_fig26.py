@@ -4,7 +4,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from figure_step import run_figure
 from granular_fronts.campaign.averages import mean_over
 from granular_fronts.output.datasets import configuration_of
 from granular_fronts.output.style import BLACK, new_figure
@@ -65,7 +64,3 @@ def _share_energy(axes: Axes, campaign: xr.Dataset) -> None:
     ticks = [share * striker for share in SHARES]
     axes.set_yticks(ticks, [f"{100.0 * share:g} %" for share in SHARES])
     axes.set(ylim=(0.0, 1.05 * striker), ylabel="energy that passes")
-
-
-if __name__ == "__main__":
-    run_figure(plot_fig26, globals().get("snakemake"))

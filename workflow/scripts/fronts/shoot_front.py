@@ -1,9 +1,4 @@
-"""An exact travelling front by shooting and by its profile equation; James (2021), section 6.
-
-A few seconds:
-python workflow/scripts/fronts/shoot_front.py --scene_id underdamped
-    --scene config/default.yaml:scenes.front.underdamped --dataset underdamped.nc
-"""
+"""An exact travelling front by shooting and by its profile equation; James (2021), section 6."""
 
 from pathlib import Path
 
@@ -29,4 +24,4 @@ def shoot_front(scene: dict, scene_id: str, dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(shoot_front, globals().get("snakemake"))
+    run_step(shoot_front, globals()["snakemake"])

@@ -28,4 +28,4 @@ def tabulate_critical_damping(dataset: Path, csv: Path, markdown: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_critical_damping, globals().get("snakemake"))
+    run_step(tabulate_critical_damping, globals()["snakemake"])

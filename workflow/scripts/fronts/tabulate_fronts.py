@@ -63,4 +63,4 @@ def compare(points: pd.DataFrame) -> pd.DataFrame:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_fronts, globals().get("snakemake"))
+    run_step(tabulate_fronts, globals()["snakemake"])

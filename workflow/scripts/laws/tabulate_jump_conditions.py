@@ -77,4 +77,4 @@ def distances(one: xr.Dataset) -> dict[str, str]:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_jump_conditions, globals().get("snakemake"))
+    run_step(tabulate_jump_conditions, globals()["snakemake"])

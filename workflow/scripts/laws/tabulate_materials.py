@@ -60,4 +60,4 @@ def _make_row(one: xr.Dataset, kind: str, dimension: str, value: float) -> dict[
 
 
 if __name__ == "__main__":
-    run_step(tabulate_materials, globals().get("snakemake"))
+    run_step(tabulate_materials, globals()["snakemake"])

@@ -1,8 +1,4 @@
-"""Solve the hard cases, each against an answer known some other way.
-
-python workflow/scripts/precision/measure_hard_cases.py \
-    --cases "[gamma_zero, delta_1e8]" --dataset hard.nc
-"""
+"""Solve the hard cases, each against an answer known some other way."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,7 +7,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
-from tqdm.auto import tqdm
 
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.studies.hard_cases.event_orders import fitted_order, measure_orders
@@ -33,8 +28,7 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
     dataset : Path
         The netCDF file to write, on (case) and (method, rung).
     """
-    shown = tqdm(cases, "hard cases", unit="case", delay=2.0, disable=None)
-    rows = [measure_case(name) for name in shown]
+    rows = [measure_case(name) for name in cases]
     measured = pd.DataFrame(rows).set_index("case").to_xarray()
     measured["seconds"].attrs["units"] = "s"
     error_method = "this is the distance to an answer known another way, see criterion"
@@ -68,4 +62,4 @@ def _tabulate_orders(curves: Mapping[str, tuple[np.ndarray, np.ndarray]]) -> xr.
 
 
 if __name__ == "__main__":
-    run_step(measure_hard_cases, globals().get("snakemake"))
+    run_step(measure_hard_cases, globals()["snakemake"])

@@ -1,8 +1,4 @@
-"""Compare stated errors of random problems with true ones, by independent programs.
-
-python workflow/scripts/precision/measure_honesty.py --kind chains \
-    --problems "{seed: 1, count: 50}" --dataset honesty.nc
-"""
+"""Compare stated errors of random problems with true ones, by independent programs."""
 
 from importlib import import_module
 from pathlib import Path
@@ -50,4 +46,4 @@ def measure_honesty(kind: str, problems: dict[str, int], dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(measure_honesty, globals().get("snakemake"))
+    run_step(measure_honesty, globals()["snakemake"])

@@ -23,7 +23,6 @@ from peers import one_thread  # noqa: F401
 import numpy as np
 import pandas as pd
 import xarray as xr
-from tqdm.auto import tqdm
 
 from granular_fronts.output.datasets import write_dataset
 from peers.runs import Run
@@ -69,9 +68,7 @@ def measure_precision(
             "time_limit": 1e-3 * settings.get("milliseconds", np.nan),
         }
         present = {method: tolerances[method] for method in tolerances if method not in missing}
-        rows += [
-            {"problem": name} | row for row in measure(name, problem, present, settings["repeats"])
-        ]
+        rows += [{"problem": name} | row for row in measure(problem, present, settings["repeats"])]
     for method, reason in absent.items():
         print(f"{method} is left out: {reason}.", file=sys.stderr)
     measured = to_dataset(rows, facts)
@@ -101,14 +98,13 @@ def run_once(problem: Problem, tolerances: Mapping[str, list[float]]) -> dict[st
 
 
 def measure(
-    name: str, problem: Problem, tolerances: Mapping[str, list[float]], repeats: int
+    problem: Problem, tolerances: Mapping[str, list[float]], repeats: int
 ) -> list[dict[str, Any]]:
     """Return the errors, times and work on one problem, a row for each method and tolerance."""
     points = [(method, tolerance) for method, listed in tolerances.items() for tolerance in listed]
     points.sort(key=lambda point: -point[1])
     best: dict[tuple[str, float], Run] = {}
-    runs = points * repeats
-    for point in tqdm(runs, f"precision, {name}", unit="run", delay=2.0, disable=None):
+    for point in points * repeats:
         if point in best and not best[point].seconds < SECONDS_WORTH_REPEATING:
             continue
         run = _attempt(problem, *point)
@@ -170,4 +166,4 @@ def to_dataset(rows: list[dict[str, Any]], facts: Mapping[str, Mapping[str, Any]
 
 
 if __name__ == "__main__":
-    run_step(measure_precision, globals().get("snakemake"))
+    run_step(measure_precision, globals()["snakemake"])

@@ -45,4 +45,4 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(merge_precision, globals().get("snakemake"))
+    run_step(merge_precision, globals()["snakemake"])

@@ -28,4 +28,4 @@ def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_hard_cases, globals().get("snakemake"))
+    run_step(tabulate_hard_cases, globals()["snakemake"])

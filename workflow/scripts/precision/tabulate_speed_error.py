@@ -233,4 +233,4 @@ def _is_peer(method: str) -> bool:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_speed_error, globals().get("snakemake"))
+    run_step(tabulate_speed_error, globals()["snakemake"])

@@ -1,8 +1,5 @@
 """Put all certificates of fronts into one archive, with the SHA-256 sum of each.
 
-python workflow/scripts/proofs/archive_certificates.py --fronts fronts.nc --intervals intervals.nc
-    --folder results/proofs --archive certificates.tar --sums certificates.sha256
-
 The archive has the same bytes wherever it is made from the same certificates.
 """
 
@@ -49,4 +46,4 @@ def archive_certificates(
 
 
 if __name__ == "__main__":
-    run_step(archive_certificates, globals().get("snakemake"))
+    run_step(archive_certificates, globals()["snakemake"])

@@ -1,8 +1,4 @@
-"""Evaluate the enclosure of a front that is proved, from its certificate.
-
-python workflow/scripts/proofs/enclose_front.py --front "{name: hertz_0_3, alpha: 1.5, gamma: 0.3}"
-    --folder results/proofs/fronts --enclosure front.nc
-"""
+"""Evaluate the enclosure of a front that is proved, from its certificate."""
 
 from pathlib import Path
 
@@ -28,4 +24,4 @@ def enclose_front(front: dict, folder: Path, enclosure: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(enclose_front, globals().get("snakemake"))
+    run_step(enclose_front, globals()["snakemake"])

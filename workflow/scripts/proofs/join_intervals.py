@@ -54,4 +54,4 @@ def _joined(before: xr.Dataset, after: xr.Dataset) -> xr.Dataset:
 
 
 if __name__ == "__main__":
-    run_step(join_intervals, globals().get("snakemake"))
+    run_step(join_intervals, globals()["snakemake"])

@@ -1,8 +1,5 @@
 """Prove fronts for all γ of one chunk of an interval, certificate after certificate.
 
-python workflow/scripts/proofs/prove_chunk.py --chunk "{alpha: 1.5, low: '0.3', high: '0.32'}"
-    --folder certificates --dataset chunk.nc
-
 Certificates that the folder holds already are proved again from their files and kept.
 """
 
@@ -69,4 +66,4 @@ def _show_progress(rows: list[dict], chunk: dict) -> None:
 
 
 if __name__ == "__main__":
-    run_step(prove_chunk, globals().get("snakemake"))
+    run_step(prove_chunk, globals()["snakemake"])

@@ -1,14 +1,8 @@
-"""Prove single fronts: a certificate of each, checked from its file, and what is proved.
-
-python workflow/scripts/proofs/prove_fronts.py --fronts config/default.yaml:proofs.fronts
-    --folder certificates --dataset fronts.nc
-"""
+"""Prove single fronts: a certificate of each, checked from its file, and what is proved."""
 
 import time
 from pathlib import Path
 from typing import Any
-
-from tqdm.auto import tqdm
 
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.proofs.certificate import prove_front
@@ -34,8 +28,7 @@ def prove_fronts(fronts: dict, folder: Path, dataset: Path) -> None:
         If one is not proved.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    shown = tqdm(fronts.items(), "proofs of fronts", unit="front", delay=2.0, disable=None)
-    rows = [_prove(name, case, folder / f"{name}.npz") for name, case in shown]
+    rows = [_prove(name, case, folder / f"{name}.npz") for name, case in fronts.items()]
     write_dataset(records_dataset(rows), dataset, scene_id="fronts", config=fronts)
 
 
@@ -53,4 +46,4 @@ def _prove(name: str, case: dict[str, Any], path: Path) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    run_step(prove_fronts, globals().get("snakemake"))
+    run_step(prove_fronts, globals()["snakemake"])

@@ -128,4 +128,4 @@ def margins(name: str, group: xr.Dataset) -> Iterator[dict[str, Any]]:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_proofs, globals().get("snakemake"))
+    run_step(tabulate_proofs, globals()["snakemake"])

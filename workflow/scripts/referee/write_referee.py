@@ -1,12 +1,6 @@
-"""Problems for discrete-element codes: input for LAMMPS, words, and accurate answers.
-
-python workflow/scripts/referee/write_referee.py
-    --settings config/referee.yaml:referee --table referee/answers.csv
-"""
+"""Problems for discrete-element codes: input for LAMMPS, words, and accurate answers."""
 
 from pathlib import Path
-
-from tqdm.auto import tqdm
 
 from granular_fronts.output.datasets import write_dataset
 from granular_fronts.output.files import complete_file
@@ -28,8 +22,7 @@ def write_referee(settings: dict, table: Path) -> None:
     """
     answers = {}
     table.parent.mkdir(parents=True, exist_ok=True)
-    problems = list(load_problems(settings).values())
-    for problem in tqdm(problems, "referee", unit="problem", delay=2.0, disable=None):
+    for problem in load_problems(settings).values():
         name = problem.name
         answers[name] = solve(problem)
         place = table.parent / name
@@ -50,4 +43,4 @@ def write_text(path: Path, text: str) -> None:
 
 
 if __name__ == "__main__":
-    run_step(write_referee, globals().get("snakemake"))
+    run_step(write_referee, globals()["snakemake"])

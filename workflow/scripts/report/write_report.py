@@ -200,4 +200,4 @@ def _tabulate_run_times(benchmarks: list[Path]) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    run_step(write_report, globals().get("snakemake"))
+    run_step(write_report, globals()["snakemake"])

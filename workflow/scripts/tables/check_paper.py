@@ -43,4 +43,4 @@ def check_paper(results: Path, judged: list[str], verdict: Path) -> None:
 
 
 if __name__ == "__main__":
-    run_step(check_paper, globals().get("snakemake"))
+    run_step(check_paper, globals()["snakemake"])

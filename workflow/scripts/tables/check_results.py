@@ -1,8 +1,4 @@
-"""Test the finished files of a results folder.
-
-python workflow/scripts/tables/check_results.py --results results
-    --configuration "$(cat config/default.yaml)" --verdict checks.txt
-"""
+"""Test the finished files of a results folder."""
 
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -76,4 +72,4 @@ class Outcome:
 
 
 if __name__ == "__main__":
-    run_step(check_results, globals().get("snakemake"))
+    run_step(check_results, globals()["snakemake"])

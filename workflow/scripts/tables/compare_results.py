@@ -1,13 +1,13 @@
 """Compare the numbers of two results folders, in units of the errors that they state.
 
-python workflow/scripts/tables/compare_results.py --before saved --after results \
-    --report changes.csv
+python workflow/scripts/tables/compare_results.py saved results changes.csv
 
 A change of a variable is measured by the largest |after − before| over the sum of both stated
 errors.  The errors are its companion NAME_error, element by element, or else `error_estimate`.  At
 most 1 means that both numbers may be right.
 """
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +16,6 @@ import xarray as xr
 
 from granular_fronts.output.datasets import read_dataset
 from granular_fronts.output.files import complete_file
-from step import run_step
 
 
 def compare_results(before: Path, after: Path, report: Path) -> None:
@@ -101,4 +100,7 @@ def _stated_error(dataset: xr.Dataset, name: str) -> np.ndarray:
 
 
 if __name__ == "__main__":
-    run_step(compare_results, globals().get("snakemake"))
+    try:
+        compare_results(*map(Path, sys.argv[1:]))
+    except ValueError as error:
+        sys.exit(str(error))

@@ -77,4 +77,4 @@ def _rounded(value: float, form: str) -> str:
 
 
 if __name__ == "__main__":
-    run_step(tabulate_statements, globals().get("snakemake"))
+    run_step(tabulate_statements, globals()["snakemake"])
