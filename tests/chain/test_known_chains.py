@@ -8,7 +8,7 @@ import granular_fronts as gf
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.chain.simulate import solve
 from granular_fronts.fronts.solitary_waves import solitary_wave
-from granular_fronts.studies.hard_cases.extended import REAL, Motion
+from granular_fronts.reference_methods.extended import REAL, Motion
 
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 STIFF = {"contact": 8, "factor": 9.0}

@@ -9,7 +9,7 @@ from scipy.interpolate import make_interp_spline
 import granular_fronts as gf
 from granular_fronts.chain.patterns import values_along
 from granular_fronts.errors import InputError
-from granular_fronts.studies.hard_cases.extended import Motion
+from granular_fronts.reference_methods.extended import Motion
 
 MASSES = {"count": 12, "mass": {"cell": [1.0, 0.4, 2.0]}}
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}

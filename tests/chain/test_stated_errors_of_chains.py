@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from granular_fronts.chain.simulate import simulate_chain
-from granular_fronts.studies.hard_cases.extended import PI, REAL, Motion
+from granular_fronts.reference_methods.extended import PI, REAL, Motion
 from truth import chains, hold
 
 

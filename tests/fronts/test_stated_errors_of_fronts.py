@@ -1,12 +1,11 @@
-"""Stated errors of fronts and of the amplitude equations, against solutions of other programs."""
+"""Stated errors of fronts, against solutions of another program."""
 
 import numpy as np
 import pytest
 
 import granular_fronts as gf
 from granular_fronts.fronts.solve import FIELDS
-from granular_fronts.model.amplitude_scaling import scaling_of
-from truth import evolutions, fronts, hold
+from truth import fronts, hold
 
 
 def powers(alpha, beta, gamma):
@@ -88,28 +87,3 @@ def test_errors_scale_with_the_jump():
 @pytest.mark.parametrize("seed", [11, 12])
 def test_errors_of_random_fronts_hold(seed):
     assert hold(fronts.cases(seed, 40), 0.995)
-
-
-def smooth_scene(equation, slow_time, tolerance):
-    """A smooth wave for so short a time that no tolerance comes in."""
-    scene = evolutions.random_scene(np.random.default_rng(3), "unlimited")
-    scales = scaling_of(scene)
-    time = slow_time / scales.slow_rate
-    scene["equations"][equation] = {"cells": 256, "tolerance": tolerance}
-    return scene | {"end_time": time, "record": {"snapshots": [time], "grid": {"step": time}}}
-
-
-@pytest.mark.parametrize("equation", ["dispersive", "logarithmic"])
-def test_errors_of_the_first_steps_of_an_evolution_hold(equation):
-    found = [
-        ("", *evolutions.compare(equation, smooth_scene(equation, time, tolerance)))
-        for time, tolerance in ((0.2, 1e-5), (0.1, 1e-4))
-    ]
-    assert hold(found)
-    assert not hold([(word, 0.01 * stated, *numbers) for word, stated, *numbers in found])
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [22, 23])
-def test_errors_of_random_evolutions_hold(seed):
-    assert hold(evolutions.cases(seed, 3), 0.995)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from projects import ROOT, load_step
 
+from granular_fronts.reference_methods.extended import reference_state
 from granular_fronts.scenes.yaml_files import load_configuration
 from granular_fronts.studies.chain_scenes import pressed_chain
 from granular_fronts.studies.hard_cases import (
@@ -15,7 +16,6 @@ from granular_fronts.studies.hard_cases import (
     event_orders,
     registry,
 )
-from granular_fronts.studies.hard_cases.extended import reference_state
 
 QUICK = ["delta_1e_8", "delta_1e8", "free_flight", "elastic_collision", "dashpot_collision"]
 QUICK += ["front_double_root", "front_triple_root", "front_crossing", "front_dashpot"]

@@ -324,7 +324,6 @@ SAMPLES = {
     "fig25": lambda: {
         "chains": honesty("velocity", "arrival_time", "first_gap_bead", "front_speed"),
         "fronts": honesty("strain", "slope"),
-        "evolutions": honesty("logarithmic", "dispersive", "unlimited"),
     },
     "fig26": lambda: {
         "dimers": motions(

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from granular_fronts.output.style import MODEL_LOOKS, PROBE_COLOURS, PROBE_STYLES, new_figure
+from granular_fronts.output.style import PROBE_COLOURS, PROBE_STYLES, new_figure
 
 # Kinds of numbers by what their names hold; the first that matches counts.
 KINDS = {
@@ -15,22 +15,21 @@ KINDS = {
     "numbers of beads": ("_bead",),
     "extremes and speeds": ("largest", "smallest", "peak", "front_speed"),
     "states": ("relative_displacement", "velocity", "strain", "evaluated"),
-    **{look.label: (model,) for model, look in MODEL_LOOKS.items()},
     "measures": ("",),
 }
 FEW, TWICE, TENFOLD = 5e-3, 2.0, 10.0
 LEAST_RATIO, LARGEST_RATIO, LEAST_SHARE = 3e-4, 30.0, 3e-4
 
 
-def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -> Figure:
+def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset) -> Figure:
     """Draw a panel for each kind of problem.
 
     Parameters
     ----------
-    chains, fronts, evolutions : xarray.Dataset
+    chains, fronts : xarray.Dataset
         Written by measure_honesty.
     """
-    problems = {"chains": chains, "exact fronts": fronts, "equations": evolutions}
+    problems = {"chains": chains, "exact fronts": fronts}
     figure, panels = new_figure(4.0, [[*problems]])
     for kind, data in problems.items():
         _draw_kind(panels[kind], data)
@@ -45,12 +44,10 @@ def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, evolutions: xr.Dataset) -
 def _draw_kind(axes: Axes, data: xr.Dataset) -> None:
     """Shares of each kind of numbers, and what they should not enter."""
     kinds = np.array([_kind_of(name) for name in data["variable"].values])
-    equations = {look.label: (look.color, look.linestyle) for look in MODEL_LOOKS.values()}
-    looks = zip(PROBE_COLOURS, PROBE_STYLES, strict=True)
-    for kind in (kind for kind in KINDS if kind in kinds):
+    shown = [kind for kind in KINDS if kind in kinds]
+    for kind, colour, line in zip(shown, PROBE_COLOURS, PROBE_STYLES, strict=False):
         ratios = np.sort(data["ratio"].values[kinds == kind])
         shares = 1.0 - np.arange(ratios.size) / ratios.size
-        colour, line = equations.get(kind) or next(looks)
         ends = np.clip([LEAST_RATIO, *ratios, ratios[-1]], LEAST_RATIO, 2 * LARGEST_RATIO)
         axes.step(ends, [1.0, *shares, LEAST_SHARE / 10], color=colour, linestyle=line, label=kind)
     axes.fill_between([TWICE, TENFOLD], FEW, 1.0, color="0.88", linewidth=0.0)

@@ -19,7 +19,7 @@ def measure_honesty(kind: str, problems: dict[str, int], dataset: Path) -> None:
     Parameters
     ----------
     kind : str
-        chains, fronts or evolutions.
+        chains or fronts.
     problems : dict
         Which random problems, `seed`, and how many, `count`.
     dataset : Path

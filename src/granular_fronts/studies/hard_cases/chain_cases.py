@@ -16,9 +16,9 @@ import functools
 import numpy as np
 
 from granular_fronts.chain.simulate import solve
+from granular_fronts.reference_methods.extended import reference_state
 from granular_fronts.studies.chain_scenes import kuwabara_kono, pressed_chain
 from granular_fronts.studies.hard_cases import HardCase
-from granular_fronts.studies.hard_cases.extended import reference_state
 
 TOLERANCE = 1.0e-13, 1.0e-15
 BEADS, END_TIME = 40, 30.0

@@ -22,9 +22,9 @@ import numpy as np
 from granular_fronts.chain.run import prepare
 from granular_fronts.chain.simulate import solve
 from granular_fronts.reference_methods import position_forms
+from granular_fronts.reference_methods.extended import reference_state
 from granular_fronts.studies.chain_scenes import kuwabara_kono
 from granular_fronts.studies.hard_cases.contact_cases import collision
-from granular_fronts.studies.hard_cases.extended import reference_state
 from granular_fronts.studies.orders import power_of
 
 LAW = kuwabara_kono(1.5, 0.3)

@@ -8,7 +8,7 @@ import xarray as xr
 
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.errors import InputError, SolveError
-from granular_fronts.studies.hard_cases.extended import Motion
+from granular_fronts.reference_methods.extended import Motion
 
 EXPONENTS = (1.0, 1.2, 1.5, 1.5, 2.0, 2.5)
 # Front speeds are fitted between these parts of a chain.

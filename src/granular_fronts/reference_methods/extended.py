@@ -6,7 +6,8 @@ iteration.  Its last coefficients measure the error, and it gives the state at e
 contact opens or closes, a force is not smooth.  Steps shrink towards that instant, and the one that
 straddles it is so short that the force does nothing in it.
 
-Hard cases are judged by it, and, from outside the package, the stated errors of random chains.
+Hard cases are judged by it, and, from outside the package, the stated errors of random chains and
+the stored states of `tests/references`.
 """
 
 from collections.abc import Callable, Mapping
