@@ -1,6 +1,5 @@
 """Sum up a campaign: points solved and failed, why, range of scalars, work, means over seeds."""
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -30,19 +29,17 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
     scalars = _describe_scalars(merged)
     with complete_file(csv) as unfinished:
         scalars.to_csv(unfinished, index=False)
-    opening = _describe_work(merged)
     with complete_file(markdown) as unfinished:
         shown = scalars.copy()
         for column, style in FORMATS.items():
             shown[column] = [format(value, style) for value in shown[column]]
         parts = [
-            opening,
+            _describe_work(merged),
             _count_points(merged).to_markdown(index=False),
             shown.to_markdown(index=False, disable_numparse=True),
             *_average_seeds(merged),
         ]
         unfinished.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
-    print(opening, file=sys.stderr)
 
 
 def _describe_work(merged: xr.Dataset) -> str:
