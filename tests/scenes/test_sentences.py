@@ -4,13 +4,10 @@ import os
 
 import numpy as np
 import pytest
-from chains import driven_scene
 from rings import scene_with
 
 import granular_fronts as gf
-from granular_fronts.campaign import chain_points
 from granular_fronts.campaign.definition import check_campaign
-from granular_fronts.chain import simulate
 from granular_fronts.continuum.evolution import evolve_unlimited
 from granular_fronts.errors import InputError, NoFrontError, SolveError
 from granular_fronts.fronts import solitary_waves
@@ -137,15 +134,6 @@ def test_an_iteration_that_does_not_settle_says_so(monkeypatch):
     front = solve_front(1.5, 0.3, method="shooting")
     assert not front.attrs["converged"]
     assert "not settled after 1 Gauss-Newton steps" in front.attrs["reason"]
-
-
-def test_least_time_of_a_long_scene_is_said_before(monkeypatch, capsys):
-    monkeypatch.setattr(simulate, "LONG", 0.0)
-    gf.simulate_chain(driven_scene(0.1, 10, 12.5), "weak")
-    assert capsys.readouterr() == ("", "Scene weak takes at least 0 s on one core.\n")
-    point = {"alpha": 1.5, "beta": 1.5, "gamma": 0.1, "delta": 1.0, "delta_right": 0.0}
-    chain_points._solve_point(point | {"beads": 20, "crossings": 0.1}, None, 1e-6)
-    assert capsys.readouterr().err == "A point of the campaign takes at least 0 s on one core.\n"
 
 
 def test_a_process_of_another_user_runs(monkeypatch):
