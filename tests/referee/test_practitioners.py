@@ -155,9 +155,17 @@ def test_what_the_referee_says_of_a_solitary_wave():
 
 
 @needs_lammps
-def test_lammps_moves_a_solitary_wave_as_our_scheme_does():
-    problem = PROBLEMS["solitary_wave_undamped_hertz"]
+@pytest.mark.parametrize("older", ["", "gran/hertz/history"])
+@pytest.mark.parametrize("name", ["solitary_wave_undamped_hertz", "front_steel_viscoelastic"])
+def test_lammps_moves_beads_as_our_scheme_does(name, older):
+    """By two styles of contacts, the older one with the page's K_n = 2 and γ_n = 6γ."""
+    problem = PROBLEMS[name]
     deck = write_deck(problem.name, problem.title, problem.scene, problem.interval)
+    if older:
+        style = f"{older} 2 0 {6.0 * problem.scene['law']['gamma']!r} 0 0 0"
+        granular = '"pair_style granular" "pair_coeff * * ${law}"'
+        deck = deck.replace(granular, f'"pair_style {style}" "pair_coeff * *"')
+    assert older in deck
     found, _ = run_lammps(LAMMPS, problem.name, deck, 0.1)
     ours = half_steps(problem, 0.1)
     np.testing.assert_allclose(found.v, ours.v, rtol=0, atol=1e-12)
