@@ -36,5 +36,5 @@ def write_dump(path, result):
 
 def states(result, shift):
     """Times, and rows of bead, place and velocity."""
-    for t, x, v in zip(*(values.tolist() for values in result[2:]), strict=True):
+    for t, x, v in zip(*(values.tolist() for values in result[2:5]), strict=True):
         yield t, [(n + 1, x[n] + shift * n, v[n]) for n in range(len(x))]

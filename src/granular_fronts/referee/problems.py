@@ -42,8 +42,8 @@ It is not cut off if it becomes attractive just before they part. It is zero wit
 
 Compute the motion up to t = {end_time:g}, with two steps or more. Write positions and
 velocities at t = 0, {interval:g}, {twice:g}, ... as tables {name}_STEP.csv with the
-columns t, bead, x, v. Here x is the displacement from the start. Or let LAMMPS do so by
-{name}.lmp. Then run
+columns t, bead, x, v, in all digits. Here x is the displacement from the start. Or let
+LAMMPS do so by {name}.lmp. Then run
     python -m granular_fronts.referee {name}_*.csv --answers FOLDER_OF_THIS_FILE
 """
 
