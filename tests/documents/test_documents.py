@@ -65,7 +65,7 @@ def test_make_knows_its_targets(command):
     assert outcome.returncode == 0, outcome.stderr
 
 
-# To lock, to list and to archive is Snakemake's own business.
+# To lock is Snakemake's own business.
 PLANNED = [c for c in COMMANDS if c.startswith("snakemake") and " --unlock" not in c]
 
 
