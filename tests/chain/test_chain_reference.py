@@ -13,16 +13,15 @@ from granular_fronts.reference_methods import position_forms
 from granular_fronts.reference_methods.extended import OTHER_TOLERANCE, Motion
 from granular_fronts.studies.choice_of_variables import SCHEMES
 
-REFERENCES = ROOT / "tests" / "references"
 DELTA = 0.1
 extended = pytest.mark.skipif(
     np.finfo(np.longdouble).nmant < 63, reason="needs an 80-bit numpy.longdouble"
 )
 
 
-def read_states(path=REFERENCES / "chain_reference.nc"):
+def read_states():
     """Return the reference Dataset, read whole."""
-    return xr.load_dataset(path)
+    return xr.load_dataset(ROOT / "tests/references/chain_reference.nc")
 
 
 def both_parts(states, name):

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
 from granular_fronts.accuracy import certain_sign
-from granular_fronts.output.style import LOOKS, compression_map, velocity_map
+from granular_fronts.output.style import compression_map, velocity_map
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -82,33 +82,6 @@ def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
     axes.text(0.56 * last, 0.4 * arrival, "front", fontsize=8, path_effects=edge)
     axes.text(0.1 * last, 1.3 * arrival, "reflected wave", fontsize=8, path_effects=edge)
     axes.text(0.62 * last, 0.15 * arrival, "at rest", fontsize=8, color="0.5")
-
-
-def draw_critical_damping(axes: Axes, curves: xr.Dataset, *names: str) -> None:
-    """Critical damping over α in some of its meanings, with a white edge against any colours."""
-    for name in names:
-        axes.plot(
-            curves["alpha"],
-            curves[f"critical_damping_{name}"],
-            path_effects=[withStroke(linewidth=2.6, foreground="white")],
-            **LOOKS[name]._asdict(),
-        )
-
-
-def draw_materials(axes: Axes, materials: xr.Dataset, alpha: float) -> None:
-    """The places of real beads in the plane of exponent and damping."""
-    edge = [withStroke(linewidth=2.5, foreground="white")]
-    for gamma in materials["gamma_printed"]:
-        axes.plot(alpha, gamma, "o", color="black", markeredgecolor="white", markersize=6)
-        axes.annotate(
-            str(gamma["material"].values),
-            (alpha, float(gamma)),
-            xytext=(7, 0),
-            textcoords="offset points",
-            va="center",
-            fontweight="bold",
-            path_effects=edge,
-        )
 
 
 def draw_profile(axes: Axes, front: xr.Dataset, **look: Any) -> None:

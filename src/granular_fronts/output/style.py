@@ -25,7 +25,7 @@ from granular_fronts.output.files import complete_file
 
 TEXT_WIDTH = 6.9
 DOTS_PER_INCH = 200
-BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS = (
+PROBE_COLOURS = (
     "#000000",
     "#1a30c0",
     "#20a060",
@@ -33,6 +33,7 @@ BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS = (
     "#c92fa4",
     "#5a2a05",
 )
+BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA = PROBE_COLOURS[:5]
 DASHED, DOTTED, DASH_DOTTED = (0, (6, 1.5)), (0, (3, 1)), (0, (6, 1.5, 1, 1.5))
 PROBE_STYLES = ("-", DASHED, DASH_DOTTED, DOTTED, (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 # What is clipped, failed or singled out.
@@ -64,7 +65,7 @@ LOOKS = {
 CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
 MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispersive")}
 
-CHAIN_COLOUR, EQUATION_COLOUR, UNLIMITED_COLOUR = BLACK, BLUE, GREEN
+CHAIN_COLOUR, EQUATION_COLOUR = BLACK, BLUE
 # Exponents 3/2 and 1.1 in figure 4 of the paper; the limit is black.
 EXPONENT_LOOKS = ((BLUE, DASHED), (GREEN, DASH_DOTTED))
 # Whose solver it is, in figure 14.

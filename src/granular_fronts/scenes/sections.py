@@ -17,7 +17,7 @@ from granular_fronts.scenes.limits import memory_errors, numbers_held
 Check = Callable[[Mapping], Iterator[str]]
 
 
-def section_errors(given: Mapping, checks: tuple[Check, ...] = ()) -> list[str]:
+def section_errors(given: Mapping, checks: tuple[Check, ...]) -> list[str]:
     """Say what is wrong with a section that obeys the schema; each level relies on the last.
 
     The checks of the section come after those of all sections.

@@ -1,7 +1,7 @@
 """The scene of an impact, which several studies share."""
 
 
-def struck_chain(law, beads, end_time, tolerance, record, **others):
+def struck_chain(law, beads, end_time, tolerance, record):
     """Return the scene of a chain at rest whose first bead hits it with the velocity 1.
 
     No force acts on the ends.  All arguments are as in a scene of a chain; `law` is (α, β, γ).
@@ -14,5 +14,4 @@ def struck_chain(law, beads, end_time, tolerance, record, **others):
         "end_time": end_time,
         "tolerance": tolerance,
         "record": record,
-        **others,
     }

@@ -98,8 +98,8 @@ def _follow(taper, beads, tolerance):
         float(1.2 * collisions[1][-1]),
         tolerance,
         {"snapshots": [], "arrival_level": 0.01, "extremes": True},
-        contacts={"elastic": {"list": factor.tolist()}},
     )
+    scene["contacts"] = {"elastic": {"list": factor.tolist()}}
     motion = simulate_chain(scene, "tapered chain").isel(bead=slice(0, -1))
     return collisions, (motion["first_peak"], motion["first_peak_time"])
 

@@ -7,8 +7,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
-from granular_fronts.output.panels import draw_critical_damping, draw_materials
-from granular_fronts.output.style import new_figure
+from granular_fronts.output.style import LOOKS, new_figure
 from granular_fronts.studies.materials import ALPHA
 
 # Places of the regions, as shares of the sides of the panel.
@@ -29,8 +28,14 @@ def plot_fig12(data: xr.Dataset, materials: xr.Dataset) -> Figure:
     figure, panels = new_figure(4.4, [["plane"]])
     axes = panels["plane"]
     _draw_overshoot(axes, data)
-    draw_critical_damping(axes, data, "tail", "double_root", "long_wave", "overshoot")
-    draw_materials(axes, materials, ALPHA)
+    for name in ("tail", "double_root", "long_wave", "overshoot"):
+        axes.plot(
+            data["alpha"],
+            data[f"critical_damping_{name}"],
+            path_effects=[withStroke(linewidth=2.6, foreground="white")],
+            **LOOKS[name]._asdict(),
+        )
+    _draw_materials(axes, materials)
     exchange = data.attrs["exchange_exponent"]
     axes.axvline(exchange, color="0.4", linewidth=0.7, linestyle=":")
     axes.text(exchange, 0.95, r" $\alpha^*$", transform=axes.get_xaxis_transform(), va="top")
@@ -61,3 +66,19 @@ def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
     axes.fill_between(data["alpha"], *above, color="white", linewidth=0.0)
     bar = axes.figure.colorbar(filled, ax=axes, label="overshoot of the front")
     bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
+
+
+def _draw_materials(axes: Axes, materials: xr.Dataset) -> None:
+    """The places of real beads in the plane of exponent and damping."""
+    edge = [withStroke(linewidth=2.5, foreground="white")]
+    for gamma in materials["gamma_printed"]:
+        axes.plot(ALPHA, gamma, "o", color="black", markeredgecolor="white", markersize=6)
+        axes.annotate(
+            str(gamma["material"].values),
+            (ALPHA, float(gamma)),
+            xytext=(7, 0),
+            textcoords="offset points",
+            va="center",
+            fontweight="bold",
+            path_effects=edge,
+        )
