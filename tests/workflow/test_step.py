@@ -53,17 +53,6 @@ def test_unexpected_error_shows_where_it_is(tmp_path):
     assert lines[-1] == "KeyError: 'mu'"
 
 
-def test_finished_step_leaves_the_streams_as_they_were(tmp_path):
-    def finish(page: Path) -> None:
-        """Print half a line."""
-        print("half", end="", file=sys.stderr)
-
-    streams = sys.stdout, sys.stderr
-    run_step(finish, Job(tmp_path / "log"))
-    assert (sys.stdout, sys.stderr) == streams
-    assert (tmp_path / "log").read_text() == "half"
-
-
 def test_rule_gives_a_step_what_it_takes(tmp_path):
     def step(files: list[Path], page: Path, scene: dict) -> None:
         """Take some of what the rule names."""

@@ -1,6 +1,4 @@
 import re
-import subprocess
-import sys
 import tomllib
 
 import pytest
@@ -117,22 +115,6 @@ def test_smoke_run_makes_everything(finished):
     plan = snakemake("--dry-run", "--configfile", "config/smoke.yaml", folder=finished)
     assert plan.returncode == 0, plan.stderr
     assert not rules_due(plan)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "option",
-    ["--unlock", "--summary", "--dag", "--rulegraph", "--list"],
-)
-def test_options_that_run_no_job_work_bare(finished, option):
-    run = subprocess.run(
-        [sys.executable, "-m", "snakemake", option, "--configfile", "config/smoke.yaml"],
-        cwd=finished,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
 
 
 @pytest.mark.slow
