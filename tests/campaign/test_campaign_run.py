@@ -262,4 +262,4 @@ def test_full_disk_is_named_and_the_campaign_goes_on_when_there_is_space(project
     assert len(kept) < 3
     assert not [file for file in between if file.startswith("unfinished")]
     assert second.count("(Rule: solve_chunk)") == 3 - len(kept)
-    assert f"Campaign {name}: 6 points, 0 failed" in second
+    assert f"Campaign {name}: 6 points, 0 failed" in summary_of(project, name)
