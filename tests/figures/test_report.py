@@ -148,10 +148,9 @@ def test_the_paper_and_what_goes_beyond_are_apart(results):
     assert places == sorted(places)
 
 
-in_browser = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium to show or print the report"),
-]
+in_browser = pytest.mark.skipif(
+    CHROMIUM is None, reason="there is no Chromium to show or print the report"
+)
 
 
 @pytest.fixture
@@ -166,34 +165,34 @@ def long_report(results):
     return results / "report.html"
 
 
-class TestInBrowser:
-    pytestmark = in_browser
+@pytest.mark.slow
+@in_browser
+def test_report_prints_on_few_pages_and_cuts_nothing(long_report, tmp_path):
+    printed = tmp_path / "report.pdf"
+    command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu"]
+    command += [f"--user-data-dir={tmp_path / 'profile'}", f"--print-to-pdf={printed}"]
+    subprocess.run([*command, long_report.as_uri()], check=True, capture_output=True)
+    pages = len(re.findall(rb"/Type\s*/Page\b", printed.read_bytes()))
+    assert 5 < pages <= 25
 
-    def test_report_prints_on_few_pages_and_cuts_nothing(self, long_report, tmp_path):
-        printed = tmp_path / "report.pdf"
-        command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu"]
-        command += [f"--user-data-dir={tmp_path / 'profile'}", f"--print-to-pdf={printed}"]
-        subprocess.run([*command, long_report.as_uri()], check=True, capture_output=True)
-        pages = len(re.findall(rb"/Type\s*/Page\b", printed.read_bytes()))
-        assert 5 < pages <= 25
 
-    @pytest.mark.parametrize("width", [400, 1280, 1920])
-    def test_rows_unfold_heads_stay_and_nothing_is_wider_than_the_window(
-        self, long_report, tmp_path, width
-    ):
-        with browser(tmp_path / "profile") as page:
-            page.open(long_report.as_uri(), width, 900)
-            page.wait_for("document.readyState === 'complete'")
-            page.wait_for("document.documentElement.scrollWidth <= innerWidth")
-            height = "document.querySelector('#paper_numbers table').offsetHeight"
-            folded = page.evaluate(height)
-            page.evaluate("document.querySelector('#paper_numbers summary').click()")
-            page.wait_for(f"{height} > {folded}")
-            head = "document.querySelector('#paper_numbers th')"
-            assert page.evaluate(f"getComputedStyle({head}).position") == "sticky"
-            # In print, tables are as wide as the page at most.
-            page.call("Emulation.setEmulatedMedia", media="print")
-            page.resize(703, 1000)
-            page.wait_for("document.documentElement.scrollWidth <= innerWidth")
-            assert page.complaints() == []
-            assert page.requests() == [long_report.as_uri()]
+@pytest.mark.slow
+@in_browser
+@pytest.mark.parametrize("width", [400, 1280, 1920])
+def test_rows_unfold_heads_stay_and_nothing_is_wider_than_the_window(long_report, tmp_path, width):
+    with browser(tmp_path / "profile") as page:
+        page.open(long_report.as_uri(), width, 900)
+        page.wait_for("document.readyState === 'complete'")
+        page.wait_for("document.documentElement.scrollWidth <= innerWidth")
+        height = "document.querySelector('#paper_numbers table').offsetHeight"
+        folded = page.evaluate(height)
+        page.evaluate("document.querySelector('#paper_numbers summary').click()")
+        page.wait_for(f"{height} > {folded}")
+        head = "document.querySelector('#paper_numbers th')"
+        assert page.evaluate(f"getComputedStyle({head}).position") == "sticky"
+        # In print, tables are as wide as the page at most.
+        page.call("Emulation.setEmulatedMedia", media="print")
+        page.resize(703, 1000)
+        page.wait_for("document.documentElement.scrollWidth <= innerWidth")
+        assert page.complaints() == []
+        assert page.requests() == [long_report.as_uri()]

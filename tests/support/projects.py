@@ -1,7 +1,6 @@
-"""The project as its tests see it: its folder, copies of it, its scripts, calls of its workflow."""
+"""The project as its tests see it: its folder, copies of it, calls of its workflow."""
 
 import contextlib
-import importlib.util
 import re
 import shutil
 import subprocess
@@ -43,15 +42,6 @@ def lend_kernels(copy):
         link.parent.mkdir(parents=True, exist_ok=True)
         link.symlink_to(kernels / own, target_is_directory=True)
     return copy
-
-
-def load_step(script):
-    """Import a script without running it, and return its step, which carries the script's name."""
-    spec = importlib.util.spec_from_file_location(script.stem, script)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[script.stem] = module
-    spec.loader.exec_module(module)
-    return getattr(module, script.stem)
 
 
 def snakemake(*arguments, folder=ROOT):
