@@ -66,6 +66,7 @@ from scipy.optimize import brentq
 from granular_fronts.chain.drives import Drive
 from granular_fronts.errors import InputError
 from granular_fronts.model.laws import Law
+from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.model.potentials import Potential
 
 
@@ -214,14 +215,43 @@ def transmitted_forces(
     u: np.ndarray, velocity: np.ndarray, boundary: Boundary, law: Law, beads: Beads = EQUAL
 ) -> np.ndarray:
     """Return the forces T_n of all contacts, of the shape (..., N) of `u` and `velocity`."""
-    ahead = np.roll(velocity, -1, axis=-1)
-    if boundary.wall:
-        ahead[..., -1] = 0.0
-    elif not boundary.ring:
-        ahead[..., -1] = velocity[..., -1]
+    rate = differences(velocity, boundary)
     elastic = beads.stiffness * force(law.elastic, u)
-    slope = law.viscous.second(-u)  # G'(u)
-    return elastic + beads.viscosity * slope * (velocity - ahead)
+    # G'(u); of a contact that just touches on the side to which it moves.
+    strain = -(u - NEGLIGIBLE * (rate < 0.0))
+    slope = law.viscous.second(strain)
+    return elastic + beads.viscosity * slope * rate
+
+
+def forces_behind(
+    transmitted: np.ndarray, boundary: Boundary, law: Law, beads: Beads, t: npt.ArrayLike
+) -> np.ndarray:
+    """Return the forces T_(n−1) behind all beads, from those of all contacts at times t."""
+    behind = np.roll(transmitted, 1, axis=-1)
+    if boundary.drive:
+        behind[..., 0] = boundary.closing_drive.value(t)
+        if boundary.piston:
+            behind[..., 0] = transmitted[..., 0] + np.ravel(beads.mass)[0] * behind[..., 0]
+    elif not boundary.ring:
+        behind[..., 0] = force(law.elastic, boundary.left)
+    return behind
+
+
+def accelerations(
+    u: np.ndarray, velocity: np.ndarray, boundary: Boundary, law: Law, beads: Beads, t: float
+) -> np.ndarray:
+    """Return ẍ_n of all beads at the time t."""
+    ahead = transmitted_forces(u, velocity, boundary, law, beads)
+    behind = forces_behind(ahead, boundary, law, beads, t)
+    return (behind - ahead) / beads.mass + beads.gravity
+
+
+def differences(values: np.ndarray, boundary: Boundary) -> np.ndarray:
+    """Return what each bead has more than the next one; a wall has 0, a free end what it ends."""
+    ahead = np.roll(values, -1, axis=-1)
+    if not boundary.ring:
+        ahead[..., -1] = 0.0 if boundary.wall else values[..., -1]
+    return values - ahead
 
 
 def energy(

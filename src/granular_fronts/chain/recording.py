@@ -118,6 +118,7 @@ class Recorded(NamedTuple):
     variables: dict
     coordinates: dict
     attributes: dict
+    rounding_of_velocity: float = 0.0
 
     @property
     def dataset(self):
@@ -136,7 +137,8 @@ def collect(scene, run):
         raise SolveError(f"The run ended at t = {run.clock.t:.17g}, before its last output.")
     contacts = int(run.chain.contacts)
     attributes = {"contacts": contacts, "contacts_open": int(not run.chain.law.attraction)}
-    recorded = Recorded({}, {"bead": np.arange(1, bead_count(scene) + 1)}, attributes)
+    beads = {"bead": np.arange(1, bead_count(scene) + 1)}
+    recorded = Recorded({}, beads, attributes, _rounding_of_velocity(run))
     _add_profiles(recorded, scene, run)
     _add_probes(recorded, scene, run)
     for variables, coordinates in read_sensors(scene, run, _states_at):
@@ -148,6 +150,14 @@ def collect(scene, run):
         extremes = extremes_of_all(recording, contacts)
         recorded.variables.update({name: ((), value) for name, value in extremes.items()})
     return recorded
+
+
+def _rounding_of_velocity(run):
+    """Return one unit in the last place of the largest G_n/m_n, which w takes off ẋ, eq. (31)."""
+    law, boundary, beads = run.law, run.boundary, run.beads
+    compression = max(run.recording.profile_u.max(initial=0.0), boundary.left)
+    damping = np.max(beads.viscosity) * equations.force(law.viscous, compression)
+    return rounding_floor(damping / np.min(beads.mass))
 
 
 def _states_at(run, times):

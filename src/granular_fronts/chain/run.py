@@ -40,6 +40,8 @@ STEPS_PER_BLOCK = 2000
 # Beads of the active window ahead of the last one that moves.  Where small disturbances exert a
 # force to first order, every stage carries them one bead further.
 MARGIN_WITHOUT_STIFFNESS = 4
+# So long after a drive has set in its sign is that of the motion that it starts.
+JUST_AFTER = 1.0e-9
 # How close to an end of the law's domain, relative to that end or to the other, a strain leaves it.
 CLOSE_TO_AN_END = 1.0e-6
 # An extension at which a law that acts in extension exerts a force.
@@ -85,18 +87,31 @@ def prepare(scene: Mapping[str, Any]) -> Run:
         )
     breaks = boundary.drive.breaks if boundary.drive else np.empty(0)
     recording = make_recording(scene, chain, table[U], breaks)
-    if velocity.any():
-        _note_openings_at_start(recording, chain.contacts, u, velocity)
     momentum = float((beads.mass * velocity).sum())
-    return Run(law, boundary, beads, chain, table, recording, momentum)
+    run = Run(law, boundary, beads, chain, table, recording, momentum)
+    _note_openings(run, u, velocity, chain.contacts)
+    return run
 
 
-def _note_openings_at_start(recording, contacts, u, velocity):
-    """Contacts that just touch at t = 0 and are pulled apart open there."""
-    rate = (velocity - np.roll(velocity, -1))[:contacts]
-    opens = 1 + np.flatnonzero((np.abs(u[:contacts]) <= NEGLIGIBLE) & (rate < 0.0))
-    recording.opening[[VALUE, TIME], opens[:, np.newaxis]] = 0.0
-    recording.opening[STEEPNESS, opens] = -rate[opens - 1]
+def _note_openings(run, u, velocity, contacts):
+    """Of the first contacts those that just touch and are pulled apart open now."""
+    recording, t = run.recording, float(run.clock.t)
+    rate = equations.differences(velocity, run.boundary)
+    gained = equations.accelerations(u, velocity, run.boundary, run.law, run.beads, t + JUST_AFTER)
+    parts = (rate < 0.0) | ((rate == 0.0) & (equations.differences(gained, run.boundary) < 0.0))
+    opens = 1 + np.flatnonzero(((np.abs(u) <= NEGLIGIBLE) & parts)[:contacts])
+    opens = opens[np.isnan(recording.opening[TIME, opens])]
+    recording.opening[VALUE, opens], recording.opening[TIME, opens] = 0.0, t
+    # Contacts that part from rest open at this time, and no slope locates it.
+    recording.opening[STEEPNESS, opens] = np.where(rate < 0.0, -rate, np.nan)[opens - 1]
+
+
+def _state(run):
+    """Return the present u and ẋ of all beads."""
+    u, boundary = run.row(U).copy(), run.boundary
+    if boundary.holds_right:
+        u[-1] = boundary.right
+    return u, equations.velocities(run.row(D), u, boundary, run.law, run.momentum, run.beads)
 
 
 def integrate(
@@ -158,6 +173,8 @@ def _advance(run, advance, after_block):
         if piece:
             run.chain.drive = drive.pieces[piece]
             integrator.begin(run.chain, run.table)
+            # A drive that sets in pulls at bead 1 alone.
+            _note_openings(run, *_state(run), 1)
         part = run.recording._replace(stops=stops[: np.searchsorted(stops, end, side="right")])
         status = integrator.RUNNING
         while status == integrator.RUNNING:

@@ -54,6 +54,7 @@ def read_sensors(scene, run, states_at):
         sensor, at_start = scene["record"]["sensors"][name], states_at(run, np.zeros(1))
         u, velocity = states_at(run, times)
         force = equations.transmitted_forces(u, velocity, run.boundary, run.law, run.beads)
+        behind = equations.forces_behind(force, run.boundary, run.law, run.beads, times)
         momentum, energy = (
             now - before
             for now, before in zip(_beyond(run, u, velocity), _beyond(run, *at_start), strict=True)
@@ -65,7 +66,7 @@ def read_sensors(scene, run, states_at):
                 "transmitted_energy": energy,
             },
             "bead": {
-                "bead_force": 0.5 * (_forces_behind(run, force, times) + force),
+                "bead_force": 0.5 * (behind + force),
                 "velocity": velocity,
             },
         }
@@ -77,18 +78,6 @@ def read_sensors(scene, run, states_at):
                     f"{field}_{name}": (dims, of[:, numbers - 1]) for field, of in fields.items()
                 }
                 yield values, dict(zip(dims, (times, numbers), strict=True))
-
-
-def _forces_behind(run, force, times):
-    """Return the forces T_(n−1) behind all beads."""
-    behind, boundary = np.roll(force, 1, axis=-1), run.boundary
-    if boundary.drive:
-        behind[:, 0] = boundary.closing_drive.value(times)
-        if boundary.piston:
-            behind[:, 0] = force[:, 0] + np.ravel(run.beads.mass)[0] * behind[:, 0]
-    elif not boundary.ring:
-        behind[:, 0] = equations.force(run.law.elastic, boundary.left)
-    return behind
 
 
 def _beyond(run, u, velocity):

@@ -149,6 +149,8 @@ def _with_error_estimates(scene, solution, refined):
     events = event_errors(scene, *recordings, own.attributes["contacts"])
     for name, (dims, values) in own.variables.items():
         error, method = largest_difference(values, other.values(name)), ERROR_METHOD
+        if name.startswith("velocity"):
+            error = max(error, own.rounding_of_velocity)
         if name in TERMS:
             error = max(error, _error_of_sum(scene, own, other, name))
         if name in events:

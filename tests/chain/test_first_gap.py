@@ -1,0 +1,113 @@
+"""When a chain first comes apart, by Newton's law in SciPy, whatever holds it and starts it."""
+
+import numpy as np
+import pytest
+from chains import driven_scene, given
+from scipy.integrate import solve_ivp
+
+import granular_fronts as gf
+
+STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
+REST = {"kind": "rest"}
+PRESSED = given([0.1, 0.1, 0.1, 0.1, 0.0], [-1.0, 0.0, 0.0, 0.0, -0.5])
+TOUCHING = given([0.0] * 5, [0.0, 0.1, 0.1, -0.1, 0.2])
+WALL = {"kind": "wall", "left": 0.0}
+HELD = {"kind": "pressure", "left": 0.1, "right": 0.1}
+PULL = {"pulse": {"height": -0.1, "duration": 2.0}}
+SOON, ROUNDING = 1.0e-6, 1.0e-14
+
+
+def first_gap(scene):
+    """Time and contact of the first opening, in positions and velocities alone."""
+    law, boundary, start, beads = (scene[key] for key in ("law", "boundary", "start", "beads"))
+    alpha, beta, gamma, gravity = (*law.values(), scene.get("gravity", 0.0))
+    kind, right = boundary["kind"], boundary.get("right", 0.0)
+    contacts = beads - (kind not in ("wall", "ring"))
+    u = np.array(start.get("relative_displacement", [right] * contacts))
+    velocity = np.zeros(beads)
+    velocity[: start.get("beads", beads)] = start.get("velocity", 0.0)
+    pull = boundary.get("force", {}).get("pulse", {})
+
+    def rates(velocity):
+        ahead = np.roll(velocity, -1)
+        ahead[-1] = velocity[0] if kind == "ring" else 0.0
+        return (velocity - ahead)[:contacts]
+
+    def slopes(t, state):
+        u, velocity = state[:contacts], state[contacts:]
+        closed = np.maximum(u, 0.0)
+        force = closed**alpha + gamma * beta * closed ** (beta - 1.0) * rates(velocity)
+        ahead = np.append(force, [right**alpha] * (beads - contacts))
+        pressure = boundary.get("left", 0.0) ** alpha
+        left = pull["height"] if pull and t < pull["duration"] else pressure
+        behind = np.append(ahead[-1] if kind == "ring" else left, ahead[:-1])
+        return np.concatenate([rates(velocity), behind - ahead + gravity])
+
+    def opens(n):
+        event = lambda t, state: state[n]  # noqa: E731 - SciPy wants an attribute of a function
+        event.direction = -1.0
+        return event
+
+    solution = solve_ivp(
+        slopes,
+        (0.0, scene["end_time"]),
+        np.concatenate([u, velocity]),
+        "DOP853",
+        events=[opens(n) for n in range(contacts)],
+        rtol=1.0e-10,
+        atol=1.0e-12,
+        max_step=0.05,
+        first_step=SOON,
+    )
+    touching, soon = u == 0.0, solution.y[:contacts, 1]
+    first = [times[times > SOON][:1] for times in solution.t_events]
+    times = np.array([time[0] if time.size else np.inf for time in first])
+    times[touching & (soon < -ROUNDING)] = 0.0
+    return times.min(), 1 + int(times.argmin())
+
+
+@pytest.mark.parametrize("gamma", [0.0, 0.1])
+@pytest.mark.parametrize(
+    ("boundary", "start", "gravity"),
+    [
+        (WALL, STRIKER, 0.0),
+        (WALL, PRESSED, 0.0),
+        (WALL, TOUCHING, 0.0),
+        (WALL, REST, -0.1),
+        (WALL | {"left": 0.1}, TOUCHING, 0.05),
+        (HELD, STRIKER, 0.0),
+        (HELD, PRESSED, 0.0),
+        (HELD, TOUCHING, 0.0),
+        ({"kind": "ring"}, PRESSED, 0.0),
+        ({"kind": "ring"}, TOUCHING, 0.0),
+        ({"kind": "force", "force": PULL, "right": 0.0}, REST, 0.0),
+    ],
+)
+def test_the_first_gap_is_that_of_newtons_law(boundary, start, gravity, gamma):
+    if start["kind"] == "given" and "right" in boundary:
+        start = start | {"relative_displacement": start["relative_displacement"][:-1]}
+    scene = driven_scene(gamma, 5, 8.0, boundary=boundary, start=start)
+    scene |= {"gravity": gravity, "record": {"snapshots": [8.0], "extremes": True}}
+    motion, (time, contact) = gf.simulate_chain(scene), first_gap(scene)
+    assert float(motion["first_gap_time"]) == pytest.approx(time, abs=1.0e-7)
+    assert int(motion["first_gap_bead"]) == contact
+
+
+def test_a_contact_that_separates_from_touch_exerts_nothing():
+    """With β = 1 its dashpot would pull: G'(u) is γ on one side of 0, and 0 on the other."""
+    sensors = {"between": {"contacts": [1], "start": 0.0, "stop": 1.0, "step": 0.5}}
+    record = {"snapshots": [1.0], "sensors": sensors}
+    free = {"kind": "pressure", "left": 0.0, "right": 0.0}
+    for speed, force in ((-1.0, 0.0), (1.0, 0.3)):
+        start = given([0.0], [speed, 0.0])
+        scene = driven_scene(0.3, 2, 1.0, beta=1.0, boundary=free, start=start, record=record)
+        assert gf.simulate_chain(scene)["contact_force_between"].values[0] == force
+
+
+@pytest.mark.parametrize("t", [1.0e-10, 1.0e-7])
+def test_the_rounding_of_velocities_is_that_of_what_they_are_made_from(t):
+    """At first ẋ = w + G is the small difference of two numbers of size γδ^β, eq. (31)."""
+    scene = driven_scene(beads=20, end_time=1.0, record={"snapshots": [t]})
+    velocity = gf.simulate_chain(scene)["velocity"]
+    exact = 0.1**1.5 * t  # The next term is smaller by t.
+    assert abs(float(velocity[0, 0]) - exact) <= 2.0 * velocity.attrs["error_estimate"]
