@@ -36,6 +36,7 @@ from numba import uint64
 from scipy.fft import irfft, rfft, rfftfreq
 from scipy.linalg import circulant
 
+from granular_fronts.accuracy import Estimate
 from granular_fronts.errors import SolveError
 from granular_fronts.model.passes import NEGLIGIBLE
 from granular_fronts.numerics import runge_kutta as rk
@@ -67,7 +68,7 @@ class Wave(NamedTuple):
 
     relative_displacement: np.ndarray
     velocity: np.ndarray
-    smallest: float  # Relative displacement after any step.
+    smallest: Estimate  # Relative displacement of all places and times.
 
 
 class FourierRing(NamedTuple):
@@ -119,40 +120,63 @@ def solve_fourier_ring(
     if not first.min() > 0.0:
         raise GapError(OPEN.format(time=0.0))
     start = np.concatenate([first, ring.strain_rates(first, speed)])
-    states, smallest = _integrate(ring, start, times, tolerance)
+    states, turn = _integrate(ring, start, times, tolerance)
     velocities = [ring.velocities(*state, speed.mean()) for state in states]
     return Wave(
         np.array([_resampled(u_then, u.size) for u_then, _ in states]),
         np.array([_resampled(velocity_then, u.size) for velocity_then in velocities]),
-        smallest,
+        Estimate(*_smallest(*turn, u.size)),
     )
 
 
 def _integrate(ring, start, times, tolerance):
-    """Return the values of u and d at the given times, and the smallest u after any step."""
+    """Return u and d at the given times; the times and u of the lowest step and of both beside it.
+
+    A time is NaN where there is no such step.
+    """
     matrices, state, states = ring.second_difference, start.copy(), []
-    t, h, smallest = 0.0, FIRST_STEP, start[: ring.points].min()
+    moments, rows = np.array([math.nan, 0.0, math.nan]), np.full((3, ring.points), math.nan)
+    rows[1] = start[: ring.points]
+    t, h = 0.0, FIRST_STEP
     for stop in times:
-        t, h, least = _advance(matrices, ring.alpha, ring.gamma, state, (t, h, stop), tolerance)
-        smallest = min(smallest, least)
-        if not smallest > 0.0:
+        clock, turn = (t, h, stop), (moments, rows)
+        t, h = _advance(matrices, ring.alpha, ring.gamma, state, clock, turn, tolerance)
+        if not _lowest.py_func(rows[1]) > 0.0:
             raise GapError(OPEN.format(time=t))
         if t < stop:
             raise SolveError(f"At t = {t:.6g} of a ring the step size collapsed to {h:.3g}.")
         states.append(state.reshape(2, ring.points).copy())
-    return states, float(smallest)
+    return states, (moments, rows)
+
+
+def _smallest(moments, rows, sites):
+    """Return the smallest u of all places and times, and an error from above.
+
+    Between steps the parabola through the least values of three of them is taken.  The lowest step
+    is found by its M places, which miss what lies between them.
+    """
+    before, least, after = (_lowest.py_func(_resampled(row, sites)) for row in rows)
+    missed, depth = abs(least - _lowest.py_func(rows[1])), 0.0
+    if np.isfinite(moments).all():
+        backward, forward = np.diff(moments)
+        fall, rise = (least - before) / backward, (after - least) / forward
+        curvature = (rise - fall) / (backward + forward)
+        if curvature > 0.0:
+            depth = (fall + curvature * backward) ** 2 / (4.0 * curvature)
+    return least - depth, missed + depth
 
 
 @kernel
-def _advance(matrices, alpha, gamma, state, clock, tolerance):
+def _advance(matrices, alpha, gamma, state, clock, turn, tolerance):
     """Step u and d in place up to a stop, to a gap, or to where the steps become too short.
 
-    The clock holds time, step and stop; the result is the time, the next step and the smallest u.
+    The clock holds time, step and stop; the turn is what `_integrate` says of the lowest step.  The
+    result is the time and the next step.
     """
-    t, h, stop = clock
+    (t, h, stop), (moments, rows), points = clock, turn, state.size // 2
     slopes, stage = np.empty((rk.STAGES, state.size)), np.empty(state.size)
     ends, parts = np.empty((3, state.size)), np.empty((2, state.size // 4))
-    smallest = np.inf
+    smallest = _lowest(rows[1])
     while t < stop and smallest > 0.0 and not interrupted():
         landing = t + h >= stop
         # Two equal steps to the stop rather than a long and a short one.
@@ -171,13 +195,27 @@ def _advance(matrices, alpha, gamma, state, clock, tolerance):
             factor = min(rk.LARGEST_FACTOR, max(rk.SMALLEST_FACTOR, growth))
         accepted = error <= 1.0
         if accepted:
-            t = stop if landing else t + step
+            lowest, before, t = _lowest(ends[0, :points]), t, stop if landing else t + step
+            if lowest < smallest:
+                smallest = lowest
+                moments[:] = before, t, math.nan
+                rows[0], rows[1] = state[:points], ends[0, :points]
+            elif math.isnan(moments[2]):
+                moments[2], rows[2] = t, ends[0, :points]
             for n in range(uint64(state.size)):
                 state[n] = ends[0, n]
-            smallest = min(smallest, ends[0, : state.size // 2].min())
         if not (accepted and landing):
             h = step * factor
-    return t, h, smallest
+    return t, h
+
+
+@subroutine
+def _lowest(row):
+    """Return the least value of the parabola through the three lowest places of a closed row."""
+    n = row.argmin()
+    left, middle, right = row[n - 1], row[n], row[(n + 1) % row.size]
+    curvature = left - 2.0 * middle + right
+    return middle - (left - right) ** 2 / (8.0 * curvature) if curvature > 0.0 else middle
 
 
 @subroutine(fastmath=_CONTRACT, forceinline=True)

@@ -10,7 +10,9 @@ compared at eight times as many places.  A contact that opens ends the smoothnes
 followed bead by bead.  A gap counts as no compression, since no equation for u^α can have one.
 
 Errors at a slow time τ, each against the chain at its beads, or at those places.  A maximum over
-places is that over all chains between the beads: at ε = ¼ it is larger by 0.5 % for a pulse.
+places is that of the parabola through the three highest, so that it is one over all chains between
+the beads: at ε = ¼ it is larger by 0.5 % for a pulse.  Therefore a map over μ has a step where
+:math:`12\varepsilon = \pi`, from which on the maximum is one over beads.
 
 - `sup` and `rms` of :math:`u_n/\delta`, and of :math:`\dot x_n/(\delta c)` with the velocities of
   the equation to first order; `leading` is the sup of the velocities (51);
@@ -33,18 +35,23 @@ It is interpolated linearly between the times of `_loss_times`.
 
 Accuracy.  Chain and equation are solved again with more coefficients or cells and a tenth of the
 tolerance.  Everything is measured again, at fewer places and on every other of `_loss_times`.  The
-difference is the error estimate, so that it contains the error of interpolation.
+difference is the error estimate, so that it contains the error of interpolation.  Two maxima may
+agree by chance, and so may two means of squares.  So their error is at least the maximum, or the
+mean, of the difference of the two fields at the places that both have.  The errors of the smallest
+compression and of the first gap of a ring followed bead by bead are those of a chain.
 """
 
 import math
 from functools import partial
+from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
 import numpy as np
 from scipy.fft import irfft, rfft, rfftfreq
 from scipy.special import xlogy
 
-from granular_fronts.accuracy import Refined, refined_by, with_refinement
+from granular_fronts.accuracy import Estimate, Refined, refined_by, with_refinement
+from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
 from granular_fronts.chain.measures import last_fall
 from granular_fronts.chain.recording import collect
@@ -57,6 +64,8 @@ from granular_fronts.studies.chain_scenes import chain_scene, kuwabara_kono
 from granular_fronts.studies.ring_starts import slope_of, start_fields
 
 LOSSES = (0.01, 0.05, 0.1)
+NEAR = 2
+"""Places at either side of the highest at which two solutions are compared for the error of it."""
 LOSS_RATIO = 2.0**0.25
 """Ratio of the slow times between which losses are interpolated, powers of which they are."""
 FIRST_LOSS_TIME = 2.0**-4
@@ -140,8 +149,14 @@ class Motion(NamedTuple):
     site: np.ndarray
     relative_displacement: np.ndarray
     velocity: np.ndarray
-    smallest: float
-    gap_time: float
+    smallest: Estimate
+    gap_time: float = math.nan
+    events: tuple | None = None  # Scene and recording of a ring followed bead by bead.
+
+    @property
+    def is_smooth(self):
+        """Whether places lie between the beads."""
+        return self.events is None
 
 
 def _loss_times(last):
@@ -162,24 +177,77 @@ def compare(ring, slow_times, tolerance, xi=None):
     kept, passed = np.searchsorted(every, slow_times), np.searchsorted(every, passages)
     measured = _facts(ring, motions, slow_times)
     residuals = motions.map(lambda motion: velocity_residuals(ring, motion, kept))
-    for key, value in residuals.usual.items():
-        measured[key] = value, _error_of(Refined(value, residuals.finer[key]))
+    for key in residuals.usual:
+        field = residuals.map(itemgetter(key))
+        measured[key] = _over_places(field, partial(largest, between=motions.usual.is_smooth))
     if xi is not None:
         profiles = motions.map(lambda motion: _profiles(ring, motion, times, kept, xi))
         measured["relative_displacement"] = profiles.usual, _error_of(profiles)
     for name in MODELS:
         solve = partial(_solve, ring, name, times)
         solutions = refined_by(partial(solve, finer), solve(usual))
-        both = [
-            _errors(ring, motion, solution, kept)
-            | _losses(ring, motion, solution, slow_times, rows)
-            for motion, solution, rows in zip(
-                motions, solutions, (passed, passed[1::2]), strict=True
+        pairs = list(zip(motions, solutions, strict=True))
+        fields = Refined(*(_fields(ring, *pair, kept) for pair in pairs))
+        numbers = Refined(
+            *(
+                _numbers(ring, *pair, kept) | _losses(ring, *pair, slow_times, rows)
+                for pair, rows in zip(pairs, (passed, passed[1::2]), strict=True)
             )
-        ]
-        for key, value in both[0].items():
-            measured[f"{key}_{name}"] = value, _error_of(Refined(value, both[1][key]))
+        )
+        found = {key: _estimated(numbers.map(itemgetter(key))) for key in numbers.usual}
+        sup = partial(largest, between=motions.usual.is_smooth)
+        for key in fields.usual:
+            found[f"{key}_sup"] = _over_places(fields.map(itemgetter(key)), sup)
+        for key in ("displacement", "velocity"):
+            found[f"{key}_rms"] = _over_places(fields.map(itemgetter(key)), root_mean_square)
+        chain, field = (
+            motions.usual.relative_displacement[kept],
+            fields.map(itemgetter("displacement")),
+        )
+        found |= _heights(found, _near_peaks(field, chain))
+        measured |= {f"{key}_{name}": value for key, value in found.items()}
     return measured
+
+
+def _estimated(both):
+    """Return numbers and the errors that their refinement shows."""
+    return both.usual, _error_of(both)
+
+
+def _over_places(field, reduce):
+    """Return a maximum or mean over places at each time, and its error, by a finer field.
+
+    The error is at least the same reduction of their difference at the places that both have.
+    """
+    value, error = _estimated(field.map(reduce))
+    return value, np.maximum(error, reduce(_change(field)))
+
+
+def _change(field):
+    """Return the difference of a field to a finer one at the places that both have."""
+    common = math.gcd(*(rows.shape[1] for rows in field))
+    usual, finer = (rows[:, :: rows.shape[1] // common] for rows in field)
+    return usual - finer
+
+
+def _near_peaks(field, chain):
+    """Return the largest change of a field next to the highest place of the chain at each time."""
+    change = np.abs(_change(field))
+    peaks = chain[:, :: chain.shape[1] // change.shape[1]].argmax(axis=1)
+    beside = (peaks[:, None] + np.arange(-NEAR, NEAR + 1)) % change.shape[1]
+    return np.take_along_axis(change, beside, axis=1).max(axis=1)
+
+
+def _heights(found, change):
+    """Return height and decay, whose errors are at least those of so large a change of heights.
+
+    The decay is the height over the loss of height of the chain.
+    """
+    (height, error), (decay, of_decay) = found["height"], found["decay"]
+    error = np.maximum(error, change)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        of_decay = np.fmax(of_decay, np.abs(decay / height) * error)
+    return {"height": (height, error), "decay": (decay, of_decay)}
 
 
 def follow(ring, times, usual, finer):
@@ -201,7 +269,7 @@ def _follow_smooth(ring, times, resolution):
     fields = _start_at(ring, site)
     fourier = FourierRing(ring.alpha, ring.damping, ring.beads, points)
     wave = solve_fourier_ring(fourier, *fields, times, resolution.chain_tolerance)
-    return Motion(site, wave.relative_displacement, wave.velocity, wave.smallest, math.nan)
+    return Motion(site, wave.relative_displacement, wave.velocity, wave.smallest)
 
 
 def _follow_beads(ring, times, resolution):
@@ -224,8 +292,9 @@ def _follow_beads(ring, times, resolution):
         site,
         data["relative_displacement"].values,
         data["velocity"].values,
-        float(data["smallest_relative_displacement"]),
-        float(data["first_gap_time"]),
+        Estimate(float(data["smallest_relative_displacement"]), 0.0),
+        gap_time=float(data["first_gap_time"]),
+        events=(scene, run.recording),
     )
 
 
@@ -237,16 +306,23 @@ def _start_at(ring, site):
 def _facts(ring, motions, slow_times):
     """Return the numbers of the ring itself, the same at every slow time."""
     rate, scaling = ring.scaling.slow_rate, ring.scaling
-    facts = {
-        "epsilon_of_ring": Refined(scaling.epsilon, scaling.epsilon),
-        "ratio_of_ring": Refined(scaling.ratio, scaling.ratio),
-        "damping_of_ring": Refined(ring.damping, ring.damping),
-        "beads_of_ring": Refined(ring.beads, ring.beads),
-        "smallest_compression": motions.map(lambda motion: motion.smallest),
-        "first_gap_time": motions.map(lambda motion: rate * motion.gap_time),
+    known = {
+        "epsilon_of_ring": scaling.epsilon,
+        "ratio_of_ring": scaling.ratio,
+        "damping_of_ring": ring.damping,
+        "beads_of_ring": ring.beads,
     }
+    facts = {name: _estimated(Refined(value, value)) for name, value in known.items()}
+    (smallest, least_error), finer = motions.usual.smallest, motions.finer.smallest.value
+    gap_time, of_gap = _estimated(motions.map(attrgetter("gap_time")))
+    if not motions.usual.is_smooth:
+        scene, recording = motions.usual.events
+        errors = event_errors(scene, recording, motions.finer.events[1], ring.beads)
+        least_error, of_gap = errors["smallest_relative_displacement"], errors["first_gap_time"]
+    facts["smallest_compression"] = smallest, max(least_error, abs(smallest - finer))
+    facts["first_gap_time"] = rate * gap_time, rate * of_gap
     return {
-        name: (np.full(slow_times.size, both.usual), np.full(slow_times.size, _error_of(both)))
+        name: tuple(np.full(slow_times.size, number) for number in both)
         for name, both in facts.items()
     }
 
@@ -282,7 +358,7 @@ def _solve(ring, equation, times, resolution, coarser=None):
 
 
 def velocity_residuals(ring, motion, rows):
-    """Return the largest difference of ẋ to each formula in the chain's own y, at some times."""
+    """Return the difference of ẋ to each formula in the chain's own y, less its mean, by row."""
     scaling, sites = ring.scaling, motion.site.size
     y = np.maximum(motion.relative_displacement[rows], 0.0) ** ring.alpha
     wave_numbers = 2.0 * np.pi * rfftfreq(sites, 2.0 * ring.half_length / sites)
@@ -292,8 +368,10 @@ def velocity_residuals(ring, motion, rows):
         "printed": scaling.corrected_velocity(y, slope, slope),
         "first_order": scaling.corrected_velocity(y, slope, xlogy(y, y)),
     }
-    found = {name: _centred(motion.velocity[rows] - value) for name, value in formulas.items()}
-    return {f"residual_{name}": np.abs(value).max(axis=1) for name, value in found.items()}
+    return {
+        f"residual_{name}": _centred(motion.velocity[rows] - value)
+        for name, value in formulas.items()
+    }
 
 
 def _centred(rows):
@@ -320,7 +398,8 @@ def _losses(ring, motion, solution, slow_times, rows):
     times, sup = ring.scaling.slow_rate * solution.times[rows], np.array([])
     if rows.size:
         _, force = _force(ring, motion, solution, rows)
-        sup = largest(*_compressions(ring, motion, force, rows))
+        chain, u = _compressions(ring, motion, force, rows)
+        sup = largest(chain - u, motion.is_smooth)
     passages = {part: first_passage(times, sup, part) for part in LOSSES}
     return {
         f"lost_{100 * part:g}": np.where(time <= slow_times, time, math.nan)
@@ -328,12 +407,11 @@ def _losses(ring, motion, solution, slow_times, rows):
     }
 
 
-def _errors(ring, motion, solution, rows):
-    """Return all other errors of one solution of an equation, at some rows of its times."""
+def _fields(ring, motion, solution, rows):
+    """Return differences of the chain to one solution of an equation, at some rows of its times."""
     scaling = ring.scaling
     xi, force = _force(ring, motion, solution, rows)
     chain, u = _compressions(ring, motion, force, rows)
-    start, _ = _start_at(ring, motion.site)
     slopes = np.array(
         [
             slope_of(partial(solution.rescaled_force, row), there)
@@ -342,30 +420,37 @@ def _errors(ring, motion, solution, rows):
     )
     flux = xlogy(np.maximum(force, 0.0), np.maximum(force, 0.0))
     velocity = motion.velocity[rows]
-    corrected = _centred(velocity - scaling.corrected_velocity(force, slopes, flux))
     return {
-        "displacement_sup": largest(chain, u),
-        "displacement_rms": root_mean_square(chain, u),
+        "displacement": chain - u,
+        "velocity": _centred(velocity - scaling.corrected_velocity(force, slopes, flux)),
+        "leading_velocity": velocity - scaling.velocity(force),
+    }
+
+
+def _numbers(ring, motion, solution, rows):
+    """Return height, place and decay of one solution of an equation against those of the chain."""
+    _, force = _force(ring, motion, solution, rows)
+    chain, u = _compressions(ring, motion, force, rows)
+    start, _ = _start_at(ring, motion.site)
+    return {
         "height": heights(u) - heights(chain),
-        "place": scaling.epsilon * lead(u, chain, ring.beads / motion.site.size),
+        "place": ring.scaling.epsilon * lead(u, chain, ring.beads / motion.site.size),
         "decay": relative_decay(u, chain, start),
-        "velocity_sup": largest(corrected, 0.0),
-        "velocity_rms": root_mean_square(corrected, 0.0),
-        "leading_velocity_sup": largest(velocity, scaling.velocity(force)),
     }
 
 
 # Distances between two waves at equally spaced places, a row for each time.
 
 
-def largest(chain, model):
-    """Return the largest difference at each time."""
-    return np.abs(chain - model).max(axis=1)
+def largest(difference, between):
+    """Return the largest size of a difference at each time, at or between its places."""
+    size = np.abs(difference)
+    return heights(size) if between else size.max(axis=1)
 
 
-def root_mean_square(chain, model):
-    """Return the root mean square of the difference at each time."""
-    return np.sqrt(((chain - model) ** 2).mean(axis=1))
+def root_mean_square(difference):
+    """Return the root mean square of a difference at each time."""
+    return np.sqrt((difference**2).mean(axis=1))
 
 
 def heights(rows):
