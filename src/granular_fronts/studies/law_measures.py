@@ -9,7 +9,7 @@ import numpy as np
 from scipy.stats import linregress
 
 from granular_fronts.accuracy import EPSILON, Estimate, recorded, rounded, tabulated
-from granular_fronts.model.collision import weak_damping_slope
+from granular_fronts.model.collision import damping_for_restitution, weak_damping_slope
 from granular_fronts.model.jump_conditions import jump_conditions
 from granular_fronts.model.potentials import make_potential
 from granular_fronts.output.datasets import configuration_of
@@ -24,6 +24,11 @@ def weak_damping_constant(_dataset):
 def gamma(dataset, material):
     """Return γ of the exact collision with the coefficient of restitution of a material."""
     return recorded(dataset["gamma"].sel(material=material))
+
+
+def gamma_of_restitution(dataset, restitution):
+    """Return γ of the exact collision of spheres, β = α = 3/2, with a published restitution e."""
+    return rounded(damping_for_restitution(restitution), units=8.0)
 
 
 def velocity_power(dataset, beta):
