@@ -132,7 +132,8 @@ def test_merged_grid_holds_each_point_in_its_place(solved_grid):
         np.testing.assert_array_equal(merged[name], value)
     errors = [read_dataset(file, file.stem)["overshoot"].error_estimate for file in files]
     assert merged["overshoot"].error_estimate == max(errors) > min(errors)
-    assert merged["overshoot"].attrs["long_name"].startswith("first maximum of u_n")
+    assert merged["first_peak"].attrs["long_name"].startswith("first maximum of u_n")
+    assert merged["overshoot"].equals(merged["largest_peak"])
     assert merged.attrs["failed_points"] == 0
     assert merged.attrs["beads"] == 30
     assert merged.equals(merging.merge_chunks(asked, files[::-1]))

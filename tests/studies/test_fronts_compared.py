@@ -7,7 +7,7 @@ import granular_fronts as gf
 from granular_fronts.fronts.linear.floquet import compressed_chain_multipliers
 from granular_fronts.fronts.solve import evaluate_front, solve_front
 from granular_fronts.studies.continuum_fronts import continuum_fronts
-from granular_fronts.studies.damping_map import map_critical_damping
+from granular_fronts.studies.damping_map import map_plane
 from granular_fronts.studies.front_survey import distances, survey_fronts
 from granular_fronts.studies.fronts_compared import (
     compare_front,
@@ -83,12 +83,25 @@ def test_comparison_holds_every_method():
 
 def test_survey_and_map_agree_with_single_fronts():
     survey = survey_fronts([1.3], [0.1, 1e-12, 0.5])
-    plane = map_critical_damping(np.array([1.3]), np.array([0.1, 0.5]), 1e-3)
+    dampings = {"start": 0.03, "stop": 2.0, "num": 24}
+    plane = map_plane({"start": 1.3, "stop": 2.5, "num": 2}, dampings, 1e-3, [0.1, 1e-2])
+    first = plane.isel(alpha=0)
     for name in ("tail", "long-wave"):
-        [curve] = plane[f"critical_damping_{name.replace('-', '_')}"].values
+        curve = float(first[f"critical_damping_{name.replace('-', '_')}"])
         assert curve == gf.critical_damping(1.3, definition=name)
     # Only up to α* has the tail a double root.
     assert np.isnan(plane["critical_damping_double_root"]).all()
+    for level, curve in zip(plane["level"].values, first["overshoot_level"].values, strict=True):
+        exact = gf.critical_damping(1.3, definition="overshoot", cut=level)
+        assert curve == pytest.approx(exact, rel=1e-11)
+    last = plane.isel(alpha=1)
+    for name, peak in (("second_peak_leads", "largest_peak"), ("first_peak_stays_below", None)):
+        front = solve_front(2.5, float(last[name]))
+        other = front.attrs[peak] if peak else 0.0
+        assert front.attrs["first_peak"] == pytest.approx(other, abs=1e-13)
+        # A little further on both have parted.
+        beyond = solve_front(2.5, 1.001 * float(last[name]))
+        assert beyond.attrs["first_peak"] < (beyond.attrs[peak] if peak else 0.0) - 1e-5
     lost = survey.isel(gamma=1, alpha=0)
     assert lost["converged"] == 0
     assert "sites" in str(lost["reason"].values)
@@ -98,10 +111,6 @@ def test_survey_and_map_agree_with_single_fronts():
         alone = solve_front(1.3, gamma)
         assert point["converged"] == 1
         assert float(point["overshoot"]) == alone.attrs["overshoot"]
-        swept = float(plane["overshoot"].sel(alpha=1.3, gamma=gamma))
-        error = plane["overshoot"].attrs["error_estimate"] + alone.attrs["error_estimate"]
-        assert swept == pytest.approx(alone.attrs["overshoot"], abs=error)
-        assert error < 1e-12
 
 
 def test_tabulated_fronts_are_46_in_closed_form():

@@ -122,12 +122,15 @@ def survey():
 
 
 def critical_damping():
-    """Overshoot over exponent and damping, and four curves; two overshoots are small."""
+    """Curves of critical damping, of two peaks, and of levels; one level is not reached."""
     curves = each("critical_damping_%", "tail", "double_root", "long_wave", "overshoot")
-    coordinates = {"alpha": np.linspace(1.1, 1.6, 4), **GAMMAS}
-    variables = {"alpha gamma": "overshoot", "alpha": curves}
+    coordinates = {"alpha": np.linspace(1.1, 1.6, 4), "level": [0.01, 0.1], **GAMMAS}
+    variables = {
+        "level alpha": "overshoot_level",
+        "alpha": f"{curves} second_peak_leads first_peak_stays_below",
+    }
     data = sample(coordinates, variables, overshoot_cut=1e-3, exchange_exponent=1.3)
-    data["overshoot"][0, :2] = [1e-9, 1e-7]  # below and above what shows
+    data["overshoot_level"][1, :2] = np.nan
     return data
 
 

@@ -27,7 +27,7 @@ from granular_fronts.campaign.chain_scenes import normalised_scene, scene_of_law
 from granular_fronts.campaign.kinds import KINDS
 from granular_fronts.campaign.points import single_points, solve_groups
 from granular_fronts.chain.event_errors import event_errors
-from granular_fronts.chain.recorder import TIME, VALUE
+from granular_fronts.chain.recorder import END, TIME, VALUE
 from granular_fronts.chain.recording import extremes_of_all, fitted_speed
 from granular_fronts.chain.run import Run, integrate, integrate_in_halves, prepare
 from granular_fronts.chain.state import U
@@ -94,7 +94,8 @@ def _solve_in_halves(motion):
 # By measure: the variable of the chain, and the powers of its units of length and speed.
 UNITS = {
     "front_speed": ("front_speed", 0, -1),
-    "overshoot": ("first_peak", -1, 0),
+    "first_peak": ("first_peak", -1, 0),
+    "largest_peak": ("largest_peak", -1, 0),
     "largest_overshoot": ("largest_relative_displacement", -1, 0),
     "smallest_compression": ("smallest_relative_displacement", -1, 0),
     "first_gap_time": ("first_gap_time", 0, 1),
@@ -120,9 +121,13 @@ def _measures(motion, beads):
             "The front has not passed the middle of the chain at the end: raise crossings."
         )
     variables = extremes_of_all(recording, int(motion.run.chain.contacts))
-    measured = _in_units(variables | {"front_speed": speed, "first_peak": peak}, motion)
-    measured["overshoot"] -= 1.0
-    measured["largest_overshoot"] -= 1.0
+    # The largest u of a contact that only rises is that of the last step.
+    largest = recording.largest[[VALUE, END], count // 2].max()
+    peaks = {"first_peak": peak, "largest_peak": largest}
+    measured = _in_units(variables | {"front_speed": speed} | peaks, motion)
+    for name in (*peaks, "largest_overshoot"):
+        measured[name] -= 1.0
+    measured["overshoot"] = measured["largest_peak"]
     if beads is not None:
         measured["relative_displacement"] = np.where(
             beads < count,
@@ -138,7 +143,8 @@ def _with_errors(motions, beads):
     recordings = motions.map(lambda motion: motion.run.recording)
     motion = motions.usual
     events = event_errors(motion.scene, *recordings, int(motion.run.chain.contacts))
-    errors = _in_units(events, motion)
+    errors = _in_units(events | {"largest_peak": events["first_peak"]}, motion)
+    errors["overshoot"] = errors["largest_peak"]
     return {
         name: (
             value,

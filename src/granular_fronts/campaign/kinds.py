@@ -160,7 +160,9 @@ KINDS: dict[str, Kind] = {
         },
         scalars={
             "front_speed": "speed of the front over c, which is delta^((alpha - 1)/2) for powers",
-            "overshoot": "first maximum of u_n over delta at the middle of the chain, minus 1",
+            "first_peak": "first maximum of u_n over delta at the middle of the chain, minus 1",
+            "largest_peak": "largest maximum of u_n over delta at the middle of the chain, minus 1",
+            "overshoot": "the largest peak, see largest_peak",
             "largest_overshoot": "largest u_n over delta of all beads and times, minus 1",
             "smallest_compression": "smallest u_n over delta of all beads and times",
             "first_gap_time": "time at which the first contact opens, over 1/c; NaN if none does",
@@ -176,7 +178,9 @@ KINDS: dict[str, Kind] = {
         seconds_per_point=0.0025,
         parameters={"alpha": ALPHA, "beta": BETA, "gamma": GAMMA._replace(above=True)},
         scalars={
-            "overshoot": "by how much u passes its value behind the front, 0 if it is monotone",
+            "first_peak": "first maximum of u behind the front, less its value behind",
+            "largest_peak": "largest maximum of u, less its value behind, 0 if it is monotone",
+            "overshoot": "the largest peak, see largest_peak",
             "width_10_90": "distance in beads over which u falls from 0.9 to 0.1 of its jump",
             "slope": "largest -u'",
             "tail_rate": "rate at which u settles behind the front, Re lambda",

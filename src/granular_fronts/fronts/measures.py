@@ -117,6 +117,17 @@ def solitary_force(trends, exponent):
     return Estimate(float(force), exponent * float(force) * peak.attrs["error_estimate"])
 
 
+def second_peak_seen_from(plane):
+    """Return the exponent at which both maxima are equal and just high enough to be seen."""
+    peaks = plane["equal_peaks"].where(plane["equal_peaks"] > 0.0).dropna("alpha")
+
+    def crossing(stride):
+        steps = peaks[::stride]
+        return np.interp(plane.attrs["overshoot_cut"], steps, steps["alpha"])
+
+    return estimate(crossing(1), crossing(2))
+
+
 def exchange_exponent(curves):
     """Return α*, up to which critical damping is a double root of the tail."""
     value = curves.attrs["exchange_exponent"]

@@ -1,4 +1,4 @@
-r"""Measure a front: velocity, overshoot, width, slope, dissipated power.
+r"""Measure a front: velocity, peaks, width, slope, dissipated power.
 
 Velocity.  In the notation of `profile.equation`
 
@@ -34,6 +34,7 @@ from granular_fronts.numerics.interpolation import (
     find_level,
     interpolate_all,
     largest,
+    last_crests,
 )
 from granular_fronts.numerics.quadrature import kernel_weights
 
@@ -52,8 +53,14 @@ def velocity(profile, order):
 
 
 def measure(profile):
-    """Return `MEASURES` of a profile and their sensitivity to an error of s; shape (4,) each."""
+    """Return `MEASURES` of a profile and their sensitivity to an error of s; shape (5,) each."""
     return np.split(measures(profile.problem, float(profile.spacing), profile.s), 2)
+
+
+def with_overshoot(measured):
+    """Return numbers by name with the overshoot, which is the largest peak, and its error."""
+    names = {"overshoot": "largest_peak", "overshoot_error": "largest_peak_error"}
+    return measured | {name: measured[of] for name, of in names.items() if of in measured}
 
 
 def errors_of_measures(values, others, sensitivities, error):
@@ -63,10 +70,11 @@ def errors_of_measures(values, others, sensitivities, error):
     )
 
 
-MEASURES = ("overshoot", "width_10_90", "slope", "dissipated_power")
-"""How far the strain passes the state behind, 0 for a monotone front.  The sites between 90 % and
-10 % of the way to the state behind, where the strain passes them last.  The steepest slope on the
-way from behind.  The dissipated power.
+MEASURES = ("first_peak", "largest_peak", "width_10_90", "slope", "dissipated_power")
+"""The first maximum of the strain behind the front, and the largest, less the state behind; both
+are 0 for a monotone front.  Near critical damping the first may be below that state, and a later
+one above it.  The sites between 90 % and 10 % of the way to the state behind, where the strain
+passes them last.  The steepest slope on the way from behind.  The dissipated power.
 """
 
 
@@ -81,10 +89,12 @@ def measures(problem, spacing, s):
     rate = problem.speed**3 * jump**2
     return np.array(
         [
+            jump * (last_crests(s, rise, 1.0, 0.0)[0] - 1.0),
             jump * max(largest(s, 1.0, 0.0) - 1.0, 0.0),
             spacing * (fall - rise + (after - before)),
             jump * largest(-slopes, 0.0, 0.0),
             rate * spacing * np.sum(viscosity * slopes**2),
+            jump,
             jump,
             1.0 / min(abs(slopes[rise]), abs(slopes[fall])),
             0.25 * jump / spacing,

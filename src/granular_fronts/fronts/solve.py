@@ -27,7 +27,13 @@ from granular_fronts.fronts.profile.solve import (
     refine,
     solve_profile,
 )
-from granular_fronts.fronts.properties import MEASURES, errors_of_measures, measure, velocity
+from granular_fronts.fronts.properties import (
+    MEASURES,
+    errors_of_measures,
+    measure,
+    velocity,
+    with_overshoot,
+)
 from granular_fronts.fronts.shooting import solve as shooting
 from granular_fronts.fronts.validation import (
     check_front,
@@ -119,9 +125,10 @@ def solve_front(
         `state_behind`, `state_ahead`, for two powers from compression 1 `alpha`, `beta`, `gamma`,
         `right_state`; `method`, `speed`, `converged` (0 or 1) and `reason`, `residual`,
         `error_estimate` of the strain, `spacing` of the grid.  `speed_defect` is the speed found
-        over the exact one, less 1 (shooting prescribes it).  Measures are `overshoot`,
-        `width_10_90`, `slope` and `dissipated_power`; these and the defect have an `…_error`. Where
-        converged is 0, all but the law and the reason are NaN.
+        over the exact one, less 1 (shooting prescribes it).  Measures are `first_peak` and
+        `largest_peak`, the first and the largest maximum less the state behind, `width_10_90`,
+        `slope` and `dissipated_power`; these and the defect have an `…_error`.  `overshoot` is
+        `largest_peak`. Where converged is 0, all but the law and the reason are NaN.
 
     Raises
     ------
@@ -299,16 +306,22 @@ def _describe(method, sought, solution, refined):
         speed_defect_error=max(EPSILON, *map(abs, defects)),
         error_estimate=error,
         spacing=solution.spacing,
-        **dict(zip(MEASURES, values, strict=True)),
-        **{f"{name}_error": value for name, value in zip(MEASURES, errors, strict=True)},
+        **with_overshoot(_named(values, errors)),
     )
+
+
+def _named(values, errors):
+    """Return measures by name, each with its error."""
+    return dict(zip(MEASURES, values, strict=True)) | {
+        f"{name}_error": value for name, value in zip(MEASURES, errors, strict=True)
+    }
 
 
 def _describe_failure(method, sought, reason):
     """Return the dataset of a front that was not found: NaN at ξ = 0."""
     nothing = np.full(1, math.nan), math.nan
-    unknown = ("residual", "speed_defect", "error_estimate", "spacing", *MEASURES)
-    unknown += tuple(f"{name}_error" for name in ("speed_defect", *MEASURES))
+    unknown = ("residual", "speed_defect", "speed_defect_error", "error_estimate", "spacing")
+    nothing_measured = np.full(len(MEASURES), math.nan)
     return _dataset(
         method,
         sought,
@@ -318,6 +331,7 @@ def _describe_failure(method, sought, reason):
         converged=0,
         reason=reason,
         **dict.fromkeys(unknown, math.nan),
+        **with_overshoot(_named(nothing_measured, nothing_measured)),
     )
 
 

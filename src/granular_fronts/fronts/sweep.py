@@ -47,7 +47,7 @@ from granular_fronts.fronts.profile.solve import (
     refine,
     solve_profile,
 )
-from granular_fronts.fronts.properties import MEASURES, errors_of_measures, measures
+from granular_fronts.fronts.properties import MEASURES, errors_of_measures, measures, with_overshoot
 from granular_fronts.fronts.solve import ACCEPTED_ERROR, describe_front
 from granular_fronts.fronts.validation import (
     check_alpha,
@@ -108,8 +108,9 @@ def sweep_fronts(
     Returns
     -------
     xarray.Dataset
-        On `gamma`, or `factor` of a law, in the order given: `overshoot`, `width_10_90`, `slope`,
-        `dissipated_power`, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
+        On `gamma`, or `factor` of a law, in the order given: `first_peak`, `largest_peak`, also
+        as `overshoot`, `width_10_90`, `slope`, `dissipated_power`, as `gf.solve_front` defines
+        them, each with its `…_error`; `residual`, `speed_defect`; `tail_rate`,
         `tail_frequency`, real and imaginary part of the slowest tail exponent; `converged` (0 or 1)
         and `reason`.  The `error_estimate` of the strain explains the changes of overshoot, width
         and dissipated power. Where it is too large, it is the difference of the strain.  Units
@@ -207,7 +208,8 @@ def _describe(problem, name, places, values, others, estimate, reasons):
         for k, column in enumerate(COLUMNS)
         if column in MEASURES + PLAIN
     }
-    variables["overshoot"][2]["long_name"] = "how far the strain passes the state behind"
+    variables["first_peak"][2]["long_name"] = "first maximum of the strain less the state behind"
+    variables["largest_peak"][2]["long_name"] = "how far the strain passes the state behind"
     variables["slope"][2]["long_name"] = "steepest slope of the strain, per site"
     variables |= {
         f"{column}_error": (name, errors[k], {"long_name": f"error of {column}"})
@@ -218,12 +220,13 @@ def _describe(problem, name, places, values, others, estimate, reasons):
         "converged": (name, np.array([int(reason == "") for reason in reasons])),
         "reason": (name, reasons.astype(str)),
     }
-    return name_variables(xr.Dataset(variables, coords={name: places}))
+    return name_variables(xr.Dataset(with_overshoot(variables), coords={name: places}))
 
 
 def _split(values):
-    """Return the measures and their sensitivities, each of shape (4, fronts)."""
-    return values.T[:4], values.T[4:8]
+    """Return the measures and their sensitivities, each of shape (5, fronts)."""
+    count = len(MEASURES)
+    return values.T[:count], values.T[count : 2 * count]
 
 
 def _estimates(problem, values, others):
@@ -263,8 +266,8 @@ def _follow_on_grids(first_problem, dampings, usual, finer, start, values):
     for k in range(dampings.size):
         if interrupted():
             return 0
-        values[:, k, 10], values[:, k, 11] = _slowest_tail(first_problem, dampings[k])
-        longer = values[0, 0, 10] / values[0, k, 10]
+        values[:, k, -2], values[:, k, -1] = _slowest_tail(first_problem, dampings[k])
+        longer = values[0, 0, -2] / values[0, k, -2]
         if not longer * finer[0].middle <= MOST_POINTS:
             # Such a window is not even tried; the sweep starts anew there, and says so.
             dampings = dampings[:k]
@@ -305,8 +308,8 @@ def _solve(problem, grids, middle, s, history, row):
     defect = newton.largest_convolution(problem, differences, s)
     if not (passes and defect <= 1.5 * DEFECT * problem.magnification):
         return False
-    row[:8] = measures(problem, grid.spacing, s)
-    row[8], row[9] = history[count], unknowns.speed[0] - 1.0
+    row[:-4] = measures(problem, grid.spacing, s)
+    row[-4], row[-3] = history[count], unknowns.speed[0] - 1.0
     return True
 
 

@@ -102,6 +102,24 @@ def largest(values, behind, ahead):
     return highest
 
 
+@kernel
+def last_crests(values, last, behind, ahead):
+    """Return the values of the interpolant at its last two crests up to a point, the last first.
+
+    Where there is none it is `behind`.
+    """
+    crests, found = np.full(2, behind), 0
+    for k in range(last, 0, -1):
+        rise = values[k] - min(values[k - 1], values[k + 1])
+        crest = values[k] >= values[k - 1] and values[k] >= values[k + 1]
+        if crest and rise > NOISE * abs(behind):
+            crests[found] = _crest_value(values, k, behind, ahead)
+            found += 1
+            if found == crests.size:
+                break
+    return crests
+
+
 @subroutine
 def _crest_value(values, k, behind, ahead):
     """Return the maximum of the interpolant next to a point, by ternary search."""

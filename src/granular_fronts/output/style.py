@@ -33,7 +33,7 @@ PROBE_COLOURS = (
     "#c92fa4",
     "#5a2a05",
 )
-BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA = PROBE_COLOURS[:5]
+BLACK, BLUE, GREEN, LIGHT_BLUE, MAGENTA, BROWN = PROBE_COLOURS
 DASHED, DOTTED, DASH_DOTTED = (0, (6, 1.5)), (0, (3, 1)), (0, (6, 1.5, 1, 1.5))
 PROBE_STYLES = ("-", DASHED, DASH_DOTTED, DOTTED, (0, (6, 1, 1, 1, 1, 1)), (0, (1.5, 1)))
 # What is clipped, failed or singled out.
@@ -61,6 +61,8 @@ LOOKS = {
     "double_root": Look("slowest tail roots merge", GREEN, DASH_DOTTED),
     "long_wave": Look("long-wave limit, μ = 2", BLUE, DASHED),
     "overshoot": Look("overshoot too small to see", MAGENTA, DOTTED),
+    "second_peak_leads": Look("second maximum the higher", BROWN, DASHED),
+    "first_peak_stays_below": Look("first maximum below $\\delta$", BROWN, "-"),
 }
 CONTINUUM_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "heteroclinic")}
 MODEL_LOOKS = {name: LOOKS[name] for name in ("logarithmic", "unlimited", "dispersive")}

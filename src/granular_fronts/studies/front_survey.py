@@ -82,7 +82,7 @@ def properties_of(front):
     alpha, gamma = front.attrs["alpha"], front.attrs["gamma"]
     root = tail_roots(alpha, gamma, count=1)[0]
     return {
-        **{name: front.attrs[name] for name in MEASURES},
+        **{name: front.attrs[name] for name in ("overshoot", *MEASURES)},
         **{name: front.attrs[name] for name in ("speed_defect", "residual")},
         "error": front.attrs["error_estimate"],
         "tail_rate": root.real,

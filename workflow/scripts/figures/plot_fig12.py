@@ -1,9 +1,10 @@
 """Figure 12: critical damping in its several meanings, over the overshoot of the exact front."""
 
-import matplotlib
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.colors import LogNorm
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
@@ -12,7 +13,7 @@ from granular_fronts.studies.materials import ALPHA
 
 # Places of the regions, as shares of the sides of the panel.
 REGIONS = {"fronts are monotone": (0.3, 0.9), "fronts oscillate": (0.6, 0.15)}
-STEPS = (1, 3, 10, 30, 100, 300, 1000)
+PEAKS = ("second_peak_leads", "first_peak_stays_below")
 
 
 def plot_fig12(data: xr.Dataset, materials: xr.Dataset) -> Figure:
@@ -35,6 +36,8 @@ def plot_fig12(data: xr.Dataset, materials: xr.Dataset) -> Figure:
             path_effects=[withStroke(linewidth=2.6, foreground="white")],
             **LOOKS[name]._asdict(),
         )
+    for name in PEAKS:
+        axes.plot(data["alpha"], data[name], linewidth=0.9, **LOOKS[name]._asdict())
     _draw_materials(axes, materials)
     exchange = data.attrs["exchange_exponent"]
     axes.axvline(exchange, color="0.4", linewidth=0.7, linestyle=":")
@@ -49,22 +52,17 @@ def plot_fig12(data: xr.Dataset, materials: xr.Dataset) -> Figure:
 
 
 def _draw_overshoot(axes: Axes, data: xr.Dataset) -> None:
-    """Overshoot max u − 1 on a logarithmic scale; white below what is called too small to see."""
-    least = data.attrs["overshoot_cut"]
-    filled = axes.contourf(
-        data["alpha"],
-        data["gamma"],
-        # A logarithmic scale has no place for 0, the overshoot of a monotone front.
-        data["overshoot"].transpose("gamma", "alpha").clip(min=0.1 * least),
-        levels=[least * step for step in STEPS],
-        cmap=matplotlib.colormaps["viridis_r"].with_extremes(under="white"),
-        norm=LogNorm(least, 1000 * least),
-        extend="min",
-    )
-    # Between two dampings the colour is interpolated, and would reach beyond the exact curve.
-    above = data["critical_damping_overshoot"], data["gamma"][-1]
-    axes.fill_between(data["alpha"], *above, color="white", linewidth=0.0)
-    bar = axes.figure.colorbar(filled, ax=axes, label="overshoot of the front")
+    """Overshoot max u − 1 between its level curves; white below what is called too small to see."""
+    levels = [data.attrs["overshoot_cut"], *data["level"].values]
+    # A level that is passed below the panel, or nowhere, ends at its lower edge.
+    curves = [data["critical_damping_overshoot"], *data["overshoot_level"].fillna(0.0)]
+    edges = [*curves[1:], xr.zeros_like(curves[0])]
+    norm = BoundaryNorm([*levels, 10.0 * levels[-1]], 256)
+    colours = ScalarMappable(norm, colormaps["viridis_r"])
+    for level, upper, lower in zip(levels, curves, edges, strict=True):
+        colour = colours.to_rgba(level)
+        axes.fill_between(data["alpha"], lower, upper, color=colour, linewidth=0.0)
+    bar = axes.figure.colorbar(colours, ax=axes, label="overshoot of the front", ticks=levels)
     bar.ax.yaxis.set_major_formatter(lambda value, _: f"{100.0 * value:g} %")
 
 

@@ -45,11 +45,12 @@ from granular_fronts.arguments import choice, scalar
 from granular_fronts.errors import InputError
 from granular_fronts.fronts.profile.equation import power_problem
 from granular_fronts.fronts.profile.solve import solve_profile
-from granular_fronts.fronts.properties import measure
+from granular_fronts.fronts.properties import MEASURES, measure
 from granular_fronts.fronts.validation import check_alpha, check_beta
 
 SMALLEST_CUT, LARGEST_CUT = 1e-8, 0.1
 RESOLUTION = 2.0**-52
+LARGEST_PEAK = MEASURES.index("largest_peak")
 
 SERIES = np.arange(1, 26)  # orders k of S(x) − 1 = Σ 2x^(2k)/(2k+2)!, enough for x ≤ 3
 
@@ -193,7 +194,7 @@ def _vanishing_overshoot(alpha, beta, cut):
                 f"The front for alpha = {alpha}, beta = {beta}, gamma = {gamma:.6g} was not found "
                 f"({profile.reason}): choose another cut."
             )
-        return math.log(max(measure(profile)[0][0], RESOLUTION) / cut)
+        return math.log(max(measure(profile)[0][LARGEST_PEAK], RESOLUTION) / cut)
 
     above = below = critical_damping(alpha, beta)
     while excess(above) > 0.0:
