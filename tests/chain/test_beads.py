@@ -212,6 +212,14 @@ def test_patterns():
         ({"beads": {"count": 5, "mass": {"list": [1.0, 2.0]}}}, "beads.mass.list has 2 values | 5"),
         ({"beads": {"count": 5, "mass": {"impurity": {"bead": 9, "mass": 2}}}}, "is at 9 | 5"),
         (
+            {"beads": {"count": 5, "mass": {"impurity": [{"bead": 3, "mass": m} for m in (2, 5)]}}},
+            "beads.mass.impurity names 3 more than once | keep one",
+        ),
+        (
+            {"contacts": {"viscous": {"impurity": [{"contact": 2, "factor": 3}] * 2}}},
+            "contacts.viscous.impurity names 2 more than once",
+        ),
+        (
             {"beads": {"count": 5, "mass": {"taper": {"difference": -0.3}}}},
             "difference is -0.3 | -0.25",
         ),

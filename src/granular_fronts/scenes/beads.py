@@ -144,9 +144,12 @@ def _pattern_errors(key: str, pattern: Any, count: int, ring: bool) -> Iterator[
             f"{last:g}: give more than {-1.0 / (count - 1):.3g}."
         )
         return
-    for place, _ in impurities(pattern):
+    places = [place for place, _ in impurities(pattern)]
+    for place in sorted(set(places)):
         if place > count:
             yield f"{key}.impurity is at {place}, but there are {count}: give 1 to {count}."
+        if places.count(place) > 1:
+            yield f"{key}.impurity names {place} more than once: keep one of its values."
     if "list" in pattern and len(pattern["list"]) != count:
         yield f"{key}.list has {len(pattern['list'])} values, but there are {count}: give one each."
     placed = [math.log10(value) for _, value in impurities(pattern)]
