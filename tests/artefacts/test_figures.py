@@ -5,7 +5,7 @@ import re
 
 import pytest
 from conftest import PROJECT, listed_as_made, read_dataset
-from figure_samples import SAMPLES
+from figure_samples import SAMPLES, TAKEN
 
 from dataset_parameters import FAMILIES, default_parameters
 from granular_fronts.output.datasets import configuration_of
@@ -36,6 +36,7 @@ def test_data_answer_the_configuration(results, configuration):
     for name, parameters in default_parameters(configuration).items():
         data = read_dataset(results / f"data/{name}.nc")
         assert configuration_of(data) == json.loads(json.dumps(parameters)), name
+        assert TAKEN.isdisjoint(data.dims), name
 
 
 @FIGURES

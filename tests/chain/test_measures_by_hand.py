@@ -64,8 +64,8 @@ REGIMES = dataset(
     restitution=(VELOCITIES, [[0.0, 0.2, 0.3], [0.9, 0.5, 0.2]]),
 )
 VARIABLES = ["positions_and_w", "positions_and_velocities"]
-SCHEMES = {"variables": VARIABLES, "scheme": ["euler", "rk4"]}
-QUOTIENTS = {"variables": VARIABLES, "beta": [1.0, 1.5]}
+SCHEMES = {"form": VARIABLES, "scheme": ["euler", "rk4"]}
+QUOTIENTS = {"form": VARIABLES, "beta": [1.0, 1.5]}
 CHOICE = dataset(
     observed_order=(SCHEMES, [[1.0, 2.5], [1.0, 1.5]]),
     observed_order_error=(SCHEMES, [[0.1, 0.2], [0.3, 0.4]]),
@@ -231,9 +231,9 @@ BY_HAND = [
     (laws.velocity_power, REGIMES, {"beta": 1.5}, math.log10(25) / 4, 2**-49),
     (laws.restitution_gain, REGIMES, {"beta": 1.5}, 0.7, 2e-3),
     (laws.restitution_gain, REGIMES, {"beta": 1.0}, -0.3, 2e-3),
-    (laws.observed_order, CHOICE, {"variables": VARIABLES[1], "scheme": "rk4"}, 1.5, 0.4),
+    (laws.observed_order, CHOICE, {"form": VARIABLES[1], "scheme": "rk4"}, 1.5, 0.4),
     (laws.order_gain, CHOICE, {"scheme": "rk4"}, 1.0, 0.6),
-    (laws.quotient_power, CHOICE, {"variables": VARIABLES[0], "beta": 1.5}, 0.5, 0.2),
+    (laws.quotient_power, CHOICE, {"form": VARIABLES[0], "beta": 1.5}, 0.5, 0.2),
     (laws.order_of_half_steps, HALF_STEPS, {"beta": 1.5, "gamma": 0.05}, 1.2, 0.3),
     (
         laws.excess_damping,

@@ -10,7 +10,7 @@ from string import ascii_lowercase
 import numpy as np
 import pytest
 import yaml
-from figure_samples import SAMPLES, ring
+from figure_samples import SAMPLES, TAKEN, ring
 from matplotlib.colors import to_rgba
 from pictures import LISTED, annotations, curves, draw, image, legend, panels, picture, sampled
 from plot_fig05 import plot_fig05
@@ -33,6 +33,9 @@ def test_every_figure_is_drawn_from_a_sample_of_what_the_workflow_names():
 @pytest.mark.parametrize("figure", SAMPLES)
 def test_figure_shows_the_variables_of_its_data(figure):
     assert describe(figure) == SHOWN[figure]
+    for given in SAMPLES[figure]().values():
+        for data in given if isinstance(given, list) else [given]:
+            assert TAKEN.isdisjoint(data.dims)
 
 
 @pytest.mark.parametrize("figure", SAMPLES)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from chains import driven_scene
+from figure_samples import TAKEN
 
 import granular_fronts as gf
 from granular_fronts.chain.simulate import simulate_chain
@@ -137,6 +138,12 @@ def test_what_is_no_dataset_of_this_project_or_scene_is_refused(path, tmp_path):
         read_dataset(path)
 
 
+def test_no_variable_has_a_name_that_xarray_has_taken():
+    """The same of what solvers return and of finished files is tested with these."""
+    assert {"method", "tolerance", "variables"} < TAKEN
+    assert TAKEN.isdisjoint(long_names())
+
+
 RING = {
     "law": {"alpha": 1.5, "gamma": 0.24},
     "displacement": 5.0,
@@ -173,6 +180,7 @@ def test_what_a_solver_returns_prints_well(solved):
     for described in (dataset, *dataset.variables.values()):
         assert all(len(str(value)) < 250 for value in described.attrs.values())
     assert "config" not in dataset.attrs
+    assert TAKEN.isdisjoint(dataset.dims)
     page = dataset._repr_html_()
     for variable in dataset.variables.values():
         assert escape(variable.attrs["long_name"]) in page

@@ -4,6 +4,7 @@ A figure computes nothing, so any numbers do: every variable is filled with rand
 own, and what is drawn can be traced to one variable only.
 """
 
+import inspect
 import json
 import zlib
 
@@ -14,6 +15,8 @@ FIELDS = ("relative_displacement", "velocity")
 EQUATIONS = ("logarithmic", "unlimited")
 CONTINUUM = ("logarithmic", "unlimited", "heteroclinic")
 MODELS = ("logarithmic", "unlimited", "dispersive")
+# Names that xarray has taken: `sel` reads them as its options, or `dataset.name` is another thing.
+TAKEN = {*dir(xr.Dataset()), *inspect.signature(xr.Dataset.sel).parameters}
 XI = {"xi": np.linspace(-6.0, 4.0, 21)}
 GAMMAS = {"gamma": np.geomspace(0.1, 2.0, 5)}
 
@@ -161,10 +164,10 @@ def speed_error():
     """Two problems by two methods, of which one failed once and one was disturbed once."""
     coordinates = {
         "problem": ["front_underdamped", "contact_loss"],
-        "method": ["strain_form", "scipy_dop853"],
-        "tolerance": [1e-8, 1e-4, 1e-6],
+        "solver": ["strain_form", "scipy_dop853"],
+        "step_tolerance": [1e-8, 1e-4, 1e-6],
     }
-    variables = {"problem method tolerance": "error seconds", "problem": "reference_error"}
+    variables = {"problem solver step_tolerance": "error seconds", "problem": "reference_error"}
     data = sample(coordinates, variables, absent=json.dumps(["diffrax_dopri8"]))
     data["own_method"] = "problem", ["strain_form", "strain_form"]
     data["disturbed"] = xr.zeros_like(data["error"])
@@ -178,11 +181,11 @@ def hard_cases():
     """A case that passed, one that failed, one without a result, and three curves of order."""
     coordinates = {
         "case": ["gamma_1e_6", "alpha_1_02", "colliding_fronts"],
-        "method": ["strain_form", "positions_and_w", "positions_and_velocities"],
+        "solver": ["strain_form", "positions_and_w", "positions_and_velocities"],
         "rung": [0, 1, 2],
     }
-    variables = {"case": "error limit", "method rung": "event_steps event_error"}
-    data = sample(coordinates, variables | {"method": "observed_order"})
+    variables = {"case": "error limit", "solver rung": "event_steps event_error"}
+    data = sample(coordinates, variables | {"solver": "observed_order"})
     data["error"][2] = np.nan
     data["passed"] = "case", [1, 0, 0]
     return data

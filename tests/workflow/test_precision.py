@@ -65,9 +65,9 @@ def test_what_fails_is_kept_and_what_is_absent_is_named():
     )
     assert measuring.run_once(problem, tolerances) == {"elsewhere": "not installed"}
     del tolerances["elsewhere"]
-    rows = pd.DataFrame(measuring.measure(problem, tolerances, 3)).set_index("method")
+    rows = pd.DataFrame(measuring.measure(problem, tolerances, 3)).set_index("solver")
     assert list(rows.index) == ["mine", "mine", "theirs", "theirs", "broken", "broken"]
-    assert list(rows.loc["mine", "tolerance"]) == [1e-4, 1e-8]
+    assert list(rows.loc["mine", "step_tolerance"]) == [1e-4, 1e-8]
     assert rows.loc["broken", "error"].isna().all()
     assert (rows.loc["broken", "message"] == "ArithmeticError: the step size collapsed").all()
     assert list(rows["disturbed"]) == [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]
@@ -161,8 +161,8 @@ def measured_family(scene, problems, limit=np.nan):
     rows = [
         {
             "problem": problem,
-            "method": method,
-            "tolerance": tolerance,
+            "solver": method,
+            "step_tolerance": tolerance,
             "error": np.nan if cost is None else tolerance,
             "below_reference": 0.0,
             "velocity_error_sup": np.nan if cost is None else tolerance,
@@ -204,7 +204,7 @@ def merged(tmp_path):
     ):
         dataset, scene = measured_family(f"precision_{family}", problems, limit)
         if family == "log_burgers":
-            dataset["error"].loc[:, "upwind"] = 1e3 * dataset["tolerance"].values ** 0.75
+            dataset["error"].loc[:, "upwind"] = 1e3 * dataset["step_tolerance"].values ** 0.75
         files.append(tmp_path / f"{scene}.nc")
         write_dataset(dataset, files[-1], scene_id=scene, config={})
     merging.merge_precision(files, tmp_path / "speed_error.nc")
@@ -214,10 +214,9 @@ def merged(tmp_path):
 def test_families_are_joined_without_loss(merged):
     data = read_dataset(merged, "speed_error")
     assert list(data["problem"].values) == ["one", "two", "log_burgers_weak"]
-    assert list(data["method"].values) == [*COSTS, "scipy_least_squares", "upwind"]
+    assert list(data["solver"].values) == [*COSTS, "scipy_least_squares", "upwind"]
     assert int(np.isfinite(data["disturbed"]).sum()) == 12 + 6 + 6
-    # As keywords, `method` and `tolerance` would be options of the selection.
-    point = data.sel({"problem": "one", "method": "scilab_ode", "tolerance": 1e-8})
+    point = data.sel(problem="one", solver="scilab_ode", step_tolerance=1e-8)
     assert float(point["seconds"]) == pytest.approx(1000.0)
     assert list(data["own_method"].values) == ["strain_form"] * 3
     np.testing.assert_array_equal(data["time_limit"], [np.nan, np.nan, 5e-3])
@@ -345,7 +344,7 @@ def test_figure_14_names_each_curve_at_its_end_of_largest_error(crowded):
     assert 0 <= places[0] < places[-1] <= 1
     assert np.all(np.diff(places) >= drawing.NAME_HEIGHT / drawing.LOWEST - 1e-12)
     assert "failed throughout: scipy least squares" in axes.get_xlabel()
-    data["error"][{"problem": 0, "method": 1, "tolerance": 0}] = np.nan
+    data["error"][{"problem": 0, "solver": 1, "step_tolerance": 0}] = np.nan
     sentence, _ = drawing._failures(data.isel(problem=0))
     assert sentence == "failed at step 1e-12: lammps nve"
     plt.close("all")

@@ -60,7 +60,7 @@ BEADS, COMPRESSED, FAR, END_TIME = 200, 150, 10, 16.0
 def compare_variables(alpha, betas, gamma):
     """Compare both sets of variables: smoothness, order and conservation, α > 1, 1 ≤ β ≤ 2.
 
-    `quotient_power` on (variables, beta); `observed_order` on (variables, scheme) and
+    `quotient_power` on (form, beta); `observed_order` on (form, scheme) and
     `conserved_velocity_drift`, largest distance of w_n to v_p in the left part of the chain,
     both for β = α.
     """
@@ -73,12 +73,12 @@ def compare_variables(alpha, betas, gamma):
     )
     return xr.Dataset(
         {
-            **variable_and_errors("quotient_power", ("variables", "beta"), powers, FITTED, POWER),
-            **variable_and_errors("observed_order", ("variables", "scheme"), orders, FITTED, ORDER),
+            **variable_and_errors("quotient_power", ("form", "beta"), powers, FITTED, POWER),
+            **variable_and_errors("observed_order", ("form", "scheme"), orders, FITTED, ORDER),
             "conserved_velocity_drift": drift,
         },
         {
-            "variables": ("variables", list(FORMS), {"long_name": "variables of the chain"}),
+            "form": ("form", list(FORMS), {"long_name": "variables of the chain"}),
             "beta": list(betas),
             "scheme": list(SCHEMES),
         },

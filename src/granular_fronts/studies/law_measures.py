@@ -69,14 +69,14 @@ def excess_damping(dataset, observable, beta, gamma, steps_per_collision):
     return recorded(excess.sel(step=1.0 / steps_per_collision, method="nearest", tolerance=1e-9))
 
 
-def quotient_power(dataset, variables, beta):
+def quotient_power(dataset, form, beta):
     """Return the power of h in the difference quotient of the rates where a contact closes."""
-    return tabulated(dataset.sel(variables=variables, beta=beta), "quotient_power")
+    return tabulated(dataset.sel(form=form, beta=beta), "quotient_power")
 
 
-def observed_order(dataset, variables, scheme):
+def observed_order(dataset, form, scheme):
     """Return the order with which a scheme with fixed steps passes a collision."""
-    return tabulated(dataset.sel(variables=variables, scheme=scheme), "observed_order")
+    return tabulated(dataset.sel(form=form, scheme=scheme), "observed_order")
 
 
 def order_gain(dataset, scheme):

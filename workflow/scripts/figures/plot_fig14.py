@@ -61,7 +61,7 @@ def plot_fig14(data: xr.Dataset) -> Figure:
 def _height(data: xr.Dataset, row: list[str]) -> float:
     """Height of a row of panels, which the names at the fullest of them need, in inches."""
     chosen = data.sel({"problem": [problem for problem in row if problem != "."]})
-    solved = chosen["error"].notnull().any("tolerance").sum("method")
+    solved = chosen["error"].notnull().any("step_tolerance").sum("solver")
     return FRAME_HEIGHT + max(LOWEST, NAME_HEIGHT * int(solved.max()))
 
 
@@ -70,7 +70,7 @@ def _choose_looks(data: xr.Dataset) -> dict[str, dict[str, Any]]:
     looks: dict[str, dict[str, Any]] = {}
     used: dict[str, int] = {}
     ours = set(data["own_method"].values)
-    for method in map(str, data["method"].values):
+    for method in map(str, data["solver"].values):
         colour = PACKAGE_COLOURS.get(method.split("_")[0], PACKAGE_COLOURS["ours"])
         index = used.setdefault(colour, 0)
         used[colour] += 1
@@ -99,9 +99,9 @@ def _draw_problem(axes: Axes, data: xr.Dataset, looks: dict[str, dict[str, Any]]
     """Curves of one problem with their names, the error of its reference, and who failed."""
     ends = {}
     for method, look in looks.items():
-        chosen = data.sel({"method": method})
-        chosen = chosen.isel(tolerance=np.argsort(-chosen["tolerance"].values))
-        chosen = chosen.isel(tolerance=np.flatnonzero(np.isfinite(chosen["error"])))
+        chosen = data.sel(solver=method)
+        chosen = chosen.isel(step_tolerance=np.argsort(-chosen["step_tolerance"].values))
+        chosen = chosen.isel(step_tolerance=np.flatnonzero(np.isfinite(chosen["error"])))
         disturbed = chosen["disturbed"].values == 1.0
         axes.loglog(chosen["error"], chosen["seconds"], **look)
         axes.loglog(
@@ -157,12 +157,12 @@ def _name_curves(
 def _failures(data: xr.Dataset) -> Iterator[str]:
     """A line for the methods without a result at the same tolerances, or steps."""
     failed: dict[str, list[str]] = {}
-    for method in map(str, data["method"].values):
-        chosen = data.sel({"method": method})
+    for method in map(str, data["solver"].values):
+        chosen = data.sel(solver=method)
         tried = np.isfinite(chosen["disturbed"])
         missed = tried & ~np.isfinite(chosen["error"])
         if missed.any():
-            listed = ", ".join(f"{value:g}" for value in chosen["tolerance"].values[missed])
+            listed = ", ".join(f"{value:g}" for value in chosen["step_tolerance"].values[missed])
             where = f"at step {listed}" if method.split("_")[0] in CODES else f"at {listed}"
             # The list of all would not fit below a panel.
             where = "throughout" if (missed == tried).all() else where

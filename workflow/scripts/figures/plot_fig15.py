@@ -67,7 +67,7 @@ def _label_of(name: str) -> str:
 def _draw_orders(axes: Axes, data: xr.Dataset) -> None:
     """Median error of the parting velocity against the number of steps."""
     for method, colour, marker in zip(METHODS, PROBE_COLOURS, MARKERS, strict=False):
-        curve = data.sel({"method": method})
+        curve = data.sel(solver=method)
         label = f"{METHODS[method]}: slope {float(curve['observed_order']):.1f}"
         axes.plot(
             curve["event_steps"],

@@ -26,7 +26,7 @@ def measure_hard_cases(cases: list[str], dataset: Path) -> None:
     cases : list of str
         Names, as in granular_fronts.studies.hard_cases.registry.
     dataset : Path
-        The netCDF file to write, on (case) and (method, rung).
+        The netCDF file to write, on (case) and (solver, rung).
     """
     rows = [measure_case(name) for name in cases]
     measured = pd.DataFrame(rows).set_index("case").to_xarray()
@@ -46,18 +46,18 @@ def measure_case(name: str) -> dict[str, Any]:
 
 
 def _tabulate_orders(curves: Mapping[str, tuple[np.ndarray, np.ndarray]]) -> xr.Dataset:
-    """Return the steps and errors on (method, rung), padded with NaN, and the fitted orders."""
+    """Return the steps and errors on (solver, rung), padded with NaN, and the fitted orders."""
     rungs = max(steps.size for steps, _ in curves.values())
     padded = np.full((2, len(curves), rungs), np.nan)
     for row, (steps, errors) in enumerate(curves.values()):
         padded[:, row, : steps.size] = steps, errors
     return xr.Dataset(
         {
-            "event_steps": (("method", "rung"), padded[0]),
-            "event_error": (("method", "rung"), padded[1]),
-            "observed_order": ("method", [fitted_order(*curve) for curve in curves.values()]),
+            "event_steps": (("solver", "rung"), padded[0]),
+            "event_error": (("solver", "rung"), padded[1]),
+            "observed_order": ("solver", [fitted_order(*curve) for curve in curves.values()]),
         },
-        {"method": list(curves), "rung": np.arange(1, rungs + 1)},
+        {"solver": list(curves), "rung": np.arange(1, rungs + 1)},
     )
 
 

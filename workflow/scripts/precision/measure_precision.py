@@ -47,7 +47,7 @@ def measure_precision(
     problems : dict
         As under ``precision.<family>`` of the configuration.
     dataset : Path
-        The netCDF file to write, on (problem, method, tolerance).
+        The netCDF file to write, on (problem, solver, step_tolerance).
     reference : Path, optional
         Accurate solutions, in tests/references; none for a family that computes its own.
     """
@@ -113,8 +113,8 @@ def measure(
     methods = list(tolerances)
     return [
         {
-            "method": method,
-            "tolerance": tolerance,
+            "solver": method,
+            "step_tolerance": tolerance,
             **_costs_of(run),
             **errors_of(run, problem.reference),
         }
@@ -147,13 +147,13 @@ def _costs_of(run: Run) -> dict[str, Any]:
 
 
 def to_dataset(rows: list[dict[str, Any]], facts: Mapping[str, Mapping[str, Any]]) -> xr.Dataset:
-    """Return the rows as a dataset on (problem, method, tolerance), NaN where nothing ran.
+    """Return the rows as a dataset on (problem, solver, step_tolerance), NaN where nothing ran.
 
     `facts` is what is known of each problem.
     """
-    measured = pd.DataFrame(rows).set_index(["problem", "method", "tolerance"]).to_xarray()
-    methods = list(dict.fromkeys(row["method"] for row in rows))
-    measured = measured.reindex({"problem": list(facts), "method": methods})
+    measured = pd.DataFrame(rows).set_index(["problem", "solver", "step_tolerance"]).to_xarray()
+    methods = list(dict.fromkeys(row["solver"] for row in rows))
+    measured = measured.reindex({"problem": list(facts), "solver": methods})
     for name in next(iter(facts.values())):
         measured[name] = ("problem", [known[name] for known in facts.values()])
     measured["message"] = measured["message"].fillna("").astype(object)

@@ -17,7 +17,7 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
     datasets : list of Path
         Written by measure_precision.
     dataset : Path
-        The netCDF file to write, on (problem, method, tolerance); NaN where nothing ran.
+        The netCDF file to write, on (problem, solver, step_tolerance); NaN where nothing ran.
     """
     families = [read_dataset(path) for path in datasets]
     merged = xr.concat(families, "problem", data_vars="all", join="outer", combine_attrs="override")
@@ -28,8 +28,8 @@ def merge_precision(datasets: list[Path], dataset: Path) -> None:
             "name in one of them."
         )
     # In the order of the families, which the join has sorted.
-    methods = dict.fromkeys(method for family in families for method in family["method"].values)
-    merged = merged.sel({"method": list(methods)})
+    methods = dict.fromkeys(method for family in families for method in family["solver"].values)
+    merged = merged.sel({"solver": list(methods)})
     merged["message"] = merged["message"].fillna("").astype(object)
     absent: dict[str, str] = {}
     for family in families:

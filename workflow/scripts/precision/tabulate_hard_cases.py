@@ -21,7 +21,7 @@ def tabulate_hard_cases(dataset: Path, csv: Path, markdown: Path) -> None:
         Tables to write.
     """
     data = read_dataset(dataset, "hard_cases")
-    rows = data.drop_dims(["method", "rung"]).to_dataframe().reset_index()
+    rows = data.drop_dims(["solver", "rung"]).to_dataframe().reset_index()
     rows["outcome"] = rows["passed"].map({1: "passed", 0: "failed"})
     table = rows.rename(columns={"case": "name", "message": "remark"})[COLUMNS]
     write_table(table, round_floats(table, 3), csv, markdown)

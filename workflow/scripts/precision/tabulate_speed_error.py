@@ -78,7 +78,8 @@ def list_runs(data: xr.Dataset) -> pd.DataFrame:
     Where the tolerance is a step or the width of a cell, this is the order of the method.
     """
     kept = data[["error", "reference_error", "seconds", *COUNTS, "disturbed"]]
-    runs = kept.sortby("tolerance", ascending=False).to_dataframe().reset_index()
+    runs = kept.sortby("step_tolerance", ascending=False).to_dataframe().reset_index()
+    runs = runs.rename(columns={"solver": "method", "step_tolerance": "tolerance"})
     runs = runs.dropna(subset="disturbed")
     runs.insert(3, "milliseconds", 1e3 * runs.pop("seconds"))
     fineness = np.log(runs[["error", "tolerance"]]).groupby([runs["problem"], runs["method"]])
@@ -91,7 +92,7 @@ def _compare_methods(data: xr.Dataset, level: float) -> Iterator[dict[str, Any]]
     times = _times_to_reach(data, level)
     own = str(data["own_method"].item())
     for method, milliseconds in times.items():
-        chosen = data.sel({"method": method})
+        chosen = data.sel(solver=method)
         yield {
             "problem": str(data["problem"].item()),
             "error": level,
@@ -117,8 +118,8 @@ def remark(chosen: xr.Dataset) -> str:
 def _times_to_reach(data: xr.Dataset, level: float) -> dict[str, float]:
     """Return the milliseconds to an error, of every method that reaches it, the fastest first."""
     times = {
-        str(method): _time_to_reach(data.sel({"method": method}), level)
-        for method in data["method"].values
+        str(method): _time_to_reach(data.sel(solver=method), level)
+        for method in data["solver"].values
     }
     reached = {method: time for method, time in times.items() if np.isfinite(time)}
     return dict(sorted(reached.items(), key=lambda item: item[1]))
@@ -148,8 +149,8 @@ def judge(data: xr.Dataset, level: float) -> str:
     reached, own = _times_to_reach(data, level), str(data["own_method"].item())
     times = _without_given_grids(reached)
     if not times:
-        best = data["error"].min("tolerance")
-        closest = best["method"].values[int(best.argmin("method"))]
+        best = data["error"].min("step_tolerance")
+        closest = best["solver"].values[int(best.argmin("solver"))]
         return f"Nobody reached {level:.0e}; {closest} came closest with {float(best.min()):.1e}."
     fastest = next(iter(times))
     others = _rivals(times, fastest, own)
@@ -161,7 +162,7 @@ def judge(data: xr.Dataset, level: float) -> str:
     given = f"{fastest}{ON_GIVEN_GRID}"
     alone = [f"on a given grid {reached[given]:.3g} ms"] if given in reached else []
     named = [fastest, *others, *([given] if alone else [])]
-    busy = (data["disturbed"].sel({"method": named}) == 1.0).any()
+    busy = (data["disturbed"].sel(solver=named) == 1.0).any()
     papers = _compare_papers_way(data, times)
     limit = _keep_limit(data, times, level)
     remarks = [*alone, *papers, *limit, *_compare_codes(data, times), *([BUSY] if busy else [])]
@@ -173,10 +174,8 @@ def _compare_papers_way(data: xr.Dataset, times: dict[str, float]) -> Iterator[s
     fastest = next(iter(times))
     for method in PAPERS_WAY:
         if fails(data, times, method):
-            best = float(data["error"].sel({"method": method}).min())
-            needed, ours = (
-                _time_to_reach(data.sel({"method": m}), best) for m in (method, fastest)
-            )
+            best = float(data["error"].sel(solver=method).min())
+            needed, ours = (_time_to_reach(data.sel(solver=m), best) for m in (method, fastest))
             yield (
                 f"{method} did not get there with the tolerances asked: it comes to {best:.1e} in "
                 f"{needed:.3g} ms, {short(needed / ours)} times as long as {fastest}"
@@ -223,7 +222,7 @@ def short(ratio: float) -> str:
 
 def fails(data: xr.Dataset, times: dict[str, float], method: str) -> bool:
     """Return whether a method was tried and never came so close."""
-    tried = method in data["method"].values and np.isfinite(data.sel({"method": method})["error"])
+    tried = method in data["solver"].values and np.isfinite(data.sel(solver=method)["error"])
     return bool(np.any(tried)) and method not in times
 
 
