@@ -5,6 +5,10 @@ BIN := .venv/bin
 # Twice quiet leaves the errors: warnings here concern a machine's own settings, not of the project.
 PIP := PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore $(BIN)/python -m pip --quiet --quiet
 
+# Elsewhere than into .venv these would install, or nothing at all.
+unexport PIP_TARGET PIP_PREFIX PIP_ROOT PIP_PYTHON PIP_DRY_RUN
+export PIP_USER := 0
+
 # The workflow compiles its kernels into this folder; the tests find them there.
 export NUMBA_CACHE_DIR := $(CURDIR)/.numba_cache
 
@@ -55,7 +59,7 @@ lint: .venv/installed ## Check the style, the workflow's rules and the types.
 # An installation keeps a copy of what it was made from: time stamps say nothing.
 .PHONY: $(shell cat environment.txt pyproject.toml | cmp -s - .venv/installed || echo .venv/installed)
 .venv/installed:
-	@case "$(CURDIR)" in *" "*) echo "Snakemake starts no job by a Python whose path holds a blank: move $(CURDIR)." >&2; exit 1;; esac
+	@case "$(CURDIR)" in *[" :"]*) echo "Python makes no environment whose path holds a colon, and Snakemake starts no job from one with a blank: move $(CURDIR)." >&2; exit 1;; esac
 	@command -v $(PYTHON) >/dev/null || { \
 	    echo "There is no $(PYTHON) here: please install Python 3.11 or newer." >&2; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and \

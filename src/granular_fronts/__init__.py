@@ -4,6 +4,7 @@ A public name is imported at its first use.  So a check of a configuration, or a
 wait for numba.
 """
 
+import os
 from importlib import import_module
 
 __version__ = "0.2.0"
@@ -42,7 +43,16 @@ __all__ = sorted([*_HOME_OF, *_MODULES])
 def __getattr__(name: str) -> object:
     """Import a public name from its module (PEP 562)."""
     if name in _MODULES:
-        return import_module(_MODULES[name])
+        try:
+            return import_module(_MODULES[name])
+        except ValueError as error:
+            from granular_fronts.errors import InputError
+
+            backend = os.environ.get("MPLBACKEND")
+            raise InputError(
+                f"MPLBACKEND is {backend}, which Matplotlib does not have here: unset it, or set "
+                "it to agg before Python starts."
+            ) from error
     if name not in _HOME_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(_HOME_OF[name]), name)

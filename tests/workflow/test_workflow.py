@@ -65,6 +65,15 @@ def test_impossible_configuration_is_refused_before_any_job(tmp_path):
     assert not (tmp_path / "results").exists()
 
 
+@pytest.mark.parametrize(
+    "given", [["--configfile", "config/smoke.yaml"], ["--config", "results=elsewhere"]]
+)
+def test_an_option_of_which_snakemake_would_drop_the_first_is_refused(given):
+    run = snakemake("--dry-run", *given, *given)
+    assert run.returncode != 0
+    assert f"{given[0]} is given twice" in run.stderr
+
+
 @pytest.mark.parametrize("listed", ["figures", "tables"])
 def test_what_a_plain_call_makes_is_made_from_its_own_data(tmp_path, listed):
     """Otherwise the checks at its end would call good results wrong."""

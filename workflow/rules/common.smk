@@ -17,11 +17,13 @@ PAPERS = sorted(glob(os.path.join(PROJECT, "papers", "*", "")))
 
 # The package and its compiled kernels are found without an installation, here and by the jobs.
 sys.path[:0] = [SOURCE, LIBRARY]
+# Jobs start in this folder. Relative paths hold no colon, at which PYTHONPATH would be cut.
+PATHS = map(os.path.relpath, [SOURCE, LIBRARY, DRAWING, *PAPERS])
 os.environ.update(
-    PYTHONPATH=os.pathsep.join(
-        filter(None, [SOURCE, LIBRARY, DRAWING, *PAPERS, os.environ.get("PYTHONPATH")])
-    ),
+    PYTHONPATH=os.pathsep.join(filter(None, [*PATHS, os.environ.get("PYTHONPATH")])),
     NUMBA_CACHE_DIR=os.path.join(PROJECT, ".numba_cache"),
+    # A notebook hands its child processes a backend that the pinned packages lack.
+    MPLBACKEND="agg",
 )
 
 # Snakemake starts its jobs by this name, without quotation marks.
@@ -30,6 +32,14 @@ if " " in sys.executable:
         f"Snakemake starts no job by {sys.executable}, since there is a blank in this path: move "
         "the folder, or make the environment elsewhere."
     )
+
+# Of an option that is given twice Snakemake drops the first, without a word.
+for names, form in (
+    (("--configfile", "--configfiles"), "--configfile a.yaml b.yaml"),
+    (("--config", "-C"), "--config results=results/mine campaign=smoke"),
+):
+    if sum(word.partition("=")[0] in names for word in sys.argv) > 1:
+        sys.exit(f"{names[0]} is given twice, but Snakemake reads only the last: write {form}.")
 
 from granular_fronts.numerics.source_code import code_digest
 from granular_fronts.numerics.imports import import_closure, module_files
