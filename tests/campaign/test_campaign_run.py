@@ -11,6 +11,7 @@ import sys
 import time
 
 import numpy as np
+import pandas as pd
 import psutil
 import pytest
 import yaml
@@ -58,7 +59,7 @@ def jobs_of(run):
 
 
 def summary_of(folder, name):
-    return (folder / f"results/tables/campaign_{name}.md").read_text(encoding="utf-8")
+    return (folder / f"results/tables/campaign_{name}_summary.md").read_text(encoding="utf-8")
 
 
 def chunk_dates(folder):
@@ -181,6 +182,10 @@ def test_grown_campaign_solves_only_what_is_new(project):
     assert merged.sizes["delta"] == 4
     assert merged.sizes["gamma"] == 100
     assert "overshoot" in summary_of(project, "mine")
+    file = project / "results/tables/campaign_mine.csv"
+    points = pd.read_csv(file, index_col=["delta", "gamma"])
+    assert points["reason"].isna().all()
+    np.testing.assert_array_equal(points["overshoot"], merged["overshoot"].values.ravel())
     assert largest_memory(project / "results/benchmarks/solve_chunk/mine") < 1024
 
     gammas = {"linspace": [0.1, 1.0, 199]}

@@ -53,8 +53,9 @@ rule summarise_campaign:
     input:
         dataset="<results>/data/campaigns/{campaign}.nc",
     output:
-        csv="<results>/tables/campaign_{campaign}.csv",
-        markdown="<results>/tables/campaign_{campaign}.md",
+        points="<results>/tables/campaign_{campaign}.csv",
+        csv="<results>/tables/campaign_{campaign}_summary.csv",
+        markdown="<results>/tables/campaign_{campaign}_summary.md",
     params:
         code=code("summarise_campaign"),
     log:
@@ -77,8 +78,9 @@ rule summarise_campaign:
 rule campaign:
     """A grid of parameter points; add --config campaign=NAME, a file of config/campaigns."""
     input:
-        table=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}.md",
+        table=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}_summary.md",
+        points=lambda wildcards: f"{config['results']}/tables/campaign_{named_campaign()}.csv",
         dataset=lambda wildcards: f"{config['results']}/data/campaigns/{named_campaign()}.nc",
         chunks=lambda wildcards: campaign_chunks(named_campaign()),
     message:
-        "The campaign is done: {input.table}, {input.dataset}."
+        "The campaign is done: {input.table}, {input.points}, {input.dataset}."

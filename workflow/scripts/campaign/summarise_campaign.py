@@ -1,4 +1,4 @@
-"""Sum up a campaign: points solved and failed, why, range of scalars, work, means over seeds."""
+"""List the points of a campaign and sum them up: points solved and failed, why, range of scalars, work, means over seeds."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,17 +15,21 @@ from step import run_step
 FORMATS = {"smallest": ".8g", "median": ".8g", "largest": ".8g", "error estimate": ".1e"}
 
 
-def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
-    """Write the table of scalars, and with it the counts as a page.
+def summarise_campaign(dataset: Path, points: Path, csv: Path, markdown: Path) -> None:
+    """Write the points, the table of scalars, and with it the counts as a page.
 
     Parameters
     ----------
     dataset : Path
         A merged campaign.
+    points : Path
+        The file to write with a row for each point.
     csv, markdown : Path
-        Files to write.
+        Files of the summary to write.
     """
     merged = read_dataset(dataset)
+    with complete_file(points) as unfinished:
+        _list_points(merged).to_csv(unfinished)
     scalars = _describe_scalars(merged)
     with complete_file(csv) as unfinished:
         scalars.to_csv(unfinished, index=False)
@@ -40,6 +44,14 @@ def summarise_campaign(dataset: Path, csv: Path, markdown: Path) -> None:
             *_average_seeds(merged),
         ]
         unfinished.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
+
+
+def _list_points(merged: xr.Dataset) -> pd.DataFrame:
+    """Return axes, scalars and status of each point, and in words why it failed."""
+    axes = merged["status"].dims
+    scalars = [name for name, variable in merged.data_vars.items() if variable.dims == axes]
+    rows = merged[scalars].to_dataframe(dim_order=axes)
+    return rows.assign(reason=merged["reason_text"].values[rows["reason"]])
 
 
 def _describe_work(merged: xr.Dataset) -> str:
