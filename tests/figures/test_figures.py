@@ -4,13 +4,15 @@ What each figure shows is checked in `test_figure_contents`.
 """
 
 import importlib
+import json
 
 import jinja2
 import matplotlib.pyplot as plt
 import pytest
 from chains import driven_scene
+from projects import ROOT
 
-from figure_step import write_figure
+import figure_step
 from granular_fronts.chain.simulate import simulate_chain
 from granular_fronts.output.datasets import (
     DatasetError,
@@ -20,21 +22,21 @@ from granular_fronts.output.datasets import (
 )
 
 BEADS = 24
+RECORD = {
+    "snapshots": [20.0],
+    "probes": {
+        "steady": {"beads": [6, 9, 12], "start": 5.0, "stop": 30.0, "step": 0.5},
+        "transient": {"beads": [1, 3], "start": 0.0, "stop": 10.0, "step": 0.5},
+    },
+    "grid": {"step": 2.0},
+    "extremes": True,
+    "arrival_level": 0.05,
+}
 
 
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
-    record = {
-        "snapshots": [20.0],
-        "probes": {
-            "steady": {"beads": [6, 9, 12], "start": 5.0, "stop": 30.0, "step": 0.5},
-            "transient": {"beads": [1, 3], "start": 0.0, "stop": 10.0, "step": 0.5},
-        },
-        "grid": {"step": 2.0},
-        "extremes": True,
-        "arrival_level": 0.05,
-    }
-    scene = driven_scene(0.06, BEADS, 80.0, record=record)
+    scene = driven_scene(0.06, BEADS, 80.0, record=RECORD)
     path = tmp_path_factory.mktemp("data") / "scene.nc"
     write_dataset(simulate_chain(scene), path, scene_id="scene", config=scene)
     return path
@@ -47,7 +49,7 @@ def make_files(path, stem, caption, reference=None):
     """Run the step of figure 3, with a caption of the test's."""
     template = stem.with_suffix(".template")
     template.write_text(caption, encoding="utf-8")
-    write_figure(
+    figure_step.write_figure(
         importlib.import_module("plot_fig03").plot_fig03,
         data=path,
         template=template,
@@ -90,6 +92,33 @@ def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_d
     assert "Scene scene is not one of the paper's." in " ".join(others)
     with pytest.raises(jinja2.UndefinedError, match="strength"):
         make_files(path, tmp_path / "fig", "γ = {{ data.law.strength }}.")
+
+
+@pytest.mark.parametrize(
+    ("gamma", "end", "said", "unsaid"),
+    [
+        (0.06, 32.0, "It oscillates | A front runs along", "reflect | fly off | other end"),
+        (
+            0.06,
+            80.0,
+            ", and the wave reflected there | fly off | the other end reflects",
+            "both",
+        ),
+        (0.65, 200.0, "both ends reflect | does not visibly | strong damping", "fly off | It osc"),
+    ],
+)
+def test_captions_of_a_chain_say_what_it_does(gamma, end, said, unsaid):
+    scene = driven_scene(gamma, BEADS, end, record=RECORD | {"snapshots": [end]})
+    motion = simulate_chain(scene).assign_attrs(config=json.dumps(scene))
+    captions = " ".join(
+        figure_step._fill(
+            (ROOT / f"workflow/report/{figure}.rst").read_text(encoding="utf-8"),
+            {"data": figure_step._described(motion)},
+        )
+        for figure in ("fig01", "fig02", "fig03")
+    )
+    assert not [words for words in said.split(" | ") if words not in captions]
+    assert not [words for words in unsaid.split(" | ") if words in captions]
 
 
 def test_data_of_something_else_are_named(path, tmp_path):

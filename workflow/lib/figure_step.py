@@ -4,7 +4,8 @@ The script of a figure holds one function that is given datasets and returns a f
 runs for every figure; its rule names the script and the datasets.
 
 The caption is a Jinja template.  Its variables are the names of the datasets.  Each is the
-configuration of its dataset, so that a caption cannot name other values than the picture shows.
+configuration of its dataset, so that a caption cannot name other values than the picture shows, and
+`measured` in it is the dataset, for sentences that other values would make false.
 Where these are not the paper's, the caption ends with the difference.
 """
 
@@ -56,7 +57,7 @@ def write_figure(
     ]
     matplotlib.rcdefaults()  # Whatever looks the user's own matplotlibrc asks for.
     save_figure(_drawn(draw, data, paths), pdf, png, every)
-    computed = {name: _for_each(configuration_of, given) for name, given in data.items()}
+    computed = {name: _for_each(_described, given) for name, given in data.items()}
     words = _fill(template.read_text(encoding="utf-8"), computed)
     text = "\n\n".join([words.strip(), *_departure_notes(every, reference)])
     with complete_file(caption) as unfinished:
@@ -81,6 +82,11 @@ def _drawn(
 def _for_each(function: Callable[[Any], Any], given: Any) -> Any:
     """Return what a function makes of one thing, or of each in a list."""
     return [function(one) for one in given] if isinstance(given, list) else function(given)
+
+
+def _described(dataset: xr.Dataset) -> dict[str, Any]:
+    """Return what a caption may name of a dataset."""
+    return configuration_of(dataset) | {"measured": dataset}
 
 
 def _fill(template: str, computed: Mapping[str, Any]) -> str:

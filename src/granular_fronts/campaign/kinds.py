@@ -159,7 +159,7 @@ KINDS: dict[str, Kind] = {
             ),
         },
         scalars={
-            "front_speed": "speed of the front over c, 1 when steady; c is delta^((alpha - 1)/2) for powers",
+            "front_speed": "front speed over c, about 1; c = delta^((alpha - 1)/2) for powers",
             "first_peak": "first maximum of u_n over delta at the middle of the chain, minus 1",
             "largest_peak": "largest maximum of u_n over delta at the middle of the chain, minus 1",
             "overshoot": "the largest peak, see largest_peak",

@@ -77,10 +77,13 @@ def draw_spacetime(
 
 def name_waves(axes: Axes, arrivals: xr.DataArray) -> None:
     """Write the names of a front and of its reflection next to their ways in the (n, t) plane."""
-    last, arrival = int(arrivals["bead"][-1]), float(arrivals.max())
+    last, arrival, (_, end) = int(arrivals["bead"][-1]), float(arrivals.max()), axes.get_ylim()
     edge = [withStroke(linewidth=2, foreground="white")]
+    if np.isnan(arrivals[-2]):
+        return  # The front has not crossed the chain.
     axes.text(0.56 * last, 0.4 * arrival, "front", fontsize=8, path_effects=edge)
-    axes.text(0.1 * last, 1.3 * arrival, "reflected wave", fontsize=8, path_effects=edge)
+    if 1.3 * arrival < end:
+        axes.text(0.1 * last, 1.3 * arrival, "reflected wave", fontsize=8, path_effects=edge)
     axes.text(0.62 * last, 0.15 * arrival, "at rest", fontsize=8, color="0.5")
 
 

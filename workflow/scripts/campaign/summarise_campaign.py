@@ -1,4 +1,7 @@
-"""List the points of a campaign and sum them up: points solved and failed, why, range of scalars, work, means over seeds."""
+"""List the points of a campaign, and sum them up.
+
+The summary has points solved and failed, why, range of scalars, work, and means over seeds.
+"""
 
 from collections.abc import Iterator
 from pathlib import Path

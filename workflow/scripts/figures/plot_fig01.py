@@ -19,7 +19,7 @@ def plot_fig01(data: xr.Dataset) -> Figure:
     figure, panels = new_figure(4.8, [["steady", "snapshot"], ["transient", "transient"]])
     draw_probes(panels["steady"], data, "steady")
     label_peaks(panels["steady"])
-    panels["steady"].set_title("far from the end: steady front", pad=12)
+    panels["steady"].set_title("far from the compressed end", pad=12)
     draw_probes(panels["transient"], data, "transient")
     panels["transient"].legend(loc="lower right")
     panels["transient"].set_title("near the compressed end: the front forms")

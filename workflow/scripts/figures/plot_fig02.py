@@ -29,7 +29,8 @@ def plot_fig02(data: xr.Dataset) -> Figure:
     draw_spacetime(panels["displacement"], u, "relative_displacement", (-clip, clip))
     draw_spacetime(panels["velocity"], velocity, "velocity", (0.0, float(velocity.max())))
     panels["velocity"].set_ylabel("")
-    _draw_free_end(panels["displacement"], u, data["arrival_time"], clip)
+    if data["arrival_time"][-2].notnull():
+        _draw_free_end(panels["displacement"], u, data["arrival_time"], clip)
     for axes in panels.values():
         name_waves(axes, data["arrival_time"])
     return figure
@@ -48,5 +49,6 @@ def _draw_free_end(axes: Axes, u: xr.DataArray, arrivals: xr.DataArray, clip: fl
     inset.pcolormesh(u["bead"], u["t_grid"], u, rasterized=True, **look)
     inset.set(xlim=(last - BEADS_AT_END, last), ylim=(0.96 * arrival, TIME_AT_END * arrival))
     inset.tick_params(labelsize=6)
-    inset.set_title("free end:\nlast beads fly off", fontsize=7)
+    opens = float(u.min()) < -0.01 * clip
+    inset.set_title("free end:\nlast beads fly off" if opens else "last beads", fontsize=7)
     axes.indicate_inset_zoom(inset, edgecolor="black")
