@@ -5,6 +5,7 @@ problems and their answers are made by snakemake -c2 referee.
 """
 
 import argparse
+import os
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -86,7 +87,8 @@ def judge(path, results, options):
     findings = [find(problem, answer, result) for result in results]
     print("\n".join(report(problem, findings, options.error)))
     if options.figures:
-        # Who asks for no figure does not wait for Matplotlib.
+        # Who asks for no figure does not wait for Matplotlib, and nobody needs a window.
+        os.environ["MPLBACKEND"] = "agg"
         from granular_fronts.referee.drawing import draw
 
         figure = draw(problem, answer, results, findings)
