@@ -4,7 +4,6 @@ A public name is imported at its first use.  So a check of a configuration, or a
 wait for numba.
 """
 
-import os
 from importlib import import_module
 
 __version__ = "0.2.0"
@@ -48,10 +47,8 @@ def __getattr__(name: str) -> object:
         except ValueError as error:
             from granular_fronts.errors import InputError
 
-            backend = os.environ.get("MPLBACKEND")
             raise InputError(
-                f"MPLBACKEND is {backend}, which Matplotlib does not have here: unset it, or set "
-                "it to agg before Python starts."
+                f"Matplotlib does not start: {error}. Unset MPLBACKEND, or set it to agg."
             ) from error
     if name not in _HOME_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

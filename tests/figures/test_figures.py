@@ -98,12 +98,7 @@ def test_caption_says_where_the_scene_is_not_the_papers_and_holds_no_markup_of_d
     ("gamma", "end", "said", "unsaid"),
     [
         (0.06, 32.0, "It oscillates | A front runs along", "reflect | fly off | other end"),
-        (
-            0.06,
-            80.0,
-            ", and the wave reflected there | fly off | the other end reflects",
-            "both",
-        ),
+        (0.06, 80.0, "wave reflected there | fly off | the other end reflects", "both ends"),
         (0.65, 200.0, "both ends reflect | does not visibly | strong damping", "fly off | It osc"),
     ],
 )

@@ -1,6 +1,9 @@
 """Pictures in one line: each curve, mark and colour is a number of the dataset, for any law."""
 
 import doctest
+import os
+import subprocess
+import sys
 
 import matplotlib
 import matplotlib.pyplot as plt
@@ -204,3 +207,11 @@ def test_what_has_nothing_to_show_says_so(fronts):
 def test_examples_run():
     found = doctest.testmod(gf.plot, extraglobs={"gf": gf})
     assert found.failed == 0 < found.attempted
+
+
+def test_backend_that_is_not_installed_is_named():
+    command = [sys.executable, "-c", "import granular_fronts as gf; gf.plot"]
+    env = os.environ | {"MPLBACKEND": "inline_of_a_notebook"}
+    run = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
+    assert "'inline_of_a_notebook' is not a valid value" in run.stderr
+    assert run.stderr.endswith("Unset MPLBACKEND, or set it to agg.\n")

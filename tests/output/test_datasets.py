@@ -139,7 +139,6 @@ def test_what_is_no_dataset_of_this_project_or_scene_is_refused(path, tmp_path):
 
 
 def test_no_variable_has_a_name_that_xarray_has_taken():
-    """The same of what solvers return and of finished files is tested with these."""
     assert {"method", "tolerance", "variables"} < TAKEN
     assert TAKEN.isdisjoint(long_names())
 

@@ -60,16 +60,15 @@ def test_blank_or_colon_in_the_path_is_named_before_anything_is_installed(tmp_pa
     assert not (folder / ".venv").exists()
 
 
-def test_pip_installs_into_the_environment_whatever_a_user_has_set(tmp_path):
-    for name in ("Makefile", "pyproject.toml", "environment.txt"):
-        shutil.copy(ROOT / name, tmp_path)
-    python = tmp_path / "python"
+def test_pip_installs_into_the_environment_whatever_a_user_has_set(installed):
+    (installed / ".venv/installed").write_text("")
+    python = installed / "python"
     python.write_text('#!/bin/sh\nmkdir -p .venv/bin; cp "$0" .venv/bin/python; env >> seen\n')
     python.chmod(0o755)
     away = dict.fromkeys(["PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT"], "1")
     command = ["make", ".venv/installed", f"PYTHON={python}"]
-    subprocess.run(command, cwd=tmp_path, env=os.environ | away, capture_output=True, check=True)
-    seen = (tmp_path / "seen").read_text().splitlines()
+    subprocess.run(command, cwd=installed, env=os.environ | away, capture_output=True, check=True)
+    seen = (installed / "seen").read_text().splitlines()
     assert "PIP_USER=0" in seen
     assert not [line for line in seen if line.startswith(("PIP_TARGET", "PIP_PREFIX", "PIP_ROOT="))]
 

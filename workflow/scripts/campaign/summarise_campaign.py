@@ -1,7 +1,4 @@
-"""List the points of a campaign, and sum them up.
-
-The summary has points solved and failed, why, range of scalars, work, and means over seeds.
-"""
+"""List the points of a campaign, and sum up failures and why, ranges, work, means over seeds."""
 
 from collections.abc import Iterator
 from pathlib import Path
