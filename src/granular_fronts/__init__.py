@@ -42,14 +42,7 @@ __all__ = sorted([*_HOME_OF, *_MODULES])
 def __getattr__(name: str) -> object:
     """Import a public name from its module (PEP 562)."""
     if name in _MODULES:
-        try:
-            return import_module(_MODULES[name])
-        except ValueError as error:
-            from granular_fronts.errors import InputError
-
-            raise InputError(
-                f"Matplotlib does not start: {error}. Unset MPLBACKEND, or set it to agg."
-            ) from error
+        return import_module(_MODULES[name])
     if name not in _HOME_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(_HOME_OF[name]), name)

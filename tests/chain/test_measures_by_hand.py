@@ -13,6 +13,7 @@ from granular_fronts.campaign import measures as rings
 from granular_fronts.chain import measures as chain
 from granular_fronts.continuum import measures as continuum
 from granular_fronts.fronts import measures as fronts
+from granular_fronts.model.collision import restitution
 from granular_fronts.scenes.yaml_files import read_yaml
 from granular_fronts.studies import law_measures as laws
 from granular_fronts.studies import ring_measures as ring
@@ -96,6 +97,10 @@ FRONT["velocity_logarithmic"].attrs["distance"] = 0.3
 SHOT = [dataset(error=e, **dict.fromkeys(TWO_METHODS, ({}, 0.0))) for e in (3e-14, 1e-14)]
 for front, distance in zip(SHOT, (1e-14, 2e-14), strict=True):
     front["relative_displacement_shooting"].attrs["distance"] = distance
+PEAKS = dataset(
+    attrs={"overshoot_cut": 0.02},
+    equal_peaks=({"alpha": [1.0, 1.25, 1.5, 1.75, 2.0]}, [np.nan, 0.0, 0.01, 0.04, 0.05]),
+)
 CURVES = dataset(
     attrs={"exchange_exponent": 1.25},
     critical_damping_tail=({"alpha": [1.02, 1.5]}, [0.08, 0.25]),
@@ -220,6 +225,8 @@ BY_HAND = [
     (chain.second_arrival_time, CHAIN, {}, 8.5, 1.0),
     (laws.weak_damping_constant, LAWS, {}, WEAK, 4 * 2**-54),
     (laws.gamma, LAWS, {"material": "steel"}, 0.05, 1e-3),
+    # The inverse of `gf.restitution`, which tests/model/test_collision.py holds to SciPy.
+    (laws.gamma_of_restitution, LAWS, {"restitution": restitution(0.05)}, 0.05, ANY),
     (laws.order_of_agreement, LAWS, {}, 1.8, 1e-3),
     (laws.order_of_two_stages, LAWS, {}, 2.7, 1e-3),
     (laws.conserved_velocity_drift, LAWS, {}, 1e-13, 1e-3),
@@ -258,6 +265,8 @@ BY_HAND = [
     (fronts.width_power, TRENDS, {}, -0.5, 0.25),
     (fronts.critical_power_of_pressure, TRENDS, {}, -0.25, 2e-3 / (0.3 * math.log(100))),
     (fronts.narrowing, TRENDS, {}, 0.25, 1e-3 / 4 + 0.25 * 1e-3 / 4),
+    # A third of the way from 1.5 to 1.75, or a quarter of that to 2.
+    (fronts.second_peak_seen_from, PEAKS, {}, 19 / 12, 1 / 24),
     (fronts.exchange_exponent, CURVES, {}, 1.25, 1.25e-14),
     (fronts.methods_apart, tuple(SHOT), {}, 2e-14, 3e-14),
     (fronts.strong_damping_power, SURVEY, {"alpha": 1.5}, -1.75, 0.25),

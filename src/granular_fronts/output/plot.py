@@ -11,13 +11,19 @@ are set for each picture separately, so that a notebook's other figures stay as 
 =================  ============================================================================
 """
 
-import matplotlib.pyplot as plt
+from granular_fronts.errors import InputError
+
+try:
+    import matplotlib.pyplot as plt
+except ValueError as error:
+    raise InputError(
+        f"Matplotlib does not start: {error}. Unset MPLBACKEND, or set it to agg."
+    ) from error
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
 from granular_fronts.arguments import instance
-from granular_fronts.errors import InputError
 from granular_fronts.output.panels import (
     FIELD_LABELS,
     contacts_open,
