@@ -118,7 +118,7 @@ class Recorded(NamedTuple):
     variables: dict
     coordinates: dict
     attributes: dict
-    rounding_of_velocity: float = 0.0
+    rounding_of_velocity: float
 
     @property
     def dataset(self):

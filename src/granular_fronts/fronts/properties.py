@@ -89,7 +89,7 @@ def measures(problem, spacing, s):
     rate = problem.speed**3 * jump**2
     return np.array(
         [
-            jump * (last_crests(s, rise, 1.0, 0.0)[0] - 1.0),
+            jump * (last_crests(s, rise, 1, 1.0, 0.0)[0] - 1.0),
             jump * max(largest(s, 1.0, 0.0) - 1.0, 0.0),
             spacing * (fall - rise + (after - before)),
             jump * largest(-slopes, 0.0, 0.0),

@@ -103,12 +103,12 @@ def largest(values, behind, ahead):
 
 
 @kernel
-def last_crests(values, last, behind, ahead):
-    """Return the values of the interpolant at its last two crests up to a point, the last first.
+def last_crests(values, last, count, behind, ahead):
+    """Return the values of the interpolant at its last crests up to a point, the last first.
 
     Where there is none it is `behind`.
     """
-    crests, found = np.full(2, behind), 0
+    crests, found = np.full(count, behind), 0
     for k in range(last, 0, -1):
         rise = values[k] - min(values[k - 1], values[k + 1])
         crest = values[k] >= values[k - 1] and values[k] >= values[k + 1]

@@ -124,5 +124,5 @@ def _peaks(alpha, gamma):
     """Return the first, the second and the largest peak of a front less the state behind."""
     profile = solve_profile(power_problem(alpha, gamma, alpha))
     start = np.flatnonzero(profile.s >= 0.9)[-1]
-    crests = last_crests(profile.s, start, 1.0, 0.0) - 1.0
+    crests = last_crests(profile.s, start, 2, 1.0, 0.0) - 1.0
     return *crests, measure(profile)[0][MEASURES.index("largest_peak")]
