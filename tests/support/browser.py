@@ -59,23 +59,6 @@ class Page:
             assert time.monotonic() < deadline, f"{expression} does not come to hold"
             time.sleep(0.05)
 
-    def drag(self, start, stop, steps=8):
-        """Press the mouse at a point, move it to another, and let go."""
-        (x, y), (to_x, to_y) = start, stop
-        self._mouse("mousePressed", x, y)
-        for k in range(1, steps + 1):
-            self._mouse("mouseMoved", x + (to_x - x) * k / steps, y + (to_y - y) * k / steps)
-        self._mouse("mouseReleased", to_x, to_y)
-
-    def _mouse(self, kind, x, y):
-        pressed = {"button": "left", "buttons": 1, "clickCount": 1}
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **pressed)
-
-    def press(self, key, code):
-        """Press a key and let it go."""
-        for kind in ("keyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code)
-
     def call(self, method, **params):
         """Give a command and wait for its answer."""
         self._last += 1
