@@ -143,6 +143,13 @@ def test_beta_is_alpha_unless_given():
     np.testing.assert_array_equal(chunk.points()["beta"], [[1.2, 1.2], [1.5, 1.5]])
 
 
+def test_no_campaign_takes_the_files_of_another_ones_summary(tmp_path):
+    file = tmp_path / "smoke_summary.yaml"
+    file.write_bytes((ROOT / "config/campaigns/smoke.yaml").read_bytes())
+    with pytest.raises(InputError, match="smoke_summary"):
+        definition.load_campaign(tmp_path, file.stem)
+
+
 def test_name_of_a_chunk_is_its_content():
     [chunk], [same], [other] = (
         all_chunks(campaign(**changes), 10)

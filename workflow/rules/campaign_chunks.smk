@@ -4,7 +4,7 @@ Nothing is written by that.
 """
 
 CAMPAIGNS = "config/campaigns"
-CAMPAIGN_NAME = "[a-z][a-z0-9_]*"
+CAMPAIGN_NAME = "[a-z][a-z0-9_]*(?<!_summary)"
 KERNELS_OF_KIND = {
     "chain": rules.compile_kernels.output.stamp,
     "motion": rules.compile_kernels.output.stamp,

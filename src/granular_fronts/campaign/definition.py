@@ -26,8 +26,8 @@ from granular_fronts.scenes.sections import ranges_increase
 from granular_fronts.scenes.validation import raise_if_any
 from granular_fronts.scenes.yaml_files import read_yaml
 
-NAME = re.compile(r"[a-z][a-z0-9_]{0,99}")
-"""A campaign's name, which becomes part of file names."""
+NAME = re.compile(r"[a-z][a-z0-9_]{0,99}(?<!_summary)")
+"""A campaign's name, which becomes part of file names; x_summary is that of the summary of x."""
 
 NUMBERS_PER_VALUE = 4
 """Memory of a value of an axis while it is written out, in numbers."""
@@ -97,7 +97,7 @@ def load_campaign(folder: Path | str, name: str) -> Campaign:
     if not NAME.fullmatch(name):
         raise InputError(
             f"Campaign {name}: a name has lower-case letters, digits and underscores only, 100 at "
-            f"most, a letter first: rename {files[name]}."
+            f"most, a letter first and no _summary last: rename {files[name]}."
         )
     return check_campaign(read_yaml(files[name]), name)
 
