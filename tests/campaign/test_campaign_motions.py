@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 import yaml
 from campaigns import ROOT, all_chunks, campaign, refusal, solve, solved_points
+from chains import given
 from configurations import assert_refused
 from scipy.special import stdtrit
 
@@ -55,6 +56,16 @@ def test_a_point_is_the_motion_of_its_scene():
         profile = solved.values["velocity"][0, column]
         np.testing.assert_array_equal(profile[:20], motion["velocity"][0])
         assert np.isnan(profile[20:]).all()
+
+
+def test_the_largest_force_is_that_of_any_pulse():
+    """Two beads strike, and the weaker pulse is ahead."""
+    struck = given(np.zeros(19), np.where(np.arange(20) == 9, 0.3, np.arange(20) == 0))
+    solved = solved_points(campaign(RATIOS, scene=SCENE | {"start": struck}))
+    motion = gf.simulate_chain(SCENE | {"start": struck})
+    peaks = gf.pulses(motion["contact_force_far"])["peak"].sel(contact_far=15)
+    assert peaks[0] < 0.5 * peaks[1]
+    assert solved.values["largest_force"][0, 1] == pytest.approx(float(peaks.max()), rel=1e-12)
 
 
 def test_axes_find_numbers_in_lists_and_keep_whole_ones():

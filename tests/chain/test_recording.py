@@ -57,6 +57,9 @@ def test_last_rows_of_grid_and_probes_are_the_state_at_the_end(end):
     np.testing.assert_allclose(data["relative_displacement_near"][-1], last[[0, 7]], rtol=1e-14)
     assert last[7] == 0.02  # Held, and not the position of the last bead.
     assert float(data["t_grid"][-1]) == float(data["t_near"][-1]) == end
+    # The held right end is no contact of two beads.
+    mean = float(data["mean_relative_displacement"][-1])
+    assert mean == pytest.approx(last[:7].sum() / 8.0, rel=1e-13)
     momentum = (0.1**1.5 - 0.02**1.5) * end
     assert float(data["total_velocity"][-1]) == pytest.approx(momentum, rel=1e-13)
 

@@ -11,7 +11,7 @@ from granular_fronts.chain.patterns import values_along
 from granular_fronts.errors import InputError
 from granular_fronts.reference_methods.extended import Motion
 
-MASSES = {"count": 12, "mass": {"cell": [1.0, 0.4, 2.0]}}
+MASSES = {"count": 12, "mass": {"cell": [0.8, 0.4, 2.0]}}
 FREE = {"kind": "pressure", "left": 0.0, "right": 0.0}
 STRIKER = {"kind": "striker", "beads": 1, "velocity": 1.0}
 WAVE = given(0.5 + 0.2 * np.cos(np.arange(12)), 0.1 * np.sin(np.arange(12)))

@@ -111,6 +111,8 @@ def test_tail_keeps_the_relative_accuracy_of_the_logarithm(mu):
     front = gf.heteroclinic(mu, s)
     p = np.array([float(exact.at(point)[0]) for point in s])
     np.testing.assert_allclose(-front["log_rescaled_force"], p, rtol=2.0e-14)
+    relative = np.abs(front["log_rescaled_force"] / p + 1.0).max()
+    assert relative <= 2.0 * front["log_rescaled_force"].attrs["relative_error_estimate"]
     assert 0.0 < front["rescaled_force"][-1] < 1.0e-322
 
 

@@ -146,6 +146,15 @@ def test_no_number_of_an_inaccurate_front_is_kept(monkeypatch):
     assert all(np.isnan(fronts[name]).all() for name in sweeps.MEASURES)
 
 
+def test_a_front_that_is_solved_alone_is_kept_where_it_is_better(monkeypatch):
+    gammas = np.geomspace(0.05, 1.5, 12)
+    together = gf.sweep_fronts(1.5, gammas)["error_estimate"]
+    monkeypatch.setattr(sweeps, "ACCEPTED_ERROR", 1e-30)
+    kept = gf.sweep_fronts(1.5, gammas)["error_estimate"]
+    assert (kept <= together).all()
+    assert (kept < together).any()
+
+
 def test_impossible_sweeps_are_refused():
     with pytest.raises(InputError, match="gammas holds 0"):
         gf.sweep_fronts(1.5, [0.1, 0.0])

@@ -76,8 +76,10 @@ def test_roots_and_critical_damping_depend_on_beta_gamma_over_alpha_only():
     np.testing.assert_allclose(
         gf.tail_roots(1.5, 0.4, beta=1.0), gf.tail_roots(1.5, 0.4 / 1.5), rtol=1e-13
     )
-    scaled = 1.5 * gf.critical_damping(1.5)
-    assert gf.critical_damping(1.5, beta=1.0) == pytest.approx(scaled, rel=1e-15)
+    for definition in ("tail", "double-root", "long-wave"):
+        scaled = 1.1 * gf.critical_damping(1.1, definition=definition)
+        found = gf.critical_damping(1.1, beta=1.0, definition=definition)
+        assert found == pytest.approx(scaled, rel=1e-15)
 
 
 def test_critical_damping_is_a_double_root_and_tends_to_the_long_wave_formula():

@@ -110,6 +110,16 @@ def test_damping_added_to_the_accurate_chain_is_read_as_such():
     assert np.isnan(excess_by_table(outside, factors, table)).all()
 
 
+def test_stated_error_of_the_excess_is_that_of_the_table(measured):
+    """Against a table of twice as many dampings."""
+    factors = (0.96, 0.98, 1.0, 1.05, 1.1, 1.15, 1.2, 1.25, 1.32)
+    case, one = CASE._replace(gamma=0.13), measured.sel(beta=1.5, gamma=0.13)
+    table = [accurate_chain(case._replace(gamma=0.13 * factor))[0].peak for factor in factors]
+    finer = excess_by_table(one["peak"].values, factors, table)
+    error = np.abs(one["excess_overshoot"] - finer).max()
+    assert error <= 2.0 * measured["excess_overshoot"].attrs["error_estimate"] < 1e-4
+
+
 def test_orders_and_excess_are_of_first_order(measured):
     np.testing.assert_allclose(measured["order"], 1.0, rtol=0, atol=0.06)
     for observable in ("overshoot", "tail"):

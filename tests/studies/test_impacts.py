@@ -79,7 +79,7 @@ def test_fronts_approach_those_of_the_closed_form_and_exact_ones(fronts):
 
 def test_errors_of_fronts_bound_a_change_of_the_tolerance(fronts):
     coarse = follow_fronts(1.5, [0.05], [200], {"relative": 1e-7, "absolute": 1e-10})
-    for name in ("height", "overshoot"):
+    for name in ("height", "damping", "overshoot"):
         exact = float(fronts[name].sel(gamma=0.05, contact=200))
         found = measures.tabulated(coarse.isel(gamma=0, contact=0), name)
         assert abs(found.value - exact) <= 2.0 * found.error + 2.0 * float(
