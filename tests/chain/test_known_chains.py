@@ -198,7 +198,7 @@ UNLIKE = {
     "damped": {"mass": DIMER, "contacts": {"elastic": {"cell": [1.0, 2.0]}}, "gamma": 0.1},
 }
 
-MARKS = dict.fromkeys(("dimer", "light", "damped"), pytest.mark.slow)
+MARKS = {"light": pytest.mark.slow}
 
 
 @extended

@@ -41,7 +41,6 @@ def test_a_guess_that_is_no_wave_is_refused():
         solve_wave(1.5, 0.34, 4.0 * np.exp(-0.6 * times_of(16) ** 2), 16)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("near", "humps"), [(0.343, 2), (0.155, 3), (0.0901, 4)])
 def test_the_chain_carries_a_wave_unchanged(near, humps):
     """Each contact of a chain that starts in the wave has its values m cells and m times later."""
@@ -80,7 +79,6 @@ def test_the_chain_carries_a_wave_unchanged(near, humps):
     assert np.count_nonzero(peaks & (wave.u[1:-1] > 1e-3 * wave.u.max())) <= humps
 
 
-@pytest.mark.slow
 def test_the_chain_alone_finds_the_second_antiresonance_again():
     _, ratio = find_wave(1.5, 0.343, 40, TOLERANCE)
     place = crossing(lambda root: rates(1.5, root**-2.0, CELLS, TOLERANCE)[1].value, 1.7, 0.05)
@@ -88,7 +86,6 @@ def test_the_chain_alone_finds_the_second_antiresonance_again():
     assert place.error < 1e-3
 
 
-@pytest.mark.slow
 def test_the_attenuation_does_not_depend_on_the_cells_nor_on_which_bead_is_light():
     """One rate for all cells, as the chain has no scale; 1/ε is ε with the beads exchanged."""
     early, late = rates(1.5, 0.8, CELLS, TOLERANCE)

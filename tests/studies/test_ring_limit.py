@@ -155,7 +155,6 @@ def test_slow_start_sends_less_back_than_the_start_of_the_paper():
         assert residual < 0.15
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("damping", [0.3, 1.0])
 def test_velocity_needs_the_whole_first_order(damping):
     """On the chain's own y; (43), the negative control, leaves a term of first order out."""
