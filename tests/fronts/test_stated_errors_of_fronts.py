@@ -72,7 +72,7 @@ def test_errors_of_a_sweep_hold(alpha):
         front = gf.solve_front(law=law, states=(-1.0, 0.0))
         for name, value in fronts.TrueFront(front, law, -1.0, 0.0).measures().items():
             stated, error = float(sweep[f"{name}_error"][k]), abs(sweep[name].values[k] - value)
-            found.append((name, stated, float(error), float(abs(value))))
+            found.append((name, stated, float(error), float(abs(value)), 1))
     assert hold(found)
     assert not hold([(name, 0.01 * stated, *numbers) for name, stated, *numbers in found])
 

@@ -330,6 +330,7 @@ SAMPLES = {
     "fig25": lambda: {
         "chains": honesty("velocity", "arrival_time", "first_gap_bead", "front_speed"),
         "fronts": honesty("strain", "slope"),
+        "rings": honesty("place_dispersive", "smallest_compression"),
     },
     "fig26": lambda: {
         "dimers": motions(

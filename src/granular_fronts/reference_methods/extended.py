@@ -20,6 +20,7 @@ from granular_fronts.accuracy import with_refinement
 from granular_fronts.chain.run import make_beads
 from granular_fronts.errors import SolveError
 from granular_fronts.scenes.beads import bead_count
+from granular_fronts.scenes.drives import key_of_drive, largest_of, pieces_of, value_at_start
 
 REAL = np.longdouble
 PI = 4 * np.arctan(REAL(1))
@@ -142,8 +143,7 @@ class Motion:
     Parameters
     ----------
     scene : mapping
-        A chain scene, as `simulate_chain` takes it, but without drives that vary in time and starts
-        in equilibrium.
+        A chain scene, as `simulate_chain` takes it, but no start in equilibrium.
     tolerance : float, optional
         Error of a step, relative to the size of the motion.
     """
@@ -158,52 +158,64 @@ class Motion:
         self.forces, self.kinked = forces(scene["law"])
         self.ring, self.wall = (boundary["kind"] == kind for kind in ("ring", "wall"))
         varied = make_beads(scene)
-        drives = "force" in boundary or isinstance(boundary.get("velocity"), Mapping)
-        if drives or scene["start"]["kind"] == "equilibrium":
-            raise SolveError(
-                "The reference knows no drives that vary in time and no equilibrium: give a "
-                "number, or list the start."
-            )
+        if scene["start"]["kind"] == "equilibrium":
+            raise SolveError("The reference knows no equilibrium: list the start.")
         self.mass, *factors = (np.ones(self.beads, dtype=REAL) * part for part in varied[:3])
         contacts = slice(None if self.ring or self.wall else -1)
         self.elastic_factor, self.viscous_factor = (factor[contacts] for factor in factors)
         self.gravity = REAL(varied.gravity)
         # The most that a contact's force does to a bead, over that of the law to a bead of mass 1.
         self.strength = max(factor.max() for factor in factors) / self.mass.min()
-        self.piston = REAL(boundary["velocity"]) if boundary["kind"] == "piston" else None
-        self.ramp = REAL(boundary.get("ramp", 0))
+        self.driven = key_of_drive(boundary)
+        self.pieces = np.array(pieces_of(boundary), dtype=REAL).T
+        self.piece = 0
         ends = np.array([boundary.get("left", 0), boundary.get("right", 0)], dtype=REAL)
         self.right = ends[1]
         self.held = self.forces(ends)
-        u, velocity = self._start(scene["start"])
+        u, velocity = self._start(scene["start"], boundary)
         self.turn = u.sum() if self.ring else REAL(0)
         x = np.concatenate([[REAL(0)], -np.cumsum(u)])[: self.beads]
         if self.wall:
             x += u.sum()
         still = np.concatenate([x, np.zeros(self.beads, dtype=REAL)])
         shift = self.slopes(np.zeros(1, dtype=REAL), still[None])[0, : self.beads]
-        if self.piston is not None:
+        if self.driven == "velocity":
             shift[0] = velocity[0]
         state = np.concatenate([x, velocity - shift])
         weight = np.abs(self.gravity) * self.mass.sum()
-        driven = np.array([*u, *velocity, *ends, self.piston or 0, weight])
+        driven = np.array([*u, *velocity, *ends, largest_of(boundary), weight])
         self.size = np.abs(driven).max()
         self.tolerance = tolerance * self.size
         self.steps: list[Step] = []
         now, end = REAL(0), REAL(scene["end_time"])
-        for goal in sorted({min(self.ramp, end), end} - {REAL(0)}):
+        breaks = self.pieces[0][1:] if self.driven else np.empty(0)
+        for self.piece, goal in enumerate([*breaks[breaks < end], end]):
             state = self._advance(now, goal, state)
             now = goal
 
-    def _start(self, start):
+    def _start(self, start, boundary):
         u, velocity = np.zeros_like(self.elastic_factor), np.zeros(self.beads, dtype=REAL)
         if start["kind"] == "striker":
             velocity[: start["beads"]] = start["velocity"]
         elif start["kind"] == "given":
             u[:], velocity[:] = start["relative_displacement"], start["velocity"]
-        elif self.piston is not None:
-            velocity[0] = 0 if self.ramp else self.piston
+        elif self.driven == "velocity":
+            velocity[0] = value_at_start(boundary)
         return u, velocity
+
+    def drive(self, t):
+        """Return the force on bead 1 or its velocity, of no piece later than the present one."""
+        row = np.searchsorted(self.pieces[0], t, side="right") - 1
+        start, *formula = self.pieces[:, np.clip(row, 0, self.piece)]
+        constant, rate, amplitude, frequency, phase = formula
+        s = t - start
+        return constant + rate * s + amplitude * np.sin(frequency * s + phase)
+
+    def drive_rate(self, t):
+        """Return the rate of the drive."""
+        row = np.searchsorted(self.pieces[0], t, side="right") - 1
+        start, _, rate, amplitude, frequency, phase = self.pieces[:, row]
+        return rate + amplitude * frequency * np.cos(frequency * (t - start) + phase)
 
     def compression(self, state):
         """Return the compressions of the moving contacts, of states whose last axis is (x, w)."""
@@ -234,11 +246,12 @@ class Motion:
             held = [0] if self.wall else [0, -1]
             transmitted[1, :, held] = self.held[0][: len(held), None]
             transmitted[0, :, held] = self.held[1][: len(held), None]
+        if self.driven == "force":
+            transmitted[0, :, 0], transmitted[1, :, 0] = 0, self.drive(t)
         viscous, elastic = (transmitted[:, :, :-1] - transmitted[:, :, 1:]) / self.mass
         out[:, :beads], out[:, beads:] = states[:, beads:] + viscous, elastic + self.gravity
-        if self.piston is not None:
-            rise = np.minimum(t / self.ramp, 1) if self.ramp else np.ones_like(t)
-            out[:, 0], out[:, self.beads] = self.piston * rise, 0
+        if self.driven == "velocity":
+            out[:, 0], out[:, self.beads] = self.drive(t), 0
         return out
 
     def _advance(self, now, goal, state):

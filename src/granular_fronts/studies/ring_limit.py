@@ -34,11 +34,13 @@ A model has *lost* 1, 5 or 10 % at the first slow time at which `sup` of u excee
 It is interpolated linearly between the times of `_loss_times`.
 
 Accuracy.  Chain and equation are solved again with more coefficients or cells and a tenth of the
-tolerance.  Everything is measured again, at fewer places and on every other of `_loss_times`.  The
-difference is the error estimate, so that it contains the error of interpolation.  Two maxima may
-agree by chance, and so may two means of squares.  So their error is at least the maximum, or the
-mean, of the difference of the two fields at the places that both have.  The errors of the smallest
-compression and of the first gap of a ring followed bead by bead are those of a chain.
+tolerance, a ring of single beads by two steps for each.  Everything is measured again, at fewer
+places and on every other of `_loss_times`.  The difference is the error estimate, so that it
+contains the error of interpolation.  Two maxima may agree by chance, and so may two means of
+squares.  So their error is at least the maximum, or the mean, of the difference of the two fields
+at the places that both have.  A place is wrong by at least the difference next to the steepest
+fall, over its slope.  The errors of the smallest compression and of the first gap of a ring
+followed bead by bead are those of a chain.
 """
 
 import math
@@ -55,7 +57,7 @@ from granular_fronts.chain.event_errors import event_errors
 from granular_fronts.chain.fourier_ring import FourierRing, GapError, solve_fourier_ring
 from granular_fronts.chain.measures import last_fall
 from granular_fronts.chain.recording import collect
-from granular_fronts.chain.run import integrate, prepare
+from granular_fronts.chain.run import integrate, integrate_in_halves, prepare
 from granular_fronts.continuum import evolution
 from granular_fronts.continuum.log_burgers import solution as log_burgers
 from granular_fronts.continuum.log_kdv_burgers import solution as log_kdv_burgers
@@ -151,7 +153,7 @@ class Motion(NamedTuple):
     velocity: np.ndarray
     smallest: Estimate
     gap_time: float = math.nan
-    events: tuple | None = None  # Scene and recording of a ring followed bead by bead.
+    events: tuple | None = None  # Scene, recording and ends of steps of a ring of single beads.
 
     @property
     def is_smooth(self):
@@ -165,14 +167,15 @@ def _loss_times(last):
     return FIRST_LOSS_TIME * LOSS_RATIO ** np.arange(count + 1)
 
 
-def compare(ring, slow_times, tolerance, xi=None):
+def compare(ring, slow_times, tolerance, xi=None, resolve=resolutions):
     """Return values and error estimates at slow times above 0, by the names of `campaign.kinds`.
 
-    `xi` are places ξ̃ of the moving frame at which u/δ of the chain is wanted too.
+    `xi` are places ξ̃ of the moving frame at which u/δ of the chain is wanted too.  `resolve`
+    makes the usual and the finer resolution of the tolerance.
     """
     passages = _loss_times(float(np.max(slow_times)))
     every = np.union1d(slow_times, passages)
-    times, (usual, finer) = every / ring.scaling.slow_rate, resolutions(tolerance)
+    times, (usual, finer) = every / ring.scaling.slow_rate, resolve(tolerance)
     motions = follow(ring, times, usual, finer)
     kept, passed = np.searchsorted(every, slow_times), np.searchsorted(every, passages)
     measured = _facts(ring, motions, slow_times)
@@ -204,7 +207,12 @@ def compare(ring, slow_times, tolerance, xi=None):
             motions.usual.relative_displacement[kept],
             fields.map(itemgetter("displacement")),
         )
-        found |= _heights(found, _near_peaks(field, chain))
+        found |= _heights(found, _near(field, chain.argmax(axis=1)))
+        drops = chain - np.roll(chain, -1, axis=1)
+        steepest = drops.max(axis=1) * chain.shape[1] / (2.0 * ring.half_length)
+        place, error = found["place"]
+        moved = _near(field, drops.argmax(axis=1)) / steepest
+        found["place"] = place, np.maximum(error, moved)
         measured |= {f"{key}_{name}": value for key, value in found.items()}
     return measured
 
@@ -230,11 +238,11 @@ def _change(field):
     return usual - finer
 
 
-def _near_peaks(field, chain):
-    """Return the largest change of a field next to the highest place of the chain at each time."""
+def _near(field, places):
+    """Return the largest change of a field next to a place at each time."""
     change = np.abs(_change(field))
-    peaks = chain[:, :: chain.shape[1] // change.shape[1]].argmax(axis=1)
-    beside = (peaks[:, None] + np.arange(-NEAR, NEAR + 1)) % change.shape[1]
+    among = places * change.shape[1] // field.usual.shape[1]
+    beside = (among[:, None] + np.arange(-NEAR, NEAR + 1)) % change.shape[1]
     return np.take_along_axis(change, beside, axis=1).max(axis=1)
 
 
@@ -258,7 +266,8 @@ def follow(ring, times, usual, finer):
             return with_refinement(smooth, usual, finer)
         except GapError:
             pass
-    return with_refinement(partial(_follow_beads, ring, times), usual, finer)
+    found = _follow_beads(ring, times, usual)
+    return refined_by(lambda found: _follow_beads(ring, times, usual, found.events[2]), found)
 
 
 def _follow_smooth(ring, times, resolution):
@@ -272,8 +281,8 @@ def _follow_smooth(ring, times, resolution):
     return Motion(site, wave.relative_displacement, wave.velocity, wave.smallest)
 
 
-def _follow_beads(ring, times, resolution):
-    """Return the chain bead by bead."""
+def _follow_beads(ring, times, resolution, ends=None):
+    """Return the chain bead by bead, by two steps for each of a run whose steps had those ends."""
     site = np.arange(1.0, ring.beads + 1.0)
     tolerance = resolution.chain_tolerance
     scene = chain_scene(
@@ -286,7 +295,10 @@ def _follow_beads(ring, times, resolution):
         _start_at(ring, site),
     )
     run = prepare(scene)
-    integrate(run, scene["tolerance"])
+    if ends is None:
+        ends = integrate(run, scene["tolerance"])
+    else:
+        integrate_in_halves(run, ends)
     data = collect(scene, run).dataset
     return Motion(
         site,
@@ -294,7 +306,7 @@ def _follow_beads(ring, times, resolution):
         data["velocity"].values,
         Estimate(float(data["smallest_relative_displacement"]), 0.0),
         gap_time=float(data["first_gap_time"]),
-        events=(scene, run.recording),
+        events=(scene, run.recording, ends),
     )
 
 
@@ -313,13 +325,14 @@ def _facts(ring, motions, slow_times):
         "beads_of_ring": ring.beads,
     }
     facts = {name: _estimated(Refined(value, value)) for name, value in known.items()}
-    (smallest, least_error), finer = motions.usual.smallest, motions.finer.smallest.value
+    (smallest, own), (finer, other) = motions.map(attrgetter("smallest"))
+    least_error = own + other
     gap_time, of_gap = _estimated(motions.map(attrgetter("gap_time")))
     if not motions.usual.is_smooth:
-        scene, recording = motions.usual.events
+        scene, recording, _ = motions.usual.events
         errors = event_errors(scene, recording, motions.finer.events[1], ring.beads)
         least_error, of_gap = errors["smallest_relative_displacement"], errors["first_gap_time"]
-    facts["smallest_compression"] = smallest, max(least_error, abs(smallest - finer))
+    facts["smallest_compression"] = smallest, least_error + abs(smallest - finer)
     facts["first_gap_time"] = rate * gap_time, rate * of_gap
     return {
         name: tuple(np.full(slow_times.size, number) for number in both)

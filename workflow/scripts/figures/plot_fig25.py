@@ -21,15 +21,15 @@ FEW, TWICE, TENFOLD = 5e-3, 2.0, 10.0
 LEAST_RATIO, LARGEST_RATIO, LEAST_SHARE = 3e-4, 30.0, 3e-4
 
 
-def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset) -> Figure:
+def plot_fig25(chains: xr.Dataset, fronts: xr.Dataset, rings: xr.Dataset) -> Figure:
     """Draw a panel for each kind of problem.
 
     Parameters
     ----------
-    chains, fronts : xarray.Dataset
+    chains, fronts, rings : xarray.Dataset
         Written by measure_honesty.
     """
-    problems = {"chains": chains, "exact fronts": fronts}
+    problems = {"chains": chains, "exact fronts": fronts, "rings": rings}
     figure, panels = new_figure(4.0, [[*problems]])
     for kind, data in problems.items():
         _draw_kind(panels[kind], data)

@@ -19,7 +19,7 @@ def measure_honesty(kind: str, problems: dict[str, int], dataset: Path) -> None:
     Parameters
     ----------
     kind : str
-        chains or fronts.
+        chains, fronts or rings.
     problems : dict
         Which random problems, `seed`, and how many, `count`.
     dataset : Path
@@ -27,21 +27,24 @@ def measure_honesty(kind: str, problems: dict[str, int], dataset: Path) -> None:
     """
     found = []
     cases = import_module(f"truth.{kind}").cases
-    for name, stated, true, largest in cases(**problems):
+    for name, stated, true, largest, size in cases(**problems):
         times = ratio(stated, true, largest)
         if not times <= 2.0:
             print(f"{name}: stated {stated:.2e}, true {true:.2e}, ratio {times:.3g}")
         if not np.isnan(largest):
-            found.append((name.split()[0], stated, true, times))
-    ratios = np.array([row[-1] for row in found])
-    above = ", ".join(f"{np.mean(ratios > limit):.2%} above {limit}" for limit in (2, 10))
-    silent = np.mean([np.isinf(row[1]) for row in found])
-    print(
-        f"{len(found)} numbers: {above}, largest {ratios.max():.3g}, {silent:.2%} without a claim"
-    )
-    columns = ("variable", "stated_error", "true_error", "ratio")
-    measured = pd.DataFrame(found, columns=columns).rename_axis("number").to_xarray()
-    measured = measured.set_coords("variable")
+            found.append((name.split()[0], stated, true, times, size))
+    columns = ("variable", "stated_error", "true_error", "ratio", "values")
+    numbers = pd.DataFrame(found, columns=columns).rename_axis("number")
+    for single, rows in numbers.groupby(numbers["values"] == 1):
+        silent = np.isinf(rows["stated_error"]).mean()
+        above = ", ".join(
+            f"{np.mean(rows['ratio'] > limit):.2%} above {limit}" for limit in (2, 10)
+        )
+        print(
+            f"{len(rows)} {'single numbers' if single else 'arrays'}: {above}, largest "
+            f"{rows['ratio'].max():.3g}, {silent:.2%} without a claim"
+        )
+    measured = numbers.drop(columns="values").to_xarray().set_coords("variable")
     write_dataset(measured, dataset, scene_id=f"honesty_{kind}", config=problems)
 
 

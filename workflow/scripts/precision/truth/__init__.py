@@ -1,8 +1,9 @@
 """What is true, by programs that are independent of the package that they judge.
 
 Each module has ``cases(seed, count)``.  Of random problems it yields a number's name, its stated
-error, its true one and the largest value it was found among.  They belong to the scripts and not to
-the package.  So rules and tests run the same cases, and the package cannot use them.
+error, its true one, the largest value it was found among, and how many values there are.  They
+belong to the scripts and not to the package.  So rules and tests run the same cases, and the
+package cannot use them.
 """
 
 from collections.abc import Iterable
@@ -24,12 +25,12 @@ def ratio(stated: float, true: float, largest: float) -> float:
     return beyond / stated if stated > 0.0 else np.inf
 
 
-def hold(found: Iterable[tuple[str, float, float, float]], share: float = 1.0) -> bool:
+def hold(found: Iterable[tuple[str, float, float, float, int]], share: float = 1.0) -> bool:
     """Return whether stated errors are honest: a share within twice, all within ten times.
 
     A problem that was refused has no numbers and is no honest answer.
     """
-    numbers = np.array([number for _, *number in found])
+    numbers = np.array([number for _, *number, _ in found])
     ratios = np.array([ratio(*number) for number in numbers])
     stated, true, _ = numbers[numbers[:, 1] < np.inf].T
     wide = np.median(stated / np.fmax(true, 1e-300))

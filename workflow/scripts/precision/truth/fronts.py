@@ -280,7 +280,7 @@ class TrueFront:
 
 
 def compare(front, law, behind, ahead, rng):
-    """(name, stated error, true error, largest value) of all numbers of a front."""
+    """(name, stated error, true error, largest value, size) of all numbers of a front."""
     for parts in (2, 3, 4):
         true = TrueFront(front, law, behind, ahead, parts)
         if not true.fits or true.tail < LEFT_OUT:
@@ -296,17 +296,19 @@ def compare(front, law, behind, ahead, rng):
         found = front[name]
         kept = values[first :: true.parts][: found.size]
         stated = found.attrs["error_estimate"]
-        yield name, stated, float(np.abs(kept - found.values).max()), float(np.abs(kept).max())
+        error, largest = (float(np.abs(of).max()) for of in (kept - found.values, kept))
+        yield name, stated, error, largest, found.size
     places = rng.uniform(max(front["xi"].values[0], -20.0), front["xi"].values[-1], 12)
     exact = np.array([true.ahead + true.jump * true.at(xi, waves) for xi in places])
     found = evaluate_front(front, places, "strain")
     size = float(np.abs(fields["strain"]).max())
-    yield "evaluated", front.attrs["error_estimate"], float(np.abs(found - exact).max()), size
+    error = float(np.abs(found - exact).max())
+    yield "evaluated", front.attrs["error_estimate"], error, size, found.size
     for name, value in true.measures().items():
         stated, found = front.attrs[f"{name}_error"], front.attrs[name]
-        yield name, stated, float(abs(found - value)), float(abs(value))
+        yield name, stated, float(abs(found - value)), float(abs(value)), 1
     defect = front.attrs["speed_defect"]
-    yield "speed_defect", front.attrs["speed_defect_error"], abs(defect), 1.0
+    yield "speed_defect", front.attrs["speed_defect_error"], abs(defect), 1.0, 1
 
 
 def _random_front(rng):
