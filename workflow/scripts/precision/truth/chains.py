@@ -18,7 +18,7 @@ RESOLVED = 1e-17
 # Above it a contact that touches at the start has parted.
 PARTED = 1e-15
 # Of the difference quotients of smooth viscous forces.
-STEP = np.longdouble(1) / 512
+STEP = np.longdouble(1) / 4096
 
 
 def _random_law(rng: np.random.Generator) -> tuple[dict[str, Any], float]:
@@ -230,7 +230,8 @@ def _felt(scene, data, motion):
 def _transmitted(law, motion, u, velocity):
     """Return the forces of the contacts; one that just touches is on the side it moves to."""
     rate = motion._differences(velocity)
-    near = np.where(u == 0, np.where(rate < 0, -1e-300, 1e-300), u)
+    touches = np.abs(u) <= RESOLVED * motion.size
+    near = np.where(touches, np.where(rate < 0, -1e-300, 1e-300), u)
     elastic, viscous = motion.forces(near)
     beta = law.get("beta", law.get("viscous", {}).get("beta"))
     if law.get("elastic", {}).get("kind") == "hertz":
