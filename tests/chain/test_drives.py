@@ -210,7 +210,8 @@ def errors_of_steps(key, drive, counts, power=1.0, end_time=8.0):
 
     def states(count, power):
         part = run.prepare(scene)
-        run.integrate_in_halves(part, end_time * (np.arange(1, count + 1) / count) ** power)
+        ends = end_time * (np.arange(1, count + 1) / count) ** power
+        run.integrate_in_halves(part, scene["tolerance"], ends)
         return np.concatenate([part.row(U), part.row(D)])
 
     exact = states(240, 1.0)

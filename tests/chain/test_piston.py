@@ -85,7 +85,8 @@ def test_piston_drives_a_front_of_equations_22_and_23():
 def fixed_steps(scene, steps):
     """u and d after `steps` equal steps over the ramp and as many over the rest of the time."""
     part = run.prepare(scene)
-    run.integrate_in_halves(part, scene["end_time"] * np.arange(1, steps + 1) / steps)
+    ends = scene["end_time"] * np.arange(1, steps + 1) / steps
+    run.integrate_in_halves(part, scene["tolerance"], ends)
     return np.concatenate([part.row(U), part.row(D)])
 
 

@@ -74,6 +74,19 @@ def test_a_gap_that_only_touches_is_never_certain(relative):
     assert np.isnan(gap) or gap.attrs["error_estimate"] == np.inf
 
 
+@pytest.mark.parametrize("relative", np.logspace(-8, -3, 11))
+def test_error_of_an_opening_is_stated(relative):
+    """Two beads that met at t = 0 with a linear force exchange velocities and part at π/√2."""
+    hertz = {"kind": "hertz", "alpha": 1.0, "stiffness": 1.0}
+    law = {"elastic": hertz, "viscous": {"kind": "none"}}
+    meet = scene(law, [0.0], [1.0, 0.0], 3.0) | {"record": {"snapshots": [3.0]}}
+    meet["tolerance"] = {"relative": relative, "absolute": 1e-3 * relative}
+    motion = simulate_chain(meet).isel(t=0)
+    apart = {"relative_displacement": [np.pi / np.sqrt(2.0) - 3.0, 0.0], "velocity": [0.0, 1.0]}
+    for name, exact in apart.items():
+        assert np.abs(motion[name] - exact).max() <= 2.0 * motion[name].attrs["error_estimate"]
+
+
 def test_a_few_chains_state_honest_errors():
     found = list(chains.cases(4, 6))
     assert hold(found, 0.98)

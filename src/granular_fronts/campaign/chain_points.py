@@ -88,7 +88,8 @@ def _solve_point(point, law, tolerance):
 def _solve_in_halves(motion):
     """Follow the chain of a `_Motion` again, with two steps for each of its own."""
     run = prepare(motion.scene)
-    return motion._replace(run=run, ends=integrate_in_halves(run, motion.ends))
+    ends = integrate_in_halves(run, motion.scene["tolerance"], motion.ends)
+    return motion._replace(run=run, ends=ends)
 
 
 # By measure: the variable of the chain, and the powers of its units of length and speed.

@@ -103,29 +103,31 @@ def _complete(chain, table, recording, h, t_new, energy):
 def advance(chain, table, recording, relative, absolute, ends, prescribed):
     """Integrate until the last of the stops, or for as many further steps as `ends` holds.
 
-    The ends of these steps are written into `ends`; prescribed, they are read from there, and no
-    step is rejected.  The result is RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE,
-    OPENED.
+    The ends of these steps are written into `ends`; prescribed, they are read from there, no step
+    is rejected, and one that is cut at a contact goes on to its end in further steps.  The result
+    is RUNNING, FINISHED, or why it stopped: COLLAPSED, NOT_FINITE, OPENED.
     """
     table, recording, ends = borrowed((table, recording, ends))
     law, clock, next_, stops = chain.law, chain.clock, recording.next, recording.stops
     after_rejection = False
     steps = 0
+    if prescribed:
+        clock.h = math.inf
     while steps < ends.size and next_.stop < stops.size and not interrupted():
-        t, stop, reach = clock.t, stops[next_.stop], clock.reach
+        t, reach = clock.t, clock.reach
+        stop = ends[steps] if prescribed else stops[next_.stop]
         landing = t + clock.h >= stop
-        t_new = ends[steps] if prescribed else stop if landing else t + clock.h
+        t_new = stop if landing else t + clock.h
         h, shortest = t_new - t, SHORTEST_STEP_IN_SPACINGS * np.spacing(t)
-        if h < shortest and not (landing or prescribed):
+        if h < shortest and not landing:
             return COLLAPSED
         last = min(reach, chain.contacts)
         largest, energy = try_step(chain, table, h, reach, recording.track_energy)
         clock.right_hand_sides += rk.STAGES
         error = error_norm(law, largest, h, relative, absolute)
-        if prescribed:
-            if math.isnan(error):
-                return NOT_FINITE
-        elif not error <= 1.0:
+        if prescribed and math.isnan(error):
+            return NOT_FINITE
+        if not (prescribed or error <= 1.0):
             clock.rejected += 1
             after_rejection = True
             if math.isnan(error):
@@ -134,7 +136,7 @@ def advance(chain, table, recording, relative, absolute, ends, prescribed):
                     return NOT_FINITE
             clock.h = h * _reduction_of(error)
             continue
-        elif passes_any_kink(chain, table, last):
+        if passes_any_kink(chain, table, last):
             if law.has_stiff_kinks:
                 return OPENED
             allowed = absolute + relative * largest.compression
@@ -144,6 +146,10 @@ def advance(chain, table, recording, relative, absolute, ends, prescribed):
                 clock.h = at_contact
                 continue
         _complete(chain, table, recording, h, t_new, energy)
+        if prescribed:
+            steps += landing
+            clock.h = math.inf
+            continue
         ends[steps] = t_new
         steps += 1
         growth, shortened = _growth_of(error), landing and h < clock.h

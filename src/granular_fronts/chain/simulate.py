@@ -11,6 +11,7 @@ by chance, take theirs from all events near them (`event_errors`).  The estimate
 independent refinement and not from the step controller; they are no bounds.
 """
 
+import functools
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -117,11 +118,12 @@ def solve(scene, tolerance, activity="solving"):
 
 def refine(scene, solution, activity="estimating the error"):
     """Integrate a scene again, with two steps for each of a `Solution`; the rest as in `solve`."""
-    return _follow(scene, activity, integrate_in_halves, solution.ends)
+    in_halves = functools.partial(integrate_in_halves, ends=solution.ends)
+    return _follow(scene, activity, in_halves, scene["tolerance"])
 
 
-def _follow(scene, activity, integrate, steps):
-    """Integrate a scene to its end by a function of `run` and what sets its steps."""
+def _follow(scene, activity, integrate, tolerance):
+    """Integrate a scene to its end by a function of `run` and the tolerance."""
     try:
         run = prepare(scene)
         balances = Balances(run)
@@ -136,7 +138,7 @@ def _follow(scene, activity, integrate, steps):
                 bar.update(0)
                 balances.check(run)
 
-            ends = integrate(run, steps, after_block)
+            ends = integrate(run, tolerance, after_block=after_block)
     except SolveError as error:
         raise SolveError(f"{activity}: {error}") from error
     return Solution(collect(scene, run), work_done(run), balances.drifts(), run.recording, ends)

@@ -300,7 +300,7 @@ def _follow_beads(ring, times, resolution, ends=None):
     if ends is None:
         ends = integrate(run, scene["tolerance"])
     else:
-        integrate_in_halves(run, ends)
+        integrate_in_halves(run, scene["tolerance"], ends)
     data = collect(scene, run).dataset
     return Motion(
         site,
