@@ -145,7 +145,9 @@ def _with_errors(motions, beads):
     motion = motions.usual
     events = event_errors(motion.scene, *recordings, int(motion.run.chain.contacts))
     errors = _in_units(events | {"largest_peak": events["first_peak"]}, motion)
-    errors["overshoot"] = errors["largest_peak"]
+    # A later peak may be less exact than the first one.
+    change = abs(found["largest_peak"] - refined["largest_peak"])
+    errors["overshoot"] = errors["largest_peak"] = np.maximum(errors["largest_peak"], change)
     return {
         name: (
             value,
