@@ -85,8 +85,7 @@ def event_errors(scene, recording, refined, contacts):
     if recording.track_extremes:
         both = [extremes_of_all(one, contacts) for one in runs]
         rounding = rounding_of(recording, contacts)
-        smallest = events["smallest"][0]
-        deepest = np.fmin(smallest[VALUE], smallest[END])
+        deepest = [np.fmin(one[VALUE], one[END]) for one in events["smallest"]]
         errors |= _of_first_opening(samples, deepest, *events["opening"], *both)
         for kind in ("largest", "smallest"):
             event = events[kind][0][:, :contacts]
@@ -168,7 +167,8 @@ def _of_first_opening(samples, deepest, own, other, found, refined):
         return dict.fromkeys(names, np.inf)
     first = int(found["first_gap_bead"]) - 1
     of_u = _near(samples.time, samples.of_u, own[TIME])[first]
-    if -deepest[first] <= of_u:
+    width, other_width = (-one[first] for one in deepest)
+    if width <= 2.0 * max(of_u, abs(width - other_width)):
         return dict.fromkeys(names, np.inf)  # It touches: the gap is no wider than its error.
     # No other opening may be near the first one, on which alone two runs agree by chance.
     through = of_u / own[STEEPNESS, first]
