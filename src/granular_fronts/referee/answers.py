@@ -2,21 +2,25 @@
 
 A problem is solved by the chain's integrator, and again with two steps for each.  The largest
 difference is the error (see `chain.simulate`).  The number that depends on the damping
-(`measurements`) is computed at several dampings around the given one.  So a result can be compared
-with each.
+(`measurements`) is computed at several dampings around the given one, of either solution.  So a
+result can be compared with each.
 """
 
 import csv
 import io
+from functools import partial
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from granular_fronts.chain.simulate import simulate_chain
+from granular_fronts.accuracy import error_attributes, refined_by
+from granular_fronts.chain import simulate
+from granular_fronts.chain.simulate import ERROR_METHOD
 from granular_fronts.fronts.solitary_waves import solitary_wave
-from granular_fronts.referee.measurements import NAMES, read_motion, scale_of
+from granular_fronts.referee.measurements import NAMES, read_motion
 from granular_fronts.referee.problems import ALPHA
+from granular_fronts.scenes.validation import check_scene
 
 LAST_BEADS = 3  # whose velocities at the end are listed
 
@@ -27,26 +31,22 @@ def solve(problem):
     `relative_displacement` is on (t, contact) and `velocity` on (t, bead).  `reading` is on
     (factor,), dampings over γ; `value` and `value_error` are on (quantity,).
     """
-    motion = simulate_chain(problem.scene, problem.name)
+    motion = simulate.simulate_chain(problem.scene, problem.name)
     t, u, v = states(motion)
-    measurements = [_read_at(problem, factor) for factor in problem.factors]
+    readings, refined = np.transpose([_read_at(problem, factor) for factor in problem.factors])
     names, values, errors = zip(*_quantities(problem, motion), strict=True)
     field = {
         name: {key: motion[f"{name}_grid"].attrs[key] for key in ("error_estimate", "error_method")}
         for name in ("relative_displacement", "velocity")
     }
-    worst = max(attributes["error_estimate"] for attributes in field.values())
-    measurement = {
-        "error_estimate": 2.0 * worst / scale_of(problem),
-        "error_method": "twice the error of u or of the velocity",
-        "long_name": NAMES[problem.motion],
-    }
+    measurement = error_attributes(readings, refined, ERROR_METHOD)
+    measurement["long_name"] = NAMES[problem.motion]
     stated = {"error_estimate": float(max(errors)), "error_method": "see value_error"}
     return xr.Dataset(
         {
             "relative_displacement": (("t", "contact"), u, field["relative_displacement"]),
             "velocity": (("t", "bead"), v, field["velocity"]),
-            "reading": ("factor", measurements, measurement),
+            "reading": ("factor", readings, measurement),
             "value": ("quantity", list(values), stated),
             "value_error": ("quantity", list(errors)),
         },
@@ -67,9 +67,12 @@ def states(motion):
 
 
 def _read_at(problem, factor):
+    """Return the number that depends on the damping at a factor times γ, by both solutions."""
     law = problem.scene["law"]
     scene = problem.scene | {"law": law | {"gamma": factor * law["gamma"]}}
-    return read_motion(problem, *states(simulate_chain(scene, problem.name)))
+    scene = check_scene("chain", scene, problem.name)
+    motions = refined_by(partial(simulate.refine, scene), simulate.solve(scene, scene["tolerance"]))
+    return motions.map(lambda motion: read_motion(problem, *states(motion.dataset)))
 
 
 def _quantities(problem, motion):
