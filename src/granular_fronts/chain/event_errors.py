@@ -7,6 +7,9 @@ few times are samples too.  An event takes the largest of the samples near it, o
 `NEAR` away and of times within a factor of `RECENT`. More than `FEW` events of one kind are enough:
 each takes the largest difference of those near it.
 
+Of few passages of a level below the error of u, as in the foot of a front, the stated error is a
+bound, up to 2000 times the true error, and at most the length of the motion.
+
 The extreme of all contacts and times is the best of many candidates.  Where others come as close to
 it as the errors allow, its time and bead are as uncertain as the candidates differ.
 """
