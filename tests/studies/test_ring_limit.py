@@ -301,4 +301,5 @@ def test_measures_of_known_waves_are_exact():
 def test_rings_state_honest_errors():
     found = list(rings.cases(1, 14))
     assert hold(found, 0.98)
+    assert hold([number for number in found if number[0].startswith("place")], 0.98)
     assert not hold([(name, stated / 20.0, *rest) for name, stated, *rest in found], 0.98)
