@@ -102,6 +102,11 @@ def test_a_gap_of_truncation_alone_is_never_certain():
     assert motion["first_gap_time"].attrs["error_estimate"] == np.inf
 
 
+def test_a_turn_on_which_two_runs_agree_by_chance_states_its_error():
+    """The rates of contacts nearby show what its own time does not."""
+    assert hold(chains.judge(chains.random_scene(np.random.default_rng([1, 220]))))
+
+
 @pytest.mark.slow
 def test_many_chains_state_honest_errors():
     assert hold(chains.cases(2, 150), 0.995)

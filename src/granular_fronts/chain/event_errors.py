@@ -3,9 +3,9 @@ r"""Errors of located events, from the events of two runs.
 Two runs may agree on a single number by chance, on many they do not.  Every event of a contact is a
 sample of the error of u or u̇.  The value of an extreme is wrong by :math:`\delta u`, its time by
 :math:`\delta\dot u/|\ddot u|`, the time of a passage by :math:`\delta u/|\dot u|`.  The states at a
-few times are samples too.  An event takes the largest of the samples near it, of contacts at most
-`NEAR` away and of times within a factor of `RECENT`. More than `FEW` events of one kind are enough:
-each takes the largest difference of those near it.
+few times are samples too, those of d for u̇.  An event takes the largest of the samples near it, of
+contacts at most `NEAR` away and of times within a factor of `RECENT`. More than `FEW` events of one
+kind are enough: each takes the largest difference of those near it.
 
 Of few passages of a level below the error of u, as in the foot of a front, the stated error is a
 bound, up to 2000 times the true error, and at most the length of the motion.
@@ -61,7 +61,7 @@ def event_errors(scene, recording, refined, contacts):
     names = ("arrival", "opening", "first_peak", "largest", "smallest")
     runs, every = (recording, refined), np.s_[:, 1 : bead_count(scene) + 1]
     events = {name: tuple(getattr(one, name)[every] for one in runs) for name in names}
-    profiles = tuple(one.profile_u[every] for one in runs)
+    profiles = [of[every] for one in runs for of in (one.profile_u, one.profile_d)]
     rows = np.searchsorted(recording.profile_times, monitor_times(scene))
     states = [
         (recording.profile_times[row], *(profile[row] for profile in profiles)) for row in rows
@@ -103,7 +103,7 @@ def event_errors(scene, recording, refined, contacts):
 def _take_samples(events, states, rounding):
     """Return the errors of u and u̇ that two runs show."""
     ends = [events[name][0][END] for name in ("largest", "smallest")]
-    size = max(np.abs(u).max() for u in [*ends, *(own for _, own, _ in states)])
+    size = max(np.abs(u).max() for u in [*ends, *(u for _, u, *_ in states)])
     none, rows = np.full(ends[0].size, np.nan), []
     for name, (own, other) in events.items():
         moved = np.abs(own[TIME] - other[TIME])
@@ -120,7 +120,8 @@ def _take_samples(events, states, rounding):
             # Ends of steps are comparable at the start and the end of the motion.
             change = np.where(own[END_TIME] == other[END_TIME], own[END] - other[END], np.nan)
             rows.append((own[END_TIME], np.abs(change), none))
-    rows += [(np.full(own.size, time), np.abs(own - other), none) for time, own, other in states]
+    for time, u, d, other_u, other_d in states:
+        rows.append((np.full(u.size, time), np.abs(u - other_u), np.abs(d - other_d)))
     time, of_u, of_rate = map(np.array, zip(*rows, strict=True))
     size = float(max(size, np.finfo(float).tiny))
     return Samples(time, np.maximum(of_u, np.spacing(size)), np.fmax(of_rate, rounding), size)
